@@ -198,7 +198,7 @@ def main() -> None:
             "cores": os.cpu_count(),
             "load_average_before": round(os.getloadavg()[0], 2),
             "simulate": asyncio.run(load(address, "/api/v1/simulate", bodies, server.pid)),
-            "film": asyncio.run(load(address, "/lab/film", films, server.pid)),
+            "motion": asyncio.run(load(address, "/lab/motion", films, server.pid)),
         }
         if not options.no_browser:
             result["browser"] = browser_times(address)

@@ -9,6 +9,7 @@ import pytest
 from hophoop.lab.site.controls import controls
 from hophoop.lab.site.presets import presets
 from hophoop.scenario.ranges import RANGES
+from model.test_page_model import answers
 from web_tools import bundled, english, needs_node, source
 
 pytestmark = needs_node
@@ -103,9 +104,9 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
     from hophoop.lab.api import calls
 
     scenario = hh.Scenario(start=hh.Start.rolling(2.0), duration=600.0)
-    answered = calls.answer(calls.read("film", {"scenario": scenario.to_dict()}))
-    whole = {name: column.tolist() for name, column in answered.arrays.items()}
-    part = calls.answer(calls.read("samples", {"scenario": scenario.to_dict(), "window": [299.0, 308.0]}))
+    (answer,) = answers("film", [{"scenario": scenario.to_dict()}])
+    header, whole = answer["value"]["header"], answer["value"]["arrays"]
+    part = calls.answer(calls.read("motion", {"scenario": scenario.to_dict(), "window": [299.0, 308.0]}))
     assert (part.arrays["t"][0], part.arrays["t"][-1]) == (299.0, 308.0)
     motion = hh.simulate(scenario)
     dense = np.linspace(300.0, 306.0, 3001)
@@ -118,7 +119,6 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
               film.pieces().map((piece) => [piece.film === film, piece.from, piece.to]), film.at(20).t];
     """
     columns = {name: column.tolist() for name, column in part.arrays.items()}
-    header = json.loads(json.dumps(calls.finite(answered.header)))
     before, wanted, after, pieces, outside = js("film.ts", code, header=header, whole=whole, part=columns, times=times)
     sample = motion.at(times)
     assert before[0] == [298.0, 306.0]
@@ -135,11 +135,8 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
 
 
 def test_a_short_film_asks_for_nothing(js):
-    from hophoop.lab.api import calls
-
-    answered = calls.answer(calls.read("film", {"query": "duration=6"}))
-    whole = {name: column.tolist() for name, column in answered.arrays.items()}
-    header = json.loads(json.dumps(calls.finite(answered.header)))
+    (answer,) = answers("film", [{"query": "duration=6"}])
+    header, whole = answer["value"]["header"], answer["value"]["arrays"]
     assert js("film.ts", "return new lab.Film({ header, arrays: whole }).wanted(3, 4)", header=header, whole=whole) is None
 
 
@@ -147,17 +144,13 @@ def test_a_short_film_asks_for_nothing(js):
 
 
 def test_theory_says_what_can_be_said_on_every_slope():
-    from hophoop.lab.thresholds import thresholds
-
-    import hophoop as hh
-
-    steep = {row["key"]: row["text"] for row in thresholds(hh.Scenario(plane=hh.Plane(slope=math.radians(23.0))))}
+    scenarios = [{"plane": {"slope": math.radians(23.0)}}, {"plane": {"slope": -0.1}}, {}]
+    asked = [{"scenario": keys} for keys in scenarios]
+    steep, uphill, level = ({row["key"]: row["text"] for row in answer["value"]} for answer in answers("theory", asked))
     assert steep["first_slip"] == "would slip: any push is enough"
     for text in steep.values():
         assert "e-" not in text
-    uphill = {row["key"]: row["text"] for row in thresholds(hh.Scenario(plane=hh.Plane(slope=-0.1)))}
     assert "no single threshold uphill" in uphill["uphill"]
-    level = {row["key"]: row["text"] for row in thresholds(hh.Scenario())}
     assert level["first_slip"] == "would slip above 2.043 m/s"
     assert "uphill" not in level
 

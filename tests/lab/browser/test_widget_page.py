@@ -1,6 +1,7 @@
 """The notebook widget in a browser: the same player."""
 
 import base64
+import gzip
 
 import pytest
 
@@ -10,9 +11,8 @@ import hophoop as hh  # noqa: E402
 from lab_page_tools import picture, summary, until  # noqa: E402
 
 
-@pytest.mark.parametrize("alone", [pytest.param(True, marks=pytest.mark.long), False])
-def test_the_widget_is_the_same_player(visit, alone):
-    """With the page's own kernel, and with the notebook's where the page may not run it."""
+def opened(visit, module=None):
+    """A page with the widget, as a notebook shows it; and the widget."""
     pytest.importorskip("anywidget")
     page = visit()
     widget = hh.show(hh.simulate(hh.Scenario(duration=2.0)), panels=("controls", "plots"))
@@ -27,13 +27,13 @@ def test_the_widget_is_the_same_player(visit, alone):
     page.expose_function("kernel", kernel)
     page.expose_function("chosen", lambda query: setattr(widget, "query", query))
     page.evaluate(
-        """async ({ film, setup, panels, module, worker }) => {
+        """async ({ film, panels, module, worker }) => {
           const bytes = (text) => {
             const raw = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
             return new DataView(raw.buffer);
           };
           const listeners = [];
-          const traits = { film: bytes(film), setup, panels, module: bytes(module), worker, query: "" };
+          const traits = { film: bytes(film), panels, module: bytes(module), worker, query: "" };
           const model = {
             get: (name) => traits[name],
             set: (name, value) => (traits[name] = value),
@@ -54,12 +54,16 @@ def test_the_widget_is_the_same_player(visit, alone):
         }""",
         {
             "film": base64.b64encode(widget.film).decode(),
-            "setup": widget.setup,
             "panels": widget.panels,
-            "module": base64.b64encode(widget.module if alone else b"not a module").decode(),
+            "module": base64.b64encode(widget.module if module is None else module).decode(),
             "worker": widget.worker,
         },
     )
+    return page, widget
+
+
+def test_the_widget_is_the_same_player(visit):
+    page, widget = opened(visit)
     page.locator(".embedded[data-ready]").wait_for()
     assert "hops at 315.6°" in summary(page)
     assert page.locator(".map").count() == 0
@@ -73,8 +77,11 @@ def test_the_widget_is_the_same_player(visit, alone):
     until(page, lambda: widget.motion.scenario.start.speed == 3.1 and widget.query == "duration=2")
     picture(page, "widget")
     page.get_by_role("button", name="Arrows").click()
-    if alone:
-        page.locator(".more-said li").first.wait_for()  # their module has come from the notebook's kernel
-    else:
-        page.locator(".more-reason", has_text="This needs a browser that runs WebAssembly.").wait_for()
+    page.locator(".more-said li").first.wait_for()  # their module has come from the notebook's kernel
+    page.evaluate("leave()")
+
+
+def test_a_browser_without_webassembly_is_told(visit):
+    page, _ = opened(visit, gzip.compress(b"not a module"))
+    page.get_by_text("This needs a browser that runs WebAssembly.").wait_for()
     page.evaluate("leave()")

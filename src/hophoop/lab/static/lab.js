@@ -1,6 +1,6 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 83086bfea222a827c95ec03ec1807015 */
-var ml=Object.create;var Yo=Object.defineProperty;var pl=Object.getOwnPropertyDescriptor;var fl=Object.getOwnPropertyNames;var gl=Object.getPrototypeOf,bl=Object.prototype.hasOwnProperty;var wl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var yl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of fl(e))!bl.call(s,o)&&o!==t&&Yo(s,o,{get:()=>e[o],enumerable:!(n=pl(e,o))||n.enumerable});
-return s};var vl=(s,e,t)=>(t=s!=null?ml(gl(s)):{},yl(e||!s||!s.__esModule?Yo(t,"default",{value:s,enumerable:!0}):t,s));var qa=wl(zn=>{"use strict";Object.defineProperty(zn,"__esModule",{value:!0});function Da(s){return!s||typeof s=="string"?s:s+""}var Is=class{async svg2canvas(e,t,n){
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 5469d3f4c4b4d20d6c94c08681f08014 */
+var pl=Object.create;var Yo=Object.defineProperty;var fl=Object.getOwnPropertyDescriptor;var gl=Object.getOwnPropertyNames;var bl=Object.getPrototypeOf,wl=Object.prototype.hasOwnProperty;var yl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var vl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of gl(e))!wl.call(s,o)&&o!==t&&Yo(s,o,{get:()=>e[o],enumerable:!(n=fl(e,o))||n.enumerable});
+return s};var xl=(s,e,t)=>(t=s!=null?pl(bl(s)):{},vl(e||!s||!s.__esModule?Yo(t,"default",{value:s,enumerable:!0}):t,s));var kr=yl($n=>{"use strict";Object.defineProperty($n,"__esModule",{value:!0});function yr(s){return!s||typeof s=="string"?s:s+""}var Mo=class{async svg2canvas(e,t,n){
 let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=n,i.getContext(
 "2d").drawImage(o,0,0),i}toDataURL(e,t,n,o,i,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var m="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
@@ -8,7 +8,7 @@ r);if(o==="image/svg+xml"||!o)return a.async?Promise.resolve(m):m;if(o==="image/
 st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(m,t,n),d=h.toDataURL(o,i);return h.remove(),d})()}throw new Error(
 "svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,n,o,i,a,r,l){if(l||(l={}),!l.async)throw new Error(
 "svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,n,"image/svg+xml");return(async()=>{let m=await this.svg2canvas(c,t,n),
-d=m.getContext("2d").getImageData(o,i,a,r);return m.remove(),d})()}},Oa=new Is;var Ia=(function(){var s,e,t,n,o;function i(h,d){var p=Object.keys(d),f;for(f=0;f<
+d=m.getContext("2d").getImageData(o,i,a,r);return m.remove(),d})()}},vr=new Mo;var xr=(function(){var s,e,t,n,o;function i(h,d){var p=Object.keys(d),f;for(f=0;f<
 p.length;f++)h=h.replace(new RegExp("\\{"+p[f]+"\\}","gi"),d[p[f]]);return h}function a(h){var d,p,f;if(!h)throw new Error("cannot create a random attribute nam\
 e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",f=0;f<12;f++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
 return p}function r(h,d){var p,f,g={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)f="&"+h[p+1]+";",b=parseInt(h[p],d),g[f]="&#"+b+";";return g["\\xa0"]="&#\
@@ -33,8 +33,8 @@ stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"s
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
 abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,d){this.__root=h,this.__ctx=d},t.prototype.addColorStop=function(h,d){
-var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),Da(d).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-g=f.exec(d),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",Da(d)),this.
+var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),yr(d).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+g=f.exec(d),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",yr(d)),this.
 __root.appendChild(p)},n=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
 width=arguments[0],p.height=arguments[1]):h?p=h:p=d,!(this instanceof e))return new e(p);this.width=p.width||d.width,this.height=p.height||d.height,this.enableMirroring=
 p.enableMirroring!==void 0?p.enableMirroring:d.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
@@ -54,8 +54,8 @@ p&&(d.setAttribute(h,""),d=p.element,p.children.forEach(function(H){H.setAttribu
 w=this[f[g]],b.apply){if(w instanceof n){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)L=w.__ctx.__defs.childNodes[T],k=L.getAttribute("id"),this.__ids[k]=
 k,this.__defs.appendChild(L);d.setAttribute(b.apply,i("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,i("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-v=y.exec(w),d.setAttribute(b.svgAttr,i("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var R=v[4],F=this.globalAlpha;F!=null&&(R*=F),d.setAttribute(b.svgAttr+"-opac\
-ity",R)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,d.getAttribute(A))continue}else if(f[g]==="lineWidth"){var D=this.__getTransformScale();
+v=y.exec(w),d.setAttribute(b.svgAttr,i("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var P=v[4],F=this.globalAlpha;F!=null&&(P*=F),d.setAttribute(b.svgAttr+"-opac\
+ity",P)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,d.getAttribute(A))continue}else if(f[g]==="lineWidth"){var D=this.__getTransformScale();
 w=w*Math.max(D.x,D.y)}d.setAttribute(A,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
 h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var d=new XMLSerializer().serializeToString(this.__root),p,f,g,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
 y.test(d)&&(d=d.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(o),f=0;f<p.length;f++)g=p[f],b=o[g],
@@ -78,8 +78,8 @@ x,y:this.__matrixTransform(g,b).y}))},e.prototype.quadraticCurveTo=function(h,d,
 var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.arcTo=function(h,d,p,f,g){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(g<0)throw new Error("IndexSizeError: The radius provided ("+g+") is nega\
 tive.");if(b===h&&w===d||h===p&&d===f||g===0){this.lineTo(h,d);return}var y=m([b-h,w-d]),v=m([p-h,f-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var k=y[0]*
-v[0]+y[1]*v[1],T=Math.acos(Math.abs(k)),L=m([y[0]+v[0],y[1]+v[1]]),R=g/Math.sin(T/2),F=h+R*L[0],A=d+R*L[1],D=[-y[1],y[0]],H=[v[1],-v[0]],re=function(Vo){var Jo=Vo[0],
-dl=Vo[1];return dl>=0?Math.acos(Jo):-Math.acos(Jo)},De=re(D),It=re(H);this.lineTo(F+D[0]*g,A+D[1]*g),this.arc(F,A,g,De,It)}},e.prototype.stroke=function(){this.
+v[0]+y[1]*v[1],T=Math.acos(Math.abs(k)),L=m([y[0]+v[0],y[1]+v[1]]),P=g/Math.sin(T/2),F=h+P*L[0],A=d+P*L[1],D=[-y[1],y[0]],H=[v[1],-v[0]],re=function(Vo){var Jo=Vo[0],
+ml=Vo[1];return ml>=0?Math.acos(Jo):-Math.acos(Jo)},Ie=re(D),Ot=re(H);this.lineTo(F+D[0]*g,A+D[1]*g),this.arc(F,A,g,Ie,Ot)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
@@ -103,25 +103,25 @@ ine":c(this.textBaseline)},!0);if(y.appendChild(this.__document.createTextNode(h
 f),this.__fontHref){var v=this.__createElement("a");v.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",this.__fontHref),v.appendChild(y),y=v}w.appendChild(
 y)},e.prototype.fillText=function(h,d,p){this.__applyText(h,d,p,"fill")},e.prototype.strokeText=function(h,d,p){this.__applyText(h,d,p,"stroke")},e.prototype.measureText=
 function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,d,p,f,g,b){if(f!==g){f=f%(2*Math.PI),g=g%(2*Math.PI),f===g&&(g=
-(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=d+p*Math.sin(g),v=h+p*Math.cos(f),k=d+p*Math.sin(f),T=b?0:1,L=0,R=g-f;R<0&&(R+=2*Math.PI),b?L=R>
-Math.PI?0:1:L=R>Math.PI?1:0;var F=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
+(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=d+p*Math.sin(g),v=h+p*Math.cos(f),k=d+p*Math.sin(f),T=b?0:1,L=0,P=g-f;P<0&&(P+=2*Math.PI),b?L=P>
+Math.PI?0:1:L=P>Math.PI?1:0;var F=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
 this.lineTo(v,k),this.__addPathCommand(i("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*F,ry:p*A,xAxisRotation:0,largeArcFlag:L,sweepFlag:T,
 endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,d,p,f,g,b,w,y){if(b!==w){
 var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var k=this.__getTransformScale();p=p*k.x,f=f*k.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
 b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-g)*p*Math.cos(w)+Math.sin(-g)*f*Math.sin(w),L=d-Math.sin(-g)*p*Math.cos(w)+Math.cos(-g)*f*Math.
-sin(w),R=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=d-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,D=0,H=w-b;H<0&&(H+=2*Math.PI),
-y?D=H>Math.PI?0:1:D=H>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(R,F),this.__transformMatrix=re,this.__addPathCommand(i("A {rx}\
+sin(w),P=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=d-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,D=0,H=w-b;H<0&&(H+=2*Math.PI),
+y?D=H>Math.PI?0:1:D=H>Math.PI?1:0;var re=this.__transformMatrix;this.resetTransform(),this.lineTo(P,F),this.__transformMatrix=re,this.__addPathCommand(i("A {rx}\
  {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:f,xAxisRotation:g*(180/Math.PI),largeArcFlag:D,sweepFlag:A,endX:T,endY:L})),this.__currentPosition=
 {x:T,y:L}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),f=this.__createElement("g");this.__applyCurrentDefaultPath(),
 h.removeChild(this.__currentElement),d.setAttribute("id",p),d.appendChild(this.__currentElement),this.__defs.appendChild(d),h.setAttribute("clip-path",i("url(#{\
 id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,f,g,b,w=0,y=0,v,k,
-T,L,R,F,A,D,H,re;if(h.length===3)p=h[1],f=h[2],v=d.width,k=d.height,g=v,b=k;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=d.width,k=d.height;else if(h.length===
+T,L,P,F,A,D,H,re;if(h.length===3)p=h[1],f=h[2],v=d.width,k=d.height,g=v,b=k;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=d.width,k=d.height;else if(h.length===
 9)w=h[1],y=h[2],v=h[3],k=h[4],p=h[5],f=h[6],g=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
-this.__currentElement;let De=this.getTransform().translate(p,f);if(d instanceof e){if(L=d.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(R=L.childNodes[0];R.
-childNodes.length;)re=R.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(R.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
-F,De),T.appendChild(F))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
+this.__currentElement;let Ie=this.getTransform().translate(p,f);if(d instanceof e){if(L=d.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(P=L.childNodes[0];P.
+childNodes.length;)re=P.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(P.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
+F,Ie),T.appendChild(F))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
 A.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||k!==d.height)&&(D=this.__document.createElement("canvas"),D.width=g,D.height=b,H=D.getContext("\
-2d"),H.drawImage(d,w,y,v,k,0,0,g,b),d=D),this.__applyTransformation(A,De),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
+2d"),H.drawImage(d,w,y,v,k,0,0,g,b),d=D),this.__applyTransformation(A,Ie),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
 d.getAttribute("src")),T.appendChild(A))},e.prototype.createPattern=function(h,d){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
 f=a(this.__ids),g;return p.setAttribute("id",f),p.setAttribute("width",h.width),p.setAttribute("height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),
 h.nodeName==="CANVAS"||h.nodeName==="IMG"?(g=this.__document.createElementNS("http://www.w3.org/2000/svg","image"),g.setAttribute("width",h.width),g.setAttribute(
@@ -135,23 +135,423 @@ multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));
 translate(h,d);this.setTransform(p)},e.prototype.transform=function(h,d,p,f,g,b){let w=this.getTransform().multiply(new DOMMatrix([h,d,p,f,g,b]));this.setTransform(
 w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,f,g){return Oa.getImageData(this.getSvg(),
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,f,g){return vr.getImageData(this.getSvg(),
 this.width,this.height,h,d,p,f,g)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
-globalCompositeOperation=function(){},e})();function Pe(s){this.ctx=new Ia(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
+globalCompositeOperation=function(){},e})();function ze(s){this.ctx=new xr(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
 display="inline-block",n.appendChild(e),this.wrapper=n,Object.defineProperty(this,"className",{get:function(){return n.getAttribute("class")||""},set:function(o){
 return n.setAttribute("class",o)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(o){
 Object.defineProperty(t,o,{get:function(){return e.getAttribute(o)|0},set:function(i){if(!(isNaN(i)||typeof i>"u"))return t.ctx[o]=i,e.setAttribute(o,i),n[o]=i}})}),
 ["style","id"].forEach(function(o){Object.defineProperty(t,o,{get:function(){return n[o]},set:function(i){if(typeof i<"u")return n[o]=i}})}),["getBoundingClient\
-Rect"].forEach(function(o){t[o]=function(){return e[o]()}})}Pe.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupported type of context for SVG\
-Canvas");return this.ctx};Pe.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"image/svg+xml;charset=\
-utf-8"});return URL.createObjectURL(e)};Pe.prototype.toDataURL=function(s,e,t){return Oa.toDataURL(this.svg,this.width,this.height,s,e,t)};Pe.prototype.addEventListener=
-function(){return this.svg.addEventListener.apply(this.svg,arguments)};Pe.prototype.getElement=function(){return this.wrapper};Pe.prototype.getAttribute=function(s){
-return this.wrapper.getAttribute(s)};Pe.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};zn.Context=Ia;zn.Element=Pe});function ve(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Zo=s=>ht(s)>.2?"#111111":"#ffffff",ct=(s,e)=>`rgba(${ve(s).join(",")}\
-,${e})`,xl=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ht(s){let[e,t,n]=ve(s).map(xl);return .2126*e+.7152*t+.0722*n}function ut(s,e){
-if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(ht(s)<.002)return"#eceef2";let t=s;for(let n=0;ht(t)<.2&&n<1;n+=.05)t=`#${ve(s).map(o=>Math.round(o+(255-o)*n).toString(
-16).padStart(2,"0")).join("")}`;return t}var qt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function kl(){let s=[];
-for(let e=0;e<256;e++){let t=e/255*(qt.length-1),n=Math.min(Math.floor(t),qt.length-2),o=ve(qt[n]),i=ve(qt[n+1]);s.push(o.map((a,r)=>Math.round(a+(i[r]-a)*(t-n))))}
-return s}var Je=kl(),Ft=Je.map(s=>`rgb(${s.join(",")})`),_l=["#123a8c","#8a6d00"],ue=(s,e)=>ut(_l[s],e);var Se={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+Rect"].forEach(function(o){t[o]=function(){return e[o]()}})}ze.prototype.getContext=function(s){if(s!=="2d")throw new Error("Unsupported type of context for SVG\
+Canvas");return this.ctx};ze.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"image/svg+xml;charset=\
+utf-8"});return URL.createObjectURL(e)};ze.prototype.toDataURL=function(s,e,t){return vr.toDataURL(this.svg,this.width,this.height,s,e,t)};ze.prototype.addEventListener=
+function(){return this.svg.addEventListener.apply(this.svg,arguments)};ze.prototype.getElement=function(){return this.wrapper};ze.prototype.getAttribute=function(s){
+return this.wrapper.getAttribute(s)};ze.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};$n.Context=xr;$n.Element=ze});var E={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+.4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
+tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
+_until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
+om_mode","to_mode","x","height","angle","vx","vy","omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","fri\
+ction","impact_normal","impact_tangential","gain","collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","fric\
+tion_force","normal_force","friction","impact_normal","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],margins:[
+"normal_force","friction_force","friction_limit","free_acceleration","slip","height","p_sigma"],changes:["t","x","height","angle","omega","slip","vy","impact_no\
+rmal","impact_tangential","rolling_resistance","vx"],reasons:["none","graze","border","plastic","contact","singular","massless","frictionless","ended"],compliant:[
+"law","friction_law","stiffness","damping","restitution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh",
+"linear","bristle"],chosen:["stiffness","slip_speed"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","needed_friction_\
+angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_loss_by_frictio\
+n"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_time","takeoff_a\
+ngle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","painleve"],keys:4,
+letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{angle:6.283185307179586,
+stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,status:0,ending:0,
+first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,takeoff_time:1,
+takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undetermined","event\
+_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stick","slip_revers\
+al","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:["no","yes"],painleve:[
+"no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],impact_laws:["newton","poisson","stro\
+nge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam",
+"kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit",
+"buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Oe=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Zo=Oe(E.cell),ue=Oe(E.heads),B=Oe(E.events),cs=Oe(E.samples),Qo=Oe(E.changes),Xo=Oe(E.numbers),us=Oe(E.words),
+_l={law:({impact_law:s})=>E.impact_laws.indexOf(s),strike:({painleve:s})=>+(s==="impact"),allowed:()=>1},ct=E.cell.map(s=>_l[s]??(e=>Number(e[s]??0))),qe=s=>Float64Array.
+from(ct,e=>e(s));function qt(s){let e=s?{...s,law:E.laws.indexOf(s.law),friction_law:E.friction_laws.indexOf(s.friction)}:{};return Float64Array.from(E.compliant,
+t=>e[t]??Number.NaN)}var ei={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
+unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
+{path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e6,also:[0]}},{path:"hoop.radius",label:"Radius",symbol:"R",unit:"m",help:"Rim radius",least:.05,most:3,step:.05,logarithmic:!1,
+degrees:!1,allowed:{least:1e-6,most:1e6,also:[]}},{path:"hoop.mass",label:"Mass",symbol:"m",unit:"kg",help:"Total mass",least:.1,most:10,step:.1,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e12,also:[]}}],plane:[{path:"plane.mu",label:"Friction",symbol:"μ",unit:"",help:"Friction, static and kinetic",least:0,most:1.5,
+step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_static",label:"Static friction",symbol:"μs",unit:"",help:"Static fr\
+iction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_kinetic",label:"Kinetic friction",symbol:"μ\
+k",unit:"",help:"Kinetic friction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.slope",label:"Slope",
+symbol:"β",unit:"°",help:"Slope of the plane, downhill along +x",least:-30,most:30,step:.5,logarithmic:!1,degrees:!0,allowed:{least:-1.57,most:1.57,also:[]}},
+{path:"plane.gravity",label:"Gravity",symbol:"g",unit:"m/s²",help:"Gravity",least:0,most:25,step:.01,logarithmic:!1,degrees:!1,allowed:{least:1e-6,most:1e6,also:[
+0]}},{path:"plane.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution of an impact",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{
+least:0,most:1,also:[]}},{path:"plane.rolling_resistance",label:"Rolling resistance",symbol:"f",unit:"",help:"Rolling resistance: couple against the rotation ov\
+er R N",least:0,most:.2,step:.001,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],start:[{path:"start.speed",label:"Speed",symbol:"v₀",unit:"m/s",
+help:"Velocity of the centre in a rolling start",least:-6,most:6,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.angle",label:"\
+Load angle",symbol:"θ₀",unit:"°",help:"Angle from the plane's normal to the centre of gravity",least:-180,most:180,step:.5,logarithmic:!1,degrees:!0,allowed:{
+least:-1e6,most:1e6,also:[]}},{path:"start.height",label:"Height of the gap",symbol:"y₀",unit:"m",help:"Gap between rim and plane",least:0,most:2,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:0,most:1e6,also:[]}},{path:"start.vx",label:"Speed along",symbol:"ẋ₀",unit:"m/s",help:"Velocity of the centre along the plane",least:-8,
+most:8,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.vy",label:"Speed upwards",symbol:"ẏ₀",unit:"m/s",help:"Velocit\
+y of the centre away from the plane",least:-5,most:5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.omega",label:"Angula\
+r velocity",symbol:"θ̇₀",unit:"rad/s",help:"Angular velocity",least:-15,most:15,step:.05,logarithmic:!1,degrees:!1,allowed:{least:-1e9,most:1e9,also:[]}}],contact:[
+{path:"contact.stiffness",label:"Stiffness",symbol:"k",unit:"N/m",help:"Stiffness of the contact",least:100,most:1e8,step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-6,
+most:1e18,also:[]}},{path:"contact.slip_speed",label:"Slip speed",symbol:"vₛ",unit:"m/s",help:"Slip velocity over which friction builds up",least:1e-7,most:.1,
+step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-12,most:1e6,also:[]}},{path:"contact.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution th\
+at the damping is chosen for",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],motion:[{path:"duration",label:"Duration",symbol:"\
+T",unit:"s",help:"Duration of the motion",least:.5,most:30,step:.5,logarithmic:!1,degrees:!1,allowed:{least:1e-9,most:1e9,also:[]}}]},choices:[{path:"plane.impa\
+ct_law",label:"Law of impact",options:[["stronge","Stronge (energy)"],["poisson","Poisson (impulse)"],["newton","Newton (velocity)"]],help:"Law of restitution"},
+{path:"plane.painleve",label:"Painlevé: two solutions",options:[["flight","flight"],["impact","impact"]],help:"What follows an indeterminate contact"},{path:"c\
+ontact.model",label:"Contact model",options:[["rigid","rigid"],["compliant","compliant"]],help:"Contact model"},{path:"contact.law",label:"Normal force",options:[
+["kelvin-voigt","Kelvin–Voigt"],["hunt-crossley","Hunt–Crossley"]],help:"Normal force"},{path:"contact.friction",label:"Friction law",options:[["tanh","smoo\
+th (tanh)"],["linear","linear"],["bristle","bristle (can hold)"]],help:"Regularised friction"}],gravities:[["Earth",9.81],["Moon",1.62],["Mars",3.71],["Jupiter",
+24.79],["Weightless",0]],map_axes:[{path:"start.speed",label:"Speed v₀",unit:"m/s",degrees:!1,range:[0,5],allowed:[-1e6,1e6]},{path:"start.angle",label:"Angle\
+ of the load θ₀",unit:"°",degrees:!0,range:[-3.141592653589793,3.141592653589793],allowed:[-1e6,1e6]},{path:"start.vx",label:"Speed along ẋ₀",unit:"m/s",
+degrees:!1,range:[-6,6],allowed:[-1e6,1e6]},{path:"start.omega",label:"Angular velocity θ̇₀",unit:"rad/s",degrees:!1,range:[-8,8],allowed:[-1e9,1e9]},{path:"\
+start.height",label:"Height of the gap y₀",unit:"m",degrees:!1,range:[0,1],allowed:[0,1e6]},{path:"hoop.load_fraction",label:"Load fraction γ",unit:"",degrees:!1,
+range:[.05,.99],allowed:[0,1]},{path:"hoop.eccentricity",label:"Eccentricity ε",unit:"",degrees:!1,range:[.05,.95],allowed:[0,1]},{path:"hoop.inertia_ratio",label:"\
+Inertia ratio κ",unit:"",degrees:!1,range:[.05,1],allowed:[0,1e6]},{path:"hoop.radius",label:"Radius R",unit:"m",degrees:!1,range:[.1,2],allowed:[1e-6,1e6]},{path:"\
+plane.mu",label:"Friction μ",unit:"",degrees:!1,range:[0,1.5],allowed:[0,1e6]},{path:"plane.slope",label:"Slope β",unit:"°",degrees:!0,range:[-.35,.35],allowed:[
+-1.57,1.57]},{path:"plane.gravity",label:"Gravity g",unit:"m/s²",degrees:!1,range:[1,20],allowed:[0,1e6]},{path:"plane.restitution",label:"Restitution e",unit:"",
+degrees:!1,range:[0,1],allowed:[0,1]},{path:"plane.rolling_resistance",label:"Rolling resistance f",unit:"",degrees:!1,range:[0,.1],allowed:[0,1]}]},map_quantities:[
+["sequence","what happens in the first turn"],["hop_height","height of the first hop"],["takeoff_angle","angle of take-off"],["flight_time","duration of the fir\
+st hop"],["greatest_utilization","greatest friction utilization"],["energy_lost","energy lost"],["end_angle","angle at the end"],["painleve","Painlevé’s paradox\
+ or jam met"],["ending","how it ends"]],presets:[{key:"hop",group:"The article",title:"It hops: 3.1 m/s",text:"Slips twice, then leaves the plane just before a \
+full turn and flies for 0.76 s.",query:"duration=3"},{key:"slip",group:"The article",title:"It slips: 2.8 m/s",text:"Friction is used up twice a turn; each slip\
+ is weaker than the one before, and none is the last.",query:"duration=4&start.speed=2.8"},{key:"roll",group:"The article",title:"It rolls: 2 m/s",text:"Pure ro\
+lling, faster and more even than after a slow start, and close to the limit of friction.",query:"duration=3.4&start.speed=2"},{key:"slow",group:"The article",title:"\
+The smallest push: 0.1 m/s",text:"Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.",query:"start.speed=0.1"},{key:"slippe\
+ry",group:"The article",title:"Low friction: 0.1 m/s, μ = 0.3",text:"Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",query:"durat\
+ion=15&plane.mu=0.3&start.speed=0.1"},{key:"littlewood",group:"Littlewood's hoop",title:"All mass in the load",text:"A massless ring: at 90° no contact force is\
+ left; the load falls, the rim skims the plane.",query:"duration=3&hoop.load_fraction=1&start.speed=0.1"},{key:"littlewood-fast",group:"Littlewood's hoop",title:"\
+All mass in the load, pushed",text:"With a push the contact force is gone earlier, at cos θ = v₀²/(gR).",query:"duration=3&hoop.load_fraction=1&start.speed=\
+2"},{key:"nearly-massless",group:"Littlewood's hoop",title:"Nearly all mass in the load",text:"γ = 0.99: what a real ring does instead of Littlewood's hop.",query:"\
+hoop.load_fraction=0.99&start.speed=0.1"},{key:"inconsistent",group:"Paradoxes",title:"Painlevé: no solution",text:"No contact force agrees with this slip. An \
+impact without collision stops it at once.",query:"duration=3&plane.mu=1.2&start.angle=-0.7&start.vx=3&start.omega=1"},{key:"indeterminate",group:"Paradoxes",title:"\
+Painlevé: two solutions",text:"Flight and impact both agree with the laws. Choose which with the switch under Plane.",query:"duration=3&plane.mu=1.2&start.angl\
+e=-0.7&start.vx=8&start.omega=5"},{key:"jam",group:"Paradoxes",title:"Dynamic jam",text:"A fast slide after a hop: the contact force grows without bound in fini\
+te time, and no law says what follows.",query:"duration=3&hoop.load_fraction=0.9&start.angle=5.14&start.vx=23&start.omega=5.6"},{key:"kane",group:"Paradoxes",title:"\
+Kane: energy out of nothing",text:"Newton's law of impact with friction creates two joules. Stronge's law does not.",query:"duration=1.5&plane.mu=0.6&plane.rest\
+itution=0.8&plane.impact_law=newton&start.height=0.3&start.angle=1.45&start.vx=2.16&start.omega=-6.44"},{key:"downhill",group:"More",title:"Downhill",text:"On a\
+ slope of 10° the hoop gains speed from turn to turn, until it hops.",query:"duration=5&plane.slope=0.17453292519943295&plane.mu=0.8&start.speed=1.5"},{key:"bo\
+unces",group:"More",title:"Bounces without number",text:"Dropped with spin and restitution 0.5: infinitely many bounces in finite time.",query:"duration=4&plane\
+.mu=0.4&plane.restitution=0.5&start.height=0.5&start.angle=0.4&start.vx=0.2&start.omega=2"},{key:"moon",group:"More",title:"On the Moon",text:"The article's hop\
+ under lunar gravity: everything is slower by a factor of 2.46.",query:"duration=15&plane.gravity=1.62&start.speed=1.2597509583501894"}],colors:{modes:{R:"#0072\
+B2",S:"#E69F00",K:"#CC79A7",H:"#D55E00",M:"#F0E442"},mode_names:{R:"roll",S:"spin",K:"skid",H:"flight",M:"skim"},gravity_center:"#009E73",airborne:"#CC1F1A",center_speed:"\
+#000000",rotation_speed:"#00857A",kinetic:"#1B3A78",potential:"#667300",friction_loss:"#8F3B0A",impact_loss:"#8E1B5F",normal_force:"#5B3FA8",friction_force:"#8F\
+3B0A",limit:"#6E6E6E"}},fingerprints:{hop:"85b1751f991ff2a3",slip:"e4f784b57d9527de",roll:"67a142a154835aa6",slow:"915956aa4dd065c8",slippery:"1a8ae06b20c63390",
+littlewood:"f722b9a4b8757b9d","littlewood-fast":"d43e0434fa7cbae3","nearly-massless":"147fe27d9b5619a0",inconsistent:"feb302b6289b4311",indeterminate:"0578ec530\
+4f707df",jam:"eafe27173f21f089",kane:"700bd2b728523ae1",downhill:"d5a475e54711f966",bounces:"c6734bd1e0f9fa98",moon:"6ec3efb6023122ba"},schema:"hophoop/1",scenario:{
+sections:{hoop:["Hoop"],plane:["Plane"],start:["Start"],contact:["Rigid","Compliant"]},models:{Scenario:{place:"",fields:{duration:{kind:"number",unit:"s",default:6,
+limits:[["greater_than",0]],range:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09 s"}},hoop:{kind:"section",unit:""},plane:{kind:"section",unit:""},start:{kind:"\
+section",unit:""},contact:{kind:"section",unit:""}}},Hoop:{place:"hoop.",fields:{radius:{kind:"number",unit:"m",default:1,limits:[["greater_than",0]],range:{least:1e-6,
+most:1e6,words:"from 1e-06 to 1e+06 m"}},mass:{kind:"number",unit:"kg",default:1,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1\
+e+12 kg"}},load_fraction:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},eccentricity:{kind:"number",unit:"\
+1",default:.75,limits:[["greater_than_equal",0],["less_than_equal",1]]},inertia_ratio:{kind:"number",unit:"1",default:.4375,limits:[["greater_than_equal",0]],range:{
+least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]}},parts:{kind:"parts",unit:"",nullable:!0,default:null}}},Plane:{place:"plane.",fields:{gravity:{
+kind:"number",unit:"m/s²",default:9.81,limits:[["greater_than_equal",0]],range:{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06 m/s²",also:[0]}},slope:{kind:"\
+number",unit:"rad",default:0},mu:{kind:"friction",unit:"1",nullable:!0,default:null,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_static:{
+kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_kinetic:{kind:"friction",unit:"1",default:1,range:{
+least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},restitution:{kind:"number",unit:"1",default:0,limits:[["greater_than_equal",0],["less_than_equal",
+1]]},impact_law:{kind:"word",unit:"",default:"stronge",options:["stronge","newton","poisson"],expected:"'stronge', 'newton' or 'poisson'"},painleve:{kind:"word",
+unit:"",default:"flight",options:["flight","impact"],expected:"'flight' or 'impact'"},rolling_resistance:{kind:"number",unit:"1",default:0,limits:[["greater_tha\
+n_equal",0],["less_than_equal",1]]}}},Start:{place:"start.",fields:{x:{kind:"number",unit:"m",default:0,range:{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09 m"}},
+height:{kind:"number",unit:"m",default:0,limits:[["greater_than_equal",0]],range:{least:0,most:1e6,words:"from 0 to 1e+06 m"}},angle:{kind:"number",unit:"rad",default:0,
+range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 rad"}},speed:{kind:"number",unit:"m/s",nullable:!0,default:null,range:{least:-1e6,most:1e6,words:"from -1\
+e+06 to 1e+06 m/s"}},vx:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},vy:{kind:"number",unit:"m/s",default:0,
+range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},omega:{kind:"number",unit:"rad/s",nullable:!0,default:0,range:{least:-1e9,most:1e9,words:"from -1e\
++09 to 1e+09 rad/s"}}}},Rigid:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"rigid",options:["rigid"],expected:"'rigid'"},max_events:{kind:"whole",
+unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Compliant:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"compli\
+ant",options:["compliant"],expected:"'compliant'"},stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-6,most:1e18,
+words:"from 1e-06 to 1e+18 N/m"}},damping:{kind:"number",unit:"N s/m or s/m",nullable:!0,default:null,limits:[["greater_than_equal",0]],range:{least:0,most:1e12,
+words:"from 0 to 1e+12"}},restitution:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},law:{kind:"word",
+unit:"",default:"kelvin-voigt",options:["kelvin-voigt","hunt-crossley"],expected:"'kelvin-voigt' or 'hunt-crossley'"},friction:{kind:"word",unit:"",default:"tan\
+h",options:["tanh","linear","bristle"],expected:"'tanh', 'linear' or 'bristle'"},slip_speed:{kind:"number",unit:"m/s",nullable:!0,default:null,limits:[["greater\
+_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m/s"}},tangential_stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["great\
+er_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},rtol:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than",0]],range:{
+least:1e-10,most:.1,words:"from 1e-10 to 0.1"}},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Ring:{
+place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"ring",options:["ring"],expected:"'ring'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["g\
+reater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},inner_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than_equal",0]]},
+outer_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}}}},Disk:{place:"hoop.par\
+ts: ",fields:{shape:{kind:"word",unit:"",default:"disk",options:["disk"],expected:"'disk'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],
+range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,
+words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0}}},PointMass:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"point_mass",
+options:["point_mass"],expected:"'point_mass'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1\
+e-12 to 1e+12 kg"}},at:{kind:"number",unit:"m",required:!0}}},Rod:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"rod",options:["rod"],expected:"\
+'rod'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},length:{kind:"number",
+unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0},direction:{kind:"\
+word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"PointMass",rod:"\
+Rod"},ends:{"hoop.load_fraction":["eccentricity","inertia_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_fraction","p\
+arts"],"hoop.parts":["load_fraction","eccentricity","inertia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kinetic":["\
+mu"],"start.speed":["height","vx","vy","omega"],"start.height":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damping":["r\
+estitution"],"contact.restitution":["damping"]},left_out:{rolling_resistance:0},rules:[null,{sentence:"hoop_mass",values:{mass:"hoop.mass"},known:{words:"from 1\
+e-12 to 1e+12 kg"},number:""},{sentence:"load_inertia",values:{load_fraction:"hoop.load_fraction",inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e\
+-12 to 1e+06"},number:""},{sentence:"parts_inertia",values:{inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e-12 to 1e+06"},number:""},{sentence:"m\
+assless_eccentricity",values:{eccentricity:"hoop.eccentricity"},known:{},number:""},{sentence:"kinetic_above_static",values:{mu_kinetic:"plane.mu_kinetic",mu_static:"\
+plane.mu_static"},known:{},number:""},{sentence:"vertical",values:{slope:"plane.slope"},known:{},number:""},{sentence:"slope",values:{slope:"plane.slope"},known:{
+words:"from -1.57 to 1.57 rad"},number:""},{sentence:"massless_slope",values:{slope:"plane.slope"},known:{},number:""},{sentence:"massless_resistance",values:{given:"\
+plane.rolling_resistance"},known:{},number:""},{sentence:"resistance",values:{given:"plane.rolling_resistance"},known:{},number:"most"},{sentence:"massless_comp\
+liant",values:{},known:{},number:""},{sentence:"compliant_friction",values:{},known:{},number:""},{sentence:"relative_contact",values:{value:"contact.stiffness"},
+known:{name:"stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.tangential_stiffness"},known:{
+name:"tangential_stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.slip_speed"},known:{
+name:"slip_speed",unit:"√(g R)",words:"from 1e-12 to 1e+06"},number:"relative"},{sentence:"too_soft",values:{stiffness:"contact.stiffness"},known:{most:100},number:"\
+depth"}],touch:1e-12,default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"\
+flight"},start:{x:0,angle:0,speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"{path} is not a known key; {hint}",did_you_mean:"did you mea\
+n {close}?",known_are:"known are {known}.",missing:"{path} is missing.",together:"{section}.{other} cannot be given together with {section}.{way}.",finding:"{pa\
+th} = {shown} {allowed}.",number:"must be a number",friction:"must be at least 0 (inf is allowed)",whole:"must be a whole number",finite_number:"must be a finit\
+e number",greater_than:"must be greater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"must be less than {limit:g}",less_than_equal:"\
+must be at most {limit:g}",range:"must be {words}",literal_error:"must be {expected}",table:"must be a table of keys",list:"must be a list",word:"must be a word",
+other_problem:"{first} (and {count} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"the scenario",no_parts:"hoop.parts mus\
+t not be empty.",half_a_hoop:"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"hoop.inertia_ratio = 0 needs ho\
+op.eccentricity = 1 (all mass in a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"hoop.parts give ho\
+op.inertia_ratio = {inertia_ratio!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r},\
+ which must be {words}.",ring_radii:"ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.{index} ({shape}) \
+reaches {reach!r} m from the centre, beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must not exceed plane.mu\
+_static = {mu_static!r}.",vertical:"plane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be {words}.",no_omega:"\
+start.omega = None must be a number.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"pl\
+ane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {mo\
+st:.6g} for this hoop, whose inertia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the m\
+assless hoop (hoop.inertia_ratio = 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.{n\
+ame} = {value!r} is {relative:.3g} {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e\
+} radii into the plane, at the speed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known a\
+re {known}.",no_section_parts:"{path} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r} c\
+annot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",value_above:"\
+{path} cannot be given together with a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: parts are\
+ numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"flie\
+s",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip starts",summed_up:!0},stick:{verb:"roll\
+s",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip reverses",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
+impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
+bounce_limit:{verb:"stops bouncing",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
+painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
+verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming starts",summed_up:!0},rest:{verb:"rests",label:"at rest",
+summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
+≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
+s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
+ of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
+story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
+starts skimming",slip_start:"It {verb} at {where}; friction reaches its limit: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction reaches it\
+s limit: the rim turns too fast for its path.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip reverses at {where}; it {verb}.",
+takeoff:"It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s d\
+ownwards and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {wher\
+e} stops the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {wh\
+ere}: the gap is {gap}.",bounce_limit:"Infinitely many bounces end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agr\
+ees with this slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact for\
+ce grows without bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls fre\
+ely and the rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"\
+It bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at o\
+nce",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"\
+Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"\
+at {where} friction reaches its limit",loss_of_contact:"at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"\
+would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"\
+no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is\
+)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip a\
+t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no single threshold uphill (β < 0): it depends on where the hoop turns back; s\
+ee the map"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0\
+072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B\
+4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
+impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
+5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{events:2e3,flight_turns:2e3,
+allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,
+words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 \
+to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:[
+"inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"pla\
+ne.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{
+least:0,most:1,words:"from 0 to 1"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"from -1e+06 to 1e\
++06"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"\
+from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},duration:{
+least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"contact.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,most:1e6,
+words:"from 1e-12 to 1e+06"},"contact.restitution":{least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"contact.t\
+angential_stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_events":{least:1,
+most:1e7,words:"from 1 to 1e+07"},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e\
+-12 to 1e+06"}},rates:{"hoop.eccentricity":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_s\
+tatic","plane.mu_kinetic":"mu_kinetic","plane.slope":"slope","plane.gravity":"gravity","plane.restitution":"restitution","plane.rolling_resistance":"rolling_res\
+istance","start.angle":"angle","start.x":"x","start.height":"height","start.vy":"vy","start.omega":"omega",duration:"duration"},quantities:{sequence:{label:"wha\
+t happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
+label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
+label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
+label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
+label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
+ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
+t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
+ the lab; the library itself has no such limit.",too_stiff:"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and m\
+ust need at most {most:.0e} in the lab.",too_many_changes:"changes has {pairs} pairs and must have at most {most} in the lab.",too_many_cells:"x.cells times y.c\
+ells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be \
+axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.\
+0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {\
+most:.0e} in the lab; take fewer cells, lower speeds or a shorter duration.",doubt:"After {time} s the motion depends on more digits than this page computes. Ru\
+n it in hophoop lab or Python for the exact result.",compliant_changes:"With a compliant contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"\
+changes holds {change}, which is not a pair of path and value.",window:"must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",
+times:"must be two times, from and to [s], rising from 0",number_path:"must be a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"\
+a quantity that sets off the event only touches zero there",border:"the motion lies on the border of two classes: the least change may lead to other events",plastic:"\
+restitution is 0 and the rim has landed: with any restitution it would bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bou\
+nce, and its events are others",singular:"the slip runs into p_σ = 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular l\
+imit once the contact force is lost",frictionless:"without friction the hoop rests on no more than a border of two classes",ended:"the motion has no answer from\
+ there on",edge:"the parameter is at the edge of what is allowed",sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,
+cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"\
+m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"\
+J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","plane.mu_static","plane.mu_kinetic",
+"plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start.vx","start.vy","start.omega"]};var S=ei,ut=s=>s==="inf"?1/0:s;var{codes:Ml,families:Sl,massless:Tl,hops:Al,rolls:Ll,other:Rl}=S.classes,{sequence:Pl}=S.words,ti="sequence",Cl=s=>[...s].reduce((e,t)=>(131*e+t.charCodeAt(0))%
+997,0)/997;function ni(s,e){if(e!==ti)return Ml[e]?.[s]??Rl;let t=/[SK]/.exec(s)?.[0]??"R",n=[s.startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).
+join(", "),o=s.endsWith("H")?Al:Sl[t+s.slice(-1)]??Ll,i=s.includes("M")?Tl[n]:o,a=[1,3,5].map(p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
+min(s.length-1,9)/9,c=.2*Cl(s),m=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*m)*(1-h)).toString(
+16).padStart(2,"0")}).join("")}`}function si(s,e){return e!==ti?s.replaceAll("_"," "):[...s].map(t=>Pl[t]).join(" → ")}function Z({duration:s,hoop:e,plane:t,start:n,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:m,...h}=t,{x:d,height:p,angle:f,vx:g,
+vy:b,omega:w,slip:y}=de(n,i),{max_events:v,model:k,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
+angle:f,vx:g,vy:b,omega:w,slip:y,rolling:n.speed!==null,duration:s,max_events:v,contact:k==="rigid"?null:T}}function de({x:s,height:e,angle:t,speed:n,vx:o,vy:i,
+omega:a},r){let l=n===null?Number(a):n/r;return{x:s,height:e,angle:t,vx:o,vy:i,omega:l,slip:n===null?o-r*l:0}}var zl=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,Nl=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function xe(s){return Number.isNaN(s)?"nan":String(s).replace("Infi\
+nity","inf")}var ds=s=>xe(s).replace(/^-?\d+$/,"$&.0");function ke(s,e=6){if(!Number.isFinite(s))return xe(s);let t=s!==0&&Math.abs(s)<1e-4,[n,...o]=(t?s.toExponential(
+e-1):s.toPrecision(e)).split("e");return[n.includes(".")?n.replace(/\.?0+$/,""):n,...o].join("e")}var ms=(s,e)=>Number.isFinite(s)?s.toFixed(e):xe(s),Dl={g:(s,e)=>ke(
+s,e||6),e:(s,e)=>s.toExponential(e),f:ms};function I(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,o,i,a)=>{let r=e[n];return a?Dl[a](r,Number(
+i)):o?ps(r):String(r)})}function ps(s){return typeof s=="number"?xe(s):typeof s=="string"?Ft(`'${s}'`):s==null?"None":Ft(JSON.stringify(s))}var oi=s=>s.replace(
+/[\p{C}\p{Zl}\p{Zp}]/gu,e=>`\\u{${e.codePointAt(0)?.toString(16)}}`);function Ft(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}function ii(s){
+if(zl.test(s))return Number(s);let[,e,t]=Nl.exec(s)??[];if(t)return t[0].toLowerCase()==="n"?Number.NaN:e==="-"?-1/0:1/0}var{texts:ai,scenario:ri}=S,Il=2,N=class extends Error{constructor(e){super(oi(e)),this.name="InputError"}},ee=class extends N{},z=(s,e={})=>I(ai[s],e),me=s=>s!==
+null&&typeof s=="object"&&!Array.isArray(s),Fe=(s,e,t,n)=>z("finding",{path:s||ai.whole_scenario,shown:ps(e),allowed:z(t,n)});function gs(s,e,t,n){let{fields:o,
+place:i}=ri.models[s],a=me(e)?bs(i,e,Object.keys(o)):Fe(t,e,"table");if(a&&n.push(a),a)return null;let r=n.length,l={};for(let[c,m]of Object.entries(o))Object.hasOwn(
+e,c)?l[c]=ws(m,e[c],`${t}.${c}`,n):m.required?n.push(z("missing",{path:`${t}.${c}`})):l[c]=ut(m.default);return n.length===r?{values:l,given:new Set(Object.keys(
+e))}:null}function bs(s,e,t){let n=Object.keys(e).find(r=>!t.includes(r));if(n===void 0)return null;let[o]=[...t].sort((r,l)=>fs(n,r)-fs(n,l)),a=fs(n,o)<=Il?z("\
+did_you_mean",{close:o}):z("known_are",{known:t.join(", ")});return z("unknown_key",{path:`${s}${Ft(n)}`,hint:a})}function fs(s,e){let t=Array.from({length:e.length+
+1},(n,o)=>o);for(let[n,o]of[...s].entries()){let i=[n+1];for(let a=0;a<e.length;a++)i.push(Math.min(i[a]+1,t[a+1]+1,t[a]+ +(o!==e[a])));t=i}return t[e.length]}function ws(s,e,t,n){
+if(e===null&&s.nullable)return null;if(s.kind==="parts")return Fl(e,t,n);let o=s.kind==="friction"&&e==="inf"?1/0:e,i=ql(s,o);return i&&n.push(Fe(t,e,...i)),typeof o==
+"number"?o+0:o}var Ol={greater_than:(s,e)=>s>e,greater_than_equal:(s,e)=>s>=e,less_than_equal:(s,e)=>s<=e};function ql(s,e){let{kind:t,options:n,limits:o=[],range:i}=s;
+if(t==="word")return n.includes(e)?null:["literal_error",s];if(typeof e!="number")return["number"];if(t==="friction"&&!(e>=0))return["friction"];if(t==="whole"&&
+!Number.isInteger(e))return["whole"];if(t!=="friction"&&!Number.isFinite(e))return["finite_number"];let a=o.find(([r,l])=>!Ol[r](e,l));return a?[a[0],{limit:a[1]}]:
+i&&!ys(i,e)?["range",i]:null}var ys=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(o=>ut(o)===n);function Fl(s,e,t){if(!Array.isArray(s))t.push(Fe(e,s,"list"));else
+return s.map((n,o)=>Hl(n,`${e}.${o}`,t))}function Hl(s,e,t){let n=vs(s,"shape",ri.parts,e,t),o=n&&gs(n,s,e,t);if(!o)return null;let{inner_radius:i,outer_radius:a}=o.
+values;return i>a&&t.push(z("ring_radii",{inner:i,outer:a})),o.values}function vs(s,e,t,n,o,i){let a=me(s)&&Object.hasOwn(s,e)?s[e]:i;if(!me(s))o.push(Fe(n,s,"t\
+able"));else if(a===void 0)o.push(z("missing",{path:`${n}.${e}`}));else{if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];{let r=Object.keys(t).map(l=>`'${l}\
+'`).join(" or ");o.push(Fe(`${n}.${e}`,a,"literal_error",{expected:r}))}}return null}function xs(s){let e=s.length-1;return e?z(e===1?"other_problem":"other_pro\
+blems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var hi=new Map(Object.entries(S.scenario.ends));function _s(s){let[e,...t]=s.split(".");return[e,t.join(".")]}function dt(s){for(let e of s){let t=(hi.get(e)??[]).
+map(o=>`${_s(e)[0]}.${o}`),n=s.find(o=>t.some(i=>o===i||o.startsWith(`${i}.`)));if(n!==void 0)return[e,n]}return null}function li(s){let[e,t]=_s(s);return(e==="\
+start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}function ci(s,e,t,n){let o=[...t.keys()],i=dt(o);if(i){let[r,l]=i;throw new N(z("two_ways",{one:r,
+other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of o.sort((l,c)=>li(l)-li(c))){let l=structuredClone(t.get(r)),[c,m]=_s(r);if(m==="")
+ks(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||ks(e,c,{});let h=e[c];if(!me(h))throw new N(z("no_section_parts",{path:r,section:c}));
+let d=hi.get(r)??[];if(!a.has(c)&&d.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?n(c,t.get(c)):s[c],f=jl(p,r,()=>n("hoop",e.hoop));for(let[g,b]of Object.
+entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of d)delete h[p];Bl(h,m.split("."),l,r)}}return e}var ks=(s,e,t)=>Object.defineProperty(s,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0});function jl(s,e,t){let{mass:n,eccentricity:o,inertia_ratio:i,mu_static:a,mu_kinetic:r}=s;if(e==="hoop.load_fraction")return{mass:n};
+if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,eccentricity:o,inertia_ratio:i};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
+mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:m,omega:h}=de(s,t().radius);return{height:l,vx:c,vy:m,omega:h}}function Bl(s,e,t,n){
+let o=s;for(let[i,a]of e.entries()){let r=i===e.length-1;if(!(Array.isArray(o)&&/^\d+$/.test(a)&&Number(a)<o.length)&&!(me(o)&&(r||Object.hasOwn(o,a))))throw new N(
+z("not_there",{path:n,step:a}));r?ks(o,a,t):o=o[a]}}var{lab:$l,limits:Q}=S,{allowed:ui,events:Wl,flight_turns:Gl,quantities:Ul}=S.map,Kl=1e-300,$=(s,e={})=>I($l[s],e),Es=s=>$("doubt",{time:ke(s,4)});function He(s){
+let{duration:e,hoop:t,contact:n}=s;if(e>Q.duration)throw new ee($("too_long",{duration:e,most:Q.duration}));let o=t.parts?.length??0;if(o>Q.parts)throw new ee($(
+"too_many_parts",{parts:o,most:Q.parts}));let i=fi(pi(s));if(i>Q.turns)throw new ee($("too_many_turns",{duration:e,turns:i,most:Q.turns}));if(n.model==="complia\
+nt"){let a=Vl(s,i);if(a>Q.steps)throw new ee($("too_stiff",{steps:a,most:Q.steps}))}return n.max_events<=Q.events?s:{...s,contact:{...n,max_events:Q.events}}}function pi({
+duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:o}){let{height:i,vx:a,vy:r,omega:l}=de(o,e);return{duration:s,radius:e,gravity:t,slope:n,height:i,vx:a,
+vy:r,omega:l}}function fi({duration:s,radius:e,gravity:t,slope:n,height:o,vx:i,vy:a,omega:r}){return(2*(Math.abs(i)+Math.abs(a)+e*Math.abs(r)+2*Math.sqrt(t*(e+o)))+
+.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Vl({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:o}},i){let r=10/Math.sqrt(e/
+(n>0?n:1))+(o===null?0:Math.sqrt(o/t));return 10*s*r+40*i}function Ms(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new N($("rigid_maps"));let{contact:o,
+...i}=He(s),a={...i,contact:{...o,max_events:Math.min(o.max_events,Wl)}};Jl(a,e,t,Ul[n].span);let r=dt([t.path,e.path]);if(r)throw new N($("two_axes",{one:r[0],
+other:r[1]}));return a}function Jl(s,e,t,n){let o=pi(s),i=n==="first_revolution",a=mt(e).filter(h=>mi(e.path,h)),r=mt(t).filter(h=>mi(t.path,h)),[l,c]=[0,0];for(let h of r)
+for(let d of a){let p=di(di(o,t.path,h),e.path,d),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+Kl),Gl):fi(p);l+=g,c=Math.max(c,g)}if(!i&&c>Q.turns)throw new ee(
+$("cell_turns",{turns:c,most:Q.turns}));if(l<=Q.map_turns)return;let m=a.length*r.length;throw new ee($("map_turns",{cells:m,turns:l,most:Q.map_turns}))}function di(s,e,t){
+if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:s}var mt=({from:s,to:e,cells:t})=>Array.
+from({length:t},(n,o)=>s+(o+.5)*((e-s)/t));function mi(s,e){return!ui[s]||ys(ui[s],e)}var Yl=1e3;function gi(s){let e=s.replace(/^\?/,"");if(e.split("&").length>Yl)throw new N(z("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
+for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),c=t;for(let m of r)if(c.has(m)||c.set(m,new Map),c=c.get(m),!(c instanceof Map))throw new N(
+z("value_above",{path:i,above:i.replace(/\.[^.]*$/,"")}));if(c.has(l))throw new N(z("given_twice",{path:i}));c.set(l,ii(a)??a)}let n=t.get("hoop"),o=n instanceof
+Map&&n.get("parts");return o instanceof Map&&n.set("parts",Zl(o)),Ss(t)}function Zl(s){let e=Array.from({length:s.size},(n,o)=>String(o)),t=[...s.keys()].find(n=>!e.
+includes(n));if(t!==void 0)throw new N(z("parts_out_of_order",{name:t}));return e.map(n=>s.get(n))}function Ss(s){return Array.isArray(s)?s.map(Ss):s instanceof
+Map?Object.fromEntries([...s].map(([e,t])=>[e,Ss(t)])):s}function Ts(s,e=""){return typeof s=="string"?`${e}=${s}`:typeof s=="number"?`${e}=${xe(s).replace("e+",
+"e")}`:Object.entries(s).map(([t,n])=>Ts(n,e?`${e}.${t}`:t)).join("&")}var{scenario:As}=S,Ql=As.rules,Xl=["load_fraction","eccentricity","inertia_ratio"],bi=["mu_static","mu_kinetic"],eh=["height","vx","vy","omega"],wi={mass:1,inertia_ratio:1,
+contact:null};function jt(s,e,t){let[n,o]=t.refused(s),i=Ql[n];if(!i)return null;let a=Object.entries(i.values).map(([r,l])=>{let[c,m]=l.split(".");return[r,e[c][m]]});
+return z(i.sentence,{...i.known,...Object.fromEntries(a),[i.number]:o})}function Ht(s,e,t,n){let o=n.find(i=>t.has(i));return o?z("together",{section:s,other:o,
+way:e}):null}var yi={hoop:th,plane:nh,start:sh,contact:oh};function th(s,e,t){let n=Xl.filter(o=>e.has(o)&&s[o]!==null);if(s.parts){let o=s.parts.length?Ht("hoo\
+p","parts",e,[...n,"mass"]):z("no_parts");if(o)return o;let{radius:i,parts:a}=s,{reaches:r,...l}=t.combine(i,a),c=r.findIndex(m=>m>i*(1+As.touch));if(c>=0)return z(
+"beyond_the_rim",{index:c,shape:a[c].shape,reach:r[c],radius:i});Object.assign(s,l)}else if(s.load_fraction!==null||!n.length){let o=Ht("hoop","load_fraction",e,
+n.slice(+(s.load_fraction!==null)));if(o)return o;s.load_fraction??=As.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,s.inertia_ratio=t.
+ideal(s.load_fraction)}else if(n.length===1){let o=n[0]==="eccentricity"?"inertia_ratio":"eccentricity";return z("half_a_hoop",{missing:o,given:n[0]})}return jt(
+{...wi,...s,ideal:s.load_fraction!==null},{hoop:s},t)}function nh(s,e,t){if(s.apart=bi.some(n=>e.has(n)),s.mu!==null){let n=Ht("plane","mu",e,bi);if(n)return n;
+s.mu_static=s.mu_kinetic=s.mu}else s.mu_static===s.mu_kinetic&&(s.mu=s.mu_static);return jt({...wi,...s},{plane:s},t)}function sh(s,e){return s.speed===null?s.omega===
+null?z("no_omega"):null:(s.vx=s.speed,s.omega=null,Ht("start","speed",e,eh))}function oh({damping:s=null,restitution:e=null}){return s!==null&&e!==null?z("toget\
+her",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:pe}=S,vi=pe.left_out,xi={rigid:"Rigid",compliant:"Compliant"};function ft(s,e){let{fields:t,place:n}=pe.models.Scenario,o=me(s)?bs(n,s,Object.keys(
+t)):Fe("",s,"table");if(o)throw new N(o);let i=[],a=Object.keys(t).map(c=>{let m=Object.hasOwn(s,c)?s[c]:pe.default[c];return[c,Rs(c,m,e,i)]}),r=Object.fromEntries(
+a),l=i.length?xs(i):jt(Z(r),r,e);if(l)throw new N(l);return r}function Rs(s,e,t,n){if(s==="duration")return ws(pe.models.Scenario.fields[s],e,s,n);let[o]=s==="c\
+ontact"?[vs(e,"model",xi,s,n,"rigid")]:pe.sections[s],i=o&&gs(o,e,s,n),a=i&&yi[s](i.values,i.given,t);return a&&n.push(a),i?.values}var gt=(s,e)=>ft(gi(s),e),$t=(s,e,t)=>ft(
+ki(s,e,t),t);function ki(s,e,t){return ci(s,Te(s),e,(n,o)=>{let i=[],a=Rs(n,o,t,i);if(i.length)throw new N(xs(i));return a})}function _i(s,e,t){let n=[];try{let o=ki(
+s,e,t),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Rs(r,o[r],t,n)]);return n.length?null:Object.fromEntries(a)}catch(o){if(o instanceof N)return null;
+throw o}}var pt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,s[t]===1/0?"inf":s[t]])),Ls=s=>Object.keys(pe.models[s].fields);function Te({duration:s,
+hoop:e,plane:t,start:n,contact:o}){let i=t.apart?["mu"]:["mu_static","mu_kinetic"],a=l=>l in vi&&t[l]===vi[l],r=["x","height","angle","vx","vy","omega"];return{
+duration:s,hoop:ih(e),plane:pt(t,Ls("Plane").filter(l=>!i.includes(l)&&!a(l))),start:pt(n,n.speed===null?r:["x","angle","speed"]),contact:pt(o,Ls(xi[o.model]))}}
+function ih(s){if(s.parts){let t=s.parts.map(n=>pt(n,Ls(pe.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricity","inert\
+ia_ratio"]:["load_fraction"];return pt(s,["radius","mass",...e])}function Ps(s,e){if(s==="hoop"||s==="plane")return pe.default[s];let{fields:t}=pe.models[s==="s\
+tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([n,o])=>[n,o.default??void 0]))}function Ye(s){let e={};for(let[
+t,n]of Object.entries(Te(s))){if(Bt(n,pe.default[t]))continue;let o=me(n)?Ps(t,n.model):{},i=Object.entries(n).filter(([a,r])=>a==="model"||!Bt(o[a],r));e[t]=me(
+n)&&i.length?Object.fromEntries(i):n}return Ts(e)}var Bt=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var ah=8,{quantities:Ei}=S.map;async function Cs(s,{x:e,y:t},n,o){let[i,a]=[mt(e),mt(t)],r=(...f)=>_i(s,new Map(f),n),l=rh(s,e.path,t.path),c=l&&i.map(f=>r([e.path,
+f])),m=l&&a.map(f=>r([t.path,f])),h=i.length*a.length,d=new Float64Array(ct.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%i.length,b=(f-g)/i.length;
+g===0&&performance.now()-p>ah&&(await new Promise(k=>setTimeout(k)),o?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,i[g]]),y=m?m[b]:
+w;if(!w||!y)continue;let v=Z({...s,...w,...y});for(let k=0;k<ct.length;k++)d[k*h+f]=ct[k](v)}return{count:h,rows:d}}function rh({start:s},e,t){let n=[e,t].map(i=>i.
+split(".")[0]);if(n[0]===n[1])return!1;let o=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(n.includes("hoop")&&o&&s.speed!==null)}var zs=s=>Ei[s].
+span;function Ns({x:s,y:e,what:t},n){let{label:o,unit:i,words:a}=Ei[t],{values:r,names:l}=lh(n,i===""?a:null),c=m=>({name:m,text:si(m,t),color:ni(m,t)});return{
+header:{x:s,y:e,what:t,label:o,unit:i,classes:i===""?l.map(c):null},arrays:{values:r}}}function lh({values:s,sequences:e},t){if(!t)return{values:s,names:[]};let n=e?
+[...e].sort((a,r)=>a.length-r.length||(a<r?-1:1)):t,o=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=0?o?.[a]??a:Number.NaN),names:n}}var{scenario:bt}=S,hh=30,Ai={};for(let{fields:s}of Object.values(bt.models))Object.assign(Ai,s);function Li(s,e){return typeof e=="string"?JSON.stringify(e):Ai[s]?.
+kind==="whole"?String(e):ds(e)}function Mi(s,e,t){if(Array.isArray(t)){let a=r=>Object.entries(r).map(([l,c])=>`${l} = ${Si(l,c)}`);return[`${e} = [`,...t.map(r=>`\
+  { ${a(r).join(", ")} },`),"]"].join(`
+`)}let n=`${e} = ${Si(e,t)}`,i=(bt.sections[s]??["Scenario"]).map(a=>bt.models[a].fields).find(a=>e in a)[e].unit;return i===""||i==="1"?n:`${n.padEnd(hh)} # ${i}`}
+var Si=(s,e)=>e==="inf"?"inf":Li(s,e);function Wt(s){let{duration:e,...t}=Te(s),n=[Mi("","duration",e)];for(let[o,i]of Object.entries(t))n.push("",`[${o}]`,...Object.
+entries(i).map(([a,r])=>Mi(o,a,r)));return`${n.join(`
+`)}
+`}var ch={hoop:"Hoop",plane:"Plane",start:"Start"},uh=["load_fraction","mu"];function Ds(s){let{duration:e,contact:t,...n}=Te(s),o=Object.entries(n).map(([i,a])=>Ti(
+i,a));return Bt(t,bt.default.contact)||o.push(`contact=${Ti("contact",t)}`),o.splice(3,0,`duration=${ds(e)}`),`import hophoop as hh
+
+motion = hh.simulate(
+${o.map(i=>`    ${i},
+`).join("")})
+print(motion.sequence, motion.status)
+for event in motion.events:
+    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
+`}function Ti(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,o=n?"Start.rolling":ch[s]??(t.model==="rigid"?"Rigid":"Compliant"),i=n?{angle:0,x:0}:Ps(s,t.model),
+a=Object.entries(t).filter(([l,c])=>uh.includes(l)||i[l]!==c),r=e?[`parts=[${e.map(dh).join(", ")}]`]:[];return`hh.${o}(${[...a.map(Ri),...r].join(", ")})`}var dh=({
+shape:s,...e})=>`hh.${bt.parts[s]}(${Object.entries(e).map(Ri).join(", ")})`,Ri=([s,e])=>`${s}=${e==="inf"?'float("inf")':Li(s,e)}`;var{letters:Ci,modes:Os,verbs:qs,events:mh,statuses:ph,story:je,summary:Ze}=S.words,fh=400,[,Is,Pi,gh,bh]=Os,wh="⁰¹²³⁴⁵⁶⁷⁸⁹";function zi(s,e){let{
+omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Fs=s=>[...s.keys()].filter(e=>zi(s,e)),Hs=(s,e)=>.5*(s[e].t+s[e+1].t);function js(s,e=fh){
+let t=[],n=0,o=Di(s.events);for(let[i,a]of s.events.entries()){let r=o.get(i);if(r===0)continue;let l=r===void 0?vh(s,i,a):I(je.more_bounces,{count:r});if(l){if(t.
+length>=e){n++;continue}t.push({t:a.t,event:i,mode:Ci[Os.indexOf(Gt(s,i))],text:l})}}return n&&t.push({...t[t.length-1],text:I(je.left_out,{count:n})}),t}var Ni=s=>s.
+kind==="impact"&&s.to==="H"&&s.collision!==!1;function Di(s,e=3,t=6){let n=new Map,o=[];for(let i=0;i<=s.length;i++){let a=s[i];if(a&&(Ni(a)||o.length&&a.kind===
+"apex")){o.push(i);continue}let r=o.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of o.slice(o.indexOf(r[e])))n.set(l,0);n.set(r[e],r.length-e)}o=[]}
+return n}function Bs(s,e=6){let t=[],n=0,o=Di(s.events,1);for(let[l,c]of s.events.entries()){let m=o.get(l);if(m!==void 0){m&&t.push(I(Ze.more_bounces,{count:m}));
+continue}if(c.kind==="start"||!t.length){t.push(qs[Gt(s,l)]);continue}let h=yh(s,l,c);h&&(n++,n<=e&&t.push(I(Ze.change,{phrase:h,where:$e(c.angle)})))}let i=n>e?
+I(Ze.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:ph[s.status]};return I(Ze.
+sentence,r).trim()}function yh(s,e,t){if(t.collision===!1)return Ze.without_collision;if(Ni(t))return Ze.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
+Ii(t))return qs[Gt(s,e)];let{verb:n,summed_up:o}=mh[t.kind];return o?n:""}function vh(s,e,t){let n=Gt(s,e),o={where:$e(t.angle),verb:qs[n],kind:t.kind.replaceAll(
+"_"," ")},i=xh(s.events,e,n,o);return I(je[i]??je.other,o)}function xh(s,e,t,n){let o=s[e],{kind:i}=o;return i==="start"&&(n.speed=Be(o.vx),n.started=I(t===gh?je.
+started_flight:t===bh?je.started_skim:je.started,n)),i==="slip_start"&&t===Is?"slip_start_spin":i==="takeoff"?kh(s,e,n):i==="impact"?(n.speed=Be(o.before.vy===null?
+null:Math.abs(o.before.vy)),o.collision===!1?"impact_without_collision":o.to==="H"?"impact_bounce":i):i==="turn"&&Ii(o)?"turn_in_slip":(i==="apex"&&(n.gap=Oi(o.
+height)),i==="kane_gain"&&(n.gain=Be(o.gain)),i==="rest"&&o.stable===!1?"rest_unstable":i)}function kh(s,e,t){let{t:n}=s[e],o=0;for(let i=e;i<s.length;i++)if(o=
+Math.max(o,s[i].height),!(i===e||s[i].kind!=="impact")){for(let a=i+1;a<s.length&&s[a].t<=s[i].t;a++)o=Math.max(o,s[a].height);if(!o)break;return t.top=Oi(o),t.
+time=Be(s[i].t-n),"takeoff_and_landing"}return"takeoff"}function Gt(s,e){let t=s.events[e];return _h(t.to,zi(s.events,e)?s.omega(e):t.omega)}function _h(s,e){return s===
+"S"?e>0?Is:Pi:s==="K"?e<0?Is:Pi:Os[Ci.indexOf(s)]}var Ii=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),$e=s=>`${ms(s*(180/Math.PI),1)}°`.replaceAll("-","−");function Oi(s){
+return s>=.995?`${Be(s)} m`:s>=.00995?`${Be(s*100)} cm`:`${Be(s*1e3)} mm`}function Be(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=ke(s,3).split("e"),n=t===
+void 0?"":`·10${Eh(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var Eh=s=>[...String(s)].map(e=>e==="-"?"⁻":wh[Number(e)]).join("");var qi=2e3;function Ut(s,{status:e,sequence:t,fingerprint:n,events:o,final:i,energy:a}){let{schema:r,setup:l}=S,c=Te(s);return{schema:r,version:l.version,scenario:c,
+status:e,sequence:t,fingerprint:n,events:o,final:i,energy:a}}function Kt(s,e,t,n){let o={events:e.events,status:e.status,omega:t};return{...Ut(s,e),events:e.events.
+slice(0,qi),query:Ye(s),duration:e.duration,values:Mh(s),automatic:Sh(s,n),massless:s.hoop.inertia_ratio===0,summary:Bs(o),story:js(o),ending:S.words.statuses[e.
+status],shortened:e.events.length>qi}}function Mh({hoop:s,plane:e,start:t}){let n={hoop:s,plane:e,start:{...de(t,s.radius),speed:t.speed}},o=S.shown.map(i=>{let[
+a,r]=i.split("."),l=n[a][r];return[i,l===1/0?"inf":l]});return Object.fromEntries(o)}function Sh(s,e){if(s.contact.model==="rigid")return{};let{stiffness:t,slip_speed:n}=e.
+chosen(Z(s)),{restitution:o}=s.plane;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":o}}var{rate:Th,variables:$s}=S.table,{letters:Ah}=S.words,Ws=(s,e)=>JSON.stringify(Ut(s,e),null,1);function Gs(s){let e=Math.min(Math.max(Math.floor(s*Th)+1,2),S.limits.
+samples),t=s/(e-1);return Float64Array.from({length:e},(n,o)=>o===e-1?s:o*t)}function Us(s,e){let t=Object.keys($s),n=t.map(l=>$s[l]==="1"?l:`${l} [${$s[l]}]`),
+{kinetic:o,potential:i}=e,a={...e,total:Float64Array.from(o,(l,c)=>l+i[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let m=t.map(h=>h==="mode"?Ah[a.
+mode[l]]:xe(a[h][l]));r.push([xe(c),...m].join(","))}return`${r.join(`\r
+`)}\r
+`}var Lh=["hoop.eccentricity","plane.slope"],Rh={...Object.fromEntries(Object.entries(S.map.rates).map(([s,e])=>[s,()=>({[e]:1})])),"hoop.radius":Ph,"hoop.mass":({
+hoop:s})=>s.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:s}})=>s===null?null:{eccentricity:1,inertia_ratio:-2*s},"plane.mu":({plane:{mu:s}})=>s===
+null||s===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:s})=>s.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:s})=>s.mu_kinetic===
+1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:s})=>s.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:s,start:e})=>e.speed===null?
+null:{omega:1/s.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:s})=>({omega:1,slip:-s.radius})};function Ph({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},
+start:{speed:o,omega:i}}){let a={radius:1};return o===null?a.slip=-(i||0):a.omega=-o/(s*s),e?{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Ks(s,e){let t=Rh[e]?.(
+s),{smaller:n,larger:o}=Ch(s,e);if(!t||!(n||o))return null;let i=new Float64Array(E.cell.length);for(let[a,r]of Object.entries(t))i[Zo[a]]=r;return{rates:i,smaller:n,
+larger:o}}function Ch(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,o=zh(s,e),{least:i,most:a,also:r=[]}=S.map.allowed[e],l=t!==n,c=s.hoop.inertia_ratio===0&&Lh.includes(
+e);return{smaller:!c&&o>Math.min(i,...r.map(ut))&&(l||e!=="plane.mu_static"),larger:!c&&o<a&&(l||e!=="plane.mu_kinetic")}}function zh(s,e){return e==="start.ome\
+ga"?de(s.start,s.hoop.radius).omega:e.split(".").reduce((t,n)=>t[n],s)}var{limits:Vt}=S;function fe({scenario:s,query:e,changes:t=[]},n){let i=s!==void 0&&e===void 0?ft(s,n):gt(e??"",n),a=new Map;for(let[r,l]of t)dt([...a.keys(),r])&&
+(i=$t(i,a,n),a=new Map),a.set(r,l);return a.size?$t(i,a,n):i}function Vs({scenario:s,query:e,changes:t=[],...n},o){if(t.length>Vt.changes)throw new ee($("too_ma\
+ny_changes",{pairs:t.length,most:Vt.changes}));let{x:i,y:a}=n;if(i&&i.path===a.path)throw new N($("equal_axes",{path:i.path}));let r=i?i.cells*a.cells:0;if(r>Vt.
+cells)throw new ee($("too_many_cells",{cells:r,most:Vt.cells}));return{...n,checked:fe({scenario:s,query:e,changes:t},o)}}var{theory:W}=S.words;function Ys({hoop:s,plane:e},t){let n=[],o=(r,l,c,m)=>{l!==null&&n.push({key:r,label:W[r],value:Number.isFinite(l)?l:null,unit:c,text:m(l)})},
+i=()=>o("painleve",t.painleve_friction,"1",r=>Dh(r,t,e));if(e.gravity<=0)return i(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?W.loss_by_friction:
+W.loss_of_contact;return o("loss",t.massless_loss_angle,"rad",l=>I(r,{where:$e(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:m,
+any_speed:h}=W;o("first_slip",t.first_slip_speed,"m/s",d=>Js(d,r,m)),o("first_hop",t.first_hop_speed,"m/s",d=>Js(d,l,m)),o("immediate_hop",t.immediate_hop_speed,
+"m/s",d=>Js(d,c,h))}else n.push({key:"uphill",label:W.uphill,value:null,unit:"",text:W.no_threshold});o("needed_friction",t.needed_friction,"1",r=>Nh(r,e)),i();
+let a=t.jam_angles.map($e).join(", ");return o("jam",t.jam_angles[0]??null,"rad",()=>I(W.jam_at,{places:a})),s.eccentricity>0&&o("rest",t.stable_angle,"rad",r=>I(
+W.rest_at,{where:$e(r)})),n}function Js(s,e,t){return s<S.words.least_speed?I(t,{would:e}):Number.isFinite(s)?I(W.above,{would:e,speed:ke(s,4)}):W.no_speed}function Nh(s,{
+mu_static:e}){return Number.isFinite(s)?I(s<=e?W.friction_enough:W.friction_short,{mu:ke(s,3)}):W.no_friction}function Dh(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return W.never;let n=s<=t?W.paradox_here:W.paradox_not_here;return I(n,{mu:ke(s,3),where:$e(e)})}function _e(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Fi=s=>wt(s)>.2?"#111111":"#ffffff",yt=(s,e)=>`rgba(${_e(s).join(",")}\
+,${e})`,Oh=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function wt(s){let[e,t,n]=_e(s).map(Oh);return .2126*e+.7152*t+.0722*n}function vt(s,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(wt(s)<.002)return"#eceef2";let t=s;for(let n=0;wt(t)<.2&&n<1;n+=.05)t=`#${_e(s).map(o=>Math.round(o+(255-o)*n).toString(
+16).padStart(2,"0")).join("")}`;return t}var Jt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function qh(){let s=[];
+for(let e=0;e<256;e++){let t=e/255*(Jt.length-1),n=Math.min(Math.floor(t),Jt.length-2),o=_e(Jt[n]),i=_e(Jt[n+1]);s.push(o.map((a,r)=>Math.round(a+(i[r]-a)*(t-n))))}
+return s}var Qe=qh(),Yt=Qe.map(s=>`rgb(${s.join(",")})`),Fh=["#123a8c","#8a6d00"],ge=(s,e)=>vt(Fh[s],e);var Ae={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -500,7 +900,7 @@ rt springen","Not so.":"Nein.",Pause:"Anhalten",Share:"Teilen",Everything:"Alles
 tly how a hoop with a load on its rim rolls, slips, hops and lands.":"hophoop berechnet genau, wie ein Reifen mit einer Last am Rand rollt, gleitet, hüpft und l\
 andet.",Version:"Version",Licence:"Lizenz","Licences of all that the page contains":"Lizenzen von allem, was die Seite enthält",Documentation:"Dokumentation","\
 The documentation":"Die Dokumentation","docs/index.md in the source; this page: docs/lab.md":"docs/index.md im Quelltext; diese Seite: docs/lab.md",Commands:"Be\
-fehle"};var Ml=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
+fehle"};var jh=["rodadura","patinaje","derrape","vuelo","roce","deslizamiento −","deslizamiento +","rueda","patina","derrapa","vuela","roza el plano","rueda desde {an\
 gle}","patina desde {angle}","derrapa desde {angle}","vuela desde {angle}","roza el plano desde {angle}","salta a {angle}","aterriza a {angle}","rebota a {angle\
 }","desliza en sentido contrario desde {angle}","deja de deslizar de golpe a {angle}","da la vuelta a {angle}","termina de rebotar a {angle}","encuentra la para\
 doja de Painlevé a {angle}","encuentra la indeterminación de Painlevé a {angle}","se bloquea a {angle}","gana energía (Kane) a {angle}","roza desde {angle}",
@@ -680,8 +1080,8 @@ o","sin rozamiento el aro reposa solo en la frontera de dos clases","el movimien
 o","las derivadas de los dos lados difieren","Con contacto flexible no se calculan derivadas: elige el modelo de contacto rígido.","Saltar a la respuesta","No \
 es así.","Pausa","Compartir","Todo","Vista sencilla","Mostrar todo","Este movimiento tiene también otros ajustes.","Arrastra la carga","Acerca de hophoop","ho\
 phoop calcula con exactitud cómo un aro con una carga en el borde rueda, desliza, salta y cae.","Versión","Licencia","Licencias de todo lo que contiene la pág\
-ina","Documentación","La documentación","docs/index.md en el código fuente; esta página: docs/lab.md","Órdenes"],Qo=Object.fromEntries(Object.keys(Se).map(
-(s,e)=>[s,Ml[e]]));var Sl=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
+ina","Documentación","La documentación","docs/index.md en el código fuente; esta página: docs/lab.md","Órdenes"],Hi=Object.fromEntries(Object.keys(Ae).map(
+(s,e)=>[s,jh[e]]));var Bh=["roulement","patinage","dérapage","vol","effleurement","glissement −","glissement +","roule","patine","dérape","vole","effleure le plan","roule à pa\
 rtir de {angle}","patine à partir de {angle}","dérape à partir de {angle}","vole à partir de {angle}","effleure le plan à partir de {angle}","saute à {angl\
 e}","retombe à {angle}","rebondit à {angle}","glisse dans l’autre sens à partir de {angle}","cesse brusquement de glisser à {angle}","fait demi-tour à {an\
 gle}","finit de rebondir à {angle}","rencontre le paradoxe de Painlevé à {angle}","rencontre l’indétermination de Painlevé à {angle}","se coince à {angl\
@@ -870,7 +1270,7 @@ le mouvement n’a pas de réponse à partir de là","le paramètre est au bord 
 act souple, pas de dérivées : choisis le modèle de contact rigide.","Passer à la réponse","Non.","Pause","Partager","Tout","Vue simple","Tout afficher","Ce\
  mouvement a aussi d’autres réglages.","Tirez la masselotte","À propos de hophoop","hophoop calcule exactement comment un cerceau lesté au bord roule, gliss\
 e, saute et retombe.","Version","Licence","Licences de tout ce que contient la page","Documentation","La documentation","docs/index.md dans les sources ; cette \
-page : docs/lab.md","Commandes"],Xo=Object.fromEntries(Object.keys(Se).map((s,e)=>[s,Sl[e]]));var Tl=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
+page : docs/lab.md","Commandes"],ji=Object.fromEntries(Object.keys(Ae).map((s,e)=>[s,Bh[e]]));var $h=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
 "在 {angle} 处开始空转","在 {angle} 处开始拖滑","在 {angle} 处腾空","在 {angle} 处开始贴着平面滑过","在 {angle} 处跳起","在 {angle}\
  处落地","在 {angle} 处弹起","在 {angle} 处反向滑动","在 {angle} 处滑动骤停","在 {angle} 处折返","在 {angle} 处弹跳结束","在 {angle}\
  处遇到潘勒韦悖论","在 {angle} 处遇到潘勒韦不定性","在 {angle} 处卡死","在 {angle} 处获得能量（凯恩）","在 {angle} 处开始擦地",
@@ -1011,107 +1411,107 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 "接触力消失后，无质量圆环（γ = 1）是奇异极限","没有摩擦时圆环只静止在两类的边界上","从那里起该运动没有答案","该参数\
 处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。","跳到答案","不是这样。","暂停","分\
 享","全部","简洁视图","显示全部","此运动还有其他设置。","拖动重物","关于 hophoop","hophoop 精确计算边缘带重物的圆环如何滚动、滑动、跳起和落地。",
-"版本","许可证","本页所含内容的许可证","文档","查看文档","源代码中的 docs/index.md；本页：docs/lab.md","命令"],ei=Object.fromEntries(
-Object.keys(Se).map((s,e)=>[s,Tl[e]]));var dt={de:Se,es:Qo,fr:Xo,zh:ei};var ls=new Map;function ne(s){try{return localStorage.getItem(s)??ls.get(s)??null}catch{return ls.get(s)??null}}function se(s,e){ls.set(s,e);try{localStorage.setItem(
-s,e)}catch{}}var Al=s=>{let e=new Intl.DisplayNames([s],{type:"language"}).of(s)??s;return e[0].toLocaleUpperCase(s)+e.slice(1)},ft=Object.fromEntries(["en",...Object.keys(dt)].
-map(s=>[s,Al(s)])),si="hophoop-language",oi=4e3,Ll=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ht=/\{(\w+)\}/g,xe="\
-en",ii=!1,ai=[],mt=new Map,pt=new Set,Ye=new Set,Te=()=>xe;function cs(s){xe=s in ft?s:"en",ii=1.5.toLocaleString(xe).includes(","),mt=new Map,pt=new Set,Ye.clear(),
-ai=Object.keys(dt[xe]??{}).filter(e=>e.includes("{")).map(Pl).sort((e,t)=>ti(t.key)-ti(e.key))}function Rl(){let s=ne(si);return s&&s in ft?s:(globalThis.navigator?.
-languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in ft)??"en"}function ri(s){se(si,s)}var ti=s=>s.replace(Ht,"").length;function Pl(s){let e=[...s.matchAll(
-Ht)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var de=s=>ii?
-s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function x(s,e){let t=dt[xe];if(e)return j(hi(t?.[s]??ni(s),e));if(!t||!/\p{L}/u.test(s))return de(s);if(pt.has(s))return s;let n=mt.
-get(s);if(n!==void 0)return n;let o=s.trim(),i=t[o]??Cl(o,t)??ni(o),a=s.replace(o,()=>i);return mt.size>oi&&mt.clear(),mt.set(s,a),j(a)}function j(s){return pt.
-size>oi&&pt.clear(),pt.add(s),s}var li=(s,e)=>s.replace(Ht,(t,n)=>String(e[n])),hi=(s,e)=>s.replace(Ht,(t,n)=>n.startsWith("word")?String(e[n]):x(String(e[n])));
-function Cl(s,e){for(let{key:t,pattern:n,names:o}of ai){let i=s.match(n);if(i)return hi(e[t],Object.fromEntries(o.map((a,r)=>[a,i[r+1]])))}return zl(s)}function zl(s){
-if(s.includes(" → "))return s.split(" → ").map(e=>x(e)).join(" → ")}function ci(s){if(!dt[xe])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],
-{comma:n,stop:o}=xe==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(n);return j(
-`${a[0]?.toLocaleUpperCase(xe)??""}${a.slice(1)}${o}${t?` ${x(t)}`:""}`)}function ni(s){let e=/\p{L}{3,}/u.test(s)&&!Ll.test(s);return xe!=="en"&&e&&Ye.size<200&&
-Ye.add(s),de(s)}var us=new WeakMap,hs=new WeakMap;function ds(s){let e=document.createTextNode(x(s));return us.set(e,s),e}function Ze(s,e,t){let n=hs.get(s)??{};
-n[e]=t,hs.set(s,n),s.setAttribute(e,x(t))}function Nl(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.
-nodeValue??"").replace(/\s+/g," ");n.trim()&&us.set(t,n)}for(let t of s.querySelectorAll("[aria-label]"))Ze(t,"aria-label",t.getAttribute("aria-label")??"");jt(
-s)}function jt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=us.get(t);n!==void 0&&
-(t.nodeValue=x(n));let o=hs.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,x(a))}}cs(Rl());var Dl=14,Ol=new Set(["aria-label","title","placeholder","label"]);function u(s,e={},...t){let n=document.createElement(s),o=n;for(let[i,a]of Object.entries(e))
-a==null||a===!1||(i.startsWith("on")?n.addEventListener(i.slice(2),a):i==="class"?n.className=a:i in n&&i!=="list"&&typeof a!="string"?o[i]=a:Ol.has(i)?Ze(n,i,String(
-a)):n.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||n.append(i.nodeType?i:ds(String(i)));return n}function P(s,e){e?s.replaceChildren(ds(e)):
-s.replaceChildren()}var Bt=s=>s!==null&&s.getRootNode().activeElement===s,me=s=>s.getContext("2d");function K(s,e=1){let t=s.getBoundingClientRect(),n=Math.min(
+"版本","许可证","本页所含内容的许可证","文档","查看文档","源代码中的 docs/index.md；本页：docs/lab.md","命令"],Bi=Object.fromEntries(
+Object.keys(Ae).map((s,e)=>[s,$h[e]]));var xt={de:Ae,es:Hi,fr:ji,zh:Bi};var Zs=new Map;function ne(s){try{return localStorage.getItem(s)??Zs.get(s)??null}catch{return Zs.get(s)??null}}function se(s,e){Zs.set(s,e);try{localStorage.setItem(
+s,e)}catch{}}var Wh=s=>{let e=new Intl.DisplayNames([s],{type:"language"}).of(s)??s;return e[0].toLocaleUpperCase(s)+e.slice(1)},Et=Object.fromEntries(["en",...Object.keys(xt)].
+map(s=>[s,Wh(s)])),Gi="hophoop-language",Ui=4e3,Gh=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Zt=/\{(\w+)\}/g,Ee="\
+en",Ki=!1,Vi=[],kt=new Map,_t=new Set,Xe=new Set,Le=()=>Ee;function Xs(s){Ee=s in Et?s:"en",Ki=1.5.toLocaleString(Ee).includes(","),kt=new Map,_t=new Set,Xe.clear(),
+Vi=Object.keys(xt[Ee]??{}).filter(e=>e.includes("{")).map(Kh).sort((e,t)=>$i(t.key)-$i(e.key))}function Uh(){let s=ne(Gi);return s&&s in Et?s:(globalThis.navigator?.
+languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in Et)??"en"}function Ji(s){se(Gi,s)}var $i=s=>s.replace(Zt,"").length;function Kh(s){let e=[...s.matchAll(
+Zt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var be=s=>Ki?
+s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function x(s,e){let t=xt[Ee];if(e)return j(Zi(t?.[s]??Wi(s),e));if(!t||!/\p{L}/u.test(s))return be(s);if(_t.has(s))return s;let n=kt.
+get(s);if(n!==void 0)return n;let o=s.trim(),i=t[o]??Vh(o,t)??Wi(o),a=s.replace(o,()=>i);return kt.size>Ui&&kt.clear(),kt.set(s,a),j(a)}function j(s){return _t.
+size>Ui&&_t.clear(),_t.add(s),s}var Yi=(s,e)=>s.replace(Zt,(t,n)=>String(e[n])),Zi=(s,e)=>s.replace(Zt,(t,n)=>n.startsWith("word")?String(e[n]):x(String(e[n])));
+function Vh(s,e){for(let{key:t,pattern:n,names:o}of Vi){let i=s.match(n);if(i)return Zi(e[t],Object.fromEntries(o.map((a,r)=>[a,i[r+1]])))}return Jh(s)}function Jh(s){
+if(s.includes(" → "))return s.split(" → ").map(e=>x(e)).join(" → ")}function Qi(s){if(!xt[Ee])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],
+{comma:n,stop:o}=Ee==="zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(n);return j(
+`${a[0]?.toLocaleUpperCase(Ee)??""}${a.slice(1)}${o}${t?` ${x(t)}`:""}`)}function Wi(s){let e=/\p{L}{3,}/u.test(s)&&!Gh.test(s);return Ee!=="en"&&e&&Xe.size<200&&
+Xe.add(s),be(s)}var eo=new WeakMap,Qs=new WeakMap;function to(s){let e=document.createTextNode(x(s));return eo.set(e,s),e}function et(s,e,t){let n=Qs.get(s)??{};
+n[e]=t,Qs.set(s,n),s.setAttribute(e,x(t))}function Yh(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.
+nodeValue??"").replace(/\s+/g," ");n.trim()&&eo.set(t,n)}for(let t of s.querySelectorAll("[aria-label]"))et(t,"aria-label",t.getAttribute("aria-label")??"");Qt(
+s)}function Qt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=eo.get(t);n!==void 0&&
+(t.nodeValue=x(n));let o=Qs.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,x(a))}}Xs(Uh());var Zh=14,Qh=new Set(["aria-label","title","placeholder","label"]);function u(s,e={},...t){let n=document.createElement(s),o=n;for(let[i,a]of Object.entries(e))
+a==null||a===!1||(i.startsWith("on")?n.addEventListener(i.slice(2),a):i==="class"?n.className=a:i in n&&i!=="list"&&typeof a!="string"?o[i]=a:Qh.has(i)?et(n,i,String(
+a)):n.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||n.append(i.nodeType?i:to(String(i)));return n}function R(s,e){e?s.replaceChildren(to(e)):
+s.replaceChildren()}var Xt=s=>s!==null&&s.getRootNode().activeElement===s,we=s=>s.getContext("2d");function K(s,e=1){let t=s.getBoundingClientRect(),n=Math.min(
 globalThis.devicePixelRatio||1,2.5),o=Math.max(Math.round(t.width*n),1),i=Math.max(Math.round(t.height*n),1);(s.width!==o||s.height!==i)&&(s.width=o,s.height=i);
-let a=me(s),r=n*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function Il(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=me(u("canvas",{
+let a=we(s),r=n*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function Xh(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=we(u("canvas",{
 width:1,height:1}));e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,o]=e.getImageData(0,0,1,1).data;return`#${[t,n,o].map(i=>i.toString(16).padStart(2,"0")).join("")}`}
-function ms(s){let e=getComputedStyle(s),t=o=>e.getPropertyValue(o).trim(),n=o=>Il(t(o));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--pape\
-r"),panel:n("--panel"),ground:n("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/Dl||1,dark:ht(n("--paper"))<.2}}function Qe(s,e){let t=u("a",{href:URL.
+function no(s){let e=getComputedStyle(s),t=o=>e.getPropertyValue(o).trim(),n=o=>Xh(t(o));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--pape\
+r"),panel:n("--panel"),ground:n("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/Zh||1,dark:wt(n("--paper"))<.2}}function tt(s,e){let t=u("a",{href:URL.
 createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function oe(s,e){let t=0;return()=>{
 clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function M(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
-s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[o,i]=s.toExponential(e-1).split("e");n=`${ui(o)}·10${ql(Number(i))}`}else
-n=ui(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return de(n.replace("-","−"))}function ui(s){return s.includes(".")&&!s.includes("e")?s.replace(
-/\.?0+$/,""):s}function ql(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
-"")}var O=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,$=s=>de(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Ae(s){let e=Math.abs(s),[t,n]=e>=.995?
+s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[o,i]=s.toExponential(e-1).split("e");n=`${Xi(o)}·10${ec(Number(i))}`}else
+n=Xi(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return be(n.replace("-","−"))}function Xi(s){return s.includes(".")&&!s.includes("e")?s.replace(
+/\.?0+$/,""):s}function ec(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
+"")}var O=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,G=s=>be(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Re(s){let e=Math.abs(s),[t,n]=e>=.995?
 [1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return O(M(s*t,3),n)}function V(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),o=t/n;return(o>5?10:o>2?5:o>1?
 2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=V(e-s,t),o=[];for(let i=Math.ceil(s/n-1e-9);i*n<=e+1e-9*n&&o.length<
-200;i++)o.push(i*n);return o}function ie(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?M(s,3):de((Math.abs(s)<e*1e-6?
-0:s).toFixed(t).replace("-","−"))}var mi=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],Fl="tfc",Hl=/^[0-9a-f]{16}$/,jl=400;function pi({time:s=0,options:e={},zoom:t=1,
-pan:n=[0,0],from:o,more:i,map:a,fingerprints:r=[]}){let l=[];s>0&&l.push(`t=${Number(s.toFixed(4))}`);let c=mi.filter(([m])=>e[m]).map(([,m])=>m);return c.join(
-"")!==Fl&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),n.some(m=>Math.abs(m)>5e-4)&&l.push(`pan=${n.map(m=>Number(m.toFixed(3))).
+200;i++)o.push(i*n);return o}function ie(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?M(s,3):be((Math.abs(s)<e*1e-6?
+0:s).toFixed(t).replace("-","−"))}var ta=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],tc="tfc",nc=/^[0-9a-f]{16}$/,sc=400;function na({time:s=0,options:e={},zoom:t=1,
+pan:n=[0,0],from:o,more:i,map:a,fingerprints:r=[]}){let l=[];s>0&&l.push(`t=${Number(s.toFixed(4))}`);let c=ta.filter(([m])=>e[m]).map(([,m])=>m);return c.join(
+"")!==tc&&l.push(`show=${c.join("")}`),t!==1&&l.push(`zoom=${Number(t.toPrecision(3))}`),n.some(m=>Math.abs(m)>5e-4)&&l.push(`pan=${n.map(m=>Number(m.toFixed(3))).
 join(",")}`),o&&l.push(`from=${o.map(m=>Number(m.toPrecision(3))).join(",")}`),i&&l.push(`more=${i}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
-Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function fi(s){let e=new URLSearchParams(s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=
-0&&(t.time=n);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(mi.map(([y,v])=>[y,o.includes(v)])));let i=Number(e.get("zoom")??Number.NaN);i>0&&(t.zoom=
-_(i,.05,60));let a=di(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=di(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,m,h,d,p,f,
+Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function sa(s){let e=new URLSearchParams(s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=
+0&&(t.time=n);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(ta.map(([y,v])=>[y,o.includes(v)])));let i=Number(e.get("zoom")??Number.NaN);i>0&&(t.zoom=
+_(i,.05,60));let a=ea(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=ea(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,m,h,d,p,f,
 g]=e.get("map")?.split(",")??[],b=[h,d,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[m,b[0],b[1]],y:[p,b[2],b[3]]});
-let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>Hl.test(y)?y:"")),t}function di(s,e){let t=(s??"").split(",").map(Number);
-return s&&t.length===e&&t.every(Number.isFinite)?t:null}var Bl=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
-...s===null?[]:[s]]},$t=class{constructor(e,t){this.motions=e;this.link=t;this.number=0;this.soon=oe(()=>this.write("same"),jl),this.listen=()=>this.arrived(),addEventListener(
+let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>nc.test(y)?y:"")),t}function ea(s,e){let t=(s??"").split(",").map(Number);
+return s&&t.length===e&&t.every(Number.isFinite)?t:null}var oc=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
+...s===null?[]:[s]]},en=class{constructor(e,t){this.motions=e;this.link=t;this.number=0;this.soon=oe(()=>this.write("same"),sc),this.listen=()=>this.arrived(),addEventListener(
 "popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{motions:t}=this;if(!t.lanes.length||!t.history.holds(t.queries()))return;
 let n=this.link();e==="step"?history.pushState({number:++this.number},"",n):history.replaceState({number:this.number},"",n)}travel(e){return new Promise(t=>{let n=()=>t();
-addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Bl();JSON.stringify(t)===JSON.stringify(
-this.motions.queries())?this.number=e:await this.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var gt=[.05,.1,.25,.5,1,2,4],Wt=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Gt=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
-playing=!1;this.loop=!Wt();this.once=!1;this.pointed=null;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,
-once:t=!1}={}){Wt()?this.seek(e):(this.play(!0),this.once=t)}seek(e){this.time=_(e,0,this.duration),this.changed()}point(e){this.pointed=e,this.changed()}play(e=!this.
-playing){this.playing=e,this.once=!1,this.last=null,e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=gt.indexOf(this.speed);this.speed=
-gt[_(t+e,0,gt.length-1)],this.changed()}tick(e){if(!this.playing)return!1;let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*
+addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=oc();JSON.stringify(t)===JSON.stringify(
+this.motions.queries())?this.number=e:await this.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var Mt=[.05,.1,.25,.5,1,2,4],tn=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,nn=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
+playing=!1;this.loop=!tn();this.once=!1;this.pointed=null;this.last=null;this.listeners=new Set}changed(){for(let e of this.listeners)e(this)}run({to:e=this.time,
+once:t=!1}={}){tn()?this.seek(e):(this.play(!0),this.once=t)}seek(e){this.time=_(e,0,this.duration),this.changed()}point(e){this.pointed=e,this.changed()}play(e=!this.
+playing){this.playing=e,this.once=!1,this.last=null,e&&this.time>=this.duration&&(this.time=0),this.changed()}faster(e){let t=Mt.indexOf(this.speed);this.speed=
+Mt[_(t+e,0,Mt.length-1)],this.changed()}tick(e){if(!this.playing)return!1;let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*
 this.speed,this.time>=this.duration&&(this.loop&&!this.once&&this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.
-changed())),!0}};function $l(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+changed())),!0}};function ic(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
 (o,i,a)=>`e${i&&"-"}${a.normalize("NFKD")}`);let n=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return n?n[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function Wl(s,e,{label:t,unit:n,range:o}){let i=s.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
+test(t)?Number(t.replace(",",".")):Number.NaN}function ac(s,e,{label:t,unit:n,range:o}){let i=s.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
 uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let a=o.also.includes(0)?"0 or ":"",r=`from ${M(o.least,4)} to ${O(M(o.most,4),n)}`,l=o.also.
-includes(1/0)?", or inf":"";return`${t} = ${O(M(e,6),n)} must be ${a}${r}${l}.`}var Gl=0,Xe=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
-typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++Gl}`,hidden:!0});this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+includes(1/0)?", or inf":"";return`${t} = ${O(M(e,6),n)} must be ${a}${r}${l}.`}var rc=0,nt=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.
+typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++rc}`,hidden:!0});this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",
 spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:n=>{
 n.key!=="Escape"||!(this.typing||this.refused())||(n.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=$l(e,this.info.unit),n=Wl(e,t,this.info);n?this.refuse(
-n):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),P(this.error,e),this.error.
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=ic(e,this.info.unit),n=ac(e,t,this.info);n?this.refuse(
+n):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),R(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=de(e),this.typing||this.restore()}};var gi={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Ul={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},Kl=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function bi(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
-max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ut(t*(1-n)),inner_radius:Ut(.98*e),outer_radius:e},{shape:"point_mass",mass:Ut(t*n),at:e}]}var Ut=s=>Number(
-s.toPrecision(6)),Kt=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
-art",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,Kl(n,this.radius,Ut(.2*this.mass))])}},u("option",{value:""},"+ add a part \
-…"),Object.entries(gi).map(([t,{label:n}])=>u("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let o=JSON.stringify(e);if(o===this.
+input.value=this.shown,this.accept()}show(e){this.shown=be(e),this.typing||this.restore()}};var oa={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},lc={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},hc=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function ia(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
+max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:sn(t*(1-n)),inner_radius:sn(.98*e),outer_radius:e},{shape:"point_mass",mass:sn(t*n),at:e}]}var sn=s=>Number(
+s.toPrecision(6)),on=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
+art",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,hc(n,this.radius,sn(.2*this.mass))])}},u("option",{value:""},"+ add a part \
+…"),Object.entries(oa).map(([t,{label:n}])=>u("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let o=JSON.stringify(e);if(o===this.
 text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:o,parts:e,radius:t,mass:n}),this.list.replaceChildren(
-...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:n,keys:o}=gi[e.shape];return u("fieldset",{class:"part"},u("legend",{},n,this.parts.length>1&&u("button",{type:"\
+...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:n,keys:o}=oa[e.shape];return u("fieldset",{class:"part"},u("legend",{},n,this.parts.length>1&&u("button",{type:"\
 button",class:"quiet","aria-label":`Remove part ${t+1}, ${n}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),o.map(i=>this.field(e,t,i)))}field(e,t,n){
-let[o,i]=Ul[n],a=new Xe({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),u("div",{},u("label",{},`${o}\
- [${i}]`,a.input),a.error)}};var ps=Math.PI/180;function Vl({allowed:s,degrees:e}){if(!s)return;let t=e?1/ps:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
-var fs=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
+let[o,i]=lc[n],a=new nt({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),u("div",{},u("label",{},`${o}\
+ [${i}]`,a.input),a.error)}};var so=Math.PI/180;function cc({allowed:s,degrees:e}){if(!s)return;let t=e?1/so:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
+var oo=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
 range=u("input",{type:"range",id:n,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:o(!0),onpointerup:o(!1),onpointercancel:o(!1),onblur:o(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new Xe({label:i,unit:a,name:r,range:Vl(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:n},u("\
+n ${a}`:""}`;this.entry=new nt({label:i,unit:a,name:r,range:cc(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:n},u("\
 span",{},i),u("span",{class:"symbol"},e.symbol)),this.range,u("span",{class:"entry"},this.entry.input,u("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(n)),this.say(n),this.send(n,e)}send(e,t){
-let n=this.info.degrees?e*ps:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",O(M(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let n=e!=null,o=n?e:t;if(o==null){this.entry.show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?ps:1);this.
+let n=this.info.degrees?e*so:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",O(M(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let n=e!=null,o=n?e:t;if(o==null){this.entry.show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?so:1);this.
 entry.show(n?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":x("auto {value}",{value:M(i,2)}),this.entry.input.title=
 n?O(String(i),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
-String(a)),this.say(i)}};function Jl(s,e){let t=u("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([o,i])=>u("option",{value:o},
-i)));return{element:u("label",{class:"choice",title:s.help},u("span",{},s.label),t),select:t,path:s.path}}var Vt=class{constructor(e,t){this.sliders=new Map;this.
-onchange=(n,o=!0)=>t(n,o);for(let n of Object.values(e.groups))for(let o of n)this.sliders.set(o.path,new fs(o,this.onchange));this.choices=new Map(e.choices.map(
-n=>[n.path,Jl(n,this.onchange)])),this.parts=new Kt(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
+String(a)),this.say(i)}};function uc(s,e){let t=u("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([o,i])=>u("option",{value:o},
+i)));return{element:u("label",{class:"choice",title:s.help},u("span",{},s.label),t),select:t,path:s.path}}var an=class{constructor(e,t){this.sliders=new Map;this.
+onchange=(n,o=!0)=>t(n,o);for(let n of Object.values(e.groups))for(let o of n)this.sliders.set(o.path,new oo(o,this.onchange));this.choices=new Map(e.choices.map(
+n=>[n.path,uc(n,this.onchange)])),this.parts=new on(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
 start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.element}of(e,t={}){return[
 ...this.sliders.keys(),...this.choices.keys()].filter(n=>n.startsWith(`${e}.`)).flatMap(n=>[...t[n]??[],this.at(n)])}select(e,t,n){let o=u("select",{onchange:()=>n(
 o.value)},t.map(([i,a])=>u("option",{value:i},a)));return{select:o,element:u("label",{class:"choice"},u("span",{},e),o)}}group(e,...t){let n=e==="Start"||e==="P\
 lane"||!matchMedia("(max-width: 47.5em)").matches;return u("details",{class:"group",open:n},u("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
-["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",bi(
+["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",ia(
 t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=u("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
 radius":[this.parts.element,this.derived]}))}plane(){this.apart=u("input",{type:"checkbox",onchange:()=>{let{values:n}=this.film;this.apart.checked?this.onchange(
 [["plane.mu_static",n["plane.mu_static"]],["plane.mu_kinetic",n["plane.mu_kinetic"]]]):this.onchange([["plane.mu",n["plane.mu_static"]]])}}),this.gravity=this.select(
@@ -1131,604 +1531,361 @@ m[0]:"");let h={"hoop.load_fraction":i==="load_fraction","hoop.eccentricity":i==
 .vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,f]of Object.
 entries(h))this.at(p).hidden=!f;this.parts.element.hidden=i!=="parts",n.hoop.parts&&this.parts.show(n.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=
 i==="eccentricity"?"":`ε = ${M(o["hoop.eccentricity"],5)}, κ = ${M(o["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${M(o["hoop.mass"],5)} kg`:"");let d=n;for(let[
-p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");d[g]?.[b]!==void 0&&(f.value=d[g][b])}}};var gs=Math.PI/180;function wi(s,e){let{start:t,plane:n,contact:o,hoop:i}=s.scenario;return o.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
+p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");d[g]?.[b]!==void 0&&(f.value=d[g][b])}}};var io=Math.PI/180;function aa(s,e){let{start:t,plane:n,contact:o,hoop:i}=s.scenario;return o.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
 be level.":Math.abs(s.gravity-9.81)>1e-9?"It must be on Earth.":(n.restitution??0)!==0?"Restitution must be 0.":s.radius!==1||i.parts?"The radius must stay 1 m,\
  without parts.":s.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var yi=s=>s.events.filter(
-({kind:e})=>e==="takeoff");function Yl(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var vi=(s,e)=>Math.min(Math.round(100*s/e),100),Zl=1.596,
-Ql=.37,Xl=.05,bs=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=wi(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...Yl(s));return t?{points:vi(t,Zl),text:"It rises by {height}.",values:{height:Ae(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var ra=s=>s.events.filter(
+({kind:e})=>e==="takeoff");function dc(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var la=(s,e)=>Math.min(Math.round(100*s/e),100),mc=1.596,
+pc=.37,fc=.05,ao=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=aa(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...dc(s));return t?{points:la(t,mc),text:"It rises by {height}.",values:{height:Re(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=yi(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<Xl)return{points:0,text:"The first hop is too low."};let o=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/gs,i=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
-from the top.",values:{off:$(o*gs)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=ra(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<fc)return{points:0,text:"The first hop is too low."};let o=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/io,i=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
+from the top.",values:{off:G(o*io)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:s=>{let e=wi(s,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*gs)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=yi(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:s=>{let e=aa(s,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*io)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=ra(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
 ({from:i})=>i<t.t);if(n.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let o=s.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return o?{points:vi(o.height,Ql),text:"It rises by {height}.",values:{height:Ae(o.height)}}:{points:0,
-text:"It does not hop."}}}],ws=s=>s>=95?3:s>=75?2:s>=40?1:0;var xi="hophoop-best-",eh=s=>"★".repeat(ws(s))+"☆".repeat(3-ws(s)),Jt=class{constructor({film:e,load:t,ahead:n}){this.goal=null;Object.assign(this,{film:e,load:t,
-ahead:n}),this.tabs=new Map(bs.map(o=>[o.key,u("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(o)},o.title)])),this.text=u("p",{}),this.meter=
+ng."};let o=s.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return o?{points:la(o.height,pc),text:"It rises by {height}.",values:{height:Re(o.height)}}:{points:0,
+text:"It does not hop."}}}],ro=s=>s>=95?3:s>=75?2:s>=40?1:0;var ha="hophoop-best-",gc=s=>"★".repeat(ro(s))+"☆".repeat(3-ro(s)),rn=class{constructor({film:e,load:t,ahead:n}){this.goal=null;Object.assign(this,{film:e,load:t,
+ahead:n}),this.tabs=new Map(ao.map(o=>[o.key,u("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(o)},o.title)])),this.text=u("p",{}),this.meter=
 u("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"100","aria-label":"Score"}),this.result=u("p",{class:"challenge-result",role:"status"}),this.kept=u("p",
 {class:"hint"}),this.element=u("section",{class:"challenges card","aria-label":"Challenges",hidden:!0},u("header",{},u("h2",{},"Challenges"),u("button",{type:"b\
 utton",class:"quiet","aria-label":"Leave the challenges",onclick:()=>this.close()},"×")),u("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.
 tabs.values()]),this.text,this.meter,this.result,this.kept,u("div",{class:"buttons"},u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},
 "Begin again"),u("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??
-bs[0]),this.element.scrollIntoView({block:"nearest"}),this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){
-this.goal=e;for(let[t,n]of this.tabs)n.setAttribute("aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}changed(){let{goal:e}=this;if(!e)return;
-let{points:t,text:n,values:o={}}=e.score(this.film());this.meter.value=t;let i=x("{stars} {points} points. {what}",{stars:eh(t),points:t,what:x(n,o)});this.result.
-textContent!==i&&(this.result.textContent=i);let a=Number(ne(xi+e.key)??0);t>a&&!this.ahead()&&se(xi+e.key,String(t)),P(this.kept,x("Your best: {points} points.",
-{points:Math.max(a,this.ahead()?0:t)}))}};var ki=.09,th=.03,ys=Math.PI/180,Yt=Math.PI/4,_i=2*Math.PI,bt=s=>s-_i*Math.round(s/_i);function Zt(s,e){let t=s.at(e),n=e===0;return{angle:bt(t.angle),height:Math.
-max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Ei=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Le=s=>Number(s.toFixed(4))+0;function Mi(s,e,t){
-if(s==="plane")return[["plane.slope",Le(e.slope)]];if(e.height>0)return[["start.angle",Le(e.angle)],["start.height",Le(e.height)],["start.vx",Le(e.vx)],["start.\
-vy",Le(e.vy)],["start.omega",Le(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Le(e.angle)],["start.speed",Le(n)]]}var wt=class{constructor(e,t,n,o,i){
-this.grip=e;this.film=t;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=Zt(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.
+ao[0]),this.element.scrollIntoView({block:"nearest"}),this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){
+this.goal=e;for(let[t,n]of this.tabs)n.setAttribute("aria-pressed",String(t===e.key));R(this.text,e.text),this.changed()}changed(){let{goal:e}=this;if(!e)return;
+let{points:t,text:n,values:o={}}=e.score(this.film());this.meter.value=t;let i=x("{stars} {points} points. {what}",{stars:gc(t),points:t,what:x(n,o)});this.result.
+textContent!==i&&(this.result.textContent=i);let a=Number(ne(ha+e.key)??0);t>a&&!this.ahead()&&se(ha+e.key,String(t)),R(this.kept,x("Your best: {points} points.",
+{points:Math.max(a,this.ahead()?0:t)}))}};var ca=.09,bc=.03,lo=Math.PI/180,ln=Math.PI/4,ua=2*Math.PI,St=s=>s-ua*Math.round(s/ua);function hn(s,e){let t=s.at(e),n=e===0;return{angle:St(t.angle),height:Math.
+max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var da=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Pe=s=>Number(s.toFixed(4))+0;function ma(s,e,t){
+if(s==="plane")return[["plane.slope",Pe(e.slope)]];if(e.height>0)return[["start.angle",Pe(e.angle)],["start.height",Pe(e.height)],["start.vx",Pe(e.vx)],["start.\
+vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Pe(e.angle)],["start.speed",Pe(n)]]}var Tt=class{constructor(e,t,n,o,i){
+this.grip=e;this.film=t;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=hn(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.
 center=[a.x,t.radius+a.height],this.foot=o.point(a.x,0),this.from=this.read(i)}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),o=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:o}}move(e,t){
-let n=this.read(e),{radius:o}=this.film;if(this.turned+=bt(n.turn-this.from.turn-this.turned),this.grip==="plane"){let i=_(this.before.slope+this.turned,-Yt,Yt);
-this.held.slope=Math.abs(i)<ys?0:i}else if(this.grip==="load")this.held.angle=bt(this.before.angle+this.turned);else{let i=this.before.height+n.away-this.from.away;
-this.held.height=i<th*o?0:i;let a=n.along-this.from.along;this.held.angle=bt(this.before.angle+(this.held.height>0?0:a/o)),this.moved=n.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-ki;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:n,film:o}=this,i=n.at(-1),a=n[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>ki,c=Ei(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((i.turned-
-a.turned)/r,-c/o.radius,c/o.radius):(t.vx=_((i.along-a.along)/r,-c,c),t.vy=t.height>0?_((i.away-a.away)/r,-c,c):0)),t}};function Si(s,e,t,n,o){let i={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(s==="load"){let h=bt(n.angle+(i||a)*5*ys*r);return{...n,angle:h}}if(s===
-"plane"){let h=_(n.slope+(i||-a)*ys*r,-Yt,Yt);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Ei(o),c=_(n.height+a*.05*r*o.radius,0,4*o.radius),m=_(n.vx+i*.1*r,-l,
+let n=this.read(e),{radius:o}=this.film;if(this.turned+=St(n.turn-this.from.turn-this.turned),this.grip==="plane"){let i=_(this.before.slope+this.turned,-ln,ln);
+this.held.slope=Math.abs(i)<lo?0:i}else if(this.grip==="load")this.held.angle=St(this.before.angle+this.turned);else{let i=this.before.height+n.away-this.from.away;
+this.held.height=i<bc*o?0:i;let a=n.along-this.from.along;this.held.angle=St(this.before.angle+(this.held.height>0?0:a/o)),this.moved=n.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-ca;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:n,film:o}=this,i=n.at(-1),a=n[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>ca,c=da(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((i.turned-
+a.turned)/r,-c/o.radius,c/o.radius):(t.vx=_((i.along-a.along)/r,-c,c),t.vy=t.height>0?_((i.away-a.away)/r,-c,c):0)),t}};function pa(s,e,t,n,o){let i={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(s==="load"){let h=St(n.angle+(i||a)*5*lo*r);return{...n,angle:h}}if(s===
+"plane"){let h=_(n.slope+(i||-a)*lo*r,-ln,ln);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=da(o),c=_(n.height+a*.05*r*o.radius,0,4*o.radius),m=_(n.vx+i*.1*r,-l,
 l);return{...n,height:c<1e-9?0:c,vx:m}}function J(s,e,t,n=()=>{}){let o=new AbortController,{signal:i}=o,a=(l,c)=>s.addEventListener(l,m=>m.pointerId===e.pointerId&&c(m),{signal:i}),r=l=>c=>{o.abort(),
-n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Ti(s,e){let t=new Map,n=null,o=()=>{let[a,r]=[
+n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function fa(s,e){let t=new Map,n=null,o=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),n=t.size===2?o():null)}),s.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
 (t.set(a.pointerId,a),t.size!==2||!n))return;let r=o();e(r.span/n.span,r),n=r});for(let a of["pointerup","pointercancel"])s.addEventListener(a,r=>{t.delete(r.pointerId),
-n=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var nh=700,Qt=44,sh=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Xt=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
-null;this.hint=u("div",{class:"grip-hint","aria-hidden":"true",hidden:!0},"Drag the load");this.places=new Map(sh.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=
+n=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var wc=700,cn=44,yc=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],un=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
+null;this.hint=u("div",{class:"grip-hint","aria-hidden":"true",hidden:!0},"Drag the load");this.places=new Map(yc.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=
 u("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.
 values()],this.tip,this.hint);let{flat:t,plane:n}=e.stage;t.grab=i=>this.take(i),n.addEventListener("pointermove",i=>this.hover(i)),n.addEventListener("pointerl\
 eave",()=>this.hover(null));let o=i=>this.pull&&i.cancelable&&i.preventDefault();n.addEventListener("touchmove",o,{passive:!1}),this.settle=oe(()=>this.chosen(!1),
-nh)}static{this.Pull=wt}place(e,t,n){return u("div",{class:`grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:o=>this.
+wc)}static{this.Pull=Tt}place(e,t,n){return u("div",{class:`grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:o=>this.
 key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.
 stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.toggle("running",e.clock.playing);let{pose:o,film:i,scale:a}=t,r=i.radius,l=t.point(
-o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),m=this.onPlane(t),h=_(1.1*r*a,Qt,190),d=[["plane",m,Qt],["hoop",l,h],["load",c,
-Qt]];for(let[p,[f,g],b]of d){let w=this.places.get(p);w.style.transform=`translate(${f-b/2}px, ${t.top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=
-f<0||g<0||f>t.width||g>t.height}if(!this.hint.hidden){let[p,f]=d[2][1];this.hint.style.transform=`translate(${_(p,70,t.width-70)}px, ${t.top+Math.max(f-Qt,18)}p\
+o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),m=this.onPlane(t),h=_(1.1*r*a,cn,190),d=[["plane",m,cn],["hoop",l,h],["load",c,
+cn]];for(let[p,[f,g],b]of d){let w=this.places.get(p);w.style.transform=`translate(${f-b/2}px, ${t.top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=
+f<0||g<0||f>t.width||g>t.height}if(!this.hint.hidden){let[p,f]=d[2][1];this.hint.style.transform=`translate(${_(p,70,t.width-70)}px, ${t.top+Math.max(f-cn,18)}p\
 x) translate(-50%, -50%)`}e.clock.playing||this.tell(i)}onPlane(e){let t=e.point(e.pose.x,0),o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-
-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){let t=this.pull?.held??this.held??Zt(e,this.lab.clock.time),n={load:$(t.angle),hoop:x(
-"gap {height}, speed {speed} m/s",{height:Ae(t.height),speed:M(t.vx,3)}),plane:$(t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},
+t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){let t=this.pull?.held??this.held??hn(e,this.lab.clock.time),n={load:G(t.angle),hoop:x(
+"gap {height}, speed {speed} m/s",{height:Re(t.height),speed:M(t.vx,3)}),plane:G(t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},
 i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)r.getAttribute("aria-valuetext")!==n[a]&&(r.setAttribute("aria-valuetext",n[a]),
 r.setAttribute("aria-valuenow",String(Number(o[a].toPrecision(4)))),r.setAttribute("aria-valuemin",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(
 i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;for(let[n,o]of this.places){let{left:i,top:a,width:r}=o.getBoundingClientRect(),
 l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/2);!o.hidden&&l<=r/2&&(t=n)}return t}hover(e){if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;
 for(let[n,o]of this.places)o.classList.toggle("near",n===t);this.lab.stage.plane.style.cursor=t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)
 return!1;let{lab:n}=this,{flat:o,plane:i}=n.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-
-l.top-r.top}),m=new wt(t,n.film(),n.clock.time,r,c(e)),h=[...o.shift],[d,p]=[!1,!1];this.pull=m,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove(
+l.top-r.top}),m=new Tt(t,n.film(),n.clock.time,r,c(e)),h=[...o.shift],[d,p]=[!1,!1];this.pull=m,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove(
 "held"),o.fixed=null,this.pull=null,d&&this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),f(),d&&this.back())};return addEventListener(
 "keydown",b,{capture:!0,signal:g.signal}),J(i,e,w=>{if(!p){if(o.pinched()){f(),d&&this.back();return}!d&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||
 (d||(o.fixed=r.scale,this.hold(),this.begin()),d=!0,m.move(c(w),w.timeStamp),o.shift=[h[0]+m.moved,h[1]],this.change(t,m.held,!1),this.show(t,m.held))}},(w,y)=>{
 p||(f(),d&&(y?(this.change(t,m.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return;let{lab:n}=this;if(t.
-key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Zt(n.film(),n.clock.time);let o=Si(e,t.key,t.shiftKey,this.held,n.
+key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=hn(n.film(),n.clock.time);let o=pa(e,t.key,t.shiftKey,this.held,n.
 film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,o),this.settle()}t.preventDefault(),
 t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.ahead=!0,e.clock.seek(0),e.mark("ho\
-lding",!0)}change(e,t,n){this.lab.motions.change(Mi(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${$(t.angle)}`,hoop:t.height>0?`y = ${Ae(t.height)}`:`θ \
-= ${$(t.angle)}`,plane:`β = ${$(t.slope)}`};P(this.tip,t.vx&&this.held?`${n[e]}, v = ${M(t.vx,3)} m/s`:n[e]),this.tip.hidden=!1}chosen(e){this.held&&this.before!==
+lding",!0)}change(e,t,n){this.lab.motions.change(ma(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${G(t.angle)}`,hoop:t.height>0?`y = ${Re(t.height)}`:`θ \
+= ${G(t.angle)}`,plane:`β = ${G(t.slope)}`};R(this.tip,t.vx&&this.held?`${n[e]}, v = ${M(t.vx,3)} m/s`:n[e]),this.tip.hidden=!1}chosen(e){this.held&&this.before!==
 null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=!0,t.stage.options.ahead=!1,t.mark("hold\
 ing",!1),e&&t.clock.seek(0),e&&t.clock.run(),t.request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let n=e.motions.lanes[e.motions.active];
-for(n.pending=null;n.busy;)await new Promise(o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){
-let{flat:t}=this.lab.stage,n=Wt(),o=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||n?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),t.shift[0]!==
-e[0]&&requestAnimationFrame(o)};o()}};var oh={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+for(n.pending=null;n.busy;)await new Promise(o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.film({query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){
+let{flat:t}=this.lab.stage,n=tn(),o=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||n?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),t.shift[0]!==
+e[0]&&requestAnimationFrame(o)};o()}};var vc={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(s){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-`icon icon-${s}`);let n=document.createElementNS(e,"path");return n.setAttribute("d",oh[s]),t.append(n),t}function vs(s){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{ri(e.value),cs(e.value),s()}},Object.entries(ft).map(([t,n])=>u("option",
-{value:t,lang:t},document.createTextNode(n))));return e.value=Te(),e}var Ai={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
-of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
-unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
-{path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
-degrees:!1,allowed:{least:1e-12,most:1e6,also:[0]}},{path:"hoop.radius",label:"Radius",symbol:"R",unit:"m",help:"Rim radius",least:.05,most:3,step:.05,logarithmic:!1,
-degrees:!1,allowed:{least:1e-6,most:1e6,also:[]}},{path:"hoop.mass",label:"Mass",symbol:"m",unit:"kg",help:"Total mass",least:.1,most:10,step:.1,logarithmic:!1,
-degrees:!1,allowed:{least:1e-12,most:1e12,also:[]}}],plane:[{path:"plane.mu",label:"Friction",symbol:"μ",unit:"",help:"Friction, static and kinetic",least:0,most:1.5,
-step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_static",label:"Static friction",symbol:"μs",unit:"",help:"Static fr\
-iction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_kinetic",label:"Kinetic friction",symbol:"μ\
-k",unit:"",help:"Kinetic friction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.slope",label:"Slope",
-symbol:"β",unit:"°",help:"Slope of the plane, downhill along +x",least:-30,most:30,step:.5,logarithmic:!1,degrees:!0,allowed:{least:-1.57,most:1.57,also:[]}},
-{path:"plane.gravity",label:"Gravity",symbol:"g",unit:"m/s²",help:"Gravity",least:0,most:25,step:.01,logarithmic:!1,degrees:!1,allowed:{least:1e-6,most:1e6,also:[
-0]}},{path:"plane.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution of an impact",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{
-least:0,most:1,also:[]}},{path:"plane.rolling_resistance",label:"Rolling resistance",symbol:"f",unit:"",help:"Rolling resistance: couple against the rotation ov\
-er R N",least:0,most:.2,step:.001,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],start:[{path:"start.speed",label:"Speed",symbol:"v₀",unit:"m/s",
-help:"Velocity of the centre in a rolling start",least:-6,most:6,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.angle",label:"\
-Load angle",symbol:"θ₀",unit:"°",help:"Angle from the plane's normal to the centre of gravity",least:-180,most:180,step:.5,logarithmic:!1,degrees:!0,allowed:{
-least:-1e6,most:1e6,also:[]}},{path:"start.height",label:"Height of the gap",symbol:"y₀",unit:"m",help:"Gap between rim and plane",least:0,most:2,step:.01,logarithmic:!1,
-degrees:!1,allowed:{least:0,most:1e6,also:[]}},{path:"start.vx",label:"Speed along",symbol:"ẋ₀",unit:"m/s",help:"Velocity of the centre along the plane",least:-8,
-most:8,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.vy",label:"Speed upwards",symbol:"ẏ₀",unit:"m/s",help:"Velocit\
-y of the centre away from the plane",least:-5,most:5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.omega",label:"Angula\
-r velocity",symbol:"θ̇₀",unit:"rad/s",help:"Angular velocity",least:-15,most:15,step:.05,logarithmic:!1,degrees:!1,allowed:{least:-1e9,most:1e9,also:[]}}],contact:[
-{path:"contact.stiffness",label:"Stiffness",symbol:"k",unit:"N/m",help:"Stiffness of the contact",least:100,most:1e8,step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-6,
-most:1e18,also:[]}},{path:"contact.slip_speed",label:"Slip speed",symbol:"vₛ",unit:"m/s",help:"Slip velocity over which friction builds up",least:1e-7,most:.1,
-step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-12,most:1e6,also:[]}},{path:"contact.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution th\
-at the damping is chosen for",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],motion:[{path:"duration",label:"Duration",symbol:"\
-T",unit:"s",help:"Duration of the motion",least:.5,most:30,step:.5,logarithmic:!1,degrees:!1,allowed:{least:1e-9,most:1e9,also:[]}}]},choices:[{path:"plane.impa\
-ct_law",label:"Law of impact",options:[["stronge","Stronge (energy)"],["poisson","Poisson (impulse)"],["newton","Newton (velocity)"]],help:"Law of restitution"},
-{path:"plane.painleve",label:"Painlevé: two solutions",options:[["flight","flight"],["impact","impact"]],help:"What follows an indeterminate contact"},{path:"c\
-ontact.model",label:"Contact model",options:[["rigid","rigid"],["compliant","compliant"]],help:"Contact model"},{path:"contact.law",label:"Normal force",options:[
-["kelvin-voigt","Kelvin–Voigt"],["hunt-crossley","Hunt–Crossley"]],help:"Normal force"},{path:"contact.friction",label:"Friction law",options:[["tanh","smoo\
-th (tanh)"],["linear","linear"],["bristle","bristle (can hold)"]],help:"Regularised friction"}],gravities:[["Earth",9.81],["Moon",1.62],["Mars",3.71],["Jupiter",
-24.79],["Weightless",0]],map_axes:[{path:"start.speed",label:"Speed v₀",unit:"m/s",degrees:!1,range:[0,5],allowed:[-1e6,1e6]},{path:"start.angle",label:"Angle\
- of the load θ₀",unit:"°",degrees:!0,range:[-3.141592653589793,3.141592653589793],allowed:[-1e6,1e6]},{path:"start.vx",label:"Speed along ẋ₀",unit:"m/s",
-degrees:!1,range:[-6,6],allowed:[-1e6,1e6]},{path:"start.omega",label:"Angular velocity θ̇₀",unit:"rad/s",degrees:!1,range:[-8,8],allowed:[-1e9,1e9]},{path:"\
-start.height",label:"Height of the gap y₀",unit:"m",degrees:!1,range:[0,1],allowed:[0,1e6]},{path:"hoop.load_fraction",label:"Load fraction γ",unit:"",degrees:!1,
-range:[.05,.99],allowed:[0,1]},{path:"hoop.eccentricity",label:"Eccentricity ε",unit:"",degrees:!1,range:[.05,.95],allowed:[0,1]},{path:"hoop.inertia_ratio",label:"\
-Inertia ratio κ",unit:"",degrees:!1,range:[.05,1],allowed:[0,1e6]},{path:"hoop.radius",label:"Radius R",unit:"m",degrees:!1,range:[.1,2],allowed:[1e-6,1e6]},{path:"\
-plane.mu",label:"Friction μ",unit:"",degrees:!1,range:[0,1.5],allowed:[0,1e6]},{path:"plane.slope",label:"Slope β",unit:"°",degrees:!0,range:[-.35,.35],allowed:[
--1.57,1.57]},{path:"plane.gravity",label:"Gravity g",unit:"m/s²",degrees:!1,range:[1,20],allowed:[0,1e6]},{path:"plane.restitution",label:"Restitution e",unit:"",
-degrees:!1,range:[0,1],allowed:[0,1]},{path:"plane.rolling_resistance",label:"Rolling resistance f",unit:"",degrees:!1,range:[0,.1],allowed:[0,1]}]},map_quantities:[
-["sequence","what happens in the first turn"],["hop_height","height of the first hop"],["takeoff_angle","angle of take-off"],["flight_time","duration of the fir\
-st hop"],["greatest_utilization","greatest friction utilization"],["energy_lost","energy lost"],["end_angle","angle at the end"],["painleve","Painlevé’s paradox\
- or jam met"],["ending","how it ends"]],presets:[{key:"hop",group:"The article",title:"It hops: 3.1 m/s",text:"Slips twice, then leaves the plane just before a \
-full turn and flies for 0.76 s.",query:"duration=3"},{key:"slip",group:"The article",title:"It slips: 2.8 m/s",text:"Friction is used up twice a turn; each slip\
- is weaker than the one before, and none is the last.",query:"duration=4&start.speed=2.8"},{key:"roll",group:"The article",title:"It rolls: 2 m/s",text:"Pure ro\
-lling, faster and more even than after a slow start, and close to the limit of friction.",query:"duration=3.4&start.speed=2"},{key:"slow",group:"The article",title:"\
-The smallest push: 0.1 m/s",text:"Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.",query:"start.speed=0.1"},{key:"slippe\
-ry",group:"The article",title:"Low friction: 0.1 m/s, μ = 0.3",text:"Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",query:"durat\
-ion=15&plane.mu=0.3&start.speed=0.1"},{key:"littlewood",group:"Littlewood's hoop",title:"All mass in the load",text:"A massless ring: at 90° no contact force is\
- left; the load falls, the rim skims the plane.",query:"duration=3&hoop.load_fraction=1&start.speed=0.1"},{key:"littlewood-fast",group:"Littlewood's hoop",title:"\
-All mass in the load, pushed",text:"With a push the contact force is gone earlier, at cos θ = v₀²/(gR).",query:"duration=3&hoop.load_fraction=1&start.speed=\
-2"},{key:"nearly-massless",group:"Littlewood's hoop",title:"Nearly all mass in the load",text:"γ = 0.99: what a real ring does instead of Littlewood's hop.",query:"\
-hoop.load_fraction=0.99&start.speed=0.1"},{key:"inconsistent",group:"Paradoxes",title:"Painlevé: no solution",text:"No contact force agrees with this slip. An \
-impact without collision stops it at once.",query:"duration=3&plane.mu=1.2&start.angle=-0.7&start.vx=3&start.omega=1"},{key:"indeterminate",group:"Paradoxes",title:"\
-Painlevé: two solutions",text:"Flight and impact both agree with the laws. Choose which with the switch under Plane.",query:"duration=3&plane.mu=1.2&start.angl\
-e=-0.7&start.vx=8&start.omega=5"},{key:"jam",group:"Paradoxes",title:"Dynamic jam",text:"A fast slide after a hop: the contact force grows without bound in fini\
-te time, and no law says what follows.",query:"duration=3&hoop.load_fraction=0.9&start.angle=5.14&start.vx=23&start.omega=5.6"},{key:"kane",group:"Paradoxes",title:"\
-Kane: energy out of nothing",text:"Newton's law of impact with friction creates two joules. Stronge's law does not.",query:"duration=1.5&plane.mu=0.6&plane.rest\
-itution=0.8&plane.impact_law=newton&start.height=0.3&start.angle=1.45&start.vx=2.16&start.omega=-6.44"},{key:"downhill",group:"More",title:"Downhill",text:"On a\
- slope of 10° the hoop gains speed from turn to turn, until it hops.",query:"duration=5&plane.slope=0.17453292519943295&plane.mu=0.8&start.speed=1.5"},{key:"bo\
-unces",group:"More",title:"Bounces without number",text:"Dropped with spin and restitution 0.5: infinitely many bounces in finite time.",query:"duration=4&plane\
-.mu=0.4&plane.restitution=0.5&start.height=0.5&start.angle=0.4&start.vx=0.2&start.omega=2"},{key:"moon",group:"More",title:"On the Moon",text:"The article's hop\
- under lunar gravity: everything is slower by a factor of 2.46.",query:"duration=15&plane.gravity=1.62&start.speed=1.2597509583501894"}],colors:{modes:{R:"#0072\
-B2",S:"#E69F00",K:"#CC79A7",H:"#D55E00",M:"#F0E442"},mode_names:{R:"roll",S:"spin",K:"skid",H:"flight",M:"skim"},gravity_center:"#009E73",airborne:"#CC1F1A",center_speed:"\
-#000000",rotation_speed:"#00857A",kinetic:"#1B3A78",potential:"#667300",friction_loss:"#8F3B0A",impact_loss:"#8E1B5F",normal_force:"#5B3FA8",friction_force:"#8F\
-3B0A",limit:"#6E6E6E"}},fingerprints:{hop:"85b1751f991ff2a3",slip:"e4f784b57d9527de",roll:"67a142a154835aa6",slow:"915956aa4dd065c8",slippery:"1a8ae06b20c63390",
-littlewood:"f722b9a4b8757b9d","littlewood-fast":"d43e0434fa7cbae3","nearly-massless":"147fe27d9b5619a0",inconsistent:"feb302b6289b4311",indeterminate:"0578ec530\
-4f707df",jam:"eafe27173f21f089",kane:"700bd2b728523ae1",downhill:"d5a475e54711f966",bounces:"c6734bd1e0f9fa98",moon:"6ec3efb6023122ba"},schema:"hophoop/1",scenario:{
-sections:{hoop:["Hoop"],plane:["Plane"],start:["Start"],contact:["Rigid","Compliant"]},models:{Scenario:{place:"",fields:{duration:{kind:"number",unit:"s",default:6,
-limits:[["greater_than",0]],range:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09 s"}},hoop:{kind:"section",unit:""},plane:{kind:"section",unit:""},start:{kind:"\
-section",unit:""},contact:{kind:"section",unit:""}}},Hoop:{place:"hoop.",fields:{radius:{kind:"number",unit:"m",default:1,limits:[["greater_than",0]],range:{least:1e-6,
-most:1e6,words:"from 1e-06 to 1e+06 m"}},mass:{kind:"number",unit:"kg",default:1,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1\
-e+12 kg"}},load_fraction:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},eccentricity:{kind:"number",unit:"\
-1",default:.75,limits:[["greater_than_equal",0],["less_than_equal",1]]},inertia_ratio:{kind:"number",unit:"1",default:.4375,limits:[["greater_than_equal",0]],range:{
-least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]}},parts:{kind:"parts",unit:"",nullable:!0,default:null}}},Plane:{place:"plane.",fields:{gravity:{
-kind:"number",unit:"m/s²",default:9.81,limits:[["greater_than_equal",0]],range:{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06 m/s²",also:[0]}},slope:{kind:"\
-number",unit:"rad",default:0},mu:{kind:"friction",unit:"1",nullable:!0,default:null,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_static:{
-kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_kinetic:{kind:"friction",unit:"1",default:1,range:{
-least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},restitution:{kind:"number",unit:"1",default:0,limits:[["greater_than_equal",0],["less_than_equal",
-1]]},impact_law:{kind:"word",unit:"",default:"stronge",options:["stronge","newton","poisson"],expected:"'stronge', 'newton' or 'poisson'"},painleve:{kind:"word",
-unit:"",default:"flight",options:["flight","impact"],expected:"'flight' or 'impact'"},rolling_resistance:{kind:"number",unit:"1",default:0,limits:[["greater_tha\
-n_equal",0],["less_than_equal",1]]}}},Start:{place:"start.",fields:{x:{kind:"number",unit:"m",default:0,range:{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09 m"}},
-height:{kind:"number",unit:"m",default:0,limits:[["greater_than_equal",0]],range:{least:0,most:1e6,words:"from 0 to 1e+06 m"}},angle:{kind:"number",unit:"rad",default:0,
-range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 rad"}},speed:{kind:"number",unit:"m/s",nullable:!0,default:null,range:{least:-1e6,most:1e6,words:"from -1\
-e+06 to 1e+06 m/s"}},vx:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},vy:{kind:"number",unit:"m/s",default:0,
-range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},omega:{kind:"number",unit:"rad/s",nullable:!0,default:0,range:{least:-1e9,most:1e9,words:"from -1e\
-+09 to 1e+09 rad/s"}}}},Rigid:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"rigid",options:["rigid"],expected:"'rigid'"},max_events:{kind:"whole",
-unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Compliant:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"compli\
-ant",options:["compliant"],expected:"'compliant'"},stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-6,most:1e18,
-words:"from 1e-06 to 1e+18 N/m"}},damping:{kind:"number",unit:"N s/m or s/m",nullable:!0,default:null,limits:[["greater_than_equal",0]],range:{least:0,most:1e12,
-words:"from 0 to 1e+12"}},restitution:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_than_equal",1]]},law:{kind:"word",
-unit:"",default:"kelvin-voigt",options:["kelvin-voigt","hunt-crossley"],expected:"'kelvin-voigt' or 'hunt-crossley'"},friction:{kind:"word",unit:"",default:"tan\
-h",options:["tanh","linear","bristle"],expected:"'tanh', 'linear' or 'bristle'"},slip_speed:{kind:"number",unit:"m/s",nullable:!0,default:null,limits:[["greater\
-_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m/s"}},tangential_stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["great\
-er_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},rtol:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than",0]],range:{
-least:1e-10,most:.1,words:"from 1e-10 to 0.1"}},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Ring:{
-place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"ring",options:["ring"],expected:"'ring'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["g\
-reater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},inner_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than_equal",0]]},
-outer_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}}}},Disk:{place:"hoop.par\
-ts: ",fields:{shape:{kind:"word",unit:"",default:"disk",options:["disk"],expected:"'disk'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],
-range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,
-words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0}}},PointMass:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"point_mass",
-options:["point_mass"],expected:"'point_mass'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1\
-e-12 to 1e+12 kg"}},at:{kind:"number",unit:"m",required:!0}}},Rod:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"rod",options:["rod"],expected:"\
-'rod'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},length:{kind:"number",
-unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0},direction:{kind:"\
-word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"PointMass",rod:"\
-Rod"},ends:{"hoop.load_fraction":["eccentricity","inertia_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_fraction","p\
-arts"],"hoop.parts":["load_fraction","eccentricity","inertia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kinetic":["\
-mu"],"start.speed":["height","vx","vy","omega"],"start.height":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damping":["r\
-estitution"],"contact.restitution":["damping"]},left_out:{rolling_resistance:0},rules:[null,{sentence:"hoop_mass",values:{mass:"hoop.mass"},known:{words:"from 1\
-e-12 to 1e+12 kg"},number:""},{sentence:"load_inertia",values:{load_fraction:"hoop.load_fraction",inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e\
--12 to 1e+06"},number:""},{sentence:"parts_inertia",values:{inertia_ratio:"hoop.inertia_ratio"},known:{words:"0 or from 1e-12 to 1e+06"},number:""},{sentence:"m\
-assless_eccentricity",values:{eccentricity:"hoop.eccentricity"},known:{},number:""},{sentence:"kinetic_above_static",values:{mu_kinetic:"plane.mu_kinetic",mu_static:"\
-plane.mu_static"},known:{},number:""},{sentence:"vertical",values:{slope:"plane.slope"},known:{},number:""},{sentence:"slope",values:{slope:"plane.slope"},known:{
-words:"from -1.57 to 1.57 rad"},number:""},{sentence:"massless_slope",values:{slope:"plane.slope"},known:{},number:""},{sentence:"massless_resistance",values:{given:"\
-plane.rolling_resistance"},known:{},number:""},{sentence:"resistance",values:{given:"plane.rolling_resistance"},known:{},number:"most"},{sentence:"massless_comp\
-liant",values:{},known:{},number:""},{sentence:"compliant_friction",values:{},known:{},number:""},{sentence:"relative_contact",values:{value:"contact.stiffness"},
-known:{name:"stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.tangential_stiffness"},known:{
-name:"tangential_stiffness",unit:"m g/R",words:"from 0.01 to 1e+15"},number:"relative"},{sentence:"relative_contact",values:{value:"contact.slip_speed"},known:{
-name:"slip_speed",unit:"√(g R)",words:"from 1e-12 to 1e+06"},number:"relative"},{sentence:"too_soft",values:{stiffness:"contact.stiffness"},known:{most:100},number:"\
-depth"}],touch:1e-12,default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"\
-flight"},start:{x:0,angle:0,speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"{path} is not a known key; {hint}",did_you_mean:"did you mea\
-n {close}?",known_are:"known are {known}.",missing:"{path} is missing.",together:"{section}.{other} cannot be given together with {section}.{way}.",finding:"{pa\
-th} = {shown} {allowed}.",number:"must be a number",friction:"must be at least 0 (inf is allowed)",whole:"must be a whole number",finite_number:"must be a finit\
-e number",greater_than:"must be greater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"must be less than {limit:g}",less_than_equal:"\
-must be at most {limit:g}",range:"must be {words}",literal_error:"must be {expected}",table:"must be a table of keys",list:"must be a list",word:"must be a word",
-other_problem:"{first} (and {count} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"the scenario",no_parts:"hoop.parts mus\
-t not be empty.",half_a_hoop:"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"hoop.inertia_ratio = 0 needs ho\
-op.eccentricity = 1 (all mass in a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"hoop.parts give ho\
-op.inertia_ratio = {inertia_ratio!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r},\
- which must be {words}.",ring_radii:"ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.{index} ({shape}) \
-reaches {reach!r} m from the centre, beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must not exceed plane.mu\
-_static = {mu_static!r}.",vertical:"plane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be {words}.",no_omega:"\
-start.omega = None must be a number.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"pl\
-ane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {mo\
-st:.6g} for this hoop, whose inertia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the m\
-assless hoop (hoop.inertia_ratio = 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.{n\
-ame} = {value!r} is {relative:.3g} {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e\
-} radii into the plane, at the speed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known a\
-re {known}.",no_section_parts:"{path} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r} c\
-annot be given together.",not_there:"{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",value_above:"\
-{path} cannot be given together with a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: parts are\
- numbered from 0 without a gap."},words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"flie\
-s",skim:"skims the plane"},events:{start:{verb:"starts",label:"start",summed_up:!0},slip_start:{verb:"slips",label:"slip starts",summed_up:!0},stick:{verb:"roll\
-s",label:"slip ends",summed_up:!0},slip_reversal:{verb:"slips the other way",label:"slip reverses",summed_up:!0},takeoff:{verb:"hops",label:"take-off",summed_up:!0},
-impact:{verb:"lands",label:"landing",summed_up:!0},turn:{verb:"turns back",label:"turns back",summed_up:!1},apex:{verb:"is highest",label:"highest point",summed_up:!1},
-bounce_limit:{verb:"stops bouncing",label:"bounces end",summed_up:!0},painleve_inconsistent:{verb:"meets Painlevé's paradox",label:"Painlevé: no solution",summed_up:!0},
-painleve_indeterminate:{verb:"meets Painlevé's indeterminacy",label:"Painlevé: several solutions",summed_up:!0},jam:{verb:"jams",label:"jam",summed_up:!0},kane_gain:{
-verb:"gains energy (Kane)",label:"energy gain (Kane)",summed_up:!0},skim:{verb:"skims",label:"skimming starts",summed_up:!0},rest:{verb:"rests",label:"at rest",
-summed_up:!0},end:{verb:"ends",label:"end",summed_up:!1}},signs:{jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"\
-≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"↺",apex:"•"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grow\
-s without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit\
- of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim","+":"…"},
-story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
-starts skimming",slip_start:"It {verb} at {where}; friction reaches its limit: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction reaches it\
-s limit: the rim turns too fast for its path.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip reverses at {where}; it {verb}.",
-takeoff:"It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s d\
-ownwards and {verb}.",impact_bounce:"It lands at {where} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {wher\
-e} stops the slip; then it {verb}.",turn:"It turns back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {wh\
-ere}: the gap is {gap}.",bounce_limit:"Infinitely many bounces end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agr\
-ees with this slip.",painleve_indeterminate:"Painlevé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact for\
-ce grows without bound.",kane_gain:"Newton's law of impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls fre\
-ely and the rim skims the plane.",rest:"It rests at {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"\
-It bounces {count} more times.",left_out:"… and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at o\
-nce",more_bounces:"and {count} more times",more_changes:", … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"\
-Hops at once",needed_friction:"Friction for pure rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"\
-at {where} friction reaches its limit",loss_of_contact:"at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"\
-would hop at once",any_push:"{would}: any push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"\
-no friction keeps it rolling",friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is\
-)",never:"never",paradox_here:"from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip a\
-t {places}",rest_at:"with the load at {where}",uphill:"Slips, hops",no_threshold:"no single threshold uphill (β < 0): it depends on where the hoop turns back; s\
-ee the map"},least_speed:1e-9},classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0\
-072B2",reversal:"#009E73",takeoff:"#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B\
-4E9",jammed:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",stick:"#0072B2",slip_reversal:"#CC79A7",takeoff:"#D55E00",
-impact:"#F0E442",turn:"#009E73",jam:"#000000",rest:"#D9D9D9",end:"#56B4E9"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B\
-5D4"},massless:{rolls:"#F0E442","rolls, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{events:2e3,flight_turns:2e3,
-allowed:{"hoop.load_fraction":{least:0,most:1,words:"from 0 to 1"},"hoop.eccentricity":{least:0,most:1,words:"from 0 to 1"},"hoop.inertia_ratio":{least:1e-12,most:1e6,
-words:"0 or from 1e-12 to 1e+06",also:[0]},"hoop.radius":{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06"},"hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 \
-to 1e+12"},"plane.mu":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.mu_static":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:[
-"inf"]},"plane.mu_kinetic":{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]},"plane.slope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57"},"pla\
-ne.gravity":{least:1e-6,most:1e6,words:"0 or from 1e-06 to 1e+06",also:[0]},"plane.restitution":{least:0,most:1,words:"from 0 to 1"},"plane.rolling_resistance":{
-least:0,most:1,words:"from 0 to 1"},"start.speed":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.angle":{least:-1e6,most:1e6,words:"from -1e+06 to 1e\
-+06"},"start.x":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},"start.height":{least:0,most:1e6,words:"from 0 to 1e+06"},"start.vx":{least:-1e6,most:1e6,words:"\
-from -1e+06 to 1e+06"},"start.vy":{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06"},"start.omega":{least:-1e9,most:1e9,words:"from -1e+09 to 1e+09"},duration:{
-least:1e-9,most:1e9,words:"from 1e-09 to 1e+09"},"contact.stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.slip_speed":{least:1e-12,most:1e6,
-words:"from 1e-12 to 1e+06"},"contact.restitution":{least:0,most:1,words:"from 0 to 1"},"contact.damping":{least:0,most:1e12,words:"from 0 to 1e+12"},"contact.t\
-angential_stiffness":{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18"},"contact.rtol":{least:1e-10,most:.1,words:"from 1e-10 to 0.1"},"contact.max_events":{least:1,
-most:1e7,words:"from 1 to 1e+07"},"hoop.parts.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12"},"hoop.parts.length":{least:1e-12,most:1e6,words:"from 1e\
--12 to 1e+06"}},rates:{"hoop.eccentricity":"eccentricity","hoop.inertia_ratio":"inertia_ratio","hoop.radius":"radius","hoop.mass":"mass","plane.mu_static":"mu_s\
-tatic","plane.mu_kinetic":"mu_kinetic","plane.slope":"slope","plane.gravity":"gravity","plane.restitution":"restitution","plane.rolling_resistance":"rolling_res\
-istance","start.angle":"angle","start.x":"x","start.height":"height","start.vy":"vy","start.omega":"omega",duration:"duration"},quantities:{sequence:{label:"wha\
-t happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
-label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
-label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
-label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
-label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
-ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
-t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
- the lab; the library itself has no such limit.",too_stiff:"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and m\
-ust need at most {most:.0e} in the lab.",too_many_changes:"changes has {pairs} pairs and must have at most {most} in the lab.",too_many_cells:"x.cells times y.c\
-ells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be \
-axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",cell_turns:"A cell of this map is about {turns:.\
-0e} revolutions and must be at most {most:.0e} in the lab.",map_turns:"x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {\
-most:.0e} in the lab; take fewer cells, lower speeds or a shorter duration.",doubt:"After {time} s the motion depends on more digits than this page computes. Ru\
-n it in hophoop lab or Python for the exact result.",compliant_changes:"With a compliant contact no derivatives are computed: choose the rigid contact model.",not_a_pair:"\
-changes holds {change}, which is not a pair of path and value.",window:"must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",
-times:"must be two times, from and to [s], rising from 0",number_path:"must be a number's path, not that of a word",one_of:"must be one of {known}"},reasons:{graze:"\
-a quantity that sets off the event only touches zero there",border:"the motion lies on the border of two classes: the least change may lead to other events",plastic:"\
-restitution is 0 and the rim has landed: with any restitution it would bounce",contact:"the motion starts in contact: with the rim lifted or thrown it would bou\
-nce, and its events are others",singular:"the slip runs into p_σ = 0, where the contact force has no bound",massless:"the massless hoop (γ = 1) is a singular l\
-imit once the contact force is lost",frictionless:"without friction the hoop rests on no more than a border of two classes",ended:"the motion has no answer from\
- there on",edge:"the parameter is at the edge of what is allowed",sided:"the derivatives of the two sides differ"},limits:{duration:600,events:2e4,parts:64,samples:20001,
-cells:65536,turns:2e5,map_turns:4e6,steps:3e6,changes:200},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"\
-m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"\
-J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.radius","hoop.mass","plane.mu","plane.mu_static","plane.mu_kinetic",
-"plane.slope","plane.gravity","plane.restitution","plane.rolling_resistance","start.speed","start.angle","start.height","start.vx","start.vy","start.omega"]};var S=Ai,yt=s=>s==="inf"?1/0:s;var E={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
-.4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
-tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
-_until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
-om_mode","to_mode","x","height","angle","vx","vy","omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","fri\
-ction","impact_normal","impact_tangential","gain","collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","fric\
-tion_force","normal_force","friction","impact_normal","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],margins:[
-"normal_force","friction_force","friction_limit","free_acceleration","slip","height","p_sigma"],changes:["t","x","height","angle","omega","slip","vy","impact_no\
-rmal","impact_tangential","rolling_resistance","vx"],reasons:["none","graze","border","plastic","contact","singular","massless","frictionless","ended"],compliant:[
-"law","friction_law","stiffness","damping","restitution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh",
-"linear","bristle"],chosen:["stiffness","slip_speed"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","needed_friction_\
-angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_loss_by_frictio\
-n"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_time","takeoff_a\
-ngle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","painleve"],keys:4,
-letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{angle:6.283185307179586,
-stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,status:0,ending:0,
-first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,takeoff_time:1,
-takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undetermined","event\
-_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stick","slip_revers\
-al","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:["no","yes"],painleve:[
-"no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],impact_laws:["newton","poisson","stro\
-nge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam",
-"kane_gain","skim","rest","end"],passing:["turn","apex","kane_gain","rest"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit",
-"buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Oe=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Li=Oe(E.cell),pe=Oe(E.heads),B=Oe(E.events),xs=Oe(E.samples),Ri=Oe(E.changes),Pi=Oe(E.numbers),ks=Oe(E.words),
-rh={law:({impact_law:s})=>E.impact_laws.indexOf(s),strike:({painleve:s})=>+(s==="impact"),allowed:()=>1},vt=E.cell.map(s=>rh[s]??(e=>Number(e[s]??0))),Ie=s=>Float64Array.
-from(vt,e=>e(s));function en(s){let e=s?{...s,law:E.laws.indexOf(s.law),friction_law:E.friction_laws.indexOf(s.friction)}:{};return Float64Array.from(E.compliant,
-t=>e[t]??Number.NaN)}var lh=Object.entries(S.words.events),ke=Object.fromEntries(lh.map(([s,{label:e}])=>[s,e])),Ci=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var hh=new Set(E.passing),ch=3,uh=1e-10;function dh(s){let e=[],t=-1,n=-1;for(let[o,{kind:i,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&i==="apex"&&(n<0||c>s[n].
-height)&&(n=o),!hh.has(i)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:i==="end"?-1:o}),t=n=-1),r==="H"&&i!=="end"&&([t,n]=[o,-1]));return e}var tn=class{constructor(e,t,n){
+`icon icon-${s}`);let n=document.createElementNS(e,"path");return n.setAttribute("d",vc[s]),t.append(n),t}function ho(s){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{Ji(e.value),Xs(e.value),s()}},Object.entries(Et).map(([t,n])=>u("option",
+{value:t,lang:t},document.createTextNode(n))));return e.value=Le(),e}var xc=Object.entries(S.words.events),Me=Object.fromEntries(xc.map(([s,{label:e}])=>[s,e])),ga=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var kc=new Set(E.passing),_c=3,Ec=1e-10;function Mc(s){let e=[],t=-1,n=-1;for(let[o,{kind:i,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&i==="apex"&&(n<0||c>s[n].
+height)&&(n=o),!kc.has(i)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:i==="end"?-1:o}),t=n=-1),r==="H"&&i!=="end"&&([t,n]=[o,-1]));return e}var dn=class{constructor(e,t,n){
 let{larger:o=null,smaller:i=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=o??i,this.step=o?n:
--n,this.edge=!o||!i,this.sided=!this.edge&&(o?.sided||mh(o,i))}rate(e,t){return this.side?this.side.rates[e*E.changes.length+Ri[t]]:Number.NaN}of(e,t){return this.
-step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return dh(this.events.slice(0,this.count)).map(({begin:e,
+-n,this.edge=!o||!i,this.sided=!this.edge&&(o?.sided||Sc(o,i))}rate(e,t){return this.side?this.side.rates[e*E.changes.length+Qo[t]]:Number.NaN}of(e,t){return this.
+step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Mc(this.events.slice(0,this.count)).map(({begin:e,
 top:t,end:n})=>{let o=i=>n<0?Number.NaN:this.step*(this.rate(n,i)-this.rate(e,i));return{begin:e,end:n,height:this.of(t<0?e:t,"height"),distance:o("x"),duration:o(
-"t")}})}};function mh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function Ni(s,e){let t=Math.abs(s);if(e===
-"°")return O(M(t*180/Math.PI,3),"°");let n=t<.0995,o=t<9995e-8,[i,a]=n?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?O(M(t,3),e):O(M(i*t,3),`${a}${e}`)}var nn=(s,e)=>Math.
-abs(s)>uh*Math.max(e,.001);function Di(s,e){return Number.isFinite(s)?nn(s,1)?`${s>0?"+":"−"}${Ni(s,e)}`:"0":"–"}function _s(s){let e=s.filter(([t])=>Number.
-isFinite(t)&&nn(t,1)).map(([t,n,o,i])=>x(t>0?o:i,{amount:Ni(t,n)})).join(Te()==="zh"?"，":", ");return j(e)}var zi=["m","{amount} further to the right","{amoun\
-t} further to the left"],ph=["s","{amount} later","{amount} earlier"];function Oi(s){let{events:e,count:t}=s,n=[],o=s.hops();for(let[r,{begin:l,end:c,height:m,distance:h,
-duration:d}]of o.slice(0,ch).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=_s([[m,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+"t")}})}};function Sc(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function wa(s,e){let t=Math.abs(s);if(e===
+"°")return O(M(t*180/Math.PI,3),"°");let n=t<.0995,o=t<9995e-8,[i,a]=n?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?O(M(t,3),e):O(M(i*t,3),`${a}${e}`)}var mn=(s,e)=>Math.
+abs(s)>Ec*Math.max(e,.001);function ya(s,e){return Number.isFinite(s)?mn(s,1)?`${s>0?"+":"−"}${wa(s,e)}`:"0":"–"}function co(s){let e=s.filter(([t])=>Number.
+isFinite(t)&&mn(t,1)).map(([t,n,o,i])=>x(t>0?o:i,{amount:wa(t,n)})).join(Le()==="zh"?"，":", ");return j(e)}var ba=["m","{amount} further to the right","{amoun\
+t} further to the left"],Tc=["s","{amount} later","{amount} earlier"];function va(s){let{events:e,count:t}=s,n=[],o=s.hops();for(let[r,{begin:l,end:c,height:m,distance:h,
+duration:d}]of o.slice(0,_c).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=co([[m,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
 er"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&n.push(o.length>1?x(
-"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let i=o.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(i>=0){let r=_s(
-[[s.of(i,"t"),...ph],[s.of(i,"x"),...zi]]);r&&n.push(x("The first event, {what}: {list}.",{what:x(ke[e[i].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
-let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=_s([[s.of(a,"x"),...zi],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(x("At the end, after {time} s: {list}.",
-{time:M(e[a].t,4),list:l}))}return n}var qe=S.words.signs,sn=Object.keys(qe);function Ii(s,e=11){let n=[...s.filter(({kind:i})=>i in qe)].sort((i,a)=>sn.indexOf(i.kind)-sn.indexOf(a.kind)||i.x-a.x),
-o=[];for(let{kind:i,x:a}of n){let r=sn.indexOf(i)<sn.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.
-x-(l[0].x+e))<e-1e-9)?l[0].mark!==qe[i]&&o.push({mark:qe[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:qe[i],x:a,rare:r,hidden:0})}return o.sort(
-(i,a)=>i.x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function qi(s,e,t){let n=[],o=new Map,i=-1,a=(l,c,m)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
+"Hop {number}: {list}.",{number:r+1,list:f}):x("The hop: {list}.",{list:f}))}let i=o.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(i>=0){let r=co(
+[[s.of(i,"t"),...Tc],[s.of(i,"x"),...ba]]);r&&n.push(x("The first event, {what}: {list}.",{what:x(Me[e[i].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
+let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=co([[s.of(a,"x"),...ba],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(x("At the end, after {time} s: {list}.",
+{time:M(e[a].t,4),list:l}))}return n}var We=S.words.signs,pn=Object.keys(We);function xa(s,e=11){let n=[...s.filter(({kind:i})=>i in We)].sort((i,a)=>pn.indexOf(i.kind)-pn.indexOf(a.kind)||i.x-a.x),
+o=[];for(let{kind:i,x:a}of n){let r=pn.indexOf(i)<pn.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.
+x-(l[0].x+e))<e-1e-9)?l[0].mark!==We[i]&&o.push({mark:We[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:We[i],x:a,rare:r,hidden:0})}return o.sort(
+(i,a)=>i.x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function ka(s,e,t){let n=[],o=new Map,i=-1,a=(l,c,m)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
 c)<1e-6?h.wide+=m:n.push({mode:l,from:c,wide:m})},r=()=>{o.size&&a([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],i,1),o=new Map};for(let{mode:l,from:c,to:m}of s){let[h,
 d]=[Math.max(e(c),0),Math.min(e(m),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==i||!o.size)&&(r(),i=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-i)<1e-6)){
-let g=Math.floor(d-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(d,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),n}var Fi=.7,Hi=34,fh=3,gh=400,bh=8,Es=13;function ji(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,gh)).map(({kind:n,x:o,height:i},a)=>({kind:n,x:o,y:i,dx:s.
-of(a,"x"),dy:s.of(a,"height")}))}function Bi(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&nn(r,e)).sort((r,l)=>r-l);if(!n.length)
-return 0;let o=Math.max(Fi*e,Hi/t)/n[Math.floor(n.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),a=o/i;return(a>=5?5:a>=2?2:1)*i}function $i(s,e,t){
-let n=[],o=fh*Math.max(Fi*s.film.radius,Hi/s.scale);for(let{kind:i,x:a,y:r,dx:l,dy:c}of e){let m=Number.isFinite(l)&&Number.isFinite(c),h=m?t*Math.hypot(l,c):0,
+let g=Math.floor(d-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(d,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),n}var _a=.7,Ea=34,Ac=3,Lc=400,Rc=8,uo=13;function Ma(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,Lc)).map(({kind:n,x:o,height:i},a)=>({kind:n,x:o,y:i,dx:s.
+of(a,"x"),dy:s.of(a,"height")}))}function Sa(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&mn(r,e)).sort((r,l)=>r-l);if(!n.length)
+return 0;let o=Math.max(_a*e,Ea/t)/n[Math.floor(n.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),a=o/i;return(a>=5?5:a>=2?2:1)*i}function Ta(s,e,t){
+let n=[],o=Ac*Math.max(_a*s.film.radius,Ea/s.scale);for(let{kind:i,x:a,y:r,dx:l,dy:c}of e){let m=Number.isFinite(l)&&Number.isFinite(c),h=m?t*Math.hypot(l,c):0,
 d=h>o?o/h:1,p=m?[d*t*l,d*t*c]:[0,0],f=s.point(a,r),g=s.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>s.width+20)continue;let[b,w]=[Math.min(
-f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;n.some(k=>Math.abs(k.base-y)<Es-1&&k.low<w&&k.high>b);)y-=Es;if(f[1]-y>bh*Es)continue;n.push({low:b,high:w,base:y});
-let v=y-f[1];wh(s,f,[g[0],g[1]+v],v,{known:m,broken:d<1,mark:qe[i]??""})}}function wh({context:s,look:e},t,n,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
+f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;n.some(k=>Math.abs(k.base-y)<uo-1&&k.low<w&&k.high>b);)y-=uo;if(f[1]-y>Rc*uo)continue;n.push({low:b,high:w,base:y});
+let v=y-f[1];Pc(s,f,[g[0],g[1]+v],v,{known:m,broken:d<1,mark:We[i]??""})}}function Pc({context:s,look:e},t,n,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
 hypot(n[0]-l[0],n[1]-l[1]),[m,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=f,s.fillStyle=f,
 s.lineCap="round",o&&(s.lineWidth=g>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=g,s.setLineDash(a?[5,6]:[]),s.beginPath(),
 s.moveTo(l[0],l[1]),s.lineTo(n[0]-m*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
 g>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-m*d-h*d*.55,n[1]-h*d+m*d*.55),s.lineTo(n[0]-m*d+h*d*.55,n[1]-h*d-m*d*.55),s.closePath(),s.stroke(),s.fill());
 s.lineCap="butt";let p=i?r:"?";p&&(s.font=`600 ${11*e.px}px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,
-l[0],l[1]-7),s.fillText(p,l[0],l[1]-7))}var Wi=Math.PI/180,yh=100,Gi="plane.mu",vh=/^(contact\.|duration$)/,xh=200,on=S.reasons;function Ui(s,e){return s.textContent=e,s}var an=class{constructor(e){this.
-lab=e;this.on=!1;this.path=Gi;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
-oe(()=>this.fetch(),yh),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
+l[0],l[1]-7),s.fillText(p,l[0],l[1]-7))}var Aa=Math.PI/180,Cc=100,La="plane.mu",zc=/^(contact\.|duration$)/,Nc=200,fn=S.reasons;function Ra(s,e){return s.textContent=e,s}var gn=class{constructor(e){this.
+lab=e;this.on=!1;this.path=La;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
+oe(()=>this.fetch(),Cc),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
 "Arrows"),this.picked=u("select",{onchange:()=>this.pick(this.picked.value)}),this.step=u("span",{class:"more-step"}),this.take=u("button",{type:"button",onclick:()=>this.
 apply()},"Do it"),this.said=u("ul",{class:"more-said"}),this.reason=u("p",{class:"more-reason",hidden:!0}),this.scale=u("p",{class:"hint"}),this.body=u("tbody",
 {}),this.rows=u("details",{class:"more-events"},u("summary",{},"Every event, by this step"),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
 What changes at every event"},u("table",{},u("thead",{},u("tr",{},["event","time","place","height","load angle"].map(t=>u("th",{scope:"col"},t)))),this.body))),
 this.element=u("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},u("header",{},u("h2",{},"What a little more would do"),u("but\
 ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),u("div",{class:"more-asked"},u("label",{},u("span",{},"A little more"),this.picked),this.step,this.take),
-this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,n)=>{let o=e.marked("guessing");if(!this.on||o||n!==e.motions.active)return;let i=Bi(this.arrows,
-t.film.radius,t.scale);(i||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&$i(t,this.arrows,i||1),i!==this.factor&&(this.factor=i,this.tellScale())}}turn(e=!this.
+this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,n)=>{let o=e.marked("guessing");if(!this.on||o||n!==e.motions.active)return;let i=Sa(this.arrows,
+t.film.radius,t.scale);(i||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&Ta(t,this.arrows,i||1),i!==this.factor&&(this.factor=i,this.tellScale())}}turn(e=!this.
 on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",e?this.changed(!0):this.forget(),this.
 lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.lab.address?.soon()}offered(){return[
-...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!vh.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
+...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!zc.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.lab.
 film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[o,i]=n.path.split("."),a=e[n.path]??t[o][i];return{info:n,value:Number(a==="inf"?1/0:
-a),step:n.step*(n.degrees?Wi:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
+a),step:n.step*(n.degrees?Aa:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
 known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.path)||(this.path=e.find(({path:n})=>n.
-startsWith(Gi))?.path??e[0].path);let t=e.map(({label:n,symbol:o})=>`${x(n)} ${o}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
-map(({path:n},o)=>Ui(u("option",{value:n}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
+startsWith(La))?.path??e[0].path);let t=e.map(({label:n,symbol:o})=>`${x(n)} ${o}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
+map(({path:n},o)=>Ra(u("option",{value:n}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
 if(!this.on)return;let{lab:e,path:t}=this,n=e.film(),o=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:i}=this.asked;if(this.known=
-`${t} ${n.query}`,!o||!Number.isFinite(o.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.changes)return this.refuse("This nee\
-ds a browser that runs WebAssembly.");try{let a=await e.backend.changes(n.scenario,t,i);if(i.aborted||e.film()!==n)return;if(!a)return this.refuse(on.edge);this.
-changes=new tn(n,a,o.step),this.arrows=ji(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!i.aborted&&this.refuse(l)}
-e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,
-this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||
-!t)return;let{info:n,value:o}=t,i=c=>O(M(n.degrees?c/Wi:c,5),n.unit),a=`${i(o)} → ${i(o+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=
-this.scale.hidden=!1;let r=Oi(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>Ui(u("li",{}),c)));let l=this.
-why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(j([`${x(n.label)} ${a}.`,...r,l&&x(l)].filter(
-Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),this.three=e}tellScale(){
-let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":x("The arrows in the picture lead from where t\
-he rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:n,events:o,
-edge:i,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=o[Math.min(t,o.length-1)],c=x(ke[r]??r),m=x(on[n.reason]);return j(x("From {what} at {time} s on no derivative: {r\
-eason}.",{what:c,time:M(l,4),reason:m}))}return i?j(x("To one side only: {reason}.",{reason:x(on.edge)})):a?j(x("To one side only: {reason}.",{reason:x(on.sided)})):
-""}fill(e){let t=(o,i,a)=>{let r=Di(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u("td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),
-j(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,xh)).map(({kind:o,t:i},a)=>u("tr",{onclick:()=>this.
-lab.clock.seek(i)},u("th",{scope:"row"},ke[o]??o,u("small",{},` ${M(i,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||
-!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var rn=class{constructor(e,t){this.root=e;this.show=t;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
+`${t} ${n.query}`,!o||!Number.isFinite(o.value))return this.refuse("It is infinite: there is no more of it.");try{let a=await e.backend.changes(n.scenario,t,i);
+if(i.aborted||e.film()!==n)return;if(!a)return this.refuse(fn.edge);this.changes=new dn(n,a,o.step),this.arrows=Ma(this.changes),this.factor=0,this.tell()}catch(a){
+let{name:r,message:l}=a;r!=="AbortError"&&!i.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,
+this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,R(this.reason,e),this.speak&&this.lab.story.say(x(e)),this.speak=!1,this.
+lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||!t)return;let{info:n,value:o}=t,i=c=>O(M(n.degrees?c/Aa:c,5),n.unit),a=`${i(o)} → ${i(o+e.step)}`;
+this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=va(e);!r.length&&e.failed<0&&r.push(x("Nothing: no event moves.")),this.
+said.replaceChildren(...r.map(c=>Ra(u("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&
+this.lab.story.say(j([`${x(n.label)} ${a}.`,...r,l&&x(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.
+three&&this.changes&&this.tellScale(),this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave \
+3D to see them.":x("The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.
+textContent=e||this.factor?x(t):""}why(e){let{failed:t,side:n,events:o,edge:i,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=o[Math.min(t,o.length-1)],c=x(Me[r]??r),m=x(
+fn[n.reason]);return j(x("From {what} at {time} s on no derivative: {reason}.",{what:c,time:M(l,4),reason:m}))}return i?j(x("To one side only: {reason}.",{reason:x(
+fn.edge)})):a?j(x("To one side only: {reason}.",{reason:x(fn.sided)})):""}fill(e){let t=(o,i,a)=>{let r=ya(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u(
+"td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),j(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.
+slice(0,Math.min(e.count,Nc)).map(({kind:o,t:i},a)=>u("tr",{onclick:()=>this.lab.clock.seek(i)},u("th",{scope:"row"},Me[o]??o,u("small",{},` ${M(i,4)} s`)),n.map(
+([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.
+lab.motions.change([[this.path,t]],!0)}};var bn=class{constructor(e,t){this.root=e;this.show=t;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
 "fullscreenchange",this.left),this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.
 show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Ki=.22,Vi=.03;function Ji(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,i=o/(1+o),a=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:i,pitch:55*(1+Math.min(o,8))**.5,hiss:a?i*_(.15+r,0,1):0}}function Yi(s,e,t){let n=Math.
-sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:o,t:i,before:a})=>o==="impact"&&a&&i>e&&i<=t).map(({before:o})=>_(Math.abs(o.vy)/n,.02,1))}function kh(s){
-let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let o=0;o<t.length;o++)n=n*16807%2147483647,t[o]=2*n/2147483647-1;return e}var ln=class{constructor(){
-this.context=null;this.on=!1;this.last=0}static{this.heard=Ji}static{this.knocks=Yi}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.
-createBufferSource();n.buffer=kh(e),n.loop=!0;let o=e.createBiquadFilter();o.type="bandpass",o.frequency.value=1800,o.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Pa=.22,Ca=.03;function za(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,i=o/(1+o),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:i,pitch:55*(1+Math.min(o,8))**.5,hiss:a?i*_(.15+r,0,1):0}}function Na(s,e,t){let n=Math.
+sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:o,t:i,before:a})=>o==="impact"&&a&&i>e&&i<=t).map(({before:o})=>_(Math.abs(o.vy)/n,.02,1))}function Dc(s){
+let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let o=0;o<t.length;o++)n=n*16807%2147483647,t[o]=2*n/2147483647-1;return e}var wn=class{constructor(){
+this.context=null;this.on=!1;this.last=0}static{this.heard=za}static{this.knocks=Na}start(){let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.
+createBufferSource();n.buffer=Dc(e),n.loop=!0;let o=e.createBiquadFilter();o.type="bandpass",o.frequency.value=1800,o.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];
 i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),n.connect(o).connect(a).connect(e.destination),t.start(),n.start(),this.context=e,Object.assign(
 this,{tone:t,low:i,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){
-let{gain:n}=this[e];n.setTargetAtTime(Ki*t,this.context.currentTime,Vi)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
-"high",0),this.last=t.time;return}let{tone:n,pitch:o,hiss:i}=Ji(e,t.time);if(this.set("low",n),this.set("high",.6*i),this.tone.frequency.setTargetAtTime(o,this.
-context.currentTime,Vi),t.time>this.last)for(let a of Yi(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,n=t.currentTime,o=t.createGain();
-o.gain.setValueAtTime(2.2*Ki*Math.sqrt(e),n),o.gain.exponentialRampToValueAtTime(1e-4,n+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,n),i.frequency.
-exponentialRampToValueAtTime(60,n+.15),i.connect(o).connect(t.destination),i.start(n),i.stop(n+.2)}close(){this.context?.close()}};var Ms=Math.PI/180,Z=s=>e=>e.columns[s],xt=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(o,i)=>e(n,i,t))),W={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:xt("degrees",({angle:s},e)=>s[e]/Ms)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:xt(
-"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/Ms/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/Ms-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:Z("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:Z("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:xt(
-"rise",({height:s,angle:e},t,n)=>n.radius*(1+n.eccentricity*Math.cos(e[t]))+s[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:Z("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:xt("spin",({omega:s},e,t)=>s[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:Z(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:Z("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:Z("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:Z("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:Z("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:Z("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:Z("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:Z("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:xt("total",({kinetic:s,potential:e},t)=>s[t]+
-e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:Z("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:Z("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:Z("rolling_resistance")}},Zi=({name:s,symbol:e})=>[
-s," ",e];var _h=["time","angle","x","vx","spin","normal_force","friction_force"],Eh=[1,.5,.2,.1,.05,.02,.01],Ss=601;function Qi(s,e,t){let n=Math.min(Math.floor(s.duration/
-t+1e-9)+1,Ss),o=[];for(let i=0;i<n;i++){let a=Number((i*t).toPrecision(12));o.push({time:a,mode:s.at(a).mode,values:e.map(r=>Mh(s,r,a))})}return o}function Mh(s,e,t){
+let{gain:n}=this[e];n.setTargetAtTime(Pa*t,this.context.currentTime,Ca)}follow(e,t){if(!this.on||!this.context)return;if(!t.playing){this.set("low",0),this.set(
+"high",0),this.last=t.time;return}let{tone:n,pitch:o,hiss:i}=za(e,t.time);if(this.set("low",n),this.set("high",.6*i),this.tone.frequency.setTargetAtTime(o,this.
+context.currentTime,Ca),t.time>this.last)for(let a of Na(e,this.last,t.time))this.knock(a);this.last=t.time}knock(e){let t=this.context,n=t.currentTime,o=t.createGain();
+o.gain.setValueAtTime(2.2*Pa*Math.sqrt(e),n),o.gain.exponentialRampToValueAtTime(1e-4,n+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,n),i.frequency.
+exponentialRampToValueAtTime(60,n+.15),i.connect(o).connect(t.destination),i.start(n),i.stop(n+.2)}close(){this.context?.close()}};var mo=Math.PI/180,X=s=>e=>e.columns[s],At=(s,e)=>t=>t.derived(s,n=>Float64Array.from(t.t,(o,i)=>e(n,i,t))),U={time:{name:"time",symbol:"t",unit:"s",values:s=>s.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:At("degrees",({angle:s},e)=>s[e]/mo)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:At(
+"within",({angle:s},e)=>{let t=n=>Math.floor(s[n]/mo/360);return e>0&&t(e)!==t(e-1)?Number.NaN:s[e]/mo-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+m",values:X("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:X("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:At(
+"rise",({height:s,angle:e},t,n)=>n.radius*(1+n.eccentricity*Math.cos(e[t]))+s[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:X("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:At("spin",({omega:s},e,t)=>s[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:X(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:X("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:X("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:X("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:X("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:X("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:X("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:X("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:At("total",({kinetic:s,potential:e},t)=>s[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:X("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:X("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:X("rolling_resistance")}},Da=({name:s,symbol:e})=>[
+s," ",e];var Ic=["time","angle","x","vx","spin","normal_force","friction_force"],Oc=[1,.5,.2,.1,.05,.02,.01],po=601;function Ia(s,e,t){let n=Math.min(Math.floor(s.duration/
+t+1e-9)+1,po),o=[];for(let i=0;i<n;i++){let a=Number((i*t).toPrecision(12));o.push({time:a,mode:s.at(a).mode,values:e.map(r=>qc(s,r,a))})}return o}function qc(s,e,t){
 if(e==="time")return t;let n=s.at(t);if(e in n&&e!=="angle")return n[e];let o=n.angle*180/Math.PI;if(e==="angle")return o;if(e==="turns")return o-360*Math.floor(
-o/360);let i=W[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return i[a]+l*(i[r]-i[a])}var hn=class{constructor({
-film:e,clock:t,names:n}){this.rows=[];this.columns=[..._h];this.source=e,this.clock=t,this.names=n,this.step=u("select",{onchange:()=>this.fill()},Eh.map(o=>u("\
-option",{value:String(o)},`${o} s`))),this.step.value="0.1",this.picks=u("div",{class:"table-picks"},Object.entries(W).filter(([o])=>o!=="time").map(([o,{name:i}])=>this.
+o/360);let i=U[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return i[a]+l*(i[r]-i[a])}var yn=class{constructor({
+film:e,clock:t,names:n}){this.rows=[];this.columns=[...Ic];this.source=e,this.clock=t,this.names=n,this.step=u("select",{onchange:()=>this.fill()},Oc.map(o=>u("\
+option",{value:String(o)},`${o} s`))),this.step.value="0.1",this.picks=u("div",{class:"table-picks"},Object.entries(U).filter(([o])=>o!=="time").map(([o,{name:i}])=>this.
 pick(o,i))),this.caption=u("caption",{}),this.head=u("thead",{}),this.body=u("tbody",{}),this.element=u("section",{class:"table","aria-label":"Table of the moti\
 on",hidden:!0},u("header",{},u("h2",{},"Table"),u("label",{class:"table-step"},u("span",{},"Every"),this.step),u("button",{type:"button",onclick:()=>this.save()},
 "Save as CSV"),u("button",{type:"button",onclick:()=>this.open(!1)},"Close")),u("details",{class:"table-columns"},u("summary",{},"Columns"),this.picks),u("div",
 {class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table of the motion, rows"},u("table",{},this.caption,this.head,this.body)))}pick(e,t){let n=u("i\
-nput",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{let o=new Set(this.columns);n.checked?o.add(e):o.delete(e),this.columns=Object.keys(W).filter(
+nput",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{let o=new Set(this.columns);n.checked?o.add(e):o.delete(e),this.columns=Object.keys(U).filter(
 i=>o.has(i)),this.fill()}});return u("label",{},n,u("span",{},t))}open(e){this.element.hidden=!e,e&&(this.draw(this.source()),this.element.scrollIntoView({block:"\
 nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.
-step.value),o=this.names(),i=t.map(c=>W[c]);this.head.replaceChildren(u("tr",{},i.map(({name:c,symbol:m,unit:h})=>u("th",{scope:"col",title:c},m,h&&u("small",{},
-` ${h}`))),u("th",{scope:"col"},"mode")));let a=Qi(e,t,n);this.rows=a.map(({time:c,mode:m,values:h})=>({time:c,row:u("tr",{onclick:()=>this.clock.seek(c)},h.map(
+step.value),o=this.names(),i=t.map(c=>U[c]);this.head.replaceChildren(u("tr",{},i.map(({name:c,symbol:m,unit:h})=>u("th",{scope:"col",title:c},m,h&&u("small",{},
+` ${h}`))),u("th",{scope:"col"},"mode")));let a=Ia(e,t,n);this.rows=a.map(({time:c,mode:m,values:h})=>({time:c,row:u("tr",{onclick:()=>this.clock.seek(c)},h.map(
 (d,p)=>p===0?u("th",{scope:"row"},M(d,4)):u("td",{},M(d,4))),u("td",{class:"table-mode"},o[m]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.
-duration/n+1<=Ss+1e-6,l=x("The first {count} rows.",{count:Ss});P(this.caption,r?e.summary:j(`${e.summary} ${l}`)),this.cursor(this.clock.time)}cursor(e){if(this.
+duration/n+1<=po+1e-6,l=x("The first {count} rows.",{count:po});R(this.caption,r?e.summary:j(`${e.summary} ${l}`)),this.cursor(this.clock.time)}cursor(e){if(this.
 element.hidden||!this.rows.length)return;let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.
-remove("now"),n?.classList.add("now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(i=>`${W[i].name} [${W[i].unit||"1"}]`),"mode"],o=Qi(e,t,Number(this.
-step.value)).map(({mode:i,values:a})=>[...a,i].join(","));Qe(new Blob([[n.join(","),...o,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var Sh=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+remove("now"),n?.classList.add("now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(i=>`${U[i].name} [${U[i].unit||"1"}]`),"mode"],o=Ia(e,t,Number(this.
+step.value)).map(({mode:i,values:a})=>[...a,i].join(","));tt(new Blob([[n.join(","),...o,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var Fc=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["a","arrows: what a little more would do"],["3","in space"],["+ − 0","zoom, zoom back"],
-["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Th=[["R","roll","the rim does n\
+["Esc","leave a field, a menu, a picture that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Hc=[["R","roll","the rim does n\
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
- +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Ah=[["▲ ▼","\
+ +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],jc=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],Ts=(s,e,t=()=>!1)=>u("table",{},u("caption",{},s),e.map(([n,...o])=>u("\
-tr",{},u("th",{scope:"row"},t(n),n),o.map(i=>u("td",{},i))))),As=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Xi(s,e){let t=As(),n=(r,l)=>u(
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],fo=(s,e,t=()=>!1)=>u("table",{},u("caption",{},s),e.map(([n,...o])=>u("\
+tr",{},u("th",{scope:"row"},t(n),n),o.map(i=>u("td",{},i))))),go=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Oa(s,e){let t=go(),n=(r,l)=>u(
 "a",{href:r,target:"_blank",rel:"noopener"},l),o=(r,...l)=>[u("dt",{},r),u("dd",{},l)],i=e&&n(new URL("licences.txt",import.meta.url).href,"Licences of all that\
  the page contains"),a=u("dialog",{class:"about","aria-label":"About hophoop"},u("h2",{},"About hophoop"),u("p",{},"hophoop computes exactly how a hoop with a l\
 oad on its rim rolls, slips, hops and lands."),u("dl",{},o("Version",document.createTextNode(s)),o("Licence","MIT",...i?[". ",i]:[]),o("Documentation",t?n(t,"Th\
 e documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",u("code",{},document.createTextNode("hophoop --help")))),u("button",{type:"\
-button",class:"close",onclick:()=>a.close()},"Close"));return a}function ea(s,e,t){let n=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The h\
+button",class:"close",onclick:()=>a.close()},"Close"));return a}function qa(s,e,t){let n=u("dialog",{class:"help","aria-label":"Keys and help"},u("h2",{},"The h\
 oop"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does \
-something that rigid-body mechanics cannot decide. Move a slider and see."),Ts("Modes",Th,o=>u("i",{class:"dot",style:`background:${e.modes[o]}`})),Ts("Marks on\
- the bar of time",Ah),Ts("Keys",Sh),t,u("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),u("button",{type:"button",class:"close",
-onclick:()=>n.close()},"Close"));return n}var ta="hoop.radius=0.4&duration=1.5&start.speed=",Lh=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+something that rigid-body mechanics cannot decide. Move a slider and see."),fo("Modes",Hc,o=>u("i",{class:"dot",style:`background:${e.modes[o]}`})),fo("Marks on\
+ the bar of time",jc),fo("Keys",Fc),t,u("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),u("button",{type:"button",class:"close",
+onclick:()=>n.close()},"Close"));return n}var Fa="hoop.radius=0.4&duration=1.5&start.speed=",Bc=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${ta}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],Rh=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${Fa}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],$c=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],Ph=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],Wc=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Ch=["1.0","1.3","1.6","1.9","2.2","2.3"];function na(s,e){let t=m=>{c.close(),s(m)},n=(m,h="Show")=>u("button",{type:"\
-button",class:"link",onclick:()=>t(m)},h),o=As(),i=o&&[["teach/index.html","Teaching with the hoop"],["teach/worksheet.html","Worksheet"],["teach/solutions.html",
+rim slips. Why does slipping help it to hop?"],Gc=["1.0","1.3","1.6","1.9","2.2","2.3"];function Ha(s,e){let t=m=>{c.close(),s(m)},n=(m,h="Show")=>u("button",{type:"\
+button",class:"link",onclick:()=>t(m)},h),o=go(),i=o&&[["teach/index.html","Teaching with the hoop"],["teach/worksheet.html","Worksheet"],["teach/solutions.html",
 "Solutions"],["teach/exercises.html","Exercises"]],a=u("table",{},u("caption",{},"A lesson of 45 minutes"),u("thead",{},u("tr",{},["Minute","What happens","Moti\
-on"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Lh.map(([m,h,d])=>u("tr",{},u("th",{scope:"row"},m),u("td",{},h),u("td",{},d===null?"":n(d)))))),r=u("table",
-{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Rh.map(([m,h])=>u(
+on"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Bc.map(([m,h,d])=>u("tr",{},u("th",{scope:"row"},m),u("td",{},h),u("td",{},d===null?"":n(d)))))),r=u("table",
+{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},$c.map(([m,h])=>u(
 "tr",{},u("td",{},m),u("td",{},h))))),l=u("section",{class:"sheet"},u("h3",{},"Worksheet: the hoop that hops"),u("p",{},"A thin ring of radius 0.40 m has a mass\
  of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9\
-.81 m/s²."),u("ol",{},Ph.map(m=>u("li",{},m,u("div",{class:"answer-line"})))),u("table",{class:"sheet-table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","do\
-es it hop?","at which angle?"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Ch.map(m=>u("tr",{},u("th",{scope:"row"},n(`${ta}${Number(m)}`,m)),u("td",{}),u("t\
+.81 m/s²."),u("ol",{},Wc.map(m=>u("li",{},m,u("div",{class:"answer-line"})))),u("table",{class:"sheet-table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","do\
+es it hop?","at which angle?"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Gc.map(m=>u("tr",{},u("th",{scope:"row"},n(`${Fa}${Number(m)}`,m)),u("td",{}),u("t\
 d",{}),u("td",{})))))),c=u("dialog",{class:"teach","aria-label":"For teachers"},u("header",{},u("h2",{},"For teachers"),u("button",{type:"button",onclick:()=>print()},
 "Print"),u("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),u("p",{},"The visit asks before it shows; the presentation fills the screen; t\
 he table gives numbers to every student. ",u("button",{type:"button",class:"link",onclick:()=>{c.close(),e()}},"Start the visit")),i&&u("p",{},i.map(([m,h])=>u(
-"a",{class:"teach-page",href:new URL(m,new URL(o,document.baseURI)).href},h))),a,r,l);return c}var Ls=S.words.letters,zh=new Set(["x","angle","height"]),Nh=1/60,sa=8,Dh={x:"vx",angle:"omega",height:"vy"},Re=class{constructor(e){this.cache=new Map;this.part=
+"a",{class:"teach-page",href:new URL(m,new URL(o,document.baseURI)).href},h))),a,r,l);return c}var bo=S.words.letters,Uc=new Set(["x","angle","height"]),Kc=1/60,ja=8,Vc={x:"vx",angle:"omega",height:"vy"},Ce=class{constructor(e){this.cache=new Map;this.part=
 null;let{header:t}=e;this.scenario=t.scenario,this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=t.fingerprint??
 null,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??
 "",this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=
 this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??9.81,this.phases=this.findPhases(),this.extent=
-this.findExtent()}wanted(e,t=0){if(this.duration<Nh*this.length)return null;let n=_(e,0,this.duration),o=Math.min(n+t,this.duration);if(this.part&&n>=this.part.
-t[0]&&o<=this.part.t[this.part.length-1])return null;let i=Math.max(n-.25*sa,0);return[i,Math.min(i+sa+t,this.duration)]}refine(e){this.part=Object.assign(Object.
+this.findExtent()}wanted(e,t=0){if(this.duration<Kc*this.length)return null;let n=_(e,0,this.duration),o=Math.min(n+t,this.duration);if(this.part&&n>=this.part.
+t[0]&&o<=this.part.t[this.part.length-1])return null;let i=Math.max(n-.25*ja,0);return[i,Math.min(i+ja+t,this.duration)]}refine(e){this.part=Object.assign(Object.
 create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){
-return ci(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let n=0;n<this.length;n++){let o=t.at(-1);o&&o.mode===Ls[e[n]]?o.to=this.t[n]:t.push({mode:Ls[e[n]],
+return Qi(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let n=0;n<this.length;n++){let o=t.at(-1);o&&o.mode===bo[e[n]]?o.to=this.t[n]:t.push({mode:bo[e[n]],
 from:this.t[n],to:this.t[n]})}for(let n=0;n+1<t.length;n++)t[n].to=t[n+1].from;return t.filter(n=>n.to>n.from||t.length===1)}findExtent(){let{x:e,height:t,vx:n,
 vy:o,omega:i}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=
 Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(n[l],o[l])+this.radius*Math.abs(i[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),
 a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,n=this.length;for(;n-t>1;){let o=t+n>>1;this.t[o]<=e?t=o:n=o}return t}pieces(){let{part:e}=this;if(!e)
 return[{film:this,from:0,to:this.length}];let[t,n]=[e.t[0],e.t[e.length-1]],o=this.index(t);for(;o>0&&this.t[o]>=t;)o--;let i=this.t[o]>=t?0:o+1;return[{film:this,
 from:0,to:i},{film:e,from:0,to:e.length},{film:this,from:this.index(n)+1,to:this.length}]}at(e){let t=_(e,0,this.duration),n=this.holding(t);if(n!==this)return n.
-at(t);let o=this.index(t),i=Math.min(o+1,this.length-1),a=this.t[i]-this.t[o],r=a>0?(t-this.t[o])/a:0,l={t,mode:Ls[this.columns.mode[o]]};for(let[c,m]of Object.
-entries(this.columns)){if(c==="t"||c==="mode")continue;let h=m[o],d=m[i];if(r===0||!Number.isFinite(d))l[c]=h;else if(zh.has(c)){let p=this.columns[Dh[c]];l[c]=
-Oh(h,d,p[o]*a,p[i]*a,r)}else l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function Oh(s,e,t,n,o){
-if(!Number.isFinite(t)||!Number.isFinite(n))return s+(e-s)*o;let i=1-o;return i*i*(1+2*o)*s+o*o*(3-2*o)*e+o*i*(i*t-o*n)}var Cs=s=>s-360*Math.floor(s/360);function Ih(s,e){let t=Math.abs(Cs(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function qh(s,e){let t=Math.max(...e)-
-Math.min(...e,0),n=e.reduce((o,i,a)=>o+Math.abs(i-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var Fh=0;function Et(s,e,t=!1){let n=`hh-guess-${++Fh}`,
+at(t);let o=this.index(t),i=Math.min(o+1,this.length-1),a=this.t[i]-this.t[o],r=a>0?(t-this.t[o])/a:0,l={t,mode:bo[this.columns.mode[o]]};for(let[c,m]of Object.
+entries(this.columns)){if(c==="t"||c==="mode")continue;let h=m[o],d=m[i];if(r===0||!Number.isFinite(d))l[c]=h;else if(Uc.has(c)){let p=this.columns[Vc[c]];l[c]=
+Jc(h,d,p[o]*a,p[i]*a,r)}else l[c]=h+(d-h)*r}return l}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function Jc(s,e,t,n,o){
+if(!Number.isFinite(t)||!Number.isFinite(n))return s+(e-s)*o;let i=1-o;return i*i*(1+2*o)*s+o*o*(3-2*o)*e+o*i*(i*t-o*n)}var vo=s=>s-360*Math.floor(s/360);function Yc(s,e){let t=Math.abs(vo(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function Zc(s,e){let t=Math.max(...e)-
+Math.min(...e,0),n=e.reduce((o,i,a)=>o+Math.abs(i-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var Qc=0;function Pt(s,e,t=!1){let n=`hh-guess-${++Qc}`,
 o="",i=s.map(([a,r])=>{let l=u("input",{type:"radio",name:n,value:a,onchange:()=>{o=a,e()}});return{key:a,radio:l,row:u("label",{class:"guess-choice"},l,u("span",
 {},r))}});return{element:u("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>o!=="",judge:a=>{for(let{key:r,radio:l,
-row:c}of i){l.disabled=!0;let m=t||r===a;m&&c.append(u("b",{class:"guess-right"},"✓")),c.classList.toggle("right",m)}return t||o===a?100:0}}}var ge=168,_t=58,
-Rs=(s,e=_t)=>{let t=s*Math.PI/180;return[ge/2+e*Math.sin(t),ge/2-e*Math.cos(t)]};function zs(s,e){let t=0,n=!1,o=null,i=u("canvas",{class:"dial-canvas"}),a=u("d\
+row:c}of i){l.disabled=!0;let m=t||r===a;m&&c.append(u("b",{class:"guess-right"},"✓")),c.classList.toggle("right",m)}return t||o===a?100:0}}}var ve=168,Rt=58,
+wo=(s,e=Rt)=>{let t=s*Math.PI/180;return[ve/2+e*Math.sin(t),ve/2-e*Math.cos(t)]};function xo(s,e){let t=0,n=!1,o=null,i=u("canvas",{class:"dial-canvas"}),a=u("d\
 iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let m=getComputedStyle(
-a),{context:h}=K(i,Number.parseFloat(m.width)/ge||1),d=m.getPropertyValue("--ink").trim(),p=m.getPropertyValue("--soft").trim(),f=m.getPropertyValue("--accent").
-trim();h.clearRect(0,0,ge,ge),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ge/2+_t),h.lineTo(ge-8,ge/2+_t),h.stroke(),h.lineWidth=4,h.
-beginPath(),h.arc(ge/2,ge/2,_t,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=Rs(b,_t-28);
-h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...Rs(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=d,h.lineWidth=2,h.beginPath(),
-h.arc(...Rs(o),12,0,2*Math.PI),h.stroke(),g(o,d,7)),g(t,n?f:p,9)},l=m=>{o===null&&(t=Cs(m),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
+a),{context:h}=K(i,Number.parseFloat(m.width)/ve||1),d=m.getPropertyValue("--ink").trim(),p=m.getPropertyValue("--soft").trim(),f=m.getPropertyValue("--accent").
+trim();h.clearRect(0,0,ve,ve),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ve/2+Rt),h.lineTo(ve-8,ve/2+Rt),h.stroke(),h.lineWidth=4,h.
+beginPath(),h.arc(ve/2,ve/2,Rt,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=wo(b,Rt-28);
+h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...wo(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=d,h.lineWidth=2,h.beginPath(),
+h.arc(...wo(o),12,0,2*Math.PI),h.stroke(),g(o,d,7)),g(t,n?f:p,9)},l=m=>{o===null&&(t=vo(m),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
 "aria-valuetext",`${Math.round(t)}°`),r(),e())},c=m=>{let h=i.getBoundingClientRect(),[d,p]=[m.clientX-h.left-h.width/2,m.clientY-h.top-h.height/2];l(Math.atan2(
 d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",m=>{m.preventDefault(),a.focus({preventScroll:!0}),c(m),J(a,m,c)}),a.addEventListener("keydown",m=>{
 let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[m.key];h!==void 0&&(m.preventDefault(),m.stopPropagation(),l(t+(m.shiftKey?h/5:h)))}),
-requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:m=>(o=Cs(m),r(),Ih(t,o))}}var kt=9,[fe,cn,Fe,Ps]=[34,12,12,26];function oa({label:s,unit:e,most:t},n){
-let o=Array(kt).fill(t/4),i=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s}\
+requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:m=>(o=vo(m),r(),Yc(t,o))}}var Lt=9,[ye,vn,Ge,yo]=[34,12,12,26];function Ba({label:s,unit:e,most:t},n){
+let o=Array(Lt).fill(t/4),i=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s}\
  with the load at ${45*v}°`,"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(t),onkeydown:k=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,
 ArrowLeft:-1}[k.key];T&&(k.preventDefault(),k.stopPropagation(),g(v,o[v]+T*t/(k.shiftKey?100:20)))}})),c=u("div",{class:"guess sketch",role:"group","aria-label":"\
-Draw the curve: pull the points up and down"},r,l),m=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},d=y=>fe+y/(kt-1)*(h.width-fe-cn),p=y=>Fe+(1-y/t)*(h.
-height-Fe-Ps),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:k,width:T,height:L}=K(r,v);h={width:T,height:L,
-px:v};let R=A=>y.getPropertyValue(A).trim();k.clearRect(0,0,T,L),k.strokeStyle=R("--line"),k.fillStyle=R("--soft"),k.font="11px system-ui, sans-serif";for(let A=0;A<
-kt;A+=2)k.textAlign="center",k.fillText(`${45*A}°`,d(A),L-8),k.strokeRect(d(A),Fe,0,L-Fe-Ps);for(let A of[0,t/2,t])k.textAlign="right",k.fillText(String(A),fe-
-6,p(A)+4),k.strokeRect(fe,p(A),T-fe-cn,0);k.textAlign="left",k.fillText(e,fe+4,Fe+10);let F=(A,D,H)=>{k.strokeStyle=D,k.lineWidth=2.5,k.setLineDash(H),k.beginPath(),
-A.forEach((re,De)=>{let It=fe+De/(A.length-1)*(T-fe-cn);De?k.lineTo(It,p(_(re,0,t))):k.moveTo(It,p(_(re,0,t)))}),k.stroke(),k.setLineDash([])};F(o,R("--accent"),
-[6,4]),a&&F(a,R("--ink"),[]),l.forEach((A,D)=>{A.style.transform=`translate(${v*d(D)}px, ${v*p(o[D])}px)`})},g=(y,v)=>{a||(o[y]=_(v,0,t),i=!0,l[y].setAttribute(
+Draw the curve: pull the points up and down"},r,l),m=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},d=y=>ye+y/(Lt-1)*(h.width-ye-vn),p=y=>Ge+(1-y/t)*(h.
+height-Ge-yo),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:k,width:T,height:L}=K(r,v);h={width:T,height:L,
+px:v};let P=A=>y.getPropertyValue(A).trim();k.clearRect(0,0,T,L),k.strokeStyle=P("--line"),k.fillStyle=P("--soft"),k.font="11px system-ui, sans-serif";for(let A=0;A<
+Lt;A+=2)k.textAlign="center",k.fillText(`${45*A}°`,d(A),L-8),k.strokeRect(d(A),Ge,0,L-Ge-yo);for(let A of[0,t/2,t])k.textAlign="right",k.fillText(String(A),ye-
+6,p(A)+4),k.strokeRect(ye,p(A),T-ye-vn,0);k.textAlign="left",k.fillText(e,ye+4,Ge+10);let F=(A,D,H)=>{k.strokeStyle=D,k.lineWidth=2.5,k.setLineDash(H),k.beginPath(),
+A.forEach((re,Ie)=>{let Ot=ye+Ie/(A.length-1)*(T-ye-vn);Ie?k.lineTo(Ot,p(_(re,0,t))):k.moveTo(Ot,p(_(re,0,t)))}),k.stroke(),k.setLineDash([])};F(o,P("--accent"),
+[6,4]),a&&F(a,P("--ink"),[]),l.forEach((A,D)=>{A.style.transform=`translate(${v*d(D)}px, ${v*p(o[D])}px)`})},g=(y,v)=>{a||(o[y]=_(v,0,t),i=!0,l[y].setAttribute(
 "aria-valuenow",o[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${o[y].toPrecision(2)} ${e}`),f(),n())},b=null,w=y=>{let v=m(),[k,T]=[y.clientX-v.left,
-y.clientY-v.top].map(H=>H/h.px),L=_((k-fe)/(h.width-fe-cn),0,1),R=Math.round(L*(kt-1)),F=t*(1-(T-Fe)/(h.height-Fe-Ps)),A=b??R,D=o[A];for(let H=Math.min(A,R);H<=
-Math.max(A,R);H++)g(H,A===R?F:D+(F-D)*(H-A)/(R-A));b=R};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),J(c,y,w)});for(let[y,v]of l.entries())
-v.setAttribute("aria-valuenow",o[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>i,judge:y=>{a=y,f();let v=(y.length-1)/(kt-1);return qh(
-o,o.map((k,T)=>y[Math.round(T*v)]))}}}var dn=2*Math.PI,ee=(s,e)=>s.events.find(t=>t.kind===e),un=s=>$(s-dn*Math.floor(s/dn));function Hh(s,e,t=72){let{angle:n}=s.columns,o=s.columns[e],i=[],a=0;for(let r=0;r<=
-t;r++){let l=s.columns.angle[0]+dn*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),m=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;i.push(o[a]+
-m*(o[c]-o[a]))}return i}var jh=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,Bh={R:"roll",S:"spin",K:"skid",H:"bounce"},He=[{key:"littlewood",title:"\
+y.clientY-v.top].map(H=>H/h.px),L=_((k-ye)/(h.width-ye-vn),0,1),P=Math.round(L*(Lt-1)),F=t*(1-(T-Ge)/(h.height-Ge-yo)),A=b??P,D=o[A];for(let H=Math.min(A,P);H<=
+Math.max(A,P);H++)g(H,A===P?F:D+(F-D)*(H-A)/(P-A));b=P};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),J(c,y,w)});for(let[y,v]of l.entries())
+v.setAttribute("aria-valuenow",o[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>i,judge:y=>{a=y,f();let v=(y.length-1)/(Lt-1);return Zc(
+o,o.map((k,T)=>y[Math.round(T*v)]))}}}var kn=2*Math.PI,te=(s,e)=>s.events.find(t=>t.kind===e),xn=s=>G(s-kn*Math.floor(s/kn));function Xc(s,e,t=72){let{angle:n}=s.columns,o=s.columns[e],i=[],a=0;for(let r=0;r<=
+t;r++){let l=s.columns.angle[0]+kn*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),m=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;i.push(o[a]+
+m*(o[c]-o[a]))}return i}var eu=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,tu={R:"roll",S:"spin",K:"skid",H:"bounce"},Ue=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>Et(
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>Pt(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],s),until:([s])=>{
-let[e,t]=[ee(s,"skim"),ee(s,"impact")];return e?e.t+.7*((t?.t??s.duration)-e.t):s.duration},answer:([s])=>{let e=ee(s,"skim")??ee(s,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:un(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+let[e,t]=[te(s,"skim"),te(s,"impact")];return e?e.t+.7*((t?.t??s.duration)-e.t):s.duration},answer:([s])=>{let e=te(s,"skim")??te(s,"takeoff");return{truth:e?.kind===
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:xn(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>oa({label:"Speed of the centre",unit:"m/s",most:10},
-s),until:([s])=>jh(s,dn),answer:([s])=>{let e=Hh(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>Ba({label:"Speed of the centre",unit:"m/s",most:10},
+s),until:([s])=>eu(s,kn),answer:([s])=>{let e=Xc(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:M(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:s=>zs("Angle of the load where it begins to slip",s),until:([s])=>ee(s,"slip_start")?.t??s.duration,answer:([s])=>{let e=ee(s,"slip_start"),t=s.at(e.t).normal_force/
-(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:un(e.
+guess:s=>xo("Angle of the load where it begins to slip",s),until:([s])=>te(s,"slip_start")?.t??s.duration,answer:([s])=>{let e=te(s,"slip_start"),t=s.at(e.t).normal_force/
+(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:xn(e.
 angle),share:`${M(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>zs("Angle of the load\
- where it takes off",s),until:([s])=>ee(s,"takeoff")?.t??s.duration,answer:([s])=>{let e=ee(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
-It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:un(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>xo("Angle of the load\
+ where it takes off",s),until:([s])=>te(s,"takeoff")?.t??s.duration,answer:([s])=>{let e=te(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"\
+It takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:xn(e.angle),slip:M(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the \
 plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at \
 the top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does \
-it do just after it has landed?",queries:[""],guess:s=>Et([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
-rns too fast."],["bounce","It bounces."]],s),until:([s])=>ee(s,"impact")?.t??s.duration,answer:([s])=>{let[e,t]=[ee(s,"takeoff"),ee(s,"impact")],n=s.events.find(
-o=>o.kind==="apex");return{truth:Bh[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(n?.height??0),3),angle:un(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+it do just after it has landed?",queries:[""],guess:s=>Pt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim tu\
+rns too fast."],["bounce","It bounces."]],s),until:([s])=>te(s,"impact")?.t??s.duration,answer:([s])=>{let[e,t]=[te(s,"takeoff"),te(s,"impact")],n=s.events.find(
+o=>o.kind==="apex");return{truth:tu[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+values:{time:M((t?.t??0)-(e?.t??0),3),height:M(100*(n?.height??0),3),angle:xn(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:s=>Et([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],s),until:s=>.3+Math.max(0,...s.map(e=>ee(e,"impact")?.t??0)),
+"plane.mu=0.05","plane.mu=0.2",""],guess:s=>Pt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],s),until:s=>.3+Math.max(0,...s.map(e=>te(e,"impact")?.t??0)),
 answer:s=>{let e=s.map(i=>Math.max(0,...i.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,n,o]=e.map(i=>M(100*i,3));return{truth:String(e.indexOf(Math.max(
 ...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:n,high:o}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:s=>Et([["flight","It flies off."],["impact","An impact stops the sli\
-de at once."],["both","Both agree with the laws."]],s),until:s=>Math.min(.8,...s.map(e=>e.duration)),answer:s=>({truth:s.every(e=>ee(e,"painleve_indeterminate"))?
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:s=>Pt([["flight","It flies off."],["impact","An impact stops the sli\
+de at once."],["both","Both agree with the laws."]],s),until:s=>Math.min(.8,...s.map(e=>e.duration)),answer:s=>({truth:s.every(e=>te(e,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var ia="hophoop-visit",mn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
+ the motion itself.",question:"",queries:[""]}];var $a="hophoop-visit",_n=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
 loop=null;this.asked=0;this.onchallenges=t,this.body=u("div",{class:"visit-body"}),this.said=u("div",{class:"visit-answer",role:"status"}),this.element=u("secti\
-on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ne(ia)||(this.
-element.hidden=!1,P(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"New here?")," ","Eight short questions: guess, th\
+on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ne($a)||(this.
+element.hidden=!1,R(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"New here?")," ","Eight short questions: guess, th\
 en play."),u("button",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),u("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){
-this.points.clear(),this.go(0)}leave(){se(ia,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.mark("visit\
-ing",!1),this.veil(),this.lab.show()}async go(e){let t=He[e],n=++this.asked;this.lab.opening.end();let{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.
-stop=null,this.guess=null,this.unwind(),P(this.said,""),this.element.hidden=!1,o.mark("visiting",e<He.length-1);try{let i=await Promise.all(t.queries.map(a=>o.backend.
-call("film",{query:a})));if(n!==this.asked)return;this.films=i.map(a=>new Re(a)),o.motions.active=0,o.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??
+this.points.clear(),this.go(0)}leave(){se($a,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.mark("visit\
+ing",!1),this.veil(),this.lab.show()}async go(e){let t=Ue[e],n=++this.asked;this.lab.opening.end();let{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.
+stop=null,this.guess=null,this.unwind(),R(this.said,""),this.element.hidden=!1,o.mark("visiting",e<Ue.length-1);try{let i=await Promise.all(t.queries.map(a=>o.backend.
+film({query:a})));if(n!==this.asked)return;this.films=i.map(a=>new Ce(a)),o.motions.active=0,o.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??
 null,this.veil(),o.changed(),o.motions.note(),this.fill(e)}catch(i){o.notice.fail(i)}}veil(){this.lab.mark("guessing",this.guessing),this.guessing&&this.lab.stage.
-element.setAttribute("aria-label",x("The hoop, before it is let go."))}fill(e){let t=He[e];this.play=u("button",{type:"button",class:"main",disabled:!!this.guess,
+element.setAttribute("aria-label",x("The hoop, before it is let go."))}fill(e){let t=Ue[e];this.play=u("button",{type:"button",class:"main",disabled:!!this.guess,
 onclick:()=>this.show()},"Play"),this.running=!1,this.skip=u("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.clock.seek(this.stop)},"Sk\
-ip to the answer");let n=e===He.length-1,o=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
-u("header",{},u("span",{class:"visit-count"},`Step ${e+1} of ${He.length}`),u("progress",{max:String(He.length),value:String(e+1),"aria-hidden":"true"}),u("butt\
+ip to the answer");let n=e===Ue.length-1,o=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
+u("header",{},u("span",{class:"visit-count"},`Step ${e+1} of ${Ue.length}`),u("progress",{max:String(Ue.length),value:String(e+1),"aria-hidden":"true"}),u("butt\
 on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,u("p",{},t.text),t.question?u("p",{class:"visit-question"},t.
 question):"",this.guess?.element??"",u("div",{class:"buttons"},e>0&&u("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,this.guess&&
 this.skip,n?u("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,n&&u("button",{type:"button",onclick:()=>this.leave()},
@@ -1736,15 +1893,15 @@ this.skip,n?u("button",{type:"button",class:"main",onclick:()=>this.challenge()}
 this.play&&(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;if(!(!t||!this.guess)){if(this.stop!==
 null){e.clock.play();return}this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),e.clock.run({to:this.stop}),
 this.frame()}}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===null||(this.skip.hidden=!1,
-this.running!==e.playing&&(this.running=e.playing,P(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=!1;let t=this.stop;this.stop=
+this.running!==e.playing&&(this.running=e.playing,R(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=!1;let t=this.stop;this.stop=
 null,this.unwind(),e.seek(t),this.judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:n,text:o,values:i={}}=e.answer(this.films),a=t.judge(
-n);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:"Not so.")," ",li(o,i)),u("\
+n);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:"Not so.")," ",Yi(o,i)),u("\
 p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[...this.points.values()].
 reduce((t,n)=>t+n,0);this.said.replaceChildren(u("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){
-this.guess?.redraw?.(),this.guessing&&this.veil()}};var aa=60,pn=class{constructor(e){this.lab=e;this.words={t:x,untranslated:Ye};this.sound=new ln;let t=()=>e.film(),n=o=>e.load(o);this.grips=new Xt(e),this.present=
-new rn(e.root,()=>e.show()),this.challenges=new Jt({film:t,load:n,ahead:()=>e.stage.options.ahead}),this.visit=new mn(e,()=>this.challenges.open()),this.table=new hn(
-{film:t,clock:e.clock,names:()=>e.theme.colors.mode_names}),this.more=new an(e),this.teach=na(n,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.
-makeMenu(),this.languages=vs(()=>{this.spoken(),jt(e.root),e.show()}),this.spoken()}makeTools(){let{clock:e}=this.lab,t=(n,o,i)=>u("button",{type:"button",title:o,
+this.guess?.redraw?.(),this.guessing&&this.veil()}};var Wa=60,En=class{constructor(e){this.lab=e;this.words={t:x,untranslated:Xe};this.sound=new wn;let t=()=>e.film(),n=o=>e.load(o);this.grips=new un(e),this.present=
+new bn(e.root,()=>e.show()),this.challenges=new rn({film:t,load:n,ahead:()=>e.stage.options.ahead}),this.visit=new _n(e,()=>this.challenges.open()),this.table=new yn(
+{film:t,clock:e.clock,names:()=>e.theme.colors.mode_names}),this.more=new gn(e),this.teach=Ha(n,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.
+makeMenu(),this.languages=ho(()=>{this.spoken(),Qt(e.root),e.show()}),this.spoken()}makeTools(){let{clock:e}=this.lab,t=(n,o,i)=>u("button",{type:"button",title:o,
 "aria-label":o,"aria-pressed":"false",onclick:i},Y(n));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a t\
 enth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(!this.sound.on),this.
 mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),u("div",{class:"butt\
@@ -1754,102 +1911,102 @@ let e=(n,o)=>u("button",{type:"button",onclick:()=>{t.open=!1,o()}},n),t=u("deta
 body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
 he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal()),e("About hophoop",()=>this.lab.about.
 showModal())));return t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),t}spoken(){
-this.lab.root.lang=Te(),this.lab.hosted&&(document.documentElement.lang=Te(),this.titled())}titled(){let{lab:e}=this;if(!e.hosted)return;let t=this.visit.guessing?
+this.lab.root.lang=Le(),this.lab.hosted&&(document.documentElement.lang=Le(),this.titled())}titled(){let{lab:e}=this;if(!e.hosted)return;let t=this.visit.guessing?
 []:e.motions.films().map(o=>this.nameOf(o)),n=[...new Set(t)].join(" | ");document.title=n?`${n} – hophoop`:x("hophoop lab: play with the hopping hoop")}nameOf({
-query:e,summary:t}){let n=this.lab.known.find(i=>i.query===e);if(n)return x(n.title);let[o]=t.split(/(?<=[.。])(?!\d)/u);return o.length<=aa?o.replace(/[.。]$/u,
-""):`${o.slice(0,aa).replace(/[,，][^,，]*$/u,"")} …`}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.
+query:e,summary:t}){let n=this.lab.known.find(i=>i.query===e);if(n)return x(n.title);let[o]=t.split(/(?<=[.。])(?!\d)/u);return o.length<=Wa?o.replace(/[.。]$/u,
+""):`${o.slice(0,Wa).replace(/[,，][^,，]*$/u,"")} …`}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.
 time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),this.challenges.changed(),
-this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};var Mt=(s,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},s),fn=class{constructor(e,t,n,o){this.fresh=!1;let i=new Map;for(let r of e)i.set(r.
+this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};var Ct=(s,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},s),Mn=class{constructor(e,t,n,o){this.fresh=!1;let i=new Map;for(let r of e)i.set(r.
 group,[...i.get(r.group)??[],r]);this.presets=u("select",{class:"presets","aria-label":"Examples",onchange:()=>{let r=e.find(({key:l})=>l===this.presets.value);
 this.fresh=r!==void 0,r&&o.take(r)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},u("option",{value:""},"Examples …"),[...i].map(([r,l])=>u("o\
-ptgroup",{label:r},l.map(({key:c,title:m})=>u("option",{value:c},m))))),this.undo=Mt(Y("undo"),"Undo (z)",o.undo),this.redo=Mt(Y("redo"),"Redo (y)",o.redo);let a=u(
-"span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=Mt(a,"Compare two hoops",o.compare),this.compare.classList.add("fu\
-ll"),this.right=u("div",{class:"buttons right"},t,Mt(Y("theme"),"Dark or light (d)",o.theme),Mt("?","Keys and help (?)",o.help)),this.element=u("header",{class:"\
+ptgroup",{label:r},l.map(({key:c,title:m})=>u("option",{value:c},m))))),this.undo=Ct(Y("undo"),"Undo (z)",o.undo),this.redo=Ct(Y("redo"),"Redo (y)",o.redo);let a=u(
+"span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=Ct(a,"Compare two hoops",o.compare),this.compare.classList.add("fu\
+ll"),this.right=u("div",{class:"buttons right"},t,Ct(Y("theme"),"Dark or light (d)",o.theme),Ct("?","Keys and help (?)",o.help)),this.element=u("header",{class:"\
 top"},u("h1",{},u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," lab"))),this.presets,u("div",{class:"buttons"},this.
 undo,this.redo,this.compare,n),this.right)}show(e,t){this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-press\
-ed",String(t))}};var $h=["pointerdown","wheel"],gn=class{constructor(e,t){this.clock=e;this.hint=t;this.touches=new AbortController}begin(e){let{signal:t}=this.touches,n=()=>this.
-end();for(let o of $h)e.addEventListener(o,n,{signal:t,capture:!0,passive:!0});addEventListener("keydown",n,{signal:t,capture:!0}),this.hint.hidden=!1,this.clock.
-run({once:!0})}end(){this.hint.hidden=!0,this.touches.abort()}};var ra="hophoop-view",Wh=new Set(["start.speed","hoop.load_fraction","plane.mu","duration"]),la=({query:s})=>[...new URLSearchParams(s).keys()].some(e=>!Wh.has(
-e)),bn=class{constructor(e,t,n){this.root=e;this.hosted=t;this.changed=n;this.simple=!1;this.button=u("button",{type:"button",class:"view",hidden:!t,onclick:()=>this.
+ed",String(t))}};var nu=["pointerdown","wheel"],Sn=class{constructor(e,t){this.clock=e;this.hint=t;this.touches=new AbortController}begin(e){let{signal:t}=this.touches,n=()=>this.
+end();for(let o of nu)e.addEventListener(o,n,{signal:t,capture:!0,passive:!0});addEventListener("keydown",n,{signal:t,capture:!0}),this.hint.hidden=!1,this.clock.
+run({once:!0})}end(){this.hint.hidden=!0,this.touches.abort()}};var Ga="hophoop-view",su=new Set(["start.speed","hoop.load_fraction","plane.mu","duration"]),Ua=({query:s})=>[...new URLSearchParams(s).keys()].some(e=>!su.has(
+e)),Tn=class{constructor(e,t,n){this.root=e;this.hosted=t;this.changed=n;this.simple=!1;this.button=u("button",{type:"button",class:"view",hidden:!t,onclick:()=>this.
 choose()}),this.more=u("p",{class:"hint beyond",hidden:!0},"This motion has other settings too. ",u("button",{type:"button",class:"link",onclick:()=>this.choose()},
-"Show everything"))}get everything(){return ne(ra)==="everything"}open(e,{map:t,more:n,fingerprints:o}){let i=e.length>1||t||n||o?.some(Boolean)||e.some(la);this.
-turn(this.hosted&&!this.everything&&!i)}choose(){this.turn(!this.simple),se(ra,this.simple?"simple":"everything"),this.changed(),this.button.focus({preventScroll:!0})}turn(e){
-this.simple=e,this.root.classList.toggle("simple",e),P(this.button,e?"Everything":"Simple view");for(let t of this.root.querySelectorAll("details.group"))e?(t.dataset.
-open=String(t.open),t.open=!0):t.dataset.open&&(t.open=t.dataset.open==="true")}show(e){this.more.hidden=!this.simple||!e.some(la)}};var wn=class{constructor(e){this.tabs=["A","B"].map((t,n)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=u("div",{class:"\
+"Show everything"))}get everything(){return ne(Ga)==="everything"}open(e,{map:t,more:n,fingerprints:o}){let i=e.length>1||t||n||o?.some(Boolean)||e.some(Ua);this.
+turn(this.hosted&&!this.everything&&!i)}choose(){this.turn(!this.simple),se(Ga,this.simple?"simple":"everything"),this.changed(),this.button.focus({preventScroll:!0})}turn(e){
+this.simple=e,this.root.classList.toggle("simple",e),R(this.button,e?"Everything":"Simple view");for(let t of this.root.querySelectorAll("details.group"))e?(t.dataset.
+open=String(t.open),t.open=!0):t.dataset.open&&(t.open=t.dataset.open==="true")}show(e){this.more.hidden=!this.simple||!e.some(Ua)}};var An=class{constructor(e){this.tabs=["A","B"].map((t,n)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=u("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=u("p",{class:"preset-text"}),this.element=u("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(n===t))}};var ha="hophoop-single-keys",Gh=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(n===t))}};var Ka="hophoop-single-keys",ou=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
 s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
 clock.faster(-1),"]":()=>s.clock.faster(1),t:()=>s.toggle("traces"),f:()=>s.toggle("forces"),c:()=>s.toggle("speed"),a:()=>s.extras.more.turn(),w:()=>s.toggle("\
 whole"),3:()=>s.toggle("three"),"+":()=>s.stage.zoom(1.25),"=":()=>s.stage.zoom(1.25),"-":()=>s.stage.zoom(.8),0:()=>s.stage.zoom(0),z:()=>s.travel(-1),y:()=>s.
-travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function Uh(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function Kh(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var yn=class{constructor(e){
-this.on=!e||ne(ha)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&se(ha,this.on?"on":"off")}});this.element=u("labe\
-l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Vh(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
-if(e.key==="Escape"){Kh(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){Uh(s,e);return}if(e.altKey||
+travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function iu(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
+preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function au(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var Ln=class{constructor(e){
+this.on=!e||ne(Ka)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&se(Ka,this.on?"on":"off")}});this.element=u("labe\
+l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function ru(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
+if(e.key==="Escape"){au(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){iu(s,e);return}if(e.altKey||
 t.matches?.("select")&&!(e.key===" "&&s.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
- summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=Gh(s,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function ca(s,e){
-let t=e?document:s.root,n=o=>{Vh(s,o),e||o.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function ua(s,e){let t=u("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
+ summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=ou(s,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function Va(s,e){
+let t=e?document:s.root,n=o=>{ru(s,o),e||o.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function Ja(s,e){let t=u("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
 s.classList.contains("stuck"))return;let a=s.offsetHeight;s.style.marginBottom="",s.classList.toggle("stuck",i),i&&(s.style.marginBottom=`${a-s.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=i?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function da(s,e){s.classList.add("hophoop"),s.dir="ltr",!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}
-function ma(s,e){let{root:t,notice:n,hosted:o,extras:i,transport:a,header:r}=s,l=g=>!e||e.includes(g),c=[i.visit.element,i.challenges.element],m=u("aside",{class:"\
+document.documentElement.style.scrollPaddingTop=i?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function Ya(s,e){s.classList.add("hophoop"),s.dir="ltr",!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}
+function Za(s,e){let{root:t,notice:n,hosted:o,extras:i,transport:a,header:r}=s,l=g=>!e||e.includes(g),c=[i.visit.element,i.challenges.element],m=u("aside",{class:"\
 side","aria-label":"Parameters"},...c,s.hoops.element,n.message,s.controls.element,s.view.more);a.row.append(i.more.switch),a.row.before(i.tools),r.right.prepend(
-i.menu,i.languages);let h=u("div",{class:"player"},i.grips.element,s.stage.element,s.timeline.element,a.element),d=o?ua(h,()=>s.request()):null,p=u("div",{class:"\
+i.menu,i.languages);let h=u("div",{class:"player"},i.grips.element,s.stage.element,s.timeline.element,a.element),d=o?Ja(h,()=>s.request()):null,p=u("div",{class:"\
 middle"},d?.edge,!l("controls")&&c,h,i.more.element,i.table.element,u("div",{class:"words"},s.story.element,l("theory")&&s.theory.element),l("map")&&s.map.element),
-f=u("div",{class:"why"},l("plots")&&s.plots.element,l("plots")&&s.phase.element);return t.replaceChildren(u("div",{class:"page"},o&&Jh(s.timeline.element),r.element,
+f=u("div",{class:"why"},l("plots")&&s.plots.element,l("plots")&&s.phase.element);return t.replaceChildren(u("div",{class:"page"},o&&lu(s.timeline.element),r.element,
 u("div",{class:"columns"},l("controls")&&m,p,f)),n.toast,s.share.dialog,s.help,s.about,i.teach),t.addEventListener("pointerdown",({target:g})=>{for(let b of[s.share.
-menu,i.menu])b.contains(g)||(b.open=!1)}),t.classList.toggle("no-controls",!l("controls")),d}function Jh(s){s.id="hh-player";let e=u("a",{class:"skip button",href:"\
-#hh-player"},"Skip to the player");return e.onclick=t=>{t.preventDefault(),s.focus()},e}function et(s,e,{left:t,top:n,box:o},{across:i,up:a,lines:r=!1,middle:l=!1}){let c=n+o.height,m=t+o.width;s.save(),s.font=`11px ${e.font}`,s.strokeStyle=r?e.line:
+menu,i.menu])b.contains(g)||(b.open=!1)}),t.classList.toggle("no-controls",!l("controls")),d}function lu(s){s.id="hh-player";let e=u("a",{class:"skip button",href:"\
+#hh-player"},"Skip to the player");return e.onclick=t=>{t.preventDefault(),s.focus()},e}function st(s,e,{left:t,top:n,box:o},{across:i,up:a,lines:r=!1,middle:l=!1}){let c=n+o.height,m=t+o.width;s.save(),s.font=`11px ${e.font}`,s.strokeStyle=r?e.line:
 e.soft,s.fillStyle=e.soft,s.lineWidth=1,r||s.strokeRect(t+.5,n+.5,o.width-1,o.height-1),s.textAlign="right",s.textBaseline="middle";for(let{at:h,text:d,strong:p}of a.
-marks)r&&(s.globalAlpha=p?1:.55,pa(s,[t,Math.round(h)+.5],[m,Math.round(h)+.5]),s.globalAlpha=1),s.fillText(d,t-6,h);s.textBaseline="alphabetic",s.textAlign="ce\
-nter";for(let{at:h,text:d}of i.marks)pa(s,[h,c],[h,c+4]),s.fillText(d,h,c+15);l?s.fillText(i.name,t+.5*o.width,c+30):(s.textAlign="right",s.fillText(i.name,m,c+
-27)),s.translate(11,n+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(a.name,0,0),s.restore()}function pa(s,e,t){s.beginPath(),s.moveTo(...e),
-s.lineTo(...t),s.stroke()}var fa=(s,e)=>e?`${x(s)} [${e}]`:x(s);var[ga,Yh]=[62,92],Zh=12,St=10,Qh=36,ba=Math.PI/180,_e=["x","y"],vn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
-t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ga}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of _e)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+marks)r&&(s.globalAlpha=p?1:.55,Qa(s,[t,Math.round(h)+.5],[m,Math.round(h)+.5]),s.globalAlpha=1),s.fillText(d,t-6,h);s.textBaseline="alphabetic",s.textAlign="ce\
+nter";for(let{at:h,text:d}of i.marks)Qa(s,[h,c],[h,c+4]),s.fillText(d,h,c+15);l?s.fillText(i.name,t+.5*o.width,c+30):(s.textAlign="right",s.fillText(i.name,m,c+
+27)),s.translate(11,n+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(a.name,0,0),s.restore()}function Qa(s,e,t){s.beginPath(),s.moveTo(...e),
+s.lineTo(...t),s.stroke()}var Xa=(s,e)=>e?`${x(s)} [${e}]`:x(s);var[er,hu]=[62,92],cu=12,zt=10,uu=36,tr=Math.PI/180,Se=["x","y"],Rn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
+t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=er}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of Se)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[n,o]=this.windows[e];return{path:this.paths[e],from:n,to:o,cells:t}}bounds(e){let{range:t,allowed:n}=this.info(e),o=2*(t[1]-t[0]);return[Math.max(n[0],t[0]-
-o),Math.min(n[1],t[1]+o)]}zoom(e,t){let n={x:[],y:[]};for(let o of _e){let[i,a]=this.windows[o],r=t?.[o]??.5*(i+a);n[o]=je([r-(r-i)*e,r+(a-r)*e],this.bounds(o));
-let l=Math.max(Math.abs(n[o][0]),Math.abs(n[o][1]),1e-9);if(n[o][1]-n[o][0]<400*Number.EPSILON*l)return!1}return _e.every(o=>n[o].every((i,a)=>i===this.windows[o][a]))?
-!1:(this.windows=n,!0)}drag(e,t,n){let o=(i,a)=>je(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:o("x",-t/this.box.width),y:o("y",n/this.box.
-height)}}restore(e){if(!_e.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of _e)this.paths[t]=e[t][0];for(let t of _e)this.windows[t]=je(
-e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return _e.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Yh:ga,this.box={width:e-this.left-Zh,height:t-St-Qh}}clip(e){e.beginPath(),e.rect(this.
-left,St,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return St+
-(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([o,i],a)=>o+_(a,0,1)*(i-o);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-St)/
+o),Math.min(n[1],t[1]+o)]}zoom(e,t){let n={x:[],y:[]};for(let o of Se){let[i,a]=this.windows[o],r=t?.[o]??.5*(i+a);n[o]=Ke([r-(r-i)*e,r+(a-r)*e],this.bounds(o));
+let l=Math.max(Math.abs(n[o][0]),Math.abs(n[o][1]),1e-9);if(n[o][1]-n[o][0]<400*Number.EPSILON*l)return!1}return Se.every(o=>n[o].every((i,a)=>i===this.windows[o][a]))?
+!1:(this.windows=n,!0)}drag(e,t,n){let o=(i,a)=>Ke(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:o("x",-t/this.box.width),y:o("y",n/this.box.
+height)}}restore(e){if(!Se.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of Se)this.paths[t]=e[t][0];for(let t of Se)this.windows[t]=Ke(
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return Se.every(e=>this.windows[e].every((t,n)=>t===this.whole(e)[n]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?hu:er,this.box={width:e-this.left-cu,height:t-zt-uu}}clip(e){e.beginPath(),e.rect(this.
+left,zt,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;return this.left+(e-t)/(n-t)*this.box.width}y(e){let[t,n]=this.windows.y;return zt+
+(1-(e-t)/(n-t))*this.box.height}place(e,t){let n=([o,i],a)=>o+_(a,0,1)*(i-o);return{x:n(this.windows.x,(e-this.left)/this.box.width),y:n(this.windows.y,1-(t-zt)/
 this.box.height)}}deep(e){let[t,n]=this.windows[e];return n-t<5e-5*Math.max(Math.abs(t),Math.abs(n))}said(e){let t=n=>{let o=this.info(n),[i,a]=this.windows[n],
-r=Math.max(Math.abs(i),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(o.label)} = ${O(M(o.degrees?e[n]/ba:e[n],l),o.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t){let{left:n,box:o}=this,[i,a]=[this.axis("x",o.width/80),this.axis("y",o.height/40)];et(e,t,{left:n,top:St,box:o},{across:i,up:a,middle:!0})}axis(e,t){
-let n=this.info(e),o=n.degrees?1/ba:1,[i,a]=this.windows[e].map(d=>d*o),r=V(a-i,t),l=this.deep(e),c=l?Number((.5*(i+a)).toPrecision(12)):0,m=l?le(i-c,a-c,t).map(
+r=Math.max(Math.abs(i),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(o.label)} = ${O(M(o.degrees?e[n]/tr:e[n],l),o.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t){let{left:n,box:o}=this,[i,a]=[this.axis("x",o.width/80),this.axis("y",o.height/40)];st(e,t,{left:n,top:zt,box:o},{across:i,up:a,middle:!0})}axis(e,t){
+let n=this.info(e),o=n.degrees?1/tr:1,[i,a]=this.windows[e].map(d=>d*o),r=V(a-i,t),l=this.deep(e),c=l?Number((.5*(i+a)).toPrecision(12)):0,m=l?le(i-c,a-c,t).map(
 d=>d+c):le(i,a,t),h=l?` − ${String(c).replace("-","−")}`:"";return{marks:m.map(d=>({at:this[e](d/o),text:l?M(d-c,3):ie(d,r)})),name:`${x(n.label)}${h}${n.unit?
-` [${n.unit}]`:""}`}}};function je([s,e],[t,n]){let o=Math.min(e-s,n-t);return s<t?[t,t+o]:e>n?[n-o,n]:[s,e]}function Ns(s,e,t,n,o){for(let[i,a]of[[o,4],[n,1.8]])
+` [${n.unit}]`:""}`}}};function Ke([s,e],[t,n]){let o=Math.min(e-s,n-t);return s<t?[t,t+o]:e>n?[n-o,n]:[s,e]}function ko(s,e,t,n,o){for(let[i,a]of[[o,4],[n,1.8]])
 s.strokeStyle=i,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(
-e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var tt=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,Xh=.0018,wa=200,
-[ec,tc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:o=!1}){return s.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Bt(n()))&&(i.preventDefault(),
-e(Math.exp(-Math.min(Math.max(i.deltaY,-wa),wa)*Xh),i))},{passive:!1}),s.addEventListener("dblclick",t),o&&s.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
-"=")e(ec);else if(i.key==="-")e(tc);else if(i.key==="0")t();else if(i.key==="Escape")s.blur();else return;i.preventDefault(),i.stopPropagation()}),Ti(s,e)}var ya={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},va=48;function xa(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(o,i)=>s.axes.box&&s.zoom(1/o,i?Ds(
-s,i):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",o=>sc(s,o,n,i=>t=i)),e.addEventListener("pointermove",o=>{s.axes.box&&!t&&o.
-pointerType!=="touch"&&nc(s,o)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",o=>oc(s,o))}function Ds(s,e){let t=s.body.getBoundingClientRect(),
-{px:n}=s.look;return s.axes.place((e.clientX-t.left)/n,(e.clientY-t.top)/n)}function nc(s,e){s.tip.textContent=s.said(Ds(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();
-s.tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function sc(s,e,t,n){e.preventDefault(),
-s.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],i={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=Ds(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var ot=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,du=.0018,nr=200,
+[mu,pu]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:o=!1}){return s.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Xt(n()))&&(i.preventDefault(),
+e(Math.exp(-Math.min(Math.max(i.deltaY,-nr),nr)*du),i))},{passive:!1}),s.addEventListener("dblclick",t),o&&s.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
+"=")e(mu);else if(i.key==="-")e(pu);else if(i.key==="0")t();else if(i.key==="Escape")s.blur();else return;i.preventDefault(),i.stopPropagation()}),fa(s,e)}var sr={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},or=48;function ir(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(o,i)=>s.axes.box&&s.zoom(1/o,i?_o(
+s,i):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",o=>gu(s,o,n,i=>t=i)),e.addEventListener("pointermove",o=>{s.axes.box&&!t&&o.
+pointerType!=="touch"&&fu(s,o)}),e.addEventListener("pointerleave",()=>s.tip.hidden=!0),e.addEventListener("keydown",o=>bu(s,o))}function _o(s,e){let t=s.body.getBoundingClientRect(),
+{px:n}=s.look;return s.axes.place((e.clientX-t.left)/n,(e.clientY-t.top)/n)}function fu(s,e){s.tip.textContent=s.said(_o(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();
+s.tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function gu(s,e,t,n){e.preventDefault(),
+s.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],i={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=_o(s,e);let a=!1,r=t(),l=c=>{if(r||=t(),
 r)return;let[m,h]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(m,h)<5&&!a||(a=!0,n(!0),s.tip.hidden=!0,s.axes.drag(i,m/s.look.px,h/s.look.px),s.redraw(),s.soon())};
-J(s.body,e,l,(c,m)=>{m&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function oc(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,ya[e.key]){let[n,
-o]=ya[e.key],{x:i,y:a}=s.axes.windows;s.pointed={x:_(t.x+n*(i[1]-i[0])/va,i[0],i[1]),y:_(t.y+o*(a[1]-a[0])/va,a[0],a[1])},s.state.textContent=s.said(s.pointed),
-s.say(s.said(s.pointed))}else if(e.key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var ic=["start.height","start.vx","start.vy","start.omega"];function ka(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(n=>ic.includes(n))?"of starts in any state, though this motion starts rolling":""}var ac=Math.PI/180,rc=12,lc=["hop_height","flight_time","energy_lost","greatest_utilization"];function _a(s){return s.unit==="rad"?[1/ac,"°"]:[1,s.unit==="1"?"":
-s.unit]}function hc({classes:s,what:e},t){let[n,o]=[1/0,-1/0];if(s)return[n,o];for(let i of t)i<n&&(n=i),i>o&&(o=i);return[lc.includes(e)?Math.min(n,0):n,o]}function Ea(s){
-let{values:e}=s.arrays,t=s.header,{x:n,y:o,classes:i}=t,a=new ImageData(n.cells,o.cells),[r,l]=hc(t,e),c=i?.map(({color:h})=>ve(h));for(let h=0;h<o.cells;h++)for(let d=0;d<
+J(s.body,e,l,(c,m)=>{m&&!a&&!r&&s.pointed&&s.take(s.pointed),n(!1)})}function bu(s,e){let t=s.pointed??s.here()??s.axes.middle();if(s.pointed=t,sr[e.key]){let[n,
+o]=sr[e.key],{x:i,y:a}=s.axes.windows;s.pointed={x:_(t.x+n*(i[1]-i[0])/or,i[0],i[1]),y:_(t.y+o*(a[1]-a[0])/or,a[0],a[1])},s.state.textContent=s.said(s.pointed),
+s.say(s.said(s.pointed))}else if(e.key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),s.redraw()}var wu=["start.height","start.vx","start.vy","start.omega"];function ar(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(n=>wu.includes(n))?"of starts in any state, though this motion starts rolling":""}var yu=Math.PI/180,vu=12,xu=["hop_height","flight_time","energy_lost","greatest_utilization"];function rr(s){return s.unit==="rad"?[1/yu,"°"]:[1,s.unit==="1"?"":
+s.unit]}function ku({classes:s,what:e},t){let[n,o]=[1/0,-1/0];if(s)return[n,o];for(let i of t)i<n&&(n=i),i>o&&(o=i);return[xu.includes(e)?Math.min(n,0):n,o]}function lr(s){
+let{values:e}=s.arrays,t=s.header,{x:n,y:o,classes:i}=t,a=new ImageData(n.cells,o.cells),[r,l]=ku(t,e),c=i?.map(({color:h})=>_e(h));for(let h=0;h<o.cells;h++)for(let d=0;d<
 n.cells;d++){let p=e[h*n.cells+d],f=4*((o.cells-1-h)*n.cells+d);if(!Number.isFinite(p))continue;let g=c&&(d+1<n.cells&&e[h*n.cells+d+1]!==p||h+1<o.cells&&e[(h+1)*
-n.cells+d]!==p),b=c?c[p].map(w=>g?.72*w:w):Je[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let m=u("canvas",{width:n.cells,height:o.cells});
-return me(m).putImageData(a,0,0),{picture:m,header:t,values:e,x:[n.from,n.to],y:[o.from,o.to],low:r,high:l}}function Ma(s,e){let t=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
-i[1]+1e-300;return[...s.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-rc)}function Sa({header:s,low:e,high:t,values:n}){let{classes:o}=s;if(!o){let r=u("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${Je[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
-10);let[c,m]=_a(s);return[u("span",{},s.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?O(M(t*c,3),m):""),n.some(h=>!Number.isFinite(h))?u("span",{},u("\
+n.cells+d]!==p),b=c?c[p].map(w=>g?.72*w:w):Qe[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let m=u("canvas",{width:n.cells,height:o.cells});
+return we(m).putImageData(a,0,0),{picture:m,header:t,values:e,x:[n.from,n.to],y:[o.from,o.to],low:r,high:l}}function hr(s,e){let t=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
+i[1]+1e-300;return[...s.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-vu)}function cr({header:s,low:e,high:t,values:n}){let{classes:o}=s;if(!o){let r=u("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=we(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${Qe[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
+10);let[c,m]=rr(s);return[u("span",{},s.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?O(M(t*c,3),m):""),n.some(h=>!Number.isFinite(h))?u("span",{},u("\
 i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of n)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
 0,10).map(([r])=>{let{color:l,text:c}=o[r];return u("span",{},u("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?u("span",{},`and ${a.length-
-10} more`):""]}function Ta(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:o,y:i,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
-(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=o.cells||l>=i.cells)continue;let c=n[l*o.cells+r];if(a)return x(a[c]?.text??"not allowed");let[m,h]=_a(t);return Number.
-isFinite(c)?O(M(c*m,4),h):x("none")}return"…"}var Aa=[[24,16],[72,48],[216,144]],xn=class{constructor(e,t,{take:n,say:o,changed:i}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
-seen=!1;this.onmotion=n,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new vn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
+10} more`):""]}function ur(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:o,y:i,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
+(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=o.cells||l>=i.cells)continue;let c=n[l*o.cells+r];if(a)return x(a[c]?.text??"not allowed");let[m,h]=rr(t);return Number.
+isFinite(c)?O(M(c*m,4),h):x("none")}return"…"}var dr=[[24,16],[72,48],[216,144]],Pn=class{constructor(e,t,{take:n,say:o,changed:i}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
+seen=!1;this.onmotion=n,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new Rn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
 class:"tip",hidden:!0}),this.body=u("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
 the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=u("div",{class:"map-keys"}),this.state=u("span",{class:"hint"});let r=l=>{let c=u("select",{"\
 data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:m,label:h})=>u("option",{value:m},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
@@ -1857,140 +2014,139 @@ u("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quant
 this.element=u("section",{class:"map","aria-label":"Map of motions"},u("div",{class:"map-head"},u("h2",{},"Map"),u("label",{},"of",this.quantity),u("label",{},"\
 Across",this.selects.x),u("label",{},"Up",this.selects.y),u("span",{class:"buttons"},u("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
 zoom(.5)},"+"),u("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),u("button",{type:"button",onclick:()=>this.home()},
-"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${tt("drag to move")}.`)),xa(this),this.soon=oe(()=>this.
+"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${ot("drag to move")}.`)),ir(this),this.soon=oe(()=>this.
 refresh(),140),this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.body),this.
-syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of _e)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
+syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of Se)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){this.axes.
 choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);for(let n of Object.values(this.axes.paths)){
 let[o,i]=n.split(".");t[o]&&delete t[o][i]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let n=this.key_of(e.scenario);n!==this.key_now&&(this.key_now=
 n,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&e.x==="start.speed"&&e.y==="plane.mu")return;
 let n=o=>[e[o],...t[o]];return{what:this.what,x:n("x"),y:n("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===e.what)||!this.axes.restore(e)||(this.
 quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.stale=!0;return}this.stale=!1,this.asked?.
 abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,n=t.contact.model==="rigid"?[]:[["contact.model","rigid"]];this.computing=!0;
-let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.kind=o,this.redraw();try{for(let[i,a]of Aa){
-P(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,changes:n,...r,what:this.what},c=await this.
-backend.call("map",l,e),m=Ea(c);this.layers=Ma(this.layers,m),this.keys.replaceChildren(...Sa(m));let h=ka(t,Object.values(this.axes.paths)),d=x(n.length?"{coun\
-t} motions, with rigid contact":"{count} motions",{count:i*a});P(this.state,h?`${d}; ${x(h)}`:d),this.redraw()}this.level=Aa.length}catch(i){let{name:a,message:r}=i;
-if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:n,height:o}=K(this.canvas,e.px);this.
-axes.fit(n,o),t.clearRect(0,0,n,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>i.x(d)),
-[m,h]=r.y.map(d=>i.y(d));t.drawImage(r.picture,l,h,c-l,m-h)}let a=this.here();a&&Ns(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Bt(this.body)&&Ns(t,i.x(this.
-pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,e)}here(){let e=n=>{let[o,i]=n.split(".");return this.film.values[n]??this.film.scenario[o]?.[i]},
-t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Ta(this.layers,
-e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var _n=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",n=performance.now()){let o=this.now;if(this.now=e,o===
-null||kn(o,e))return"same";let i=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],i?"again":(this.past.push(
-o),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&kn(this.now,e)}next(e){
+let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.kind=o,this.redraw();try{for(let[i,a]of dr){
+R(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,changes:n,...r,what:this.what},c=await this.
+backend.map(l,e),m=lr(c);this.layers=hr(this.layers,m),this.keys.replaceChildren(...cr(m));let h=ar(t,Object.values(this.axes.paths)),d=x(n.length?"{count} moti\
+ons, with rigid contact":"{count} motions",{count:i*a});R(this.state,h?`${d}; ${x(h)}`:d),this.redraw()}this.level=dr.length}catch(i){let{name:a,message:r}=i;if(a===
+"AbortError")return;R(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:n,height:o}=K(this.canvas,e.px);this.axes.
+fit(n,o),t.clearRect(0,0,n,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>i.x(d)),[m,h]=r.
+y.map(d=>i.y(d));t.drawImage(r.picture,l,h,c-l,m-h)}let a=this.here();a&&ko(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Xt(this.body)&&ko(t,i.x(this.pointed.
+x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,e)}here(){let e=n=>{let[o,i]=n.split(".");return this.film.values[n]??this.film.scenario[o]?.[i]},
+t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${ur(this.layers,
+e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var zn=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(e,t="",n=performance.now()){let o=this.now;if(this.now=e,o===
+null||Cn(o,e))return"same";let i=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],i?"again":(this.past.push(
+o),this.past.length>500&&this.past.shift(),"step")}touch(e,t){e===this.what&&t-this.when<1e3&&(this.when=t)}holds(e){return this.now!==null&&Cn(this.now,e)}next(e){
 return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,n]=e<0?[this.past,this.future]:[this.future,this.past],o=t.pop();!o||!this.now||(n.push(this.now),this.
-now=o,this.what="")}arrive(e){if(!(this.now&&kn(this.now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,o=n.length-n.findLastIndex(i=>kn(i,e));if(!(o>
-n.length)){for(let i=0;i<o;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},kn=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var En=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new _n;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
+now=o,this.what="")}arrive(e){if(!(this.now&&Cn(this.now,e))){for(let t of[-1,1]){let n=t<0?this.past:this.future,o=n.length-n.findLastIndex(i=>Cn(i,e));if(!(o>
+n.length)){for(let i=0;i<o;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},Cn=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var Nn=class{constructor(e,t){this.backend=e;this.listener=t;this.history=new zn;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Re(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
-all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.moved=performance.now(),n.since??=n.moved,n.pending=[...(n.pending??
-[]).filter(([o])=>!e.some(([i])=>i===o)),...e],n.commit||=t,n.what=e.map(([o])=>o).join(),t&&this.history.touch(n.what,n.moved),this.pump(n)}async pump(e){if(e.
-busy||!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=
-new Re(await this.backend.call("film",{scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(o){this.lanes.includes(e)&&this.
-listener.failed(o,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let n of this.lanes){let{film:o}=n,i=n.refining||n.coarse===o?null:o.wanted(e,t);i&&(n.refining=
-!0,this.backend.call("samples",{scenario:o.scenario,window:i}).then(({arrays:a})=>{o.refine(a),this.listener.refined()}).catch(()=>{n.coarse=o}).finally(()=>{n.
-refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(
-this.history.note(this.queries(),e,t))}replace(e){this.lanes[this.active]={film:new Re(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{
-let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){
-return this.inTurn(async()=>{await this.load(e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.
-going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.
-active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted(
-"same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(
-0).query,n&&`#${n}`)}};var cc=6e3,Mn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
-timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Ce(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+all(e.map(t=>this.backend.film({query:t}))))}change(e,t){let n=this.lanes[this.active];n.moved=performance.now(),n.since??=n.moved,n.pending=[...(n.pending??[]).
+filter(([o])=>!e.some(([i])=>i===o)),...e],n.commit||=t,n.what=e.map(([o])=>o).join(),t&&this.history.touch(n.what,n.moved),this.pump(n)}async pump(e){if(e.busy||
+!this.lanes.includes(e))return;if(!e.pending){e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new Ce(
+await this.backend.film({scenario:e.film.scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(o){this.lanes.includes(e)&&this.listener.failed(
+o,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){for(let n of this.lanes){let{film:o}=n,i=n.refining||n.coarse===o?null:o.wanted(e,t);i&&(n.refining=!0,this.backend.
+samples(o.scenario,i).then(a=>{o.refine(a),this.listener.refined()}).catch(()=>{n.coarse=o}).finally(()=>{n.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what,
+e.moved),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e,t){this.listener.noted(this.history.note(this.queries(),e,t))}replace(e){this.
+lanes[this.active]={film:new Ce(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.
+history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(
+e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.
+listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),
+this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let n=[this.lanes.length>1?
+`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var _u=6e3,Dn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
+timer=0}fail(e){R(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
 message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},cc)}};var I=52,Sn=10,C=8,Tn=30;function La(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,o]=[t[0],t[t.length-1]],[i,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),R(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},_u)}};var q=52,In=10,C=8,On=30;function mr(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,o]=[t[0],t[t.length-1]],[i,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-i,1e-12);o>a+4*r&&(o=a+.6*r),n<i-4*r&&(n=i-.6*r),n=Math.min(n,0),o=Math.max(o,0),e&&([n,o]=[-Math.max(-n,o),Math.max(
--n,o)]);let l=.06*(o-n)||1;return[n<0?n-l:n,o+l]}function Ra(s,e){let{look:t,box:n,heights:o,range:i}=e,a=Math.max(n.height/28,4);for(;le(o[0],o[1],a).length<3&&
-a<12;)a+=1;let r=V(o[1]-o[0],a),l=n.width/70,c=V(i[1]-i[0],l),{name:m,unit:h}=W[e.shared.axis];et(s,t,{left:I,top:C,box:n},{up:{marks:le(o[0],o[1],a).map(d=>({at:e.
-y(d),text:ie(d,r),strong:Math.abs(d)<1e-9*r})),name:x(e.unit)},across:{marks:le(i[0],i[1],l).map(d=>({at:e.x(d),text:ie(d,c)})),name:fa(m,h)},lines:!0})}var{letters:uc}=S.words;function Pa(s,e,t){let n=s.length/e,o=u("canvas",{width:e,height:n}),i=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=uc[s[a*
-e+r]],c=ve(t[l]??"#6E6E6E"),m=4*((n-1-a)*e+r);i.data.set([...c,255],m)}return me(o).putImageData(i,0,0),o}function Ca(s,e,t){let n=t.length;s.strokeStyle=ct(e.look.
+-n,o)]);let l=.06*(o-n)||1;return[n<0?n-l:n,o+l]}function pr(s,e){let{look:t,box:n,heights:o,range:i}=e,a=Math.max(n.height/28,4);for(;le(o[0],o[1],a).length<3&&
+a<12;)a+=1;let r=V(o[1]-o[0],a),l=n.width/70,c=V(i[1]-i[0],l),{name:m,unit:h}=U[e.shared.axis];st(s,t,{left:q,top:C,box:n},{up:{marks:le(o[0],o[1],a).map(d=>({at:e.
+y(d),text:ie(d,r),strong:Math.abs(d)<1e-9*r})),name:x(e.unit)},across:{marks:le(i[0],i[1],l).map(d=>({at:e.x(d),text:ie(d,c)})),name:Xa(m,h)},lines:!0})}var{letters:Eu}=S.words;function fr(s,e,t){let n=s.length/e,o=u("canvas",{width:e,height:n}),i=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=Eu[s[a*
+e+r]],c=_e(t[l]??"#6E6E6E"),m=4*((n-1-a)*e+r);i.data.set([...c,255],m)}return we(o).putImageData(i,0,0),o}function gr(s,e,t){let n=t.length;s.strokeStyle=yt(e.look.
 dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let o=0;o<n;o++){if(!t[o])continue;let i=o;for(;i<n&&t[i]===t[o];)i++;let a=e.x(o*2*Math.PI/n),r=e.x(i*2*Math.PI/
 n);s.save(),s.beginPath(),s.rect(a,C,r-a,e.box.height),s.clip(),s.beginPath();let l=t[o];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?C+e.box.
-height:C),s.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);s.stroke(),s.restore(),o=i}}function za(s,e){let{look:t,box:n}=e,[o,i]=e.range.map(c=>c*180/Math.PI),a=i-
-o>200?45:V(i-o,6),r=[];for(let c=Math.ceil(o/a-1e-9);c*a<=i+1e-9;c++)r.push(c*a);let l=V(e.top()-e.bottom(),5);et(s,t,{left:I,top:C,box:n},{across:{marks:r.map(
+height:C),s.lineTo(a+c+e.box.height,l>0?C:C+e.box.height);s.stroke(),s.restore(),o=i}}function br(s,e){let{look:t,box:n}=e,[o,i]=e.range.map(c=>c*180/Math.PI),a=i-
+o>200?45:V(i-o,6),r=[];for(let c=Math.ceil(o/a-1e-9);c*a<=i+1e-9;c++)r.push(c*a);let l=V(e.top()-e.bottom(),5);st(s,t,{left:q,top:C,box:n},{across:{marks:r.map(
 c=>({at:e.x(c*Math.PI/180),text:ie(c,a)})),name:x("angle θ within a turn [°]")},up:{marks:le(e.bottom(),e.top(),5).map(c=>({at:e.y(c),text:ie(c,l)})),name:"θ̇\
- [rad/s]"}})}var An={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ln(s,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,o=An[e].map((i,a)=>(n+=
+ [rad/s]"}})}var qn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Fn(s,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,o=qn[e].map((i,a)=>(n+=
 i,`${a%2?"transparent":s??"var(--ink)"} ${n-i}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${o.
-join(", ")})`}return t}var Rn=class{constructor(e,t,n){this.backend=e;this.clock=t;this.colors=n;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
+join(", ")})`}return t}var Hn=class{constructor(e,t,n){this.backend=e;this.clock=t;this.colors=n;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
  plot-over"});this.keys=u("div",{class:"plot-keys"});this.asked="";this.body=u("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"Plane of angle \
 and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},"Pla\
 ne of θ and θ̇"),this.keys),this.body,u("p",{class:"hint"},"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
-" ",`Click to go there; ${tt("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=ae(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(
+" ",`Click to go there; ${ot("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=ae(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(
 i?this.point(i):this.middle(),1/o),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=oe(()=>this.sharpen(),140)}async fetch(e,t){let n=this.reach(),
 o=JSON.stringify([e.hoop,e.plane,n]);if(o!==this.asked){let i=await this.painted(e,[0,2*Math.PI,-n,n],t);this.asked=o,this.pictures=[i],this.redraw()}this.window&&
 await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(
 this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.
-name!=="AbortError")throw e}}}async painted(e,t,n){let{header:o,arrays:i}=await this.backend.call("regions",{scenario:e,window:t},n);return n?.throwIfAborted(),
-{window:o.window,paradox:i.paradox,picture:Pa(i.modes,i.paradox.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let n of this.films??
-[]){let o=Float64Array.from(n.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,
-4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-
-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.
-body.getBoundingClientRect(),n=((e.clientX-t.left)/this.look.px-I)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+n*
-(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([
-e,t],n){let o=Math.max(e-(e-this.range[0])*n,0),i=Math.min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*n,-a),l=Math.min(t+(this.
-top()-t)*n,a);this.range=[o,i],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?
--this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,n){this.films=e,this.active=t,this.look=n,this.reached=
-this.findReach(),this.forwards=e.some(o=>o.columns.omega.some(i=>i>.3)),this.backwards=e.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&
-(this.forwards=!0),this.redraw()}x(e){return I+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.
-bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-I-Sn,height:i-
-C-Tn},n.clearRect(0,0,o,i),n.save(),n.beginPath(),n.rect(I,C,this.box.width,this.box.height),n.clip(),this.pictures){n.imageSmoothingEnabled=!1;for(let{picture:a,
-window:r}of this.pictures){let[l,c,m,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(m)-this.y(h)];n.fillStyle=t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.
-globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ca(n,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(n,r,a);if(n.
-restore(),za(n,this),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.
-map(([r,l])=>u("span",{class:"plot-key"},Ln(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=
-n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?ue(n,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.
-isFinite(i[c])){l=null;continue}let m=Math.floor(o[c]/r),h=o[c]-m*r;if(l===null)e.moveTo(this.x(h),this.y(i[c]));else if(m!==l.lap){let d=m>l.lap?r:0;e.lineTo(this.
-x(d),this.y(i[c])),e.moveTo(this.x(r-d),this.y(i[c])),e.lineTo(this.x(h),this.y(i[c]))}else e.lineTo(this.x(h),this.y(i[c]));l={lap:m,mode:a[c]}}e.stroke(),e.setLineDash(
-[])}spot({angle:e,omega:t}){let n=2*Math.PI;return[this.x(e-Math.floor(e/n)*n),this.y(t)]}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:o}=K(
-this.over,this.look.px);t.clearRect(0,0,n,o);let{pointed:i}=this.clock;if(i!==null){let[a,r]=this.spot(this.films[this.active].at(i));t.strokeStyle=this.look.ink,
-t.lineWidth=1.5;for(let l of[6,10])t.beginPath(),t.arc(a,r,l,0,2*Math.PI),t.stroke()}this.films.forEach((a,r)=>{let l=a.at(e),[c,m]=this.spot(l);c>=I&&c<=I+this.
-box.width&&m>=C&&m<=C+this.box.height&&(t.beginPath(),t.arc(c,m,r?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[l.mode],t.fill(),t.lineWidth=2,t.strokeStyle=
-this.films.length>1?ue(r,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.
-strokeStyle,t.fillText("AB"[r],c+8,m-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[n,o]=[e.clientX-t.left,e.clientY-t.top].map(m=>m/this.look.px);if(this.
-pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<i.length;m++){let h=a[m]-Math.floor(a[m]/
-l)*l,d=Math.hypot(this.x(h)-n,this.y(r[m])-o);d<c.distance&&(c={distance:d,t:i.t[m]})}c.distance<40&&this.clock.seek(_(c.t,0,i.duration))}};var nt=class{constructor({key:e,title:t,unit:n,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=n,this.curves=o,this.limits=
+name!=="AbortError")throw e}}}async painted(e,t,n){let{modes:o,paradox:i}=await this.backend.regions(e,t,n);return n?.throwIfAborted(),{window:t,paradox:i,picture:fr(
+o,i.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let n of this.films??[]){let o=Float64Array.from(n.columns.omega,Math.abs).filter(
+Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=
+[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=
+2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),n=((e.clientX-t.left)/this.
+look.px-q)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-C)/this.box.height;return[this.range[0]+n*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-
+this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([e,t],n){let o=Math.max(e-(e-this.range[0])*n,0),i=Math.
+min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*n,-a),l=Math.min(t+(this.top()-t)*n,a);this.range=[o,i],this.window=[r,l],this.
+isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:
+this.forwards?this.reach():.12*this.reach()}draw(e,t,n){this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.forwards=e.some(o=>o.columns.omega.
+some(i=>i>.3)),this.backwards=e.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return q+(e-this.
+range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;
+let{colors:e,look:t}=this,{context:n,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-q-In,height:i-C-On},n.clearRect(0,0,o,i),n.save(),n.beginPath(),
+n.rect(q,C,this.box.width,this.box.height),n.clip(),this.pictures){n.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,m,h]=r,d=[this.
+x(l),this.y(h),this.x(c)-this.x(l),this.y(m)-this.y(h)];n.fillStyle=t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),
+n.globalAlpha=1}gr(n,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(n,r,a);if(n.restore(),br(n,this),this.keyed!==t.dark){this.keyed=
+t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>u("span",{class:"plot-key"},Fn(e.modes[r]),
+l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.
+films.length>1?ge(n,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.isFinite(i[c])){l=null;continue}let m=Math.floor(
+o[c]/r),h=o[c]-m*r;if(l===null)e.moveTo(this.x(h),this.y(i[c]));else if(m!==l.lap){let d=m>l.lap?r:0;e.lineTo(this.x(d),this.y(i[c])),e.moveTo(this.x(r-d),this.
+y(i[c])),e.lineTo(this.x(h),this.y(i[c]))}else e.lineTo(this.x(h),this.y(i[c]));l={lap:m,mode:a[c]}}e.stroke(),e.setLineDash([])}spot({angle:e,omega:t}){let n=2*
+Math.PI;return[this.x(e-Math.floor(e/n)*n),this.y(t)]}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:o}=K(this.over,this.look.px);t.clearRect(
+0,0,n,o);let{pointed:i}=this.clock;if(i!==null){let[a,r]=this.spot(this.films[this.active].at(i));t.strokeStyle=this.look.ink,t.lineWidth=1.5;for(let l of[6,10])
+t.beginPath(),t.arc(a,r,l,0,2*Math.PI),t.stroke()}this.films.forEach((a,r)=>{let l=a.at(e),[c,m]=this.spot(l);c>=q&&c<=q+this.box.width&&m>=C&&m<=C+this.box.height&&
+(t.beginPath(),t.arc(c,m,r?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[l.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ge(r,this.look.dark):
+this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[r],c+8,m-6)))})}seek(e){
+let t=this.body.getBoundingClientRect(),[n,o]=[e.clientX-t.left,e.clientY-t.top].map(m=>m/this.look.px);if(this.pinched())return;let i=this.films[this.active],{
+angle:a,omega:r}=i.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<i.length;m++){let h=a[m]-Math.floor(a[m]/l)*l,d=Math.hypot(this.x(h)-n,this.y(r[m])-o);
+d<c.distance&&(c={distance:d,t:i.t[m]})}c.distance<40&&this.clock.seek(_(c.t,0,i.duration))}};var it=class{constructor({key:e,title:t,unit:n,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=n,this.curves=o,this.limits=
 i,this.symmetric=a,this.canvas=u("canvas",{class:"plot-canvas"}),this.over=u("canvas",{class:"plot-canvas plot-over"}),this.keys=u("div",{class:"plot-keys"}),this.
 body=u("div",{class:"plot-body",tabindex:"0",role:"figure","aria-label":t},this.canvas,this.over),this.element=u("section",{class:"plot","data-plot":e},u("heade\
 r",{},u("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
-c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return W[this.shared.axis].values(e)}fullRange(){if(this.
+c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return U[this.shared.axis].values(e)}fullRange(){if(this.
 shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.films)for(let o of this.abscissa(n))o<e&&(e=
 o),o>t&&(t=o);return t>e?[e,t]:[e-1,t+1]}take(e,t,n){this.films=e,this.active=t,this.look=n,this.range=this.shared.range??this.fullRange(),this.legend(this.shades(
-e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:o,width:i,height:a}=K(this.canvas,this.look.px);this.box={width:i-I-Sn,height:a-C-Tn},o.clearRect(0,
+e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:o,width:i,height:a}=K(this.canvas,this.look.px);this.box={width:i-q-In,height:a-C-On},o.clearRect(0,
 0,i,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((m,h)=>({...m,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="ti\
-me"&&this.bands(o,t[n],e),Ra(o,this),o.save(),o.beginPath(),o.rect(I,C,this.box.width,this.box.height),o.clip();for(let l of r)this.curve(o,l);if(t.length>1)for(let l of r)
+me"&&this.bands(o,t[n],e),pr(o,this),o.save(),o.beginPath(),o.rect(q,C,this.box.width,this.box.height),o.clip();for(let l of r)this.curve(o,l);if(t.length>1)for(let l of r)
 l.number===0&&this.letter(o,l);o.restore(),this.describe(r)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.
-color&&ut(i.color,n)}));let o=Object.keys(An);return this.curves(e).map((i,a)=>({...i,color:ue(t,n),dash:o[a%o.length]}))}x(e){return I+(e-this.range[0])/(this.
+color&&vt(i.color,n)}));let o=Object.keys(qn);return this.curves(e).map((i,a)=>({...i,color:ge(t,n),dash:o[a%o.length]}))}x(e){return q+(e-this.range[0])/(this.
 range[1]-this.range[0])*this.box.width}y(e){return C+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:n,
-values:o}of e){let i=this.abscissa(n);for(let a=0;a<o.length;a++)i[a]>=this.range[0]&&i[a]<=this.range[1]&&Number.isFinite(o[a])&&t.push(o[a])}return La(t,this.
-symmetric)}bands(e,t,n){for(let o of t.phases){let i=_(this.x(o.from),I,I+this.box.width),a=_(this.x(o.to),I,I+this.box.width);a<=i||(e.fillStyle=ct(n.modes[o.mode],
-.14),e.fillRect(i,C,a-i,this.box.height))}}curve(e,{film:t,color:n,dash:o,number:i}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(An[o??"solid"]),
+values:o}of e){let i=this.abscissa(n);for(let a=0;a<o.length;a++)i[a]>=this.range[0]&&i[a]<=this.range[1]&&Number.isFinite(o[a])&&t.push(o[a])}return mr(t,this.
+symmetric)}bands(e,t,n){for(let o of t.phases){let i=_(this.x(o.from),q,q+this.box.width),a=_(this.x(o.to),q,q+this.box.width);a<=i||(e.fillStyle=yt(n.modes[o.mode],
+.14),e.fillRect(i,C,a-i,this.box.height))}}curve(e,{film:t,color:n,dash:o,number:i}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(qn[o??"solid"]),
 e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[i];for(let m=r.from;m<r.to;m++){if(!Number.isFinite(c[m])||
 !Number.isFinite(l[m])){a=!1;continue}let h=this.x(l[m]),d=_(this.y(c[m]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,
 lane:n,values:o,color:i}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(o[l]))
 return;let[c,m]=[this.x(a[l]),_(this.y(o[l])-8,C+10,C+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.
 look.panel,e.strokeText("AB"[n],c,m),e.fillStyle=i??this.look.ink,e.fillText("AB"[n],c,m)}legend(e,t){let n=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==
-n&&(this.named=n,this.values=e.map(()=>u("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,i)=>u("span",{class:"plot-key"},Ln(o.color,o.dash),o.name,
+n&&(this.named=n,this.values=e.map(()=>u("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,i)=>u("span",{class:"plot-key"},Fn(o.color,o.dash),o.name,
 " ",this.values[i]))))}describe(e){let t=e.slice(0,6).map(({name:o,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of i)h<r&&(r=h),h>l&&(l=h);let c=this.films.
 length>1?`${"AB"[a]}: `:"",m={name:x(o),low:M(r,3),high:M(l,3)};return l>=r?`${c}${x("{name} from {low} to {high}",m)}`:""}),n=x("Diagram: {title} in {unit}.",{
 title:x(this.title),unit:x(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{context:t,
 width:n,height:o}=K(this.over,this.look.px);t.clearRect(0,0,n,o),this.films.forEach((a,r)=>{let l=a.holding(e),c=l.at(e),m=l.index(c.t),h=Math.min(m+1,l.length-
-1),d=l.t[h]>l.t[m]?(c.t-l.t[m])/(l.t[h]-l.t[m]):0,p=this.abscissa(l),f=this.x(p[m]+d*(p[h]-p[m])),g=f>=I-1&&f<=I+this.box.width+1;g&&(t.strokeStyle=this.look.soft,
+1),d=l.t[h]>l.t[m]?(c.t-l.t[m])/(l.t[h]-l.t[m]):0,p=this.abscissa(l),f=this.x(p[m]+d*(p[h]-p[m])),g=f>=q-1&&f<=q+this.box.width+1;g&&(t.strokeStyle=this.look.soft,
 t.lineWidth=1,t.beginPath(),t.moveTo(f,C),t.lineTo(f,C+this.box.height),t.stroke()),this.shades(l,r).forEach((b,w)=>{let y=b.values[h],v=Number.isFinite(y)?b.values[m]+
 d*(y-b.values[m]):b.values[m];r===this.active&&this.values?.[w]&&(this.values[w].textContent=M(v,3));let k=this.y(v);!g||!(k>=C-1&&k<=C+this.box.height+1)||(t.fillStyle=
 b.color??this.look.ink,t.beginPath(),t.arc(f,k,3.2,0,2*Math.PI),t.fill())})});let{pointed:i}=this.shared.clock;if(i!==null&&this.shared.axis==="time"&&(t.strokeStyle=
-this.look.ink,t.setLineDash([4,3]),t.strokeRect(this.x(i),C,0,this.box.height),t.setLineDash([])),this.picked){let[a,r]=this.picked;t.fillStyle=ct("#0072B2",.2),
-t.fillRect(Math.min(a,r),C,Math.abs(r-a),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_(((e.clientX-t.left)/this.look.px-I)/this.box.width,
+this.look.ink,t.setLineDash([4,3]),t.strokeRect(this.x(i),C,0,this.box.height),t.setLineDash([])),this.picked){let[a,r]=this.picked;t.fillStyle=yt("#0072B2",.2),
+t.fillRect(Math.min(a,r),C,Math.abs(r-a),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_(((e.clientX-t.left)/this.look.px-q)/this.box.width,
 0,1);return this.range[0]+n*(this.range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),n=(e.clientX-t.left)/this.look.
 px,o=this.valueAt(e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=(r.clientX-t.left)/this.look.px;this.picked=e.pointerType==="mouse"&&Math.abs(l-
 n)>5?[n,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:m}=this;
 this.picked=null,m&&l?this.zoomTo(o<c?[o,c]:[c,o]):m?this.cursor(this.shared.clock.time):l&&!i&&this.seek(e.pointerType==="mouse"?o:c)})}seek(e){if(this.shared.
 axis==="time")return this.onseek(e);let t=this.films[this.active],n=this.abscissa(t),o=0;for(let i=0;i<n.length;i++)Math.abs(n[i]-e)<Math.abs(n[o]-e)&&(o=i);return this.
 onseek(t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let n=this.fullRange(),o=Math.max(e-(e-this.range[0])*t,n[0]),i=Math.min(e+(this.
-range[1]-e)*t,n[1]);this.zoomTo(o<=n[0]&&i>=n[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Os=s=>Object.entries(W).map(([e,t])=>u("option",{value:e},s(t)));function Na(s){let e="height",t=new nt({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
-W[e].name),values:W[e].values(i)}]},s),n=()=>{let{symbol:i,unit:a}=W[e];t.unit=a?`${i} [${a}]`:i},o=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=o.value,n(),s.changed()}},Os(Zi));return o.value=e,n(),t.element.querySelector("h3")?.after(o),t}function dc(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
+range[1]-e)*t,n[1]);this.zoomTo(o<=n[0]&&i>=n[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Eo=s=>Object.entries(U).map(([e,t])=>u("option",{value:e},s(t)));function wr(s){let e="height",t=new it({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+U[e].name),values:U[e].values(i)}]},s),n=()=>{let{symbol:i,unit:a}=U[e];t.unit=a?`${i} [${a}]`:i},o=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=o.value,n(),s.changed()}},Eo(Da));return o.value=e,n(),t.element.querySelector("h3")?.after(o),t}function Mu(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:s.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,n=>n*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:s.kinetic,values:e.columns.kinetic},{name:"potential",color:s.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:n,potential:o})=>Float64Array.from(t,(i,a)=>n[a]+o[a])),dash:"dash"},{name:"lost to friction",color:s.friction_loss,
@@ -1998,47 +2154,47 @@ values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
-friction_force,values:e.columns.utilization}]}]}var Pn=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
-this.plots=[...dc(t).map(o=>new nt(o,this.shared)),Na(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
+friction_force,values:e.columns.utilization}]}]}var jn=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
+this.plots=[...Mu(t).map(o=>new it(o,this.shared)),wr(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
 !0]));let n=new IntersectionObserver(o=>{for(let{target:i,isIntersecting:a}of o)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let o of this.plots)
 n.observe(o.element);this.axis=u("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
-this.redraw()}},Os(({name:o})=>`over ${o}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
+this.redraw()}},Eo(({name:o})=>`over ${o}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
 span",{class:"hint"}),this.element=u("div",{class:"plots"},u("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(o=>o.element))}draw(e,t,n){
-this.films=e,this.active=t,this.look=n;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${tt("")}`,
-i=e.length>1;P(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){if(this.films?.length){this.
+this.films=e,this.active=t,this.look=n;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${ot("")}`,
+i=e.length>1;R(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var mc={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},pc={python:"The bits differ: {own} here, {other} in Python.",link:"\
-The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Cn=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Su={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},Tu={python:"The bits differ: {own} here, {other} in Python.",link:"\
+The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Bn=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
 ({key:t,query:n})=>[n,S.fingerprints[t]]))}expect(e,t){for(let[n,{query:o}]of e.entries())t[n]&&this.link.set(o,t[n])}expected(e){return e.map(({query:t})=>this.
-link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let o=this[n].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?mc[n]:
-pc[n].replace("{own}",t).replace("{other}",o)}]}):[]}};var Fa=vl(qa(),1);var fc=3840;async function Ha(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(fc/e,globalThis.devicePixelRatio||1),o=u("canvas",{width:Math.
-round(e*n),height:Math.round(t*n)}),i=me(o);return i.setTransform(n,0,0,n,0,0),qs(i,s,e,t),s.stage.options.three?(i.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
-$a(i,s,e,t),Fs(i,s,t),new Promise((a,r)=>o.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function ja(s){if(s.stage.options.three)
-throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Fa.Context(
-{width:e,height:t,document});return qs(n,s,e,t),$a(n,s,e,t),Fs(n,s,t),new Blob([n.getSerializedSvg()],{type:"image/svg+xml"})}function Ba(s,e){let t=s.stage.canvas(),
-{width:n,height:o}=t.getBoundingClientRect(),i=me(e);i.setTransform(e.width/n,0,0,e.height/o,0,0),qs(i,s,n,o),i.drawImage(t,0,0,n,o),Fs(i,s,o)}function qs(s,{theme:e},t,n){
-s.fillStyle=e.look.paper,s.fillRect(0,0,t,n)}function $a(s,e,t,n){let{stage:o,clock:i,theme:a}=e;o.flat.paint(s,t,n,e.films(),i.time,o.options,a.look,a.inks)}function Fs(s,e,t){
+link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let o=this[n].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?Su[n]:
+Tu[n].replace("{own}",t).replace("{other}",o)}]}):[]}};var _r=xl(kr(),1);var Au=3840;async function Er(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(Au/e,globalThis.devicePixelRatio||1),o=u("canvas",{width:Math.
+round(e*n),height:Math.round(t*n)}),i=we(o);return i.setTransform(n,0,0,n,0,0),So(i,s,e,t),s.stage.options.three?(i.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
+Tr(i,s,e,t),To(i,s,t),new Promise((a,r)=>o.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Mr(s){if(s.stage.options.three)
+throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new _r.Context(
+{width:e,height:t,document});return So(n,s,e,t),Tr(n,s,e,t),To(n,s,t),new Blob([n.getSerializedSvg()],{type:"image/svg+xml"})}function Sr(s,e){let t=s.stage.canvas(),
+{width:n,height:o}=t.getBoundingClientRect(),i=we(e);i.setTransform(e.width/n,0,0,e.height/o,0,0),So(i,s,n,o),i.drawImage(t,0,0,n,o),To(i,s,o)}function So(s,{theme:e},t,n){
+s.fillStyle=e.look.paper,s.fillRect(0,0,t,n)}function Tr(s,e,t,n){let{stage:o,clock:i,theme:a}=e;o.flat.paint(s,t,n,e.films(),i.time,o.options,a.look,a.inks)}function To(s,e,t){
 let{theme:n,stage:o,clock:i}=e,{px:a}=n.look,r=e.films();s.textBaseline="top",s.textAlign="left";for(let[l,c]of r.entries()){let m=c.at(i.time),h=r.length>1?`${"\
-AB"[l]}: `:"",d=x(n.colors.mode_names[m.mode]),p=`t = ${m.t.toFixed(3)} s, θ = ${$(m.angle)}, v = ${M(m.vx,3)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.length;
+AB"[l]}: `:"",d=x(n.colors.mode_names[m.mode]),p=`t = ${m.t.toFixed(3)} s, θ = ${G(m.angle)}, v = ${M(m.vx,3)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.length;
 s.fillStyle=n.colors.modes[m.mode],s.fillRect(12,f+2*a,11*a,11*a),s.fillStyle=n.look.ink,s.font=`${13*a}px ${n.look.font}`,s.fillText(`${h}${d}, ${p}`,12+18*a,f)}
-s.textBaseline="alphabetic"}async function Wa(s){let e=s.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
+s.textBaseline="alphabetic"}async function Ar(s){let e=s.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
 stead.");let t=u("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),n=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),o=[];
 n.ondataavailable=r=>o.push(r.data);let i=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
-s.afterFrame=()=>{Ba(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await i,s.afterFrame=null,s.clock.loop=a,new Blob(o,{type:n.
-mimeType})}var gc=[["motion.toml","Save the scenario (TOML)"],["motion.csv","Save the states (CSV)"],["motion.nc","Save the motion (netCDF)"],["motion.json","Save the even\
-ts (JSON)"],["motion.mp4","Save a film (MP4)"]],Nn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},u("span",{class:"\
+s.afterFrame=()=>{Sr(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await i,s.afterFrame=null,s.clock.loop=a,new Blob(o,{type:n.
+mimeType})}var Lu=[["motion.toml","Save the scenario (TOML)"],["motion.csv","Save the states (CSV)"],["motion.nc","Save the motion (netCDF)"],["motion.json","Save the even\
+ts (JSON)"],["motion.mp4","Save a film (MP4)"]],Wn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},u("span",{class:"\
 long"},"Share and save"),u("span",{class:"short"},"Share")),u("div",{class:"menu-body"},e.backend.shares&&this.item("Copy a link to this motion",()=>this.copyLink()),
-gc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Save a picture (PNG)",()=>this.picture("png",Ha)),
-this.item("Save a picture (SVG)",()=>this.picture("svg",ja)),this.item("Record one run as a film (WebM)",()=>this.record()),this.item("Show the Python code",()=>this.
+Lu.filter(([t])=>e.backend.files.includes(t)).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Save a picture (PNG)",()=>this.picture("png",Er)),this.
+item("Save a picture (SVG)",()=>this.picture("svg",Mr)),this.item("Record one run as a film (WebM)",()=>this.record()),this.item("Show the Python code",()=>this.
 code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"The same motion in Python"})}item(e,t){return u("button",{type:"button",onclick:async()=>{this.
 menu.open=!1;try{await t()}catch(n){this.lab.notice.fail(n)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??""))??"";try{await navigator.
 clipboard.writeText(e),this.lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.
-notice.say(e.endsWith("mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),Qe(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.
-lab.notice.say(`${e} is there.`)}async picture(e,t){Qe(await t(this.lab),`hophoop.${e}`)}async record(){Qe(await Wa(this.lab),"hophoop.webm"),this.lab.notice.say(
-"The film is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.
-python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let n=0;n<e.length;n+=2){let o=e[n+1],i=u("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.
-clipboard?.writeText(o).catch(()=>{}),P(i,"Copied")},t.push(u("header",{},u("h2",{},e[n]),i),u("pre",{tabindex:"0"},u("code",{},document.createTextNode(o))))}this.
-dialog.replaceChildren(...t,u("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Ga=120,Dn=class{constructor(e,t,n,o,i,a,r,l,c,m,h){this.context=e;this.width=t;this.height=n;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
+notice.say(e.endsWith("mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),tt(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.
+lab.notice.say(`${e} is there.`)}async picture(e,t){tt(await t(this.lab),`hophoop.${e}`)}async record(){tt(await Ar(this.lab),"hophoop.webm"),this.lab.notice.say(
+"The film is there.")}async code(){let{python:e,toml:t}=this.lab.backend.code(this.lab.film().scenario);this.show("The same motion in Python",e,"The scenario as\
+ a file",t)}show(...e){let t=[];for(let n=0;n<e.length;n+=2){let o=e[n+1],i=u("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.clipboard?.writeText(
+o).catch(()=>{}),R(i,"Copied")},t.push(u("header",{},u("h2",{},e[n]),i),u("pre",{tabindex:"0"},u("code",{},document.createTextNode(o))))}this.dialog.replaceChildren(
+...t,u("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Lr=120,Gn=class{constructor(e,t,n,o,i,a,r,l,c,m,h){this.context=e;this.width=t;this.height=n;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
 h;this.top=0;this.pose=o.at(i);let d=o.radius,{left:p,right:f}=o.extent,{top:g}=h;this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let b=2*h.radius+Math.
 min(g,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*d,v=(f-p)*Math.abs(this.sine)+2.6*d+g;this.scale=Math.min(t/y,.86*n/
 v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+m[0],(o.slope?.62:.8)*n+m[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
@@ -2064,8 +2220,8 @@ l,c),t.lineTo(...g),t.stroke(),t.setLineDash([]),t.beginPath(),t.arc(...g,_(.1*m
 t":"right",t.lineWidth=3,t.strokeStyle=o.paper;let f=`${M(e.x-this.focus[0],3)} m`;t.strokeText(f,d-20*h,p+4*o.px),t.fillText(f,d-20*h,p+4*o.px)}hoop(){let{film:e,
 pose:t,context:n,look:o,colors:i,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,m=[t.x,r+t.height],h=(b,w=c)=>this.point(m[0]+w*Math.sin(b),m[1]+w*Math.cos(
 b));if(n.lineCap="butt",o.dark&&(n.strokeStyle=o.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){
-let b=this.common.speed;n.lineWidth=l;let w=2*Math.PI/Ga;for(let y=0;y<Ga;y++){let v=t.angle+y*w,k=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.
-sin(v+.5*w));n.strokeStyle=Ft[_(Math.round(255*k/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=i.modes[t.
+let b=this.common.speed;n.lineWidth=l;let w=2*Math.PI/Lr;for(let y=0;y<Lr;y++){let v=t.angle+y*w,k=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.
+sin(v+.5*w));n.strokeStyle=Yt[_(Math.round(255*k/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=i.modes[t.
 mode],n.lineWidth=l,n.beginPath(),n.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=o.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(
 m[0],m[1])),n.lineTo(...h(t.angle)),n.stroke();let d=(b,w,y,v)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=v,
 n.stroke()};d(this.point(m[0],m[1]),2.5,o.soft,o.soft);let p=e.scenario.hoop.parts;p?this.parts(p,m):d(h(t.angle),_(.1*r*a,4,16),o.ink,o.paper);let f=e.eccentricity*
@@ -2080,51 +2236,51 @@ arrow(r,[a(t.friction_force),0],n.friction_force,`F = ${M(t.friction_force,3)} N
 radius,d=Math.abs(n)>h||Math.abs(o)>h;[n,o]=[_(n,-h,h),_(o,-h,h)];let p=this.point(e,t),f=this.point(e+n,t+o),g=Math.hypot(f[0]-p[0],f[1]-p[1]);if(g<2)return;let b=(f[0]-
 p[0])/g,w=(f[1]-p[1])/g,y=Math.min(11,g);for(let[T,L]of[[c.paper,6],[i,3]])l.strokeStyle=T,l.fillStyle=T,l.lineWidth=L,l.beginPath(),l.moveTo(...p),l.lineTo(f[0]-
 b*y,f[1]-w*y),l.stroke();if(l.beginPath(),l.moveTo(...f),l.lineTo(f[0]-b*y-w*y*.5,f[1]-w*y+b*y*.5),l.lineTo(f[0]-b*y+w*y*.5,f[1]-w*y-b*y*.5),l.fill(),d){let[T,L]=[
-p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let R of[-3,3])l.moveTo(T+b*(R-3)-w*7,L+w*(R-3)+b*7),l.lineTo(T+b*(R+3)+w*7,L+w*
-(R+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let k=r?
+p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let P of[-3,3])l.moveTo(T+b*(P-3)-w*7,L+w*(P-3)+b*7),l.lineTo(T+b*(P+3)+w*7,L+w*
+(P+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let k=r?
 [p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,_(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];k[0]=_(k[0],4,m-v-4),l.strokeText(a,k[0],k[1]),
-l.fillText(a,k[0],k[1])}};var On=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.pointed=null;this.grab=()=>!1,this.over=
+l.fillText(a,k[0],k[1])}};var Un=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.pointed=null;this.grab=()=>!1,this.over=
 ()=>{},e.addEventListener("pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.
 zoom=1,this.shift=[0,0],this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[
 t,n]=[0,0]){let{width:o,height:i}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*o,n*i]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){
 if(this.grab(e))return;let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,o=>{this.pinched()||(this.shift=[n[0]+o.clientX-t[0],n[1]+o.clientY-t[1]],this.onview())})}draw(e,t,n,o,i){
 let{context:a,width:r,height:l}=K(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,o,i))}paint(e,t,n,o,i,a,r,l){let c=n/o.length,
 m={top:Math.max(...o.map(h=>h.extent.top)),radius:Math.max(...o.map(h=>h.radius)),speed:Math.max(...o.map(h=>h.extent.speed))};return o.map((h,d)=>{e.save(),e.beginPath(),
-e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Dn(e,t,c,h,i,a,r,l,this.zoom,this.shift,m);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.pointed?.
-lane===d&&p.ghost(h.at(this.pointed.time)),this.over(p,d),o.length>1&&(p.mark("AB"[d],ue(d,r.dark)),e.fillStyle=ue(d,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,
-e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function js(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=s[4*a+o]*e[4*n+a];t[4*n+o]=i}return t}function Ua(s,e,t,n){
-let o=1/Math.tan(s/2),i=1/(t-n);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(n+t)*i,-1,0,0,2*n*t*i,0])}function Ka(s,e){let t=Be(Bs(s,e)),n=Be(In([0,1,0],t)),
-o=In(t,n);return new Float32Array([n[0],o[0],t[0],0,n[1],o[1],t[1],0,n[2],o[2],t[2],0,-Hs(n,s),-Hs(o,s),-Hs(t,s),1])}var Bs=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
-Hs=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],In=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function Be(s){let e=Math.hypot(...s)||1;return[
-s[0]/e,s[1]/e,s[2]/e]}function qn(s,e,t,n){let o=Be(e),i=Be(In(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),a=In(i,o);return new Float32Array([...i.map(r=>r*n),0,...o.
-map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function $s(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
-16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function st(s,e,t){let n=s.createProgram(),o=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of o){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Gn(e,t,c,h,i,a,r,l,this.zoom,this.shift,m);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.pointed?.
+lane===d&&p.ghost(h.at(this.pointed.time)),this.over(p,d),o.length>1&&(p.mark("AB"[d],ge(d,r.dark)),e.fillStyle=ge(d,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,
+e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function Lo(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=s[4*a+o]*e[4*n+a];t[4*n+o]=i}return t}function Rr(s,e,t,n){
+let o=1/Math.tan(s/2),i=1/(t-n);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(n+t)*i,-1,0,0,2*n*t*i,0])}function Pr(s,e){let t=Ve(Ro(s,e)),n=Ve(Kn([0,1,0],t)),
+o=Kn(t,n);return new Float32Array([n[0],o[0],t[0],0,n[1],o[1],t[1],0,n[2],o[2],t[2],0,-Ao(n,s),-Ao(o,s),-Ao(t,s),1])}var Ro=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
+Ao=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],Kn=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function Ve(s){let e=Math.hypot(...s)||1;return[
+s[0]/e,s[1]/e,s[2]/e]}function Vn(s,e,t,n){let o=Ve(e),i=Ve(Kn(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),a=Kn(i,o);return new Float32Array([...i.map(r=>r*n),0,...o.
+map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function Po(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function at(s,e,t){let n=s.createProgram(),o=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of o){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
 l),!s.getShaderParameter(l,s.COMPILE_STATUS))throw new Error(String(s.getShaderInfoLog(l)));s.attachShader(n,l)}if(s.linkProgram(n),!s.getProgramParameter(n,s.LINK_STATUS))
 throw new Error(String(s.getProgramInfoLog(n)));let i={program:n,uniforms:{},attributes:{}};for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_UNIFORMS);a++){let{name:r}=s.
 getActiveUniform(n,a);i.uniforms[r]=s.getUniformLocation(n,r)}for(let a=0;a<s.getProgramParameter(n,s.ACTIVE_ATTRIBUTES);a++){let{name:r}=s.getActiveAttrib(n,a);
-i.attributes[r]=s.getAttribLocation(n,r)}return i}function $e(s,e,t,n){let o=s.createBuffer();s.bindBuffer(s.ARRAY_BUFFER,o),s.bufferData(s.ARRAY_BUFFER,new Float32Array(
+i.attributes[r]=s.getAttribLocation(n,r)}return i}function Je(s,e,t,n){let o=s.createBuffer();s.bindBuffer(s.ARRAY_BUFFER,o),s.bufferData(s.ARRAY_BUFFER,new Float32Array(
 e),s.STATIC_DRAW);let i=n?s.createBuffer():null;n&&(s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,i),s.bufferData(s.ELEMENT_ARRAY_BUFFER,new Uint16Array(n),s.STATIC_DRAW));
-let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:i,parts:t,stride:a,count:n?n.length:4*e.length/a}}function ot(s,e,t){s.bindBuffer(s.ARRAY_BUFFER,
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:i,parts:t,stride:a,count:n?n.length:4*e.length/a}}function rt(s,e,t){s.bindBuffer(s.ARRAY_BUFFER,
 t.vertices);let n=0;for(let[o,i]of Object.entries(t.parts)){let a=e.attributes[o];a!==void 0&&(s.enableVertexAttribArray(a),s.vertexAttribPointer(a,i,s.FLOAT,!1,
-t.stride,n)),n+=4*i}t.elements&&s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,t.elements)}function Ws(s,e){let t=[];for(let n=0;n<s;n++)for(let o=0;o<e;o++){let i=n*(e+1)+
-o,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Va(s,e=120,t=14){let n=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++)n.push(2*Math.PI*o/e,2*Math.PI*i/t);return $e(
-s,n,{bend:2},Ws(e,t))}function Ja(s,e=28,t=18){let n=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*o/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];n.push(...l,...l)}return $e(s,n,{position:3,normal:3},Ws(e,t))}function Gs(s,e,t=20){let n=[];for(let o=0;o<=t;o++){let i=2*
-Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];n.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return $e(s,n,{position:3,normal:3},Ws(t,1))}var Xa=`
+t.stride,n)),n+=4*i}t.elements&&s.bindBuffer(s.ELEMENT_ARRAY_BUFFER,t.elements)}function Co(s,e){let t=[];for(let n=0;n<s;n++)for(let o=0;o<e;o++){let i=n*(e+1)+
+o,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Cr(s,e=120,t=14){let n=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++)n.push(2*Math.PI*o/e,2*Math.PI*i/t);return Je(
+s,n,{bend:2},Co(e,t))}function zr(s,e=28,t=18){let n=[];for(let o=0;o<=e;o++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*o/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];n.push(...l,...l)}return Je(s,n,{position:3,normal:3},Co(e,t))}function zo(s,e,t=20){let n=[];for(let o=0;o<=t;o++){let i=2*
+Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];n.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Je(s,n,{position:3,normal:3},Co(t,1))}var Or=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,er=`
+  }`,qr=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,tr="vec4(0.0, 0.0, 0.0, shadow)",Ya=[`attribute vec2 bend;
+  }`,Fr="vec4(0.0, 0.0, 0.0, shadow)",Nr=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${er}
+   ${qr}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -2136,21 +2292,21 @@ Math.PI*o/t,a=[Math.cos(i),1-e,Math.sin(i)];n.push(Math.cos(i),0,Math.sin(i),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${Xa}
+   ${Or}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${tr} : vec4(shaded(color, n), 1.0);
-   }`],Za=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${Fr} : vec4(shaded(color, n), 1.0);
+   }`],Dr=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${er}
+   ${qr}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${Xa}
-   void main() { gl_FragColor = shadow > 0.0 ? ${tr} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Qa=[`attribute vec3 position, next, tint; attribute \
+   ${Or}
+   void main() { gl_FragColor = shadow > 0.0 ? ${Fr} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Ir=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -2165,28 +2321,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Fn=class{constructor(e,t,n,o,{keep:i=!1}={}){this.canvas=e;
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Jn=class{constructor(e,t,n,o,{keep:i=!1}={}){this.canvas=e;
 this.dark=o;this.eye=[0,0,1];this.fastest=1;let a=e.getContext("webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser dr\
-aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Be(n),this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=st(a,Ya[0],Ya[1]),this.body=st(a,Za[0],Za[1]),this.
-line=st(a,Qa[0],Qa[1]),this.torus=Va(a),this.sphere=Ja(a),this.cylinder=Gs(a,1),this.cone=Gs(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
+aws nothing in space (WebGL is missing).");this.gl=a,this.sun=Ve(n),this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=at(a,Nr[0],Nr[1]),this.body=at(a,Dr[0],Dr[1]),this.
+line=at(a,Ir[0],Ir[1]),this.torus=Cr(a),this.sphere=zr(a),this.cylinder=zo(a,1),this.cone=zo(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.
 colors);let r=new Uint8Array(t.flatMap(l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,
 r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(
-a.TEXTURE_2D,l,a.LINEAR);this.view=$s(0)}begin({background:e,eye:t,target:n,slope:o,angle:i,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
-l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let m=Ua(i,c.width/c.height,a,r);this.
-view=js(js(m,Ka(t,n)),$s(o)),this.eye=Be(Bs(t,n))}use(e,t){let{gl:n}=this;n.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
+a.TEXTURE_2D,l,a.LINEAR);this.view=Po(0)}begin({background:e,eye:t,target:n,slope:o,angle:i,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),
+l.clearColor(e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let m=Rr(i,c.width/c.height,a,r);this.
+view=Lo(Lo(m,Pr(t,n)),Po(o)),this.eye=Ve(Ro(t,n))}use(e,t){let{gl:n}=this;n.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,
 ...t};for(let[i,a]of Object.entries(o)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?n.uniform1f(r,a):a.length===16?n.uniformMatrix4fv(r,!1,a):n[`uniform${a.
 length}fv`](r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,
 t.ONE_MINUS_SRC_ALPHA,t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),
 e(),t.depthMask(!0),t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,n,{shadow:o=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,
-color:n,shadow:o?this.dark:0,lit:Number(i)}),ot(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,o){this.solid(this.sphere,qn(e,
+color:n,shadow:o?this.dark:0,lit:Number(i)}),rt(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,o){this.solid(this.sphere,Vn(e,
 [0,1,0],t,t),n,{shadow:o})}ring({center:e,radius:t,tube:n,broad:o,angle:i,velocity:a,omega:r,plain:l=null},c){let{gl:m}=this;this.use(this.rim,{center:e,size:[t,
-n,o,i],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ot(m,this.rim,this.torus),m.drawElements(m.TRIANGLES,this.torus.count,
-m.UNSIGNED_SHORT,0)}rod(e,t,n,o,i,a=!1){this.solid(this.cylinder,qn(e,t,n,o),i,{shadow:a})}arrow(e,t,n,o,i){if(!(n>.02*o))return;let a=Math.min(.18*o,n),r=e.map(
-(l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,n-a,.029*o,i),this.solid(this.cone,qn(r,t,a,Math.min(.075*o,.6*a)),i)}trace(e,t,n){let o=[];for(let i=0;i<e;i++){let a=t(
+n,o,i],motion:[...a,r],most:this.fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),rt(m,this.rim,this.torus),m.drawElements(m.TRIANGLES,this.torus.count,
+m.UNSIGNED_SHORT,0)}rod(e,t,n,o,i,a=!1){this.solid(this.cylinder,Vn(e,t,n,o),i,{shadow:a})}arrow(e,t,n,o,i){if(!(n>.02*o))return;let a=Math.min(.18*o,n),r=e.map(
+(l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,n-a,.029*o,i),this.solid(this.cone,Vn(r,t,a,Math.min(.075*o,.6*a)),i)}trace(e,t,n){let o=[];for(let i=0;i<e;i++){let a=t(
 i),r=t(Math.min(i+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((c,m)=>2*c-l[m])}for(let l of[-1,1])o.push(...a,0,...r,0,...n(i),l)}
-return $e(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:n,distance:o=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
-2/l.width,2/l.height],width:n,distance:o,shift:i,depth:a}),ot(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let o=this.view,[i,a,r]=[0,1,
-3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*n+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var bc=[.35,.85,.4],wc=.18,Tt={azimuth:.5,height:.22,distance:5.2},nr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+return Je(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:n,distance:o=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
+2/l.width,2/l.height],width:n,distance:o,shift:i,depth:a}),rt(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let o=this.view,[i,a,r]=[0,1,
+3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*n+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Ru=[.35,.85,.4],Pu=.18,Nt={azimuth:.5,height:.22,distance:5.2},Hr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2194,11 +2350,11 @@ return $e(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:n,di
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Hn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new Fn(this.canvas,Je,bc,wc,{keep:!0});this.floor=st(this.space.gl,nr[0],nr[1]);this.corners=
-$e(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Tt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
+   }`],Yn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new Jn(this.canvas,Qe,Ru,Pu,{keep:!0});this.floor=at(this.space.gl,Hr[0],Hr[1]);this.corners=
+Je(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Nt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
 e.addEventListener("pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
-turned.distance=_(this.turned.distance/e,1.6,60):this.turned={...Tt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Tt.azimuth&&
-t===Tt.height&&n===Tt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(n,1.6,60)}}drag(e){let t={...this.
+turned.distance=_(this.turned.distance/e,1.6,60):this.turned={...Nt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Nt.azimuth&&
+t===Nt.height&&n===Nt.distance?void 0:[e,t,n]}look([e,t,n]){this.turned={azimuth:_(e,-1.5,1.5),height:_(t,.02,1.45),distance:_(n,1.6,60)}}drag(e){let t={...this.
 turned,x:e.clientX,y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned.azimuth=_(t.azimuth-(n.clientX-t.x)*.008,-1.5,1.5),this.turned.height=_(t.height+
 (n.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+
 .1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,n,o,i,a,r){let{canvas:l,space:c}=this,m=r??Math.min(
@@ -2209,7 +2365,7 @@ drawHoop(g,b,w,n,o,i,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,n,o,i,!1),n.traces&&t
 let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,m=o.whole?Math.max(r*n,.85*(c-l)+3*n):r*n,[h,d]=[o.whole?.5*(l+c)-this.focus:0,n+.45*(t.
 height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+d*f,-h*f+d*p,0],b=[g[0]+m*Math.sin(i)*Math.cos(a),g[1]+m*Math.sin(a),m*Math.cos(i)*Math.cos(a)];return this.
 reach=12*n+3*m,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*n,far:40*n+6*m}}drawFloor(e,t){let{space:n}=this,o=he(t.ground),i=o.map(l=>l*(t.dark?.82:.94)),a=.5*
-e,r=this.focus%(2*a);n.use(this.floor,{reach:this.reach,light:o,dark:i,far:he(t.paper),tile:a,shift:r}),ot(n.gl,this.floor,this.corners),n.gl.drawArrays(n.gl.TRIANGLE_STRIP,
+e,r=this.focus%(2*a);n.use(this.floor,{reach:this.reach,light:o,dark:i,far:he(t.paper),tile:a,shift:r}),rt(n.gl,this.floor,this.corners),n.gl.drawArrays(n.gl.TRIANGLE_STRIP,
 0,4)}drawHoop(e,t,n,o,i,a,r){let{space:l}=this,c=e.radius,m=.045*c,h=[t.x-this.focus,c+t.height,n];l.ring({center:h,radius:c,tube:m,broad:3.2*m,angle:t.angle,velocity:[
 t.vx,t.vy],omega:t.omega,plain:o.speed?null:he(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*d[w]);l.ball(p(c-m),.125*
 c,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,d,c-m,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,he(f?a.airborne:a.gravity_center),
@@ -2218,189 +2374,200 @@ i*Math.abs(m)/a,0,3.2*i),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0
 i,he(o.friction_force))}linesOf(e,t,n){let o=this.lines.get(e);if(o?.dark===t.dark)return o;let i=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,m=(g,b)=>this.
 space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),i+r[w]+g*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],f={dark:t.dark,load:m(i,()=>p),
 center:m(e.eccentricity*i,g=>c[g]===3?d:h)};return this.lines.set(e,f),f}drawTraces(e,t,n,o,i,a){let{load:r,center:l}=this.linesOf(e,o,i),c=Math.min(e.index(t.t)+
-2,e.length),m={shift:this.focus,depth:n};this.space.drawTrace(r,c,{width:a,...m}),this.space.drawTrace(l,c,{width:1.6*a,...m})}};var yc=["hoop","mode","time","angle","v","R θ̇","gap"],jn=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new On(this.plane,this.onview);
-this.deep=null;this.outputs=yc.map(o=>({name:u("dt",{},o),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
-v",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${Ft.filter((o,i)=>i%15===0).join(",")})`}),u("span",{},"0"),u("span",
+2,e.length),m={shift:this.focus,depth:n};this.space.drawTrace(r,c,{width:a,...m}),this.space.drawTrace(l,c,{width:1.6*a,...m})}};var Cu=["hoop","mode","time","angle","v","R θ̇","gap"],Zn=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Un(this.plane,this.onview);
+this.deep=null;this.outputs=Cu.map(o=>({name:u("dt",{},o),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
+v",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${Yt.filter((o,i)=>i%15===0).join(",")})`}),u("span",{},"0"),u("span",
 {},"rim speed"),this.fastest);let n=(o,i)=>u("span",{},u("i",{class:"dot",style:`background:${o}`}),i);this.order=u("span",{hidden:!0},"A in front, B behind"),this.
 element=u("div",{class:"stage",role:"figure","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,u("dl",{class:"readout","aria-hidden":"true"},this.outputs.
 flatMap(({name:o,value:i})=>[o,i])),this.legend,u("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),
 n(e.airborne,"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:o,inks:i}){let{options:a}=this;this.legend.
-hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Hn(
+hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Yn(
 this.space,this.onview),this.deep.draw(e,n.time,a,o,i,n.playing)):(this.flat.pointed=n.pointed===null?null:{time:n.pointed,lane:t},this.flat.draw(e,n.time,a,o,i)),
 this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:o}=e.theme;return this.deep?.draw(e.films(),e.clock.time,this.options,n,o,!1,t),this.space}read(e,t,n){let o=e[t],
-i=o.at(n),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[i.mode]),de(`${i.t.toFixed(3)} s`),$(i.angle),O(M(i.vx,3),"m/s"),O(M(i.omega*o.radius,3),"m/s"),i.height>
-0?Ae(i.height):"0"];for(let[c,m]of a.entries()){let{value:h}=this.outputs[c];h.textContent!==m&&(h.textContent=m)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=
+i=o.at(n),a=[e.length>1?"AB"[t]:"",x(this.colors.mode_names[i.mode]),be(`${i.t.toFixed(3)} s`),G(i.angle),O(M(i.vx,3),"m/s"),O(M(i.omega*o.radius,3),"m/s"),i.height>
+0?Re(i.height):"0"];for(let[c,m]of a.entries()){let{value:h}=this.outputs[c];h.textContent!==m&&(h.textContent=m)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=
 e.length<2,l.value.style.setProperty("--mode",this.colors.modes[i.mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",
 `${x("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,
 t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({
 options:e,zoom:t,pan:n,from:o}){if(e){let{three:i,...a}=e;Object.assign(this.options,a)}this.flat.look(t,n),o&&this.deep?.look(o)}zoom(e){this.options.three?this.
-deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Bn=class{constructor(e){this.clock=e;this.listed=null;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"\
+deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Qn=class{constructor(e){this.clock=e;this.listed=null;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"\
 story-list"});this.heading=u("h2",{},"What happens");this.signature=u("span",{});this.compared=u("span",{});this.fingerprint=u("p",{class:"hint fingerprint"},this.
 signature,this.compared);this.live=u("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=u("section",{class:"story","aria-label":"The motion\
- in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,n,o){this.film=e[t],P(this.heading,e.length>1?`What happens to h\
+ in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,n,o){this.film=e[t],R(this.heading,e.length>1?`What happens to h\
 oop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,a)=>[e.length>1?u("b",{},`${"AB"[a]}: `):"",i.summary,i.status==="event_limit"||i.shortened?
-" (not all events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,P(this.doubt,this.film.doubt),this.listed!==this.film&&this.fill(
+" (not all events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,R(this.doubt,this.film.doubt),this.listed!==this.film&&this.fill(
 n),this.sign(),this.compared.replaceChildren(...o.flatMap(({same:i,text:a})=>[" ",u("span",{class:i?"same":"differs"},a)])),this.cursor(this.clock.time)}fill(e){
 this.listed=this.film,this.current=-1,this.items=this.film.story.map(t=>u("li",{},u("button",{type:"button",onclick:()=>this.clock.seek(t.t),onpointerenter:()=>this.
 clock.point(t.t),onpointerleave:()=>this.clock.point(null),onfocus:()=>this.clock.point(t.t),onblur:()=>this.clock.point(null)},u("i",{class:"dot",style:`backgr\
 ound:${e.modes[t.mode]}`,"aria-hidden":"true"}),u("span",{class:"when"},`${M(t.t,4)} s`),u("span",{},t.text)))),this.list.replaceChildren(...this.items),this.clock.
-pointed=null}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...vc(e)))}say(e){P(this.live,e)}announce(e){this.
+pointed=null}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...zu(e)))}say(e){R(this.live,e)}announce(e){this.
 say(j(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let i=0;i<t.length&&t[i].t<=e+1e-9;i++)n=i;if(n===this.current)return;this.items[this.
 current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("ari\
 a-current","step"),this.current=n;let o=this.items[n];if(o){let i=o.offsetTop-this.list.offsetTop;(i<this.list.scrollTop||i+o.offsetHeight>this.list.scrollTop+this.
-list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function vc(s){if(!s)return[u("span",{},"No fingerprint: this motion depends on more di\
+list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function zu(s){if(!s)return[u("span",{},"No fingerprint: this motion depends on more di\
 gits than this page computes.")];let e=u("code",{},document.createTextNode(s)),t=u("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.
-clipboard.writeText(s),P(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u("span",{title:"A hash of all events: the same wherever hophoop computes the\
- same bits, also in Python"},"Fingerprint")," ",e," ",t]}var $n=class{constructor(){this.list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=
-u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(
-...e.flatMap(({label:n,text:o})=>[u("dt",{},n),u("dd",{},o)]))}};var sr="hophoop-theme",xc=["gravity_center","airborne","normal_force","friction_force"],Wn=class{constructor(e,t,n,o){this.root=e;this.colors=t;this.hosted=n;this.
+clipboard.writeText(s),R(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u("span",{title:"A hash of all events: the same wherever hophoop computes the\
+ same bits, also in Python"},"Fingerprint")," ",e," ",t]}var Xn=class{constructor(){this.list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=
+u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){R(this.heading,t?`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(
+...e.flatMap(({label:n,text:o})=>[u("dt",{},n),u("dd",{},o)]))}};var jr="hophoop-theme",Nu=["gravity_center","airborne","normal_force","friction_force"],es=class{constructor(e,t,n,o){this.root=e;this.colors=t;this.hosted=n;this.
 changed=o;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=ms(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ne(sr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=ms(this.root),this.inks={...this.colors};for(let e of xc)
-this.inks[e]=ut(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&se(sr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Gn=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
+this.mark(),this.look=no(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ne(jr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=no(this.root),this.inks={...this.colors};for(let e of Nu)
+this.inks[e]=vt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
+k",this.hosted&&se(jr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var ts=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
 u("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
 addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("pointerleave",()=>this.
 tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.zoom(1/t,n?this.timeAt(n):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
-clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:je(this.window,e)}zoom(e,t){let[n,o]=this.ends(),i=1e-6*this.clock.duration,a=Math.
-max((o-n)*e,i),r=(t-n)/(o-n);this.window=a<this.clock.duration?je([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
-let[e,t]=this.ends(),{time:n,duration:o}=this.clock;if(n>=e&&n<=t)return;let i=t-e;this.window=je(n>t?[n-.1*i,n+.9*i]:[n-.5*i,n+.5*i],[0,o])}timeAt(e){let t=this.
+clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ke(this.window,e)}zoom(e,t){let[n,o]=this.ends(),i=1e-6*this.clock.duration,a=Math.
+max((o-n)*e,i),r=(t-n)/(o-n);this.window=a<this.clock.duration?Ke([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)return;
+let[e,t]=this.ends(),{time:n,duration:o}=this.clock;if(n>=e&&n<=t)return;let i=t-e;this.window=Ke(n>t?[n-.1*i,n+.9*i]:[n-.5*i,n+.5*i],[0,o])}timeAt(e){let t=this.
 canvas.getBoundingClientRect(),[n,o]=this.ends();return n+_((e.clientX-t.left)/t.width,0,1)*(o-n)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
 let t=this.clock.playing;this.clock.playing=!1;let n=o=>!this.pinched()&&this.clock.seek(this.timeAt(o));n(e),J(this.element,e,n,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),n=this.nearest(t,8),o=n?`${x(ke[n.kind]??n.kind)} · ${M(n.t,5)} s · ${M(n.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=o,this.
+let t=this.timeAt(e),n=this.nearest(t,8),o=n?`${x(Me[n.kind]??n.kind)} · ${M(n.t,5)} s · ${M(n.angle*180/Math.PI,4)}°`:`${M(t,4)} s`;this.tip.textContent=o,this.
 tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${_(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[n,o]=this.ends(),i=t*(o-n)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=i&&
 (!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:o,width:i,height:a}=K(this.canvas,t.px);this.keep();let[r,l]=this.ends(),c=w=>(w-r)/
-(l-r)*i;o.clearRect(0,0,i,a);let m=15,h=(a-15)/e.length-m;e.forEach((w,y)=>{let v=m+y*(m+h);for(let{mode:k,from:T,wide:L}of qi(w.phases,c,i)){let R=n.modes[k];o.
-fillStyle=R,o.fillRect(T,v,L,h-2),this.named(o,x(n.mode_names[k]),T,L,v,h-2,R,t)}w.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(w.duration),0),v,i,h-2)),
-this.marks(o,w,c,v,i,t),e.length>1&&(o.fillStyle=ue(y,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[y],i-1,v-4))});let d=V(l-r,i/60);o.
+(l-r)*i;o.clearRect(0,0,i,a);let m=15,h=(a-15)/e.length-m;e.forEach((w,y)=>{let v=m+y*(m+h);for(let{mode:k,from:T,wide:L}of ka(w.phases,c,i)){let P=n.modes[k];o.
+fillStyle=P,o.fillRect(T,v,L,h-2),this.named(o,x(n.mode_names[k]),T,L,v,h-2,P,t)}w.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(w.duration),0),v,i,h-2)),
+this.marks(o,w,c,v,i,t),e.length>1&&(o.fillStyle=ge(y,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[y],i-1,v-4))});let d=V(l-r,i/60);o.
 fillStyle=t.soft,o.font=`10.5px ${t.font}`;let p=le(r,l,i/60);for(let w of p){let y=c(w);o.textAlign=y<14?"left":y>i-14?"right":"center",o.fillText(ie(w,d)+(w===
 p[0]?" s":""),y,a-3)}let{pointed:f}=this.clock;if(f!==null&&f>=r&&f<=l){let w=_(c(f),2,i-2);o.lineWidth=2;for(let[y,v]of[[t.paper,5],[t.ink,1]])o.fillStyle=y,o.
 fillRect(w-.5*v,m-4,v,a-m-9),o.fillRect(w-5-.5*v,m-4,10+v,v)}let g=_(c(this.clock.time),6,i-6),b=_(c(this.clock.time),1,i-1);o.fillStyle=t.ink,o.fillRect(b-1,m-
 4,2,a-m-9),o.beginPath(),o.moveTo(g-6,m-10),o.lineTo(g+6,m-10),o.lineTo(b,m-1),o.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:o,playing:i}=this.clock,r=e.
 map((l,c)=>{let m=x(t.mode_names[l.at(n).mode]);return e.length>1?`${"AB"[c]} ${m}`:m}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("ari\
 a-valuemax",o.toFixed(3)),this.element.setAttribute("aria-valuenow",n.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:M(
-n,4),what:j(r)})))}named(e,t,n,o,i,a,r,l){e.font=`11px ${l.font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Zo(r),e.textAlign="center",e.textBaseline="m\
+n,4),what:j(r)})))}named(e,t,n,o,i,a,r,l){e.font=`11px ${l.font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Fi(r),e.textAlign="center",e.textBaseline="m\
 iddle",e.fillText(t,n+.5*o,i+.5*a+1),e.textBaseline="alphabetic")}marks(e,t,n,o,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!==
 "start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(c)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,o,
-1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Ii(r))e.fillText(l,_(c,6,i-6),o-4)}};var kc=1/60,_c=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ec={three:"In space"},Ce=(s,e,t)=>u(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},s),or=(s,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${s} `),e),Un=class{constructor(e,t,n,o,i){this.
-clock=e;this.films=t;this.say=o;this.tell=i;this.titled="";this.playButton=Ce(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
-speeds=u("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},gt.map(a=>u("option",{value:String(a)},`${a}×`))),this.speeds.
-value="1",this.switches=new Map(_c.map(([a,r,l])=>{let c=`${a==="three"?Ec.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>n(
-a)},r)]})),this.row=u("div",{class:"buttons switches"},[...this.switches.values()]),this.element=u("div",{class:"transport"},u("div",{class:"buttons"},Ce(Y("sta\
-rt"),"To the start (Home)",()=>e.seek(0)),Ce(Y("previous"),"Previous event (Shift ←)",()=>this.jump(-1)),Ce(Y("back"),"One frame back (←)",()=>this.nudge(-1)),
-this.playButton,Ce(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ce(Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},Ce(or(
-"▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ce(or("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,this.
+1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of xa(r))e.fillText(l,_(c,6,i-6),o-4)}};var Du=1/60,Iu=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ou={three:"In space"},Ne=(s,e,t)=>u(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Br=(s,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${s} `),e),ns=class{constructor(e,t,n,o,i){this.
+clock=e;this.films=t;this.say=o;this.tell=i;this.titled="";this.playButton=Ne(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
+speeds=u("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},Mt.map(a=>u("option",{value:String(a)},`${a}×`))),this.speeds.
+value="1",this.switches=new Map(Iu.map(([a,r,l])=>{let c=`${a==="three"?Ou.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>n(
+a)},r)]})),this.row=u("div",{class:"buttons switches"},[...this.switches.values()]),this.element=u("div",{class:"transport"},u("div",{class:"buttons"},Ne(Y("sta\
+rt"),"To the start (Home)",()=>e.seek(0)),Ne(Y("previous"),"Previous event (Shift ←)",()=>this.jump(-1)),Ne(Y("back"),"One frame back (←)",()=>this.nudge(-1)),
+this.playButton,Ne(Y("on"),"One frame on (→)",()=>this.nudge(1)),Ne(Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},Ne(Br(
+"▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),Ne(Br("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,this.
 row)}show(e){let{clock:t,playButton:n}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let o=t.playing?"Pause (space)":"Play (spac\
-e)";this.titled!==o&&(this.titled=o,n.replaceChildren(Y(t.playing?"pause":"play")),Ze(n,"title",o),Ze(n,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.
-speeds.value=String(t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*kc*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=
-!1;let n=this.films().flatMap((m,h)=>m.events.map(d=>({event:d,lane:h}))).filter(({event:m})=>!t||(t==="impact"?m.kind===t:Ci(m))).sort((m,h)=>m.event.t-h.event.
+e)";this.titled!==o&&(this.titled=o,n.replaceChildren(Y(t.playing?"pause":"play")),et(n,"title",o),et(n,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.
+speeds.value=String(t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Du*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=
+!1;let n=this.films().flatMap((m,h)=>m.events.map(d=>({event:d,lane:h}))).filter(({event:m})=>!t||(t==="impact"?m.kind===t:ga(m))).sort((m,h)=>m.event.t-h.event.
 t),o=this.clock.time,i=e>0?n.find(({event:m})=>m.t>o+1e-9):n.findLast(({event:m})=>m.t<o-1e-9);if(!i&&t&&(i=n[0]),!i){t&&this.say(t==="takeoff"?"This motion has\
- no flight.":"This motion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(ke[a.
-kind]??a.kind);this.tell(j(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:$(a.angle),time:M(a.t,4)})}`))}};var it=class{constructor(e,t,n,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
-this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=a,da(e,o);let{colors:r}=n;this.known=n.presets,this.sameness=new Cn(
-n.presets),this.clock=new Gt,this.motions=new En(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.announce(this.films()),noted:l=>this.
-noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.address=o?new $t(this.motions,()=>this.link()):null,this.notice=new Mn,
-this.theme=new Wn(e,r,o,()=>this.show()),this.stage=new jn(r,()=>{this.request(),this.address?.soon()}),this.transport=new Un(this.clock,()=>this.films(),l=>this.
-toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new Gn(this.clock),this.story=new Bn(this.clock),this.theory=new $n,this.plots=new Pn(this.clock,
-r),this.phase=new Rn(t,this.clock,r),this.map=new xn(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.
-soon()}),this.controls=new Vt(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new Nn(this),this.singleKeys=new yn(o),this.about=Xi(n.version,o),this.help=
-ea(this.about,r,this.singleKeys.element),this.view=new bn(e,o,()=>this.show()),this.hoops=new wn(l=>this.motions.choose(l)),this.header=new fn(n.presets,this.share.
+ no flight.":"This motion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",c=x(Me[a.
+kind]??a.kind);this.tell(j(`${l}${x("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:M(a.t,4)})}`))}};var lt=class{constructor(e,t,n,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=!1;this.taken=null;
+this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=a,Ya(e,o);let{colors:r}=n;this.known=n.presets,this.sameness=new Bn(
+n.presets),this.clock=new nn,this.motions=new Nn(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.story.announce(this.films()),noted:l=>this.
+noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.address=o?new en(this.motions,()=>this.link()):null,this.notice=new Dn,
+this.theme=new es(e,r,o,()=>this.show()),this.stage=new Zn(r,()=>{this.request(),this.address?.soon()}),this.transport=new ns(this.clock,()=>this.films(),l=>this.
+toggle(l),l=>this.notice.say(l),l=>this.story.say(l)),this.timeline=new ts(this.clock),this.story=new Qn(this.clock),this.theory=new Xn,this.plots=new jn(this.clock,
+r),this.phase=new Hn(t,this.clock,r),this.map=new Pn(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.
+soon()}),this.controls=new an(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new Wn(this),this.singleKeys=new Ln(o),this.about=Oa(n.version,o),this.help=
+qa(this.about,r,this.singleKeys.element),this.view=new Tn(e,o,()=>this.show()),this.hoops=new An(l=>this.motions.choose(l)),this.header=new Mn(n.presets,this.share.
 menu,this.view.button,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.
-help.showModal()}),this.extras=new pn(this),this.opening=new gn(this.clock,this.extras.grips.hint),this.sticky=ma(this,i),o&&!location.search&&!location.hash&&this.
+help.showModal()}),this.extras=new En(this),this.opening=new Sn(this.clock,this.extras.grips.hint),this.sticky=Za(this,i),o&&!location.search&&!location.hash&&this.
 extras.visit.offer(),this.later=oe(()=>this.fetchTheory(),120),this.frame=this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||
-this.address?.soon()}),this.deaf=ca(this,o),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.
+this.address?.soon()}),this.deaf=Va(this,o),this.sizes=new ResizeObserver(()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.
 max(...this.films().map(n=>n.duration)),this.sameness.expect(this.films(),t.fingerprints??[]),this.view.open(this.films(),t),this.restore(t),this.begin(),this.hosted&&
 t.time===void 0&&!this.view.everything&&this.opening.begin(this.stage.element.parentElement)}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.
 element),this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.opening.end(),this.map.close(),this.theme.close(),
 this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.
 films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){
 this.header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(e=this.sameness.expected(this.films())){
-let{clock:t,stage:n,map:o,extras:i}=this,{on:a,path:r}=i.more;return this.motions.link(pi({time:t.time,...n.view(),more:a?r:void 0,map:o.shown(),fingerprints:e}))}restore({
+let{clock:t,stage:n,map:o,extras:i}=this,{on:a,path:r}=i.more;return this.motions.link(na({time:t.time,...n.view(),more:a?r:void 0,map:o.shown(),fingerprints:e}))}restore({
 time:e,map:t,options:n,more:o,...i}){n?.three&&this.toggle("three"),this.stage.restore({options:n,...i}),t&&this.map.restore(t),o&&this.extras.more.turn(!0,o),e&&
-this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(n=>n.query===e);this.header.presets.value=t?.key??"",P(this.hoops.text,t?.text??"")}async take(e){
-this.taken=e;try{let t=await this.backend.call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.
-films())}catch(t){this.failed(t)}}async load(e){try{let t=await this.backend.call("film",{query:e});this.clock.play(!1),this.clock.time=0,this.motions.replace(t)}catch(t){
-this.notice.fail(t)}}mark(e,t){this.root.classList.toggle(e,t)}marked(e){return this.root.classList.contains(e)}travel(e){return this.motions.travel(e)}show(e=null){
-let{motions:t,clock:n}=this,o=this.films();if(!o.length)return;let i=o.length>1;this.theme.read(),n.duration=Math.max(...o.map(a=>a.duration)),n.time=Math.min(n.
-time,n.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.show(this.film(),
-this.motions.waiting()),this.view.show(o),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.
-surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),
-{active:t}=this.motions,{look:n,colors:o}=this.theme;this.plots.draw(e,t,n),this.phase.draw(e,t,n),this.story.draw(e,t,o,this.sameness.of(e[t])),this.drawTime(),
-this.map.mark(this.film(),n),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.
-theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(
-e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=
-!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),
-this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.
-asked=new AbortController;let{signal:t}=this.asked;try{let n=await this.backend.call("theory",{scenario:e},t);this.theory.draw(n.header.thresholds,this.motions.
-name()),await this.phase.fetch(e,t)}catch(n){let{name:o,message:i}=n;o!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;
-if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(n){this.notice.say(n.message)}this.transport.show(t),this.address?.soon(),this.request()}};var Mc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function at(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
+this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(n=>n.query===e);this.header.presets.value=t?.key??"",R(this.hoops.text,t?.text??"")}async take(e){
+this.taken=e;try{let t=await this.backend.film({query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){
+this.failed(t)}}async load(e){try{let t=await this.backend.film({query:e});this.clock.play(!1),this.clock.time=0,this.motions.replace(t)}catch(t){this.notice.fail(
+t)}}mark(e,t){this.root.classList.toggle(e,t)}marked(e){return this.root.classList.contains(e)}travel(e){return this.motions.travel(e)}show(e=null){let{motions:t,
+clock:n}=this,o=this.films();if(!o.length)return;let i=o.length>1;this.theme.read(),n.duration=Math.max(...o.map(a=>a.duration)),n.time=Math.min(n.time,n.duration),
+this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.show(this.film(),this.motions.
+waiting()),this.view.show(o),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.surrounding||
+(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),{active:t}=this.
+motions,{look:n,colors:o}=this.theme;this.plots.draw(e,t,n),this.phase.draw(e,t,n),this.story.draw(e,t,o,this.sameness.of(e[t])),this.drawTime(),this.map.mark(this.
+film(),n),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){
+let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.
+cursor(e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.
+motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.
+frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;
+let{signal:t}=this.asked;try{this.theory.draw(await this.backend.theory(e,t),this.motions.name()),await this.phase.fetch(e,t)}catch(n){let{name:o,message:i}=n;o!==
+"AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(n){
+this.notice.say(n.message)}this.transport.show(t),this.address?.soon(),this.request()}};var qu={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Dt(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let n=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+n))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let m=l.reduce((h,d)=>h*d,1);i[a]=new Mc[r](t.buffer,t.byteOffset+4+n+c,m)}return{header:o,arrays:i}}var Us=class extends Error{},Ks=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
+4,4+n))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let m=l.reduce((h,d)=>h*d,1);i[a]=new qu[r](t.buffer,t.byteOffset+4+n+c,m)}return{header:o,arrays:i}}var Fu=4,Hu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",ss=class{constructor(e){this.base=e}async motion(e,t){
+let n={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(e),signal:t};return Dt(await(await this.answered(new URL("lab/motion",this.
+base),n)).arrayBuffer())}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}async answered(e,t){for(let n=Fu;;n--){
+let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(Hu)});if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>
+0)||n<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${o.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),
+t?.signal?.throwIfAborted()}}},ju=2e4,Bu=3e5,os=class{constructor(e){this.model=e;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(
+2);this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(n.timer),
+this.waiting.delete(e.number),e.error?n.reject(new Error(e.error)):n.resolve(Dt(t[0])))}ask(e,t,n){let o=++this.number;return new Promise((i,a)=>{let r=setTimeout(
+()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e==="file"?Bu:ju);this.waiting.set(o,{resolve:i,reject:a,
+timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(o),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,
+number:o,call:e,body:t})})}motion(e,t){return this.ask("motion",e,t)}async file(e,t){let{arrays:n}=await this.ask("file",{query:t,name:e});return new Blob([n.content])}async derivatives(){
+return(await this.ask("derivatives",{})).arrays.content}close(){this.model.off("msg:custom",this.listen)}};var No=class extends Error{},Do=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:n,reject:o}=this.waiting;this.waiting=null,t.error?o(new Error(
 t.error)):n(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,n){this.number++;let o=new Promise((i,a)=>{this.waiting=
-{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},n),o}},rt=class{constructor(e,t,n,o){this.start=e;this.compiled=t;this.
+{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},n),o}},ht=class{constructor(e,t,n,o){this.start=e;this.compiled=t;this.
 size=n;this.limit=o;this.idle=[];this.hired=0;this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
-resolve(new Ks(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,o=[]){
-n?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Us(`This takes longer than ${this.
+resolve(new Do(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,o=[]){
+n?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new No(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await i.ask(e,t,o)}finally{clearTimeout(r),n?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var Kn=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var is=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
-o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Sc=150,Tc=240,Ac=6e3,[x0,ir,ar]=[0,1,2],Lc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var $u=150,Wu=240,Gu=6e3,[Yw,$r,Wr]=[0,1,2],Uu={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Vs(s,e,t){let{rows:n,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(b=>Math.
-min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Sc),Tc),Ac),c=E.events.length,m=new Set;for(let b=0;b<=l&&i>0;b++)m.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Io(s,e,t){let{rows:n,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(b=>Math.
+min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*$u),Wu),Gu),c=E.events.length,m=new Set;for(let b=0;b<=l&&i>0;b++)m.add(b===l?r:a+b*((r-a)/l));let h=new Set;
 for(let b=0;b<o;b++){let w=Math.min(n[b*c+B.t],i);w>=a&&w<=r&&h.add(w)}for(let b of h)m.add(b);let d=Float64Array.from(m).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),f=s.states(e,d,!1),g=s.states(e,p,!0);return Rc(d,f,p,g)}function Rc(s,e,t,n){let o=s.length+t.length,i=E.samples.length,a=new Float64Array(o),r=new Float64Array(
+0).sort(),f=s.states(e,d,!1),g=s.states(e,p,!0);return Ku(d,f,p,g)}function Ku(s,e,t,n){let o=s.length+t.length,i=E.samples.length,a=new Float64Array(o),r=new Float64Array(
 o*i),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*i,(c+1)*i),l*i),l++,c++),a[l]=s[h],r.set(e.subarray(h*i,(h+1)*i),l*
-i),l++;let m={t:a};for(let[h,d]of Object.entries(Lc)){let p=new Float64Array(o).fill(-0);for(let f of d)for(let g=0;g<o;g++)p[g]+=r[g*i+xs[f]];m[h]=p}return m.mode=
-Pc(r,o,m.omega),m}function Pc(s,e,t){let n=E.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
-Math.sign(t[a])||i;let r=s[a*n+xs.mode],l=r===ir?-1:r===ar?1:0;o[a]=l===0?r:l*i<0?ir:ar}return o}var Cc=s=>s/2**32|0,zc=s=>s>>>0;function rr(s,e,t,n){let o=Cc(t),i=zc(t);s.setUint32(e,n?i:o,n),s.setUint32(e+4,n?o:i,n)}function lr(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var Js=s=>s?
-`"${s}" `:"";function Nc(s,e=""){if(typeof s!="number")throw new TypeError(Js(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
-Js(e)+"expected integer >= 0, got "+s);return s}function Ys(s,e,t=""){if(lr(s)&&(e===void 0||s.length===e))return s;e!==void 0&&Nc(e,"length");let n=lr(s),o=e!==void 0?` of length ${e}`:"",i=n?`length=${s.length}`:
-`type=${typeof s}`,a=Js(t)+"expected Uint8Array"+o+", got "+i;throw n?new RangeError(a):new TypeError(a)}var Dc=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},hr=(s,e)=>{
-Dc(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
-`"${e}.__proto__" is not allowed`)};function Zs(s,e=!0){if(s.destroyed)throw new Error("hash was destroyed");if(e&&s.finished)throw new Error("digest() was alre\
-ady called")}function cr(s,e){Ys(s,void 0,"output");let t=e.outputLen;if(!(s.length>=t))throw new RangeError('"output" expected length >= '+t)}function Qs(...s){for(let e=0;e<s.length;e++)s[e].fill(0)}function Vn(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function ce(s,e){return s<<32-e|
-s>>>e}function Oc(s,e,t="opts"){return hr(s,"defaults"),e!==void 0&&hr(e,t),Object.assign(Object.create(null),s,e)}function ur(s,e={}){if(typeof s!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof s);e=Oc({},e,"info");let t=(o,i)=>s(i).update(o).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
-n.blockLen,t.canXOF=n.canXOF,t.create=o=>s(o),Object.assign(t,e),Object.freeze(t)}var dr=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function mr(s,e,t){return s&e^~s&t}function pr(s,e,t){return s&e^s&t^e&t}var Jn=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,n,o){
-this.blockLen=e,this.outputLen=t,this.padOffset=n,this.isLE=o,this.buffer=new Uint8Array(e),this.view=Vn(this.buffer)}update(e){Zs(this),Ys(e);let{view:t,buffer:n,
-blockLen:o}=this,i=e.length,a=!1;for(let r=0;r<i;){let l=Math.min(o-this.pos,i-r);if(l===o){let c=Vn(e);for(;o<=i-r;r+=o)this.process(c,r);a=!0;continue}n.set(r===
+i),l++;let m={t:a};for(let[h,d]of Object.entries(Uu)){let p=new Float64Array(o).fill(-0);for(let f of d)for(let g=0;g<o;g++)p[g]+=r[g*i+cs[f]];m[h]=p}return m.mode=
+Vu(r,o,m.omega),m}function Vu(s,e,t){let n=E.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
+Math.sign(t[a])||i;let r=s[a*n+cs.mode],l=r===$r?-1:r===Wr?1:0;o[a]=l===0?r:l*i<0?$r:Wr}return o}var Ju=s=>s/2**32|0,Yu=s=>s>>>0;function Gr(s,e,t,n){let o=Ju(t),i=Yu(t);s.setUint32(e,n?i:o,n),s.setUint32(e+4,n?o:i,n)}function Ur(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var Oo=s=>s?
+`"${s}" `:"";function Zu(s,e=""){if(typeof s!="number")throw new TypeError(Oo(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
+Oo(e)+"expected integer >= 0, got "+s);return s}function qo(s,e,t=""){if(Ur(s)&&(e===void 0||s.length===e))return s;e!==void 0&&Zu(e,"length");let n=Ur(s),o=e!==void 0?` of length ${e}`:"",i=n?`length=${s.length}`:
+`type=${typeof s}`,a=Oo(t)+"expected Uint8Array"+o+", got "+i;throw n?new RangeError(a):new TypeError(a)}var Qu=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},Kr=(s,e)=>{
+Qu(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
+`"${e}.__proto__" is not allowed`)};function Fo(s,e=!0){if(s.destroyed)throw new Error("hash was destroyed");if(e&&s.finished)throw new Error("digest() was alre\
+ady called")}function Vr(s,e){qo(s,void 0,"output");let t=e.outputLen;if(!(s.length>=t))throw new RangeError('"output" expected length >= '+t)}function Ho(...s){for(let e=0;e<s.length;e++)s[e].fill(0)}function as(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function ce(s,e){return s<<32-e|
+s>>>e}function Xu(s,e,t="opts"){return Kr(s,"defaults"),e!==void 0&&Kr(e,t),Object.assign(Object.create(null),s,e)}function Jr(s,e={}){if(typeof s!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof s);e=Xu({},e,"info");let t=(o,i)=>s(i).update(o).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
+n.blockLen,t.canXOF=n.canXOF,t.create=o=>s(o),Object.assign(t,e),Object.freeze(t)}var Yr=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function Zr(s,e,t){return s&e^~s&t}function Qr(s,e,t){return s&e^s&t^e&t}var rs=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,n,o){
+this.blockLen=e,this.outputLen=t,this.padOffset=n,this.isLE=o,this.buffer=new Uint8Array(e),this.view=as(this.buffer)}update(e){Fo(this),qo(e);let{view:t,buffer:n,
+blockLen:o}=this,i=e.length,a=!1;for(let r=0;r<i;){let l=Math.min(o-this.pos,i-r);if(l===o){let c=as(e);for(;o<=i-r;r+=o)this.process(c,r);a=!0;continue}n.set(r===
 0&&l===i?e:e.subarray(r,r+l),this.pos),this.pos+=l,r+=l,this.pos===o&&(this.process(t,0),this.pos=0,a=!0)}return this.length+=e.length,a&&this.roundClean(),this}digestInto(e){
-Zs(this),cr(e,this),this.finished=!0;let{buffer:t,view:n,blockLen:o,isLE:i}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>o-a&&(this.process(n,0),t.fill(
-0)),rr(n,o-8,this.length*8,i),this.process(n,0),this.roundClean();let r=e===t?n:Vn(e),l=this.outputLen,c=l/4,m=this.get();if(l%4||c>m.length)throw new Error("in\
+Fo(this),Vr(e,this),this.finished=!0;let{buffer:t,view:n,blockLen:o,isLE:i}=this,{pos:a}=this;t[a++]=128,t.fill(0,a),this.padOffset>o-a&&(this.process(n,0),t.fill(
+0)),Gr(n,o-8,this.length*8,i),this.process(n,0),this.roundClean();let r=e===t?n:as(e),l=this.outputLen,c=l/4,m=this.get();if(l%4||c>m.length)throw new Error("in\
 valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,m[h],i)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let n=e.slice(0,t);return this.destroy(),
 n}_cloneIntoMeta(e){let{buffer:t,length:n,finished:o,destroyed:i,pos:a}=this;return e.destroyed=i,e.finished=o,e.length=n,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
-_cloneInto()}},fr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var Ic=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+_cloneInto()}},Xr=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var ed=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
-2361852424,2428436474,2756734187,3204031479,3329325298]),ze=new Uint32Array(64),Xs=class extends Jn{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
+2361852424,2428436474,2756734187,3204031479,3329325298]),De=new Uint32Array(64),jo=class extends rs{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
 8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:n,D:o,E:i,F:a,G:r,H:l}=this;
 return[e,t,n,o,i,a,r,l]}set(e,t,n,o,i,a,r,l){this.A=e|0,this.B=t|0,this.C=n|0,this.D=o|0,this.E=i|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
-constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)ze[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=ze[h-15],p=ze[h-
-2],f=ce(d,7)^ce(d,18)^d>>>3,g=ce(p,17)^ce(p,19)^p>>>10;ze[h]=g+ze[h-7]+f+ze[h-16]|0}let{A:n,B:o,C:i,D:a,E:r,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let d=ce(r,6)^
-ce(r,11)^ce(r,25),p=m+d+mr(r,l,c)+Ic[h]+ze[h]|0,g=(ce(n,2)^ce(n,13)^ce(n,22))+pr(n,o,i)|0;m=c,c=l,l=r,r=a+p|0,a=i,i=o,o=n,n=p+g|0}n=n+this.A|0,o=o+this.B|0,i=i+
-this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,m=m+this.H|0,this.set(n,o,i,a,r,l,c,m)}roundClean(){Qs(ze)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),Qs(this.buffer)}},eo=class extends Xs{constructor(){super(32,fr)}};var gr=ur(()=>new eo,dr(1));var br=["t","x","height","angle","vx","vy","omega","slip"],qc=16,Fc=0x7ff8000000000000n;function wr(s,e){let t=new TextEncoder,n=gr.create(),o=new DataView(new ArrayBuffer(
-8*br.length)),i=new Uint8Array(o.buffer);for(let r=0;r<e;r++){let l=r*E.events.length;n.update(t.encode(E.kinds[s[l+B.kind]])),br.forEach((c,m)=>{let h=s[l+B[c]];
-Number.isNaN(h)?o.setBigUint64(8*m,Fc,!0):o.setFloat64(8*m,h+0,!0)}),n.update(i)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,qc)}function yr(s,e){let t=new Map,n=new Float64Array(e);for(let o=0;o<e;o++){let i=Hc(s.subarray(o*E.keys,(o+1)*E.keys));if(i===""){n[o]=Number.NaN;continue}let a=t.
-get(i);a===void 0&&(a=t.size,t.set(i,a)),n[o]=a}return{values:n,sequences:[...t.keys()]}}function Hc(s){let e="";for(let t of s){let n=t;for(let o=0;o<E.letters_a_key&&
-n;o++){let i=Number(n&7n);n>>=3n,i&&(e+=i===E.more?"+":E.letters[i-1])}}return e}var jc=256,Bc=2048,$c=4096,Wc=2e5,Gc=E.statuses.indexOf("buffer"),Uc=new Set(E.passing),to=s=>Number.isFinite(s)?s:null,Yn=class{constructor(e){this.exports=new WebAssembly.
-Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Kn(this.exports),this.mostEvents=jc,this.mostSegments=Bc,this.mostRows=$c}call(e,...t){let n=this.
+constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)De[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=De[h-15],p=De[h-
+2],f=ce(d,7)^ce(d,18)^d>>>3,g=ce(p,17)^ce(p,19)^p>>>10;De[h]=g+De[h-7]+f+De[h-16]|0}let{A:n,B:o,C:i,D:a,E:r,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let d=ce(r,6)^
+ce(r,11)^ce(r,25),p=m+d+Zr(r,l,c)+ed[h]+De[h]|0,g=(ce(n,2)^ce(n,13)^ce(n,22))+Qr(n,o,i)|0;m=c,c=l,l=r,r=a+p|0,a=i,i=o,o=n,n=p+g|0}n=n+this.A|0,o=o+this.B|0,i=i+
+this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,m=m+this.H|0,this.set(n,o,i,a,r,l,c,m)}roundClean(){Ho(De)}destroy(){this.destroyed=!0,this.set(0,0,
+0,0,0,0,0,0),Ho(this.buffer)}},Bo=class extends jo{constructor(){super(32,Xr)}};var el=Jr(()=>new Bo,Yr(1));var tl=["t","x","height","angle","vx","vy","omega","slip"],td=16,nd=0x7ff8000000000000n;function nl(s,e){let t=new TextEncoder,n=el.create(),o=new DataView(new ArrayBuffer(
+8*tl.length)),i=new Uint8Array(o.buffer);for(let r=0;r<e;r++){let l=r*E.events.length;n.update(t.encode(E.kinds[s[l+B.kind]])),tl.forEach((c,m)=>{let h=s[l+B[c]];
+Number.isNaN(h)?o.setBigUint64(8*m,nd,!0):o.setFloat64(8*m,h+0,!0)}),n.update(i)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,td)}function sl(s,e){let t=new Map,n=new Float64Array(e);for(let o=0;o<e;o++){let i=sd(s.subarray(o*E.keys,(o+1)*E.keys));if(i===""){n[o]=Number.NaN;continue}let a=t.
+get(i);a===void 0&&(a=t.size,t.set(i,a)),n[o]=a}return{values:n,sequences:[...t.keys()]}}function sd(s){let e="";for(let t of s){let n=t;for(let o=0;o<E.letters_a_key&&
+n;o++){let i=Number(n&7n);n>>=3n,i&&(e+=i===E.more?"+":E.letters[i-1])}}return e}var od=256,id=2048,ad=4096,rd=2e5,ld=E.statuses.indexOf("buffer"),hd=new Set(E.passing),$o=s=>Number.isFinite(s)?s:null,ls=class{constructor(e){this.exports=new WebAssembly.
+Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new is(this.exports),this.mostEvents=od,this.mostSegments=id,this.mostRows=ad}call(e,...t){let n=this.
 exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=E.events.length;for(;;){let o=t.room("table",8*n*this.
 mostEvents),i=t.room("heads",8*E.heads.length);e.contact?this.computeCompliant(e,e.contact,o,i):this.computeRigid(e,o,i);let a=t.floats(i,E.heads.length).slice(),
-r=a[pe.events];if(a[pe.status]===Gc)this.makeRoom(e,a[pe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(o,r*n).slice();
-return{given:e,head:a,rows:l,count:r,duration:a[pe.duration],segments:a[pe.segments]}}}}computeRigid(e,t,n){let{memory:o}=this,i=o.put("cell",Ie(e)),a=o.room("e\
+r=a[ue.events];if(a[ue.status]===ld)this.makeRoom(e,a[ue.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let l=t.floats(o,r*n).slice();
+return{given:e,head:a,rows:l,count:r,duration:a[ue.duration],segments:a[ue.segments]}}}}computeRigid(e,t,n){let{memory:o}=this,i=o.put("cell",qe(e)),a=o.room("e\
 vents",E.event_bytes*this.mostEvents),r=o.room("segments",E.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,r,this.mostSegments,t,n)}computeCompliant(e,t,n,o){
-let{memory:i}=this,a=i.put("cell",Ie(e)),r=i.put("contact",en(t)),l=i.room("events",E.event_bytes*this.mostEvents),c=i.room("rows",E.compliant_segment_bytes*this.
-mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Wc,c,this.mostRows,n,o)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return vr(
-this.compute(e))}film(e){let t=this.compute(e);return{motion:vr(t),columns:Vs(this,t)}}columns(e,t){return Vs(this,this.compute(e),t)}samples(e,t){let n=this.states(
+let{memory:i}=this,a=i.put("cell",qe(e)),r=i.put("contact",qt(t)),l=i.room("events",E.event_bytes*this.mostEvents),c=i.room("rows",E.compliant_segment_bytes*this.
+mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,rd,c,this.mostRows,n,o)}makeRoom(e,t){e.contact?this.mostRows=t:this.mostSegments*=4}motion(e){return ol(
+this.compute(e))}film(e){let t=this.compute(e);return{motion:ol(t),columns:Io(this,t)}}columns(e,t){return Io(this,this.compute(e),t)}samples(e,t){let n=this.states(
 this.compute(e),t,!1),o=E.samples.length;return Object.fromEntries(E.samples.map((i,a)=>[i,Float64Array.from(t,(r,l)=>n[l*o+a])]))}states(e,t,n){return this.rows(
 "samples",E.samples.length,e,t,n)}margins(e,t,n=!1){if(e.contact)throw new TypeError("A compliant contact has no such rules.");let o=E.margins.length,i=this.rows(
 "margins",o,this.compute(e),t,n);return Object.fromEntries(E.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>i[c*o+r])]))}rows(e,t,n,o,i){let{memory:a}=this,r=o.
@@ -2408,236 +2575,69 @@ length*t,l=a.put("times",o),c=a.room("states",8*Math.max(r,1)),m=a.room("cell",8
 ant_samples",m,a.room("contact",8),a.room("rows",8),...h):this.call(e,m,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){let{memory:n}=this,o=this.
 compute(e),i=n.put("rates",t),a=this.side(o,i,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(o,i,-1):a;return{count:o.count,larger:a,smaller:c}}side({
 count:e,segments:t,head:n},o,i){let{memory:a}=this,r=e*E.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[m,h,d]=["cell","events","segments"].map(b=>a.
-room(b,8)),p=n[pe.doubt_from];this.call("changes",m,o,1,i,h,e,d,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:E.reasons[Math.max(f,0)],
-sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,n=t.put("cell",Ie(e)),o=t.room("answers",8*E.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresho\
+room(b,8)),p=n[ue.doubt_from];this.call("changes",m,o,1,i,h,e,d,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:E.reasons[Math.max(f,0)],
+sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,n=t.put("cell",qe(e)),o=t.room("answers",8*E.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresho\
 lds",n,i?e.vx:Number.NaN,o);let a=t.floats(o,E.thresholds.length),r=c=>{let m=a[E.thresholds.indexOf(c)];return Number.isNaN(m)?null:m},l=["jam_angle","jam_angl\
 e_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop\
 _speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r(
 "stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,o,i],a,r){let{memory:l}=this,
-c=l.put("cell",Ie(e)),m=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,o,i,a,r,m,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
+c=l.put("cell",qe(e)),m=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,o,i,a,r,m,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(
 d,m,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*E.numbers.
 length),l=i.room("words",4*e*E.words.length),c=i.room("keys",8*e*E.keys),{angle:m,stop:h,timed:d}=E.spans[o],p=E.wanted[n];this.call("map_cells",a,e,m??Number.NaN,
-h,d,p,r,l,c);let{buffer:f}=this.exports.memory;if(n==="sequence")return yr(new BigUint64Array(f,c,e*E.keys),e);let g=new Float64Array(e);if(n in ks){let b=new Int32Array(
-f,l,e*E.words.length);for(let w=0;w<e;w++)g[w]=b[w*E.words.length+ks[n]]}else{let b=i.floats(r,e*E.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*E.numbers.length+
-Pi[n]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*E.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){
-let t=this.memory.put("cell",Ie(e)),n=this.memory.put("contact",en(e.contact)),o=this.memory.room("answers",8*E.thresholds.length);this.call("refused",t,n,+!e.contact,
-o);let[i,a]=this.memory.floats(o,2);return[i,a]}combine(e,t){let{memory:n}=this,o=n.put("parts",t.flatMap(Kc)),i=n.room("answers",8*E.thresholds.length),a=n.room(
+h,d,p,r,l,c);let{buffer:f}=this.exports.memory;if(n==="sequence")return sl(new BigUint64Array(f,c,e*E.keys),e);let g=new Float64Array(e);if(n in us){let b=new Int32Array(
+f,l,e*E.words.length);for(let w=0;w<e;w++)g[w]=b[w*E.words.length+us[n]]}else{let b=i.floats(r,e*E.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*E.numbers.length+
+Xo[n]]}return{values:g}}ideal(e){let t=this.memory.room("answers",8*E.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){
+let t=this.memory.put("cell",qe(e)),n=this.memory.put("contact",qt(e.contact)),o=this.memory.room("answers",8*E.thresholds.length);this.call("refused",t,n,+!e.contact,
+o);let[i,a]=this.memory.floats(o,2);return[i,a]}combine(e,t){let{memory:n}=this,o=n.put("parts",t.flatMap(cd)),i=n.room("answers",8*E.thresholds.length),a=n.room(
 "reaches",8*t.length);this.call("hoop_of_parts",e,o,t.length,i,a);let[r,l,c]=n.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.
-length)]}}chosen(e){let t=this.memory.put("cell",Ie(e)),n=this.memory.put("contact",en(e.contact)),o=this.memory.room("answers",8*E.thresholds.length);this.call(
-"compliance",t,n,o);let i=this.memory.floats(o,E.chosen.length);return Object.fromEntries(E.chosen.map((a,r)=>[a,i[r]]))}};function Kc(s){let e=s.shape==="rod"?
+length)]}}chosen(e){let t=this.memory.put("cell",qe(e)),n=this.memory.put("contact",qt(e.contact)),o=this.memory.room("answers",8*E.thresholds.length);this.call(
+"compliance",t,n,o);let i=this.memory.floats(o,E.chosen.length);return Object.fromEntries(E.chosen.map((a,r)=>[a,i[r]]))}};function cd(s){let e=s.shape==="rod"?
 `${s.direction}_rod`:s.shape,t=E.shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:
-s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,s.mass,0,0,s.at]}var Vc=["friction","impact_normal","impact_tangential","rolling_resistance"],Jc=["kinetic","poten\
-tial",...Vc,"residual"],xr=["x","height","angle","vx","vy","omega"];function vr({given:s,head:e,rows:t,count:n,duration:o}){let i=E.events.length,a=Array.from({
-length:n},(m,h)=>Yc(t.subarray(h*i,(h+1)*i))),r=a[n-1],l=Object.fromEntries([...Jc,...s.contact?["spring","damping"]:[]].map(m=>[m,e[pe[m]]])),c=to(e[pe.doubt_from]);
-return{status:E.statuses[e[pe.status]],sequence:Zc(a),fingerprint:c===null?wr(t,n):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(xr.map(
-m=>[m,r[m]]))},energy:l,doubt:c}}function Yc(s){let e=E.kinds[s[B.kind]],t=s[B.from_mode],n={t:s[B.t],kind:e,from:t<0?null:E.letters[t],to:E.letters[s[B.to_mode]]};
-for(let o of xr)n[o]=to(s[B[o]]);return n.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,to(s[B[`before_${o}`]])])),n.impulse={normal:s[B.impulse_normal],
-tangential:s[B.impulse_tangential]},s[B.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[B.gain]),s[B.stable]>=0&&(n.stable=s[B.stable]===1),n}function Zc(s){
-let e=s.filter((n,o)=>o===s.length-1||!Uc.has(n.kind));return e.slice(0,-1).map((n,o)=>e[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var no=1e4,Qc="The part of the page that computes this could not be loaded; choose it again when there is a network.",so=256;function kr(s){let e=URL.createObjectURL(
-new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function _r(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
+s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,s.mass,0,0,s.at]}var ud=["friction","impact_normal","impact_tangential","rolling_resistance"],dd=["kinetic","poten\
+tial",...ud,"residual"],il=["x","height","angle","vx","vy","omega"];function ol({given:s,head:e,rows:t,count:n,duration:o}){let i=E.events.length,a=Array.from({
+length:n},(m,h)=>md(t.subarray(h*i,(h+1)*i))),r=a[n-1],l=Object.fromEntries([...dd,...s.contact?["spring","damping"]:[]].map(m=>[m,e[ue[m]]])),c=$o(e[ue.doubt_from]);
+return{status:E.statuses[e[ue.status]],sequence:pd(a),fingerprint:c===null?nl(t,n):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(il.map(
+m=>[m,r[m]]))},energy:l,doubt:c}}function md(s){let e=E.kinds[s[B.kind]],t=s[B.from_mode],n={t:s[B.t],kind:e,from:t<0?null:E.letters[t],to:E.letters[s[B.to_mode]]};
+for(let o of il)n[o]=$o(s[B[o]]);return n.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,$o(s[B[`before_${o}`]])])),n.impulse={normal:s[B.impulse_normal],
+tangential:s[B.impulse_tangential]},s[B.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[B.gain]),s[B.stable]>=0&&(n.stable=s[B.stable]===1),n}function pd(s){
+let e=s.filter((n,o)=>o===s.length-1||!hd.has(n.kind));return e.slice(0,-1).map((n,o)=>e[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var Wo=1e4,fd="The part of the page that computes this could not be loaded; choose it again when there is a network.",Go=256;function al(s){let e=URL.createObjectURL(
+new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function rl(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
-arrayBuffer())}async function Er(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var At=class s{constructor(e,t,n){this.start=t;this.derivatives=n;this.rates=null;this.mechanics=new Yn(e),this.motions=new rt(t,e,2,no);let o=navigator.hardwareConcurrency||
-2;this.maps=new rt(t,e,Math.max(1,Math.min(o-1,8)),no)}static async load(e){let t=await _r(new URL(`hophoop.wasm?${E.module}`,e)),n=()=>_r(new URL(`hophoop-deri\
+arrayBuffer())}async function ll(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
+var It=class s{constructor(e,t,n){this.start=t;this.derivatives=n;this.rates=null;this.mechanics=new ls(e),this.motions=new ht(t,e,2,Wo);let o=navigator.hardwareConcurrency||
+2;this.maps=new ht(t,e,Math.max(1,Math.min(o-1,8)),Wo)}static async load(e){let t=await rl(new URL(`hophoop.wasm?${E.module}`,e)),n=()=>rl(new URL(`hophoop-deri\
 vatives.wasm?${E.derivatives}`,e)),o=new URL(`kernel.js?${E.module}`,e);return o.origin===globalThis.location?.origin?new s(t,()=>new Worker(o,{type:"module"}),
-n):new s(t,kr(await(await fetch(o)).text()),n)}static async unpack(e,t,n){return new s(await Er(e),kr(t),async()=>Er(await n()))}motion(e,t){return this.motions.
+n):new s(t,al(await(await fetch(o)).text()),n)}static async unpack(e,t,n){return new s(await ll(e),al(t),async()=>ll(await n()))}motion(e,t){return this.motions.
 ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,n){return this.motions.ask("columns",[e,n],t)}samples(e,t,n){return this.motions.
-ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(i=>new rt(this.start,i,1,no)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(Qc)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,o,i){return this.motions.ask("regions",[e,
-t,n,o],i)}async map({count:e,rows:t},n,o,i){let a=E.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(so,e-h),p=new Float64Array(
+ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(i=>new ht(this.start,i,1,Wo)),(await this.rates.catch(()=>{throw this.rates=
+null,new Error(fd)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,o,i){return this.motions.ask("regions",[e,
+t,n,o],i)}async map({count:e,rows:t},n,o,i){let a=E.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(Go,e-h),p=new Float64Array(
 a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let f=await this.maps.ask("map",[{count:d,rows:p},n,o],i,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
-b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},m=Array.from({length:Math.ceil(e/so)},(h,d)=>d*so);return await Promise.
-all(m.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var Xc=4,eu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",Zn=class{constructor(e){this.base=e;this.shares=
-!0}async call(e,t,n){let o={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:n},i=await this.answered(new URL(`lab/${e}`,
-this.base),o);return at(await i.arrayBuffer())}async answered(e,t){for(let n=Xc;;n--){let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(eu)});
-if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>0)||n<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The\
- server answered ${o.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(
-`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:"",this.base)}${t}`}},tu=2e4,nu=3e5,Qn=class{constructor(e){this.model=e;this.
-shares=!1;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){
-let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(n.timer),this.waiting.delete(e.number),e.error?n.reject(new Error(e.error)):n.resolve(at(
-t[0])))}call(e,t,n){let o=++this.number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answ\
-er; run the cell again."))},e==="file"?nu:tu);this.waiting.set(o,{resolve:i,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(
-o),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:o,call:e,body:t})})}async file(e,t){let{arrays:n}=await this.call("fi\
-le",{query:t,name:e});return new Blob([n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var{codes:su,families:ou,massless:iu,hops:au,rolls:ru,other:lu}=S.classes,{sequence:hu}=S.words,Mr="sequence",cu=s=>[...s].reduce((e,t)=>(131*e+t.charCodeAt(0))%
-997,0)/997;function Sr(s,e){if(e!==Mr)return su[e]?.[s]??lu;let t=/[SK]/.exec(s)?.[0]??"R",n=[s.startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).
-join(", "),o=s.endsWith("H")?au:ou[t+s.slice(-1)]??ru,i=s.includes("M")?iu[n]:o,a=[1,3,5].map(p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
-min(s.length-1,9)/9,c=.2*cu(s),m=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*m)*(1-h)).toString(
-16).padStart(2,"0")}).join("")}`}function Tr(s,e){return e!==Mr?s.replaceAll("_"," "):[...s].map(t=>hu[t]).join(" → ")}function Q({duration:s,hoop:e,plane:t,start:n,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:m,...h}=t,{x:d,height:p,angle:f,vx:g,
-vy:b,omega:w,slip:y}=be(n,i),{max_events:v,model:k,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
-angle:f,vx:g,vy:b,omega:w,slip:y,rolling:n.speed!==null,duration:s,max_events:v,contact:k==="rigid"?null:T}}function be({x:s,height:e,angle:t,speed:n,vx:o,vy:i,
-omega:a},r){let l=n===null?Number(a):n/r;return{x:s,height:e,angle:t,vx:o,vy:i,omega:l,slip:n===null?o-r*l:0}}var uu=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,du=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function Ee(s){return Number.isNaN(s)?"nan":String(s).replace("Infi\
-nity","inf")}var oo=s=>Ee(s).replace(/^-?\d+$/,"$&.0");function Me(s,e=6){if(!Number.isFinite(s))return Ee(s);let t=s!==0&&Math.abs(s)<1e-4,[n,...o]=(t?s.toExponential(
-e-1):s.toPrecision(e)).split("e");return[n.includes(".")?n.replace(/\.?0+$/,""):n,...o].join("e")}var io=(s,e)=>Number.isFinite(s)?s.toFixed(e):Ee(s),mu={g:(s,e)=>Me(
-s,e||6),e:(s,e)=>s.toExponential(e),f:io};function q(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,o,i,a)=>{let r=e[n];return a?mu[a](r,Number(
-i)):o?ao(r):String(r)})}function ao(s){return typeof s=="number"?Ee(s):typeof s=="string"?Xn(`'${s}'`):s==null?"None":Xn(JSON.stringify(s))}var Ar=s=>s.replace(
-/[\p{C}\p{Zl}\p{Zp}]/gu,e=>`\\u{${e.codePointAt(0)?.toString(16)}}`);function Xn(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}function Lr(s){
-if(uu.test(s))return Number(s);let[,e,t]=du.exec(s)??[];if(t)return t[0].toLowerCase()==="n"?Number.NaN:e==="-"?-1/0:1/0}var{texts:Rr,scenario:Pr}=S,pu=2,N=class extends Error{constructor(e){super(Ar(e)),this.name="InputError"}},te=class extends N{},z=(s,e={})=>q(Rr[s],e),we=s=>s!==
-null&&typeof s=="object"&&!Array.isArray(s),We=(s,e,t,n)=>z("finding",{path:s||Rr.whole_scenario,shown:ao(e),allowed:z(t,n)});function lo(s,e,t,n){let{fields:o,
-place:i}=Pr.models[s],a=we(e)?ho(i,e,Object.keys(o)):We(t,e,"table");if(a&&n.push(a),a)return null;let r=n.length,l={};for(let[c,m]of Object.entries(o))Object.hasOwn(
-e,c)?l[c]=co(m,e[c],`${t}.${c}`,n):m.required?n.push(z("missing",{path:`${t}.${c}`})):l[c]=yt(m.default);return n.length===r?{values:l,given:new Set(Object.keys(
-e))}:null}function ho(s,e,t){let n=Object.keys(e).find(r=>!t.includes(r));if(n===void 0)return null;let[o]=[...t].sort((r,l)=>ro(n,r)-ro(n,l)),a=ro(n,o)<=pu?z("\
-did_you_mean",{close:o}):z("known_are",{known:t.join(", ")});return z("unknown_key",{path:`${s}${Xn(n)}`,hint:a})}function ro(s,e){let t=Array.from({length:e.length+
-1},(n,o)=>o);for(let[n,o]of[...s].entries()){let i=[n+1];for(let a=0;a<e.length;a++)i.push(Math.min(i[a]+1,t[a+1]+1,t[a]+ +(o!==e[a])));t=i}return t[e.length]}function co(s,e,t,n){
-if(e===null&&s.nullable)return null;if(s.kind==="parts")return bu(e,t,n);let o=s.kind==="friction"&&e==="inf"?1/0:e,i=gu(s,o);return i&&n.push(We(t,e,...i)),typeof o==
-"number"?o+0:o}var fu={greater_than:(s,e)=>s>e,greater_than_equal:(s,e)=>s>=e,less_than_equal:(s,e)=>s<=e};function gu(s,e){let{kind:t,options:n,limits:o=[],range:i}=s;
-if(t==="word")return n.includes(e)?null:["literal_error",s];if(typeof e!="number")return["number"];if(t==="friction"&&!(e>=0))return["friction"];if(t==="whole"&&
-!Number.isInteger(e))return["whole"];if(t!=="friction"&&!Number.isFinite(e))return["finite_number"];let a=o.find(([r,l])=>!fu[r](e,l));return a?[a[0],{limit:a[1]}]:
-i&&!uo(i,e)?["range",i]:null}var uo=({least:s,most:e,also:t=[]},n)=>s<=n&&n<=e||t.some(o=>yt(o)===n);function bu(s,e,t){if(!Array.isArray(s))t.push(We(e,s,"list"));else
-return s.map((n,o)=>wu(n,`${e}.${o}`,t))}function wu(s,e,t){let n=mo(s,"shape",Pr.parts,e,t),o=n&&lo(n,s,e,t);if(!o)return null;let{inner_radius:i,outer_radius:a}=o.
-values;return i>a&&t.push(z("ring_radii",{inner:i,outer:a})),o.values}function mo(s,e,t,n,o,i){let a=we(s)&&Object.hasOwn(s,e)?s[e]:i;if(!we(s))o.push(We(n,s,"t\
-able"));else if(a===void 0)o.push(z("missing",{path:`${n}.${e}`}));else{if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];{let r=Object.keys(t).map(l=>`'${l}\
-'`).join(" or ");o.push(We(`${n}.${e}`,a,"literal_error",{expected:r}))}}return null}function po(s){let e=s.length-1;return e?z(e===1?"other_problem":"other_pro\
-blems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var zr=new Map(Object.entries(S.scenario.ends));function go(s){let[e,...t]=s.split(".");return[e,t.join(".")]}function Lt(s){for(let e of s){let t=(zr.get(e)??[]).
-map(o=>`${go(e)[0]}.${o}`),n=s.find(o=>t.some(i=>o===i||o.startsWith(`${i}.`)));if(n!==void 0)return[e,n]}return null}function Cr(s){let[e,t]=go(s);return(e==="\
-start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}function Nr(s,e,t,n){let o=[...t.keys()],i=Lt(o);if(i){let[r,l]=i;throw new N(z("two_ways",{one:r,
-other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of o.sort((l,c)=>Cr(l)-Cr(c))){let l=structuredClone(t.get(r)),[c,m]=go(r);if(m==="")
-fo(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||fo(e,c,{});let h=e[c];if(!we(h))throw new N(z("no_section_parts",{path:r,section:c}));
-let d=zr.get(r)??[];if(!a.has(c)&&d.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?n(c,t.get(c)):s[c],f=yu(p,r,()=>n("hoop",e.hoop));for(let[g,b]of Object.
-entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of d)delete h[p];vu(h,m.split("."),l,r)}}return e}var fo=(s,e,t)=>Object.defineProperty(s,e,{value:t,enumerable:!0,
-configurable:!0,writable:!0});function yu(s,e,t){let{mass:n,eccentricity:o,inertia_ratio:i,mu_static:a,mu_kinetic:r}=s;if(e==="hoop.load_fraction")return{mass:n};
-if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,eccentricity:o,inertia_ratio:i};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
-mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:m,omega:h}=be(s,t().radius);return{height:l,vx:c,vy:m,omega:h}}function vu(s,e,t,n){
-let o=s;for(let[i,a]of e.entries()){let r=i===e.length-1;if(!(Array.isArray(o)&&/^\d+$/.test(a)&&Number(a)<o.length)&&!(we(o)&&(r||Object.hasOwn(o,a))))throw new N(
-z("not_there",{path:n,step:a}));r?fo(o,a,t):o=o[a]}}var{lab:xu,limits:X}=S,{allowed:Dr,events:ku,flight_turns:_u,quantities:Eu}=S.map,Mu=1e-300,G=(s,e={})=>q(xu[s],e),bo=s=>G("doubt",{time:Me(s,4)});function Ge(s){
-let{duration:e,hoop:t,contact:n}=s;if(e>X.duration)throw new te(G("too_long",{duration:e,most:X.duration}));let o=t.parts?.length??0;if(o>X.parts)throw new te(G(
-"too_many_parts",{parts:o,most:X.parts}));let i=Fr(qr(s));if(i>X.turns)throw new te(G("too_many_turns",{duration:e,turns:i,most:X.turns}));if(n.model==="complia\
-nt"){let a=Su(s,i);if(a>X.steps)throw new te(G("too_stiff",{steps:a,most:X.steps}))}return n.max_events<=X.events?s:{...s,contact:{...n,max_events:X.events}}}function qr({
-duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:o}){let{height:i,vx:a,vy:r,omega:l}=be(o,e);return{duration:s,radius:e,gravity:t,slope:n,height:i,vx:a,
-vy:r,omega:l}}function Fr({duration:s,radius:e,gravity:t,slope:n,height:o,vx:i,vy:a,omega:r}){return(2*(Math.abs(i)+Math.abs(a)+e*Math.abs(r)+2*Math.sqrt(t*(e+o)))+
-.5*t*Math.min(Math.abs(n),1)*s)*s/(2*Math.PI*e)}function Su({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:o}},i){let r=10/Math.sqrt(e/
-(n>0?n:1))+(o===null?0:Math.sqrt(o/t));return 10*s*r+40*i}function wo(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new N(G("rigid_maps"));let{contact:o,
-...i}=Ge(s),a={...i,contact:{...o,max_events:Math.min(o.max_events,ku)}};Tu(a,e,t,Eu[n].span);let r=Lt([t.path,e.path]);if(r)throw new N(G("two_axes",{one:r[0],
-other:r[1]}));return a}function Tu(s,e,t,n){let o=qr(s),i=n==="first_revolution",a=Rt(e).filter(h=>Ir(e.path,h)),r=Rt(t).filter(h=>Ir(t.path,h)),[l,c]=[0,0];for(let h of r)
-for(let d of a){let p=Or(Or(o,t.path,h),e.path,d),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+Mu),_u):Fr(p);l+=g,c=Math.max(c,g)}if(!i&&c>X.turns)throw new te(
-G("cell_turns",{turns:c,most:X.turns}));if(l<=X.map_turns)return;let m=a.length*r.length;throw new te(G("map_turns",{cells:m,turns:l,most:X.map_turns}))}function Or(s,e,t){
-if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:s}var Rt=({from:s,to:e,cells:t})=>Array.
-from({length:t},(n,o)=>s+(o+.5)*((e-s)/t));function Ir(s,e){return!Dr[s]||uo(Dr[s],e)}var Au=1e3;function Hr(s){let e=s.replace(/^\?/,"");if(e.split("&").length>Au)throw new N(z("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
-for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),c=t;for(let m of r)if(c.has(m)||c.set(m,new Map),c=c.get(m),!(c instanceof Map))throw new N(
-z("value_above",{path:i,above:i.replace(/\.[^.]*$/,"")}));if(c.has(l))throw new N(z("given_twice",{path:i}));c.set(l,Lr(a)??a)}let n=t.get("hoop"),o=n instanceof
-Map&&n.get("parts");return o instanceof Map&&n.set("parts",Lu(o)),yo(t)}function Lu(s){let e=Array.from({length:s.size},(n,o)=>String(o)),t=[...s.keys()].find(n=>!e.
-includes(n));if(t!==void 0)throw new N(z("parts_out_of_order",{name:t}));return e.map(n=>s.get(n))}function yo(s){return Array.isArray(s)?s.map(yo):s instanceof
-Map?Object.fromEntries([...s].map(([e,t])=>[e,yo(t)])):s}function vo(s,e=""){return typeof s=="string"?`${e}=${s}`:typeof s=="number"?`${e}=${Ee(s).replace("e+",
-"e")}`:Object.entries(s).map(([t,n])=>vo(n,e?`${e}.${t}`:t)).join("&")}var{scenario:xo}=S,Ru=xo.rules,Pu=["load_fraction","eccentricity","inertia_ratio"],jr=["mu_static","mu_kinetic"],Cu=["height","vx","vy","omega"],Br={mass:1,inertia_ratio:1,
-contact:null};function ts(s,e,t){let[n,o]=t.refused(s),i=Ru[n];if(!i)return null;let a=Object.entries(i.values).map(([r,l])=>{let[c,m]=l.split(".");return[r,e[c][m]]});
-return z(i.sentence,{...i.known,...Object.fromEntries(a),[i.number]:o})}function es(s,e,t,n){let o=n.find(i=>t.has(i));return o?z("together",{section:s,other:o,
-way:e}):null}var $r={hoop:zu,plane:Nu,start:Du,contact:Ou};function zu(s,e,t){let n=Pu.filter(o=>e.has(o)&&s[o]!==null);if(s.parts){let o=s.parts.length?es("hoo\
-p","parts",e,[...n,"mass"]):z("no_parts");if(o)return o;let{radius:i,parts:a}=s,{reaches:r,...l}=t.combine(i,a),c=r.findIndex(m=>m>i*(1+xo.touch));if(c>=0)return z(
-"beyond_the_rim",{index:c,shape:a[c].shape,reach:r[c],radius:i});Object.assign(s,l)}else if(s.load_fraction!==null||!n.length){let o=es("hoop","load_fraction",e,
-n.slice(+(s.load_fraction!==null)));if(o)return o;s.load_fraction??=xo.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,s.inertia_ratio=t.
-ideal(s.load_fraction)}else if(n.length===1){let o=n[0]==="eccentricity"?"inertia_ratio":"eccentricity";return z("half_a_hoop",{missing:o,given:n[0]})}return ts(
-{...Br,...s,ideal:s.load_fraction!==null},{hoop:s},t)}function Nu(s,e,t){if(s.apart=jr.some(n=>e.has(n)),s.mu!==null){let n=es("plane","mu",e,jr);if(n)return n;
-s.mu_static=s.mu_kinetic=s.mu}else s.mu_static===s.mu_kinetic&&(s.mu=s.mu_static);return ts({...Br,...s},{plane:s},t)}function Du(s,e){return s.speed===null?s.omega===
-null?z("no_omega"):null:(s.vx=s.speed,s.omega=null,es("start","speed",e,Cu))}function Ou({damping:s=null,restitution:e=null}){return s!==null&&e!==null?z("toget\
-her",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:ye}=S,Wr=ye.left_out,Gr={rigid:"Rigid",compliant:"Compliant"};function Ct(s,e){let{fields:t,place:n}=ye.models.Scenario,o=we(s)?ho(n,s,Object.keys(
-t)):We("",s,"table");if(o)throw new N(o);let i=[],a=Object.keys(t).map(c=>{let m=Object.hasOwn(s,c)?s[c]:ye.default[c];return[c,_o(c,m,e,i)]}),r=Object.fromEntries(
-a),l=i.length?po(i):ts(Q(r),r,e);if(l)throw new N(l);return r}function _o(s,e,t,n){if(s==="duration")return co(ye.models.Scenario.fields[s],e,s,n);let[o]=s==="c\
-ontact"?[mo(e,"model",Gr,s,n,"rigid")]:ye.sections[s],i=o&&lo(o,e,s,n),a=i&&$r[s](i.values,i.given,t);return a&&n.push(a),i?.values}var Eo=(s,e)=>Ct(Hr(s),e),ss=(s,e,t)=>Ct(
-Ur(s,e,t),t);function Ur(s,e,t){return Nr(s,Ne(s),e,(n,o)=>{let i=[],a=_o(n,o,t,i);if(i.length)throw new N(po(i));return a})}function Kr(s,e,t){let n=[];try{let o=Ur(
-s,e,t),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,_o(r,o[r],t,n)]);return n.length?null:Object.fromEntries(a)}catch(o){if(o instanceof N)return null;
-throw o}}var Pt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,s[t]===1/0?"inf":s[t]])),ko=s=>Object.keys(ye.models[s].fields);function Ne({duration:s,
-hoop:e,plane:t,start:n,contact:o}){let i=t.apart?["mu"]:["mu_static","mu_kinetic"],a=l=>l in Wr&&t[l]===Wr[l],r=["x","height","angle","vx","vy","omega"];return{
-duration:s,hoop:Iu(e),plane:Pt(t,ko("Plane").filter(l=>!i.includes(l)&&!a(l))),start:Pt(n,n.speed===null?r:["x","angle","speed"]),contact:Pt(o,ko(Gr[o.model]))}}
-function Iu(s){if(s.parts){let t=s.parts.map(n=>Pt(n,ko(ye.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricity","inert\
-ia_ratio"]:["load_fraction"];return Pt(s,["radius","mass",...e])}function Mo(s,e){if(s==="hoop"||s==="plane")return ye.default[s];let{fields:t}=ye.models[s==="s\
-tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([n,o])=>[n,o.default??void 0]))}function zt(s){let e={};for(let[
-t,n]of Object.entries(Ne(s))){if(ns(n,ye.default[t]))continue;let o=we(n)?Mo(t,n.model):{},i=Object.entries(n).filter(([a,r])=>a==="model"||!ns(o[a],r));e[t]=we(
-n)&&i.length?Object.fromEntries(i):n}return vo(e)}var ns=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var qu=8,{quantities:Vr}=S.map;async function So(s,{x:e,y:t},n,o){let[i,a]=[Rt(e),Rt(t)],r=(...f)=>Kr(s,new Map(f),n),l=Fu(s,e.path,t.path),c=l&&i.map(f=>r([e.path,
-f])),m=l&&a.map(f=>r([t.path,f])),h=i.length*a.length,d=new Float64Array(vt.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%i.length,b=(f-g)/i.length;
-g===0&&performance.now()-p>qu&&(await new Promise(k=>setTimeout(k)),o?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,i[g]]),y=m?m[b]:
-w;if(!w||!y)continue;let v=Q({...s,...w,...y});for(let k=0;k<vt.length;k++)d[k*h+f]=vt[k](v)}return{count:h,rows:d}}function Fu({start:s},e,t){let n=[e,t].map(i=>i.
-split(".")[0]);if(n[0]===n[1])return!1;let o=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(n.includes("hoop")&&o&&s.speed!==null)}var To=s=>Vr[s].
-span;function Ao({x:s,y:e,what:t},n){let{label:o,unit:i,words:a}=Vr[t],{values:r,names:l}=Hu(n,i===""?a:null),c=m=>({name:m,text:Tr(m,t),color:Sr(m,t)});return{
-header:{x:s,y:e,what:t,label:o,unit:i,classes:i===""?l.map(c):null},arrays:{values:r}}}function Hu({values:s,sequences:e},t){if(!t)return{values:s,names:[]};let n=e?
-[...e].sort((a,r)=>a.length-r.length||(a<r?-1:1)):t,o=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=0?o?.[a]??a:Number.NaN),names:n}}var{scenario:Nt}=S,ju=30,Qr={};for(let{fields:s}of Object.values(Nt.models))Object.assign(Qr,s);function Xr(s,e){return typeof e=="string"?JSON.stringify(e):Qr[s]?.
-kind==="whole"?String(e):oo(e)}function Jr(s,e,t){if(Array.isArray(t)){let a=r=>Object.entries(r).map(([l,c])=>`${l} = ${Yr(l,c)}`);return[`${e} = [`,...t.map(r=>`\
-  { ${a(r).join(", ")} },`),"]"].join(`
-`)}let n=`${e} = ${Yr(e,t)}`,i=(Nt.sections[s]??["Scenario"]).map(a=>Nt.models[a].fields).find(a=>e in a)[e].unit;return i===""||i==="1"?n:`${n.padEnd(ju)} # ${i}`}
-var Yr=(s,e)=>e==="inf"?"inf":Xr(s,e);function os(s){let{duration:e,...t}=Ne(s),n=[Jr("","duration",e)];for(let[o,i]of Object.entries(t))n.push("",`[${o}]`,...Object.
-entries(i).map(([a,r])=>Jr(o,a,r)));return`${n.join(`
-`)}
-`}var Bu={hoop:"Hoop",plane:"Plane",start:"Start"},$u=["load_fraction","mu"];function Lo(s){let{duration:e,contact:t,...n}=Ne(s),o=Object.entries(n).map(([i,a])=>Zr(
-i,a));return ns(t,Nt.default.contact)||o.push(`contact=${Zr("contact",t)}`),o.splice(3,0,`duration=${oo(e)}`),`import hophoop as hh
-
-motion = hh.simulate(
-${o.map(i=>`    ${i},
-`).join("")})
-print(motion.sequence, motion.status)
-for event in motion.events:
-    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`}function Zr(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,o=n?"Start.rolling":Bu[s]??(t.model==="rigid"?"Rigid":"Compliant"),i=n?{angle:0,x:0}:Mo(s,t.model),
-a=Object.entries(t).filter(([l,c])=>$u.includes(l)||i[l]!==c),r=e?[`parts=[${e.map(Wu).join(", ")}]`]:[];return`hh.${o}(${[...a.map(el),...r].join(", ")})`}var Wu=({
-shape:s,...e})=>`hh.${Nt.parts[s]}(${Object.entries(e).map(el).join(", ")})`,el=([s,e])=>`${s}=${e==="inf"?'float("inf")':Xr(s,e)}`;var{letters:nl,modes:Po,verbs:Co,events:Gu,statuses:Uu,story:Ue,summary:lt}=S.words,Ku=400,[,Ro,tl,Vu,Ju]=Po,Yu="⁰¹²³⁴⁵⁶⁷⁸⁹";function sl(s,e){let{
-omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var zo=s=>[...s.keys()].filter(e=>sl(s,e)),No=(s,e)=>.5*(s[e].t+s[e+1].t);function Do(s,e=Ku){
-let t=[],n=0,o=il(s.events);for(let[i,a]of s.events.entries()){let r=o.get(i);if(r===0)continue;let l=r===void 0?Qu(s,i,a):q(Ue.more_bounces,{count:r});if(l){if(t.
-length>=e){n++;continue}t.push({t:a.t,event:i,mode:nl[Po.indexOf(is(s,i))],text:l})}}return n&&t.push({...t[t.length-1],text:q(Ue.left_out,{count:n})}),t}var ol=s=>s.
-kind==="impact"&&s.to==="H"&&s.collision!==!1;function il(s,e=3,t=6){let n=new Map,o=[];for(let i=0;i<=s.length;i++){let a=s[i];if(a&&(ol(a)||o.length&&a.kind===
-"apex")){o.push(i);continue}let r=o.filter(l=>s[l].kind==="impact");if(r.length>=t){for(let l of o.slice(o.indexOf(r[e])))n.set(l,0);n.set(r[e],r.length-e)}o=[]}
-return n}function Oo(s,e=6){let t=[],n=0,o=il(s.events,1);for(let[l,c]of s.events.entries()){let m=o.get(l);if(m!==void 0){m&&t.push(q(lt.more_bounces,{count:m}));
-continue}if(c.kind==="start"||!t.length){t.push(Co[is(s,l)]);continue}let h=Zu(s,l,c);h&&(n++,n<=e&&t.push(q(lt.change,{phrase:h,where:Ve(c.angle)})))}let i=n>e?
-q(lt.more_changes,{count:n-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Uu[s.status]};return q(lt.
-sentence,r).trim()}function Zu(s,e,t){if(t.collision===!1)return lt.without_collision;if(ol(t))return lt.bounces;if(["slip_start","slip_reversal"].includes(t.kind)||
-al(t))return Co[is(s,e)];let{verb:n,summed_up:o}=Gu[t.kind];return o?n:""}function Qu(s,e,t){let n=is(s,e),o={where:Ve(t.angle),verb:Co[n],kind:t.kind.replaceAll(
-"_"," ")},i=Xu(s.events,e,n,o);return q(Ue[i]??Ue.other,o)}function Xu(s,e,t,n){let o=s[e],{kind:i}=o;return i==="start"&&(n.speed=Ke(o.vx),n.started=q(t===Vu?Ue.
-started_flight:t===Ju?Ue.started_skim:Ue.started,n)),i==="slip_start"&&t===Ro?"slip_start_spin":i==="takeoff"?ed(s,e,n):i==="impact"?(n.speed=Ke(o.before.vy===null?
-null:Math.abs(o.before.vy)),o.collision===!1?"impact_without_collision":o.to==="H"?"impact_bounce":i):i==="turn"&&al(o)?"turn_in_slip":(i==="apex"&&(n.gap=rl(o.
-height)),i==="kane_gain"&&(n.gain=Ke(o.gain)),i==="rest"&&o.stable===!1?"rest_unstable":i)}function ed(s,e,t){let{t:n}=s[e],o=0;for(let i=e;i<s.length;i++)if(o=
-Math.max(o,s[i].height),!(i===e||s[i].kind!=="impact")){for(let a=i+1;a<s.length&&s[a].t<=s[i].t;a++)o=Math.max(o,s[a].height);if(!o)break;return t.top=rl(o),t.
-time=Ke(s[i].t-n),"takeoff_and_landing"}return"takeoff"}function is(s,e){let t=s.events[e];return td(t.to,sl(s.events,e)?s.omega(e):t.omega)}function td(s,e){return s===
-"S"?e>0?Ro:tl:s==="K"?e<0?Ro:tl:Po[nl.indexOf(s)]}var al=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),Ve=s=>`${io(s*(180/Math.PI),1)}°`.replaceAll("-","−");function rl(s){
-return s>=.995?`${Ke(s)} m`:s>=.00995?`${Ke(s*100)} cm`:`${Ke(s*1e3)} mm`}function Ke(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Me(s,3).split("e"),n=t===
-void 0?"":`·10${nd(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var nd=s=>[...String(s)].map(e=>e==="-"?"⁻":Yu[Number(e)]).join("");var ll=2e3;function as(s,{status:e,sequence:t,fingerprint:n,events:o,final:i,energy:a}){let{schema:r,setup:l}=S,c=Ne(s);return{schema:r,version:l.version,scenario:c,
-status:e,sequence:t,fingerprint:n,events:o,final:i,energy:a}}function Io(s,e,t,n){let o={events:e.events,status:e.status,omega:t};return{...as(s,e),events:e.events.
-slice(0,ll),query:zt(s),duration:e.duration,values:sd(s),automatic:od(s,n),massless:s.hoop.inertia_ratio===0,summary:Oo(o),story:Do(o),ending:S.words.statuses[e.
-status],shortened:e.events.length>ll}}function sd({hoop:s,plane:e,start:t}){let n={hoop:s,plane:e,start:{...be(t,s.radius),speed:t.speed}},o=S.shown.map(i=>{let[
-a,r]=i.split("."),l=n[a][r];return[i,l===1/0?"inf":l]});return Object.fromEntries(o)}function od(s,e){if(s.contact.model==="rigid")return{};let{stiffness:t,slip_speed:n}=e.
-chosen(Q(s)),{restitution:o}=s.plane;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":o}}var{rate:id,variables:qo}=S.table,{letters:ad}=S.words,Fo=(s,e)=>JSON.stringify(as(s,e),null,1);function Ho(s){let e=Math.min(Math.max(Math.floor(s*id)+1,2),S.limits.
-samples),t=s/(e-1);return Float64Array.from({length:e},(n,o)=>o===e-1?s:o*t)}function jo(s,e){let t=Object.keys(qo),n=t.map(l=>qo[l]==="1"?l:`${l} [${qo[l]}]`),
-{kinetic:o,potential:i}=e,a={...e,total:Float64Array.from(o,(l,c)=>l+i[c])},r=[["t [s]",...n].join(",")];for(let[l,c]of s.entries()){let m=t.map(h=>h==="mode"?ad[a.
-mode[l]]:Ee(a[h][l]));r.push([Ee(c),...m].join(","))}return`${r.join(`\r
-`)}\r
-`}var rd=["hoop.eccentricity","plane.slope"],ld={...Object.fromEntries(Object.entries(S.map.rates).map(([s,e])=>[s,()=>({[e]:1})])),"hoop.radius":hd,"hoop.mass":({
-hoop:s})=>s.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:s}})=>s===null?null:{eccentricity:1,inertia_ratio:-2*s},"plane.mu":({plane:{mu:s}})=>s===
-null||s===1/0?null:{mu_static:1,mu_kinetic:1},"plane.mu_static":({plane:s})=>s.mu_static===1/0?null:{mu_static:1},"plane.mu_kinetic":({plane:s})=>s.mu_kinetic===
-1/0?null:{mu_kinetic:1},"plane.rolling_resistance":({hoop:s})=>s.inertia_ratio===0?null:{rolling_resistance:1},"start.speed":({hoop:s,start:e})=>e.speed===null?
-null:{omega:1/s.radius},"start.vx":()=>({slip:1}),"start.omega":({hoop:s})=>({omega:1,slip:-s.radius})};function hd({hoop:{radius:s,parts:e,eccentricity:t,inertia_ratio:n},
-start:{speed:o,omega:i}}){let a={radius:1};return o===null?a.slip=-(i||0):a.omega=-o/(s*s),e?{...a,eccentricity:-t/s,inertia_ratio:-2*n/s}:a}function Bo(s,e){let t=ld[e]?.(
-s),{smaller:n,larger:o}=cd(s,e);if(!t||!(n||o))return null;let i=new Float64Array(E.cell.length);for(let[a,r]of Object.entries(t))i[Li[a]]=r;return{rates:i,smaller:n,
-larger:o}}function cd(s,e){let{mu_static:t,mu_kinetic:n}=s.plane,o=ud(s,e),{least:i,most:a,also:r=[]}=S.map.allowed[e],l=t!==n,c=s.hoop.inertia_ratio===0&&rd.includes(
-e);return{smaller:!c&&o>Math.min(i,...r.map(yt))&&(l||e!=="plane.mu_static"),larger:!c&&o<a&&(l||e!=="plane.mu_kinetic")}}function ud(s,e){return e==="start.ome\
-ga"?be(s.start,s.hoop.radius).omega:e.split(".").reduce((t,n)=>t[n],s)}var{limits:rs}=S;function Dt({scenario:s,query:e,changes:t=[]},n){let i=s!==void 0&&e===void 0?Ct(s,n):Eo(e??"",n),a=new Map;for(let[r,l]of t)Lt([...a.keys(),r])&&
-(i=ss(i,a,n),a=new Map),a.set(r,l);return a.size?ss(i,a,n):i}function $o({scenario:s,query:e,changes:t=[],...n},o){if(t.length>rs.changes)throw new te(G("too_ma\
-ny_changes",{pairs:t.length,most:rs.changes}));let{x:i,y:a}=n;if(i&&i.path===a.path)throw new N(G("equal_axes",{path:i.path}));let r=i?i.cells*a.cells:0;if(r>rs.
-cells)throw new te(G("too_many_cells",{cells:r,most:rs.cells}));return{...n,checked:Dt({scenario:s,query:e,changes:t},o)}}var{theory:U}=S.words;function Go({hoop:s,plane:e},t){let n=[],o=(r,l,c,m)=>{l!==null&&n.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:c,text:m(l)})},
-i=()=>o("painleve",t.painleve_friction,"1",r=>md(r,t,e));if(e.gravity<=0)return i(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?U.loss_by_friction:
-U.loss_of_contact;return o("loss",t.massless_loss_angle,"rad",l=>q(r,{where:Ve(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:m,
-any_speed:h}=U;o("first_slip",t.first_slip_speed,"m/s",d=>Wo(d,r,m)),o("first_hop",t.first_hop_speed,"m/s",d=>Wo(d,l,m)),o("immediate_hop",t.immediate_hop_speed,
-"m/s",d=>Wo(d,c,h))}else n.push({key:"uphill",label:U.uphill,value:null,unit:"",text:U.no_threshold});o("needed_friction",t.needed_friction,"1",r=>dd(r,e)),i();
-let a=t.jam_angles.map(Ve).join(", ");return o("jam",t.jam_angles[0]??null,"rad",()=>q(U.jam_at,{places:a})),s.eccentricity>0&&o("rest",t.stable_angle,"rad",r=>q(
-U.rest_at,{where:Ve(r)})),n}function Wo(s,e,t){return s<S.words.least_speed?q(t,{would:e}):Number.isFinite(s)?q(U.above,{would:e,speed:Me(s,4)}):U.no_speed}function dd(s,{
-mu_static:e}){return Number.isFinite(s)?q(s<=e?U.friction_enough:U.friction_short,{mu:Me(s,3)}):U.no_friction}function md(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return U.never;let n=s<=t?U.paradox_here:U.paradox_not_here;return q(n,{mu:Me(s,3),where:Ve(e)})}var fd=360,gd=240,Uo={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},bd=["motion.nc","motion.mp4","mo\
-tion.gif"],Ot=class{constructor(e,t,{base:n=null,server:o=null}={}){this.kernel=e;this.mechanics=t;this.base=n,this.server=o,this.shares=n!==null,this.files=[...Object.
-keys(Uo),...o?bd:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let{checked:o,...i}=$o(t,this.mechanics);if(e==="film")
-return this.film(o,n);if(e==="samples"){let a=Q(Ge(o)),{window:r}=i;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
-python:Lo(o),toml:os(o)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(Q(o),n);return{header:{thresholds:Go(o,a)},arrays:{}}}if(e==="regions"){
-let{window:a}=i,r=Q(o),l=await this.kernel.regions(r,a,fd,gd,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(o,i,n);throw new TypeError(`The \
-page does not answer ${e}.`)}async film(e,t){let n=Q(Ge(e)),{motion:o,columns:i}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
-t),columns:await this.kernel.columns(n,t)},{doubt:a}=o;if(a!==null&&this.server)return this.server.call("film",{query:zt(e)},t);let r=await this.turning(n,o,t),
-l=Io(e,o,r,this.mechanics);return{header:a===null?l:{...l,doubt:bo(a)},arrays:i}}async turning(e,{events:t},n){let o=zo(t);if(!o.length)return()=>0;let i=Float64Array.
-from(o,r=>No(t,r)),{omega:a}=await this.kernel.samples(e,i,n);return r=>a[o.indexOf(r)]}async changes(e,t,n){if(!this.kernel.changes)throw new TypeError("This k\
-ernel has no derivatives.");let o=Ge(Dt({scenario:e},this.mechanics)),i=Q(o);if(i.contact)throw new N(G("compliant_changes"));let a=Bo(o,t);if(!a)return null;let{
-rates:r,smaller:l,larger:c}=a,m=await this.kernel.changes(i,r,n);return{count:m.count,smaller:l?m.smaller:null,larger:c?m.larger:null}}async map(e,{x:t,y:n,what:o},i){
-let a=To(o),r=wo(e,{x:t,y:n,what:o}),l=await So(r,{x:t,y:n},this.mechanics,i);return Ao({x:t,y:n,what:o},await this.kernel.map(l,o,a,i))}async file(e,t){if(!(e in
-Uo)){if(this.server)return this.server.file(e,t);throw new N(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Uo[e]})}async fileText(e,t){
-let n=Dt({query:t},this.mechanics);if(e==="motion.toml")return os(n);let o=Ge(n),i=Q(o),a=await this.kernel.motion(i);if(a.doubt!==null&&this.server)return(await this.
-server.file(e,t)).text();if(e==="motion.json")return Fo(o,a);let r=Ho(a.duration);return jo(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(
-e?`?${e}`:"",this.base)}${t}`}};async function Ko(s,e,t){let n=e&&new Zn(e);try{let o=await At.load(s);return new Ot(o,o.mechanics,{base:t,server:n})}catch(o){if(n)return n;throw o}}function hl(s){
-navigator.serviceWorker?.register(s).catch(()=>{})}async function cl(s){let e=new Qn(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await At.
-unpack(s.get("module"),s.get("worker"),t);return new Ot(n,n.mechanics,{server:e})}catch{return e}}var wd=new URL("./",import.meta.url);async function yd(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),n,o;try{n=await Ko(wd,t?null:e,e),o=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&hl(t.getAttribute("content")??"");let i=new it(
-s,n,o,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=fi(location.hash);try{await i.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Cy(s,e,t,n){let o=await Ko(
-e,null,new URL("../",e)),{header:i}=await o.call("setup",{}),a=new it(s,o,i,{panels:n});return await a.open([t]),a}async function vd({model:s,el:e}){let t=document.
-createElement("div");e.append(t);let n=await cl(s),o=new it(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
-o.motions.set([at(s.get("film"))]),o.begin();let i=()=>o.motions.replace(at(s.get("film")));return s.on("change:film",i),()=>{s.off("change:film",i),n.close?.(),
-o.close()}}var ul=document.getElementById("hophoop-lab");ul&&yd(ul);var zy={render:vd};export{Nl as adopt,Te as current,zy as default,vs as languageMenu,Cy as mount,jt as repeat,x as t,Ye as untranslated};
+b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},m=Array.from({length:Math.ceil(e/Go)},(h,d)=>d*Go);return await Promise.
+all(m.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var gd=360,bd=240,Uo={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},wd=["motion.nc","motion.mp4","mo\
+tion.gif"],hs=class{constructor(e,t,{base:n=null,python:o=null}={}){this.kernel=e;this.mechanics=t;this.undecided=new Set;this.base=n,this.python=o,this.shares=
+n!==null,this.files=[...Object.keys(Uo),...o?wd:[]]}async film(e,t){t?.throwIfAborted();let n=fe(e,this.mechanics),o=Z(He(n)),{motion:i,columns:a}=this.kernel.film?
+await this.kernel.film(o,t):{motion:await this.kernel.motion(o,t),columns:await this.kernel.columns(o,t)},{doubt:r}=i;if(r!==null&&this.python){let m=Ye(n),h=await this.
+python.motion({query:m},t);return this.undecided.add(m),this.shown(h,n)}let l=await this.turning(o,i,t),c=Kt(n,i,l,this.mechanics);return{header:r===null?c:{...c,
+doubt:Es(r)},arrays:a}}shown({header:e,arrays:t},n=gt(e.query,this.mechanics)){return{header:Kt(n,e,i=>e.turning[i],this.mechanics),arrays:t}}async samples(e,t,n){
+let o=fe({scenario:e},this.mechanics),i=Ye(o);return this.python&&this.undecided.has(i)?(await this.python.motion({query:i,window:t},n)).arrays:this.kernel.columns(
+Z(He(o)),n,t)}async turning(e,{events:t},n){let o=Fs(t);if(!o.length)return()=>0;let i=Float64Array.from(o,r=>Hs(t,r)),{omega:a}=await this.kernel.samples(e,i,n);
+return r=>a[o.indexOf(r)]}code(e){let t=fe({scenario:e},this.mechanics);return{python:Ds(t),toml:Wt(t)}}async theory(e,t){t?.throwIfAborted();let n=fe({scenario:e},
+this.mechanics);return Ys(n,await this.kernel.thresholds(Z(n),t))}async regions(e,t,n){n?.throwIfAborted();let o=Z(fe({scenario:e},this.mechanics));return this.
+kernel.regions(o,t,gd,bd,n)}async changes(e,t,n){if(!this.kernel.changes)throw new TypeError("This kernel has no derivatives.");let o=He(fe({scenario:e},this.mechanics)),
+i=Z(o);if(i.contact)throw new N($("compliant_changes"));let a=Ks(o,t);if(!a)return null;let{rates:r,smaller:l,larger:c}=a,m=await this.kernel.changes(i,r,n);return{
+count:m.count,smaller:l?m.smaller:null,larger:c?m.larger:null}}async map(e,t){t?.throwIfAborted();let{checked:n,x:o,y:i,what:a}=Vs(e,this.mechanics),r=Ms(n,{x:o,
+y:i,what:a}),l=await Cs(r,{x:o,y:i},this.mechanics,t);return Ns({x:o,y:i,what:a},await this.kernel.map(l,a,zs(a),t))}async file(e,t){if(!(e in Uo)){if(this.python)
+return this.python.file(e,t);throw new N(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Uo[e]})}async fileText(e,t){let n=fe(
+{query:t},this.mechanics);if(e==="motion.toml")return Wt(n);let o=He(n),i=Z(o),a=await this.kernel.motion(i);if(a.doubt!==null&&this.python)return(await this.python.
+file(e,t)).text();if(e==="motion.json")return Ws(o,a);let r=Gs(a.duration);return Us(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?
+`?${e}`:"",this.base)}${t}`}};async function hl(s,e){let t=await s.catch(n=>{throw typeof WebAssembly=="object"&&!(n instanceof WebAssembly.CompileError)?n:new Error("This needs a browser th\
+at runs WebAssembly.")});return new hs(t,t.mechanics,e)}function Ko(s,e,t){return hl(It.load(s),{base:t,python:e&&new ss(e)})}function cl(s,e){let t=It.unpack(s.
+get("module"),s.get("worker"),()=>e.derivatives());return hl(t,{python:e})}function ul(s){navigator.serviceWorker?.register(s).catch(()=>{})}var yd=new URL("./",import.meta.url);async function vd(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),n;try{n=await Ko(yd,t?null:e,e)}catch(r){R(s,r.message);return}t&&ul(t.getAttribute("content")??"");let o=new lt(s,n,S.setup,{hosted:!0});Object.assign(globalThis,
+{hophoopLab:o});let i=new URLSearchParams(location.hash.slice(1)).get("with"),a=sa(location.hash);try{await o.open([location.search.slice(1),...i===null?[]:[i]],
+a)}catch(r){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(r)}}async function Iy(s,e,t,n){let o=await Ko(e,null,new URL("../",e)),i=new lt(s,o,
+S.setup,{panels:n});return await i.open([t]),i}async function xd({model:s,el:e}){let t=document.createElement("div");e.append(t);let n=new os(s),o;try{o=await cl(
+s,n)}catch(l){return R(t,l.message),()=>n.close()}let i=()=>o.shown(Dt(s.get("film"))),a=new lt(t,o,S.setup,{panels:s.get("panels"),onmotion:l=>{s.get("query")!==
+l&&(s.set("query",l),s.save_changes())}});a.motions.set([i()]),a.begin();let r=()=>a.motions.replace(i());return s.on("change:film",r),()=>{s.off("change:film",
+r),n.close(),a.close()}}var dl=document.getElementById("hophoop-lab");dl&&vd(dl);var Oy={render:xd};export{Yh as adopt,Le as current,Oy as default,ho as languageMenu,Iy as mount,Qt as repeat,x as t,Xe as untranslated};
