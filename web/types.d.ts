@@ -83,6 +83,7 @@ interface Pose {
   omega: number;
   normal_force: number;
   friction_force: number;
+  digits: number; // of speeds and forces that are right
   [column: string]: any;
 }
 
@@ -91,6 +92,10 @@ type Column = Float64Array | Float32Array | Uint8Array;
 interface Reply {
   header: any;
   arrays: Record<string, any>;
+  /** Of a film: its columns at one time, where the page can compute them at once. */
+  exact?(time: number): Record<string, Column>;
+  /** Of a film that another computes: its columns from one time to another. */
+  samples?(window: [number, number]): Promise<Record<string, Column>>;
 }
 
 type Change = [path: string, value: unknown];
@@ -323,6 +328,8 @@ interface Mechanics {
     radius: number,
     parts: WholePart[],
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
+  /** The columns of a film at one time, from the pieces of the motion; missing where the kernel keeps none. */
+  instant?(given: Given, pieces: Uint8Array, time: number): Record<string, Column>;
   /** The first rule of the kernel that a scenario breaks, 0 for none, and the number that its sentence needs. */
   refused(given: Given): [code: number, number: number];
   /** What a compliant contact chooses by itself, in SI units. */
@@ -374,7 +381,10 @@ interface MapValues {
 // The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
 interface Kernel {
   /** A motion and its columns at once. */
-  film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
+  film?(
+    given: Given,
+    signal?: AbortSignal,
+  ): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column>; pieces: Uint8Array }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
   columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;

@@ -219,7 +219,25 @@ def test_the_page_plays_in_a_browser(tmp_path):
         page.wait_for_timeout(300)
         assert page.screenshot() != still
         page.click("#play")
-        page.wait_for_timeout(400)
-        assert float(page.inner_text(".t").split()[2]) > 1.2
+        page.wait_for_function("document.querySelector('.t').textContent.split(' ')[2] > 1.2")
+        # also between two frames the numbers are those of one
+        page.select_option("#rate", "0.1")
+        read = """() => new Promise((done) => {
+          const seen = [];
+          const take = () => {
+            seen.push([".t", ".angle"].map((name) => document.querySelector(name).textContent));
+            if (seen.length < 15) requestAnimationFrame(take);
+            else done(seen);
+          };
+          take();
+        })"""
+        times = numbers(page_data(path)[1]["hoops"][0]["t"])
+        angles = np.degrees(motion().at(np.minimum(times, 2.0)).angle)
+        frames = {f"t = {t:.3f} s": f"θ = {angle:.1f}°" for t, angle in zip(times, angles, strict=True)}
+        page.evaluate("document.getElementById('time').value = 70; document.getElementById('time').oninput()")
+        page.click("#play")
+        readings = page.evaluate(read)
+        assert len({time for time, _ in readings}) > 1
+        assert [(time, angle) for time, angle in readings if frames.get(time) != angle] == []
         assert problems == []
         browser.close()

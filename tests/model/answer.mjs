@@ -76,7 +76,10 @@ CALLS.served = async ({ asked, motion }) => {
   const found = [];
   for (const { film, samples, file, query } of asked) {
     if (film) found.push((await served.film(film)).header);
-    else if (samples) found.push(listed(await served.samples(samples, [1, 2])));
+    else if (samples) {
+      const reply = await served.film({ scenario: samples });
+      found.push(listed(await (reply.samples ?? ((window) => served.samples(samples, window)))([1, 2])));
+    }
     else found.push(await (await served.file(file, query)).text());
   }
   return { said, found };

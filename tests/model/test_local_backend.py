@@ -102,8 +102,8 @@ def test_a_motion_that_doubles_do_not_decide_is_asked_of_python_or_said():
     ]
     (served,) = answers("served", [{"asked": asked, "motion": motion}])
     said, found = served["value"]["said"], served["value"]["found"]
-    assert said[:2] == [{"query": UNDECIDED}, {"query": UNDECIDED, "window": [1, 2]}]
-    assert [(one["name"], one["query"]) for one in said[2:]] == [
+    assert said[:3] == [{"query": UNDECIDED}, {"query": UNDECIDED}, {"query": UNDECIDED, "window": [1, 2]}]
+    assert [(one["name"], one["query"]) for one in said[3:]] == [
         ("motion.json", UNDECIDED), ("motion.csv", UNDECIDED), ("motion.nc", UNDECIDED), ("motion.nc", ""),
     ]  # fmt: skip
     assert found[0]["fingerprint"] == motion["fingerprint"]

@@ -51,7 +51,7 @@ export function columnsOf(module: HoopModule, computed: Computed, window?: [numb
   return joined(times, after, sides, before);
 }
 
-function joined(times: Float64Array, after: Float64Array, sides: Float64Array, before: Float64Array) {
+export function joined(times: Float64Array, after: Float64Array, sides: Float64Array, before: Float64Array) {
   const size = times.length + sides.length;
   const width = layout.samples.length;
   const t = new Float64Array(size);

@@ -2,7 +2,7 @@
 
 import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.ts";
 import { Memory } from "./memory.ts";
-import { columnsOf } from "./columns.ts";
+import { columnsOf, joined } from "./columns.ts";
 import { fingerprintOf } from "./fingerprint.ts";
 import { sequencesOf } from "./sequences.ts";
 
@@ -11,10 +11,13 @@ const FIRST_SEGMENTS = 2048;
 const FIRST_ROWS = 4096;
 const MOST_STEPS = 200_000; // of a compliant motion: some seconds, and 100 MB
 const BUFFER = layout.statuses.indexOf("buffer");
+const KEPT = 2; // motions whose states can be asked for by turns
 const PASSING = new Set(layout.passing);
 const finite = (value: number) => (Number.isFinite(value) ? value : null);
 
 export class HoopModule implements Mechanics {
+  kept: { pieces: Uint8Array; place: number }[] = [];
+  turn = 0;
   exports: any;
   memory: Memory;
   mostEvents: number;
@@ -94,10 +97,36 @@ export class HoopModule implements Mechanics {
     return told(this.compute(given));
   }
 
-  /** A film's header and columns at once. */
+  /** A film's header and columns at once, and the pieces of which `instant` makes the state at any time. */
   film(given: Given) {
     const computed = this.compute(given);
-    return { motion: told(computed), columns: columnsOf(this, computed) };
+    const [name, bytes] = given.contact ? ["rows", layout.compliant_segment_bytes] : ["segments", layout.segment_bytes];
+    const place = this.memory.room(name, 8);
+    const pieces = new Uint8Array(this.exports.memory.buffer, place, bytes * computed.segments).slice();
+    return { motion: told(computed), columns: columnsOf(this, computed), pieces };
+  }
+
+  /** A film's columns at one time, of a motion that was computed elsewhere. `pieces`: of the motion. */
+  instant(given: Given, pieces: Uint8Array, time: number) {
+    const segments = pieces.length / (given.contact ? layout.compliant_segment_bytes : layout.segment_bytes);
+    this.memory.put("cell", cellOf(given));
+    if (given.contact) this.memory.put("contact", contactOf(given.contact));
+    const times = Float64Array.of(time);
+    const states = this.states({ given, segments }, times, false, this.placeOf(pieces));
+    const none = new Float64Array(0);
+    return joined(times, states, none, none);
+  }
+
+  /** Where the pieces of a motion are in memory: they are copied once, not at every picture. */
+  placeOf(pieces: Uint8Array) {
+    const there = this.kept.find((one) => one.pieces === pieces);
+    if (there) return there.place;
+    const { turn } = this;
+    this.turn = (turn + 1) % KEPT;
+    const place = this.memory.room(`pieces ${turn}`, Math.max(pieces.length, 1));
+    new Uint8Array(this.exports.memory.buffer, place, pieces.length).set(pieces);
+    this.kept[turn] = { pieces, place };
+    return place;
   }
 
   /** `window`: times from and to; the whole motion by default. */
@@ -113,9 +142,12 @@ export class HoopModule implements Mechanics {
     );
   }
 
-  /** Rows of `layout.samples` of the motion that was computed last. `left`: just before an event. */
-  states(computed: Computed, times: Float64Array, left: boolean) {
-    return this.rows("samples", layout.samples.length, computed, times, left);
+  /**
+   * Rows of `layout.samples` of the motion that was computed last. `left`: just before an event; `place`: of its
+   * pieces, where they are others than those computed last.
+   */
+  states(computed: Pick<Computed, "given" | "segments">, times: Float64Array, left: boolean, place?: number) {
+    return this.rows("samples", layout.samples.length, computed, times, left, place);
   }
 
   /**
@@ -131,8 +163,18 @@ export class HoopModule implements Mechanics {
     );
   }
 
-  /** Rows of an entry that tells of times of the motion that was computed last. `left`: just before an event. */
-  rows(name: string, width: number, computed: Computed, times: Float64Array, left: boolean) {
+  /**
+   * Rows of an entry that tells of times of the motion that was computed last. `left`: just before an event; `place`:
+   * of its pieces.
+   */
+  rows(
+    name: string,
+    width: number,
+    computed: Pick<Computed, "given" | "segments">,
+    times: Float64Array,
+    left: boolean,
+    place?: number,
+  ) {
     const { memory } = this;
     const size = times.length * width;
     const when = memory.put("times", times);
@@ -140,9 +182,9 @@ export class HoopModule implements Mechanics {
     const cell = memory.room("cell", 8);
     const ask = [computed.segments, when, times.length, Number(left), out];
     if (computed.given.contact) {
-      this.call("compliant_samples", cell, memory.room("contact", 8), memory.room("rows", 8), ...ask);
+      this.call("compliant_samples", cell, memory.room("contact", 8), place ?? memory.room("rows", 8), ...ask);
     } else {
-      this.call(name, cell, memory.room("segments", 8), ...ask);
+      this.call(name, cell, place ?? memory.room("segments", 8), ...ask);
     }
     return memory.floats(out, size).slice();
   }

@@ -6,6 +6,7 @@ export { InputError, TooMuch } from "./check.ts";
 export { resultText, tableText, timesOf } from "./files.ts";
 export { given, stateOf } from "./given.ts";
 export { headerOf, resultOf } from "./header.ts";
+export { readable } from "./link.ts";
 export { doubtText, labText, within, withinFilm, withinMap } from "./limits.ts";
 export { ratesOf } from "./rates.ts";
 export { asked, requested } from "./request.ts";

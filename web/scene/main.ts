@@ -50,6 +50,7 @@ class Player {
 
   play(on: boolean) {
     this.playing = on;
+    if (!on) this.now = Math.floor(this.now); // a still picture is that of its numbers
     this.button.textContent = on ? "Pause" : "Play";
   }
 

@@ -1,7 +1,5 @@
 // What stands beside the picture: mode, time and angle of each hoop, the colours of speed, what the lines are.
 
-import { between } from "./data.ts";
-
 const MOST_RULER = 90; // pixels
 
 const element: (id: string) => HTMLElement = (id) => document.getElementById(id) as HTMLElement;
@@ -87,10 +85,11 @@ export class Words {
     for (const [i, hoop] of this.data.hoops.entries()) {
       const [word, color] = this.data.modes[hoop.mode[frame]];
       const row = this.rows[i];
-      const degrees = ((between(hoop.angle, now) * 180) / Math.PI).toFixed(1);
+      // the numbers are those of a frame; only the picture moves on between two
+      const degrees = ((hoop.angle[frame] * 180) / Math.PI).toFixed(1);
       row.dot.style.background = color;
       row.word.textContent = word;
-      row.time.textContent = `t = ${between(hoop.t, now).toFixed(3)} s`;
+      row.time.textContent = `t = ${hoop.t[frame].toFixed(3)} s`;
       row.angle.textContent = `θ = ${degrees}°`.replace("-", "−");
     }
   }

@@ -130,7 +130,7 @@ class _Run(NamedTuple):
 def _run(scenario: Scenario, motion: Trajectory) -> _Run:
     ledger, pieces = motion.ledger, phases(motion)
     cells = [f"{math.degrees(found[0].angle):.3f}°" if (found := motion.find(kind)) else "–" for kind in STARTS]
-    cells += [f"{ledger.friction + ledger.impact_tangential:.4f}", f"{ledger.impact_normal:.4f}"]
+    cells += [f"{ledger.friction_loss:.4f}", f"{ledger.normal_loss:.4f}"]
     cells.append(f"{abs(ledger.residual):.0e}" if ledger.residual else "0")
     shown = [
         (piece.mode, piece.word, color := colors.MODES[piece.word], colors.lightness(color) < DARK_TEXT)

@@ -108,21 +108,23 @@ def _format(number: float) -> str:
 
 
 def _summary(motion: Trajectory) -> Table:
+    from hophoop.vocabulary.labels import normal_loss
     from hophoop.vocabulary.modes import LETTERS_SENTENCE
     from hophoop.vocabulary.words import plain
 
     ledger = motion.ledger
-    impacts = ledger.impact_normal + ledger.impact_tangential
+    normal = normal_loss(motion.scenario.contact.model).removeprefix("lost ")
     resists = motion.scenario.plane.rolling_resistance > 0.0
-    rolling = f", rolling resistance {ledger.rolling_resistance:.6g} J" if resists else ""
+    rolling = f", to rolling resistance {ledger.rolling_resistance:.6g} J" if resists else ""
     table = Table.grid(padding=(0, 2))
     phases = motion.sequence if len(motion.sequence) <= 60 else motion.sequence[:59] + "…"
     table.add_row("phases", f"{phases}   ({LETTERS_SENTENCE})")
     table.add_row("status", plain(motion.status))
     table.add_row(
         "energy",
-        f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: friction "
-        f"{ledger.friction:.6g} J, impacts {impacts:.6g} J{rolling}; residual {ledger.residual:.1e} J",
+        f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: to friction "
+        f"{ledger.friction_loss:.6g} J (in slip {ledger.friction:.6g} J, in impacts {ledger.impact_tangential:.6g} J), "
+        f"{normal} {ledger.normal_loss:.6g} J{rolling}; residual {ledger.residual:.1e} J",
     )
     table.add_row("fingerprint", motion.fingerprint)
     return table

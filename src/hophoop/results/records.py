@@ -436,3 +436,13 @@ class Ledger:
     damping: float
     residual: float
     range: float
+
+    @property
+    def friction_loss(self) -> float:
+        """Energy lost to friction, in slip and along the plane in impacts [J]."""
+        return self.friction + self.impact_tangential
+
+    @property
+    def normal_loss(self) -> float:
+        """Energy lost normal to the plane, in impacts or in a compliant contact's damper [J]."""
+        return self.impact_normal + self.damping

@@ -119,8 +119,12 @@ def test_challenges_are_scored_from_the_motion(visit):
     page.evaluate("hophoopLab.extras.challenges.open()")
     page.wait_for_selector(".challenges:not([hidden])")
     wait_for(page, "document.querySelector('.challenges meter').value === 18")
+    keys = page.evaluate(
+        "Object.fromEntries([...hophoopLab.extras.challenges.tabs].map(([key, tab]) => [tab.textContent, key]))"
+    )
     for name in ("Hop highest", "Land upright", "Hop without skidding"):
         page.get_by_role("button", name=name).click()
+        before = page.locator(".challenges .hint").inner_text()
         page.get_by_role("button", name="Show a best solution").click()
         wait_for(page, "document.querySelector('.challenges meter').value === 100")
         motion = hh.simulate(hh.Scenario.from_query(page.evaluate("hophoopLab.film().query")))
@@ -135,14 +139,34 @@ def test_challenges_are_scored_from_the_motion(visit):
             best = max(top) if name == "Hop highest" else top[0]
             assert said.endswith(f"{best:.3g} m." if best >= 0.995 else f"{100 * best:.3g} cm.")
         if name == "Hop without skidding":
-            before = motion.sequence.partition("H")[0]
-            assert before.startswith("R")
-            assert "K" not in before
+            first = motion.sequence.partition("H")[0]
+            assert first.startswith("R")
+            assert "K" not in first
+        # a solution that is shown is nobody's own, and so is one that is changed a little
+        assert "points, shown and not counted." in said
+        assert page.locator(".challenges .hint").inner_text() == before
+        page.evaluate("hophoopLab.motions.change([['hoop.mass', 2]], true)")
+        wait_for(page, "lab.film().mass === 2 && !lab.surrounding")
+        assert page.locator(".challenges .hint").inner_text() == before
+        page.get_by_role("button", name="Begin again").click()
+        wait_for(page, "lab.film().mass === 1 && !lab.surrounding")
+        assert "not counted" not in page.locator(".challenge-result").inner_text()
+        # neither does the way back make it one
+        page.evaluate("query => hophoopLab.extras.challenges.load(query)", motion.scenario.to_query())
+        wait_for(page, "document.querySelector('.challenges meter').value === 100")
+        assert "points, shown and not counted." in page.locator(".challenge-result").inner_text()
+        assert "100" not in page.evaluate("key => String(localStorage.getItem(key))", f"hophoop-best-{keys[name]}")
+    # another start that reaches as much counts, and is kept
+    page.get_by_role("button", name="Hop highest").click()
+    page.evaluate("hophoopLab.extras.challenges.load('plane.mu=0.8')")
+    wait_for(page, "lab.film().scenario.plane.mu === 0.8 && !lab.surrounding")
+    points = page.evaluate("document.querySelector('.challenges meter').value")
+    assert points > 0
     # a motion that breaks a rule has no points, and is told why
     page.evaluate("hophoopLab.motions.change([['plane.slope', 0.1]], true)")
     wait_for(page, "document.querySelector('.challenges meter').value === 0")
     assert "The plane must be level." in page.locator(".challenge-result").inner_text()
-    assert "100 points" in page.locator(".challenges .hint").inner_text()  # the best one is kept
+    assert page.locator(".challenges .hint").inner_text() == f"Your best: {points} points."  # the best one is kept
 
 
 def test_the_table_holds_the_states_of_the_motion(visit):

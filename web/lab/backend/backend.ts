@@ -17,8 +17,6 @@ const PYTHON_FILES = ["motion.nc", "motion.mp4", "motion.gif"];
 export type Asked = { scenario?: any; query?: string; changes?: Change[] };
 
 export class Backend {
-  /** links of motions that Python has computed */
-  undecided: Set<string> = new Set();
   base: URL | null;
   python: Python | null;
   shares: boolean;
@@ -41,19 +39,39 @@ export class Backend {
     signal?.throwIfAborted();
     const checked = model.asked(asked, this.mechanics);
     const given = model.given(model.within(checked));
-    const { motion, columns } = this.kernel.film
+    const { python } = this;
+    const { motion, columns, pieces } = this.kernel.film
       ? await this.kernel.film(given, signal)
-      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
+      : {
+          motion: await this.kernel.motion(given, signal),
+          columns: await this.kernel.columns(given, signal),
+          pieces: null,
+        };
     const { doubt } = motion;
-    if (doubt !== null && this.python) {
+    if (doubt !== null && python) {
       const query = model.toQuery(checked);
-      const computed = await this.python.motion({ query }, signal);
-      this.undecided.add(query);
-      return this.shown(computed, checked);
+      const samples = async (window: [number, number]) => (await python.motion({ query, window })).arrays;
+      return { ...this.shown(await python.motion({ query }, signal), checked), samples };
     }
     const omega = await this.turning(given, motion, signal);
     const header = model.headerOf(checked, motion, omega, this.mechanics);
-    return { header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) }, arrays: columns };
+    const instant = this.mechanics.instant?.bind(this.mechanics);
+    return {
+      header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) },
+      arrays: columns,
+      exact: instant && pieces ? (time) => instant(given, pieces, time) : undefined,
+    };
+  }
+
+  /** How a motion that came from elsewhere is known at any time. */
+  async exact(scenario: any): Promise<Pick<Reply, "exact" | "samples">> {
+    const { exact, samples } = await this.film({ scenario });
+    return { exact, samples };
+  }
+
+  /** What a link says in spite of what is wrong in it. */
+  readable(query: string) {
+    return model.readable(query, this.mechanics);
   }
 
   /** A motion that Python has computed, for the player. `checked`: that it was computed for. */
@@ -65,8 +83,6 @@ export class Backend {
   /** A part of a motion, for a film that is too long to be as dense as it is seen. `window`: times from and to. */
   async samples(scenario: any, window: [number, number], signal?: AbortSignal) {
     const checked = model.asked({ scenario }, this.mechanics);
-    const query = model.toQuery(checked);
-    if (this.python && this.undecided.has(query)) return (await this.python.motion({ query, window }, signal)).arrays;
     return this.kernel.columns(model.given(model.within(checked)), signal, window);
   }
 

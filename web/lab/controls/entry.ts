@@ -34,6 +34,9 @@ export function refusal(
   if (Number.isNaN(value)) {
     return { key: "{name} = {value} must be a number, such as 2.5.", values: { name: label, value: typed } };
   }
+  if (!Number.isFinite(value) && /\d/.test(typed)) {
+    return { key: "{label} = {value} is too large.", values: { label, value: typed } };
+  }
   if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
   const [zero, endless] = [range.also.includes(0), range.also.includes(Infinity)];
   const span = `range.${zero ? "zero_or_" : ""}from_to${endless ? "_or_inf" : ""}`;

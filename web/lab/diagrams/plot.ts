@@ -228,7 +228,10 @@ export class Plot {
         if (value > high) high = value;
       }
       const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
-      const found = { name: t(name), low: show(low, 3), high: show(high, 3) };
+      // what rounding leaves of a zero is zero
+      const size = 1e-12 * Math.max(-low, high);
+      const tidy = (value: number) => show(Math.abs(value) < size ? 0 : value, 3);
+      const found = { name: t(name), low: tidy(low), high: tidy(high) };
       return high >= low ? `${which}${t("{name} from {low} to {high}", found)}` : "";
     });
     const head = t("Diagram: {title} in {unit}.", { title: t(this.title), unit: t(this.unit) });
@@ -239,14 +242,9 @@ export class Plot {
     if (!this.heights) return; // not drawn yet
     const { context, width, height } = fitted(this.over, this.look.px);
     context.clearRect(0, 0, width, height);
-    this.films.forEach((whole, lane) => {
-      const film = whole.holding(time);
-      const pose = film.at(time);
-      const i = film.index(pose.t);
-      const j = Math.min(i + 1, film.length - 1);
-      const share = film.t[j] > film.t[i] ? (pose.t - film.t[i]) / (film.t[j] - film.t[i]) : 0;
-      const across = this.abscissa(film);
-      const x = this.x(across[i] + share * (across[j] - across[i]));
+    this.films.forEach((film, lane) => {
+      const now = film.moment(time);
+      const x = this.x(this.abscissa(now)[0]);
       const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
       if (inside) {
         context.strokeStyle = this.look.soft;
@@ -256,10 +254,9 @@ export class Plot {
         context.lineTo(x, TOP + this.box.height);
         context.stroke();
       }
-      this.shades(film, lane).forEach((curve, k) => {
-        const next = curve.values[j];
-        const value = Number.isFinite(next) ? curve.values[i] + share * (next - curve.values[i]) : curve.values[i];
-        if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, 3);
+      this.shades(now, lane).forEach((curve, k) => {
+        const value = curve.values[0];
+        if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, now.sure ? 3 : 2);
         const y = this.y(value);
         if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
         context.fillStyle = curve.color ?? this.look.ink;

@@ -57,7 +57,7 @@ export const QUANTITIES: Record<string, Quantity> = {
   potential: { name: "potential energy", symbol: "W_p", unit: "J", values: plain("potential") },
   total: {
     name: "total energy",
-    symbol: "W_k + W_p",
+    symbol: "W",
     unit: "J",
     values: made("total", ({ kinetic, potential }, i) => kinetic[i] + potential[i]),
   },

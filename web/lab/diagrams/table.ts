@@ -20,19 +20,9 @@ export function rowsOf(film: Film, columns: string[], step: number) {
   return rows;
 }
 
-/** A quantity at a time, between the samples that are there. */
+/** A quantity at a time. */
 export function valueAt(film: Film, key: string, time: number) {
-  if (key === "time") return time;
-  const pose = film.at(time);
-  if (key in pose && key !== "angle") return pose[key];
-  const degrees = (pose.angle * 180) / Math.PI;
-  if (key === "angle") return degrees;
-  if (key === "turns") return degrees - 360 * Math.floor(degrees / 360);
-  const values = QUANTITIES[key].values(film);
-  const i = film.index(time);
-  const j = Math.min(i + 1, film.length - 1);
-  const share = film.t[j] > film.t[i] ? (time - film.t[i]) / (film.t[j] - film.t[i]) : 0;
-  return values[i] + share * (values[j] - values[i]);
+  return QUANTITIES[key].values(film.moment(time))[0];
 }
 
 export class Table {

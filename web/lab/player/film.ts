@@ -5,12 +5,17 @@ import { clamp } from "../common/numbers.ts";
 
 export const MODE_LETTERS: string = tables.words.letters;
 
-const STEADY = new Set(["x", "angle", "height"]);
 const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks
 const PART = 8; // seconds that are made finer at a time
 const RATES: Record<string, string> = { x: "vx", angle: "omega", height: "vy" };
 
 export class Film {
+  /** the film of one instant that was asked for last */
+  latest: Film | null = null;
+  /** an instant of a film without `exact`, as its kernel has it */
+  pinned: Film | null = null;
+  /** whether a film of one instant is exact, not interpolated */
+  sure: boolean = true;
   cache: Map<string, Column> = new Map();
   /** the part that is looked at, if the whole is coarse */
   part: Film | null = null;
@@ -28,6 +33,8 @@ export class Film {
   shortened: boolean;
   doubt: Said;
   columns: Record<string, Column>;
+  exact: Reply["exact"];
+  samples: ((window: [number, number]) => Promise<Record<string, Column>>) | undefined;
   t: Float64Array;
   length: number;
   radius: number;
@@ -57,6 +64,9 @@ export class Film {
     /** that more digits would have to decide what comes, if they would. */
     this.doubt = header.doubt ?? "";
     this.columns = reply.arrays;
+    /** the state at any time; without it, states between samples are interpolated. */
+    this.exact = reply.exact;
+    this.samples = reply.samples;
     this.t = reply.arrays.t;
     this.length = this.t.length;
     this.radius = this.values["hoop.radius"];
@@ -83,13 +93,27 @@ export class Film {
 
   /** Take the finer part. */
   refine(columns: Record<string, any>) {
-    this.part = Object.assign(Object.create(this), {
-      columns,
-      t: columns.t,
-      length: columns.t.length,
-      cache: new Map(),
-      part: null,
-    });
+    this.part = this.with(columns);
+    this.latest = null;
+  }
+
+  /** The same motion at other times. */
+  with(columns: Record<string, any>): Film {
+    const { t } = columns;
+    const own = { columns, t, length: t.length, cache: new Map(), part: null, latest: null, pinned: null, sure: true };
+    return Object.assign(Object.create(this), own);
+  }
+
+  /** Take the state at one time. */
+  pin(columns: Record<string, any>, time: number) {
+    const found = this.with(columns);
+    this.pinned = found.one(found.index(time));
+    this.latest = null;
+  }
+
+  /** The film of one sample. */
+  one(i: number) {
+    return this.with(Object.fromEntries(Object.entries(this.columns).map(([name, column]) => [name, [column[i]]])));
   }
 
   /** What holds a time: the finer part where it does, else the whole. */
@@ -156,26 +180,42 @@ export class Film {
     ];
   }
 
-  at(time: number): Pose {
+  /** The film of one instant: each column has its value at a time, exactly where `sure`. */
+  moment(time: number): Film {
     const now = clamp(time, 0, this.duration);
-    const holding = this.holding(now);
-    if (holding !== this) return holding.at(now);
-    const i = this.index(now);
+    if (this.latest?.t[0] === now) return this.latest;
+    const { pinned, exact } = this;
+    const film = this.holding(now);
+    const i = film.index(now);
+    if (exact) this.latest = this.with({ ...exact(now), mode: [film.columns.mode[i]] });
+    else if (pinned?.t[0] === now) this.latest = pinned;
+    else this.latest = film.t[i] === now ? film.one(i) : film.between(now, i);
+    return this.latest;
+  }
+
+  /**
+   * A film of one instant between two samples; a time at which something happens has a sample on either side. `i`:
+   * the sample before.
+   */
+  between(now: number, i: number) {
     const j = Math.min(i + 1, this.length - 1);
     const span = this.t[j] - this.t[i];
     const share = span > 0 ? (now - this.t[i]) / span : 0;
-    const pose: Record<string, any> = { t: now, mode: MODE_LETTERS[this.columns.mode[i]] };
+    const columns: Record<string, number[]> = {};
     for (const [name, column] of Object.entries(this.columns)) {
-      if (name === "t" || name === "mode") continue;
       const a = column[i];
       const b = column[j];
-      if (share === 0 || !Number.isFinite(b)) pose[name] = a;
-      else if (STEADY.has(name)) {
-        const rate = this.columns[RATES[name]];
-        pose[name] = hermite(a, b, rate[i] * span, rate[j] * span, share);
-      } else pose[name] = a + (b - a) * share;
+      const rate = this.columns[RATES[name]];
+      if (name === "mode" || !Number.isFinite(b)) columns[name] = [a];
+      else columns[name] = [rate ? hermite(a, b, rate[i] * span, rate[j] * span, share) : a + (b - a) * share];
     }
-    return pose as Pose;
+    return Object.assign(this.with({ ...columns, t: [now] }), { sure: false });
+  }
+
+  at(time: number): Pose {
+    const { columns, sure } = this.moment(time);
+    const values = Object.fromEntries(Object.entries(columns).map(([name, [value]]) => [name, value]));
+    return { ...values, mode: MODE_LETTERS[columns.mode[0]], digits: sure ? 3 : 2 } as any;
   }
 
   /** A derived column, computed once. */

@@ -3,6 +3,8 @@
 import { Film } from "./film.ts";
 import { History } from "../shell/history.ts";
 
+const INSTANT = 1e-6; // seconds: of a window that is asked for its first moment only
+
 /**
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under
  * way.
@@ -56,8 +58,21 @@ export class Motions {
     return this.lanes.length > 1 ? "AB"[this.active] : "";
   }
 
+  /** A film; one that came with a notebook is computed here too, to be exact at any time. */
+  filmOf(reply: Reply) {
+    const film = new Film(reply);
+    const known = reply.exact || reply.samples ? null : this.backend.exact(film.scenario);
+    known
+      ?.then((found) => {
+        Object.assign(film, found, { latest: null });
+        this.listener.refined();
+      })
+      .catch(() => {}); // it plays on between its samples
+    return film;
+  }
+
   set(replies: Reply[]) {
-    this.lanes = replies.map((reply) => ({ film: new Film(reply) }));
+    this.lanes = replies.map((reply) => ({ film: this.filmOf(reply) }));
     this.active = Math.min(this.active, this.lanes.length - 1);
   }
 
@@ -99,17 +114,19 @@ export class Motions {
     this.pump(lane);
   }
 
-  /** Make films finer where one looks, if they are too long to be sent so densely. */
+  /** Make films finer where one looks, if they are too long to be sent so densely. `ahead`: 0 where it is still. */
   refine(time: number, ahead: number) {
     for (const lane of this.lanes) {
       const { film } = lane;
-      const window = lane.refining || lane.coarse === film ? null : film.wanted(time, ahead);
-      if (!window) continue;
+      if (lane.refining || lane.coarse === film) continue;
+      const window = film.wanted(time, ahead);
+      const instant = !window && ahead === 0 && !film.moment(time).sure;
+      if (!window && !instant) continue;
       lane.refining = true;
-      this.backend
-        .samples(film.scenario, window)
+      this.samples(film, window ?? [time, time + INSTANT])
         .then((columns) => {
-          film.refine(columns);
+          if (window) film.refine(columns);
+          else film.pin(columns, time);
           this.listener.refined();
         })
         .catch(() => {
@@ -119,6 +136,12 @@ export class Motions {
           lane.refining = false;
         });
     }
+  }
+
+  /** `window`: times from and to. */
+  async samples(film: Film, window: [number, number]) {
+    if (film.samples) return film.samples(window);
+    return this.backend.samples(film.scenario, window);
   }
 
   settle(lane: Lane) {
@@ -141,7 +164,7 @@ export class Motions {
   /** Another motion in place of the chosen one. */
   replace(reply: Reply) {
     // an answer that is still under way belongs to what was there before
-    this.lanes[this.active] = { film: new Film(reply) };
+    this.lanes[this.active] = { film: this.filmOf(reply) };
     this.listener.shown();
     this.note();
   }

@@ -2,6 +2,8 @@
 
 import { once } from "../common/dom.ts";
 import { clamp } from "../common/numbers.ts";
+import { english } from "../words/words.ts";
+import type { Notice } from "./notice.ts";
 import type { Motions } from "../player/motions.ts";
 
 const LETTERS: [keyof StageOptions, string][] = [
@@ -77,7 +79,7 @@ function numbers(text: string | null, count: number) {
 }
 
 // The two links that an address holds.
-const queries = () => {
+export const queries = () => {
   const other = new URLSearchParams(location.hash.slice(1)).get("with");
   return [location.search.slice(1), ...(other === null ? [] : [other])];
 };
@@ -85,12 +87,14 @@ const queries = () => {
 // Writes what is shown into the address of the page, and follows the browser's own way back.
 export class Address {
   number = 0;
+  held = false; // the address is wrong: it stays, to be corrected, until another motion is a step
   soon: () => void;
   listen: () => Promise<void>;
 
   /** `link`: to what is shown. */
   constructor(
     readonly motions: Motions,
+    readonly notice: Notice,
     readonly link: () => string | null,
   ) {
     this.soon = once(() => this.write("same"), WAIT);
@@ -107,9 +111,26 @@ export class Address {
     if (!motions.lanes.length) return;
     // a motion that is still in the hand is no step, and must not take the place of the one before
     if (!motions.history.holds(motions.queries())) return;
+    if (this.held && (step === "same" || step === "travelled")) return;
     const link = this.link();
-    if (step === "step") history.pushState({ number: ++this.number }, "", link);
+    if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);
+    this.held = false;
+  }
+
+  /** Links as far as they can be read; what is wrong in them is said, and the address stays as it is. */
+  read(links: string[]) {
+    const { notice } = this;
+    const { backend } = this.motions;
+    const found = links.map((link) => backend.readable?.(link) ?? { query: link, foreign: [], error: null });
+    const error = found.find((one) => one.error)?.error;
+    const foreign = found.flatMap((one) => one.foreign);
+    this.held = Boolean(error);
+    const said = () => {
+      if (error) notice.fail(error, "The rest of the link is shown. Correct the address, or go on from here.");
+      else if (foreign.length) notice.say(english("Ignored in the link: {names}.", { names: foreign.join(", ") }));
+    };
+    return { links: found.map((one) => one.query), said };
   }
 
   /** The step that the lab has made is the browser's, too. */
@@ -124,9 +145,11 @@ export class Address {
 
   async arrived() {
     const number = history.state?.number ?? 0;
-    const asked = queries();
+    const { links: asked, said } = this.read(queries());
     if (JSON.stringify(asked) === JSON.stringify(this.motions.queries())) this.number = number;
-    else if (await this.motions.arrive(asked)) this.number = number;
-    else if (number !== this.number) history.go(this.number - number); // stay with what is shown
+    else if (await this.motions.arrive(asked)) {
+      this.number = number;
+      said();
+    } else if (number !== this.number) history.go(this.number - number); // stay with what is shown
   }
 }

@@ -96,8 +96,8 @@ export class Lab {
       travelled: async (way) => this.address?.travel(way),
       failed: (error, changes) => this.failed(error, changes),
     });
-    this.address = hosted ? new Address(this.motions, () => this.link()) : null;
     this.notice = new Notice();
+    this.address = hosted ? new Address(this.motions, this.notice, () => this.link()) : null;
     this.theme = new Theme(root, colors, hosted, () => this.show());
     this.stage = new Stage(colors, () => {
       this.request();

@@ -1,7 +1,7 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
 import { tables } from "../../model/index.ts";
-import { readShown } from "./address.ts";
+import { queries, readShown, type Address } from "./address.ts";
 import { say } from "../common/dom.ts";
 import { Lab } from "./lab.ts";
 import { unpack } from "../backend/packing.ts";
@@ -51,13 +51,15 @@ async function startPage(root: HTMLElement) {
   if (site) keepOffline(site.getAttribute("content") ?? "");
   const lab = new Lab(root, backend, tables.setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
-  const other = new URLSearchParams(location.hash.slice(1)).get("with");
   const shown = readShown(location.hash);
+  const address = lab.address as Address;
+  const { links, said } = address.read(queries());
   try {
-    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])], shown);
+    await lab.open(links, shown);
+    said();
   } catch (error) {
     // a link that holds no scenario: say so, and show the reference case
-    history.replaceState(null, "", base);
+    address.held = true;
     await lab.open([""]);
     lab.notice.fail(error as Error);
   }

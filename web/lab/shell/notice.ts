@@ -1,7 +1,7 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
 import { h, say } from "../common/dom.ts";
-import { saidOf } from "../words/words.ts";
+import { saidOf, spokenText } from "../words/words.ts";
 
 const TOAST_TIME = 6000; // milliseconds
 
@@ -10,9 +10,10 @@ export class Notice {
   toast = h("div", { class: "toast", role: "status", hidden: true });
   timer = 0;
 
-  fail(error: Error) {
+  /** `hint`: what can be done. */
+  fail(error: Error, hint = "") {
     const said = saidOf(error);
-    say(this.message, said);
+    this.message.replaceChildren(...[said, ...(hint ? [" ", hint] : [])].map(spokenText));
     this.message.hidden = false;
     if (!this.seen()) this.say(said, this.message.isConnected);
   }

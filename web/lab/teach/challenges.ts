@@ -11,6 +11,8 @@ const drawn = (points: number) => "★".repeat(stars(points)) + "☆".repeat(3 -
 
 export class Challenges {
   goal: Goal | null = null;
+  solved = new Set<string>(); // challenges whose solution is shown, until they are begun again
+  solutions = new Set<string>(); // that were shown, by their links
 
   tabs: Map<string, HTMLButtonElement>;
   text: HTMLParagraphElement;
@@ -57,8 +59,8 @@ export class Challenges {
       h(
         "div",
         { class: "buttons" },
-        h("button", { type: "button", onclick: () => this.goal && this.load(this.goal.start) }, "Begin again"),
-        h("button", { type: "button", onclick: () => this.goal && this.load(this.goal.best) }, "Show a best one"),
+        h("button", { type: "button", onclick: () => this.begin() }, "Begin again"),
+        h("button", { type: "button", onclick: () => this.solve() }, "Show a best one"),
       ),
     );
   }
@@ -83,18 +85,34 @@ export class Challenges {
     this.changed();
   }
 
+  begin() {
+    if (!this.goal) return;
+    this.solved.delete(this.goal.key);
+    this.load(this.goal.start);
+  }
+
+  /** A solution that is shown is not the visitor's: it does not count, and nothing that is made of it. */
+  async solve() {
+    const { goal } = this;
+    if (!goal) return;
+    this.solved.add(goal.key);
+    await this.load(goal.best);
+    this.solutions.add(this.film().query);
+  }
+
   /** Another motion is there: its score. A start that is still in the hand does not count. */
   changed() {
     const { goal } = this;
     if (!goal) return;
     const { points, text, values = {} } = goal.score(this.film());
+    const counts = !this.solved.has(goal.key) && !this.solutions.has(this.film().query);
     this.meter.value = points;
-    const what = { key: text, values };
-    const said = { key: "{stars} {points} points. {what}", values: { stars: drawn(points), count: points, what } };
+    const key = counts ? "{stars} {points} points. {what}" : "{stars} {points} points, shown and not counted. {what}";
+    const said = { key, values: { stars: drawn(points), count: points, what: { key: text, values } } };
     if (this.result.textContent !== spoken(said)) say(this.result, said);
-    const best = Number(recall(KEY + goal.key) ?? 0);
-    if (points > best && !this.ahead()) remember(KEY + goal.key, String(points));
-    const count = Math.max(best, this.ahead() ? 0 : points);
-    say(this.kept, { key: "Your best: {points} points.", values: { count } });
+    const kept = Number(recall(KEY + goal.key) ?? 0);
+    const best = counts && !this.ahead() ? Math.max(kept, points) : kept;
+    if (best > kept) remember(KEY + goal.key, String(best));
+    say(this.kept, { key: "Your best: {points} points.", values: { count: best } });
   }
 }

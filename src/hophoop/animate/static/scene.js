@@ -1,4 +1,4 @@
-/* Built from web/scene/main.ts by esbuild 0.28.2; sources 5469d3f4c4b4d20d6c94c08681f08014 */
+/* Built from web/scene/main.ts by esbuild 0.28.2; sources ec0d3b1b56cee9e1bfd192bfb61b92da */
 "use strict";(()=>{var D=r=>{if(Array.isArray(r))return r.map(D);if(r===null||typeof r!="object")return r;if(r.f32!==void 0){let t=Uint8Array.from(atob(r.f32),e=>e.charCodeAt(0));
 return new Float32Array(t.buffer)}return Object.fromEntries(Object.entries(r).map(([t,e])=>[t,D(e)]))};function Y(r,t){let[e,n]=[Math.cos(t),Math.sin(t)],o=new Float32Array(
 r.length);for(let i=0;i<r.length;i+=2)o[i]=r[i]*e-r[i+1]*n,o[i+1]=r[i]*n+r[i+1]*e;return o}function X(r){let t=D(JSON.parse(r));for(let e of t.hoops){for(let n of[
@@ -109,16 +109,16 @@ s[0],a[1]-s[1])<1e-9&&i>0){let c=e(i-1);a=s.map((l,h)=>2*l-c[h])}for(let c of[-1
 side:1})}drawTrace(t,e,{width:n,distance:o=0,shift:i,depth:s}){let{gl:a,canvas:c}=this;this.use(this.line,{pixel:[2/c.width,2/c.height],width:n,distance:o,shift:i,
 depth:s}),k(a,this.line,t),a.drawArrays(a.TRIANGLE_STRIP,0,2*e)}onScreen([t,e,n]){let o=this.view,[i,s,a]=[0,1,3].map(c=>o[c]*t+o[4+c]*e+o[8+c]*n+o[12+c]);return a>
 0?[(.5+.5*i/a)*this.canvas.width,(.5-.5*s/a)*this.canvas.height]:null}};function I([r,t],[e,n]){return{data:[[r,n],[r,e],[t,n],[t,e]].flatMap(([o,i])=>[o,0,i,0,
-1,0]),indices:[0,1,2,1,3,2]}}function C(r,t){let e=t.flatMap((n,o)=>n.indices.map(i=>i+4*o));return E(r,t.flatMap(n=>n.data),{position:3,normal:3},e)}var it=.5,ht=.45,mt=6,ut='"DejaVu Sans", system-ui, sans-serif';function at(r,{space:t,data:e},{hoop:n},o,i,s,a){let c=f(n.t,o),l=-n.lane+.35*e.radius;r.strokeStyle=
+1,0]),indices:[0,1,2,1,3,2]}}function _(r,t){let e=t.flatMap((n,o)=>n.indices.map(i=>i+4*o));return E(r,t.flatMap(n=>n.data),{position:3,normal:3},e)}var it=.5,ht=.45,mt=6,ut='"DejaVu Sans", system-ui, sans-serif';function at(r,{space:t,data:e},{hoop:n},o,i,s,a){let c=f(n.t,o),l=-n.lane+.35*e.radius;r.strokeStyle=
 e.theme.ink,r.fillStyle=e.theme.ink,r.font=`${12*a}px ${ut}`;let h=-1/0,m=n.marks.filter(([u])=>u<=c).sort((u,g)=>u[1]-g[1]);for(let[u,g,w,d]of m){let v=t.onScreen(
 [g-i,0,l]);if(!v)continue;let[x,N]=v,j=(c-u)/e.rate[Math.floor(o)];j<it&&dt(r,x,N,j/it,n.radius*s,a),ft(r,w,x,N+12*a,mt*a);let z=.5*r.measureText(d).width;x-z<h||
 (r.fillText(d,x,N+34*a),h=x+z+6*a)}}function dt(r,t,e,n,o,i){r.globalAlpha=1-n,r.lineWidth=(3*(1-n)+.6)*i,r.beginPath(),r.arc(t,e,(.08+ht*n)*o,0,2*Math.PI),r.stroke(),
 r.globalAlpha=1}function ft(r,t,e,n,o){if(r.beginPath(),t==="takeoff"||t==="impact"){let i=t==="takeoff"?-o:o;r.moveTo(e-o,n-i),r.lineTo(e+o,n-i),r.lineTo(e,n+i),
-r.fill();return}r.lineWidth=.4*o;for(let i of[-o,o])r.moveTo(e-o,n-i),r.lineTo(e+o,n+i);r.stroke()}var G=.05,bt=.1,pt=.05,gt=[-.32,1,.75],wt=.38,ct='"DejaVu Sans", system-ui, sans-serif',lt=(r,t,e)=>r.map((n,o)=>n+e*(t[o]-n)),F=class{constructor(t,e,n){this.canvas=
+r.fill();return}r.lineWidth=.4*o;for(let i of[-o,o])r.moveTo(e-o,n-i),r.lineTo(e+o,n+i);r.stroke()}var G=.05,bt=.1,pt=.05,gt=[-.32,1,.75],wt=.38,ct='"DejaVu Sans", system-ui, sans-serif',lt=(r,t,e)=>r.map((n,o)=>n+e*(t[o]-n)),C=class{constructor(t,e,n){this.canvas=
 t;this.labels=e;this.data=n;this.space=new P(this.canvas,this.data.map,gt,wt);this.metre=1;this.space.fastest=n.topSpeed,this.half=Math.max(...n.hoops.map(s=>Math.
 abs(s.lane)))+1.1*n.radius;let o=Math.ceil((n.along[0]-6*n.radius)/n.grid),i=Math.min(Math.floor((n.along[1]+6*n.radius)/n.grid),o+1999);this.marks=Array.from({
 length:Math.max(i-o+1,0)},(s,a)=>(o+a)*n.grid),this.floor=this.floorMeshes(),this.traces=n.hoops.map(s=>s.traces&&this.traceMeshes(s.traces))}floorMeshes(){let{
-data:t,half:e,space:n}=this,o=t.radius,i=[t.along[0]-40*o,t.along[1]+40*o],s=[e,-e];return{plane:C(n.gl,[I(i,[40*o,-40*o])]),track:C(n.gl,[I(i,s)]),bars:C(n.gl,
+data:t,half:e,space:n}=this,o=t.radius,i=[t.along[0]-40*o,t.along[1]+40*o],s=[e,-e];return{plane:_(n.gl,[I(i,[40*o,-40*o])]),track:_(n.gl,[I(i,s)]),bars:_(n.gl,
 this.marks.map(a=>I([a-.008*o,a+.008*o],s)))}}traceMeshes({load:t,heavy:e,airborne:n}){let{theme:o,colors:i}=this.data,s=b(o.load),[a,c]=[b(i.center),b(i.airborne)],
 l=(h,m)=>this.space.trace(h.length/2,u=>[h[2*u],h[2*u+1]],m);return{load:l(t,()=>s),heavy:l(e,h=>n[h]?c:a)}}draw(t,e){let{canvas:n,labels:o,data:i,space:s}=this,
 a=window.devicePixelRatio||1,[c,l]=[Math.round(n.clientWidth*a),Math.round(n.clientHeight*a)];for(let d of[n,o])(d.width!==c||d.height!==l)&&Object.assign(d,{width:c,
@@ -138,26 +138,26 @@ u=>e*u);s.arrow(l,[0,Math.sign(h),0],Math.abs(h),i.radius,b(i.colors.normal)),s.
 let i=e&&this.space.onScreen(n);if(!i)return;let{theme:s}=this.data;t.beginPath(),t.arc(i[0],i[1],10*o,0,2*Math.PI),t.fillStyle=s.background,t.fill(),t.strokeStyle=
 s.ink,t.lineWidth=1.2*o,t.stroke(),t.fillStyle=s.ink,t.font=`bold ${12*o}px ${ct}`,t.fillText(e,i[0],i[1]+4.3*o)}drawNumbers(t,e,n){let{labels:o,data:i,half:s}=this;
 t.fillStyle=i.theme.muted,t.font=`${13*n}px ${ct}`;let a=-1e9;for(let c of this.marks){let l=this.space.onScreen([c-e,0,s+.15*i.radius]);if(!l)continue;let[h,m]=l;
-!(h>=0&&h<=o.width&&m>=0&&m<=o.height-50*n)||Math.abs(h-a)<55*n||(t.fillText(`${+c.toPrecision(6)} m`.replace("-","−"),h,m+12*n),a=h)}}};var Mt=90,T=r=>document.getElementById(r),y=(r,t,...e)=>{let n=document.createElement(r);return n.className=t,n.append(...e),n},_=class{constructor(t){this.data=
-t;document.body.style.background=t.theme.background,document.body.style.color=t.theme.ink,this.rows=t.hoops.map(e=>this.row(e)),this.scale(),this.key()}row(t){let[
-e,n,o,i]=["dot","word","t","angle"].map(a=>y("span",a)),s=y("span","label",t.tag?`${t.tag}: ${t.label}`:t.label);return T("words").append(y("div","row",y("span",
-"mode",e,n),o,i,s)),{dot:e,word:n,time:o,angle:i}}scale(){let{map:t,topSpeed:e}=this.data,n=t.map(s=>`rgb(${s.join(",")})`).join(",");T("bar").style.background=
-`linear-gradient(to right, ${n})`;let o=10**Math.floor(Math.log10(e/3)),i=[5,2,1].map(s=>s*o).find(s=>s<=e/3*1.000001)??o;for(let s=0;s<=e;s+=i){let a=y("span",
-"",String(+s.toPrecision(6)));a.style.left=`${100*s/e}%`,T("ticks").append(a)}}key(){let{hoops:t,colors:e,theme:n,newton:o,flies:i}=this.data,s=[];t.some(a=>a.traces!==
-null)&&(s.push([n.load,"load"],[e.center,"centre of gravity"]),i&&s.push([e.airborne,"airborne"])),o&&s.push([e.normal,"normal force"],[e.friction,"friction"]);
-for(let[a,c]of s){let l=document.createElement("i");l.style.borderColor=a,T("lines").append(y("span","",l,c))}o&&(this.ruler=document.createElement("i"),this.force=
-document.createTextNode(""),T("lines").append(y("span","ruler",this.ruler,this.force)))}showScale(t,e){if(!this.ruler||!this.force)return;let n=Mt/(t*e),o=10**Math.
-floor(Math.log10(n)),i=[5,2,1].map(s=>s*o).find(s=>s<=n*1.000001)??o;this.ruler.style.width=`${(i*t*e).toFixed(1)}px`,this.force.textContent=`${+i.toPrecision(6)}\
- N`}show(t,e){let n=Math.floor(t);this.data.newton&&this.showScale(this.data.newton[n],e);for(let[o,i]of this.data.hoops.entries()){let[s,a]=this.data.modes[i.mode[n]],
-c=this.rows[o],l=(f(i.angle,t)*180/Math.PI).toFixed(1);c.dot.style.background=a,c.word.textContent=s,c.time.textContent=`t = ${f(i.t,t).toFixed(3)} s`,c.angle.textContent=
+!(h>=0&&h<=o.width&&m>=0&&m<=o.height-50*n)||Math.abs(h-a)<55*n||(t.fillText(`${+c.toPrecision(6)} m`.replace("-","−"),h,m+12*n),a=h)}}};var T=r=>document.getElementById(r),y=(r,t,...e)=>{let n=document.createElement(r);return n.className=t,n.append(...e),n},F=class{constructor(t){this.data=t;document.
+body.style.background=t.theme.background,document.body.style.color=t.theme.ink,this.rows=t.hoops.map(e=>this.row(e)),this.scale(),this.key()}row(t){let[e,n,o,i]=[
+"dot","word","t","angle"].map(a=>y("span",a)),s=y("span","label",t.tag?`${t.tag}: ${t.label}`:t.label);return T("words").append(y("div","row",y("span","mode",e,
+n),o,i,s)),{dot:e,word:n,time:o,angle:i}}scale(){let{map:t,topSpeed:e}=this.data,n=t.map(s=>`rgb(${s.join(",")})`).join(",");T("bar").style.background=`linear-g\
+radient(to right, ${n})`;let o=10**Math.floor(Math.log10(e/3)),i=[5,2,1].map(s=>s*o).find(s=>s<=e/3*1.000001)??o;for(let s=0;s<=e;s+=i){let a=y("span","",String(
++s.toPrecision(6)));a.style.left=`${100*s/e}%`,T("ticks").append(a)}}key(){let{hoops:t,colors:e,theme:n,newton:o,flies:i}=this.data,s=[];t.some(a=>a.traces!==null)&&
+(s.push([n.load,"load"],[e.center,"centre of gravity"]),i&&s.push([e.airborne,"airborne"])),o&&s.push([e.normal,"normal force"],[e.friction,"friction"]);for(let[
+a,c]of s){let l=document.createElement("i");l.style.borderColor=a,T("lines").append(y("span","",l,c))}o&&(this.ruler=document.createElement("i"),this.force=document.
+createTextNode(""),T("lines").append(y("span","ruler",this.ruler,this.force)))}showScale(t,e){if(!this.ruler||!this.force)return;let n=90/(t*e),o=10**Math.floor(
+Math.log10(n)),i=[5,2,1].map(s=>s*o).find(s=>s<=n*1.000001)??o;this.ruler.style.width=`${(i*t*e).toFixed(1)}px`,this.force.textContent=`${+i.toPrecision(6)} N`}show(t,e){
+let n=Math.floor(t);this.data.newton&&this.showScale(this.data.newton[n],e);for(let[o,i]of this.data.hoops.entries()){let[s,a]=this.data.modes[i.mode[n]],c=this.
+rows[o],l=(i.angle[n]*180/Math.PI).toFixed(1);c.dot.style.background=a,c.word.textContent=s,c.time.textContent=`t = ${i.t[n].toFixed(3)} s`,c.angle.textContent=
 `θ = ${l}°`.replace("-","−")}}};var p=r=>document.getElementById(r),$=class{constructor(t){this.data=t;this.last=this.data.count-1;this.now=0;this.before=null;this.button=p("play");this.slider=
-p("time");this.rate=p("rate");this.follow=p("follow");let e=p("scene");this.picture=new F(e,p("labels"),t),this.camera=new S(e,t,()=>this.follow.checked),this.words=
-new _(t),this.slider.max=String(this.last),this.button.onclick=()=>this.toggle(),this.slider.oninput=()=>{this.now=Number(this.slider.value),this.play(!1)},p("r\
+p("time");this.rate=p("rate");this.follow=p("follow");let e=p("scene");this.picture=new C(e,p("labels"),t),this.camera=new S(e,t,()=>this.follow.checked),this.words=
+new F(t),this.slider.max=String(this.last),this.button.onclick=()=>this.toggle(),this.slider.oninput=()=>{this.now=Number(this.slider.value),this.play(!1)},p("r\
 eset").onclick=()=>this.camera.reset(),document.addEventListener("keydown",n=>this.key(n)),this.play(!0),this.open(location.hash),requestAnimationFrame(n=>this.
 tick(n))}open(t){let e=/t=([\d.]+)/.exec(t);if(!e)return;let n=this.data.hoops[0].t.findIndex(o=>o>=Number(e[1]));this.now=n<0?this.last:n,this.slider.value=String(
-this.now),this.play(!1)}play(t){this.playing=t,this.button.textContent=t?"Pause":"Play"}toggle(){!this.playing&&this.now>=this.last&&(this.now=0),this.play(!this.
-playing)}key(t){if(t.target.tagName==="SELECT"||t.target===this.button)return;t.key===" "&&(this.toggle(),t.preventDefault());let e=t.key==="ArrowRight"?1:t.key===
-"ArrowLeft"?-1:0;!e||t.target===this.slider||(this.play(!1),this.now=Math.min(Math.max(Math.round(this.now)+e,0),this.last))}tick(t){this.playing&&this.before!==
-null&&(this.now+=(t-this.before)/1e3*this.data.fps*Number(this.rate.value),this.now>=this.last&&(this.now=this.last,this.play(!1)),this.slider.value=String(this.
-now)),this.before=t,this.picture.draw(this.now,this.camera),this.words.show(this.now,this.picture.metre),requestAnimationFrame(e=>this.tick(e))}};try{new $(X(p(
-"data").textContent))}catch(r){p("problem").textContent=r.message,p("problem").style.display="flex"}})();
+this.now),this.play(!1)}play(t){this.playing=t,t||(this.now=Math.floor(this.now)),this.button.textContent=t?"Pause":"Play"}toggle(){!this.playing&&this.now>=this.
+last&&(this.now=0),this.play(!this.playing)}key(t){if(t.target.tagName==="SELECT"||t.target===this.button)return;t.key===" "&&(this.toggle(),t.preventDefault());
+let e=t.key==="ArrowRight"?1:t.key==="ArrowLeft"?-1:0;!e||t.target===this.slider||(this.play(!1),this.now=Math.min(Math.max(Math.round(this.now)+e,0),this.last))}tick(t){
+this.playing&&this.before!==null&&(this.now+=(t-this.before)/1e3*this.data.fps*Number(this.rate.value),this.now>=this.last&&(this.now=this.last,this.play(!1)),this.
+slider.value=String(this.now)),this.before=t,this.picture.draw(this.now,this.camera),this.words.show(this.now,this.picture.metre),requestAnimationFrame(e=>this.
+tick(e))}};try{new $(X(p("data").textContent))}catch(r){p("problem").textContent=r.message,p("problem").style.display="flex"}})();

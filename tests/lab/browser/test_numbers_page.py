@@ -1,0 +1,124 @@
+"""The numbers that the page shows at a time, digit by digit, compared with Python's."""
+
+import math
+
+import numpy as np
+import pytest
+
+uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+
+import hophoop as hh  # noqa: E402
+from lab_page_tools import SHOWN, wait_for  # noqa: E402
+from slow_page import also_delayed  # noqa: E402
+
+# all that is written beside the hoop, at its arrows and in the legends of the diagrams
+READ = """() => {
+  const lab = hophoopLab;
+  const drawn = {};
+  const { fillText } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+    const force = /^([NF]) = (.*) N$/.exec(text);
+    if (force) drawn[force[1]] = force[2];
+    return fillText.call(this, text, ...place);
+  };
+  lab.drawStage();
+  lab.drawTime();
+  CanvasRenderingContext2D.prototype.fillText = fillText;
+  const values = [...document.querySelectorAll(".readout dd")].map((one) => one.textContent);
+  const legends = {};
+  for (const value of document.querySelectorAll("[data-plot] .plot-key .value")) {
+    const { textContent } = value.parentElement;
+    const name = textContent.slice(0, textContent.length - value.textContent.length).trim();
+    legends[`${value.closest(".plot").dataset.plot}: ${name}`] = value.textContent;
+  }
+  return { time: lab.clock.time, drawn, mode: values[1], angle: values[3], v: values[4], spin: values[5], legends };
+}"""
+SEEK = f"""times => times.map((time) => {{ hophoopLab.clock.seek(time); return ({READ})(); }})"""
+
+SIGNS = str.maketrans({"−": "-", "⁻": "-", **{sign: str(place) for place, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}})
+
+
+def number(text):
+    """A number that the page shows, and half a unit of its last digit: trailing zeros are not shown, but meant."""
+    plain = text.translate(SIGNS)
+    mantissa, _, power = plain.partition("·10")
+    value = float(mantissa) * 10.0 ** int(power or 0)
+    return value
+
+
+def agrees(text, exact, digits=3):
+    """Whether a shown number is the exact one, rounded to so many digits."""
+    if math.isnan(exact):
+        return text == "–"
+    size = abs(exact)
+    unit = 10.0 ** (math.floor(math.log10(size)) - digits + 1) if size > 0.0 else 0.0
+    return abs(number(text) - exact) <= 0.5 * unit * (1 + 1e-6) + 1e-12
+
+
+def wrong(shown, motion):
+    """What of a reading is not what Python computes, a line each."""
+    state = motion.at(shown["time"])
+    hoop, plane = motion.scenario.hoop, motion.scenario.plane
+    exact = {
+        "velocities: v (centre)": state.vx,
+        "velocities: R θ̇": state.omega * hoop.radius,
+        "energies: kinetic": state.kinetic,
+        "energies: potential": state.potential,
+        "energies: total": state.kinetic + state.potential,
+        "forces: normal N": state.normal_force,
+        "forces: friction F": state.friction_force,
+        "utilization: |F| / μN": state.utilization(plane),
+        "own: gap under the rim": state.height,
+    }
+    legends = shown["legends"]
+    assert set(exact) <= set(legends), sorted(legends)
+    pairs = {name: (legends[name], value) for name, value in exact.items()}
+    pairs["v"] = (shown["v"].removesuffix(" m/s"), state.vx)
+    pairs["R θ̇"] = (shown["spin"].removesuffix(" m/s"), state.omega * hoop.radius)
+    if "N" in shown["drawn"]:
+        pairs["N"] = (shown["drawn"]["N"], state.normal_force)
+    if "F" in shown["drawn"]:
+        pairs["F"] = (shown["drawn"]["F"], state.friction_force)
+    return [
+        f"t = {shown['time']!r}: {name} {text} is {value!r}"
+        for name, (text, value) in pairs.items()
+        if not agrees(text, float(value))
+    ]
+
+
+CASES = {
+    "": [4.9843],
+    "duration=60&start.speed=2&plane.mu=0.5": [57.3425],
+    "plane.slope=0.1745&start.speed=1": [1.25],
+    "contact.model=compliant&duration=2": [],
+}
+
+
+@pytest.mark.parametrize("query", CASES)
+def test_every_number_shown_at_a_time_is_right(visit, query):
+    motion = hh.simulate(hh.Scenario.from_query(query))
+    # odd times, not those of the film's own samples
+    times = [*(np.linspace(0.0, motion.duration, 242)[1:-1] + 1e-4 * math.pi), *CASES[query]]
+    times = [min(float(time), motion.duration) for time in times]
+    page = visit(f"?{query}" if query else "", viewport={"width": 1440, "height": 5000})
+    wait_for(page, SHOWN)
+    page.evaluate("() => { for (const plot of hophoopLab.plots.plots) hophoopLab.plots.seen.set(plot.element, true); }")
+    faults = [line for shown in page.evaluate(SEEK, times) for line in wrong(shown, motion)]
+    assert not faults, "\n".join([f"{len(faults)} of {len(times)} instants", *faults[:20]])
+
+
+@also_delayed
+def test_every_number_shown_in_play_is_right(visit):
+    page = visit("", viewport={"width": 1440, "height": 5000})
+    wait_for(page, SHOWN)
+    page.evaluate(
+        f"""() => {{
+          globalThis.seen = [];
+          hophoopLab.afterFrame = () => {{ if (seen.length < 60) seen.push(({READ})()); }};
+          hophoopLab.clock.seek(4.2);
+          hophoopLab.clock.play(true);
+        }}"""
+    )
+    page.wait_for_function("() => seen.length === 60")
+    motion = hh.simulate(hh.Scenario())
+    assert [line for shown in page.evaluate("seen") for line in wrong(shown, motion)] == []
