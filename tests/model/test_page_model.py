@@ -134,8 +134,8 @@ def test_a_thousand_requests_are_read_alike(monkeypatch):
 
 @pytest.mark.slow
 def test_many_more_requests_are_read_alike(monkeypatch):
-    kinds = compare(range(1000, 31_000), monkeypatch)
-    assert min(kinds["value"], kinds["error"]) > 7500
+    kinds = compare(range(1000, 6000), monkeypatch)
+    assert min(kinds["value"], kinds["error"]) > 1250
 
 
 # Numbers and texts
