@@ -65,6 +65,6 @@ test("a refusal names the field in its own unit", () => {
   assert.equal(spoken(refusal("-1", -1, friction)), "Friction = −1 must be from 0 to 1·10⁶, or inf.");
   assert.equal(refusal("inf", Infinity, friction), "");
   // a number that doubles cannot hold is none of the numbers without end that are meant
-  assert.equal(refusal("-5e400", readNumber("-5e400"), friction), "Friction = -5e400 is too large.");
+  assert.equal(spoken(refusal("-5e400", readNumber("-5e400"), friction)), "Friction = -5e400 is too large.");
   assert.equal(refusal("∞", readNumber("∞"), friction), "");
 });
