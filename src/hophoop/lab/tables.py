@@ -70,7 +70,8 @@ def tables() -> dict[str, Any]:
         "fingerprints": {preset.key: _fingerprint(preset.scenario) for preset in presets()},
         "schema": SCHEMA,
         "scenario": _scenario(),
-        "texts": TEXTS,
+        # the sentences are in web/words; here is how their values are written
+        "texts": {name: _places(said) for name, said in TEXTS.items()},
         "words": {
             "letters": "".join(modes.MODE_LETTERS),
             "modes": modes.MODE_WORDS,
@@ -98,7 +99,7 @@ def tables() -> dict[str, Any]:
                 for name, (_, span) in MAP_QUANTITIES.items()
             },
         },
-        "lab": LAB,
+        "lab": {name: _places(said) for name, said in LAB.items()},
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
         # sliders whose values may follow from the scenario instead of being in it
@@ -218,6 +219,11 @@ def _taken_apart(annotation: Any, metadata: list[Any]) -> tuple[Any, list[Any], 
             (annotation,) = (one for one in get_args(annotation) if one is not type(None))
         else:
             return annotation, metadata, nullable
+
+
+def _places(template: str) -> str:
+    """Return the places of a template, each with the format of its value."""
+    return "".join(re.findall(r"\{[^}]*\}", template))
 
 
 def _rule(rule: Rule) -> dict[str, Any]:
