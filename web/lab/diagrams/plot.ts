@@ -104,7 +104,9 @@ export class Plot {
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     const drawn = films.flatMap((film, lane) =>
-      this.shades(film, lane).map((curve, number) => ({ ...curve, film, lane, number })),
+      this.shades(film, lane)
+        .map((curve, number) => ({ ...curve, film, lane, number }))
+        .filter((curve, _, all) => this.compares(curve, lane, all.length)),
     );
     this.heights = this.limits ?? this.findHeights(drawn);
     if (this.shared.axis === "time") this.bands(context, films[active], colors);
@@ -114,7 +116,8 @@ export class Plot {
     context.rect(LEFT, TOP, this.box.width, this.box.height);
     context.clip();
     for (const curve of drawn) this.curve(context, curve);
-    if (films.length > 1) for (const curve of drawn) if (curve.number === 0) this.letter(context, curve);
+    const first = films.map((_, lane) => drawn.find((curve) => curve.lane === lane));
+    if (films.length > 1) for (const curve of first) if (curve) this.letter(context, curve);
     context.restore();
     this.describe(drawn);
   }
@@ -134,6 +137,11 @@ export class Plot {
       color: hoopInk(lane, dark),
       dash: dashes[k % dashes.length],
     }));
+  }
+
+  /** Whether it is drawn: of the hoop that is not chosen, of many curves only the total. */
+  compares({ name }: Curve, lane: number, count: number) {
+    return lane === this.active || count <= 2 || name === "total";
   }
 
   x(value: number) {
@@ -254,7 +262,8 @@ export class Plot {
         context.lineTo(x, TOP + this.box.height);
         context.stroke();
       }
-      this.shades(now, lane).forEach((curve, k) => {
+      this.shades(now, lane).forEach((curve, k, all) => {
+        if (!this.compares(curve, lane, all.length)) return;
         const value = curve.values[0];
         if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, now.sure ? 3 : 2);
         const y = this.y(value);

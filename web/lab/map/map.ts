@@ -106,8 +106,16 @@ export class MotionMap {
         h(
           "span",
           { class: "buttons" },
-          h("button", { type: "button", "aria-label": "Zoom into the map", onclick: () => this.zoom(0.5) }, "+"),
-          h("button", { type: "button", "aria-label": "Zoom out of the map", onclick: () => this.zoom(2) }, "−"),
+          h(
+            "button",
+            { type: "button", "aria-label": "Zoom into the map", onclick: () => this.zoom(0.5, this.aim()) },
+            "+",
+          ),
+          h(
+            "button",
+            { type: "button", "aria-label": "Zoom out of the map", onclick: () => this.zoom(2, this.aim()) },
+            "−",
+          ),
           h("button", { type: "button", onclick: () => this.home() }, "Whole map"),
         ),
         this.state,
@@ -253,6 +261,14 @@ export class MotionMap {
     }
     context.restore();
     axes.draw(context, look);
+  }
+
+  /** About what buttons and keys zoom: the mark, where it is in sight. */
+  aim(): Place | undefined {
+    const place = (focused(this.body) && this.pointed) || this.here();
+    const { windows } = this.axes;
+    const seen = place && AXES.every((name) => place[name] >= windows[name][0] && place[name] <= windows[name][1]);
+    return seen ? place : undefined;
   }
 
   // Where the present motion stands on the map.

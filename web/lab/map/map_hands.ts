@@ -17,7 +17,7 @@ export function takeHands(map: MotionMap) {
   const { body } = map;
   let dragging = false;
   const pinched = zoomable(body, {
-    zoom: (factor, at) => map.axes.box && map.zoom(1 / factor, at ? placeAt(map, at) : (map.pointed ?? undefined)),
+    zoom: (factor, at) => map.axes.box && map.zoom(1 / factor, at ? placeAt(map, at) : map.aim()),
     home: () => map.home(),
     keys: true,
   });
@@ -50,12 +50,16 @@ function press(map: MotionMap, event: PointerEvent, pinched: () => boolean, drag
   const from = { x: [...map.axes.windows.x], y: [...map.axes.windows.y] };
   map.pointed = placeAt(map, event);
   let dragged = false;
+  let scrolls = false;
   let twoFingers = pinched();
   const move = (moved: PointerEvent) => {
     twoFingers ||= pinched();
     if (twoFingers) return;
     const [dx, dy] = [moved.clientX - start[0], moved.clientY - start[1]];
-    if (Math.hypot(dx, dy) < 5 && !dragged) return;
+    if (scrolls || (Math.hypot(dx, dy) < 5 && !dragged)) return;
+    // a finger that starts upwards or downwards scrolls the page
+    scrolls = !dragged && event.pointerType === "touch" && Math.abs(dy) >= Math.abs(dx);
+    if (scrolls) return;
     dragged = true;
     drags(true);
     map.tip.hidden = true;
@@ -64,7 +68,7 @@ function press(map: MotionMap, event: PointerEvent, pinched: () => boolean, drag
     map.soon();
   };
   follow(map.body, event, move, (_last, lifted) => {
-    if (lifted && !dragged && !twoFingers && map.pointed) map.take(map.pointed);
+    if (lifted && !dragged && !scrolls && !twoFingers && map.pointed) map.take(map.pointed);
     drags(false);
   });
 }

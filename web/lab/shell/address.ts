@@ -86,7 +86,7 @@ export const queries = () => {
 
 // Writes what is shown into the address of the page, and follows the browser's own way back.
 export class Address {
-  number = 0;
+  number: number = history.state?.number ?? 0; // of the step, also after a reload
   held = false; // the address is wrong: it stays, to be corrected, until another motion is a step
   soon: () => void;
   listen: () => Promise<void>;

@@ -1,6 +1,7 @@
 // The motions that were shown before and after this one, as links.
 
 const MOST = 500;
+const KEPT = 100; // of them when the page is loaded again
 const TOGETHER = 1000; // milliseconds between two changes of the same thing that are one step
 
 export class History {
@@ -35,6 +36,18 @@ export class History {
    */
   touch(what: string, when: number) {
     if (what === this.what && when - this.when < TOGETHER) this.when = when;
+  }
+
+  /** The last steps as a text, for the same page when it is loaded again. */
+  written() {
+    return JSON.stringify({ past: this.past.slice(-KEPT), now: this.now, future: this.future.slice(-KEPT) });
+  }
+
+  /** The steps before and after what is shown now, where a text has them. */
+  restore(text: string | null) {
+    if (!text || !this.now) return;
+    const { past, now, future } = JSON.parse(text);
+    if (now && same(now, this.now)) Object.assign(this, { past, future });
   }
 
   /** Whether what is shown is the step that was noted last. */

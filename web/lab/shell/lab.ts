@@ -1,5 +1,6 @@
 // The lab: one or two motions, the clock, and everything that shows them.
 
+import { recallForTab, rememberForTab } from "./memory.ts";
 import { Address, written, type Shown } from "./address.ts";
 import { Clock } from "../player/clock.ts";
 import { Controls } from "../controls/controls.ts";
@@ -33,6 +34,8 @@ export interface Options {
 }
 
 export type State = "holding" | "visiting" | "guessing";
+
+const STEPS = "hophoop-steps";
 
 export class Lab {
   requested = false; // a picture
@@ -170,7 +173,12 @@ export class Lab {
   // The motions are there.
   begin() {
     this.show();
+    const steps = this.hosted ? recallForTab(STEPS) : null;
     this.motions.note();
+    if (steps) {
+      this.motions.history.restore(steps);
+      this.noted("same");
+    }
     this.sizes.observe(this.stage.element);
     this.root.dataset.ready = "true";
   }
@@ -215,6 +223,7 @@ export class Lab {
   noted(step: "same" | "step" | "again" | "travelled") {
     this.header.show(this.motions.history, this.motions.lanes.length > 1);
     this.address?.write(step);
+    if (this.hosted) rememberForTab(STEPS, this.motions.history.written());
     this.onmotion(this.film().query);
   }
 

@@ -18,3 +18,20 @@ export function remember(key: string, value: string) {
     // it stays in `held`
   }
 }
+
+/** What a page remembers until its tab is closed; nothing where storage is forbidden. */
+export function recallForTab(key: string) {
+  try {
+    return sessionStorage.getItem(key);
+  } catch {
+    return null;
+  }
+}
+
+export function rememberForTab(key: string, value: string) {
+  try {
+    sessionStorage.setItem(key, value);
+  } catch {
+    // the page forgets it when it is loaded again
+  }
+}
