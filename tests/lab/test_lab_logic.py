@@ -146,7 +146,8 @@ def test_a_short_film_asks_for_nothing(js):
 def test_theory_says_what_can_be_said_on_every_slope():
     scenarios = [{"plane": {"slope": math.radians(23.0)}}, {"plane": {"slope": -0.1}}, {}]
     asked = [{"scenario": keys} for keys in scenarios]
-    steep, uphill, level = ({row["key"]: english(row["text"]) for row in answer["value"]} for answer in answers("theory", asked))
+    said = [answer["value"] for answer in answers("theory", asked)]
+    steep, uphill, level = ({row["key"]: english(row["text"]) for row in rows} for rows in said)
     assert steep["first_slip"] == "would slip: any push is enough"
     for text in steep.values():
         assert "e-" not in text
