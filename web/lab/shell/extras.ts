@@ -17,6 +17,12 @@ import type { Lab } from "./lab.ts";
 
 const LONG = 60; // letters of a motion's name
 
+/** The parts of the page that these need. */
+type Around = ConstructorParameters<typeof Grips>[0] &
+  ConstructorParameters<typeof Visit>[0] &
+  ConstructorParameters<typeof More>[0] &
+  Pick<Lab, "root" | "hosted" | "theme" | "load" | "about" | "known">;
+
 export class Extras {
   grips: Grips;
   sound = new Sound();
@@ -34,7 +40,7 @@ export class Extras {
   loud: HTMLButtonElement;
   large: HTMLButtonElement;
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Around) {
     const film = () => lab.film();
     const load = (query: string) => lab.load(query);
     this.grips = new Grips(lab);

@@ -72,6 +72,7 @@ export class Lab {
   view: View;
   about: HTMLDialogElement;
   opening: Opening;
+  player: HTMLElement;
   sticky: { edge: HTMLElement; close: () => void } | null;
   extras: Extras;
   later: () => void;
@@ -145,7 +146,9 @@ export class Lab {
     });
     this.extras = new Extras(this);
     this.opening = new Opening(this.clock, this.extras.grips.hint);
-    this.sticky = layOut(this, panels);
+    const { player, sticky } = layOut(this, panels);
+    this.player = player;
+    this.sticky = sticky;
     if (hosted && !location.search && !location.hash) this.extras.visit.offer();
     this.later = once(() => this.fetchTheory(), 120);
     this.frame = this.frame.bind(this);
@@ -166,8 +169,7 @@ export class Lab {
     this.restore(shown);
     this.begin();
     // who has chosen to see everything knows the page
-    if (this.hosted && shown.time === undefined && !this.view.everything)
-      this.opening.begin(this.stage.element.parentElement as HTMLElement);
+    if (this.hosted && shown.time === undefined && !this.view.everything) this.opening.begin(this.player);
   }
 
   // The motions are there.

@@ -16,8 +16,8 @@ export function prepareRoot(root: HTMLElement, hosted: boolean) {
 }
 
 /**
- * `panels`: what stands beside the player; everything by default; returns what keeps the player in sight, where the
- * lab owns the page.
+ * `panels`: what stands beside the player; everything by default; returns the player, and what keeps it in sight where
+ * the lab owns the page.
  */
 export function layOut(lab: Lab, panels: string[] | null) {
   const { root, notice, hosted, extras, transport, header } = lab;
@@ -75,7 +75,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     for (const menu of [lab.share.menu, extras.menu]) if (!menu.contains(target as Node)) menu.open = false;
   });
   root.classList.toggle("no-controls", !want("controls"));
-  return sticky;
+  return { player, sticky };
 }
 
 function skipTo(player: HTMLElement) {

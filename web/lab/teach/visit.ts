@@ -25,6 +25,7 @@ export class Visit {
   points: Map<string, number> = new Map();
   play: HTMLButtonElement;
   skip: HTMLButtonElement;
+  wait: HTMLElement;
   next: HTMLButtonElement;
   /** Whether the film was seen running. */
   running = false;
@@ -136,6 +137,7 @@ export class Visit {
       "Play",
     );
     this.running = false;
+    this.wait = h("span", { class: "hint visit-wait" }, "First say what you expect, then play.");
     this.skip = h(
       "button",
       { type: "button", hidden: true, onclick: () => this.stop !== null && this.lab.clock.seek(this.stop) },
@@ -174,7 +176,7 @@ export class Visit {
           ? h("button", { type: "button", class: "main", onclick: () => this.challenge() }, "Challenges")
           : this.next,
         last && h("button", { type: "button", onclick: () => this.leave() }, "Done"),
-        this.guess && h("span", { class: "hint visit-wait" }, "First say what you expect, then play."),
+        this.guess && this.wait,
       ),
     );
     if (last && this.points.size) this.total();
@@ -183,8 +185,7 @@ export class Visit {
 
   guessed() {
     if (this.play) this.play.disabled = false;
-    const wait = this.body.querySelector(".visit-wait") as HTMLElement | null;
-    if (wait) wait.hidden = true;
+    this.wait.hidden = true;
   }
 
   /** The film runs to the moment that answers, then the answer is said; meanwhile it can be halted, and skipped. */
