@@ -200,7 +200,7 @@ def test_any_quantity_stands_on_either_axis(visit):
     page = visit()
     page.get_by_label("Horizontal axis of the diagrams").select_option("x")
     page.get_by_label("Quantity of your diagram").select_option("total")
-    wait_for(page, "lab.plots.plots.at(-1).unit === 'E [J]'")
+    wait_for(page, "lab.plots.plots.at(-1).unit === 'W [J]'")
     label = page.locator("[data-plot=own] .plot-body").get_attribute("aria-label")
     assert "total energy from" in label
     across, up = page.evaluate(
@@ -248,7 +248,7 @@ def test_sound_follows_the_contact_force(visit):
 
 def test_a_class_sees_the_player_alone(visit):
     page = visit()
-    page.get_by_role("button", name="Presentation on the whole screen").click()
+    page.get_by_role("button", name="Presentation in full screen").click()
     wait_for(page, "lab.root.classList.contains('presenting')")
     assert page.locator(".side").is_hidden()
     assert page.locator(".stage").bounding_box()["height"] > 500
@@ -256,7 +256,7 @@ def test_a_class_sees_the_player_alone(visit):
     assert page.evaluate("hophoopLab.clock.loop") is False
     page.get_by_role("button", name="Slow motion: a tenth of the speed").click()
     assert page.evaluate("hophoopLab.clock.speed") == 0.1
-    page.get_by_role("button", name="Presentation on the whole screen").click()
+    page.get_by_role("button", name="Presentation in full screen").click()
     assert page.locator(".side").is_visible()
     page.locator(".learn summary").click()
     page.get_by_role("button", name="For teachers").click()
