@@ -6,8 +6,7 @@ import { layout } from "./layout.ts";
 import { HoopModule } from "./module.ts";
 
 const LIMIT = 10_000; // milliseconds
-const UNLOADED =
-  "The part of the page that computes this could not be loaded; choose it again when there is a network.";
+const UNLOADED = "kernel.the_part_of_the";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
 function ofText(script: string): () => Worker {

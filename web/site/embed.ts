@@ -27,7 +27,7 @@ function show() {
   const tag =
     `<script type="module" src="${new URL("static/hophoop-motion.js", site).href}"></script>\n` +
     `<hophoop-motion scenario="${escaped(query)}"${panels.length ? ` panels="${panels.join(" ")}"` : ""}></hophoop-motion>`;
-  const frame = `<iframe src="${escaped(link)}" title="${escaped(t("A hopping hoop"))}" width="100%" height="700" loading="lazy"></iframe>`;
+  const frame = `<iframe src="${escaped(link)}" title="${escaped(t("embed.a_hopping_hoop"))}" width="100%" height="700" loading="lazy"></iframe>`;
   find("tag").value = tag;
   find("frame").value = frame;
   find("link").textContent = link;
@@ -41,7 +41,7 @@ function show() {
 
 async function copy({ target }: any) {
   await navigator.clipboard.writeText(find(target.dataset.copies).value);
-  say(find("said"), "Copied.");
+  say(find("said"), "embed.copied");
 }
 
 function spoken() {

@@ -6,8 +6,8 @@ import { length, niceStep, show, ticks, tickText } from "../lab/common/numbers.t
 import { readNumber, refusal } from "../lab/controls/entry.ts";
 import { spoken } from "../words/texts.ts";
 
-const slope = { label: "Slope", unit: "°", range: { least: -90, most: 90, also: [] } };
-const friction = { label: "Friction", unit: "", range: { least: 0, most: 1e6, also: [Infinity] } };
+const slope = { label: "parameter.plane.slope", unit: "°", range: { least: -90, most: 90, also: [] } };
+const friction = { label: "parameter.plane.mu", unit: "", range: { least: 0, most: 1e6, also: [Infinity] } };
 
 test("numbers have four digits, no zeros at their end and a real minus sign", () => {
   const shown: [number, string][] = [

@@ -2,10 +2,10 @@
 
 import { tables } from "../../model/tables.ts";
 
-const SAME = { python: "✓ Same bits as in Python", link: "✓ Same bits as where the link was made" };
+const SAME = { python: "fingerprint.same_bits_as_in", link: "fingerprint.same_bits_as_where" };
 const OTHER = {
-  python: "The bits differ: {own} here, {other} in Python.",
-  link: "The bits differ: {own} here, {other} where the link was made, perhaps with another version.",
+  python: "fingerprint.the_bits_differ_own",
+  link: "fingerprint.the_bits_differ_own_here",
 };
 
 export type Comparison = { same: boolean; text: Said };

@@ -32,17 +32,17 @@ export function refusal(
 ): Said {
   const typed = text.trim();
   if (Number.isNaN(value)) {
-    return { key: "{name} = {value} must be a number, such as 2.5.", values: { name: label, value: typed } };
+    return { key: "controls.name_value_must_be", values: { name: label, value: typed } };
   }
   if (!Number.isFinite(value) && /\d/.test(typed)) {
-    return { key: "{label} = {value} is too large.", values: { label, value: typed } };
+    return { key: "controls.label_value_is_too", values: { label, value: typed } };
   }
   if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
   const [zero, endless] = [range.also.includes(0), range.also.includes(Infinity)];
   const span = `range.${zero ? "zero_or_" : ""}from_to${endless ? "_or_inf" : ""}`;
   const rule = { key: span, values: { least: show(range.least, 4), most: withUnit(show(range.most, 4), unit) } };
   const values = { name: label, value: withUnit(show(value, 6), unit), rule };
-  return { key: "{name} = {value} must be {rule}.", values };
+  return { key: "controls.name_value_must_be_rule", values };
 }
 
 export interface FieldInfo {

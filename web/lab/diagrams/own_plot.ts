@@ -13,7 +13,7 @@ export function ownPlot(shared: PlotShared): Plot {
   const plot = new Plot(
     {
       key: "own",
-      title: "Your choice",
+      title: "diagram.your_choice",
       unit: "",
       curves: (film) => [{ name: QUANTITIES[key].name, values: QUANTITIES[key].values(film) }],
     },
@@ -26,7 +26,7 @@ export function ownPlot(shared: PlotShared): Plot {
   const select = h(
     "select",
     {
-      "aria-label": "What your diagram shows",
+      "aria-label": "diagram.what_your_diagram_shows",
       onchange: () => {
         key = select.value;
         name();

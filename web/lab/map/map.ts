@@ -66,7 +66,7 @@ export class MotionMap {
         class: "map-body",
         tabindex: "0",
         role: "application",
-        "aria-label": "Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.",
+        "aria-label": "map.map_of_motions_arrow",
       },
       this.canvas,
       this.tip,
@@ -85,7 +85,7 @@ export class MotionMap {
     this.quantity = h(
       "select",
       {
-        "aria-label": "What the map shows",
+        "aria-label": "map.what_the_map_shows",
         onchange: () => {
           this.what = this.quantity.value;
           this.refresh();
@@ -95,40 +95,34 @@ export class MotionMap {
     );
     this.element = h(
       "section",
-      { class: "map", "aria-label": "Map of motions" },
+      { class: "map", "aria-label": "map.map_of_motions" },
       h(
         "div",
         { class: "map-head" },
-        h("h2", {}, "Map"),
-        h("label", {}, "of", this.quantity),
-        h("label", {}, "Across", this.selects.x),
-        h("label", {}, "Up", this.selects.y),
+        h("h2", {}, "map.map"),
+        h("label", {}, "map.of", this.quantity),
+        h("label", {}, "map.across", this.selects.x),
+        h("label", {}, "map.up", this.selects.y),
         h(
           "span",
           { class: "buttons" },
           h(
             "button",
-            { type: "button", "aria-label": "Zoom into the map", onclick: () => this.zoom(0.5, this.aim()) },
+            { type: "button", "aria-label": "map.zoom_into_the_map", onclick: () => this.zoom(0.5, this.aim()) },
             "+",
           ),
           h(
             "button",
-            { type: "button", "aria-label": "Zoom out of the map", onclick: () => this.zoom(2, this.aim()) },
+            { type: "button", "aria-label": "map.zoom_out_of_the", onclick: () => this.zoom(2, this.aim()) },
             "−",
           ),
-          h("button", { type: "button", onclick: () => this.home() }, "Whole map"),
+          h("button", { type: "button", onclick: () => this.home() }, "map.whole_map"),
         ),
         this.state,
       ),
       this.body,
       this.keys,
-      h(
-        "p",
-        { class: "hint" },
-        byFingers()
-          ? "Click to take that motion into the player; two fingers zoom."
-          : "Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.",
-      ),
+      h("p", { class: "hint" }, byFingers() ? "map.click_to_take_that" : "map.click_to_take_that_motion"),
     );
     takeHands(this);
     this.soon = once(() => this.refresh(), 140);
@@ -209,7 +203,7 @@ export class MotionMap {
     const { signal } = this.asked;
     const base = this.film.scenario;
     // maps know rigid contact only
-    const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
+    const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "choice.contact.model.rigid"]];
     this.computing = true;
     // the coarse layers stay below as long as they show the same quantity of the same motion
     const kind = `${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;
@@ -218,7 +212,7 @@ export class MotionMap {
     this.redraw();
     try {
       for (const [x, y] of LEVELS) {
-        say(this.state, { key: "computing {count} motions …", values: { count: x * y } });
+        say(this.state, { key: "map.computing_count_motions", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
         const reply = await this.backend.map(body, signal);
@@ -226,7 +220,7 @@ export class MotionMap {
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
         const other = otherStart(base, Object.values(this.axes.paths));
-        const key = changes.length ? "{count} motions, with rigid contact" : "{count} motions";
+        const key = changes.length ? "map.count_motions_with_rigid" : "map.count_motions";
         const done = { key, values: { count: x * y } };
         say(this.state, other ? [done, "; ", other] : done);
         this.redraw();

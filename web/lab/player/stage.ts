@@ -10,7 +10,7 @@ import { local, name, t } from "../words/words.ts";
 import type { Shown } from "../shell/address.ts";
 import type { Lab } from "../shell/lab.ts";
 
-const OUTPUTS = ["hoop", "mode", "time", "angle", "v", "R θ̇", "gap"];
+const OUTPUTS = ["player.hoop", "table.mode", "column.time", "column.angle", "v", "R θ̇", "player.gap"];
 
 export class Stage {
   options: StageOptions = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
@@ -37,15 +37,15 @@ export class Stage {
       { class: "legend", "aria-hidden": "true" },
       h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
       h("span", {}, "0"),
-      h("span", {}, "rim speed"),
+      h("span", {}, "player.rim_speed"),
       this.fastest,
     );
     const dot: (color: string, words: string) => HTMLElement = (color, words) =>
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
-    this.order = h("span", { hidden: true }, "A in front, B behind");
+    this.order = h("span", { hidden: true }, "player.a_in_front_b");
     this.element = h(
       "div",
-      { class: "stage", role: "figure", "aria-label": "The hoop", tabindex: "0" },
+      { class: "stage", role: "figure", "aria-label": "player.the_hoop", tabindex: "0" },
       this.plane,
       this.space,
       h(
@@ -57,9 +57,9 @@ export class Stage {
       h(
         "div",
         { class: "stage-keys", "aria-hidden": "true" },
-        dot("var(--ink)", "load"),
-        dot(colors.gravity_center, "centre of gravity"),
-        dot(colors.airborne, "the same in flight"),
+        dot("var(--ink)", "player.load"),
+        dot(colors.gravity_center, "player.centre_of_gravity"),
+        dot(colors.airborne, "player.the_same_in_flight"),
         this.order,
       ),
     );
@@ -115,7 +115,7 @@ export class Stage {
   }
 
   describe(films: Film[]) {
-    name(this.element, "aria-label", ["The hoop.", ...films.flatMap((film) => [" ", film.summary])]);
+    name(this.element, "aria-label", ["player.the_hoop_2", ...films.flatMap((film) => [" ", film.summary])]);
   }
 
   /** In space, which has to come first, or in the plane. `draw`: what fails where the browser cannot. */

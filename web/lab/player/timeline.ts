@@ -28,7 +28,7 @@ export class Timeline {
         class: "timeline",
         role: "slider",
         tabindex: "0",
-        "aria-label": "Time",
+        "aria-label": "player.time",
         "aria-valuemin": "0",
         "aria-orientation": "horizontal",
       },
@@ -195,7 +195,7 @@ export class Timeline {
     this.said = said;
     this.element.setAttribute("aria-valuemax", duration.toFixed(3));
     this.element.setAttribute("aria-valuenow", time.toFixed(3));
-    this.element.setAttribute("aria-valuetext", t("{time} seconds, {what}", { time: show(time, 4), what: said }));
+    this.element.setAttribute("aria-valuetext", t("player.time_seconds_what", { time: show(time, 4), what: said }));
   }
 
   /** The word of a mode inside its stretch, where it fits. */

@@ -10,11 +10,11 @@ import { name } from "../words/words.ts";
 const STEP = 1 / 60; // seconds
 
 const SWITCHES: [keyof StageOptions, string, string][] = [
-  ["traces", "Traces", "Traces (t)"],
-  ["forces", "Forces", "Forces (f)"],
-  ["speed", "Rim speed", "Rim speed (c)"],
-  ["whole", "Whole path", "Whole path (w)"],
-  ["three", "3D", "In space (3)"],
+  ["traces", "player.traces", "player.traces_t"],
+  ["forces", "player.forces", "player.forces_f"],
+  ["speed", "player.rim_speed_2", "player.rim_speed_c"],
+  ["whole", "player.whole_path", "player.whole_path_w"],
+  ["three", "3D", "player.in_space_3"],
 ];
 
 const button = (label: Node | string, title: string, action: () => void) =>
@@ -39,12 +39,12 @@ export class Transport {
     readonly say: (text: string) => void,
     readonly tell: (said: Said) => void,
   ) {
-    this.playButton = button(icon("play"), "Play (space)", () => clock.play());
+    this.playButton = button(icon("play"), "player.play_space", () => clock.play());
     this.playButton.classList.add("play");
     this.speeds = h(
       "select",
       {
-        "aria-label": "Speed of the film",
+        "aria-label": "player.speed_of_the_film",
         onchange: () => {
           clock.speed = Number(this.speeds.value);
         },
@@ -65,18 +65,18 @@ export class Transport {
       h(
         "div",
         { class: "buttons" },
-        button(icon("start"), "To the start (Home)", () => clock.seek(0)),
-        button(icon("previous"), "Previous event (Shift ←)", () => this.jump(-1)),
-        button(icon("back"), "One frame back (←)", () => this.nudge(-1)),
+        button(icon("start"), "player.to_the_start_home", () => clock.seek(0)),
+        button(icon("previous"), "player.previous_event_shift", () => this.jump(-1)),
+        button(icon("back"), "player.one_frame_back", () => this.nudge(-1)),
         this.playButton,
-        button(icon("on"), "One frame on (→)", () => this.nudge(1)),
-        button(icon("next"), "Next event (Shift →)", () => this.jump(1)),
+        button(icon("on"), "player.one_frame_on", () => this.nudge(1)),
+        button(icon("next"), "player.next_event_shift", () => this.jump(1)),
       ),
       h(
         "div",
         { class: "buttons jumps" },
-        button(marked("▲", "flight"), "To the next flight (h)", () => this.jump(1, "takeoff")),
-        button(marked("▼", "landing"), "To the next landing (l)", () => this.jump(1, "impact")),
+        button(marked("▲", "mode.flight"), "player.to_the_next_flight", () => this.jump(1, "takeoff")),
+        button(marked("▼", "event.impact"), "player.to_the_next_landing", () => this.jump(1, "impact")),
       ),
       this.speeds,
       this.row,
@@ -86,7 +86,7 @@ export class Transport {
   show(options: StageOptions) {
     const { clock, playButton } = this;
     for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
-    const title = clock.playing ? "Pause (space)" : "Play (space)";
+    const title = clock.playing ? "player.pause_space" : "player.play_space";
     if (this.titled !== title) {
       this.titled = title;
       playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
@@ -113,13 +113,13 @@ export class Transport {
       way > 0 ? all.find(({ event }) => event.t > now + 1e-9) : all.findLast(({ event }) => event.t < now - 1e-9);
     if (!next && kind) next = all[0];
     if (!next) {
-      if (kind) this.say(kind === "takeoff" ? "This motion has no flight." : "This motion has no landing.");
+      if (kind) this.say(kind === "takeoff" ? "player.this_motion_has_no" : "player.this_motion_has_no_landing");
       return;
     }
     this.clock.seek(next.event.t);
     const { event, lane } = next;
     const values = { what: eventWord(event.kind), angle: degrees(event.angle), time: show(event.t, 4) };
-    const said = { key: "{what} at {angle}, {time} s", values };
-    this.tell(this.films().length > 1 ? [["Hoop A", "Hoop B"][lane], ": ", said] : said);
+    const said = { key: "player.what_at_angle_time", values };
+    this.tell(this.films().length > 1 ? [["hoops.hoop_a", "hoops.hoop_b"][lane], ": ", said] : said);
   }
 }

@@ -112,8 +112,8 @@ function listOf(changes: [value: number, unit: "s" | "m" | "m/s" | "°", more: s
   return parts.length ? listed(parts) : null;
 }
 
-const ALONG = ["m", "{amount} further to the right", "{amount} further to the left"] as const;
-const LATER = ["s", "{amount} later", "{amount} earlier"] as const;
+const ALONG = ["m", "sensitivity.amount_further_to_the", "sensitivity.amount_further_to_the_left"] as const;
+const LATER = ["s", "sensitivity.amount_later", "sensitivity.amount_earlier"] as const;
 
 /** What changes, in a sentence or a few. */
 export function sentences(changes: Changes): Said[] {
@@ -123,16 +123,16 @@ export function sentences(changes: Changes): Said[] {
   for (const [k, { begin, end, height, distance, duration }] of hops.slice(0, MOST_HOPS).entries()) {
     const way = end >= 0 && events[end].x < events[begin].x ? -distance : distance;
     const list = listOf([
-      [height, "m", "{amount} higher", "{amount} lower"],
-      [way, "m", "{amount} longer", "{amount} shorter"],
-      [duration, "s", "{amount} more in the air", "{amount} less in the air"],
-      [changes.of(begin, "t"), "s", "begins {amount} later", "begins {amount} earlier"],
+      [height, "m", "sensitivity.amount_higher", "sensitivity.amount_lower"],
+      [way, "m", "sensitivity.amount_longer", "sensitivity.amount_shorter"],
+      [duration, "s", "sensitivity.amount_more_in_the", "sensitivity.amount_less_in_the"],
+      [changes.of(begin, "t"), "s", "sensitivity.begins_amount_later", "sensitivity.begins_amount_earlier"],
     ]);
     if (list)
       said.push(
         hops.length > 1
-          ? { key: "Hop {number}: {list}.", values: { number: k + 1, list } }
-          : { key: "The hop: {list}.", values: { list } },
+          ? { key: "sensitivity.hop_number_list", values: { number: k + 1, list } }
+          : { key: "sensitivity.the_hop_list", values: { list } },
       );
   }
   const first = hops.length ? -1 : events.findIndex(({ kind }, k) => k < count && kind !== "start" && kind !== "end");
@@ -142,17 +142,16 @@ export function sentences(changes: Changes): Said[] {
       [changes.of(first, "x"), ...ALONG],
     ]);
     if (list)
-      said.push({ key: "The first event, {what}: {list}.", values: { what: eventWord(events[first].kind), list } });
+      said.push({ key: "sensitivity.the_first_event_what", values: { what: eventWord(events[first].kind), list } });
   }
   const last = count - 1;
   if (last > 0 && events[last].kind === "end") {
     const faster = Math.sign(events[last].vx) * changes.of(last, "vx");
     const list = listOf([
       [changes.of(last, "x"), ...ALONG],
-      [faster, "m/s", "{amount} faster", "{amount} slower"],
+      [faster, "m/s", "sensitivity.amount_faster", "sensitivity.amount_slower"],
     ]);
-    if (list)
-      said.push({ key: "At the end, after {time} s: {list}.", values: { time: show(events[last].t, 4), list } });
+    if (list) said.push({ key: "sensitivity.at_the_end_after", values: { time: show(events[last].t, 4), list } });
   }
   return said;
 }

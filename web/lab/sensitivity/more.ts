@@ -56,15 +56,15 @@ export class More {
       {
         type: "button",
         class: "switch",
-        title: "What a little more would do (a)",
+        title: "sensitivity.what_a_little_more",
         "aria-pressed": "false",
         onclick: () => this.turn(),
       },
-      "Arrows",
+      "sensitivity.arrows",
     );
     this.picked = h("select", { onchange: () => this.pick(this.picked.value) });
     this.step = h("span", { class: "more-step" });
-    this.take = h("button", { type: "button", onclick: () => this.apply() }, "Do it");
+    this.take = h("button", { type: "button", onclick: () => this.apply() }, "sensitivity.do_it");
     this.said = h("ul", { class: "more-said" });
     this.reason = h("p", { class: "more-reason", hidden: true });
     this.scale = h("p", { class: "hint" });
@@ -72,10 +72,10 @@ export class More {
     this.rows = h(
       "details",
       { class: "more-events" },
-      h("summary", {}, "Every event, by this step"),
+      h("summary", {}, "sensitivity.every_event_by_this"),
       h(
         "div",
-        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "What changes at every event" },
+        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.what_changes_at_every" },
         h(
           "table",
           {},
@@ -85,7 +85,13 @@ export class More {
             h(
               "tr",
               {},
-              ["event", "time", "place", "height", "load angle"].map((name) => h("th", { scope: "col" }, name)),
+              [
+                "sensitivity.event",
+                "column.time",
+                "sensitivity.place",
+                "sensitivity.height",
+                "sensitivity.load_angle",
+              ].map((name) => h("th", { scope: "col" }, name)),
             ),
           ),
           this.body,
@@ -94,17 +100,17 @@ export class More {
     );
     this.element = h(
       "section",
-      { class: "table more", "aria-label": "What a little more would do", hidden: true },
+      { class: "table more", "aria-label": "sensitivity.what_a_little_more_would", hidden: true },
       h(
         "header",
         {},
-        h("h2", {}, "What a little more would do"),
-        h("button", { type: "button", onclick: () => this.turn(false) }, "Close"),
+        h("h2", {}, "sensitivity.what_a_little_more_would"),
+        h("button", { type: "button", onclick: () => this.turn(false) }, "table.close"),
       ),
       h(
         "div",
         { class: "more-asked" },
-        h("label", {}, h("span", {}, "A little more"), this.picked),
+        h("label", {}, h("span", {}, "sensitivity.a_little_more"), this.picked),
         this.step,
         this.take,
       ),
@@ -205,7 +211,7 @@ export class More {
     this.asked = new AbortController();
     const { signal } = this.asked;
     this.known = `${path} ${film.query}`;
-    if (!found || !Number.isFinite(found.value)) return this.refuse("It is infinite: there is no more of it.");
+    if (!found || !Number.isFinite(found.value)) return this.refuse("sensitivity.it_is_infinite_there");
     try {
       const sides = await lab.backend.changes(film.scenario, path, signal);
       if (signal.aborted || lab.film() !== film) return undefined;
@@ -245,7 +251,7 @@ export class More {
     this.take.disabled = false;
     this.rows.hidden = this.scale.hidden = false;
     const said = sentences(changes);
-    if (!said.length && changes.failed < 0) said.push("Nothing: no event moves.");
+    if (!said.length && changes.failed < 0) said.push("sensitivity.nothing_no_event_moves");
     this.said.replaceChildren(...said.map((sentence) => h("li", {}, [sentence])));
     const why = this.why(changes);
     this.reason.hidden = !why;
@@ -272,9 +278,9 @@ export class More {
   tellScale() {
     const { three } = this.lab.stage.options;
     const drawn = three
-      ? "The arrows are drawn in the picture in the plane: leave 3D to see them."
+      ? "sensitivity.the_arrows_are_drawn"
       : {
-          key: "The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.",
+          key: "sensitivity.the_arrows_in_the",
           values: { factor: show(this.factor, 3) },
         };
     say(this.scale, three || this.factor ? drawn : "");
@@ -286,10 +292,10 @@ export class More {
     if (failed >= 0 && side) {
       const { kind, t: time } = events[Math.min(failed, events.length - 1)];
       const values = { what: eventWord(kind), time: show(time, 4), reason: reasonOf(side.reason) };
-      return { key: "From {what} at {time} s on no derivative: {reason}.", values };
+      return { key: "sensitivity.from_what_at_time", values };
     }
     if (!edge && !sided) return "";
-    return { key: "To one side only: {reason}.", values: { reason: reasonOf(edge ? "edge" : "sided") } };
+    return { key: "sensitivity.to_one_side_only", values: { reason: reasonOf(edge ? "edge" : "sided") } };
   }
 
   fill(changes: Changes) {

@@ -66,20 +66,20 @@ export class Extras {
     const { clock } = this.lab;
     const toggle = (name: any, title: string, action: () => void) =>
       h("button", { type: "button", title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
-    this.loop = toggle("loop", "Repeat", () => {
+    this.loop = toggle("loop", "menu.repeat", () => {
       clock.loop = !clock.loop;
       this.mark();
     });
-    this.slow = toggle("slow", "Slow motion: a tenth of the speed", () => {
+    this.slow = toggle("slow", "menu.slow_motion_a_tenth", () => {
       clock.speed = clock.speed === 0.1 ? 1 : 0.1;
       clock.changed();
       this.mark();
     });
-    this.loud = toggle("sound", "Sound of the contact", () => {
+    this.loud = toggle("sound", "menu.sound_of_the_contact", () => {
       this.sound.turn(!this.sound.on);
       this.mark();
     });
-    this.large = toggle("large", "Presentation on the whole screen", () => this.present.turn());
+    this.large = toggle("large", "menu.presentation_on_the_whole", () => this.present.turn());
     this.present.onchange = () => this.mark();
     this.mark();
     return h("div", { class: "buttons tools" }, this.loop, this.slow, this.loud, this.large);
@@ -109,17 +109,17 @@ export class Extras {
     const menu = h(
       "details",
       { class: "learn" },
-      h("summary", { class: "button" }, "Learn"),
+      h("summary", { class: "button" }, "menu.learn"),
       h(
         "div",
         { class: "menu-body" },
-        item("Guided visit", () => this.visit.start()),
-        item("Challenges", () => this.challenges.open()),
-        item("What a little more would do", () => this.more.turn(true)),
-        item("Table of the motion", () => this.table.open(true)),
-        item("Presentation", () => this.present.turn(true)),
-        item("For teachers", () => this.teach.showModal()),
-        item("About hophoop", () => this.lab.about.showModal()),
+        item("menu.guided_visit", () => this.visit.start()),
+        item("menu.challenges", () => this.challenges.open()),
+        item("sensitivity.what_a_little_more_would", () => this.more.turn(true)),
+        item("table.table_of_the_motion", () => this.table.open(true)),
+        item("menu.presentation", () => this.present.turn(true)),
+        item("menu.for_teachers", () => this.teach.showModal()),
+        item("menu.about_hophoop", () => this.lab.about.showModal()),
       ),
     );
     menu.addEventListener("keydown", (event) => {
@@ -144,7 +144,7 @@ export class Extras {
     if (!lab.hosted) return;
     const names = this.visit.guessing ? [] : lab.motions.films().map((film) => this.nameOf(film));
     const said = [...new Set(names)].join(" | ");
-    document.title = said ? `${said} – hophoop` : t("hophoop lab: play with the hopping hoop");
+    document.title = said ? `${said} – hophoop` : t("menu.hophoop_lab_play_with");
   }
 
   nameOf({ query, summary }: Film) {

@@ -9,7 +9,7 @@ export function languageMenu(changed: () => void, failed: (error: Error) => void
     "select",
     {
       class: "language",
-      "aria-label": "Language",
+      "aria-label": "language.language",
       onchange: async () => {
         try {
           await speak(select.value);
