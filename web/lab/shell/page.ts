@@ -25,7 +25,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
   const cards = [extras.visit.element, extras.challenges.element];
   const side = h(
     "aside",
-    { class: "side", "aria-label": "Parameters" },
+    { class: "side", "aria-label": "page.parameters" },
     ...cards,
     lab.hoops.element,
     notice.message,
@@ -80,7 +80,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
 
 function skipTo(player: HTMLElement) {
   player.id = "hh-player";
-  const skip = h("a", { class: "skip button", href: "#hh-player" }, "Skip to the player");
+  const skip = h("a", { class: "skip button", href: "#hh-player" }, "page.skip_to_the_player");
   skip.onclick = (event) => {
     event.preventDefault(); // what stands behind the # of the address is the lab's own
     player.focus();

@@ -128,7 +128,7 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
     if isinstance(scenario.contact, Compliant):
         steps = _steps(scenario, scenario.contact)
         if steps > limits.steps:
-            raise TooMuch(LAB["too_stiff"].format(steps=steps, most=limits.steps))
+            raise TooMuch(LAB["too_stiff"].format(steps=steps / 1e6, most=limits.steps / 1e6))
     if scenario.contact.max_events > limits.events:
         return scenario.replace("contact.max_events", limits.events)
     return scenario
