@@ -33,6 +33,16 @@ def test_a_click_on_the_map_takes_that_motion(visit):
     picture(page, "map", full_page=True)
 
 
+def test_the_legend_of_the_map_has_the_words_of_modes(visit):
+    page = visit()
+    page.locator(".map-body").scroll_into_view_if_needed()
+    wait_for(page, "lab.map.level === 3")
+    said = page.locator(".map-keys").inner_text()
+    assert "roll → skid → roll → spin → flight" in said
+    assert "slip" not in said
+    assert "for backward rotation they change places" in said
+
+
 @pytest.mark.long
 def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     page = visit("?contact.model=compliant&duration=0.5")

@@ -8,7 +8,7 @@ import pytest
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
 import hophoop as hh  # noqa: E402
-from lab_page_tools import SHOWN, wait_for  # noqa: E402
+from lab_page_tools import SHOWN, picture, wait_for  # noqa: E402
 from slow_page import also_delayed  # noqa: E402
 
 # all that is written beside the hoop, at its arrows and in the legends of the diagrams
@@ -122,3 +122,17 @@ def test_every_number_shown_in_play_is_right(visit):
     page.wait_for_function("() => seen.length === 60")
     motion = hh.simulate(hh.Scenario())
     assert [line for shown in page.evaluate("seen") for line in wrong(shown, motion)] == []
+
+
+def test_a_diagram_says_that_its_axis_is_cut(visit):
+    """A landing on a stiff contact is a spike of thousands of newtons."""
+    page = visit("?contact.model=compliant&duration=3&start.speed=3.1")
+    forces = "lab.plots.plots.find(({ key }) => key === 'forces')"
+    wait_for(page, f"{forces}.heights && lab.plots.films.length === 1")
+    heights, cut, most = page.evaluate(
+        f"(() => {{ const plot = {forces.replace('lab.', 'hophoopLab.')}; const force = hophoopLab.film().columns.normal_force;"
+        "return [plot.heights, plot.cut, Math.max(...force)]; })()"
+    )
+    assert most > heights[1]
+    assert float(cut["high"].replace(" ", "").replace("\u202f", "")) == pytest.approx(most, rel=0.01)
+    picture(page, "cut")

@@ -1,5 +1,6 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
+import { axisFont } from "../common/axes.ts";
 import { faded, hoopInk, readable } from "../common/colors.ts";
 import { crowded, crowdsOf } from "./crowd.ts";
 import { fitted, h } from "../common/dom.ts";
@@ -20,6 +21,7 @@ export class Plot {
   box: Box;
   range: number[];
   heights: number[];
+  cut: { low: string; high: string } | null = null; // what the axis upwards leaves out
   picked: number[] | null;
   named: string;
   values: HTMLElement[];
@@ -119,6 +121,7 @@ export class Plot {
     for (const curve of drawn) this.curve(context, curve);
     const first = films.map((_, lane) => drawn.find((curve) => curve.lane === lane));
     if (films.length > 1) for (const curve of first) if (curve) this.letter(context, curve);
+    if (this.cut) this.tell(context, t("plot.cut", this.cut));
     context.restore();
     this.describe(drawn);
   }
@@ -154,7 +157,7 @@ export class Plot {
   }
 
   findHeights(drawn: (Curve & { film: Film; lane: number })[]) {
-    const seen = [];
+    const seen: number[] = [];
     for (const { film, values } of drawn) {
       const across = this.abscissa(film);
       for (let i = 0; i < values.length; i++) {
@@ -162,7 +165,10 @@ export class Plot {
           seen.push(values[i]);
       }
     }
-    return heightsOf(seen, this.symmetric);
+    const heights = heightsOf(seen, this.symmetric);
+    const [low, high] = seen.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], heights);
+    this.cut = low < heights[0] || high > heights[1] ? { low: show(low, 3), high: show(high, 3) } : null;
+    return heights;
   }
 
   bands(context: CanvasRenderingContext2D, film: Film, colors: Colors) {
@@ -221,6 +227,17 @@ export class Plot {
     context.strokeText("AB"[lane], x, y);
     context.fillStyle = color ?? this.look.ink;
     context.fillText("AB"[lane], x, y);
+  }
+
+  /** A word at the top of the axis. */
+  tell(context: CanvasRenderingContext2D, text: string) {
+    context.font = axisFont(this.look);
+    context.textAlign = "left";
+    context.lineWidth = 4;
+    context.strokeStyle = this.look.panel;
+    context.strokeText(text, LEFT + 6, TOP + 11);
+    context.fillStyle = this.look.ink;
+    context.fillText(text, LEFT + 6, TOP + 11);
   }
 
   legend(curves: Curve[], dark: boolean) {
