@@ -1,6 +1,8 @@
 """What a visitor sees first: one run of the motion, the simple view, names and links of what is shown."""
 
 import math
+import os
+from pathlib import Path
 
 import pytest
 
@@ -228,7 +230,7 @@ def test_words_point_to_their_place_in_picture_bar_and_diagrams(visit):
     # beside the picture, an arrow leads to what lies outside of it
     last = page.locator(".story-list button").last
     last.focus()
-    wait_for(page, "lab.clock.pointed > 5")
+    wait_for(page, f"lab.clock.pointed > 5 && {SETTLED}")
     assert page.evaluate(painted, places[:1]) != before[:1]
     # the motion is the same: the list keeps the focus when the page is drawn anew
     page.evaluate("hophoopLab.show()")
@@ -253,3 +255,21 @@ def test_the_load_is_dragged_in_the_simple_view(visit):
     assert page.evaluate("hophoopLab.film().scenario.start.angle") == pytest.approx(math.pi / 2, abs=0.05)
     assert is_simple(page)
     assert len(page.evaluate(SLIDERS)) == 3
+
+
+WHERE = {"desktop": {}, "phone": PHONE, "dark": {"color_scheme": "dark"}, "forced colours": {"forced_colors": "active"}}
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("simple", [True, False])
+@pytest.mark.parametrize("where", WHERE)
+@pytest.mark.parametrize("locale", ["en", "de", "es", "fr", "zh"])
+def test_everyone_can_use_it(visit, locale, where, simple):
+    axe = os.environ.get("HOPHOOP_AXE", "")
+    if not axe:
+        pytest.skip("HOPHOOP_AXE does not name axe-core's axe.min.js (npm install axe-core)")
+    page = visit("#t=0.5", simple=simple, locale=locale, **WHERE[where])
+    wait_for(page, SHOWN)
+    page.evaluate(Path(axe).read_text(encoding="utf-8"))
+    found = page.evaluate("async () => (await axe.run(document)).violations.map((one) => [one.id, one.nodes[0].html])")
+    assert found == []

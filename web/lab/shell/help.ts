@@ -72,7 +72,7 @@ export function aboutDialog(version: string, hosted: boolean) {
       "dl",
       {},
       row("Version", document.createTextNode(version)),
-      row("Licence", "MIT", ...(licences ? [". ", licences] : [])),
+      row("Licence", document.createTextNode("MIT"), ...(licences ? [". ", licences] : [])),
       row(
         "Documentation",
         base ? link(base, "The documentation") : "docs/index.md in the source; this page: docs/lab.md",

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources e07639bef2115e9a8c3245148916f659 */
+/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources 7ea0045cc70fdfd9c074a0c6cb838b5f */
 var c={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\

@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources e07639bef2115e9a8c3245148916f659 */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 7ea0045cc70fdfd9c074a0c6cb838b5f */
 var xl=Object.create;var ti=Object.defineProperty;var _l=Object.getOwnPropertyDescriptor;var El=Object.getOwnPropertyNames;var Ml=Object.getPrototypeOf,Sl=Object.prototype.hasOwnProperty;var Tl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Al=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of El(e))!Sl.call(s,o)&&o!==t&&ti(s,o,{get:()=>e[o],enumerable:!(n=_l(e,o))||n.enumerable});
 return s};var Ll=(s,e,t)=>(t=s!=null?xl(Ml(s)):{},Al(e||!s||!s.__esModule?ti(t,"default",{value:s,enumerable:!0}):t,s));var Lr=Tl(Un=>{"use strict";Object.defineProperty(Un,"__esModule",{value:!0});function Sr(s){return!s||typeof s=="string"?s:s+""}var Lo=class{async svg2canvas(e,t,n){
 let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=n,i.getContext(
@@ -1766,13 +1766,13 @@ t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins,
 tr",{},d("th",{scope:"row"},t(n),n),o.map(i=>d("td",{},i))))),vo=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Wa(s,e){let t=vo(),n=(r,l)=>d(
 "a",{href:r,target:"_blank",rel:"noopener"},l),o=(r,...l)=>[d("dt",{},r),d("dd",{},l)],i=e&&n(new URL("licences.txt",import.meta.url).href,"Licences of all that\
  the page contains"),a=d("dialog",{class:"about","aria-label":"About hophoop"},d("h2",{},"About hophoop"),d("p",{},"hophoop computes exactly how a hoop with a l\
-oad on its rim rolls, slips, hops and lands."),d("dl",{},o("Version",document.createTextNode(s)),o("Licence","MIT",...i?[". ",i]:[]),o("Documentation",t?n(t,"Th\
-e documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",d("code",{},document.createTextNode("hophoop --help")))),d("button",{type:"\
-button",class:"close",onclick:()=>a.close()},"Close"));return a}function Ga(s,e,t){let n=d("dialog",{class:"help","aria-label":"Keys and help"},d("h2",{},"The h\
-oop"),d("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does \
-something that rigid-body mechanics cannot decide. Move a slider and see."),yo("Modes",Zc,o=>d("i",{class:"dot",style:`background:${e.modes[o]}`})),yo("Marks on\
- the bar of time",Qc),yo("Keys",Yc),t,d("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),d("button",{type:"button",class:"close",
-onclick:()=>n.close()},"Close"));return n}var Ua="hoop.radius=0.4&duration=1.5&start.speed=",Xc=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+oad on its rim rolls, slips, hops and lands."),d("dl",{},o("Version",document.createTextNode(s)),o("Licence",document.createTextNode("MIT"),...i?[". ",i]:[]),o(
+"Documentation",t?n(t,"The documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",d("code",{},document.createTextNode("hophoop --he\
+lp")))),d("button",{type:"button",class:"close",onclick:()=>a.close()},"Close"));return a}function Ga(s,e,t){let n=d("dialog",{class:"help","aria-label":"Keys a\
+nd help"},d("h2",{},"The hoop"),d("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it sli\
+ps, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see."),yo("Modes",Zc,o=>d("i",{class:"dot",style:`background:${e.
+modes[o]}`})),yo("Marks on the bar of time",Qc),yo("Keys",Yc),t,d("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),d("button",{type:"\
+button",class:"close",onclick:()=>n.close()},"Close"));return n}var Ua="hoop.radius=0.4&duration=1.5&start.speed=",Xc=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
