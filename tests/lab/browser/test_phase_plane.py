@@ -94,7 +94,7 @@ def hatched(page, turning):
 
 @pytest.mark.parametrize(("couple", "below", "above"), [(0.0, 0.085, 0.085), (0.1, 0.0, 0.186)])
 def test_the_paradox_is_hatched_with_the_couple_of_rolling_resistance(visit, couple, below, above):
-    page = visit(f"hoop.load_fraction=0.75&plane.mu=0.9&plane.rolling_resistance={couple}")
+    page = visit(f"?hoop.load_fraction=0.75&plane.mu=0.9&plane.rolling_resistance={couple}")
     wait_for(page, "lab.phase.pictures?.length === 1 && lab.phase.films && !lab.surrounding")
     assert hatched(page, 0) == pytest.approx(below, abs=0.01)
     assert hatched(page, 1) == pytest.approx(above, abs=0.01)
@@ -102,7 +102,7 @@ def test_the_paradox_is_hatched_with_the_couple_of_rolling_resistance(visit, cou
 
 
 def test_nothing_is_said_to_be_hatched_where_nothing_is(visit):
-    page = visit("plane.mu=0.2")
+    page = visit("?plane.mu=0.2")
     wait_for(page, "lab.phase.pictures?.length === 1 && lab.phase.films && !lab.surrounding")
     assert hatched(page, 0) == hatched(page, 1) == 0.0
     assert page.evaluate("hophoopLab.phase.hatched.hidden")

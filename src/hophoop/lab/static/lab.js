@@ -1,19 +1,19 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 7ea0045cc70fdfd9c074a0c6cb838b5f */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 40742352566fed2b84702c259ec110d0 */
 var xl=Object.create;var ti=Object.defineProperty;var _l=Object.getOwnPropertyDescriptor;var El=Object.getOwnPropertyNames;var Ml=Object.getPrototypeOf,Sl=Object.prototype.hasOwnProperty;var Tl=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Al=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let o of El(e))!Sl.call(s,o)&&o!==t&&ti(s,o,{get:()=>e[o],enumerable:!(n=_l(e,o))||n.enumerable});
 return s};var Ll=(s,e,t)=>(t=s!=null?xl(Ml(s)):{},Al(e||!s||!s.__esModule?ti(t,"default",{value:s,enumerable:!0}):t,s));var Lr=Tl(Un=>{"use strict";Object.defineProperty(Un,"__esModule",{value:!0});function Sr(s){return!s||typeof s=="string"?s:s+""}var Lo=class{async svg2canvas(e,t,n){
 let o=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=n,i.getContext(
 "2d").drawImage(o,0,0),i}toDataURL(e,t,n,o,i,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var m="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
 r);if(o==="image/svg+xml"||!o)return a.async?Promise.resolve(m):m;if(o==="image/jpeg"||o==="image/png"){if(!a.async)throw new Error("svgcanvas: options.async mu\
-st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(m,t,n),u=h.toDataURL(o,i);return h.remove(),u})()}throw new Error(
+st be set to true if type is image/jpeg | image/png");return(async()=>{let h=await this.svg2canvas(m,t,n),d=h.toDataURL(o,i);return h.remove(),d})()}throw new Error(
 "svgcanvas: Unknown type for toDataURL, please use image/jpeg | image/png | image/svg+xml.")}getImageData(e,t,n,o,i,a,r,l){if(l||(l={}),!l.async)throw new Error(
 "svgcanvas: options.async must be set to true for getImageData");let c=this.toDataURL(e,t,n,"image/svg+xml");return(async()=>{let m=await this.svg2canvas(c,t,n),
-u=m.getContext("2d").getImageData(o,i,a,r);return m.remove(),u})()}},Tr=new Lo;var Ar=(function(){var s,e,t,n,o;function i(h,u){var p=Object.keys(u),f;for(f=0;f<
-p.length;f++)h=h.replace(new RegExp("\\{"+p[f]+"\\}","gi"),u[p[f]]);return h}function a(h){var u,p,f;if(!h)throw new Error("cannot create a random attribute nam\
-e for an undefined object");u="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",f=0;f<12;f++)p+=u[Math.floor(Math.random()*u.length)];while(h[p]);
-return p}function r(h,u){var p,f,g={},b;for(h=h.split(","),u=u||10,p=0;p<h.length;p+=2)f="&"+h[p+1]+";",b=parseInt(h[p],u),g[f]="&#"+b+";";return g["\\xa0"]="&#\
-160;",g}function l(h){var u={left:"start",right:"end",center:"middle",start:"start",end:"end"};return u[h]||u.start}function c(h){var u={alphabetic:"alphabetic",
-hanging:"hanging",top:"text-before-edge",bottom:"text-after-edge",middle:"central"};return u[h]||u.alphabetic}o=r("50,nbsp,51,iexcl,52,cent,53,pound,54,curren,5\
+d=m.getContext("2d").getImageData(o,i,a,r);return m.remove(),d})()}},Tr=new Lo;var Ar=(function(){var s,e,t,n,o;function i(h,d){var p=Object.keys(d),f;for(f=0;f<
+p.length;f++)h=h.replace(new RegExp("\\{"+p[f]+"\\}","gi"),d[p[f]]);return h}function a(h){var d,p,f;if(!h)throw new Error("cannot create a random attribute nam\
+e for an undefined object");d="ABCDEFGHIJKLMNOPQRSTUVWXTZabcdefghiklmnopqrstuvwxyz",p="";do for(p="",f=0;f<12;f++)p+=d[Math.floor(Math.random()*d.length)];while(h[p]);
+return p}function r(h,d){var p,f,g={},b;for(h=h.split(","),d=d||10,p=0;p<h.length;p+=2)f="&"+h[p+1]+";",b=parseInt(h[p],d),g[f]="&#"+b+";";return g["\\xa0"]="&#\
+160;",g}function l(h){var d={left:"start",right:"end",center:"middle",start:"start",end:"end"};return d[h]||d.start}function c(h){var d={alphabetic:"alphabetic",
+hanging:"hanging",top:"text-before-edge",bottom:"text-after-edge",middle:"central"};return d[h]||d.alphabetic}o=r("50,nbsp,51,iexcl,52,cent,53,pound,54,curren,5\
 5,yen,56,brvbar,57,sect,58,uml,59,copy,5a,ordf,5b,laquo,5c,not,5d,shy,5e,reg,5f,macr,5g,deg,5h,plusmn,5i,sup2,5j,sup3,5k,acute,5l,micro,5m,para,5n,middot,5o,ced\
 il,5p,sup1,5q,ordm,5r,raquo,5s,frac14,5t,frac12,5u,frac34,5v,iquest,60,Agrave,61,Aacute,62,Acirc,63,Atilde,64,Auml,65,Aring,66,AElig,67,Ccedil,68,Egrave,69,Eacu\
 te,6a,Ecirc,6b,Euml,6c,Igrave,6d,Iacute,6e,Icirc,6f,Iuml,6g,ETH,6h,Ntilde,6i,Ograve,6j,Oacute,6k,Ocirc,6l,Otilde,6m,Ouml,6n,times,6o,Oslash,6p,Ugrave,6q,Uacute,\
@@ -32,111 +32,111 @@ p,rsquo,80q,sbquo,80s,ldquo,80t,rdquo,80u,bdquo,810,dagger,811,Dagger,81g,permil
 stroke"},lineJoin:{svgAttr:"stroke-linejoin",canvas:"miter",svg:"miter",apply:"stroke"},miterLimit:{svgAttr:"stroke-miterlimit",canvas:10,svg:4,apply:"stroke"},
 lineWidth:{svgAttr:"stroke-width",canvas:1,svg:1,apply:"stroke"},globalAlpha:{svgAttr:"opacity",canvas:1,svg:1,apply:"fill stroke"},font:{canvas:"10px sans-seri\
 f"},shadowColor:{canvas:"#000000"},shadowOffsetX:{canvas:0},shadowOffsetY:{canvas:0},shadowBlur:{canvas:0},textAlign:{canvas:"start"},textBaseline:{canvas:"alph\
-abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,u){this.__root=h,this.__ctx=u},t.prototype.addColorStop=function(h,u){
-var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),Sr(u).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-g=f.exec(u),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",Sr(u)),this.
-__root.appendChild(p)},n=function(h,u){this.__root=h,this.__ctx=u},e=function(h){var u={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=u,p.
-width=arguments[0],p.height=arguments[1]):h?p=h:p=u,!(this instanceof e))return new e(p);this.width=p.width||u.width,this.height=p.height||u.height,this.enableMirroring=
-p.enableMirroring!==void 0?p.enableMirroring:u.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
+abetic"},lineDash:{svgAttr:"stroke-dasharray",canvas:[],svg:null,apply:"stroke"}},t=function(h,d){this.__root=h,this.__ctx=d},t.prototype.addColorStop=function(h,d){
+var p=this.__ctx.__createElement("stop"),f,g;p.setAttribute("offset",h),Sr(d).indexOf("rgba")!==-1?(f=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
+g=f.exec(d),p.setAttribute("stop-color",i("rgb({r},{g},{b})",{r:g[1],g:g[2],b:g[3]})),p.setAttribute("stop-opacity",g[4])):p.setAttribute("stop-color",Sr(d)),this.
+__root.appendChild(p)},n=function(h,d){this.__root=h,this.__ctx=d},e=function(h){var d={width:500,height:500,enableMirroring:!1},p;if(arguments.length>1?(p=d,p.
+width=arguments[0],p.height=arguments[1]):h?p=h:p=d,!(this instanceof e))return new e(p);this.width=p.width||d.width,this.height=p.height||d.height,this.enableMirroring=
+p.enableMirroring!==void 0?p.enableMirroring:d.enableMirroring,this.canvas=this,this.__document=p.document||document,p.ctx?this.__ctx=p.ctx:(this.__canvas=this.
 __document.createElement("canvas"),this.__ctx=this.__canvas.getContext("2d")),this.__setDefaultStyles(),this.__styleStack=[this.__getStyleState()],this.__groupStack=
 [],this.__root=this.__document.createElementNS("http://www.w3.org/2000/svg","svg"),this.__root.setAttribute("version",1.1),this.__root.setAttribute("xmlns","htt\
 p://www.w3.org/2000/svg"),this.__root.setAttributeNS("http://www.w3.org/2000/xmlns/","xmlns:xlink","http://www.w3.org/1999/xlink"),this.__root.setAttribute("wid\
 th",this.width),this.__root.setAttribute("height",this.height),this.__ids={},this.__defs=this.__document.createElementNS("http://www.w3.org/2000/svg","defs"),this.
 __root.appendChild(this.__defs),this.__currentElement=this.__document.createElementNS("http://www.w3.org/2000/svg","g"),this.__root.appendChild(this.__currentElement),
 this.resetTransform(),this.__options=p,this.__id=Math.random().toString(16).substring(2,8),this.__debug("new",h)},e.prototype.__debug=function(...h){this.__options.
-debug&&console.debug(`svgcanvas#${this.__id}:`,...h)},e.prototype.__createElement=function(h,u,p){typeof u>"u"&&(u={});var f=this.__document.createElementNS("ht\
-tp://www.w3.org/2000/svg",h),g=Object.keys(u),b,w;for(p&&(f.setAttribute("fill","none"),f.setAttribute("stroke","none")),b=0;b<g.length;b++)w=g[b],f.setAttribute(
-w,u[w]);return f},e.prototype.__setDefaultStyles=function(){var h=Object.keys(s),u,p;for(u=0;u<h.length;u++)p=h[u],this[p]=s[p].canvas},e.prototype.__applyStyleState=
-function(h){var u=Object.keys(h),p,f;for(p=0;p<u.length;p++)f=u[p],this[f]=h[f]},e.prototype.__getStyleState=function(){var h,u={},p=Object.keys(s),f;for(h=0;h<
-p.length;h++)f=p[h],u[f]=this[f];return u},e.prototype.__applyTransformation=function(h,u){let{a:p,b:f,c:g,d:b,e:w,f:y}=u||this.getTransform();h.setAttribute("t\
-ransform",`matrix(${p} ${f} ${g} ${b} ${w} ${y})`)},e.prototype.__applyStyleToCurrentElement=function(h){var u=this.__currentElement,p=this.__currentElementsToStyle;
-p&&(u.setAttribute(h,""),u=p.element,p.children.forEach(function(H){H.setAttribute(h,"")}));var f=Object.keys(s),g,b,w,y,v,E,T,L;for(g=0;g<f.length;g++)if(b=s[f[g]],
+debug&&console.debug(`svgcanvas#${this.__id}:`,...h)},e.prototype.__createElement=function(h,d,p){typeof d>"u"&&(d={});var f=this.__document.createElementNS("ht\
+tp://www.w3.org/2000/svg",h),g=Object.keys(d),b,w;for(p&&(f.setAttribute("fill","none"),f.setAttribute("stroke","none")),b=0;b<g.length;b++)w=g[b],f.setAttribute(
+w,d[w]);return f},e.prototype.__setDefaultStyles=function(){var h=Object.keys(s),d,p;for(d=0;d<h.length;d++)p=h[d],this[p]=s[p].canvas},e.prototype.__applyStyleState=
+function(h){var d=Object.keys(h),p,f;for(p=0;p<d.length;p++)f=d[p],this[f]=h[f]},e.prototype.__getStyleState=function(){var h,d={},p=Object.keys(s),f;for(h=0;h<
+p.length;h++)f=p[h],d[f]=this[f];return d},e.prototype.__applyTransformation=function(h,d){let{a:p,b:f,c:g,d:b,e:w,f:y}=d||this.getTransform();h.setAttribute("t\
+ransform",`matrix(${p} ${f} ${g} ${b} ${w} ${y})`)},e.prototype.__applyStyleToCurrentElement=function(h){var d=this.__currentElement,p=this.__currentElementsToStyle;
+p&&(d.setAttribute(h,""),d=p.element,p.children.forEach(function(H){H.setAttribute(h,"")}));var f=Object.keys(s),g,b,w,y,v,E,T,L;for(g=0;g<f.length;g++)if(b=s[f[g]],
 w=this[f[g]],b.apply){if(w instanceof n){if(w.__ctx)for(T=0;T<w.__ctx.__defs.childNodes.length;T++)L=w.__ctx.__defs.childNodes[T],E=L.getAttribute("id"),this.__ids[E]=
-E,this.__defs.appendChild(L);u.setAttribute(b.apply,i("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)u.setAttribute(b.apply,i("url(#{id}\
+E,this.__defs.appendChild(L);d.setAttribute(b.apply,i("url(#{id})",{id:w.__root.getAttribute("id")}))}else if(w instanceof t)d.setAttribute(b.apply,i("url(#{id}\
 )",{id:w.__root.getAttribute("id")}));else if(b.apply.indexOf(h)!==-1&&b.svg!==w)if((b.svgAttr==="stroke"||b.svgAttr==="fill")&&w&&w.indexOf("rgba")!==-1){y=/rgba\(\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\s*,\s*(\d?\.?\d*)\s*\)/gi,
-v=y.exec(w),u.setAttribute(b.svgAttr,i("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var P=v[4],F=this.globalAlpha;F!=null&&(P*=F),u.setAttribute(b.svgAttr+"-opac\
-ity",P)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,u.getAttribute(A))continue}else if(f[g]==="lineWidth"){var D=this.__getTransformScale();
-w=w*Math.max(D.x,D.y)}u.setAttribute(A,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
-h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var u=new XMLSerializer().serializeToString(this.__root),p,f,g,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
-y.test(u)&&(u=u.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(o),f=0;f<p.length;f++)g=p[f],b=o[g],
-w=new RegExp(g,"gi"),w.test(u)&&(u=u.replace(w,b));return u},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
-"g"),u=this.__closestGroupOrSvg();this.__groupStack.push(u),u.appendChild(h),this.__currentElement=h;let p=this.__getStyleState();this.__debug("save style",p),this.
+v=y.exec(w),d.setAttribute(b.svgAttr,i("rgb({r},{g},{b})",{r:v[1],g:v[2],b:v[3]}));var P=v[4],F=this.globalAlpha;F!=null&&(P*=F),d.setAttribute(b.svgAttr+"-opac\
+ity",P)}else{var A=b.svgAttr;if(f[g]==="globalAlpha"){if(A=h+"-"+b.svgAttr,d.getAttribute(A))continue}else if(f[g]==="lineWidth"){var D=this.__getTransformScale();
+w=w*Math.max(D.x,D.y)}d.setAttribute(A,w)}}},e.prototype.__closestGroupOrSvg=function(h){return h=h||this.__currentElement,h.nodeName==="g"||h.nodeName==="svg"?
+h:this.__closestGroupOrSvg(h.parentNode)},e.prototype.getSerializedSvg=function(h){var d=new XMLSerializer().serializeToString(this.__root),p,f,g,b,w,y;if(y=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi,
+y.test(d)&&(d=d.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink')),h)for(p=Object.keys(o),f=0;f<p.length;f++)g=p[f],b=o[g],
+w=new RegExp(g,"gi"),w.test(d)&&(d=d.replace(w,b));return d},e.prototype.getSvg=function(){return this.__root},e.prototype.save=function(){var h=this.__createElement(
+"g"),d=this.__closestGroupOrSvg();this.__groupStack.push(d),d.appendChild(h),this.__currentElement=h;let p=this.__getStyleState();this.__debug("save style",p),this.
 __styleStack.push(p),this.__transformMatrixStack||(this.__transformMatrixStack=[]),this.__transformMatrixStack.push(this.getTransform())},e.prototype.restore=function(){
 this.__currentElement=this.__groupStack.pop(),this.__currentElementsToStyle=null,this.__currentElement||(this.__currentElement=this.__root.childNodes[1]);var h=this.
 __styleStack.pop();this.__debug("restore style",h),this.__applyStyleState(h),this.__transformMatrixStack&&this.__transformMatrixStack.length>0&&this.setTransform(
-this.__transformMatrixStack.pop())},e.prototype.beginPath=function(){var h,u;this.__currentDefaultPath="",this.__currentPosition={},h=this.__createElement("path",
-{},!0),u=this.__closestGroupOrSvg(),u.appendChild(h),this.__currentElement=h},e.prototype.__applyCurrentDefaultPath=function(){var h=this.__currentElement;h.nodeName===
+this.__transformMatrixStack.pop())},e.prototype.beginPath=function(){var h,d;this.__currentDefaultPath="",this.__currentPosition={},h=this.__createElement("path",
+{},!0),d=this.__closestGroupOrSvg(),d.appendChild(h),this.__currentElement=h},e.prototype.__applyCurrentDefaultPath=function(){var h=this.__currentElement;h.nodeName===
 "path"?h.setAttribute("d",this.__currentDefaultPath):console.error("Attempted to apply path command to node",h.nodeName)},e.prototype.__addPathCommand=function(h){
-this.__currentDefaultPath+=" ",this.__currentDefaultPath+=h},e.prototype.moveTo=function(h,u){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.__currentPosition=
-{x:h,y:u},this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,u).x,y:this.__matrixTransform(h,u).y}))},e.prototype.closePath=function(){this.__currentDefaultPath&&
-this.__addPathCommand("Z")},e.prototype.lineTo=function(h,u){this.__currentPosition={x:h,y:u},this.__currentDefaultPath.indexOf("M")>-1?this.__addPathCommand(i(
-"L {x} {y}",{x:this.__matrixTransform(h,u).x,y:this.__matrixTransform(h,u).y})):this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,u).x,y:this.__matrixTransform(
-h,u).y}))},e.prototype.bezierCurveTo=function(h,u,p,f,g,b){this.__currentPosition={x:g,y:b},this.__addPathCommand(i("C {cp1x} {cp1y} {cp2x} {cp2y} {x} {y}",{cp1x:this.
-__matrixTransform(h,u).x,cp1y:this.__matrixTransform(h,u).y,cp2x:this.__matrixTransform(p,f).x,cp2y:this.__matrixTransform(p,f).y,x:this.__matrixTransform(g,b).
-x,y:this.__matrixTransform(g,b).y}))},e.prototype.quadraticCurveTo=function(h,u,p,f){this.__currentPosition={x:p,y:f},this.__addPathCommand(i("Q {cpx} {cpy} {x}\
- {y}",{cpx:this.__matrixTransform(h,u).x,cpy:this.__matrixTransform(h,u).y,x:this.__matrixTransform(p,f).x,y:this.__matrixTransform(p,f).y}))};var m=function(h){
-var u=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/u,h[1]/u]};return e.prototype.arcTo=function(h,u,p,f,g){var b=this.__currentPosition&&this.__currentPosition.x,
+this.__currentDefaultPath+=" ",this.__currentDefaultPath+=h},e.prototype.moveTo=function(h,d){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.__currentPosition=
+{x:h,y:d},this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,d).x,y:this.__matrixTransform(h,d).y}))},e.prototype.closePath=function(){this.__currentDefaultPath&&
+this.__addPathCommand("Z")},e.prototype.lineTo=function(h,d){this.__currentPosition={x:h,y:d},this.__currentDefaultPath.indexOf("M")>-1?this.__addPathCommand(i(
+"L {x} {y}",{x:this.__matrixTransform(h,d).x,y:this.__matrixTransform(h,d).y})):this.__addPathCommand(i("M {x} {y}",{x:this.__matrixTransform(h,d).x,y:this.__matrixTransform(
+h,d).y}))},e.prototype.bezierCurveTo=function(h,d,p,f,g,b){this.__currentPosition={x:g,y:b},this.__addPathCommand(i("C {cp1x} {cp1y} {cp2x} {cp2y} {x} {y}",{cp1x:this.
+__matrixTransform(h,d).x,cp1y:this.__matrixTransform(h,d).y,cp2x:this.__matrixTransform(p,f).x,cp2y:this.__matrixTransform(p,f).y,x:this.__matrixTransform(g,b).
+x,y:this.__matrixTransform(g,b).y}))},e.prototype.quadraticCurveTo=function(h,d,p,f){this.__currentPosition={x:p,y:f},this.__addPathCommand(i("Q {cpx} {cpy} {x}\
+ {y}",{cpx:this.__matrixTransform(h,d).x,cpy:this.__matrixTransform(h,d).y,x:this.__matrixTransform(p,f).x,y:this.__matrixTransform(p,f).y}))};var m=function(h){
+var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.arcTo=function(h,d,p,f,g){var b=this.__currentPosition&&this.__currentPosition.x,
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(g<0)throw new Error("IndexSizeError: The radius provided ("+g+") is nega\
-tive.");if(b===h&&w===u||h===p&&u===f||g===0){this.lineTo(h,u);return}var y=m([b-h,w-u]),v=m([p-h,f-u]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,u);return}var E=y[0]*
-v[0]+y[1]*v[1],T=Math.acos(Math.abs(E)),L=m([y[0]+v[0],y[1]+v[1]]),P=g/Math.sin(T/2),F=h+P*L[0],A=u+P*L[1],D=[-y[1],y[0]],H=[v[1],-v[0]],le=function(Xo){var ei=Xo[0],
+tive.");if(b===h&&w===d||h===p&&d===f||g===0){this.lineTo(h,d);return}var y=m([b-h,w-d]),v=m([p-h,f-d]);if(y[0]*v[1]===y[1]*v[0]){this.lineTo(h,d);return}var E=y[0]*
+v[0]+y[1]*v[1],T=Math.acos(Math.abs(E)),L=m([y[0]+v[0],y[1]+v[1]]),P=g/Math.sin(T/2),F=h+P*L[0],A=d+P*L[1],D=[-y[1],y[0]],H=[v[1],-v[0]],le=function(Xo){var ei=Xo[0],
 kl=Xo[1];return kl>=0?Math.acos(ei):-Math.acos(ei)},Ie=le(D),jt=le(H);this.lineTo(F+D[0]*g,A+D[1]*g),this.arc(F,A,g,Ie,jt)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
-this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,u,p,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,u),this.lineTo(
-h+p,u),this.lineTo(h+p,u+f),this.lineTo(h,u+f),this.lineTo(h,u),this.closePath()},e.prototype.roundRect=function(h,u,p,f,g){this.__currentElement.nodeName!=="pa\
-th"&&this.beginPath();let b,w,y,v;typeof g=="number"?(b=g,w=g,y=g,v=g):[b,w,y,v]=g,this.moveTo(h+b,u),this.arcTo(h+p,u,h+p,u+f,w),this.arcTo(h+p,u+f,h,u+f,y),this.
-arcTo(h,u+f,h,u,v),this.arcTo(h,u,h+p,u,b),this.closePath()},e.prototype.fillRect=function(h,u,p,f){let{a:g,b,c:w,d:y,e:v,f:E}=this.getTransform();JSON.stringify(
-[g,b,w,y,v,E])===JSON.stringify([1,0,0,1,0,0])&&h===0&&u===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:u,
+this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
+h+p,d),this.lineTo(h+p,d+f),this.lineTo(h,d+f),this.lineTo(h,d),this.closePath()},e.prototype.roundRect=function(h,d,p,f,g){this.__currentElement.nodeName!=="pa\
+th"&&this.beginPath();let b,w,y,v;typeof g=="number"?(b=g,w=g,y=g,v=g):[b,w,y,v]=g,this.moveTo(h+b,d),this.arcTo(h+p,d,h+p,d+f,w),this.arcTo(h+p,d+f,h,d+f,y),this.
+arcTo(h,d+f,h,d,v),this.arcTo(h,d,h+p,d,b),this.closePath()},e.prototype.fillRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:E}=this.getTransform();JSON.stringify(
+[g,b,w,y,v,E])===JSON.stringify([1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&f===this.height&&this.__clearCanvas();var T,L;T=this.__createElement("rect",{x:h,y:d,
 width:p,height:f},!0),L=this.__closestGroupOrSvg(),L.appendChild(T),this.__currentElement=T,this.__applyTransformation(T),this.__applyStyleToCurrentElement("fil\
-l")},e.prototype.strokeRect=function(h,u,p,f){var g,b;g=this.__createElement("rect",{x:h,y:u,width:p,height:f},!0),b=this.__closestGroupOrSvg(),b.appendChild(g),
+l")},e.prototype.strokeRect=function(h,d,p,f){var g,b;g=this.__createElement("rect",{x:h,y:d,width:p,height:f},!0),b=this.__closestGroupOrSvg(),b.appendChild(g),
 this.__currentElement=g,this.__applyTransformation(g),this.__applyStyleToCurrentElement("stroke")},e.prototype.__clearCanvas=function(){var h=this.__root.childNodes[1];
 this.__root.removeChild(h),this.__currentElement=this.__document.createElementNS("http://www.w3.org/2000/svg","g"),this.__root.appendChild(this.__currentElement),
-this.__groupStack=[]},e.prototype.clearRect=function(h,u,p,f){let{a:g,b,c:w,d:y,e:v,f:E}=this.getTransform();if(JSON.stringify([g,b,w,y,v,E])===JSON.stringify([
-1,0,0,1,0,0])&&h===0&&u===0&&p===this.width&&f===this.height){this.__clearCanvas();return}var T,L=this.__closestGroupOrSvg();T=this.__createElement("rect",{x:h,
-y:u,width:p,height:f,fill:"#FFFFFF"},!0),this.__applyTransformation(T),L.appendChild(T)},e.prototype.createLinearGradient=function(h,u,p,f){var g=this.__createElement(
-"linearGradient",{id:a(this.__ids),x1:h+"px",x2:p+"px",y1:u+"px",y2:f+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(g),new t(g,this)},
-e.prototype.createRadialGradient=function(h,u,p,f,g,b){var w=this.__createElement("radialGradient",{id:a(this.__ids),cx:f+"px",cy:g+"px",r:b+"px",fx:h+"px",fy:u+
-"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(w),new t(w,this)},e.prototype.__applyText=function(h,u,p,f){var g=document.createElement(
+this.__groupStack=[]},e.prototype.clearRect=function(h,d,p,f){let{a:g,b,c:w,d:y,e:v,f:E}=this.getTransform();if(JSON.stringify([g,b,w,y,v,E])===JSON.stringify([
+1,0,0,1,0,0])&&h===0&&d===0&&p===this.width&&f===this.height){this.__clearCanvas();return}var T,L=this.__closestGroupOrSvg();T=this.__createElement("rect",{x:h,
+y:d,width:p,height:f,fill:"#FFFFFF"},!0),this.__applyTransformation(T),L.appendChild(T)},e.prototype.createLinearGradient=function(h,d,p,f){var g=this.__createElement(
+"linearGradient",{id:a(this.__ids),x1:h+"px",x2:p+"px",y1:d+"px",y2:f+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(g),new t(g,this)},
+e.prototype.createRadialGradient=function(h,d,p,f,g,b){var w=this.__createElement("radialGradient",{id:a(this.__ids),cx:f+"px",cy:g+"px",r:b+"px",fx:h+"px",fy:d+
+"px",gradientUnits:"userSpaceOnUse"},!1);return this.__defs.appendChild(w),new t(w,this)},e.prototype.__applyText=function(h,d,p,f){var g=document.createElement(
 "span");g.setAttribute("style","font:"+this.font);var b=g.style,w=this.__closestGroupOrSvg(),y=this.__createElement("text",{"font-family":b.fontFamily,"font-siz\
-e":b.fontSize,"font-style":b.fontStyle,"font-weight":b.fontWeight,"text-decoration":this.__fontUnderline,x:u,y:p,"text-anchor":l(this.textAlign),"dominant-basel\
+e":b.fontSize,"font-style":b.fontStyle,"font-weight":b.fontWeight,"text-decoration":this.__fontUnderline,x:d,y:p,"text-anchor":l(this.textAlign),"dominant-basel\
 ine":c(this.textBaseline)},!0);if(y.appendChild(this.__document.createTextNode(h)),this.__currentElement=y,this.__applyTransformation(y),this.__applyStyleToCurrentElement(
 f),this.__fontHref){var v=this.__createElement("a");v.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",this.__fontHref),v.appendChild(y),y=v}w.appendChild(
-y)},e.prototype.fillText=function(h,u,p){this.__applyText(h,u,p,"fill")},e.prototype.strokeText=function(h,u,p){this.__applyText(h,u,p,"stroke")},e.prototype.measureText=
-function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,u,p,f,g,b){if(f!==g){f=f%(2*Math.PI),g=g%(2*Math.PI),f===g&&(g=
-(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=u+p*Math.sin(g),v=h+p*Math.cos(f),E=u+p*Math.sin(f),T=b?0:1,L=0,P=g-f;P<0&&(P+=2*Math.PI),b?L=P>
+y)},e.prototype.fillText=function(h,d,p){this.__applyText(h,d,p,"fill")},e.prototype.strokeText=function(h,d,p){this.__applyText(h,d,p,"stroke")},e.prototype.measureText=
+function(h){return this.__ctx.font=this.font,this.__ctx.measureText(h)},e.prototype.arc=function(h,d,p,f,g,b){if(f!==g){f=f%(2*Math.PI),g=g%(2*Math.PI),f===g&&(g=
+(g+2*Math.PI-.001*(b?-1:1))%(2*Math.PI));var w=h+p*Math.cos(g),y=d+p*Math.sin(g),v=h+p*Math.cos(f),E=d+p*Math.sin(f),T=b?0:1,L=0,P=g-f;P<0&&(P+=2*Math.PI),b?L=P>
 Math.PI?0:1:L=P>Math.PI?1:0;var F=Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),A=Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d);
 this.lineTo(v,E),this.__addPathCommand(i("A {rx} {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p*F,ry:p*A,xAxisRotation:0,largeArcFlag:L,sweepFlag:T,
-endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,u,p,f,g,b,w,y){if(b!==w){
-var v=this.__matrixTransform(h,u);h=v.x,u=v.y;var E=this.__getTransformScale();p=p*E.x,f=f*E.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
-b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-g)*p*Math.cos(w)+Math.sin(-g)*f*Math.sin(w),L=u-Math.sin(-g)*p*Math.cos(w)+Math.cos(-g)*f*Math.
-sin(w),P=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=u-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,D=0,H=w-b;H<0&&(H+=2*Math.PI),
+endX:this.__matrixTransform(w,y).x,endY:this.__matrixTransform(w,y).y})),this.__currentPosition={x:w,y}}},e.prototype.ellipse=function(h,d,p,f,g,b,w,y){if(b!==w){
+var v=this.__matrixTransform(h,d);h=v.x,d=v.y;var E=this.__getTransformScale();p=p*E.x,f=f*E.y,g=g+this.__getTransformRotation(),b=b%(2*Math.PI),w=w%(2*Math.PI),
+b===w&&(w=(w+2*Math.PI-.001*(y?-1:1))%(2*Math.PI));var T=h+Math.cos(-g)*p*Math.cos(w)+Math.sin(-g)*f*Math.sin(w),L=d-Math.sin(-g)*p*Math.cos(w)+Math.cos(-g)*f*Math.
+sin(w),P=h+Math.cos(-g)*p*Math.cos(b)+Math.sin(-g)*f*Math.sin(b),F=d-Math.sin(-g)*p*Math.cos(b)+Math.cos(-g)*f*Math.sin(b),A=y?0:1,D=0,H=w-b;H<0&&(H+=2*Math.PI),
 y?D=H>Math.PI?0:1:D=H>Math.PI?1:0;var le=this.__transformMatrix;this.resetTransform(),this.lineTo(P,F),this.__transformMatrix=le,this.__addPathCommand(i("A {rx}\
  {ry} {xAxisRotation} {largeArcFlag} {sweepFlag} {endX} {endY}",{rx:p,ry:f,xAxisRotation:g*(180/Math.PI),largeArcFlag:D,sweepFlag:A,endX:T,endY:L})),this.__currentPosition=
-{x:T,y:L}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),u=this.__createElement("clipPath"),p=a(this.__ids),f=this.__createElement("g");this.__applyCurrentDefaultPath(),
-h.removeChild(this.__currentElement),u.setAttribute("id",p),u.appendChild(this.__currentElement),this.__defs.appendChild(u),h.setAttribute("clip-path",i("url(#{\
-id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),u=h[0],p,f,g,b,w=0,y=0,v,E,
-T,L,P,F,A,D,H,le;if(h.length===3)p=h[1],f=h[2],v=u.width,E=u.height,g=v,b=E;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=u.width,E=u.height;else if(h.length===
+{x:T,y:L}}},e.prototype.clip=function(){var h=this.__closestGroupOrSvg(),d=this.__createElement("clipPath"),p=a(this.__ids),f=this.__createElement("g");this.__applyCurrentDefaultPath(),
+h.removeChild(this.__currentElement),d.setAttribute("id",p),d.appendChild(this.__currentElement),this.__defs.appendChild(d),h.setAttribute("clip-path",i("url(#{\
+id})",{id:p})),h.appendChild(f),this.__currentElement=f},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),d=h[0],p,f,g,b,w=0,y=0,v,E,
+T,L,P,F,A,D,H,le;if(h.length===3)p=h[1],f=h[2],v=d.width,E=d.height,g=v,b=E;else if(h.length===5)p=h[1],f=h[2],g=h[3],b=h[4],v=d.width,E=d.height;else if(h.length===
 9)w=h[1],y=h[2],v=h[3],E=h[4],p=h[5],f=h[6],g=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+arguments.length);T=this.__closestGroupOrSvg(),
-this.__currentElement;let Ie=this.getTransform().translate(p,f);if(u instanceof e){if(L=u.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(P=L.childNodes[0];P.
+this.__currentElement;let Ie=this.getTransform().translate(p,f);if(d instanceof e){if(L=d.getSvg().cloneNode(!0),L.childNodes&&L.childNodes.length>1){for(P=L.childNodes[0];P.
 childNodes.length;)le=P.childNodes[0].getAttribute("id"),this.__ids[le]=le,this.__defs.appendChild(P.childNodes[0]);F=L.childNodes[1],F&&(this.__applyTransformation(
-F,Ie),T.appendChild(F))}}else(u.nodeName==="CANVAS"||u.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
-A.setAttribute("preserveAspectRatio","none"),(w||y||v!==u.width||E!==u.height)&&(D=this.__document.createElement("canvas"),D.width=g,D.height=b,H=D.getContext("\
-2d"),H.drawImage(u,w,y,v,E,0,0,g,b),u=D),this.__applyTransformation(A,Ie),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",u.nodeName==="CANVAS"?u.toDataURL():
-u.getAttribute("src")),T.appendChild(A))},e.prototype.createPattern=function(h,u){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
+F,Ie),T.appendChild(F))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(A=this.__createElement("image"),A.setAttribute("width",g),A.setAttribute("height",b),
+A.setAttribute("preserveAspectRatio","none"),(w||y||v!==d.width||E!==d.height)&&(D=this.__document.createElement("canvas"),D.width=g,D.height=b,H=D.getContext("\
+2d"),H.drawImage(d,w,y,v,E,0,0,g,b),d=D),this.__applyTransformation(A,Ie),A.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():
+d.getAttribute("src")),T.appendChild(A))},e.prototype.createPattern=function(h,d){var p=this.__document.createElementNS("http://www.w3.org/2000/svg","pattern"),
 f=a(this.__ids),g;return p.setAttribute("id",f),p.setAttribute("width",h.width),p.setAttribute("height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),
 h.nodeName==="CANVAS"||h.nodeName==="IMG"?(g=this.__document.createElementNS("http://www.w3.org/2000/svg","image"),g.setAttribute("width",h.width),g.setAttribute(
 "height",h.height),g.setAttributeNS("http://www.w3.org/1999/xlink","xlink:href",h.nodeName==="CANVAS"?h.toDataURL():h.getAttribute("src")),p.appendChild(g),this.
 __defs.appendChild(p)):h instanceof e&&(p.appendChild(h.__root.childNodes[1]),this.__defs.appendChild(p)),new n(p,this)},e.prototype.setLineDash=function(h){h&&
-h.length>0?this.lineDash=h.join(","):this.lineDash=null},e.prototype.setTransform=function(h,u,p,f,g,b){h instanceof DOMMatrix?this.__transformMatrix=new DOMMatrix(
-[h.a,h.b,h.c,h.d,h.e,h.f]):this.__transformMatrix=new DOMMatrix([h,u,p,f,g,b])},e.prototype.getTransform=function(){let{a:h,b:u,c:p,d:f,e:g,f:b}=this.__transformMatrix;
-return new DOMMatrix([h,u,p,f,g,b])},e.prototype.resetTransform=function(){this.setTransform(1,0,0,1,0,0)},e.prototype.scale=function(h,u){if(u===void 0&&(u=h),
-isNaN(h)||isNaN(u)||!isFinite(h)||!isFinite(u))return;let p=this.getTransform().scale(h,u);this.setTransform(p)},e.prototype.rotate=function(h){let u=this.getTransform().
-multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));this.setTransform(u)},e.prototype.translate=function(h,u){let p=this.getTransform().
-translate(h,u);this.setTransform(p)},e.prototype.transform=function(h,u,p,f,g,b){let w=this.getTransform().multiply(new DOMMatrix([h,u,p,f,g,b]));this.setTransform(
-w)},e.prototype.__matrixTransform=function(h,u){return new DOMPoint(h,u).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
+h.length>0?this.lineDash=h.join(","):this.lineDash=null},e.prototype.setTransform=function(h,d,p,f,g,b){h instanceof DOMMatrix?this.__transformMatrix=new DOMMatrix(
+[h.a,h.b,h.c,h.d,h.e,h.f]):this.__transformMatrix=new DOMMatrix([h,d,p,f,g,b])},e.prototype.getTransform=function(){let{a:h,b:d,c:p,d:f,e:g,f:b}=this.__transformMatrix;
+return new DOMMatrix([h,d,p,f,g,b])},e.prototype.resetTransform=function(){this.setTransform(1,0,0,1,0,0)},e.prototype.scale=function(h,d){if(d===void 0&&(d=h),
+isNaN(h)||isNaN(d)||!isFinite(h)||!isFinite(d))return;let p=this.getTransform().scale(h,d);this.setTransform(p)},e.prototype.rotate=function(h){let d=this.getTransform().
+multiply(new DOMMatrix([Math.cos(h),Math.sin(h),-Math.sin(h),Math.cos(h),0,0]));this.setTransform(d)},e.prototype.translate=function(h,d){let p=this.getTransform().
+translate(h,d);this.setTransform(p)},e.prototype.transform=function(h,d,p,f,g,b){let w=this.getTransform().multiply(new DOMMatrix([h,d,p,f,g,b]));this.setTransform(
+w)},e.prototype.__matrixTransform=function(h,d){return new DOMPoint(h,d).matrixTransform(this.__transformMatrix)},e.prototype.__getTransformScale=function(){return{
 x:Math.hypot(this.__transformMatrix.a,this.__transformMatrix.b),y:Math.hypot(this.__transformMatrix.c,this.__transformMatrix.d)}},e.prototype.__getTransformRotation=
-function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,u,p,f,g){return Tr.getImageData(this.getSvg(),
-this.width,this.height,h,u,p,f,g)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
+function(){return Math.atan2(this.__transformMatrix.b,this.__transformMatrix.a)},e.prototype.getImageData=function(h,d,p,f,g){return Tr.getImageData(this.getSvg(),
+this.width,this.height,h,d,p,f,g)},e.prototype.drawFocusRing=function(){},e.prototype.createImageData=function(){},e.prototype.putImageData=function(){},e.prototype.
 globalCompositeOperation=function(){},e})();function Ne(s){this.ctx=new Ar(s),this.svg=this.ctx.__root;var e=this.svg,t=this,n=document.createElement("div");n.style.
 display="inline-block",n.appendChild(e),this.wrapper=n,Object.defineProperty(this,"className",{get:function(){return n.getAttribute("class")||""},set:function(o){
 return n.setAttribute("class",o)}}),Object.defineProperty(this,"tagName",{get:function(){return"CANVAS"},set:function(){}}),["width","height"].forEach(function(o){
@@ -146,7 +146,7 @@ Rect"].forEach(function(o){t[o]=function(){return e[o]()}})}Ne.prototype.getCont
 Canvas");return this.ctx};Ne.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"image/svg+xml;charset=\
 utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Tr.toDataURL(this.svg,this.width,this.height,s,e,t)};Ne.prototype.addEventListener=
 function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ne.prototype.getElement=function(){return this.wrapper};Ne.prototype.getAttribute=function(s){
-return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Un.Context=Ar;Un.Element=Ne});var x={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Un.Context=Ar;Un.Element=Ne});var x={sources:"8b55b304b90bb2841a2033a0ba629ce4",module:"08ddd1356e3298fb",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
 _until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
@@ -393,8 +393,8 @@ J",damping:"J"}},shown:["hoop.load_fraction","hoop.eccentricity","hoop.inertia_r
 997,0)/997;function ri(s,e){if(e!==ai)return zl[e]?.[s]??ql;let t=/[SK]/.exec(s)?.[0]??"R",n=[s.startsWith("R")&&"rolls",/[SK]/.test(s)&&"slips"].filter(Boolean).
 join(", "),o=s.endsWith("H")?Ol:Nl[t+s.slice(-1)]??Il,i=s.includes("M")?Dl[n]:o,a=[1,3,5].map(p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.
 min(s.length-1,9)/9,c=.2*Hl(s),m=.62-.62*Math.min(2*l,1),h=Math.max(2*l-1,0)*.5;return`#${a.map(p=>{let f=(1-c)*p+c*r;return Math.round(255*(f+(1-f)*m)*(1-h)).toString(
-16).padStart(2,"0")}).join("")}`}function li(s,e){return e!==ai?s.replaceAll("_"," "):[...s].map(t=>Fl[t]).join(" → ")}function Z({duration:s,hoop:e,plane:t,start:n,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:m,...h}=t,{x:u,height:p,angle:f,vx:g,
-vy:b,omega:w,slip:y}=me(n,i),{max_events:v,model:E,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:u,height:p,
+16).padStart(2,"0")}).join("")}`}function li(s,e){return e!==ai?s.replaceAll("_"," "):[...s].map(t=>Fl[t]).join(" → ")}function Z({duration:s,hoop:e,plane:t,start:n,contact:o}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{mu:c,apart:m,...h}=t,{x:d,height:p,angle:f,vx:g,
+vy:b,omega:w,slip:y}=me(n,i),{max_events:v,model:E,...T}=o;return{radius:i,mass:a,eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,...h,x:d,height:p,
 angle:f,vx:g,vy:b,omega:w,slip:y,rolling:n.speed!==null,duration:s,max_events:v,contact:E==="rigid"?null:T}}function me({x:s,height:e,angle:t,speed:n,vx:o,vy:i,
 omega:a},r){let l=n===null?Number(a):n/r;return{x:s,height:e,angle:t,vx:o,vy:i,omega:l,slip:n===null?o-r*l:0}}var jl=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,Bl=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function xe(s){return Number.isNaN(s)?"nan":String(s).replace("Infi\
 nity","inf")}var fs=s=>xe(s).replace(/^-?\d+$/,"$&.0");function _e(s,e=6){if(!Number.isFinite(s))return xe(s);let t=s!==0&&Math.abs(s)<1e-4,[n,...o]=(t?s.toExponential(
@@ -423,8 +423,8 @@ map(o=>`${Ss(e)[0]}.${o}`),n=s.find(o=>t.some(i=>o===i||o.startsWith(`${i}.`)));
 start"?10:0)+(t===""?0:s==="contact.model"||s==="hoop.parts"?1:2)}function fi(s,e,t,n){let o=[...t.keys()],i=dt(o);if(i){let[r,l]=i;throw new C(N("two_ways",{one:r,
 other:l,one_value:t.get(r),other_value:t.get(l)}))}let a=new Set;for(let r of o.sort((l,c)=>mi(l)-mi(c))){let l=structuredClone(t.get(r)),[c,m]=Ss(r);if(m==="")
 Ms(e,c,l);else if(r==="contact.model")e.contact={model:l};else{Object.hasOwn(e,c)||Ms(e,c,{});let h=e[c];if(!pe(h))throw new C(N("no_section_parts",{path:r,section:c}));
-let u=pi.get(r)??[];if(!a.has(c)&&u.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?n(c,t.get(c)):s[c],f=Jl(p,r,()=>n("hoop",e.hoop));for(let[g,b]of Object.
-entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of u)delete h[p];Yl(h,m.split("."),l,r)}}return e}var Ms=(s,e,t)=>Object.defineProperty(s,e,{value:t,enumerable:!0,
+let d=pi.get(r)??[];if(!a.has(c)&&d.some(p=>Object.hasOwn(h,p))){a.add(c);let p=t.has(c)?n(c,t.get(c)):s[c],f=Jl(p,r,()=>n("hoop",e.hoop));for(let[g,b]of Object.
+entries(f))t.has(`${c}.${g}`)||(h[g]=b)}for(let p of d)delete h[p];Yl(h,m.split("."),l,r)}}return e}var Ms=(s,e,t)=>Object.defineProperty(s,e,{value:t,enumerable:!0,
 configurable:!0,writable:!0});function Jl(s,e,t){let{mass:n,eccentricity:o,inertia_ratio:i,mu_static:a,mu_kinetic:r}=s;if(e==="hoop.load_fraction")return{mass:n};
 if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,eccentricity:o,inertia_ratio:i};if(e==="plane.mu_static"||e==="plane.mu_kinetic")return{mu_static:a,
 mu_kinetic:r};if(!e.startsWith("start.")||e==="start.speed")return{};let{height:l,vx:c,vy:m,omega:h}=me(s,t().radius);return{height:l,vx:c,vy:m,omega:h}}function Yl(s,e,t,n){
@@ -439,7 +439,7 @@ vy:r,omega:l}}function vi({duration:s,radius:e,gravity:t,slope:n,height:o,vx:i,v
 (n>0?n:1))+(o===null?0:Math.sqrt(o/t));return 10*s*r+40*i}function As(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new C($("rigid_maps"));let{contact:o,
 ...i}=Ee(s),a={...i,contact:{...o,max_events:Math.min(o.max_events,Ql)}};sh(a,e,t,eh[n].span);let r=dt([t.path,e.path]);if(r)throw new C($("two_axes",{one:r[0],
 other:r[1]}));return a}function sh(s,e,t,n){let o=yi(s),i=n==="first_revolution",a=mt(e).filter(h=>wi(e.path,h)),r=mt(t).filter(h=>wi(t.path,h)),[l,c]=[0,0];for(let h of r)
-for(let u of a){let p=bi(bi(o,t.path,h),e.path,u),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+th),Xl):vi(p);l+=g,c=Math.max(c,g)}if(!i&&c>Q.turns)throw new ee(
+for(let d of a){let p=bi(bi(o,t.path,h),e.path,d),g=i?1+Math.min(p.vx*p.vx/(10*o.gravity*o.radius+th),Xl):vi(p);l+=g,c=Math.max(c,g)}if(!i&&c>Q.turns)throw new ee(
 $("cell_turns",{turns:c,most:Q.turns}));if(l<=Q.map_turns)return;let m=a.length*r.length;throw new ee($("map_turns",{cells:m,turns:l,most:Q.map_turns}))}function bi(s,e,t){
 if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:s}var mt=({from:s,to:e,cells:t})=>Array.
 from({length:t},(n,o)=>s+(o+.5)*((e-s)/t));function wi(s,e){return!gi[s]||xs(gi[s],e)}var oh=1e3;function ki(s){let e=s.replace(/^\?/,"");if(e.split("&").length>oh)throw new C(N("unreadable_query",{reason:"Max number of fields exceeded"}));let t=new Map;
@@ -473,9 +473,9 @@ ia_ratio"]:["load_fraction"];return pt(s,["radius","mass",...e])}function Ns(s,e
 tart"?"Start":e==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(t).map(([n,o])=>[n,o.default??void 0]))}function bt(s){let e={};for(let[
 t,n]of Object.entries(Le(s))){if(Gt(n,fe.default[t]))continue;let o=pe(n)?Ns(t,n.model):{},i=Object.entries(n).filter(([a,r])=>a==="model"||!Gt(o[a],r));e[t]=pe(
 n)&&i.length?Object.fromEntries(i):n}return Rs(e)}var Gt=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var ph=8,{quantities:Li}=S.map;async function Ds(s,{x:e,y:t},n,o){let[i,a]=[mt(e),mt(t)],r=(...f)=>Ai(s,new Map(f),n),l=fh(s,e.path,t.path),c=l&&i.map(f=>r([e.path,
-f])),m=l&&a.map(f=>r([t.path,f])),h=i.length*a.length,u=new Float64Array(ht.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%i.length,b=(f-g)/i.length;
+f])),m=l&&a.map(f=>r([t.path,f])),h=i.length*a.length,d=new Float64Array(ht.length*h),p=performance.now();for(let f=0;f<h;f++){let g=f%i.length,b=(f-g)/i.length;
 g===0&&performance.now()-p>ph&&(await new Promise(E=>setTimeout(E)),o?.throwIfAborted(),p=performance.now());let w=c?c[g]:r([t.path,a[b]],[e.path,i[g]]),y=m?m[b]:
-w;if(!w||!y)continue;let v=Z({...s,...w,...y});for(let E=0;E<ht.length;E++)u[E*h+f]=ht[E](v)}return{count:h,rows:u}}function fh({start:s},e,t){let n=[e,t].map(i=>i.
+w;if(!w||!y)continue;let v=Z({...s,...w,...y});for(let E=0;E<ht.length;E++)d[E*h+f]=ht[E](v)}return{count:h,rows:d}}function fh({start:s},e,t){let n=[e,t].map(i=>i.
 split(".")[0]);if(n[0]===n[1])return!1;let o=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(n.includes("hoop")&&o&&s.speed!==null)}var Os=s=>Li[s].
 span;function Is({x:s,y:e,what:t},n){let{label:o,unit:i,words:a}=Li[t],{values:r,names:l}=gh(n,i===""?a:null),c=m=>({name:m,text:li(m,t),color:ri(m,t)});return{
 header:{x:s,y:e,what:t,label:o,unit:i,classes:i===""?l.map(c):null},arrays:{values:r}}}function gh({values:s,sequences:e},t){if(!t)return{values:s,names:[]};let n=e?
@@ -546,8 +546,8 @@ e);return{smaller:!c&&o>Math.min(i,...r.map(ut))&&(l||e!=="plane.mu_static"),lar
 ga"?me(s.start,s.hoop.radius).omega:e.split(".").reduce((t,n)=>t[n],s)}var{theory:W}=S.words;function eo({hoop:s,plane:e},t){let n=[],o=(r,l,c,m)=>{l!==null&&n.push({key:r,label:W[r],value:Number.isFinite(l)?l:null,unit:c,text:m(l)})},
 i=()=>o("painleve",t.painleve_friction,"1",r=>Kh(r,t,e));if(e.gravity<=0)return i(),n;if(s.inertia_ratio===0){let r=t.massless_loss_by_friction?W.loss_by_friction:
 W.loss_of_contact;return o("loss",t.massless_loss_angle,"rad",l=>O(r,{where:Be(l)})),n}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:c,any_push:m,
-any_speed:h}=W;o("first_slip",t.first_slip_speed,"m/s",u=>Xs(u,r,m)),o("first_hop",t.first_hop_speed,"m/s",u=>Xs(u,l,m)),o("immediate_hop",t.immediate_hop_speed,
-"m/s",u=>Xs(u,c,h))}else n.push({key:"uphill",label:W.uphill,value:null,unit:"",text:W.no_threshold});o("needed_friction",t.needed_friction,"1",r=>Uh(r,e)),i();
+any_speed:h}=W;o("first_slip",t.first_slip_speed,"m/s",d=>Xs(d,r,m)),o("first_hop",t.first_hop_speed,"m/s",d=>Xs(d,l,m)),o("immediate_hop",t.immediate_hop_speed,
+"m/s",d=>Xs(d,c,h))}else n.push({key:"uphill",label:W.uphill,value:null,unit:"",text:W.no_threshold});o("needed_friction",t.needed_friction,"1",r=>Uh(r,e)),i();
 let a=t.jam_angles.map(Be).join(", ");return o("jam",t.jam_angles[0]??null,"rad",()=>O(W.jam_at,{places:a})),s.eccentricity>0&&o("rest",t.stable_angle,"rad",r=>O(
 W.rest_at,{where:Be(r)})),n}function Xs(s,e,t){return s<S.words.least_speed?O(t,{would:e}):Number.isFinite(s)?O(W.above,{would:e,speed:_e(s,4)}):W.no_speed}function Uh(s,{
 mu_static:e}){return Number.isFinite(s)?O(s<=e?W.friction_enough:W.friction_short,{mu:_e(s,3)}):W.no_friction}function Kh(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
@@ -687,15 +687,15 @@ erpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rot
 "use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenzielle Energie","total energy":"Gesamtenergie","Plane \
 of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Ebene von Winkel und Winkelgeschwind\
 igkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer Umdrehung [°]","Colours: the mode that follows c\
-ontact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne Schlupf folgt. Schraffiert: Schlupf, der auf das \
-Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergrößern.","Click to go there; once clicked, or with\
- Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles.",Map:"Karte",of:"von",
-Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegungen","Map of motions. Arrow keys move the mark,\
- Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe übernimmt die Bewegung, Plus und Minus zoomen.","Z\
-oom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganze Karte","Click to take that motion into the p\
-layer; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to take that motion into the player; once clicked,\
- or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Abspieler; nach einem Klick oder mit Strg zoomt da\
-s Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechnet …","{count} motions":"{count} Bewegungen",
+ontact without slip.":"Farben: die Phase, die auf Kontakt ohne Schlupf folgt.","Hatched: slip that meets Painlevé’s paradox.":"Schraffiert: Schlupf, der auf \
+das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergrößern.","Click to go there; once clicked, or \
+with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles.",Map:"Karte",of:"v\
+on",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegungen","Map of motions. Arrow keys move the m\
+ark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe übernimmt die Bewegung, Plus und Minus zoomen.",
+"Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganze Karte","Click to take that motion into the\
+ player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to take that motion into the player; once clicke\
+d, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Abspieler; nach einem Klick oder mit Strg zoomt \
+das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechnet …","{count} motions":"{count} Bewegungen",
 "{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this motion starts otherwise":"rollender Starts, obwo\
 hl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zustand, obwohl diese Bewegung rollend beginnt","S\
 hare and save":"Teilen und speichern","Copy a link to this motion":"Link zu dieser Bewegung kopieren","Save the scenario (TOML)":"Szenario speichern (TOML)","Sa\
@@ -976,15 +976,15 @@ ra ir ahí, arrastrar para ampliar; tras un clic, o con Ctrl, la rueda amplía; 
 "θ mod 360°","Esc","{name} [{unit}]","ángulo dentro de una vuelta","posición del centro","separación bajo la llanta","altura del centro de gravedad","veloc\
 idad del centro","velocidad de rotación","velocidad de alejamiento del plano","velocidad de deslizamiento","velocidad angular","fuerza normal","fuerza de rozam\
 iento","uso del rozamiento","energía cinética","energía potencial","energía total","Plano de θ y θ̇","Plano de ángulo y velocidad angular con las regione\
-s de rodadura, deslizamiento y vuelo","ángulo θ dentro de una vuelta [°]","Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento qu\
-e encuentra la paradoja de Painlevé.","Toca para ir ahí; dos dedos amplían.","Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para to\
-do.","Mapa","de","Horizontal","Vertical","Qué muestra el mapa","Mapa de movimientos","Mapa de movimientos. Las flechas mueven la marca, Intro toma el movimient\
-o, más y menos amplían.","Ampliar el mapa","Reducir el mapa","Mapa entero","Toca para llevar ese movimiento al reproductor; dos dedos amplían.","Un clic llev\
-a ese movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","calculando {count} movimientos…","{co\
-unt} movimientos","{count} movimientos, con contacto rígido","con salidas rodando, aunque este movimiento empieza de otro modo","desde cualquier estado, aunque\
- este movimiento empieza rodando","Compartir y guardar","Copiar un enlace a este movimiento","Guardar el escenario (TOML)","Guardar los estados (CSV)","Guardar \
-el movimiento (netCDF)","Guardar los eventos (JSON)","Guardar una película (MP4)","Guardar una imagen (PNG)","Grabar un recorrido como película (WebM)","Mostr\
-ar el código Python","El mismo movimiento en Python","El enlace está copiado.","El enlace a este movimiento","Se está haciendo la película; tarda un poco…",
+s de rodadura, deslizamiento y vuelo","ángulo θ dentro de una vuelta [°]","Colores: la fase que sigue al contacto sin deslizamiento.","Rayado: deslizamiento \
+que encuentra la paradoja de Painlevé.","Toca para ir ahí; dos dedos amplían.","Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para \
+todo.","Mapa","de","Horizontal","Vertical","Qué muestra el mapa","Mapa de movimientos","Mapa de movimientos. Las flechas mueven la marca, Intro toma el movimie\
+nto, más y menos amplían.","Ampliar el mapa","Reducir el mapa","Mapa entero","Toca para llevar ese movimiento al reproductor; dos dedos amplían.","Un clic ll\
+eva ese movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","calculando {count} movimientos…","{\
+count} movimientos","{count} movimientos, con contacto rígido","con salidas rodando, aunque este movimiento empieza de otro modo","desde cualquier estado, aunq\
+ue este movimiento empieza rodando","Compartir y guardar","Copiar un enlace a este movimiento","Guardar el escenario (TOML)","Guardar los estados (CSV)","Guarda\
+r el movimiento (netCDF)","Guardar los eventos (JSON)","Guardar una película (MP4)","Guardar una imagen (PNG)","Grabar un recorrido como película (WebM)","Mos\
+trar el código Python","El mismo movimiento en Python","El enlace está copiado.","El enlace a este movimiento","Se está haciendo la película; tarda un poco…",
 "Obteniendo {name}…","{name} ya está.","Este navegador no puede grabar el lienzo; use el MP4.","Grabando una pasada…","La película ya está.","El escenari\
 o como archivo","Copiar","Copiado","Cerrar","Un anillo con una carga en la llanta rueda sobre un plano. El rozamiento aguanta hasta un límite y el plano solo pu\
 ede empujar: por eso desliza, salta, aterriza… o hace algo que la mecánica del sólido rígido no puede decidir. Mueve un control y observa.","Fases","Marcas\
@@ -1161,125 +1161,125 @@ l des diagrammes","en fonction de : {quantity}","Tout le mouvement","glissez pou
 "{name} [{unit}]","angle dans un tour","position du centre","écart sous la jante","hauteur du centre de gravité","vitesse du centre","vitesse de rotation","vi\
 tesse d’éloignement du plan","vitesse de glissement","vitesse angulaire","force normale","force de frottement","utilisation du frottement","énergie cinétique",
 "énergie potentielle","énergie totale","Plan de θ et θ̇","Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol",
-"angle θ dans un tour [°]","Couleurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Touchez p\
-our y aller ; deux doigts agrandissent.","Cliquez pour y aller ; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.","Carte","de","Horiz\
-ontale","Verticale","Ce que montre la carte","Carte des mouvements","Carte des mouvements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et m\
-oins agrandissent.","Agrandir la carte","Réduire la carte","Carte entière","Touchez pour mettre ce mouvement dans le lecteur ; deux doigts agrandissent.","Un \
-clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","calcul de {count} mo\
-uvements…","{count} mouvements","{count} mouvements, avec contact rigide","partant en roulant, bien que ce mouvement parte autrement","partant d’un état quelc\
-onque, bien que ce mouvement parte en roulant","Partager et enregistrer","Copier un lien vers ce mouvement","Enregistrer le scénario (TOML)","Enregistrer les é\
-tats (CSV)","Enregistrer le mouvement (netCDF)","Enregistrer les évènements (JSON)","Enregistrer un film (MP4)","Enregistrer une image (PNG)","Filmer un passa\
-ge (WebM)","Afficher le code Python","Le même mouvement en Python","Le lien est copié.","Le lien vers ce mouvement","Le film se fait ; cela prend un moment…",
-"Récupération de {name}…","{name} est là.","Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Enregistrement d’un passage…","Le film \
-est là.","Le scénario en fichier","Copier","Copié","Fermer","Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et \
-le plan ne peut que pousser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.","Phases",
-"Marques sur la barre de temps","Touches","espace","lecture, pause","une image","Maj ← →","événement précédent, suivant","vol, retombée suivants","plus\
- lent, plus vite","Début Fin","début, fin","trajectoires, forces, vitesse de la jante, trajet","en 3D","agrandir, revenir","quitter un champ, un menu, une ima\
-ge que la molette agrandit","z y  Ctrl Z","annuler, rétablir","sombre, clair","Python","la jante ne glisse pas","glissement : la jante tourne trop vite pour so\
-n trajet (glissement −, pour un cerceau qui avance)","glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui avance)","le saut : du dé\
-collage à la retombée","une jante sans masse qui touche sans force","décollage, retombée","Paradoxe de Painlevé : aucune solution, plusieurs","une infinité\
- de rebonds s’achève","l’effleurement commence, repos","Les touches seules (lettres, chiffres, signes) font ce que dit le tableau","Le cerceau dans votre m\
-ain","Inclinaison du plan","Incliner le plan : tirer, ou flèches","Le cerceau : hauteur et vitesse","Lever, rouler ou lancer le cerceau : tirer, ou flèches","\
-Angle de la masselotte","Tourner la masselotte : tirer, ou flèches","écart {height}, vitesse {speed} m/s","Répéter","Ralenti : un dixième de la vitesse","S\
-on du contact","Présentation en plein écran","Visite guidée","Tableau du mouvement","Tableau du mouvement, lignes","Présentation","Pour les enseignants","Ta\
-bleau","Toutes les","Enregistrer en CSV","Colonnes","Les {count} premières lignes.","Défis","Quitter les défis","Quel défi","Score","Recommencer","Montrer u\
-n des meilleurs","{stars} {points} points. {what}","Votre meilleur : {points} points.","Sauter le plus haut","Sur sol horizontal, en roulant, à 3,1 m/s au plus \
-: vous choisissez la masselotte, sa position de départ et le frottement. À quelle hauteur le cerceau peut-il monter en 6 s ?","Retomber debout","Faites retomb\
-er le cerceau avec la masselotte tout en haut. Tout est permis ; le premier saut doit faire au moins 5 cm.","Sauter sans déraper","Sur sol horizontal le cercea\
-u part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quelle hauteur \
-saute-t-il ?","Contact rigide seulement.","Le plan doit être horizontal.","Ce doit être sur Terre.","La restitution doit être 0.","Le rayon doit rester 1 m, \
-sans pièces.","Au plus 90 % de la masse dans la masselotte.","Le cerceau doit être donné par la part de la masselotte.","Il doit partir en roulant.","Au plus\
- 10 m/s.","Au plus 3,1 m/s.","Au plus 6 s.","Il ne saute pas.","Il monte de {height}.","Le premier saut est trop bas.","Il retombe à {off} du sommet.","La mass\
-elotte doit partir d’en bas.","Le frottement doit être au plus 1,5.","Il dérape avant de sauter.","Première visite ?","Huit questions brèves : devinez, pui\
-s lancez.","Commencer la visite","Pas maintenant","Le cerceau, avant d’être lâché.","Lancer","Suivant","Retour","Terminé","Étape {number} sur {all}","Qui\
-tter la visite","Dites d’abord ce que vous attendez, puis lancez.","Votre réponse","{points} points sur 100.","Vous avez {sum} points sur {most}.","{what} av\
-ec la masselotte à {angle}","Tracez la courbe : tirez les points vers le haut ou le bas","La question de Littlewood","Un cerceau sans masse porte un poids sur \
-sa jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood demanda en 1953 ce qui se passe quand le poids est à la hauteur du centr\
-e.","Qu’en pensez-vous ?","Il continue de rouler.","Il saute : le cerceau quitte le plan.","Le poids tombe en chute libre, et le cerceau effleure le plan sous\
- lui.","À {angle} il n’y a plus de force de contact.","Littlewood disait que le cerceau saute. Mais la force de contact est nulle, non dirigée vers le haut :\
- le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, il faut au cerceau un peu de masse dans la jante.","Un anneau avec \
-masse","À présent un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus petite poussée.","Tracez la vi\
-tesse du centre du cerceau pendant le premier tour.","Vitesse du centre","Avec la masselotte en bas, le centre a {speed} m/s.","Le point le plus bas d’un cercea\
-u qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce que la lourde masselotte a perdu : il est plus rapide qu’un\
-e pierre tombant de la même hauteur.","Pourquoi il glisse","Une poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le frottement a une limite\
- : il vaut au plus μ N.","Où est la masselotte quand le frottement cède pour la première fois ? Tournez la marque.","Angle de la masselotte où il commence à\
- glisser","Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.","Dans sa descente la masselotte appuie peu sur le plan : N est petite\
-, alors que l’anneau doit accélérer, ce qui demande du frottement. Voyez le diagramme « Utilisation du frottement » : elle atteint 1.","Le saut","Un peu p\
-lus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Où est la masselotte quand le cerceau décolle ? Tournez la marque.","A\
-ngle de la masselotte au décollage","Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","Le plan freinerait un cerceau qui roule tandis que la \
-masselotte remonte. Le frottement est trop faible pour cela : la jante patine, le cerceau continue de tourner vite, et la masselotte l’arrache du plan avant d’ê\
-tre en haut.","La retombée","Le cerceau est en l’air. Son centre de gravité suit une parabole et il tourne uniformément.","Que fait-il juste après être ret\
-ombé ?","Il roule aussitôt.","Il dérape : la jante glisse vers l’avant.","Il patine : la jante tourne trop vite.","Il rebondit.","Il est resté {time} s en \
-l’air et est monté de {height} cm ; il retombe avec la masselotte à {angle}.","Un impact ne dure pas, mais son frottement est aussi fort que sa poussée : ic\
-i il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitution, la retombée serait autre. Essayez ensuite.","Plus de frottement, plu\
-s haut ?","Trois cerceaux reçoivent la même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et 1,0.","Lequel saute le plus haut ?","Ils montent de \
-{low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","Sur la glace rien n’entraîne la rotation ; avec un frottement sans fin rien ne glisse. Le\
- saut exige les deux : assez de frottement pour tourner vite à la descente, et pas assez pour être freiné à la remontée.","Ce que les solides ne peuvent dé\
-cider","On lance un cerceau de sorte qu’il glisse vite sur un plan rugueux. Les lois des solides avec frottement sec doivent dire la suite.","Que disent-elles\
- ?","Il s’envole.","Un impact arrête aussitôt le glissement.","Les deux obéissent aux lois.","Les cerceaux A et B partent de même, et les deux mouvements o\
-béissent à toutes les lois.","Painlevé l’a trouvé en 1895. Pour un solide, les lois ont ici deux réponses, dans d’autres états aucune. Les corps réels cèdent \
-un peu, et cela décide : choisissez le contact souple sous « Contact ».","À vous","Prenez le cerceau : tournez la masselotte, levez-le et lâchez-le, lancez-\
-le, inclinez le plan. Ou relevez un défi, et voyez votre score calculé d’après le mouvement lui-même.","Montrer le cerceau à pleine vitesse, une fois, san\
-s commentaire. « Je le pousse. Ne fait-il que rouler ? »","Chacun prédit où est la masselotte au décollage. Compter les voix par quarts de tour.","L’énergi\
-e à la descente, par deux : qui a l’énergie quand la masselotte est au repos ?","Soulèvement en haut : à quelle vitesse la force du sol est-elle nulle ?",
-"Le film à nouveau, au ralenti et avec les forces ; arrêter au décollage. Comparer avec les voix.","Chaque groupe prend une vitesse de la fiche ; résultats a\
-u tableau.","Pourquoi ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, et si c’est trop faible ?","Une phrase chacun : « Le cerc\
-eau saute parce que… »","La masselotte tire le cerceau vers le haut au sommet, donc il saute là.","Seulement s’il est très rapide. Les plus lents sautent av\
-ant le sommet, après avoir glissé.","Il saute en bas, où il est le plus rapide.","Là le sol pousse le plus fort : il faut dévier la masselotte vers le haut.",
-"Rien ne peut être plus rapide qu’une pierre qui tombe.","L’anneau le peut : il reçoit l’énergie d’une masselotte qui s’est arrêtée.","Le frottem\
-ent freine toujours.","Il agit contre le glissement. À la remontée il est dirigé vers l’avant.","Plus de frottement, plus de saut.","Il y a un frottement o\
-ptimal entre les deux.","Un cerceau plus lourd se comporte autrement.","Seules les parts de masse comptent.","Avant le film : où est la masselotte quand le cerc\
-eau quitte le sol ? Marquez l’endroit et donnez une raison.","Le cerceau ne reçoit que la plus petite poussée et roule. Quelle énergie potentielle a été libér\
-ée quand la masselotte est en bas ?","Quand une roue roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l’énergie cinétique, et que\
-lle est la vitesse du centre ?","Quelle est la vitesse d’une pierre tombant de la hauteur de la masselotte ? Pourquoi le cerceau peut-il être plus rapide ?",
-"Trouvez la force du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","Dans le labo : que fait le cerceau pendant ses 1,5 premières secondes, et \
-à quel angle saute-t-il ? Remplissez le tableau.","Trouvez la plus petite vitesse pour laquelle le cerceau saute, à 1 cm/s près.","À 2,2 m/s le cerceau quitt\
-e le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?","Montrer","Enseigner avec le cerceau","Fiche de travail","Corrigé","Exer\
-cices","Une séance de 45 minutes","Minute","Mouvement","Ce que pensent souvent les élèves","Idée","Ce qui est juste","Fiche de travail : le cerceau sauteur",
-"Un anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée sur sa jante. Le cerceau est posé sur un sol horizontal, la masselo\
-tte en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².","phases","saute-t-il ?","à quel angle ?","Imprimer","La visite interroge avant d\
-e montrer ; la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.","inf","supérieur à {least}","au moins {least}","au moins {l\
-east} (inf est permis)","au plus {most}","un nombre fini","un nombre entier","« {word} » ou « {word2} »","« {word} », « {word2} » ou « {word3} »","Rés\
-istance au roulement","Résistance au roulement : couple opposé à la rotation, divisé par R N","Glisse, saute","en montée (β < 0) pas de seuil : qu’il glisse\
- ou saute dépend de l’endroit où il fait demi-tour ; la carte le montre","« rigid » pour une carte","x.cells fois y.cells = {cells} doit être au plus {mos\
-t} dans le labo.","{one} et {other} ne peuvent être tous deux des axes : ils disent la même chose de deux façons.","x.path et y.path sont tous deux {path} et\
- doivent différer.","perdue par résistance au roulement","Résistance au roulement f","{name} = {value} doit être entre -pi/2 et pi/2 (radians).","{word} n’e\
-st pas une clé connue ; sont connues {word2}.","{one} ne peut pas être donné avec {other}.","{one} = {value} ne doit pas dépasser {other} = {limit}.","plane\
-.mu_static = inf doit être fini avec contact.model = 'compliant'.","hoop.parts ne doit pas être vide.","Cela prend plus de {time} s ; demandez un mouvement pl\
-us court ou moins de cellules.","Le labo est occupé ; réessayez dans {time} secondes.","Le labo est occupé ; réessayez dans 1 seconde.","Le calcul a échoué.",
-"Le processus qui calculait cela s’est arrêté.","duration = {value} doit être au plus {most} s dans le labo ; la bibliothèque elle-même n’a pas cette limite\
-.","duration = {value} s font environ {turns} tours à cette vitesse et ce rayon, au plus {most} dans le labo ; la bibliothèque elle-même n’a pas cette limite.",
-"hoop.parts a {count} pièces et doit en avoir au plus {most} dans le labo.","contact.stiffness, contact.slip_speed et duration demandent environ {steps} pas d’\
-intégration, au plus {most} dans le labo.","Une cellule de cette carte fait environ {turns} tours, au plus {most} dans le labo.","x et y font {count} cellules \
-d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plus faibles ou une durée plus courte.","duration = {va\
-lue} doit être au plus {most} s pour un film du labo.","A bleu, B ocre ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}","Ce qui vient après {time\
-} s dépend de plus de chiffres que n’en ont les nombres de cette page ; hophoop lab et Python en prennent autant qu’il faut.","Empreinte","Pas d’empreinte \
-: ce mouvement dépend de plus de chiffres que cette page n’en calcule.","Un hachage de tous les événements : le même partout où hophoop calcule les mêmes bit\
-s, aussi en Python","✓ Les mêmes bits qu’en Python","✓ Les mêmes bits que là où le lien a été créé","Les bits diffèrent : {own} ici, {other} en Py\
-thon.","Les bits diffèrent : {own} ici, {other} là où le lien a été créé, peut-être avec une autre version.","hophoop lab : jouer avec le cerceau sauteu\
-r","Mettre un cerceau sauteur dans une page à vous","Une balise et un script montrent un cerceau vivant dans un blog, une page de cours ou des diapositives. Le\
- mouvement est calculé dans le navigateur du lecteur ; rien n’est envoyé nulle part.","Choisissez un mouvement dans le labo et copiez son lien ici.","Scénar\
-io : un lien du labo, ou ce qui suit son point d’interrogation","Ce qui accompagne le lecteur","réglages","diagrammes","théorie","carte","En balise","La bal\
-ise","Copier la balise","En cadre, là où les scripts ne sont pas permis","Le cadre","Copier le cadre","En code QR","Aperçu","Copié.","Un cerceau sauteur","E\
-nregistrer une image (SVG)","Une image dans l’espace n’a pas de lignes à garder : prenez le PNG, ou quittez la 3D.","L’image est trop grande pour ce naviga\
-teur.","Flèches","Ce que ferait un peu plus (a)","Ce que ferait un peu plus","Un peu plus","L’appliquer","Chaque événement, pour ce pas","Ce qui change à c\
-haque événement","événement","lieu","hauteur","angle de la charge","Elle est infinie : il n’y en a pas plus.","Il faut un navigateur qui exécute WebAssemb\
-ly.","La partie de la page qui calcule cela n’a pas pu être chargée ; choisis de nouveau quand il y aura un réseau.","Rien : aucun événement ne bouge.","\
-Les flèches sont dessinées dans l’image plane : quitte la 3D pour les voir.","Les flèches de l’image vont de là où la jante touche à là où elle toucherait, \
-{factor} fois plus longues.","À partir de {what} à {time} s, pas de dérivée : {reason}.","D’un seul côté : {reason}.","{amount} plus à droite","{amount\
-} plus à gauche","{amount} plus tard","{amount} plus tôt","{amount} plus haut","{amount} plus bas","{amount} plus long","{amount} plus court","{amount} de plu\
-s en l’air","{amount} de moins en l’air","commence {amount} plus tard","commence {amount} plus tôt","{amount} plus vite","{amount} moins vite","Le saut : {\
-list}.","Saut {number} : {list}.","Le premier événement, {what} : {list}.","À la fin, après {time} s : {list}.","flèches : ce que ferait un peu plus","une \
-grandeur qui déclenche l’événement ne fait qu’y toucher zéro","le mouvement est à la frontière de deux classes : le moindre changement peut mener à d’au\
-tres événements","la restitution est nulle et la jante est retombée : avec toute autre elle rebondirait","le mouvement commence en contact : avec la jante le\
-vée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n’a pas de borne","le cerceau sans m\
-asse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que sur la frontière de deux classes","\
-le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deux côtés diffèrent","Avec un cont\
-act souple, pas de dérivées : choisis le modèle de contact rigide.","Le reste du lien est affiché. Corrigez l’adresse ou continuez à partir d’ici.","Ig\
-noré dans le lien : {names}.","{stars} {points} points, montrés et non comptés. {what}","{label} = {value} est trop grand.","Passer à la réponse","Non.","P\
-ause","Partager","Tout","Vue simple","Tout afficher","Ce mouvement a aussi d’autres réglages.","Tirez la masselotte","À propos de hophoop","hophoop calcule \
-exactement comment un cerceau lesté au bord roule, glisse, saute et retombe.","Version","Licence","Licences de tout ce que contient la page","Documentation","L\
-a documentation","docs/index.md dans les sources ; cette page : docs/lab.md","Commandes"],Ki=Object.fromEntries(Object.keys(Re).map((s,e)=>[s,ec[e]]));var tc=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
+"angle θ dans un tour [°]","Couleurs : la phase qui suit un contact sans glissement.","Hachures : glissement qui rencontre le paradoxe de Painlevé.","Touchez\
+ pour y aller ; deux doigts agrandissent.","Cliquez pour y aller ; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.","Carte","de","Hor\
+izontale","Verticale","Ce que montre la carte","Carte des mouvements","Carte des mouvements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et\
+ moins agrandissent.","Agrandir la carte","Réduire la carte","Carte entière","Touchez pour mettre ce mouvement dans le lecteur ; deux doigts agrandissent.","U\
+n clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","calcul de {count} \
+mouvements…","{count} mouvements","{count} mouvements, avec contact rigide","partant en roulant, bien que ce mouvement parte autrement","partant d’un état que\
+lconque, bien que ce mouvement parte en roulant","Partager et enregistrer","Copier un lien vers ce mouvement","Enregistrer le scénario (TOML)","Enregistrer les\
+ états (CSV)","Enregistrer le mouvement (netCDF)","Enregistrer les évènements (JSON)","Enregistrer un film (MP4)","Enregistrer une image (PNG)","Filmer un pa\
+ssage (WebM)","Afficher le code Python","Le même mouvement en Python","Le lien est copié.","Le lien vers ce mouvement","Le film se fait ; cela prend un moment\
+…","Récupération de {name}…","{name} est là.","Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Enregistrement d’un passage…","Le \
+film est là.","Le scénario en fichier","Copier","Copié","Fermer","Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limit\
+e et le plan ne peut que pousser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.","P\
+hases","Marques sur la barre de temps","Touches","espace","lecture, pause","une image","Maj ← →","événement précédent, suivant","vol, retombée suivants",
+"plus lent, plus vite","Début Fin","début, fin","trajectoires, forces, vitesse de la jante, trajet","en 3D","agrandir, revenir","quitter un champ, un menu, un\
+e image que la molette agrandit","z y  Ctrl Z","annuler, rétablir","sombre, clair","Python","la jante ne glisse pas","glissement : la jante tourne trop vite po\
+ur son trajet (glissement −, pour un cerceau qui avance)","glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui avance)","le saut : \
+du décollage à la retombée","une jante sans masse qui touche sans force","décollage, retombée","Paradoxe de Painlevé : aucune solution, plusieurs","une in\
+finité de rebonds s’achève","l’effleurement commence, repos","Les touches seules (lettres, chiffres, signes) font ce que dit le tableau","Le cerceau dans \
+votre main","Inclinaison du plan","Incliner le plan : tirer, ou flèches","Le cerceau : hauteur et vitesse","Lever, rouler ou lancer le cerceau : tirer, ou flèc\
+hes","Angle de la masselotte","Tourner la masselotte : tirer, ou flèches","écart {height}, vitesse {speed} m/s","Répéter","Ralenti : un dixième de la vitess\
+e","Son du contact","Présentation en plein écran","Visite guidée","Tableau du mouvement","Tableau du mouvement, lignes","Présentation","Pour les enseignants",
+"Tableau","Toutes les","Enregistrer en CSV","Colonnes","Les {count} premières lignes.","Défis","Quitter les défis","Quel défi","Score","Recommencer","Montre\
+r un des meilleurs","{stars} {points} points. {what}","Votre meilleur : {points} points.","Sauter le plus haut","Sur sol horizontal, en roulant, à 3,1 m/s au pl\
+us : vous choisissez la masselotte, sa position de départ et le frottement. À quelle hauteur le cerceau peut-il monter en 6 s ?","Retomber debout","Faites ret\
+omber le cerceau avec la masselotte tout en haut. Tout est permis ; le premier saut doit faire au moins 5 cm.","Sauter sans déraper","Sur sol horizontal le cer\
+ceau part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quelle haute\
+ur saute-t-il ?","Contact rigide seulement.","Le plan doit être horizontal.","Ce doit être sur Terre.","La restitution doit être 0.","Le rayon doit rester 1 \
+m, sans pièces.","Au plus 90 % de la masse dans la masselotte.","Le cerceau doit être donné par la part de la masselotte.","Il doit partir en roulant.","Au p\
+lus 10 m/s.","Au plus 3,1 m/s.","Au plus 6 s.","Il ne saute pas.","Il monte de {height}.","Le premier saut est trop bas.","Il retombe à {off} du sommet.","La m\
+asselotte doit partir d’en bas.","Le frottement doit être au plus 1,5.","Il dérape avant de sauter.","Première visite ?","Huit questions brèves : devinez, \
+puis lancez.","Commencer la visite","Pas maintenant","Le cerceau, avant d’être lâché.","Lancer","Suivant","Retour","Terminé","Étape {number} sur {all}","\
+Quitter la visite","Dites d’abord ce que vous attendez, puis lancez.","Votre réponse","{points} points sur 100.","Vous avez {sum} points sur {most}.","{what}\
+ avec la masselotte à {angle}","Tracez la courbe : tirez les points vers le haut ou le bas","La question de Littlewood","Un cerceau sans masse porte un poids s\
+ur sa jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood demanda en 1953 ce qui se passe quand le poids est à la hauteur du ce\
+ntre.","Qu’en pensez-vous ?","Il continue de rouler.","Il saute : le cerceau quitte le plan.","Le poids tombe en chute libre, et le cerceau effleure le plan s\
+ous lui.","À {angle} il n’y a plus de force de contact.","Littlewood disait que le cerceau saute. Mais la force de contact est nulle, non dirigée vers le hau\
+t : le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, il faut au cerceau un peu de masse dans la jante.","Un anneau av\
+ec masse","À présent un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus petite poussée.","Tracez la\
+ vitesse du centre du cerceau pendant le premier tour.","Vitesse du centre","Avec la masselotte en bas, le centre a {speed} m/s.","Le point le plus bas d’un cer\
+ceau qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce que la lourde masselotte a perdu : il est plus rapide qu\
+’une pierre tombant de la même hauteur.","Pourquoi il glisse","Une poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le frottement a une l\
+imite : il vaut au plus μ N.","Où est la masselotte quand le frottement cède pour la première fois ? Tournez la marque.","Angle de la masselotte où il comme\
+nce à glisser","Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.","Dans sa descente la masselotte appuie peu sur le plan : N est \
+petite, alors que l’anneau doit accélérer, ce qui demande du frottement. Voyez le diagramme « Utilisation du frottement » : elle atteint 1.","Le saut","Un\
+ peu plus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Où est la masselotte quand le cerceau décolle ? Tournez la marque.",
+"Angle de la masselotte au décollage","Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","Le plan freinerait un cerceau qui roule tandis que l\
+a masselotte remonte. Le frottement est trop faible pour cela : la jante patine, le cerceau continue de tourner vite, et la masselotte l’arrache du plan avant d\
+’être en haut.","La retombée","Le cerceau est en l’air. Son centre de gravité suit une parabole et il tourne uniformément.","Que fait-il juste après êtr\
+e retombé ?","Il roule aussitôt.","Il dérape : la jante glisse vers l’avant.","Il patine : la jante tourne trop vite.","Il rebondit.","Il est resté {time} \
+s en l’air et est monté de {height} cm ; il retombe avec la masselotte à {angle}.","Un impact ne dure pas, mais son frottement est aussi fort que sa poussée\
+ : ici il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitution, la retombée serait autre. Essayez ensuite.","Plus de frottement\
+, plus haut ?","Trois cerceaux reçoivent la même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et 1,0.","Lequel saute le plus haut ?","Ils monten\
+t de {low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","Sur la glace rien n’entraîne la rotation ; avec un frottement sans fin rien ne gliss\
+e. Le saut exige les deux : assez de frottement pour tourner vite à la descente, et pas assez pour être freiné à la remontée.","Ce que les solides ne peuve\
+nt décider","On lance un cerceau de sorte qu’il glisse vite sur un plan rugueux. Les lois des solides avec frottement sec doivent dire la suite.","Que disent\
+-elles ?","Il s’envole.","Un impact arrête aussitôt le glissement.","Les deux obéissent aux lois.","Les cerceaux A et B partent de même, et les deux mouvem\
+ents obéissent à toutes les lois.","Painlevé l’a trouvé en 1895. Pour un solide, les lois ont ici deux réponses, dans d’autres états aucune. Les corps réels c\
+èdent un peu, et cela décide : choisissez le contact souple sous « Contact ».","À vous","Prenez le cerceau : tournez la masselotte, levez-le et lâchez-le, \
+lancez-le, inclinez le plan. Ou relevez un défi, et voyez votre score calculé d’après le mouvement lui-même.","Montrer le cerceau à pleine vitesse, une fo\
+is, sans commentaire. « Je le pousse. Ne fait-il que rouler ? »","Chacun prédit où est la masselotte au décollage. Compter les voix par quarts de tour.","L\
+’énergie à la descente, par deux : qui a l’énergie quand la masselotte est au repos ?","Soulèvement en haut : à quelle vitesse la force du sol est-elle n\
+ulle ?","Le film à nouveau, au ralenti et avec les forces ; arrêter au décollage. Comparer avec les voix.","Chaque groupe prend une vitesse de la fiche ; rés\
+ultats au tableau.","Pourquoi ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, et si c’est trop faible ?","Une phrase chacun : «\
+ Le cerceau saute parce que… »","La masselotte tire le cerceau vers le haut au sommet, donc il saute là.","Seulement s’il est très rapide. Les plus lents sa\
+utent avant le sommet, après avoir glissé.","Il saute en bas, où il est le plus rapide.","Là le sol pousse le plus fort : il faut dévier la masselotte vers l\
+e haut.","Rien ne peut être plus rapide qu’une pierre qui tombe.","L’anneau le peut : il reçoit l’énergie d’une masselotte qui s’est arrêtée.","L\
+e frottement freine toujours.","Il agit contre le glissement. À la remontée il est dirigé vers l’avant.","Plus de frottement, plus de saut.","Il y a un fro\
+ttement optimal entre les deux.","Un cerceau plus lourd se comporte autrement.","Seules les parts de masse comptent.","Avant le film : où est la masselotte quan\
+d le cerceau quitte le sol ? Marquez l’endroit et donnez une raison.","Le cerceau ne reçoit que la plus petite poussée et roule. Quelle énergie potentielle a \
+été libérée quand la masselotte est en bas ?","Quand une roue roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l’énergie cinét\
+ique, et quelle est la vitesse du centre ?","Quelle est la vitesse d’une pierre tombant de la hauteur de la masselotte ? Pourquoi le cerceau peut-il être plus r\
+apide ?","Trouvez la force du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","Dans le labo : que fait le cerceau pendant ses 1,5 premières seco\
+ndes, et à quel angle saute-t-il ? Remplissez le tableau.","Trouvez la plus petite vitesse pour laquelle le cerceau saute, à 1 cm/s près.","À 2,2 m/s le cerc\
+eau quitte le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?","Montrer","Enseigner avec le cerceau","Fiche de travail","Corrig\
+é","Exercices","Une séance de 45 minutes","Minute","Mouvement","Ce que pensent souvent les élèves","Idée","Ce qui est juste","Fiche de travail : le cerceau\
+ sauteur","Un anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée sur sa jante. Le cerceau est posé sur un sol horizontal, \
+la masselotte en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².","phases","saute-t-il ?","à quel angle ?","Imprimer","La visite interro\
+ge avant de montrer ; la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.","inf","supérieur à {least}","au moins {least}","a\
+u moins {least} (inf est permis)","au plus {most}","un nombre fini","un nombre entier","« {word} » ou « {word2} »","« {word} », « {word2} » ou « {word3} »",
+"Résistance au roulement","Résistance au roulement : couple opposé à la rotation, divisé par R N","Glisse, saute","en montée (β < 0) pas de seuil : qu’il g\
+lisse ou saute dépend de l’endroit où il fait demi-tour ; la carte le montre","« rigid » pour une carte","x.cells fois y.cells = {cells} doit être au plus\
+ {most} dans le labo.","{one} et {other} ne peuvent être tous deux des axes : ils disent la même chose de deux façons.","x.path et y.path sont tous deux {pat\
+h} et doivent différer.","perdue par résistance au roulement","Résistance au roulement f","{name} = {value} doit être entre -pi/2 et pi/2 (radians).","{word\
+} n’est pas une clé connue ; sont connues {word2}.","{one} ne peut pas être donné avec {other}.","{one} = {value} ne doit pas dépasser {other} = {limit}.",
+"plane.mu_static = inf doit être fini avec contact.model = 'compliant'.","hoop.parts ne doit pas être vide.","Cela prend plus de {time} s ; demandez un mouvem\
+ent plus court ou moins de cellules.","Le labo est occupé ; réessayez dans {time} secondes.","Le labo est occupé ; réessayez dans 1 seconde.","Le calcul a é\
+choué.","Le processus qui calculait cela s’est arrêté.","duration = {value} doit être au plus {most} s dans le labo ; la bibliothèque elle-même n’a pas cet\
+te limite.","duration = {value} s font environ {turns} tours à cette vitesse et ce rayon, au plus {most} dans le labo ; la bibliothèque elle-même n’a pas cette \
+limite.","hoop.parts a {count} pièces et doit en avoir au plus {most} dans le labo.","contact.stiffness, contact.slip_speed et duration demandent environ {step\
+s} pas d’intégration, au plus {most} dans le labo.","Une cellule de cette carte fait environ {turns} tours, au plus {most} dans le labo.","x et y font {count\
+} cellules d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plus faibles ou une durée plus courte.","dur\
+ation = {value} doit être au plus {most} s pour un film du labo.","A bleu, B ocre ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}","Ce qui vient \
+après {time} s dépend de plus de chiffres que n’en ont les nombres de cette page ; hophoop lab et Python en prennent autant qu’il faut.","Empreinte","Pas \
+d’empreinte : ce mouvement dépend de plus de chiffres que cette page n’en calcule.","Un hachage de tous les événements : le même partout où hophoop calcule\
+ les mêmes bits, aussi en Python","✓ Les mêmes bits qu’en Python","✓ Les mêmes bits que là où le lien a été créé","Les bits diffèrent : {own} ici\
+, {other} en Python.","Les bits diffèrent : {own} ici, {other} là où le lien a été créé, peut-être avec une autre version.","hophoop lab : jouer avec le\
+ cerceau sauteur","Mettre un cerceau sauteur dans une page à vous","Une balise et un script montrent un cerceau vivant dans un blog, une page de cours ou des d\
+iapositives. Le mouvement est calculé dans le navigateur du lecteur ; rien n’est envoyé nulle part.","Choisissez un mouvement dans le labo et copiez son lie\
+n ici.","Scénario : un lien du labo, ou ce qui suit son point d’interrogation","Ce qui accompagne le lecteur","réglages","diagrammes","théorie","carte","En\
+ balise","La balise","Copier la balise","En cadre, là où les scripts ne sont pas permis","Le cadre","Copier le cadre","En code QR","Aperçu","Copié.","Un cer\
+ceau sauteur","Enregistrer une image (SVG)","Une image dans l’espace n’a pas de lignes à garder : prenez le PNG, ou quittez la 3D.","L’image est trop grand\
+e pour ce navigateur.","Flèches","Ce que ferait un peu plus (a)","Ce que ferait un peu plus","Un peu plus","L’appliquer","Chaque événement, pour ce pas","C\
+e qui change à chaque événement","événement","lieu","hauteur","angle de la charge","Elle est infinie : il n’y en a pas plus.","Il faut un navigateur qui \
+exécute WebAssembly.","La partie de la page qui calcule cela n’a pas pu être chargée ; choisis de nouveau quand il y aura un réseau.","Rien : aucun événem\
+ent ne bouge.","Les flèches sont dessinées dans l’image plane : quitte la 3D pour les voir.","Les flèches de l’image vont de là où la jante touche à là où e\
+lle toucherait, {factor} fois plus longues.","À partir de {what} à {time} s, pas de dérivée : {reason}.","D’un seul côté : {reason}.","{amount} plus à d\
+roite","{amount} plus à gauche","{amount} plus tard","{amount} plus tôt","{amount} plus haut","{amount} plus bas","{amount} plus long","{amount} plus court","\
+{amount} de plus en l’air","{amount} de moins en l’air","commence {amount} plus tard","commence {amount} plus tôt","{amount} plus vite","{amount} moins vit\
+e","Le saut : {list}.","Saut {number} : {list}.","Le premier événement, {what} : {list}.","À la fin, après {time} s : {list}.","flèches : ce que ferait un p\
+eu plus","une grandeur qui déclenche l’événement ne fait qu’y toucher zéro","le mouvement est à la frontière de deux classes : le moindre changement peu\
+t mener à d’autres événements","la restitution est nulle et la jante est retombée : avec toute autre elle rebondirait","le mouvement commence en contact :\
+ avec la jante levée ou lancée il rebondirait, et ses événements sont autres","le glissement atteint p_σ = 0, où la force de contact n’a pas de borne","\
+le cerceau sans masse (γ = 1) est une limite singulière dès que la force de contact est perdue","sans frottement le cerceau ne repose que sur la frontière de\
+ deux classes","le mouvement n’a pas de réponse à partir de là","le paramètre est au bord de ce qui est permis","les dérivées des deux côtés diffèrent",
+"Avec un contact souple, pas de dérivées : choisis le modèle de contact rigide.","Le reste du lien est affiché. Corrigez l’adresse ou continuez à partir d’ic\
+i.","Ignoré dans le lien : {names}.","{stars} {points} points, montrés et non comptés. {what}","{label} = {value} est trop grand.","Passer à la réponse","N\
+on.","Pause","Partager","Tout","Vue simple","Tout afficher","Ce mouvement a aussi d’autres réglages.","Tirez la masselotte","À propos de hophoop","hophoop c\
+alcule exactement comment un cerceau lesté au bord roule, glisse, saute et retombe.","Version","Licence","Licences de tout ce que contient la page","Documentat\
+ion","La documentation","docs/index.md dans les sources ; cette page : docs/lab.md","Commandes"],Ki=Object.fromEntries(Object.keys(Re).map((s,e)=>[s,ec[e]]));var tc=["滚动","空转","拖滑","腾空","擦地","滑动 −","滑动 +","滚动","空转","拖滑","腾空","贴着平面滑过","在 {angle} 处开始滚动",
 "在 {angle} 处开始空转","在 {angle} 处开始拖滑","在 {angle} 处腾空","在 {angle} 处开始贴着平面滑过","在 {angle} 处跳起","在 {angle}\
  处落地","在 {angle} 处弹起","在 {angle} 处反向滑动","在 {angle} 处滑动骤停","在 {angle} 处折返","在 {angle} 处弹跳结束","在 {angle}\
  处遇到潘勒韦悖论","在 {angle} 处遇到潘勒韦不定性","在 {angle} 处卡死","在 {angle} 处获得能量（凯恩）","在 {angle} 处开始擦地",
@@ -1336,9 +1336,9 @@ angle} 处静止。","它在 {angle} 处静止，但不稳定。","它又弹跳�
 "滑动以跳转，双指缩放","单击跳转，拖动放大；单击后或按住 Ctrl 时滚轮缩放；双击显示全部","{name}：{low} 至 {high}","图：{ti\
 tle}，单位 {unit}。","θ mod 360°","Esc","{name} [{unit}]","一圈内的角度","圆心位置","圆环下的间隙","重心高度","圆心速度","转动线速度",
 "离开平面的速度","滑动速度","角速度","法向力","摩擦力","摩擦利用率","动能","势能","总能量","θ–θ̇ 相平面","角度与角速度相平面，标出滚动\
-、滑动与腾空区域","一圈内的角度 θ [°]","颜色：无滑动接触之后的状态。阴影线：会遇到潘勒韦悖论的滑动。","点按跳转；双指缩放。",
-"单击跳转；单击后或按住 Ctrl 时滚轮缩放；双击显示全部。","分布图","内容","横轴","纵轴","分布图显示的内容","运动分布图",
-"运动分布图。方向键移动标记，回车采用该运动，加减号缩放。","放大分布图","缩小分布图","整张图","点按即可把该运动放入播放器；双指缩放。",
+、滑动与腾空区域","一圈内的角度 θ [°]","颜色：无滑动接触之后的状态。","阴影线：会遇到潘勒韦悖论的滑动。","点按跳转；双指缩\
+放。","单击跳转；单击后或按住 Ctrl 时滚轮缩放；双击显示全部。","分布图","内容","横轴","纵轴","分布图显示的内容","运动分布\
+图","运动分布图。方向键移动标记，回车采用该运动，加减号缩放。","放大分布图","缩小分布图","整张图","点按即可把该运动放入播放器；双指缩放。",
 "单击即可把该运动放入播放器；单击后或按住 Ctrl 时滚轮缩放；拖动平移；双击显示全部。","正在计算 {count} 个运动……",
 "{count} 个运动","{count} 个运动，刚性接触","均为滚动起始，而当前运动并非如此","均为任意状态起始，而当前运动为滚动起始",
 "分享与保存","复制此运动的链接","保存场景（TOML）","保存状态（CSV）","保存运动（netCDF）","保存事件（JSON）","保存影片（MP4）",
@@ -1440,15 +1440,15 @@ Qe.add(s),be(s)}var oo=new WeakMap,no=new WeakMap;function St(s){let e=document.
 n[e]=t,no.set(s,n),s.setAttribute(e,k(t))}function lc(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.
 nodeValue??"").replace(/\s+/g," ");n.trim()&&oo.set(t,n)}for(let t of s.querySelectorAll("[aria-label]"))Xe(t,"aria-label",t.getAttribute("aria-label")??"");sn(
 s)}function sn(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=oo.get(t);n!==void 0&&
-(t.nodeValue=k(n));let o=no.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,k(a))}}so(oc());var hc=14,cc=new Set(["aria-label","title","placeholder","label"]);function d(s,e={},...t){let n=document.createElement(s),o=n;for(let[i,a]of Object.entries(e))
+(t.nodeValue=k(n));let o=no.get(t);for(let[i,a]of Object.entries(o??{}))t.setAttribute(i,k(a))}}so(oc());var hc=14,cc=new Set(["aria-label","title","placeholder","label"]);function u(s,e={},...t){let n=document.createElement(s),o=n;for(let[i,a]of Object.entries(e))
 a==null||a===!1||(i.startsWith("on")?n.addEventListener(i.slice(2),a):i==="class"?n.className=a:i in n&&i!=="list"&&typeof a!="string"?o[i]=a:cc.has(i)?Xe(n,i,String(
 a)):n.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||n.append(i.nodeType?i:St(String(i)));return n}function R(s,e){e?s.replaceChildren(St(e)):
 s.replaceChildren()}var Tt=s=>s!==null&&s.getRootNode().activeElement===s,we=s=>s.getContext("2d");function K(s,e=1){let t=s.getBoundingClientRect(),n=Math.min(
 globalThis.devicePixelRatio||1,2.5),o=Math.max(Math.round(t.width*n),1),i=Math.max(Math.round(t.height*n),1);(s.width!==o||s.height!==i)&&(s.width=o,s.height=i);
-let a=we(s),r=n*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function uc(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=we(d("canvas",{
+let a=we(s),r=n*e;return a.setTransform(r,0,0,r,0,0),{context:a,width:o/r,height:i/r}}function uc(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=we(u("canvas",{
 width:1,height:1}));e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,o]=e.getImageData(0,0,1,1).data;return`#${[t,n,o].map(i=>i.toString(16).padStart(2,"0")).join("")}`}
 function io(s){let e=getComputedStyle(s),t=o=>e.getPropertyValue(o).trim(),n=o=>uc(t(o));return{ink:n("--ink"),soft:n("--soft"),line:n("--line"),paper:n("--pape\
-r"),panel:n("--panel"),ground:n("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/hc||1,dark:yt(n("--paper"))<.2}}function et(s,e){let t=d("a",{href:URL.
+r"),panel:n("--panel"),ground:n("--ground"),font:t("--font"),px:Number.parseFloat(e.fontSize)/hc||1,dark:yt(n("--paper"))<.2}}function et(s,e){let t=u("a",{href:URL.
 createObjectURL(s),download:e});document.body.append(t),t.click(),t.remove(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return()=>{
 clearTimeout(t),t=setTimeout(s,e)}}var _=(s,e,t)=>Math.min(Math.max(s,e),t);function M(s,e=4){if(s==null)return"–";if(typeof s!="number")return String(s);if(!Number.isFinite(s))return Number.isNaN(
 s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[o,i]=s.toExponential(e-1).split("e");n=`${aa(o)}·10${dc(Number(i))}`}else
@@ -1464,8 +1464,8 @@ pan:n=[0,0],from:o,more:i,map:a,fingerprints:r=[]}){let l=[];s>0&&l.push(`t=${Nu
 join(",")}`),o&&l.push(`from=${o.map(m=>Number(m.toPrecision(3))).join(",")}`),i&&l.push(`more=${i}`),a&&l.push(`map=${[a.what,...a.x,...a.y].join(",")}`),r.some(
 Boolean)&&l.push(`fingerprint=${r.join(",")}`),l.join("&")}function ca(s){let e=new URLSearchParams(s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=
 0&&(t.time=n);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(la.map(([y,v])=>[y,o.includes(v)])));let i=Number(e.get("zoom")??Number.NaN);i>0&&(t.zoom=
-_(i,.05,60));let a=ra(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=ra(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,m,h,u,p,f,
-g]=e.get("map")?.split(",")??[],b=[h,u,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[m,b[0],b[1]],y:[p,b[2],b[3]]});
+_(i,.05,60));let a=ra(e.get("pan"),2);a&&(t.pan=a.map(y=>_(y,-20,20)));let r=ra(e.get("from"),3);r&&(t.from=r);let l=e.get("more");l&&(t.more=l);let[c,m,h,d,p,f,
+g]=e.get("map")?.split(",")??[],b=[h,d,f,g].map(Number);g!==void 0&&b.every(Number.isFinite)&&b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[m,b[0],b[1]],y:[p,b[2],b[3]]});
 let w=e.get("fingerprint")?.toLowerCase().split(",");return w&&(t.fingerprints=w.map(y=>pc.test(y)?y:"")),t}function ra(s,e){let t=(s??"").split(",").map(Number);
 return s&&t.length===e&&t.every(Number.isFinite)?t:null}var ao=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
 ...s===null?[]:[s]]},on=class{constructor(e,t,n){this.motions=e;this.notice=t;this.link=n;this.number=history.state?.number??0;this.held=!1;this.soon=ie(()=>this.
@@ -1487,8 +1487,8 @@ changed())),!0}};function gc(s,e=""){let t=s.trim();e&&t.endsWith(e)&&(t=t.slice
 test(t)?Number(t.replace(",",".")):Number.NaN}function bc(s,e,{label:t,unit:n,range:o}){let i=s.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
 uch as 2.5.`;if(!Number.isFinite(e)&&/\d/.test(i))return`${t} = ${i} is too large.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let a=o.also.includes(
 0)?"0 or ":"",r=`from ${M(o.least,4)} to ${I(M(o.most,4),n)}`,l=o.also.includes(1/0)?", or inf":"";return`${t} = ${I(M(e,6),n)} must be ${a}${r}${l}.`}var wc=0,
-tt=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.typing=!1;this.error=d("p",{class:"error",role:"alert",id:`hh-error-${++wc}`,hidden:!0});
-this.input=d("input",{type:"text",inputmode:"decimal",autocomplete:"off",spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},
+tt=class{constructor(e,t){this.info=e;this.onvalue=t;this.shown="";this.typing=!1;this.error=u("p",{class:"error",role:"alert",id:`hh-error-${++wc}`,hidden:!0});
+this.input=u("input",{type:"text",inputmode:"decimal",autocomplete:"off",spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},
 onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:n=>{n.key!=="Escape"||!(this.typing||this.refused())||(n.stopPropagation(),this.restore())}})}refused(){
 return this.input.getAttribute("aria-invalid")==="true"}typed(){let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}
 let t=gc(e,this.info.unit),n=bc(e,t,this.info);n?this.refuse(n):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute(
@@ -1498,39 +1498,39 @@ ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},yc={mass:["mass","kg"]
 dius","m"],at:["distance from centre","m"],length:["length","m"]},vc=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
 e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function da(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
 max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:ln(t*(1-n)),inner_radius:ln(.98*e),outer_radius:e},{shape:"point_mass",mass:ln(t*n),at:e}]}var ln=s=>Number(
-s.toPrecision(6)),hn=class{constructor(e){this.onchange=e;this.list=d("div",{class:"parts"});this.element=d("div",{},this.list,d("select",{"aria-label":"Add a p\
-art",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,vc(n,this.radius,ln(.2*this.mass))])}},d("option",{value:""},"+ add a part \
-…"),Object.entries(ua).map(([t,{label:n}])=>d("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let o=JSON.stringify(e);if(o===this.
+s.toPrecision(6)),hn=class{constructor(e){this.onchange=e;this.list=u("div",{class:"parts"});this.element=u("div",{},this.list,u("select",{"aria-label":"Add a p\
+art",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,vc(n,this.radius,ln(.2*this.mass))])}},u("option",{value:""},"+ add a part \
+…"),Object.entries(ua).map(([t,{label:n}])=>u("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let o=JSON.stringify(e);if(o===this.
 text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:o,parts:e,radius:t,mass:n}),this.list.replaceChildren(
-...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:n,keys:o}=ua[e.shape];return d("fieldset",{class:"part"},d("legend",{},n,this.parts.length>1&&d("button",{type:"\
+...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:n,keys:o}=ua[e.shape];return u("fieldset",{class:"part"},u("legend",{},n,this.parts.length>1&&u("button",{type:"\
 button",class:"quiet","aria-label":`Remove part ${t+1}, ${n}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),o.map(i=>this.field(e,t,i)))}field(e,t,n){
-let[o,i]=yc[n],a=new tt({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),d("div",{},d("label",{},`${o}\
+let[o,i]=yc[n],a=new tt({label:o,unit:i},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[n]:r}:l)));return a.show(String(e[n]??0)),u("div",{},u("label",{},`${o}\
  [${i}]`,a.input),a.error)}};var ro=Math.PI/180;function kc({allowed:s,degrees:e}){if(!s)return;let t=e?1/ro:1;return{least:s.least*t,most:s.most*t,also:s.also.map(n=>n==="inf"?1/0:Number(n))}}
 var lo=class{constructor(e,t){this.info=e;this.onchange=t;this.held=!1;let n=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
-range=d("input",{type:"range",id:n,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
+range=u("input",{type:"range",id:n,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:o(!0),onpointerup:o(!1),onpointercancel:o(!1),onblur:o(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new tt({label:i,unit:a,name:r,range:kc(e)},l=>this.send(l,!0)),this.element=d("div",{class:"control",title:e.help},d("label",{for:n},d("\
-span",{},i),d("span",{class:"symbol"},e.symbol)),this.range,d("span",{class:"entry"},this.entry.input,d("span",{class:"unit"},a)),this.entry.error)}low(){return this.
+n ${a}`:""}`;this.entry=new tt({label:i,unit:a,name:r,range:kc(e)},l=>this.send(l,!0)),this.element=u("div",{class:"control",title:e.help},u("label",{for:n},u("\
+span",{},i),u("span",{class:"symbol"},e.symbol)),this.range,u("span",{class:"entry"},this.entry.input,u("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),n=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(n)),this.say(n),this.send(n,e)}send(e,t){
 let n=this.info.degrees?e*ro:e;this.onchange([[this.info.path,Number.isFinite(n)?n:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",I(M(e,4),this.info.
 unit))}show(e,t=null){if(this.held)return;let n=e!=null,o=n?e:t;if(o==null){this.entry.show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?ro:1);this.
 entry.show(n?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":k("auto {value}",{value:M(i,2)}),this.entry.input.title=
 n?I(String(i),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
-String(a)),this.say(i)}};function xc(s,e){let t=d("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([o,i])=>d("option",{value:o},
-i)));return{element:d("label",{class:"choice",title:s.help},d("span",{},s.label),t),select:t,path:s.path}}var cn=class{constructor(e,t){this.sliders=new Map;this.
+String(a)),this.say(i)}};function xc(s,e){let t=u("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([o,i])=>u("option",{value:o},
+i)));return{element:u("label",{class:"choice",title:s.help},u("span",{},s.label),t),select:t,path:s.path}}var cn=class{constructor(e,t){this.sliders=new Map;this.
 onchange=(n,o=!0)=>t(n,o);for(let n of Object.values(e.groups))for(let o of n)this.sliders.set(o.path,new lo(o,this.onchange));this.choices=new Map(e.choices.map(
-n=>[n.path,xc(n,this.onchange)])),this.parts=new hn(this.onchange),this.gravities=e.gravities,this.element=d("div",{class:"controls"},this.hoop(),this.plane(),this.
+n=>[n.path,xc(n,this.onchange)])),this.parts=new hn(this.onchange),this.gravities=e.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.
 start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.element}of(e,t={}){return[
-...this.sliders.keys(),...this.choices.keys()].filter(n=>n.startsWith(`${e}.`)).flatMap(n=>[...t[n]??[],this.at(n)])}select(e,t,n){let o=d("select",{onchange:()=>n(
-o.value)},t.map(([i,a])=>d("option",{value:i},a)));return{select:o,element:d("label",{class:"choice"},d("span",{},e),o)}}group(e,...t){let n=e==="Start"||e==="P\
-lane"||!matchMedia("(max-width: 47.5em)").matches;return d("details",{class:"group",open:n},d("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
+...this.sliders.keys(),...this.choices.keys()].filter(n=>n.startsWith(`${e}.`)).flatMap(n=>[...t[n]??[],this.at(n)])}select(e,t,n){let o=u("select",{onchange:()=>n(
+o.value)},t.map(([i,a])=>u("option",{value:i},a)));return{select:o,element:u("label",{class:"choice"},u("span",{},e),o)}}group(e,...t){let n=e==="Start"||e==="P\
+lane"||!matchMedia("(max-width: 47.5em)").matches;return u("details",{class:"group",open:n},u("summary",{},e),t)}hoop(){return this.way=this.select("Given by",[
 ["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.film;e==="parts"?this.onchange([["hoop.parts",da(
-t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=d("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
-radius":[this.parts.element,this.derived]}))}plane(){this.apart=d("input",{type:"checkbox",onchange:()=>{let{values:n}=this.film;this.apart.checked?this.onchange(
+t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=u("p",{class:"derived"}),this.group("Hoop",this.way.element,...this.of("hoop",{"hoop.\
+radius":[this.parts.element,this.derived]}))}plane(){this.apart=u("input",{type:"checkbox",onchange:()=>{let{values:n}=this.film;this.apart.checked?this.onchange(
 [["plane.mu_static",n["plane.mu_static"]],["plane.mu_kinetic",n["plane.mu_kinetic"]]]):this.onchange([["plane.mu",n["plane.mu_static"]]])}}),this.gravity=this.select(
 "Where",[...this.gravities.map(([n])=>[n,n]),["","elsewhere"]],n=>{let o=this.gravities.find(([i])=>i===n);o&&this.onchange([["plane.gravity",o[1]]])});let t={"\
-plane.slope":[d("label",{class:"check"},this.apart,"static and kinetic friction apart")],"plane.gravity":[this.gravity.element]};return this.group("Plane",...this.
+plane.slope":[u("label",{class:"check"},this.apart,"static and kinetic friction apart")],"plane.gravity":[this.gravity.element]};return this.group("Plane",...this.
 of("plane",t))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.onchange(
 [["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,...this.of("start"),this.at("duration"))}contact(){
 return this.group("Contact",this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),
@@ -1544,8 +1544,8 @@ m[0]:"");let h={"hoop.load_fraction":i==="load_fraction","hoop.eccentricity":i==
 "plane.mu":!r,"plane.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start\
 .vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,f]of Object.
 entries(h))this.at(p).hidden=!f;this.parts.element.hidden=i!=="parts",n.hoop.parts&&this.parts.show(n.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=
-i==="eccentricity"?"":`ε = ${M(o["hoop.eccentricity"],5)}, κ = ${M(o["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${M(o["hoop.mass"],5)} kg`:"");let u=n;for(let[
-p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");u[g]?.[b]!==void 0&&(f.value=u[g][b])}}};var ho=Math.PI/180;function ma(s,e){let{start:t,plane:n,contact:o,hoop:i}=s.scenario;return o.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
+i==="eccentricity"?"":`ε = ${M(o["hoop.eccentricity"],5)}, κ = ${M(o["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${M(o["hoop.mass"],5)} kg`:"");let d=n;for(let[
+p,{select:f}]of this.choices){if(t.has(p))continue;let[g,b]=p.split(".");d[g]?.[b]!==void 0&&(f.value=d[g][b])}}};var ho=Math.PI/180;function ma(s,e){let{start:t,plane:n,contact:o,hoop:i}=s.scenario;return o.model!=="rigid"?"Rigid contact only.":s.slope!==0?"The plane must \
 be level.":Math.abs(s.gravity-9.81)>1e-9?"It must be on Earth.":(n.restitution??0)!==0?"Restitution must be 0.":s.radius!==1||i.parts?"The radius must stay 1 m,\
  without parts.":s.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var pa=s=>s.events.filter(
@@ -1565,12 +1565,12 @@ plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let 
 ({from:i})=>i<t.t);if(n.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
 ng."};let o=s.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return o?{points:fa(o.height,Mc),text:"It rises by {height}.",values:{height:Ce(o.height)}}:{points:0,
 text:"It does not hop."}}}],uo=s=>s>=95?3:s>=75?2:s>=40?1:0;var ga="hophoop-best-",Tc=s=>"★".repeat(uo(s))+"☆".repeat(3-uo(s)),un=class{constructor({film:e,load:t,ahead:n}){this.goal=null;this.solved=new Set;this.solutions=
-new Set;Object.assign(this,{film:e,load:t,ahead:n}),this.tabs=new Map(co.map(o=>[o.key,d("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(
-o)},o.title)])),this.text=d("p",{}),this.meter=d("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"100","aria-label":"Score"}),this.result=d("p",{class:"ch\
-allenge-result",role:"status"}),this.kept=d("p",{class:"hint"}),this.element=d("section",{class:"challenges card","aria-label":"Challenges",hidden:!0},d("header",
-{},d("h2",{},"Challenges"),d("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",onclick:()=>this.close()},"×")),d("div",{class:"tabs",role:"\
-group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.kept,d("div",{class:"buttons"},d("button",{type:"button",onclick:()=>this.
-begin()},"Begin again"),d("button",{type:"button",onclick:()=>this.solve()},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??co[0]),this.
+new Set;Object.assign(this,{film:e,load:t,ahead:n}),this.tabs=new Map(co.map(o=>[o.key,u("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(
+o)},o.title)])),this.text=u("p",{}),this.meter=u("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"100","aria-label":"Score"}),this.result=u("p",{class:"ch\
+allenge-result",role:"status"}),this.kept=u("p",{class:"hint"}),this.element=u("section",{class:"challenges card","aria-label":"Challenges",hidden:!0},u("header",
+{},u("h2",{},"Challenges"),u("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",onclick:()=>this.close()},"×")),u("div",{class:"tabs",role:"\
+group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.kept,u("div",{class:"buttons"},u("button",{type:"button",onclick:()=>this.
+begin()},"Begin again"),u("button",{type:"button",onclick:()=>this.solve()},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??co[0]),this.
 element.scrollIntoView({block:"nearest"}),this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=
 e;for(let[t,n]of this.tabs)n.setAttribute("aria-pressed",String(t===e.key));R(this.text,e.text),this.changed()}begin(){this.goal&&(this.solved.delete(this.goal.
 key),this.load(this.goal.start))}async solve(){let{goal:e}=this;e&&(this.solved.add(e.key),await this.load(e.best),this.solutions.add(this.film().query))}changed(){
@@ -1599,16 +1599,16 @@ addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a
 (t.set(a.pointerId,a),t.size!==2||!n))return;let r=o();e(r.span/n.span,r),n=r});for(let a of["pointerup","pointercancel"])s.addEventListener(a,r=>{t.delete(r.pointerId),
 n=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var Lc=700,pn=44,Rc=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
 ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],fn=class{constructor(e){this.lab=e;this.pull=null;this.held=null;this.before=
-null;this.hint=d("div",{class:"grip-hint","aria-hidden":"true",hidden:!0},"Drag the load");this.places=new Map(Rc.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=
-d("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=d("div",{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.
+null;this.hint=u("div",{class:"grip-hint","aria-hidden":"true",hidden:!0},"Drag the load");this.places=new Map(Rc.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=
+u("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.
 values()],this.tip,this.hint);let{flat:t,plane:n}=e.stage;t.grab=i=>this.take(i),n.addEventListener("pointermove",i=>this.hover(i)),n.addEventListener("pointerl\
 eave",()=>this.hover(null));let o=i=>this.pull&&i.cancelable&&i.preventDefault();n.addEventListener("touchmove",o,{passive:!1}),this.settle=ie(()=>this.chosen(!1),
-Lc)}static{this.Pull=Rt}place(e,t,n){return d("div",{class:`grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:o=>this.
+Lc)}static{this.Pull=Rt}place(e,t,n){return u("div",{class:`grip grip-${e}`,role:"slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:n,onkeydown:o=>this.
 key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),n=!!t&&!e.
 stage.options.three;if(this.element.hidden=!n,!n)return;this.element.classList.toggle("running",e.clock.playing);let{pose:o,film:i,scale:a}=t,r=i.radius,l=t.point(
-o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),m=this.onPlane(t),h=_(1.1*r*a,pn,190),u=[["plane",m,pn],["hoop",l,h],["load",c,
-pn]];for(let[p,[f,g],b]of u){let w=this.places.get(p);w.style.transform=`translate(${f-b/2}px, ${t.top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=
-f<0||g<0||f>t.width||g>t.height}if(!this.hint.hidden){let[p,f]=u[2][1];this.hint.style.transform=`translate(${_(p,70,t.width-70)}px, ${t.top+Math.max(f-pn,18)}p\
+o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),m=this.onPlane(t),h=_(1.1*r*a,pn,190),d=[["plane",m,pn],["hoop",l,h],["load",c,
+pn]];for(let[p,[f,g],b]of d){let w=this.places.get(p);w.style.transform=`translate(${f-b/2}px, ${t.top+g-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=
+f<0||g<0||f>t.width||g>t.height}if(!this.hint.hidden){let[p,f]=d[2][1];this.hint.style.transform=`translate(${_(p,70,t.width-70)}px, ${t.top+Math.max(f-pn,18)}p\
 x) translate(-50%, -50%)`}e.clock.playing||this.tell(i)}onPlane(e){let t=e.point(e.pose.x,0),o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-
 t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){let t=this.pull?.held??this.held??mn(e,this.lab.clock.time),n={load:G(t.angle),hoop:k(
 "gap {height}, speed {speed} m/s",{height:Ce(t.height),speed:M(t.vx,3)}),plane:G(t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},
@@ -1618,11 +1618,11 @@ i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=nul
 l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/2);!o.hidden&&l<=r/2&&(t=n)}return t}hover(e){if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;
 for(let[n,o]of this.places)o.classList.toggle("near",n===t);this.lab.stage.plane.style.cursor=t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)
 return!1;let{lab:n}=this,{flat:o,plane:i}=n.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-
-l.top-r.top}),m=new Rt(t,n.film(),n.clock.time,r,c(e)),h=[...o.shift],[u,p]=[!1,!1];this.pull=m,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove(
-"held"),o.fixed=null,this.pull=null,u&&this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),f(),u&&this.back())};return addEventListener(
-"keydown",b,{capture:!0,signal:g.signal}),J(i,e,w=>{if(!p){if(o.pinched()){f(),u&&this.back();return}!u&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||
-(u||(o.fixed=r.scale,this.hold(),this.begin()),u=!0,m.move(c(w),w.timeStamp),o.shift=[h[0]+m.moved,h[1]],this.change(t,m.held,!1),this.show(t,m.held))}},(w,y)=>{
-p||(f(),u&&(y?(this.change(t,m.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return;let{lab:n}=this;if(t.
+l.top-r.top}),m=new Rt(t,n.film(),n.clock.time,r,c(e)),h=[...o.shift],[d,p]=[!1,!1];this.pull=m,a.classList.add("held");let f=()=>{p=!0,g.abort(),a.classList.remove(
+"held"),o.fixed=null,this.pull=null,d&&this.comeBack(h)},g=new AbortController,b=w=>{w.key==="Escape"&&(w.stopPropagation(),f(),d&&this.back())};return addEventListener(
+"keydown",b,{capture:!0,signal:g.signal}),J(i,e,w=>{if(!p){if(o.pinched()){f(),d&&this.back();return}!d&&Math.hypot(w.clientX-e.clientX,w.clientY-e.clientY)<3||
+(d||(o.fixed=r.scale,this.hold(),this.begin()),d=!0,m.move(c(w),w.timeStamp),o.shift=[h[0]+m.moved,h[1]],this.change(t,m.held,!1),this.show(t,m.held))}},(w,y)=>{
+p||(f(),d&&(y?(this.change(t,m.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||t.altKey)return;let{lab:n}=this;if(t.
 key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=mn(n.film(),n.clock.time);let o=ka(e,t.key,t.shiftKey,this.held,n.
 film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,o),this.settle()}t.preventDefault(),
 t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.ahead=!0,e.clock.seek(0),e.mark("ho\
@@ -1639,7 +1639,7 @@ M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(s){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-`icon icon-${s}`);let n=document.createElementNS(e,"path");return n.setAttribute("d",Pc[s]),t.append(n),t}function po(s){let e=d("select",{class:"language","aria-label":"Language",onchange:()=>{sa(e.value),so(e.value),s()}},Object.entries(Mt).map(([t,n])=>d("option",
+`icon icon-${s}`);let n=document.createElementNS(e,"path");return n.setAttribute("d",Pc[s]),t.append(n),t}function po(s){let e=u("select",{class:"language","aria-label":"Language",onchange:()=>{sa(e.value),so(e.value),s()}},Object.entries(Mt).map(([t,n])=>u("option",
 {value:t,lang:t},document.createTextNode(n))));return e.value=Pe(),e}var Cc=Object.entries(S.words.events),Te=Object.fromEntries(Cc.map(([s,{label:e}])=>[s,e])),_a=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var zc=new Set(x.passing),Nc=3,Dc=1e-10;function Oc(s){let e=[],t=-1,n=-1;for(let[o,{kind:i,from:a,to:r,t:l,height:c}]of s.entries())t>=0&&i==="apex"&&(n<0||c>s[n].
 height)&&(n=o),!zc.has(i)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:i==="end"?-1:o}),t=n=-1),r==="H"&&i!=="end"&&([t,n]=[o,-1]));return e}var gn=class{constructor(e,t,n){
 let{larger:o=null,smaller:i=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),this.radius=e.radius,this.side=o??i,this.step=o?n:
@@ -1651,8 +1651,8 @@ top:t,end:n})=>{let o=i=>n<0?Number.NaN:this.step*(this.rate(n,i)-this.rate(e,i)
 abs(s)>Dc*Math.max(e,.001);function Sa(s,e){return Number.isFinite(s)?bn(s,1)?`${s>0?"+":"−"}${Ma(s,e)}`:"0":"–"}function fo(s){let e=s.filter(([t])=>Number.
 isFinite(t)&&bn(t,1)).map(([t,n,o,i])=>k(t>0?o:i,{amount:Ma(t,n)})).join(Pe()==="zh"?"，":", ");return j(e)}var Ea=["m","{amount} further to the right","{amoun\
 t} further to the left"],qc=["s","{amount} later","{amount} earlier"];function Ta(s){let{events:e,count:t}=s,n=[],o=s.hops();for(let[r,{begin:l,end:c,height:m,distance:h,
-duration:u}]of o.slice(0,Nc).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=fo([[m,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
-er"],[u,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&n.push(o.length>1?k(
+duration:d}]of o.slice(0,Nc).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,f=fo([[m,"m","{amount} higher","{amount} lower"],[p,"m","{amount} longer","{amount} short\
+er"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount} earlier"]]);f&&n.push(o.length>1?k(
 "Hop {number}: {list}.",{number:r+1,list:f}):k("The hop: {list}.",{list:f}))}let i=o.length?-1:e.findIndex(({kind:r},l)=>l<t&&r!=="start"&&r!=="end");if(i>=0){let r=fo(
 [[s.of(i,"t"),...qc],[s.of(i,"x"),...Ea]]);r&&n.push(k("The first event, {what}: {list}.",{what:k(Te[e[i].kind]),list:r}))}let a=t-1;if(a>0&&e[a].kind==="end"){
 let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=fo([[s.of(a,"x"),...Ea],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(k("At the end, after {time} s: {list}.",
@@ -1661,28 +1661,28 @@ o=[];for(let{kind:i,x:a}of n){let r=wn.indexOf(i)<wn.indexOf("takeoff"),l=o.filt
 x-(l[0].x+e))<e-1e-9)?l[0].mark!==$e[i]&&o.push({mark:$e[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:$e[i],x:a,rare:r,hidden:0})}return o.sort(
 (i,a)=>i.x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function La(s,e,t){let n=[],o=new Map,i=-1,a=(l,c,m)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
 c)<1e-6?h.wide+=m:n.push({mode:l,from:c,wide:m})},r=()=>{o.size&&a([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],i,1),o=new Map};for(let{mode:l,from:c,to:m}of s){let[h,
-u]=[Math.max(e(c),0),Math.min(e(m),t)];if(u>h)for(let p=h;p<u-1e-9;){if((Math.floor(p+1e-9)!==i||!o.size)&&(r(),i=Math.floor(p+1e-9),u-p>=1&&Math.abs(p-i)<1e-6)){
-let g=Math.floor(u-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(u,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),n}var Ra=.7,Pa=34,Fc=3,Hc=400,jc=8,go=13;function Ca(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,Hc)).map(({kind:n,x:o,height:i},a)=>({kind:n,x:o,y:i,dx:s.
+d]=[Math.max(e(c),0),Math.min(e(m),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==i||!o.size)&&(r(),i=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-i)<1e-6)){
+let g=Math.floor(d-p+1e-9);a(l,i,g),p=i+g;continue}let f=Math.min(d,i+1);o.set(l,(o.get(l)??0)+f-p),p=f}}return r(),n}var Ra=.7,Pa=34,Fc=3,Hc=400,jc=8,go=13;function Ca(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,Hc)).map(({kind:n,x:o,height:i},a)=>({kind:n,x:o,y:i,dx:s.
 of(a,"x"),dy:s.of(a,"height")}))}function za(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&bn(r,e)).sort((r,l)=>r-l);if(!n.length)
 return 0;let o=Math.max(Ra*e,Pa/t)/n[Math.floor(n.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),a=o/i;return(a>=5?5:a>=2?2:1)*i}function Na(s,e,t){
 let n=[],o=Fc*Math.max(Ra*s.film.radius,Pa/s.scale);for(let{kind:i,x:a,y:r,dx:l,dy:c}of e){let m=Number.isFinite(l)&&Number.isFinite(c),h=m?t*Math.hypot(l,c):0,
-u=h>o?o/h:1,p=m?[u*t*l,u*t*c]:[0,0],f=s.point(a,r),g=s.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>s.width+20)continue;let[b,w]=[Math.min(
+d=h>o?o/h:1,p=m?[d*t*l,d*t*c]:[0,0],f=s.point(a,r),g=s.point(a+p[0],r+p[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>s.width+20)continue;let[b,w]=[Math.min(
 f[0],g[0])-12,Math.max(f[0],g[0])+12],y=f[1];for(;n.some(E=>Math.abs(E.base-y)<go-1&&E.low<w&&E.high>b);)y-=go;if(f[1]-y>jc*go)continue;n.push({low:b,high:w,base:y});
-let v=y-f[1];Bc(s,f,[g[0],g[1]+v],v,{known:m,broken:u<1,mark:$e[i]??""})}}function Bc({context:s,look:e},t,n,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
-hypot(n[0]-l[0],n[1]-l[1]),[m,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],u=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=f,s.fillStyle=f,
+let v=y-f[1];Bc(s,f,[g[0],g[1]+v],v,{known:m,broken:d<1,mark:$e[i]??""})}}function Bc({context:s,look:e},t,n,o,{known:i,broken:a,mark:r}){let l=[t[0],t[1]+o],c=Math.
+hypot(n[0]-l[0],n[1]-l[1]),[m,h]=c>0?[(n[0]-l[0])/c,(n[1]-l[1])/c]:[1,0],d=Math.min(9,c);for(let[f,g]of[[e.paper,6.5],[e.ink,2.5]])s.strokeStyle=f,s.fillStyle=f,
 s.lineCap="round",o&&(s.lineWidth=g>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.lineTo(l[0],l[1]),s.stroke()),s.lineWidth=g,s.setLineDash(a?[5,6]:[]),s.beginPath(),
-s.moveTo(l[0],l[1]),s.lineTo(n[0]-m*u,n[1]-h*u),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
-g>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-m*u-h*u*.55,n[1]-h*u+m*u*.55),s.lineTo(n[0]-m*u+h*u*.55,n[1]-h*u-m*u*.55),s.closePath(),s.stroke(),s.fill());
+s.moveTo(l[0],l[1]),s.lineTo(n[0]-m*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
+g>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-m*d-h*d*.55,n[1]-h*d+m*d*.55),s.lineTo(n[0]-m*d+h*d*.55,n[1]-h*d-m*d*.55),s.closePath(),s.stroke(),s.fill());
 s.lineCap="butt";let p=i?r:"?";p&&(s.font=`600 ${11*e.px}px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,
 l[0],l[1]-7),s.fillText(p,l[0],l[1]-7))}var Da=Math.PI/180,$c=100,Oa="plane.mu",Wc=/^(contact\.|duration$)/,Gc=200,yn=S.reasons;function Ia(s,e){return s.textContent=e,s}var vn=class{constructor(e){this.
 lab=e;this.on=!1;this.path=Oa;this.changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.texts="";this.speak=!1;this.later=
-ie(()=>this.fetch(),$c),this.switch=d("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
-"Arrows"),this.picked=d("select",{onchange:()=>this.pick(this.picked.value)}),this.step=d("span",{class:"more-step"}),this.take=d("button",{type:"button",onclick:()=>this.
-apply()},"Do it"),this.said=d("ul",{class:"more-said"}),this.reason=d("p",{class:"more-reason",hidden:!0}),this.scale=d("p",{class:"hint"}),this.body=d("tbody",
-{}),this.rows=d("details",{class:"more-events"},d("summary",{},"Every event, by this step"),d("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
-What changes at every event"},d("table",{},d("thead",{},d("tr",{},["event","time","place","height","load angle"].map(t=>d("th",{scope:"col"},t)))),this.body))),
-this.element=d("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},d("header",{},d("h2",{},"What a little more would do"),d("but\
-ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),d("div",{class:"more-asked"},d("label",{},d("span",{},"A little more"),this.picked),this.step,this.take),
+ie(()=>this.fetch(),$c),this.switch=u("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",onclick:()=>this.turn()},
+"Arrows"),this.picked=u("select",{onchange:()=>this.pick(this.picked.value)}),this.step=u("span",{class:"more-step"}),this.take=u("button",{type:"button",onclick:()=>this.
+apply()},"Do it"),this.said=u("ul",{class:"more-said"}),this.reason=u("p",{class:"more-reason",hidden:!0}),this.scale=u("p",{class:"hint"}),this.body=u("tbody",
+{}),this.rows=u("details",{class:"more-events"},u("summary",{},"Every event, by this step"),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"\
+What changes at every event"},u("table",{},u("thead",{},u("tr",{},["event","time","place","height","load angle"].map(t=>u("th",{scope:"col"},t)))),this.body))),
+this.element=u("section",{class:"table more","aria-label":"What a little more would do",hidden:!0},u("header",{},u("h2",{},"What a little more would do"),u("but\
+ton",{type:"button",onclick:()=>this.turn(!1)},"Close")),u("div",{class:"more-asked"},u("label",{},u("span",{},"A little more"),this.picked),this.step,this.take),
 this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,n)=>{let o=e.marked("guessing");if(!this.on||o||n!==e.motions.active)return;let i=za(this.arrows,
 t.film.radius,t.scale);(i||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&Na(t,this.arrows,i||1),i!==this.factor&&(this.factor=i,this.tellScale())}}turn(e=!this.
 on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",e?this.changed(!0):this.forget(),this.
@@ -1692,7 +1692,7 @@ film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[o,
 a),step:n.step*(n.degrees?Da:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();let{query:t}=this.lab.film();this.
 known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.path)||(this.path=e.find(({path:n})=>n.
 startsWith(Oa))?.path??e[0].path);let t=e.map(({label:n,symbol:o})=>`${k(n)} ${o}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.
-map(({path:n},o)=>Ia(d("option",{value:n}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
+map(({path:n},o)=>Ia(u("option",{value:n}),t[o])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){
 if(!this.on)return;let{lab:e,path:t}=this,n=e.film(),o=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:i}=this.asked;if(this.known=
 `${t} ${n.query}`,!o||!Number.isFinite(o.value))return this.refuse("It is infinite: there is no more of it.");try{let a=await e.backend.changes(n.scenario,t,i);
 if(i.aborted||e.film()!==n)return;if(!a)return this.refuse(yn.edge);this.changes=new gn(n,a,o.step),this.arrows=Ca(this.changes),this.factor=0,this.tell()}catch(a){
@@ -1700,15 +1700,15 @@ let{name:r,message:l}=a;r!=="AbortError"&&!i.aborted&&this.refuse(l)}e.request()
 this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,R(this.reason,e),this.speak&&this.lab.story.say(k(e)),this.speak=!1,this.
 lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||!t)return;let{info:n,value:o}=t,i=c=>I(M(n.degrees?c/Da:c,5),n.unit),a=`${i(o)} → ${i(o+e.step)}`;
 this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=Ta(e);!r.length&&e.failed<0&&r.push(k("Nothing: no event moves.")),this.
-said.replaceChildren(...r.map(c=>Ia(d("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&
+said.replaceChildren(...r.map(c=>Ia(u("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&
 this.lab.story.say(j([`${k(n.label)} ${a}.`,...r,l&&k(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.
 three&&this.changes&&this.tellScale(),this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave \
 3D to see them.":k("The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.",{factor:M(this.factor,3)});this.scale.
 textContent=e||this.factor?k(t):""}why(e){let{failed:t,side:n,events:o,edge:i,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=o[Math.min(t,o.length-1)],c=k(Te[r]??r),m=k(
 yn[n.reason]);return j(k("From {what} at {time} s on no derivative: {reason}.",{what:c,time:M(l,4),reason:m}))}return i?j(k("To one side only: {reason}.",{reason:k(
-yn.edge)})):a?j(k("To one side only: {reason}.",{reason:k(yn.sided)})):""}fill(e){let t=(o,i,a)=>{let r=Sa(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return d(
-"td",{"data-rate":String(a)},l&&d("span",{"aria-hidden":"true"},l),j(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.
-slice(0,Math.min(e.count,Gc)).map(({kind:o,t:i},a)=>d("tr",{onclick:()=>this.lab.clock.seek(i)},d("th",{scope:"row"},Te[o]??o,d("small",{},` ${M(i,4)} s`)),n.map(
+yn.edge)})):a?j(k("To one side only: {reason}.",{reason:k(yn.sided)})):""}fill(e){let t=(o,i,a)=>{let r=Sa(o,i),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return u(
+"td",{"data-rate":String(a)},l&&u("span",{"aria-hidden":"true"},l),j(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.
+slice(0,Math.min(e.count,Gc)).map(({kind:o,t:i},a)=>u("tr",{onclick:()=>this.lab.clock.seek(i)},u("th",{scope:"row"},Te[o]??o,u("small",{},` ${M(i,4)} s`)),n.map(
 ([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.
 lab.motions.change([[this.path,t]],!0)}};var kn=class{constructor(e,t){this.root=e;this.show=t;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
 "fullscreenchange",this.left),this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.
@@ -1740,17 +1740,17 @@ J",values:X("normal_loss")},rolling_resistance:{name:"lost to rolling resistance
 s," ",e];var Kc=["time","angle","x","vx","spin","normal_force","friction_force"],Vc=[1,.5,.2,.1,.05,.02,.01],wo=601;function $a(s,e,t){let n=Math.min(Math.floor(s.duration/
 t+1e-9)+1,wo),o=[];for(let i=0;i<n;i++){let a=Number((i*t).toPrecision(12));o.push({time:a,mode:s.at(a).mode,values:e.map(r=>Jc(s,r,a))})}return o}function Jc(s,e,t){
 return U[e].values(s.moment(t))[0]}var _n=class{constructor({film:e,clock:t,names:n}){this.rows=[];this.columns=[...Kc];this.source=e,this.clock=t,this.names=n,
-this.step=d("select",{onchange:()=>this.fill()},Vc.map(o=>d("option",{value:String(o)},`${o} s`))),this.step.value="0.1",this.picks=d("div",{class:"table-picks"},
-Object.entries(U).filter(([o])=>o!=="time").map(([o,{name:i}])=>this.pick(o,i))),this.caption=d("caption",{}),this.head=d("thead",{}),this.body=d("tbody",{}),this.
-element=d("section",{class:"table","aria-label":"Table of the motion",hidden:!0},d("header",{},d("h2",{},"Table"),d("label",{class:"table-step"},d("span",{},"Ev\
-ery"),this.step),d("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),d("button",{type:"button",onclick:()=>this.open(!1)},"Close")),d("details",{class:"\
-table-columns"},d("summary",{},"Columns"),this.picks),d("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table of the motion, rows"},d("tabl\
-e",{},this.caption,this.head,this.body)))}pick(e,t){let n=d("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{let o=new Set(this.columns);
-n.checked?o.add(e):o.delete(e),this.columns=Object.keys(U).filter(i=>o.has(i)),this.fill()}});return d("label",{},n,d("span",{},t))}open(e){this.element.hidden=
+this.step=u("select",{onchange:()=>this.fill()},Vc.map(o=>u("option",{value:String(o)},`${o} s`))),this.step.value="0.1",this.picks=u("div",{class:"table-picks"},
+Object.entries(U).filter(([o])=>o!=="time").map(([o,{name:i}])=>this.pick(o,i))),this.caption=u("caption",{}),this.head=u("thead",{}),this.body=u("tbody",{}),this.
+element=u("section",{class:"table","aria-label":"Table of the motion",hidden:!0},u("header",{},u("h2",{},"Table"),u("label",{class:"table-step"},u("span",{},"Ev\
+ery"),this.step),u("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),u("button",{type:"button",onclick:()=>this.open(!1)},"Close")),u("details",{class:"\
+table-columns"},u("summary",{},"Columns"),this.picks),u("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table of the motion, rows"},u("tabl\
+e",{},this.caption,this.head,this.body)))}pick(e,t){let n=u("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{let o=new Set(this.columns);
+n.checked?o.add(e):o.delete(e),this.columns=Object.keys(U).filter(i=>o.has(i)),this.fill()}});return u("label",{},n,u("span",{},t))}open(e){this.element.hidden=
 !e,e&&(this.draw(this.source()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.element.hidden||(this.
-film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.step.value),o=this.names(),i=t.map(c=>U[c]);this.head.replaceChildren(d("tr",{},i.map(({name:c,
-symbol:m,unit:h})=>d("th",{scope:"col",title:c},m,h&&d("small",{},` ${h}`))),d("th",{scope:"col"},"mode")));let a=$a(e,t,n);this.rows=a.map(({time:c,mode:m,values:h})=>({
-time:c,row:d("tr",{onclick:()=>this.clock.seek(c)},h.map((u,p)=>p===0?d("th",{scope:"row"},M(u,4)):d("td",{},M(u,4))),d("td",{class:"table-mode"},o[m]))})),this.
+film=e,this.fill())}fill(){let{film:e,columns:t}=this,n=Number(this.step.value),o=this.names(),i=t.map(c=>U[c]);this.head.replaceChildren(u("tr",{},i.map(({name:c,
+symbol:m,unit:h})=>u("th",{scope:"col",title:c},m,h&&u("small",{},` ${h}`))),u("th",{scope:"col"},"mode")));let a=$a(e,t,n);this.rows=a.map(({time:c,mode:m,values:h})=>({
+time:c,row:u("tr",{onclick:()=>this.clock.seek(c)},h.map((d,p)=>p===0?u("th",{scope:"row"},M(d,4)):u("td",{},M(d,4))),u("td",{class:"table-mode"},o[m]))})),this.
 body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/n+1<=wo+1e-6,l=k("The first {count} rows.",{count:wo});R(this.caption,r?e.summary:j(`${e.summary}\
  ${l}`)),this.cursor(this.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;let t=Number(this.step.value),n=this.rows[Math.min(Math.round(e/
 t),this.rows.length-1)]?.row;n!==this.now&&(this.now?.classList.remove("now"),n?.classList.add("now"),this.now=n)}save(){let{film:e,columns:t}=this,n=[...t.map(
@@ -1762,16 +1762,16 @@ join(`\r
 ot slide"],["S","spin","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip\
  +, for a hoop that rolls ahead)"],["H","flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Qc=[["▲ ▼","\
 take-off, landing"],["•","highest point"],["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy ou\
-t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],yo=(s,e,t=()=>!1)=>d("table",{},d("caption",{},s),e.map(([n,...o])=>d("\
-tr",{},d("th",{scope:"row"},t(n),n),o.map(i=>d("td",{},i))))),vo=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Wa(s,e){let t=vo(),n=(r,l)=>d(
-"a",{href:r,target:"_blank",rel:"noopener"},l),o=(r,...l)=>[d("dt",{},r),d("dd",{},l)],i=e&&n(new URL("licences.txt",import.meta.url).href,"Licences of all that\
- the page contains"),a=d("dialog",{class:"about","aria-label":"About hophoop"},d("h2",{},"About hophoop"),d("p",{},"hophoop computes exactly how a hoop with a l\
-oad on its rim rolls, slips, hops and lands."),d("dl",{},o("Version",document.createTextNode(s)),o("Licence",document.createTextNode("MIT"),...i?[". ",i]:[]),o(
-"Documentation",t?n(t,"The documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",d("code",{},document.createTextNode("hophoop --he\
-lp")))),d("button",{type:"button",class:"close",onclick:()=>a.close()},"Close"));return a}function Ga(s,e,t){let n=d("dialog",{class:"help","aria-label":"Keys a\
-nd help"},d("h2",{},"The hoop"),d("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it sli\
-ps, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see."),yo("Modes",Zc,o=>d("i",{class:"dot",style:`background:${e.
-modes[o]}`})),yo("Marks on the bar of time",Qc),yo("Keys",Yc),t,d("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),d("button",{type:"\
+t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins, rest"]],yo=(s,e,t=()=>!1)=>u("table",{},u("caption",{},s),e.map(([n,...o])=>u("\
+tr",{},u("th",{scope:"row"},t(n),n),o.map(i=>u("td",{},i))))),vo=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Wa(s,e){let t=vo(),n=(r,l)=>u(
+"a",{href:r,target:"_blank",rel:"noopener"},l),o=(r,...l)=>[u("dt",{},r),u("dd",{},l)],i=e&&n(new URL("licences.txt",import.meta.url).href,"Licences of all that\
+ the page contains"),a=u("dialog",{class:"about","aria-label":"About hophoop"},u("h2",{},"About hophoop"),u("p",{},"hophoop computes exactly how a hoop with a l\
+oad on its rim rolls, slips, hops and lands."),u("dl",{},o("Version",document.createTextNode(s)),o("Licence",document.createTextNode("MIT"),...i?[". ",i]:[]),o(
+"Documentation",t?n(t,"The documentation"):"docs/index.md in the source; this page: docs/lab.md"),o("Commands",u("code",{},document.createTextNode("hophoop --he\
+lp")))),u("button",{type:"button",class:"close",onclick:()=>a.close()},"Close"));return a}function Ga(s,e,t){let n=u("dialog",{class:"help","aria-label":"Keys a\
+nd help"},u("h2",{},"The hoop"),u("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it sli\
+ps, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see."),yo("Modes",Zc,o=>u("i",{class:"dot",style:`background:${e.
+modes[o]}`})),yo("Marks on the bar of time",Qc),yo("Keys",Yc),t,u("button",{type:"button",class:"link",onclick:()=>s.showModal()},"About hophoop"),u("button",{type:"\
 button",class:"close",onclick:()=>n.close()},"Close"));return n}var Ua="hoop.radius=0.4&duration=1.5&start.speed=",Xc=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
@@ -1786,18 +1786,18 @@ nly the smallest push and rolls. How much potential energy has been set free whe
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],nu=["1.0","1.3","1.6","1.9","2.2","2.3"];function Ka(s,e){let t=m=>{c.close(),s(m)},n=(m,h="Show")=>d("button",{type:"\
+rim slips. Why does slipping help it to hop?"],nu=["1.0","1.3","1.6","1.9","2.2","2.3"];function Ka(s,e){let t=m=>{c.close(),s(m)},n=(m,h="Show")=>u("button",{type:"\
 button",class:"link",onclick:()=>t(m)},h),o=vo(),i=o&&[["teach/index.html","Teaching with the hoop"],["teach/worksheet.html","Worksheet"],["teach/solutions.html",
-"Solutions"],["teach/exercises.html","Exercises"]],a=d("table",{},d("caption",{},"A lesson of 45 minutes"),d("thead",{},d("tr",{},["Minute","What happens","Moti\
-on"].map(m=>d("th",{scope:"col"},m)))),d("tbody",{},Xc.map(([m,h,u])=>d("tr",{},d("th",{scope:"row"},m),d("td",{},h),d("td",{},u===null?"":n(u)))))),r=d("table",
-{},d("caption",{},"What students often think"),d("thead",{},d("tr",{},["Idea","What is right"].map(m=>d("th",{scope:"col"},m)))),d("tbody",{},eu.map(([m,h])=>d(
-"tr",{},d("td",{},m),d("td",{},h))))),l=d("section",{class:"sheet"},d("h3",{},"Worksheet: the hoop that hops"),d("p",{},"A thin ring of radius 0.40 m has a mass\
+"Solutions"],["teach/exercises.html","Exercises"]],a=u("table",{},u("caption",{},"A lesson of 45 minutes"),u("thead",{},u("tr",{},["Minute","What happens","Moti\
+on"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},Xc.map(([m,h,d])=>u("tr",{},u("th",{scope:"row"},m),u("td",{},h),u("td",{},d===null?"":n(d)))))),r=u("table",
+{},u("caption",{},"What students often think"),u("thead",{},u("tr",{},["Idea","What is right"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},eu.map(([m,h])=>u(
+"tr",{},u("td",{},m),u("td",{},h))))),l=u("section",{class:"sheet"},u("h3",{},"Worksheet: the hoop that hops"),u("p",{},"A thin ring of radius 0.40 m has a mass\
  of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9\
-.81 m/s²."),d("ol",{},tu.map(m=>d("li",{},m,d("div",{class:"answer-line"})))),d("table",{class:"sheet-table"},d("thead",{},d("tr",{},["v₀ [m/s]","phases","do\
-es it hop?","at which angle?"].map(m=>d("th",{scope:"col"},m)))),d("tbody",{},nu.map(m=>d("tr",{},d("th",{scope:"row"},n(`${Ua}${Number(m)}`,m)),d("td",{}),d("t\
-d",{}),d("td",{})))))),c=d("dialog",{class:"teach","aria-label":"For teachers"},d("header",{},d("h2",{},"For teachers"),d("button",{type:"button",onclick:()=>print()},
-"Print"),d("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),d("p",{},"The visit asks before it shows; the presentation fills the screen; t\
-he table gives numbers to every student. ",d("button",{type:"button",class:"link",onclick:()=>{c.close(),e()}},"Start the visit")),i&&d("p",{},i.map(([m,h])=>d(
+.81 m/s²."),u("ol",{},tu.map(m=>u("li",{},m,u("div",{class:"answer-line"})))),u("table",{class:"sheet-table"},u("thead",{},u("tr",{},["v₀ [m/s]","phases","do\
+es it hop?","at which angle?"].map(m=>u("th",{scope:"col"},m)))),u("tbody",{},nu.map(m=>u("tr",{},u("th",{scope:"row"},n(`${Ua}${Number(m)}`,m)),u("td",{}),u("t\
+d",{}),u("td",{})))))),c=u("dialog",{class:"teach","aria-label":"For teachers"},u("header",{},u("h2",{},"For teachers"),u("button",{type:"button",onclick:()=>print()},
+"Print"),u("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),u("p",{},"The visit asks before it shows; the presentation fills the screen; t\
+he table gives numbers to every student. ",u("button",{type:"button",class:"link",onclick:()=>{c.close(),e()}},"Start the visit")),i&&u("p",{},i.map(([m,h])=>u(
 "a",{class:"teach-page",href:new URL(m,new URL(o,document.baseURI)).href},h))),a,r,l);return c}var ko=S.words.letters,su=1/60,Va=8,ou={x:"vx",angle:"omega",height:"vy"},We=class{constructor(e){this.latest=null;this.pinned=null;this.sure=!0;this.cache=new Map;
 this.part=null;let{header:t}=e;this.scenario=t.scenario,this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.fingerprint=
 t.fingerprint??null,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.summary,this.story=t.story,this.shortened=t.shortened,this.
@@ -1822,30 +1822,30 @@ this.with({...a,t:[e]}),{sure:!1})}at(e){let{columns:t,sure:n}=this.moment(e);re
 digits:n?3:2}}derived(e,t){let n=this.cache.get(e)??t(this.columns);return this.cache.set(e,n),n}};function iu(s,e,t,n,o){if(!Number.isFinite(t)||!Number.isFinite(
 n))return s+(e-s)*o;let i=1-o;return i*i*(1+2*o)*s+o*o*(3-2*o)*e+o*i*(i*t-o*n)}var Eo=s=>s-360*Math.floor(s/360);function au(s,e){let t=Math.abs(Eo(s-e+180)-180);return Math.round(100*_(1-(t-1)/89,0,1))}function ru(s,e){let t=Math.max(...e)-
 Math.min(...e,0),n=e.reduce((o,i,a)=>o+Math.abs(i-s[a]),0)/e.length;return Math.round(100*_(1-2*n/(t||1),0,1))}var lu=0;function Nt(s,e,t=!1){let n=`hh-guess-${++lu}`,
-o="",i=s.map(([a,r])=>{let l=d("input",{type:"radio",name:n,value:a,onchange:()=>{o=a,e()}});return{key:a,radio:l,row:d("label",{class:"guess-choice"},l,d("span",
-{},r))}});return{element:d("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>o!=="",judge:a=>{for(let{key:r,radio:l,
-row:c}of i){l.disabled=!0;let m=t||r===a;m&&c.append(d("b",{class:"guess-right"},"✓")),c.classList.toggle("right",m)}return t||o===a?100:0}}}var ve=168,zt=58,
-xo=(s,e=zt)=>{let t=s*Math.PI/180;return[ve/2+e*Math.sin(t),ve/2-e*Math.cos(t)]};function Mo(s,e){let t=0,n=!1,o=null,i=d("canvas",{class:"dial-canvas"}),a=d("d\
+o="",i=s.map(([a,r])=>{let l=u("input",{type:"radio",name:n,value:a,onchange:()=>{o=a,e()}});return{key:a,radio:l,row:u("label",{class:"guess-choice"},l,u("span",
+{},r))}});return{element:u("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>o!=="",judge:a=>{for(let{key:r,radio:l,
+row:c}of i){l.disabled=!0;let m=t||r===a;m&&c.append(u("b",{class:"guess-right"},"✓")),c.classList.toggle("right",m)}return t||o===a?100:0}}}var ve=168,zt=58,
+xo=(s,e=zt)=>{let t=s*Math.PI/180;return[ve/2+e*Math.sin(t),ve/2-e*Math.cos(t)]};function Mo(s,e){let t=0,n=!1,o=null,i=u("canvas",{class:"dial-canvas"}),a=u("d\
 iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":s,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let m=getComputedStyle(
-a),{context:h}=K(i,Number.parseFloat(m.width)/ve||1),u=m.getPropertyValue("--ink").trim(),p=m.getPropertyValue("--soft").trim(),f=m.getPropertyValue("--accent").
+a),{context:h}=K(i,Number.parseFloat(m.width)/ve||1),d=m.getPropertyValue("--ink").trim(),p=m.getPropertyValue("--soft").trim(),f=m.getPropertyValue("--accent").
 trim();h.clearRect(0,0,ve,ve),h.strokeStyle=p,h.fillStyle=p,h.lineWidth=1.5,h.beginPath(),h.moveTo(8,ve/2+zt),h.lineTo(ve-8,ve/2+zt),h.stroke(),h.lineWidth=4,h.
 beginPath(),h.arc(ve/2,ve/2,zt,0,2*Math.PI),h.stroke(),h.font="11px system-ui, sans-serif",h.textAlign="center";for(let b of[0,90,180,270]){let[w,y]=xo(b,zt-28);
-h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...xo(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=u,h.lineWidth=2,h.beginPath(),
-h.arc(...xo(o),12,0,2*Math.PI),h.stroke(),g(o,u,7)),g(t,n?f:p,9)},l=m=>{o===null&&(t=Eo(m),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
-"aria-valuetext",`${Math.round(t)}°`),r(),e())},c=m=>{let h=i.getBoundingClientRect(),[u,p]=[m.clientX-h.left-h.width/2,m.clientY-h.top-h.height/2];l(Math.atan2(
-u,-p)*180/Math.PI)};return a.addEventListener("pointerdown",m=>{m.preventDefault(),a.focus({preventScroll:!0}),c(m),J(a,m,c)}),a.addEventListener("keydown",m=>{
+h.fillText(`${b}°`,w,y+4)}let g=(b,w,y)=>{h.fillStyle=w,h.beginPath(),h.arc(...xo(b),y,0,2*Math.PI),h.fill()};o!==null&&(h.strokeStyle=d,h.lineWidth=2,h.beginPath(),
+h.arc(...xo(o),12,0,2*Math.PI),h.stroke(),g(o,d,7)),g(t,n?f:p,9)},l=m=>{o===null&&(t=Eo(m),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute(
+"aria-valuetext",`${Math.round(t)}°`),r(),e())},c=m=>{let h=i.getBoundingClientRect(),[d,p]=[m.clientX-h.left-h.width/2,m.clientY-h.top-h.height/2];l(Math.atan2(
+d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",m=>{m.preventDefault(),a.focus({preventScroll:!0}),c(m),J(a,m,c)}),a.addEventListener("keydown",m=>{
 let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[m.key];h!==void 0&&(m.preventDefault(),m.stopPropagation(),l(t+(m.shiftKey?h/5:h)))}),
 requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:m=>(o=Eo(m),r(),au(t,o))}}var Ct=9,[ye,En,Ge,_o]=[34,12,12,26];function Ja({label:s,unit:e,most:t},n){
-let o=Array(Ct).fill(t/4),i=!1,a=null,r=d("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>d("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s}\
+let o=Array(Ct).fill(t/4),i=!1,a=null,r=u("canvas",{class:"sketch-canvas"}),l=o.map((y,v)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s}\
  with the load at ${45*v}°`,"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(t),onkeydown:E=>{let T={ArrowUp:1,ArrowRight:1,ArrowDown:-1,
-ArrowLeft:-1}[E.key];T&&(E.preventDefault(),E.stopPropagation(),g(v,o[v]+T*t/(E.shiftKey?100:20)))}})),c=d("div",{class:"guess sketch",role:"group","aria-label":"\
-Draw the curve: pull the points up and down"},r,l),m=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},u=y=>ye+y/(Ct-1)*(h.width-ye-En),p=y=>Ge+(1-y/t)*(h.
+ArrowLeft:-1}[E.key];T&&(E.preventDefault(),E.stopPropagation(),g(v,o[v]+T*t/(E.shiftKey?100:20)))}})),c=u("div",{class:"guess sketch",role:"group","aria-label":"\
+Draw the curve: pull the points up and down"},r,l),m=()=>r.getBoundingClientRect(),h={width:0,height:0,px:1},d=y=>ye+y/(Ct-1)*(h.width-ye-En),p=y=>Ge+(1-y/t)*(h.
 height-Ge-_o),f=()=>{let y=getComputedStyle(c),v=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:E,width:T,height:L}=K(r,v);h={width:T,height:L,
 px:v};let P=A=>y.getPropertyValue(A).trim();E.clearRect(0,0,T,L),E.strokeStyle=P("--line"),E.fillStyle=P("--soft"),E.font="11px system-ui, sans-serif";for(let A=0;A<
-Ct;A+=2)E.textAlign="center",E.fillText(`${45*A}°`,u(A),L-8),E.strokeRect(u(A),Ge,0,L-Ge-_o);for(let A of[0,t/2,t])E.textAlign="right",E.fillText(String(A),ye-
+Ct;A+=2)E.textAlign="center",E.fillText(`${45*A}°`,d(A),L-8),E.strokeRect(d(A),Ge,0,L-Ge-_o);for(let A of[0,t/2,t])E.textAlign="right",E.fillText(String(A),ye-
 6,p(A)+4),E.strokeRect(ye,p(A),T-ye-En,0);E.textAlign="left",E.fillText(e,ye+4,Ge+10);let F=(A,D,H)=>{E.strokeStyle=D,E.lineWidth=2.5,E.setLineDash(H),E.beginPath(),
 A.forEach((le,Ie)=>{let jt=ye+Ie/(A.length-1)*(T-ye-En);Ie?E.lineTo(jt,p(_(le,0,t))):E.moveTo(jt,p(_(le,0,t)))}),E.stroke(),E.setLineDash([])};F(o,P("--accent"),
-[6,4]),a&&F(a,P("--ink"),[]),l.forEach((A,D)=>{A.style.transform=`translate(${v*u(D)}px, ${v*p(o[D])}px)`})},g=(y,v)=>{a||(o[y]=_(v,0,t),i=!0,l[y].setAttribute(
+[6,4]),a&&F(a,P("--ink"),[]),l.forEach((A,D)=>{A.style.transform=`translate(${v*d(D)}px, ${v*p(o[D])}px)`})},g=(y,v)=>{a||(o[y]=_(v,0,t),i=!0,l[y].setAttribute(
 "aria-valuenow",o[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${o[y].toPrecision(2)} ${e}`),f(),n())},b=null,w=y=>{let v=m(),[E,T]=[y.clientX-v.left,
 y.clientY-v.top].map(H=>H/h.px),L=_((E-ye)/(h.width-ye-En),0,1),P=Math.round(L*(Ct-1)),F=t*(1-(T-Ge)/(h.height-Ge-_o)),A=b??P,D=o[A];for(let H=Math.min(A,P);H<=
 Math.max(A,P);H++)g(H,A===P?F:D+(F-D)*(H-A)/(P-A));b=P};c.addEventListener("pointerdown",y=>{y.preventDefault(),b=null,w(y),J(c,y,w)});for(let[y,v]of l.entries())
@@ -1892,41 +1892,41 @@ de at once."],["both","Both agree with the laws."]],s),until:s=>Math.min(.8,...s
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
  the motion itself.",question:"",queries:[""]}];var Ya="hophoop-visit",Tn=class{constructor(e,t){this.lab=e;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
-loop=null;this.asked=0;this.onchallenges=t,this.body=d("div",{class:"visit-body"}),this.said=d("div",{class:"visit-answer",role:"status"}),this.element=d("secti\
+loop=null;this.asked=0;this.onchallenges=t,this.body=u("div",{class:"visit-body"}),this.said=u("div",{class:"visit-answer",role:"status"}),this.element=u("secti\
 on",{class:"visit card","aria-label":"Guided visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){se(Ya)||(this.
-element.hidden=!1,R(this.said,""),this.body.replaceChildren(d("div",{class:"buttons offer"},d("p",{},d("b",{},"New here?")," ","Eight short questions: guess, th\
-en play."),d("button",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),d("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){
+element.hidden=!1,R(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"New here?")," ","Eight short questions: guess, th\
+en play."),u("button",{type:"button",class:"main",onclick:()=>this.start()},"Start the visit"),u("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){
 this.points.clear(),this.go(0)}leave(){oe(Ya,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.mark("visit\
 ing",!1),this.veil(),this.lab.show()}async go(e){let t=Ue[e],n=++this.asked;this.lab.opening.end();let{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.
 stop=null,this.guess=null,this.unwind(),R(this.said,""),this.element.hidden=!1,o.mark("visiting",e<Ue.length-1);try{let i=await Promise.all(t.queries.map(a=>o.backend.
 film({query:a})));if(n!==this.asked)return;this.films=i.map(a=>new We(a)),o.motions.active=0,o.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??
 null,this.veil(),o.changed(),o.motions.note(),this.fill(e)}catch(i){o.notice.fail(i)}}veil(){this.lab.mark("guessing",this.guessing),this.guessing&&this.lab.stage.
-element.setAttribute("aria-label",k("The hoop, before it is let go."))}fill(e){let t=Ue[e];this.play=d("button",{type:"button",class:"main",disabled:!!this.guess,
-onclick:()=>this.show()},"Play"),this.running=!1,this.skip=d("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.clock.seek(this.stop)},"Sk\
-ip to the answer");let n=e===Ue.length-1,o=d("h2",{tabindex:"-1"},t.title);this.next=d("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
-d("header",{},d("span",{class:"visit-count"},`Step ${e+1} of ${Ue.length}`),d("progress",{max:String(Ue.length),value:String(e+1),"aria-hidden":"true"}),d("butt\
-on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,d("p",{},t.text),t.question?d("p",{class:"visit-question"},t.
-question):"",this.guess?.element??"",d("div",{class:"buttons"},e>0&&d("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,this.guess&&
-this.skip,n?d("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,n&&d("button",{type:"button",onclick:()=>this.leave()},
-"Done"),this.guess&&d("span",{class:"hint visit-wait"},"First say what you expect, then play."))),n&&this.points.size&&this.total(),o.focus({preventScroll:!0})}guessed(){
+element.setAttribute("aria-label",k("The hoop, before it is let go."))}fill(e){let t=Ue[e];this.play=u("button",{type:"button",class:"main",disabled:!!this.guess,
+onclick:()=>this.show()},"Play"),this.running=!1,this.skip=u("button",{type:"button",hidden:!0,onclick:()=>this.stop!==null&&this.lab.clock.seek(this.stop)},"Sk\
+ip to the answer");let n=e===Ue.length-1,o=u("h2",{tabindex:"-1"},t.title);this.next=u("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
+u("header",{},u("span",{class:"visit-count"},`Step ${e+1} of ${Ue.length}`),u("progress",{max:String(Ue.length),value:String(e+1),"aria-hidden":"true"}),u("butt\
+on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,u("p",{},t.text),t.question?u("p",{class:"visit-question"},t.
+question):"",this.guess?.element??"",u("div",{class:"buttons"},e>0&&u("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,this.guess&&
+this.skip,n?u("button",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,n&&u("button",{type:"button",onclick:()=>this.leave()},
+"Done"),this.guess&&u("span",{class:"hint visit-wait"},"First say what you expect, then play."))),n&&this.points.size&&this.total(),o.focus({preventScroll:!0})}guessed(){
 this.play&&(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;if(!(!t||!this.guess)){if(this.stop!==
 null){e.clock.play();return}this.stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),e.clock.run({to:this.stop}),
 this.frame()}}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===null||(this.skip.hidden=!1,
 this.running!==e.playing&&(this.running=e.playing,R(this.play,this.running?"Pause":"Play")),e.time<this.stop-1e-9))return;e.playing=!1;let t=this.stop;this.stop=
 null,this.unwind(),e.seek(t),this.judge()}judge(){let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:n,text:o,values:i={}}=e.answer(this.films),a=t.judge(
-n);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(d("p",{},d("b",{},a?`${a} of 100 points.`:"Not so.")," ",nn(o,i)),d("\
+n);this.points.set(e.key,a),this.play.hidden=this.skip.hidden=!0,this.said.replaceChildren(u("p",{},u("b",{},a?`${a} of 100 points.`:"Not so.")," ",nn(o,i)),u("\
 p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let e=[...this.points.values()].
-reduce((t,n)=>t+n,0);this.said.replaceChildren(d("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){
+reduce((t,n)=>t+n,0);this.said.replaceChildren(u("p",{},`You have ${e} of ${100*this.points.size} points.`))}challenge(){this.leave(),this.onchallenges()}changed(){
 this.guess?.redraw?.(),this.guessing&&this.veil()}};var Za=60,An=class{constructor(e){this.lab=e;this.words={t:k,untranslated:Qe};this.sound=new xn;let t=()=>e.film(),n=o=>e.load(o);this.grips=new fn(e),this.present=
 new kn(e.root,()=>e.show()),this.challenges=new un({film:t,load:n,ahead:()=>e.stage.options.ahead}),this.visit=new Tn(e,()=>this.challenges.open()),this.table=new _n(
 {film:t,clock:e.clock,names:()=>e.theme.colors.mode_names}),this.more=new vn(e),this.teach=Ka(n,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.
-makeMenu(),this.languages=po(()=>{this.spoken(),sn(e.root),e.show()}),this.spoken()}makeTools(){let{clock:e}=this.lab,t=(n,o,i)=>d("button",{type:"button",title:o,
+makeMenu(),this.languages=po(()=>{this.spoken(),sn(e.root),e.show()}),this.spoken()}makeTools(){let{clock:e}=this.lab,t=(n,o,i)=>u("button",{type:"button",title:o,
 "aria-label":o,"aria-pressed":"false",onclick:i},Y(n));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.slow=t("slow","Slow motion: a t\
 enth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.sound.turn(!this.sound.on),this.
-mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),d("div",{class:"butt\
+mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),u("div",{class:"butt\
 ons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop.setAttribute("aria-pressed",String(e.loop)),this.slow.setAttribute(
 "aria-pressed",String(e.speed===.1)),this.loud.setAttribute("aria-pressed",String(this.sound.on)),this.large.setAttribute("aria-pressed",String(this.present.on))}makeMenu(){
-let e=(n,o)=>d("button",{type:"button",onclick:()=>{t.open=!1,o()}},n),t=d("details",{class:"learn"},d("summary",{class:"button"},"Learn"),d("div",{class:"menu-\
+let e=(n,o)=>u("button",{type:"button",onclick:()=>{t.open=!1,o()}},n),t=u("details",{class:"learn"},u("summary",{class:"button"},"Learn"),u("div",{class:"menu-\
 body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
 he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal()),e("About hophoop",()=>this.lab.about.
 showModal())));return t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),t}spoken(){
@@ -1935,49 +1935,49 @@ this.lab.root.lang=Pe(),this.lab.hosted&&(document.documentElement.lang=Pe(),thi
 query:e,summary:t}){let n=this.lab.known.find(i=>i.query===e);if(n)return k(n.title);let[o]=t.split(/(?<=[.。])(?!\d)/u);return o.length<=Za?o.replace(/[.。]$/u,
 ""):`${o.slice(0,Za).replace(/[,，][^,，]*$/u,"")} …`}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.
 time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),this.challenges.changed(),
-this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};var Dt=(s,e,t)=>d("button",{type:"button",title:e,"aria-label":e,onclick:t},s),Ln=class{constructor(e,t,n,o){this.fresh=!1;let i=new Map;for(let r of e)i.set(r.
-group,[...i.get(r.group)??[],r]);this.presets=d("select",{class:"presets","aria-label":"Examples",onchange:()=>{let r=e.find(({key:l})=>l===this.presets.value);
-this.fresh=r!==void 0,r&&o.take(r)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},d("option",{value:""},"Examples …"),[...i].map(([r,l])=>d("o\
-ptgroup",{label:r},l.map(({key:c,title:m})=>d("option",{value:c},m))))),this.undo=Dt(Y("undo"),"Undo (z)",o.undo),this.redo=Dt(Y("redo"),"Redo (y)",o.redo);let a=d(
-"span",{},d("span",{class:"long"},"Compare"),d("span",{class:"short"},Y("two")));this.compare=Dt(a,"Compare two hoops",o.compare),this.compare.classList.add("fu\
-ll"),this.right=d("div",{class:"buttons right"},t,Dt(Y("theme"),"Dark or light (d)",o.theme),Dt("?","Keys and help (?)",o.help)),this.element=d("header",{class:"\
-top"},d("h1",{},d("span",{class:"logo","aria-hidden":"true"}),d("span",{},"hophoop",d("span",{class:"long"}," lab"))),this.presets,d("div",{class:"buttons"},this.
+this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};var Dt=(s,e,t)=>u("button",{type:"button",title:e,"aria-label":e,onclick:t},s),Ln=class{constructor(e,t,n,o){this.fresh=!1;let i=new Map;for(let r of e)i.set(r.
+group,[...i.get(r.group)??[],r]);this.presets=u("select",{class:"presets","aria-label":"Examples",onchange:()=>{let r=e.find(({key:l})=>l===this.presets.value);
+this.fresh=r!==void 0,r&&o.take(r)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},u("option",{value:""},"Examples …"),[...i].map(([r,l])=>u("o\
+ptgroup",{label:r},l.map(({key:c,title:m})=>u("option",{value:c},m))))),this.undo=Dt(Y("undo"),"Undo (z)",o.undo),this.redo=Dt(Y("redo"),"Redo (y)",o.redo);let a=u(
+"span",{},u("span",{class:"long"},"Compare"),u("span",{class:"short"},Y("two")));this.compare=Dt(a,"Compare two hoops",o.compare),this.compare.classList.add("fu\
+ll"),this.right=u("div",{class:"buttons right"},t,Dt(Y("theme"),"Dark or light (d)",o.theme),Dt("?","Keys and help (?)",o.help)),this.element=u("header",{class:"\
+top"},u("h1",{},u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," lab"))),this.presets,u("div",{class:"buttons"},this.
 undo,this.redo,this.compare,n),this.right)}show(e,t){this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-press\
 ed",String(t))}};var du=["pointerdown","wheel"],Rn=class{constructor(e,t){this.clock=e;this.hint=t;this.touches=new AbortController}begin(e){let{signal:t}=this.touches,n=()=>this.
 end();for(let o of du)e.addEventListener(o,n,{signal:t,capture:!0,passive:!0});addEventListener("keydown",n,{signal:t,capture:!0}),this.hint.hidden=!1,this.clock.
 run({once:!0})}end(){this.hint.hidden=!0,this.touches.abort()}};var Qa="hophoop-view",mu=new Set(["start.speed","hoop.load_fraction","plane.mu","duration"]),Xa=({query:s})=>[...new URLSearchParams(s).keys()].some(e=>!mu.has(
-e)),Pn=class{constructor(e,t,n){this.root=e;this.hosted=t;this.changed=n;this.simple=!1;this.button=d("button",{type:"button",class:"view",hidden:!t,onclick:()=>this.
-choose()}),this.more=d("p",{class:"hint beyond",hidden:!0},"This motion has other settings too. ",d("button",{type:"button",class:"link",onclick:()=>this.choose()},
+e)),Pn=class{constructor(e,t,n){this.root=e;this.hosted=t;this.changed=n;this.simple=!1;this.button=u("button",{type:"button",class:"view",hidden:!t,onclick:()=>this.
+choose()}),this.more=u("p",{class:"hint beyond",hidden:!0},"This motion has other settings too. ",u("button",{type:"button",class:"link",onclick:()=>this.choose()},
 "Show everything"))}get everything(){return se(Qa)==="everything"}open(e,{map:t,more:n,fingerprints:o}){let i=e.length>1||t||n||o?.some(Boolean)||e.some(Xa);this.
 turn(this.hosted&&!this.everything&&!i)}choose(){this.turn(!this.simple),oe(Qa,this.simple?"simple":"everything"),this.changed(),this.button.focus({preventScroll:!0})}turn(e){
 this.simple=e,this.root.classList.toggle("simple",e),R(this.button,e?"Everything":"Simple view");for(let t of this.root.querySelectorAll("details.group"))e?(t.dataset.
-open=String(t.open),t.open=!0):t.dataset.open&&(t.open=t.dataset.open==="true")}show(e){this.more.hidden=!this.simple||!e.some(Xa)}};var Cn=class{constructor(e){this.tabs=["A","B"].map((t,n)=>d("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=d("div",{class:"\
-tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=d("p",{class:"preset-text"}),this.element=d("div",{class:"lanes"},
+open=String(t.open),t.open=!0):t.dataset.open&&(t.open=t.dataset.open==="true")}show(e){this.more.hidden=!this.simple||!e.some(Xa)}};var Cn=class{constructor(e){this.tabs=["A","B"].map((t,n)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=u("div",{class:"\
+tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=u("p",{class:"preset-text"}),this.element=u("div",{class:"lanes"},
 this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(n===t))}};var er="hophoop-single-keys",pu=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
 s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
 clock.faster(-1),"]":()=>s.clock.faster(1),t:()=>s.toggle("traces"),f:()=>s.toggle("forces"),c:()=>s.toggle("speed"),a:()=>s.extras.more.turn(),w:()=>s.toggle("\
 whole"),3:()=>s.toggle("three"),"+":()=>s.stage.zoom(1.25),"=":()=>s.stage.zoom(1.25),"-":()=>s.stage.zoom(.8),0:()=>s.stage.zoom(0),z:()=>s.travel(-1),y:()=>s.
 travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function fu(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
 preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function gu(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var zn=class{constructor(e){
-this.on=!e||se(er)!=="off";let t=d("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&oe(er,this.on?"on":"off")}});this.element=d("labe\
+this.on=!e||se(er)!=="off";let t=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&oe(er,this.on?"on":"off")}});this.element=u("labe\
 l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function bu(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
 if(e.key==="Escape"){gu(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){fu(s,e);return}if(e.altKey||
 t.matches?.("select")&&!(e.key===" "&&s.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button,\
  summary, input[type=checkbox]")||!s.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=pu(s,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function tr(s,e){
-let t=e?document:s.root,n=o=>{bu(s,o),e||o.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function nr(s,e){let t=d("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
+let t=e?document:s.root,n=o=>{bu(s,o),e||o.stopPropagation()};return t.addEventListener("keydown",n),()=>t.removeEventListener("keydown",n)}function nr(s,e){let t=u("div",{class:"edge","aria-hidden":"true"}),n=new IntersectionObserver(([o])=>{let i=!o.isIntersecting&&o.boundingClientRect.top<0;if(i===
 s.classList.contains("stuck"))return;let a=s.offsetHeight;s.style.marginBottom="",s.classList.toggle("stuck",i),i&&(s.style.marginBottom=`${a-s.offsetHeight}px`),
 document.documentElement.style.scrollPaddingTop=i?`${s.offsetHeight}px`:"",e()});return n.observe(t),{edge:t,close:()=>n.disconnect()}}function sr(s,e){s.classList.add("hophoop"),s.dir="ltr",!e&&(s.classList.add("embedded"),s.dataset.lmSuppressShortcuts="true",s.dataset.pSuppressShortcuts="true")}
-function or(s,e){let{root:t,notice:n,hosted:o,extras:i,transport:a,header:r}=s,l=g=>!e||e.includes(g),c=[i.visit.element,i.challenges.element],m=d("aside",{class:"\
+function or(s,e){let{root:t,notice:n,hosted:o,extras:i,transport:a,header:r}=s,l=g=>!e||e.includes(g),c=[i.visit.element,i.challenges.element],m=u("aside",{class:"\
 side","aria-label":"Parameters"},...c,s.hoops.element,n.message,s.controls.element,s.view.more);a.row.append(i.more.switch),a.row.before(i.tools),r.right.prepend(
-i.menu,i.languages);let h=d("div",{class:"player"},i.grips.element,s.stage.element,s.timeline.element,a.element),u=o?nr(h,()=>s.request()):null,p=d("div",{class:"\
-middle"},u?.edge,!l("controls")&&c,h,i.more.element,i.table.element,d("div",{class:"words"},s.story.element,l("theory")&&s.theory.element),l("map")&&s.map.element),
-f=d("div",{class:"why"},l("plots")&&s.plots.element,l("plots")&&s.phase.element);return t.replaceChildren(d("div",{class:"page"},o&&wu(s.timeline.element),r.element,
-d("div",{class:"columns"},l("controls")&&m,p,f)),n.toast,s.share.dialog,s.help,s.about,i.teach),t.addEventListener("pointerdown",({target:g})=>{for(let b of[s.share.
-menu,i.menu])b.contains(g)||(b.open=!1)}),t.classList.toggle("no-controls",!l("controls")),u}function wu(s){s.id="hh-player";let e=d("a",{class:"skip button",href:"\
+i.menu,i.languages);let h=u("div",{class:"player"},i.grips.element,s.stage.element,s.timeline.element,a.element),d=o?nr(h,()=>s.request()):null,p=u("div",{class:"\
+middle"},d?.edge,!l("controls")&&c,h,i.more.element,i.table.element,u("div",{class:"words"},s.story.element,l("theory")&&s.theory.element),l("map")&&s.map.element),
+f=u("div",{class:"why"},l("plots")&&s.plots.element,l("plots")&&s.phase.element);return t.replaceChildren(u("div",{class:"page"},o&&wu(s.timeline.element),r.element,
+u("div",{class:"columns"},l("controls")&&m,p,f)),n.toast,s.share.dialog,s.help,s.about,i.teach),t.addEventListener("pointerdown",({target:g})=>{for(let b of[s.share.
+menu,i.menu])b.contains(g)||(b.open=!1)}),t.classList.toggle("no-controls",!l("controls")),d}function wu(s){s.id="hh-player";let e=u("a",{class:"skip button",href:"\
 #hh-player"},"Skip to the player");return e.onclick=t=>{t.preventDefault(),s.focus()},e}function nt(s,e,{left:t,top:n,box:o},{across:i,up:a,lines:r=!1,middle:l=!1}){let c=n+o.height,m=t+o.width;s.save(),s.font=`11px ${e.font}`,s.strokeStyle=r?e.line:
-e.soft,s.fillStyle=e.soft,s.lineWidth=1,r||s.strokeRect(t+.5,n+.5,o.width-1,o.height-1),s.textAlign="right",s.textBaseline="middle";for(let{at:h,text:u,strong:p}of a.
-marks)r&&(s.globalAlpha=p?1:.55,ir(s,[t,Math.round(h)+.5],[m,Math.round(h)+.5]),s.globalAlpha=1),s.fillText(u,t-6,h);s.textBaseline="alphabetic",s.textAlign="ce\
-nter";for(let{at:h,text:u}of i.marks)ir(s,[h,c],[h,c+4]),s.fillText(u,h,c+15);l?s.fillText(i.name,t+.5*o.width,c+30):(s.textAlign="right",s.fillText(i.name,m,c+
+e.soft,s.fillStyle=e.soft,s.lineWidth=1,r||s.strokeRect(t+.5,n+.5,o.width-1,o.height-1),s.textAlign="right",s.textBaseline="middle";for(let{at:h,text:d,strong:p}of a.
+marks)r&&(s.globalAlpha=p?1:.55,ir(s,[t,Math.round(h)+.5],[m,Math.round(h)+.5]),s.globalAlpha=1),s.fillText(d,t-6,h);s.textBaseline="alphabetic",s.textAlign="ce\
+nter";for(let{at:h,text:d}of i.marks)ir(s,[h,c],[h,c+4]),s.fillText(d,h,c+15);l?s.fillText(i.name,t+.5*o.width,c+30):(s.textAlign="right",s.fillText(i.name,m,c+
 27)),s.translate(11,n+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(a.name,0,0),s.restore()}function ir(s,e,t){s.beginPath(),s.moveTo(...e),
 s.lineTo(...t),s.stroke()}var ar=(s,e)=>e?`${k(s)} [${e}]`:k(s);var[rr,yu]=[62,92],vu=12,Ot=10,ku=36,lr=Math.PI/180,ke=["x","y"],Nn=class{constructor(e){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(e.map(t=>[
 t.path,t])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=rr}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
@@ -1994,8 +1994,8 @@ left,Ot,this.box.width,this.box.height),e.clip()}x(e){let[t,n]=this.windows.x;re
 this.box.height)}}deep(e){let[t,n]=this.windows[e];return n-t<5e-5*Math.max(Math.abs(t),Math.abs(n))}said(e){let t=n=>{let o=this.info(n),[i,a]=this.windows[n],
 r=Math.max(Math.abs(i),Math.abs(a)),l=_(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${k(o.label)} = ${I(M(o.degrees?e[n]/lr:e[n],l),o.unit)}`};return`${t("x")}\
 , ${t("y")}`}draw(e,t){let{left:n,box:o}=this,[i,a]=[this.axis("x",o.width/80),this.axis("y",o.height/40)];nt(e,t,{left:n,top:Ot,box:o},{across:i,up:a,middle:!0})}axis(e,t){
-let n=this.info(e),o=n.degrees?1/lr:1,[i,a]=this.windows[e].map(u=>u*o),r=V(a-i,t),l=this.deep(e),c=l?Number((.5*(i+a)).toPrecision(12)):0,m=l?he(i-c,a-c,t).map(
-u=>u+c):he(i,a,t),h=l?` − ${String(c).replace("-","−")}`:"";return{marks:m.map(u=>({at:this[e](u/o),text:l?M(u-c,3):ae(u,r)})),name:`${k(n.label)}${h}${n.unit?
+let n=this.info(e),o=n.degrees?1/lr:1,[i,a]=this.windows[e].map(d=>d*o),r=V(a-i,t),l=this.deep(e),c=l?Number((.5*(i+a)).toPrecision(12)):0,m=l?he(i-c,a-c,t).map(
+d=>d+c):he(i,a,t),h=l?` − ${String(c).replace("-","−")}`:"";return{marks:m.map(d=>({at:this[e](d/o),text:l?M(d-c,3):ae(d,r)})),name:`${k(n.label)}${h}${n.unit?
 ` [${n.unit}]`:""}`}}};function Ke([s,e],[t,n]){let o=Math.min(e-s,n-t);return s<t?[t,t+o]:e>n?[n-o,n]:[s,e]}function So(s,e,t,n,o){for(let[i,a]of[[o,4],[n,1.8]])
 s.strokeStyle=i,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(
 e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var st=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,xu=.0018,hr=200,
@@ -2007,34 +2007,34 @@ s,i):s.aim()),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",o=>Su
 {px:n}=s.look;return s.axes.place((e.clientX-t.left)/n,(e.clientY-t.top)/n)}function Mu(s,e){s.tip.textContent=s.said(To(s,e)),s.tip.hidden=!1;let t=s.body.getBoundingClientRect();
 s.tip.style.left=`${_(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,s.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Su(s,e,t,n){e.preventDefault(),
 s.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],i={x:[...s.axes.windows.x],y:[...s.axes.windows.y]};s.pointed=To(s,e);let a=!1,r=!1,l=t(),c=m=>{if(l||=
-t(),l)return;let[h,u]=[m.clientX-o[0],m.clientY-o[1]];r||Math.hypot(h,u)<5&&!a||(r=!a&&e.pointerType==="touch"&&Math.abs(u)>=Math.abs(h),!r&&(a=!0,n(!0),s.tip.hidden=
-!0,s.axes.drag(i,h/s.look.px,u/s.look.px),s.redraw(),s.soon()))};J(s.body,e,c,(m,h)=>{h&&!a&&!r&&!l&&s.pointed&&s.take(s.pointed),n(!1)})}function Tu(s,e){let t=s.
+t(),l)return;let[h,d]=[m.clientX-o[0],m.clientY-o[1]];r||Math.hypot(h,d)<5&&!a||(r=!a&&e.pointerType==="touch"&&Math.abs(d)>=Math.abs(h),!r&&(a=!0,n(!0),s.tip.hidden=
+!0,s.axes.drag(i,h/s.look.px,d/s.look.px),s.redraw(),s.soon()))};J(s.body,e,c,(m,h)=>{h&&!a&&!r&&!l&&s.pointed&&s.take(s.pointed),n(!1)})}function Tu(s,e){let t=s.
 pointed??s.here()??s.axes.middle();if(s.pointed=t,cr[e.key]){let[n,o]=cr[e.key],{x:i,y:a}=s.axes.windows;s.pointed={x:_(t.x+n*(i[1]-i[0])/ur,i[0],i[1]),y:_(t.y+
 o*(a[1]-a[0])/ur,a[0],a[1])},s.state.textContent=s.said(s.pointed),s.say(s.said(s.pointed))}else if(e.key==="Enter")s.take(t);else return;e.preventDefault(),e.stopPropagation(),
 s.redraw()}var Au=["start.height","start.vx","start.vy","start.omega"];function mr(s,e){let t="speed"in s.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
 ugh this motion starts otherwise":t&&e.some(n=>Au.includes(n))?"of starts in any state, though this motion starts rolling":""}var Lu=Math.PI/180,Ru=12,Pu=["hop_height","flight_time","energy_lost","greatest_utilization"];function pr(s){return s.unit==="rad"?[1/Lu,"°"]:[1,s.unit==="1"?"":
 s.unit]}function Cu({classes:s,what:e},t){let[n,o]=[1/0,-1/0];if(s)return[n,o];for(let i of t)i<n&&(n=i),i>o&&(o=i);return[Pu.includes(e)?Math.min(n,0):n,o]}function fr(s){
-let{values:e}=s.arrays,t=s.header,{x:n,y:o,classes:i}=t,a=new ImageData(n.cells,o.cells),[r,l]=Cu(t,e),c=i?.map(({color:h})=>Me(h));for(let h=0;h<o.cells;h++)for(let u=0;u<
-n.cells;u++){let p=e[h*n.cells+u],f=4*((o.cells-1-h)*n.cells+u);if(!Number.isFinite(p))continue;let g=c&&(u+1<n.cells&&e[h*n.cells+u+1]!==p||h+1<o.cells&&e[(h+1)*
-n.cells+u]!==p),b=c?c[p].map(w=>g?.72*w:w):Ze[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let m=d("canvas",{width:n.cells,height:o.cells});
+let{values:e}=s.arrays,t=s.header,{x:n,y:o,classes:i}=t,a=new ImageData(n.cells,o.cells),[r,l]=Cu(t,e),c=i?.map(({color:h})=>Me(h));for(let h=0;h<o.cells;h++)for(let d=0;d<
+n.cells;d++){let p=e[h*n.cells+d],f=4*((o.cells-1-h)*n.cells+d);if(!Number.isFinite(p))continue;let g=c&&(d+1<n.cells&&e[h*n.cells+d+1]!==p||h+1<o.cells&&e[(h+1)*
+n.cells+d]!==p),b=c?c[p].map(w=>g?.72*w:w):Ze[_(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...b,255],f)}let m=u("canvas",{width:n.cells,height:o.cells});
 return we(m).putImageData(a,0,0),{picture:m,header:t,values:e,x:[n.from,n.to],y:[o.from,o.to],low:r,high:l}}function gr(s,e){let t=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
-i[1]+1e-300;return[...s.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-Ru)}function br({header:s,low:e,high:t,values:n}){let{classes:o}=s;if(!o){let r=d("canvas",
+i[1]+1e-300;return[...s.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-Ru)}function br({header:s,low:e,high:t,values:n}){let{classes:o}=s;if(!o){let r=u("canvas",
 {width:120,height:10,style:"width:120px;height:10px"}),l=we(r);for(let h=0;h<120;h++)l.fillStyle=`rgb(${Ze[Math.floor(255*h/119)].join(",")})`,l.fillRect(h,0,1,
-10);let[c,m]=pr(s);return[d("span",{},s.label,": ",t>=e?M(e*c,3):"none"," "),r,d("span",{},t>=e?I(M(t*c,3),m):""),n.some(h=>!Number.isFinite(h))?d("span",{},d("\
+10);let[c,m]=pr(s);return[u("span",{},s.label,": ",t>=e?M(e*c,3):"none"," "),r,u("span",{},t>=e?I(M(t*c,3),m):""),n.some(h=>!Number.isFinite(h))?u("span",{},u("\
 i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of n)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
-0,10).map(([r])=>{let{color:l,text:c}=o[r];return d("span",{},d("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?d("span",{},`and ${a.length-
+0,10).map(([r])=>{let{color:l,text:c}=o[r];return u("span",{},u("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?u("span",{},`and ${a.length-
 10} more`):""]}function wr(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:o,y:i,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
 (e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=o.cells||l>=i.cells)continue;let c=n[l*o.cells+r];if(a)return k(a[c]?.text??"not allowed");let[m,h]=pr(t);return Number.
 isFinite(c)?I(M(c*m,4),h):k("none")}return"…"}var yr=[[24,16],[72,48],[216,144]],Dn=class{constructor(e,t,{take:n,say:o,changed:i}){this.backend=e;this.pointed=null;this.what="sequence";this.layers=[];this.
-seen=!1;this.onmotion=n,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new Nn(a),this.canvas=d("canvas",{class:"plot-canvas"}),this.tip=d("div",{
-class:"tip",hidden:!0}),this.body=d("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
-the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=d("div",{class:"map-keys"}),this.state=d("span",{class:"hint"});let r=l=>{let c=d("select",{"\
-data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:m,label:h})=>d("option",{value:m},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
-d("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,c])=>d("option",{value:l},c))),
-this.element=d("section",{class:"map","aria-label":"Map of motions"},d("div",{class:"map-head"},d("h2",{},"Map"),d("label",{},"of",this.quantity),d("label",{},"\
-Across",this.selects.x),d("label",{},"Up",this.selects.y),d("span",{class:"buttons"},d("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
-zoom(.5,this.aim())},"+"),d("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2,this.aim())},"−"),d("button",{type:"button",onclick:()=>this.
-home()},"Whole map")),this.state),this.body,this.keys,d("p",{class:"hint"},`Click to take that motion into the player; ${st("drag to move")}.`)),dr(this),this.soon=
+seen=!1;this.onmotion=n,this.say=o,this.changed=i;let a=t.controls.map_axes;this.axes=new Nn(a),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
+class:"tip",hidden:!0}),this.body=u("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes \
+the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=u("div",{class:"map-keys"}),this.state=u("span",{class:"hint"});let r=l=>{let c=u("select",{"\
+data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:m,label:h})=>u("option",{value:m},h)));return c};this.selects={x:r("x"),y:r("y")},this.quantity=
+u("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,c])=>u("option",{value:l},c))),
+this.element=u("section",{class:"map","aria-label":"Map of motions"},u("div",{class:"map-head"},u("h2",{},"Map"),u("label",{},"of",this.quantity),u("label",{},"\
+Across",this.selects.x),u("label",{},"Up",this.selects.y),u("span",{class:"buttons"},u("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.
+zoom(.5,this.aim())},"+"),u("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2,this.aim())},"−"),u("button",{type:"button",onclick:()=>this.
+home()},"Whole map")),this.state),this.body,this.keys,u("p",{class:"hint"},`Click to take that motion into the player; ${st("drag to move")}.`)),dr(this),this.soon=
 ie(()=>this.refresh(),140),this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.
 body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of ke)this.selects[e].value=this.axes.paths[e]}setAxis(e,t){
 this.axes.choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);for(let n of Object.values(this.
@@ -2045,11 +2045,11 @@ restore(e)||(this.quantity.value=this.what=e.what,this.syncSelects())}async refr
 stale=!1,this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,n=t.contact.model==="rigid"?[]:[["contact.model","rigi\
 d"]];this.computing=!0;let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.kind=o,this.redraw();
 try{for(let[i,a]of yr){R(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,changes:n,...r,what:this.
-what},c=await this.backend.map(l,e),m=fr(c);this.layers=gr(this.layers,m),this.keys.replaceChildren(...br(m));let h=mr(t,Object.values(this.axes.paths)),u=k(n.length?
-"{count} motions, with rigid contact":"{count} motions",{count:i*a});R(this.state,h?`${u}; ${k(h)}`:u),this.redraw()}this.level=yr.length}catch(i){let{name:a,message:r}=i;
+what},c=await this.backend.map(l,e),m=fr(c);this.layers=gr(this.layers,m),this.keys.replaceChildren(...br(m));let h=mr(t,Object.values(this.axes.paths)),d=k(n.length?
+"{count} motions, with rigid contact":"{count} motions",{count:i*a});R(this.state,h?`${d}; ${k(h)}`:d),this.redraw()}this.level=yr.length}catch(i){let{name:a,message:r}=i;
 if(a==="AbortError")return;R(this.state,r)}this.computing=!1}redraw(){if(!this.film)return;let{look:e}=this,{context:t,width:n,height:o}=K(this.canvas,e.px);this.
-axes.fit(n,o),t.clearRect(0,0,n,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(u=>i.x(u)),
-[m,h]=r.y.map(u=>i.y(u));t.drawImage(r.picture,l,h,c-l,m-h)}let a=this.here();a&&So(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Tt(this.body)&&So(t,i.x(this.
+axes.fit(n,o),t.clearRect(0,0,n,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;let{axes:i}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>i.x(d)),
+[m,h]=r.y.map(d=>i.y(d));t.drawImage(r.picture,l,h,c-l,m-h)}let a=this.here();a&&So(t,i.x(a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Tt(this.body)&&So(t,i.x(this.
 pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,e)}aim(){let e=Tt(this.body)&&this.pointed||this.here(),{windows:t}=this.axes;return e&&ke.
 every(o=>e[o]>=t[o][0]&&e[o]<=t[o][1])?e:void 0}here(){let e=n=>{let[o,i]=n.split(".");return this.film.values[n]??this.film.scenario[o]?.[i]},t={x:e(this.axes.
 paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${wr(this.layers,e)}`}take(e){this.
@@ -2077,70 +2077,70 @@ t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),t
 load(e),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,
 t=>(this.listener.failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.
 active,1),this.active=0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let n=[this.lanes.
-length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var Nu=6e3,qn=class{constructor(){this.message=d("p",{class:"message",role:"alert",hidden:!0});this.toast=d("div",{class:"toast",role:"status",hidden:!0});this.
+length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var Nu=6e3,qn=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});this.
 timer=0}fail(e,t=""){let n=[e.message,...t?[" ",t]:[]].map(St);this.message.replaceChildren(...n),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.
 isConnected)}seen(){let{top:e,bottom:t,height:n}=this.message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.
 hidden=!0}say(e,t=!1){this.toast.setAttribute("role",t?"presentation":"status"),R(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(
 ()=>{this.toast.hidden=!0},Nu)}};var q=52,Fn=10,z=8,Hn=30;function vr(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,o]=[t[0],t[t.length-1]],[i,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-i,1e-12);o>a+4*r&&(o=a+.6*r),n<i-4*r&&(n=i-.6*r),n=Math.min(n,0),o=Math.max(o,0),e&&([n,o]=[-Math.max(-n,o),Math.max(
 -n,o)]);let l=.06*(o-n)||1;return[n<0?n-l:n,o+l]}function kr(s,e){let{look:t,box:n,heights:o,range:i}=e,a=Math.max(n.height/28,4);for(;he(o[0],o[1],a).length<3&&
-a<12;)a+=1;let r=V(o[1]-o[0],a),l=n.width/70,c=V(i[1]-i[0],l),{name:m,unit:h}=U[e.shared.axis];nt(s,t,{left:q,top:z,box:n},{up:{marks:he(o[0],o[1],a).map(u=>({at:e.
-y(u),text:ae(u,r),strong:Math.abs(u)<1e-9*r})),name:k(e.unit)},across:{marks:he(i[0],i[1],l).map(u=>({at:e.x(u),text:ae(u,c)})),name:ar(m,h)},lines:!0})}var{letters:Du}=S.words;function xr(s,e,t){let n=s.length/e,o=d("canvas",{width:e,height:n}),i=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=Du[s[a*
-e+r]],c=Me(t[l]??"#6E6E6E"),m=4*((n-1-a)*e+r);i.data.set([...c,255],m)}return we(o).putImageData(i,0,0),o}function _r(s,e,t){let n=t.length;s.strokeStyle=vt(e.look.
-dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let o=0;o<n;o++){if(!t[o])continue;let i=o;for(;i<n&&t[i]===t[o];)i++;let a=e.x(o*2*Math.PI/n),r=e.x(i*2*Math.PI/
-n);s.save(),s.beginPath(),s.rect(a,z,r-a,e.box.height),s.clip(),s.beginPath();let l=t[o];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?z+e.box.
-height:z),s.lineTo(a+c+e.box.height,l>0?z:z+e.box.height);s.stroke(),s.restore(),o=i}}function Er(s,e){let{look:t,box:n}=e,[o,i]=e.range.map(c=>c*180/Math.PI),a=i-
-o>200?45:V(i-o,6),r=[];for(let c=Math.ceil(o/a-1e-9);c*a<=i+1e-9;c++)r.push(c*a);let l=V(e.top()-e.bottom(),5);nt(s,t,{left:q,top:z,box:n},{across:{marks:r.map(
-c=>({at:e.x(c*Math.PI/180),text:ae(c,a)})),name:k("angle θ within a turn [°]")},up:{marks:he(e.bottom(),e.top(),5).map(c=>({at:e.y(c),text:ae(c,l)})),name:"θ̇\
- [rad/s]"}})}var jn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Bn(s,e="solid"){let t=d("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+a<12;)a+=1;let r=V(o[1]-o[0],a),l=n.width/70,c=V(i[1]-i[0],l),{name:m,unit:h}=U[e.shared.axis];nt(s,t,{left:q,top:z,box:n},{up:{marks:he(o[0],o[1],a).map(d=>({at:e.
+y(d),text:ae(d,r),strong:Math.abs(d)<1e-9*r})),name:k(e.unit)},across:{marks:he(i[0],i[1],l).map(d=>({at:e.x(d),text:ae(d,c)})),name:ar(m,h)},lines:!0})}var{letters:Du}=S.words;function xr(s,e,t){let n=s.length/e,o=u("canvas",{width:e,height:n}),i=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=Du[s[a*
+e+r]],c=Me(t[l]??"#6E6E6E"),m=4*((n-1-a)*e+r);i.data.set([...c,255],m)}return we(o).putImageData(i,0,0),o}var Ou=2;function _r(s,e,t){let n=t.length/2,[o,i,a]=[
+z,_(e.y(0),z,z+e.box.height),z+e.box.height];s.strokeStyle=vt(e.look.dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let[r,l,c]of[[0,i,a],[n,o,i]])for(let m=0;m<
+n;m++){let h=t[r+m];if(!h)continue;let d=m;for(;d<n&&t[r+d]===h;)d++;let p=e.x(m*2*Math.PI/n),f=e.x(d*2*Math.PI/n);s.save(),s.beginPath(),s.rect(p,l,f-p,c-l),s.
+clip(),s.beginPath();let{height:g}=e.box;for(let b=-g;b<f-p+g;b+=7)for(let w of h===Ou?[!0,!1]:[h>0])s.moveTo(p+b,w?a:o),s.lineTo(p+b+g,w?o:a);s.stroke(),s.restore(),
+m=d}}function Er(s,e){let{look:t,box:n}=e,[o,i]=e.range.map(c=>c*180/Math.PI),a=i-o>200?45:V(i-o,6),r=[];for(let c=Math.ceil(o/a-1e-9);c*a<=i+1e-9;c++)r.push(c*
+a);let l=V(e.top()-e.bottom(),5);nt(s,t,{left:q,top:z,box:n},{across:{marks:r.map(c=>({at:e.x(c*Math.PI/180),text:ae(c,a)})),name:k("angle θ within a turn [°]")},
+up:{marks:he(e.bottom(),e.top(),5).map(c=>({at:e.y(c),text:ae(c,l)})),name:"θ̇ [rad/s]"}})}var jn={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Bn(s,e="solid"){let t=u("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
 s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,o=jn[e].map((i,a)=>(n+=
 i,`${a%2?"transparent":s??"var(--ink)"} ${n-i}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${o.
-join(", ")})`}return t}var $n=class{constructor(e,t,n){this.backend=e;this.clock=t;this.colors=n;this.canvas=d("canvas",{class:"plot-canvas"});this.over=d("canvas",{class:"plot-canvas\
- plot-over"});this.keys=d("div",{class:"plot-keys"});this.asked="";this.body=d("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"Plane of angle \
-and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.element=d("section",{class:"phase"},d("header",{},d("h3",{},"Pla\
-ne of θ and θ̇"),this.keys),this.body,d("p",{class:"hint"},"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
-" ",`Click to go there; ${st("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=re(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(
-i?this.point(i):this.middle(),1/o),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ie(()=>this.sharpen(),140)}async fetch(e,t){let n=this.reach(),
-o=JSON.stringify([e.hoop,e.plane,n]);if(o!==this.asked){let i=await this.painted(e,[0,2*Math.PI,-n,n],t);this.asked=o,this.pictures=[i],this.redraw()}this.window&&
-await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(
-this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.
-name!=="AbortError")throw e}}}async painted(e,t,n){let{modes:o,paradox:i}=await this.backend.regions(e,t,n);return n?.throwIfAborted(),{window:t,paradox:i,picture:xr(
-o,i.length,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let n of this.films??[]){let o=Float64Array.from(n.columns.omega,Math.abs).filter(
-Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=
-[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=
-2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),n=((e.clientX-t.left)/this.
-look.px-q)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-z)/this.box.height;return[this.range[0]+n*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-
-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([e,t],n){let o=Math.max(e-(e-this.range[0])*n,0),i=Math.
-min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*n,-a),l=Math.min(t+(this.top()-t)*n,a);this.range=[o,i],this.window=[r,l],this.
-isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:
-this.forwards?this.reach():.12*this.reach()}draw(e,t,n){this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.forwards=e.some(o=>o.columns.omega.
-some(i=>i>.3)),this.backwards=e.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return q+(e-this.
-range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;
-let{colors:e,look:t}=this,{context:n,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-q-Fn,height:i-z-Hn},n.clearRect(0,0,o,i),n.save(),n.beginPath(),
-n.rect(q,z,this.box.width,this.box.height),n.clip(),this.pictures){n.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,m,h]=r,u=[this.
-x(l),this.y(h),this.x(c)-this.x(l),this.y(m)-this.y(h)];n.fillStyle=t.panel,n.fillRect(u[0],u[1],u[2],u[3]),n.globalAlpha=.35,n.drawImage(a,u[0],u[1],u[2],u[3]),
-n.globalAlpha=1}_r(n,this,this.pictures[0].paradox)}for(let[a,r]of this.films.entries())this.way(n,r,a);if(n.restore(),Er(n,this),this.keyed!==t.dark){this.keyed=
-t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>d("span",{class:"plot-key"},Bn(e.modes[r]),
-l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.
-films.length>1?ge(n,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.isFinite(i[c])){l=null;continue}let m=Math.floor(
-o[c]/r),h=o[c]-m*r;if(l===null)e.moveTo(this.x(h),this.y(i[c]));else if(m!==l.lap){let u=m>l.lap?r:0;e.lineTo(this.x(u),this.y(i[c])),e.moveTo(this.x(r-u),this.
-y(i[c])),e.lineTo(this.x(h),this.y(i[c]))}else e.lineTo(this.x(h),this.y(i[c]));l={lap:m,mode:a[c]}}e.stroke(),e.setLineDash([])}spot({angle:e,omega:t}){let n=2*
-Math.PI;return[this.x(e-Math.floor(e/n)*n),this.y(t)]}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:o}=K(this.over,this.look.px);t.clearRect(
-0,0,n,o);let{pointed:i}=this.clock;if(i!==null){let[a,r]=this.spot(this.films[this.active].at(i));t.strokeStyle=this.look.ink,t.lineWidth=1.5;for(let l of[6,10])
-t.beginPath(),t.arc(a,r,l,0,2*Math.PI),t.stroke()}this.films.forEach((a,r)=>{let l=a.at(e),[c,m]=this.spot(l);c>=q&&c<=q+this.box.width&&m>=z&&m<=z+this.box.height&&
-(t.beginPath(),t.arc(c,m,r?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[l.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ge(r,this.look.dark):
-this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[r],c+8,m-6)))})}seek(e){
-let t=this.body.getBoundingClientRect(),[n,o]=[e.clientX-t.left,e.clientY-t.top].map(m=>m/this.look.px);if(this.pinched())return;let i=this.films[this.active],{
-angle:a,omega:r}=i.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<i.length;m++){let h=a[m]-Math.floor(a[m]/l)*l,u=Math.hypot(this.x(h)-n,this.y(r[m])-o);
-u<c.distance&&(c={distance:u,t:i.t[m]})}c.distance<40&&this.clock.seek(_(c.t,0,i.duration))}};var ot=class{constructor({key:e,title:t,unit:n,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=n,this.curves=o,this.limits=
-i,this.symmetric=a,this.canvas=d("canvas",{class:"plot-canvas"}),this.over=d("canvas",{class:"plot-canvas plot-over"}),this.keys=d("div",{class:"plot-keys"}),this.
-body=d("div",{class:"plot-body",tabindex:"0",role:"figure","aria-label":t},this.canvas,this.over),this.element=d("section",{class:"plot","data-plot":e},d("heade\
-r",{},d("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=re(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
+join(", ")})`}return t}var $n=class{constructor(e,t,n){this.backend=e;this.clock=t;this.colors=n;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-canvas\
+ plot-over"});this.keys=u("div",{class:"plot-keys"});this.hatched=u("span",{hidden:!0},"Hatched: slip that meets Painlevé’s paradox."," ");this.asked="";this.
+body=u("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and flight"},this.
+canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},"Plane of θ and θ̇"),this.keys),this.body,u("p",{class:"hint"},"Colours: t\
+he mode that follows contact without slip."," ",this.hatched,`Click to go there; ${st("")}.`)),this.body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=
+re(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/o),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ie(()=>this.
+sharpen(),140)}async fetch(e,t){let n=this.reach(),o=JSON.stringify([e.hoop,e.plane,n]);if(o!==this.asked){let i=await this.painted(e,[0,2*Math.PI,-n,n],t);this.
+asked=o,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=
+new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=
+[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,n){let{modes:o,paradox:i}=await this.backend.regions(e,t,n);return n?.
+throwIfAborted(),{window:t,paradox:i,picture:xr(o,i.length/2,this.colors.modes)}}reach(){return this.reached}findReach(){let e=0;for(let n of this.films??[]){let o=Float64Array.
+from(n.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(e,o[Math.floor(.99*(o.length-1))]??0)}let t=V(Math.max(e,1)*1.15,4);return Math.ceil(Math.
+max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.
+window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),
+n=((e.clientX-t.left)/this.look.px-q)/this.box.width,o=1-((e.clientY-t.top)/this.look.px-z)/this.box.height;return[this.range[0]+n*(this.range[1]-this.range[0]),
+this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([e,t],n){let o=Math.max(e-
+(e-this.range[0])*n,0),i=Math.min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*n,-a),l=Math.min(t+(this.top()-t)*n,a);this.range=
+[o,i],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?-this.reach():0}top(){
+return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,n){this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.
+forwards=e.some(o=>o.columns.omega.some(i=>i>.3)),this.backwards=e.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.
+redraw()}x(e){return q+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){
+if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:o,height:i}=K(this.canvas,t.px);if(this.box={width:o-q-Fn,height:i-z-Hn},n.clearRect(0,0,o,i),n.
+save(),n.beginPath(),n.rect(q,z,this.box.width,this.box.height),n.clip(),this.pictures){n.imageSmoothingEnabled=!1;for(let{picture:r,window:l}of this.pictures){
+let[c,m,h,d]=l,p=[this.x(c),this.y(d),this.x(m)-this.x(c),this.y(h)-this.y(d)];n.fillStyle=t.panel,n.fillRect(p[0],p[1],p[2],p[3]),n.globalAlpha=.35,n.drawImage(
+r,p[0],p[1],p[2],p[3]),n.globalAlpha=1}let{paradox:a}=this.pictures[0];_r(n,this,a),this.hatched.hidden=!a.some(r=>r!==0)}for(let[a,r]of this.films.entries())this.
+way(n,r,a);if(n.restore(),Er(n,this),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(
+...a.map(([r,l])=>u("span",{class:"plot-key"},Bn(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:o,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=
+n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?ge(n,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.
+isFinite(i[c])){l=null;continue}let m=Math.floor(o[c]/r),h=o[c]-m*r;if(l===null)e.moveTo(this.x(h),this.y(i[c]));else if(m!==l.lap){let d=m>l.lap?r:0;e.lineTo(this.
+x(d),this.y(i[c])),e.moveTo(this.x(r-d),this.y(i[c])),e.lineTo(this.x(h),this.y(i[c]))}else e.lineTo(this.x(h),this.y(i[c]));l={lap:m,mode:a[c]}}e.stroke(),e.setLineDash(
+[])}spot({angle:e,omega:t}){let n=2*Math.PI;return[this.x(e-Math.floor(e/n)*n),this.y(t)]}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:o}=K(
+this.over,this.look.px);t.clearRect(0,0,n,o);let{pointed:i}=this.clock;if(i!==null){let[a,r]=this.spot(this.films[this.active].at(i));t.strokeStyle=this.look.ink,
+t.lineWidth=1.5;for(let l of[6,10])t.beginPath(),t.arc(a,r,l,0,2*Math.PI),t.stroke()}this.films.forEach((a,r)=>{let l=a.at(e),[c,m]=this.spot(l);c>=q&&c<=q+this.
+box.width&&m>=z&&m<=z+this.box.height&&(t.beginPath(),t.arc(c,m,r?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[l.mode],t.fill(),t.lineWidth=2,t.strokeStyle=
+this.films.length>1?ge(r,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.
+strokeStyle,t.fillText("AB"[r],c+8,m-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[n,o]=[e.clientX-t.left,e.clientY-t.top].map(m=>m/this.look.px);if(this.
+pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<i.length;m++){let h=a[m]-Math.floor(a[m]/
+l)*l,d=Math.hypot(this.x(h)-n,this.y(r[m])-o);d<c.distance&&(c={distance:d,t:i.t[m]})}c.distance<40&&this.clock.seek(_(c.t,0,i.duration))}};var ot=class{constructor({key:e,title:t,unit:n,curves:o,limits:i,symmetric:a=!1},r){this.shared=r;this.key=e,this.title=t,this.unit=n,this.curves=o,this.limits=
+i,this.symmetric=a,this.canvas=u("canvas",{class:"plot-canvas"}),this.over=u("canvas",{class:"plot-canvas plot-over"}),this.keys=u("div",{class:"plot-keys"}),this.
+body=u("div",{class:"plot-body",tabindex:"0",role:"figure","aria-label":t},this.canvas,this.over),this.element=u("section",{class:"plot","data-plot":e},u("heade\
+r",{},u("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=re(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(
 c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return U[this.shared.axis].values(e)}fullRange(){if(this.
 shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.films)for(let o of this.abscissa(n))o<e&&(e=
 o),o>t&&(t=o);return t>e?[e,t]:[e-1,t+1]}take(e,t,n){this.films=e,this.active=t,this.look=n,this.range=this.shared.range??this.fullRange(),this.legend(this.shades(
 e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:o,width:i,height:a}=K(this.canvas,this.look.px);this.box={width:i-q-Fn,height:a-z-Hn},o.clearRect(0,
-0,i,a);let r=t.flatMap((c,m)=>this.shades(c,m).map((h,u)=>({...h,film:c,lane:m,number:u})).filter((h,u,p)=>this.compares(h,m,p.length)));this.heights=this.limits??
+0,i,a);let r=t.flatMap((c,m)=>this.shades(c,m).map((h,d)=>({...h,film:c,lane:m,number:d})).filter((h,d,p)=>this.compares(h,m,p.length)));this.heights=this.limits??
 this.findHeights(r),this.shared.axis==="time"&&this.bands(o,t[n],e),kr(o,this),o.save(),o.beginPath(),o.rect(q,z,this.box.width,this.box.height),o.clip();for(let c of r)
 this.curve(o,c);let l=t.map((c,m)=>r.find(h=>h.lane===m));if(t.length>1)for(let c of l)c&&this.letter(o,c);o.restore(),this.describe(r)}shades(e,t){let{dark:n}=this.
 look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.color&&kt(i.color,n)}));let o=Object.keys(jn);return this.curves(e).map((i,a)=>({...i,color:ge(
@@ -2150,17 +2150,17 @@ n);for(let a=0;a<o.length;a++)i[a]>=this.range[0]&&i[a]<=this.range[1]&&Number.i
 phases){let i=_(this.x(o.from),q,q+this.box.width),a=_(this.x(o.to),q,q+this.box.width);a<=i||(e.fillStyle=vt(n.modes[o.mode],.14),e.fillRect(i,z,a-i,this.box.height))}}curve(e,{
 film:t,color:n,dash:o,number:i}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(jn[o??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.
 abscissa(r.film),{values:c}=this.curves(r.film)[i];for(let m=r.from;m<r.to;m++){if(!Number.isFinite(c[m])||!Number.isFinite(l[m])){a=!1;continue}let h=this.x(l[m]),
-u=_(this.y(c[m]),-1e4,1e4);a?e.lineTo(h,u):e.moveTo(h,u),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,lane:n,values:o,color:i}){let a=this.abscissa(t),r=this.
+d=_(this.y(c[m]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,lane:n,values:o,color:i}){let a=this.abscissa(t),r=this.
 range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(o[l]))return;let[c,m]=[this.x(a[l]),_(this.y(o[l])-8,z+10,z+this.
 box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.look.panel,e.strokeText("AB"[n],c,m),e.fillStyle=i??this.
-look.ink,e.fillText("AB"[n],c,m)}legend(e,t){let n=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==n&&(this.named=n,this.values=e.map(()=>d("span",{class:"\
-value"})),this.keys.replaceChildren(...e.map((o,i)=>d("span",{class:"plot-key"},Bn(o.color,o.dash),o.name," ",this.values[i]))))}describe(e){let t=e.slice(0,6).
+look.ink,e.fillText("AB"[n],c,m)}legend(e,t){let n=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==n&&(this.named=n,this.values=e.map(()=>u("span",{class:"\
+value"})),this.keys.replaceChildren(...e.map((o,i)=>u("span",{class:"plot-key"},Bn(o.color,o.dash),o.name," ",this.values[i]))))}describe(e){let t=e.slice(0,6).
 map(({name:o,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let p of i)p<r&&(r=p),p>l&&(l=p);let c=this.films.length>1?`${"AB"[a]}: `:"",m=1e-12*Math.max(-r,l),h=p=>M(
-Math.abs(p)<m?0:p,3),u={name:k(o),low:h(r),high:h(l)};return l>=r?`${c}${k("{name} from {low} to {high}",u)}`:""}),n=k("Diagram: {title} in {unit}.",{title:k(this.
+Math.abs(p)<m?0:p,3),d={name:k(o),low:h(r),high:h(l)};return l>=r?`${c}${k("{name} from {low} to {high}",d)}`:""}),n=k("Diagram: {title} in {unit}.",{title:k(this.
 title),unit:k(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{context:t,width:n,
 height:o}=K(this.over,this.look.px);t.clearRect(0,0,n,o),this.films.forEach((a,r)=>{let l=a.moment(e),c=this.x(this.abscissa(l)[0]),m=c>=q-1&&c<=q+this.box.width+
-1;m&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(c,z),t.lineTo(c,z+this.box.height),t.stroke()),this.shades(l,r).forEach((h,u,p)=>{if(!this.
-compares(h,r,p.length))return;let f=h.values[0];r===this.active&&this.values?.[u]&&(this.values[u].textContent=M(f,l.sure?3:2));let g=this.y(f);!m||!(g>=z-1&&g<=
+1;m&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(c,z),t.lineTo(c,z+this.box.height),t.stroke()),this.shades(l,r).forEach((h,d,p)=>{if(!this.
+compares(h,r,p.length))return;let f=h.values[0];r===this.active&&this.values?.[d]&&(this.values[d].textContent=M(f,l.sure?3:2));let g=this.y(f);!m||!(g>=z-1&&g<=
 z+this.box.height+1)||(t.fillStyle=h.color??this.look.ink,t.beginPath(),t.arc(c,g,3.2,0,2*Math.PI),t.fill())})});let{pointed:i}=this.shared.clock;if(i!==null&&this.
 shared.axis==="time"&&(t.strokeStyle=this.look.ink,t.setLineDash([4,3]),t.strokeRect(this.x(i),z,0,this.box.height),t.setLineDash([])),this.picked){let[a,r]=this.
 picked;t.fillStyle=vt("#0072B2",.2),t.fillRect(Math.min(a,r),z,Math.abs(r-a),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_(((e.clientX-
@@ -2170,9 +2170,9 @@ n=(e.clientX-t.left)/this.look.px,o=this.valueAt(e),i=this.pinched(),a=r=>{if(i|
 valueAt(r),{picked:m}=this;this.picked=null,m&&l?this.zoomTo(o<c?[o,c]:[c,o]):m?this.cursor(this.shared.clock.time):l&&!i&&this.seek(e.pointerType==="mouse"?o:c)})}seek(e){
 if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],n=this.abscissa(t),o=0;for(let i=0;i<n.length;i++)Math.abs(n[i]-e)<Math.abs(n[o]-
 e)&&(o=i);return this.onseek(t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let n=this.fullRange(),o=Math.max(e-(e-this.range[0])*t,n[0]),
-i=Math.min(e+(this.range[1]-e)*t,n[1]);this.zoomTo(o<=n[0]&&i>=n[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Ao=s=>Object.entries(U).map(([e,t])=>d("option",{value:e},s(t)));function Mr(s){let e="height",t=new ot({key:"own",title:"Your choice",unit:"",curves:i=>[{name:k(
-U[e].name),values:U[e].values(i)}]},s),n=()=>{let{symbol:i,unit:a}=U[e];t.unit=a?`${i} [${a}]`:i},o=d("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=o.value,n(),s.changed()}},Ao(Ba));return o.value=e,n(),t.element.querySelector("h3")?.after(o),t}function Ou(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
+i=Math.min(e+(this.range[1]-e)*t,n[1]);this.zoomTo(o<=n[0]&&i>=n[1]?null:[o,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};var Ao=s=>Object.entries(U).map(([e,t])=>u("option",{value:e},s(t)));function Mr(s){let e="height",t=new ot({key:"own",title:"Your choice",unit:"",curves:i=>[{name:k(
+U[e].name),values:U[e].values(i)}]},s),n=()=>{let{symbol:i,unit:a}=U[e];t.unit=a?`${i} [${a}]`:i},o=u("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=o.value,n(),s.changed()}},Ao(Ba));return o.value=e,n(),t.element.querySelector("h3")?.after(o),t}function Iu(s){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:s.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:s.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,n=>n*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:s.kinetic,values:e.columns.kinetic},{name:"potential",color:s.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:n,potential:o})=>Float64Array.from(t,(i,a)=>n[a]+o[a])),dash:"dash"},{name:"lost to friction",color:s.friction_loss,
@@ -2181,19 +2181,19 @@ normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to r
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
 friction_force,values:e.columns.utilization}]}]}var Wn=class{constructor(e,t){this.colors=t;this.shared={axis:"time",range:null,clock:e,changed:()=>this.redraw()},
-this.plots=[...Ou(t).map(o=>new ot(o,this.shared)),Mr(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
+this.plots=[...Iu(t).map(o=>new ot(o,this.shared)),Mr(this.shared)];for(let o of this.plots)o.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,
 !0]));let n=new IntersectionObserver(o=>{for(let{target:i,isIntersecting:a}of o)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let o of this.plots)
-n.observe(o.element);this.axis=d("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
-this.redraw()}},Ao(({name:o})=>`over ${o}`)),this.back=d("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=d("\
-span",{class:"hint"}),this.element=d("div",{class:"plots"},d("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(o=>o.element))}draw(e,t,n){
+n.observe(o.element);this.axis=u("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,
+this.redraw()}},Ao(({name:o})=>`over ${o}`)),this.back=u("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=u("\
+span",{class:"hint"}),this.element=u("div",{class:"plots"},u("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(o=>o.element))}draw(e,t,n){
 this.films=e,this.active=t,this.look=n;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${st("")}`,
 i=e.length>1;R(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
-shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Iu={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},qu={python:"The bits differ: {own} here, {other} in Python.",link:"\
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var qu={python:"✓ Same bits as in Python",link:"✓ Same bits as where the link was made"},Fu={python:"The bits differ: {own} here, {other} in Python.",link:"\
 The bits differ: {own} here, {other} where the link was made, perhaps with another version."},Gn=class{constructor(e){this.link=new Map;this.python=new Map(e.map(
 ({key:t,query:n})=>[n,S.fingerprints[t]]))}expect(e,t){for(let[n,{query:o}]of e.entries())t[n]&&this.link.set(o,t[n])}expected(e){return e.map(({query:t})=>this.
-link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let o=this[n].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?Iu[n]:
-qu[n].replace("{own}",t).replace("{other}",o)}]}):[]}};var Rr=Ll(Lr(),1);var Fu=3840;async function Pr(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(Fu/e,globalThis.devicePixelRatio||1),o=d("canvas",{width:Math.
+link.get(t)??"")}of({query:e,fingerprint:t}){return t?["python","link"].flatMap(n=>{let o=this[n].get(e);if(!o)return[];let i=t===o;return[{same:i,text:i?qu[n]:
+Fu[n].replace("{own}",t).replace("{other}",o)}]}):[]}};var Rr=Ll(Lr(),1);var Hu=3840;async function Pr(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(Hu/e,globalThis.devicePixelRatio||1),o=u("canvas",{width:Math.
 round(e*n),height:Math.round(t*n)}),i=we(o);return i.setTransform(n,0,0,n,0,0),Ro(i,s,e,t),s.stage.options.three?(i.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
 Nr(i,s,e,t),Po(i,s,t),new Promise((a,r)=>o.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function Cr(s){if(s.stage.options.three)
 throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Rr.Context(
@@ -2201,28 +2201,28 @@ throw new Error("A picture in space has no lines to keep: take the PNG, or leave
 {width:n,height:o}=t.getBoundingClientRect(),i=we(e);i.setTransform(e.width/n,0,0,e.height/o,0,0),Ro(i,s,n,o),i.drawImage(t,0,0,n,o),Po(i,s,o)}function Ro(s,{theme:e},t,n){
 s.fillStyle=e.look.paper,s.fillRect(0,0,t,n)}function Nr(s,e,t,n){let{stage:o,clock:i,theme:a}=e;o.flat.paint(s,t,n,e.films(),i.time,o.options,a.look,a.inks)}function Po(s,e,t){
 let{theme:n,stage:o,clock:i}=e,{px:a}=n.look,r=e.films();s.textBaseline="top",s.textAlign="left";for(let[l,c]of r.entries()){let m=c.at(i.time),h=r.length>1?`${"\
-AB"[l]}: `:"",u=k(n.colors.mode_names[m.mode]),p=`t = ${m.t.toFixed(3)} s, θ = ${G(m.angle)}, v = ${M(m.vx,m.digits)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.
-length;s.fillStyle=n.colors.modes[m.mode],s.fillRect(12,f+2*a,11*a,11*a),s.fillStyle=n.look.ink,s.font=`${13*a}px ${n.look.font}`,s.fillText(`${h}${u}, ${p}`,12+
+AB"[l]}: `:"",d=k(n.colors.mode_names[m.mode]),p=`t = ${m.t.toFixed(3)} s, θ = ${G(m.angle)}, v = ${M(m.vx,m.digits)} m/s`,f=o.options.three?10+20*a*l:10+l*t/r.
+length;s.fillStyle=n.colors.modes[m.mode],s.fillRect(12,f+2*a,11*a,11*a),s.fillStyle=n.look.ink,s.font=`${13*a}px ${n.look.font}`,s.fillText(`${h}${d}, ${p}`,12+
 18*a,f)}s.textBaseline="alphabetic"}async function Dr(s){let e=s.stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 in\
-stead.");let t=d("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),n=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),o=[];
+stead.");let t=u("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.height/2)}),n=new MediaRecorder(t.captureStream(60),{videoBitsPerSecond:8e6}),o=[];
 n.ondataavailable=r=>o.push(r.data);let i=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
 s.afterFrame=()=>{zr(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await i,s.afterFrame=null,s.clock.loop=a,new Blob(o,{type:n.
-mimeType})}var Hu=[["motion.toml","Save the scenario (TOML)"],["motion.csv","Save the states (CSV)"],["motion.nc","Save the motion (netCDF)"],["motion.json","Save the even\
-ts (JSON)"],["motion.mp4","Save a film (MP4)"]],Kn=class{constructor(e){this.lab=e;this.menu=d("details",{class:"menu"},d("summary",{class:"button"},d("span",{class:"\
-long"},"Share and save"),d("span",{class:"short"},"Share")),d("div",{class:"menu-body"},e.backend.shares&&this.item("Copy a link to this motion",()=>this.copyLink()),
-Hu.filter(([t])=>e.backend.files.includes(t)).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Save a picture (PNG)",()=>this.picture("png",Pr)),this.
+mimeType})}var ju=[["motion.toml","Save the scenario (TOML)"],["motion.csv","Save the states (CSV)"],["motion.nc","Save the motion (netCDF)"],["motion.json","Save the even\
+ts (JSON)"],["motion.mp4","Save a film (MP4)"]],Kn=class{constructor(e){this.lab=e;this.menu=u("details",{class:"menu"},u("summary",{class:"button"},u("span",{class:"\
+long"},"Share and save"),u("span",{class:"short"},"Share")),u("div",{class:"menu-body"},e.backend.shares&&this.item("Copy a link to this motion",()=>this.copyLink()),
+ju.filter(([t])=>e.backend.files.includes(t)).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Save a picture (PNG)",()=>this.picture("png",Pr)),this.
 item("Save a picture (SVG)",()=>this.picture("svg",Cr)),this.item("Record one run as a film (WebM)",()=>this.record()),this.item("Show the Python code",()=>this.
-code()))),this.dialog=d("dialog",{class:"code-dialog","aria-label":"The same motion in Python"})}item(e,t){return d("button",{type:"button",onclick:async()=>{this.
+code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"The same motion in Python"})}item(e,t){return u("button",{type:"button",onclick:async()=>{this.
 menu.open=!1;try{await t()}catch(n){this.lab.notice.fail(n)}}},e)}async copyLink(){let e=this.lab.link(this.lab.films().map(({fingerprint:t})=>t??""))??"";try{await navigator.
 clipboard.writeText(e),this.lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.
 notice.say(e.endsWith("mp4")?"The film is being made; this takes a while …":`Fetching ${e} …`),et(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.
 lab.notice.say(`${e} is there.`)}async picture(e,t){et(await t(this.lab),`hophoop.${e}`)}async record(){et(await Dr(this.lab),"hophoop.webm"),this.lab.notice.say(
 "The film is there.")}async code(){let{python:e,toml:t}=this.lab.backend.code(this.lab.film().scenario);this.show("The same motion in Python",e,"The scenario as\
- a file",t)}show(...e){let t=[];for(let n=0;n<e.length;n+=2){let o=e[n+1],i=d("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.clipboard?.writeText(
-o).catch(()=>{}),R(i,"Copied")},t.push(d("header",{},d("h2",{},e[n]),i),d("pre",{tabindex:"0"},d("code",{},document.createTextNode(o))))}this.dialog.replaceChildren(
-...t,d("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Or=120,Vn=class{constructor(e,t,n,o,i,a,r,l,c,m,h){this.context=e;this.width=t;this.height=n;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
-h;this.top=0;this.pose=o.at(i);let u=o.radius,{left:p,right:f}=o.extent,{top:g}=h;this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let b=2*h.radius+Math.
-min(g,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*u,v=(f-p)*Math.abs(this.sine)+2.6*u+g;this.scale=Math.min(t/y,.86*n/
+ a file",t)}show(...e){let t=[];for(let n=0;n<e.length;n+=2){let o=e[n+1],i=u("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.clipboard?.writeText(
+o).catch(()=>{}),R(i,"Copied")},t.push(u("header",{},u("h2",{},e[n]),i),u("pre",{tabindex:"0"},u("code",{},document.createTextNode(o))))}this.dialog.replaceChildren(
+...t,u("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Or=120,Vn=class{constructor(e,t,n,o,i,a,r,l,c,m,h){this.context=e;this.width=t;this.height=n;this.film=o;this.options=a;this.look=r;this.colors=l;this.common=
+h;this.top=0;this.pose=o.at(i);let d=o.radius,{left:p,right:f}=o.extent,{top:g}=h;this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let b=2*h.radius+Math.
+min(g,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(f-p)*this.cosine+2.6*d,v=(f-p)*Math.abs(this.sine)+2.6*d+g;this.scale=Math.min(t/y,.86*n/
 v,w)*c,this.focus=[.5*(p+f),0],this.place=[.5*t+m[0],(o.slope?.62:.8)*n+m[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.
 place=[(t<520?.6:.46)*t+m[0],.82*n+m[1]]}point(e,t){let n=e-this.focus[0],o=t-this.focus[1];return[this.place[0]+this.scale*(n*this.cosine+o*this.sine),this.place[1]-
 this.scale*(o*this.cosine-n*this.sine)]}unpoint(e,t){let n=(e-this.place[0])/this.scale,o=-(t-this.place[1])/this.scale;return[this.focus[0]+n*this.cosine-o*this.
@@ -2230,39 +2230,39 @@ sine,this.focus[1]+n*this.sine+o*this.cosine]}draw(){this.ground(),(this.options
 forces()}ground(){let{context:e,look:t,width:n,height:o}=this,i=(Math.hypot(n,o)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(
 this.focus[0]-i,0),[l,c]=this.point(this.focus[0]+i,0),m=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(
 l+m[0],c+m[1]),e.lineTo(a+m[0],r+m[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let h=V(n/this.scale,n/
-(90*t.px));e.fillStyle=t.soft,e.font=`${11*t.px}px ${t.font}`,e.textAlign="center",e.lineWidth=1;let u=Math.ceil((this.focus[0]-i)/h),p=Math.min(Math.floor((this.
-focus[0]+i)/h),u+400);for(let f=u;f<=p;f++){let[g,b]=this.point(f*h,0);g<-40||g>n+40||(e.beginPath(),e.moveTo(g,b),e.lineTo(g-6*this.sine,b+6*this.cosine),e.stroke(),
+(90*t.px));e.fillStyle=t.soft,e.font=`${11*t.px}px ${t.font}`,e.textAlign="center",e.lineWidth=1;let d=Math.ceil((this.focus[0]-i)/h),p=Math.min(Math.floor((this.
+focus[0]+i)/h),d+400);for(let f=d;f<=p;f++){let[g,b]=this.point(f*h,0);g<-40||g>n+40||(e.beginPath(),e.moveTo(g,b),e.lineTo(g-6*this.sine,b+6*this.cosine),e.stroke(),
 e.fillText(`${ae(f*h,h)} m`,g-18*t.px*this.sine,b+8+10*t.px*this.cosine))}}traces(){let{film:e,context:t,look:n,colors:o}=this,i=e.radius,a=this.options.ahead?e.
-duration:this.pose.t,r=(l,c,m,h)=>{t.strokeStyle=c,t.lineWidth=m,t.lineJoin="round",t.beginPath();let u=!1,p=(f,g,b)=>{let[w,y]=this.point(f+l*Math.sin(b),i+g+l*
-Math.cos(b));u?t.lineTo(w,y):t.moveTo(w,y),u=!0};for(let f of e.pieces()){let{x:g,height:b,angle:w,mode:y}=f.film.columns;for(let v=f.from;v<f.to&&f.film.t[v]<=
-a;v++)h===void 0||y[v]===3===h?p(g[v],b[v],w[v]):u=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),
+duration:this.pose.t,r=(l,c,m,h)=>{t.strokeStyle=c,t.lineWidth=m,t.lineJoin="round",t.beginPath();let d=!1,p=(f,g,b)=>{let[w,y]=this.point(f+l*Math.sin(b),i+g+l*
+Math.cos(b));d?t.lineTo(w,y):t.moveTo(w,y),d=!0};for(let f of e.pieces()){let{x:g,height:b,angle:w,mode:y}=f.film.columns;for(let v=f.from;v<f.to&&f.film.t[v]<=
+a;v++)h===void 0||y[v]===3===h?p(g[v],b[v],w[v]):d=!1}!this.options.ahead&&(h===void 0||this.pose.mode==="H"===h)&&p(this.pose.x,this.pose.height,this.pose.angle),
 t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,n.ink,1.3),r(e.eccentricity*i,o.gravity_center,1.8,!1),r(e.eccentricity*i,o.airborne,2.4,!0),t.globalAlpha=
 1}mark(e,t){let{context:n,film:o,pose:i,scale:a}=this,[r,l]=this.point(i.x,o.radius+i.height);n.strokeStyle=t,n.lineWidth=3,n.beginPath(),n.arc(r,l,Math.max(o.radius*
 a-_(.07*o.radius*a,2,14)-3,2),0,2*Math.PI),n.stroke(),n.fillStyle=t,n.font=`700 ${17*this.look.px}px ${this.look.font}`,n.textAlign="center",n.fillText(e,r-14,l+
 20)}ghost(e){let{context:t,film:n,look:o,width:i,scale:a}=this,r=n.radius,[l,c]=this.point(e.x,r+e.height),m=r*a;if(t.strokeStyle=t.fillStyle=o.ink,t.lineWidth=
 1.5,t.beginPath(),l>-.5*m&&l<i+.5*m){let g=this.point(e.x+r*Math.sin(e.angle),r+e.height+r*Math.cos(e.angle));t.setLineDash([6,5]),t.arc(l,c,m,0,2*Math.PI),t.moveTo(
 l,c),t.lineTo(...g),t.stroke(),t.setLineDash([]),t.beginPath(),t.arc(...g,_(.1*m,4,16),0,2*Math.PI),t.fillStyle=o.paper,t.fill(),t.stroke();return}let h=l<0?-1:
-1,u=h<0?6:i-6,p=_(c,24,this.height-24);t.moveTo(u,p),t.lineTo(u-14*h,p-9),t.lineTo(u-14*h,p+9),t.fill(),t.font=`600 ${12*o.px}px ${o.font}`,t.textAlign=h<0?"lef\
-t":"right",t.lineWidth=3,t.strokeStyle=o.paper;let f=`${M(e.x-this.focus[0],3)} m`;t.strokeText(f,u-20*h,p+4*o.px),t.fillText(f,u-20*h,p+4*o.px)}hoop(){let{film:e,
+1,d=h<0?6:i-6,p=_(c,24,this.height-24);t.moveTo(d,p),t.lineTo(d-14*h,p-9),t.lineTo(d-14*h,p+9),t.fill(),t.font=`600 ${12*o.px}px ${o.font}`,t.textAlign=h<0?"lef\
+t":"right",t.lineWidth=3,t.strokeStyle=o.paper;let f=`${M(e.x-this.focus[0],3)} m`;t.strokeText(f,d-20*h,p+4*o.px),t.fillText(f,d-20*h,p+4*o.px)}hoop(){let{film:e,
 pose:t,context:n,look:o,colors:i,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,m=[t.x,r+t.height],h=(b,w=c)=>this.point(m[0]+w*Math.sin(b),m[1]+w*Math.cos(
 b));if(n.lineCap="butt",o.dark&&(n.strokeStyle=o.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){
 let b=this.common.speed;n.lineWidth=l;let w=2*Math.PI/Or;for(let y=0;y<Or;y++){let v=t.angle+y*w,E=Math.hypot(t.vx+r*t.omega*Math.cos(v+.5*w),t.vy-r*t.omega*Math.
 sin(v+.5*w));n.strokeStyle=en[_(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(v-.04*w)),n.lineTo(...h(v+1.04*w)),n.stroke()}}else n.strokeStyle=i.modes[t.
 mode],n.lineWidth=l,n.beginPath(),n.arc(...this.point(m[0],m[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=o.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(
-m[0],m[1])),n.lineTo(...h(t.angle)),n.stroke();let u=(b,w,y,v)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=v,
-n.stroke()};u(this.point(m[0],m[1]),2.5,o.soft,o.soft);let p=e.scenario.hoop.parts;p?this.parts(p,m):u(h(t.angle),_(.1*r*a,4,16),o.ink,o.paper);let f=e.eccentricity*
-r,g=this.point(m[0]+f*Math.sin(t.angle),m[1]+f*Math.cos(t.angle));u(g,_(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,o.paper)}parts(e,t){let{film:n,pose:o,
-context:i,look:a,scale:r}=this,c=e.reduce((m,h)=>m+h.mass*(h.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let m of e){let h=c*(m.at??0),u=this.point(t[0]+h*Math.sin(
-o.angle),t[1]+h*Math.cos(o.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),m.shape==="ring")i.globalAlpha=.22,i.arc(...u,m.outer_radius*r,0,2*Math.PI),
-i.arc(...u,m.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(m.shape==="rod"){let p=.5*m.length,f=g=>this.point(t[0]+g*Math.sin(o.angle),t[1]+g*
+m[0],m[1])),n.lineTo(...h(t.angle)),n.stroke();let d=(b,w,y,v)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=v,
+n.stroke()};d(this.point(m[0],m[1]),2.5,o.soft,o.soft);let p=e.scenario.hoop.parts;p?this.parts(p,m):d(h(t.angle),_(.1*r*a,4,16),o.ink,o.paper);let f=e.eccentricity*
+r,g=this.point(m[0]+f*Math.sin(t.angle),m[1]+f*Math.cos(t.angle));d(g,_(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,o.paper)}parts(e,t){let{film:n,pose:o,
+context:i,look:a,scale:r}=this,c=e.reduce((m,h)=>m+h.mass*(h.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let m of e){let h=c*(m.at??0),d=this.point(t[0]+h*Math.sin(
+o.angle),t[1]+h*Math.cos(o.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),m.shape==="ring")i.globalAlpha=.22,i.arc(...d,m.outer_radius*r,0,2*Math.PI),
+i.arc(...d,m.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(m.shape==="rod"){let p=.5*m.length,f=g=>this.point(t[0]+g*Math.sin(o.angle),t[1]+g*
 Math.cos(o.angle));i.lineWidth=4,i.moveTo(...f(h-p)),i.lineTo(...f(h+p)),i.stroke()}else{let p=m.shape==="disk"?m.radius*r:_(.08*n.radius*r,3,12);i.globalAlpha=
-m.shape==="disk"?.55:1,i.arc(...u,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:n}=this,o=e.radius,i=e.mass*(e.gravity||9.81),a=l=>.55*
+m.shape==="disk"?.55:1,i.arc(...d,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:n}=this,o=e.radius,i=e.mass*(e.gravity||9.81),a=l=>.55*
 o*l/i;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],n.normal_force,`N = ${M(t.normal_force,t.digits)} N`,!1),
 this.arrow(r,[a(t.friction_force),0],n.friction_force,`F = ${M(t.friction_force,t.digits)} N`,!0)}arrow([e,t],[n,o],i,a,r){let{context:l,look:c,width:m}=this,h=2.2*
-this.film.radius,u=Math.abs(n)>h||Math.abs(o)>h;[n,o]=[_(n,-h,h),_(o,-h,h)];let p=this.point(e,t),f=this.point(e+n,t+o),g=Math.hypot(f[0]-p[0],f[1]-p[1]);if(g<2)
+this.film.radius,d=Math.abs(n)>h||Math.abs(o)>h;[n,o]=[_(n,-h,h),_(o,-h,h)];let p=this.point(e,t),f=this.point(e+n,t+o),g=Math.hypot(f[0]-p[0],f[1]-p[1]);if(g<2)
 return;let b=(f[0]-p[0])/g,w=(f[1]-p[1])/g,y=Math.min(11,g);for(let[T,L]of[[c.paper,6],[i,3]])l.strokeStyle=T,l.fillStyle=T,l.lineWidth=L,l.beginPath(),l.moveTo(
 ...p),l.lineTo(f[0]-b*y,f[1]-w*y),l.stroke();if(l.beginPath(),l.moveTo(...f),l.lineTo(f[0]-b*y-w*y*.5,f[1]-w*y+b*y*.5),l.lineTo(f[0]-b*y+w*y*.5,f[1]-w*y-b*y*.5),
-l.fill(),u){let[T,L]=[p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let P of[-3,3])l.moveTo(T+b*(P-3)-w*7,L+w*(P-3)+b*7),l.lineTo(
+l.fill(),d){let[T,L]=[p[0]+.55*b*g,p[1]+.55*w*g];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let P of[-3,3])l.moveTo(T+b*(P-3)-w*7,L+w*(P-3)+b*7),l.lineTo(
 T+b*(P+3)+w*7,L+w*(P+3)-b*7);l.stroke()}l.font=`600 ${12*c.px}px ${c.font}`;let v=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign=
 "left";let E=r?[p[0]-.5*v-32*c.px*this.sine,p[1]+32*c.px*this.cosine]:[f[0]+12,_(f[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,m-v-4),l.strokeText(
 a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Jn=class{constructor(e,t){this.canvas=e;this.onview=t;this.zoom=1;this.shift=[0,0];this.views=[];this.fixed=null;this.pointed=null;this.grab=()=>!1,this.over=
@@ -2271,10 +2271,10 @@ zoom=1,this.shift=[0,0],this.onview()}pan(){let{width:e,height:t}=this.canvas.ge
 t,n]=[0,0]){let{width:o,height:i}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*o,n*i]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){
 if(this.grab(e))return;let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,o=>{this.pinched()||(this.shift=[n[0]+o.clientX-t[0],n[1]+o.clientY-t[1]],this.onview())})}draw(e,t,n,o,i){
 let{context:a,width:r,height:l}=K(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,o,i))}paint(e,t,n,o,i,a,r,l){let c=n/o.length,
-m={top:Math.max(...o.map(h=>h.extent.top)),radius:Math.max(...o.map(h=>h.radius)),speed:Math.max(...o.map(h=>h.extent.speed))};return o.map((h,u)=>{e.save(),e.beginPath(),
-e.rect(0,u*c,t,c),e.clip(),e.translate(0,u*c);let p=new Vn(e,t,c,h,i,a,r,l,this.zoom,this.shift,m);return p.top=u*c,p.scale=this.fixed??p.scale,p.draw(),this.pointed?.
-lane===u&&p.ghost(h.at(this.pointed.time)),this.over(p,u),o.length>1&&(p.mark("AB"[u],ge(u,r.dark)),e.fillStyle=ge(u,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,
-e.textAlign="left",e.fillText("AB"[u],12,c-12)),e.restore(),u>0&&(e.fillStyle=r.line,e.fillRect(0,u*c-.5,t,1)),p})}};function zo(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=s[4*a+o]*e[4*n+a];t[4*n+o]=i}return t}function Ir(s,e,t,n){
+m={top:Math.max(...o.map(h=>h.extent.top)),radius:Math.max(...o.map(h=>h.radius)),speed:Math.max(...o.map(h=>h.extent.speed))};return o.map((h,d)=>{e.save(),e.beginPath(),
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Vn(e,t,c,h,i,a,r,l,this.zoom,this.shift,m);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.pointed?.
+lane===d&&p.ghost(h.at(this.pointed.time)),this.over(p,d),o.length>1&&(p.mark("AB"[d],ge(d,r.dark)),e.fillStyle=ge(d,r.dark),e.font=`700 ${17*r.px}px ${r.font}`,
+e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function zo(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let o=0;o<4;o++){let i=0;for(let a=0;a<4;a++)i+=s[4*a+o]*e[4*n+a];t[4*n+o]=i}return t}function Ir(s,e,t,n){
 let o=1/Math.tan(s/2),i=1/(t-n);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(n+t)*i,-1,0,0,2*n*t*i,0])}function qr(s,e){let t=Ve(No(s,e)),n=Ve(Yn([0,1,0],t)),
 o=Yn(t,n);return new Float32Array([n[0],o[0],t[0],0,n[1],o[1],t[1],0,n[2],o[2],t[2],0,-Co(n,s),-Co(o,s),-Co(t,s),1])}var No=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
 Co=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],Yn=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function Ve(s){let e=Math.hypot(...s)||1;return[
@@ -2368,7 +2368,7 @@ m.UNSIGNED_SHORT,0)}rod(e,t,n,o,i,a=!1){this.solid(this.cylinder,Zn(e,t,n,o),i,{
 i),r=t(Math.min(i+1,e-1));if(Math.hypot(r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((c,m)=>2*c-l[m])}for(let l of[-1,1])o.push(...a,0,...r,0,...n(i),l)}
 return Je(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:n,distance:o=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[
 2/l.width,2/l.height],width:n,distance:o,shift:i,depth:a}),at(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let o=this.view,[i,a,r]=[0,1,
-3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*n+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var ju=[.35,.85,.4],Bu=.18,qt={azimuth:.5,height:.22,distance:5.2},Kr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*n+o[12+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Bu=[.35,.85,.4],$u=.18,qt={azimuth:.5,height:.22,distance:5.2},Kr=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2376,7 +2376,7 @@ return Je(this.gl,o,{position:3,next:3,tint:3,side:1})}drawTrace(e,t,{width:n,di
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Xn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new Qn(this.canvas,Ze,ju,Bu,{keep:!0});this.floor=it(this.space.gl,Kr[0],Kr[1]);this.corners=
+   }`],Xn=class{constructor(e,t){this.canvas=e;this.onview=t;this.space=new Qn(this.canvas,Ze,Bu,$u,{keep:!0});this.floor=it(this.space.gl,Kr[0],Kr[1]);this.corners=
 Je(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...qt};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
 e.addEventListener("pointerdown",n=>this.drag(n)),this.pinched=re(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.
 turned.distance=_(this.turned.distance/e,1.6,60):this.turned={...qt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===qt.azimuth&&
@@ -2385,28 +2385,28 @@ turned,x:e.clientX,y:e.clientY};J(this.canvas,e,n=>{this.pinched()||(this.turned
 (n.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+
 .1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(e,t,n,o,i,a,r){let{canvas:l,space:c}=this,m=r??Math.min(
 globalThis.devicePixelRatio||1,2)*(a?this.quality():1),h=l.getBoundingClientRect();l.width=Math.max(Math.round(h.width*m),1),l.height=Math.max(Math.round(h.height*
-m),1);let u=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,c.begin({background:ce(o.
-paper),...this.camera(e[0],u[0],p,n)}),c.ground(()=>this.drawFloor(p,o));let f=g=>{for(let[b,w]of e.entries())g(w,u[b],-2.1*p*b)};c.shadows(()=>f((g,b,w)=>this.
+m),1);let d=e.map(g=>g.at(t)),p=e[0].radius;c.fastest=Math.max(...e.map(g=>g.extent.speed)),this.focus=Number.isFinite(d[0].x)?d[0].x:0,c.begin({background:ce(o.
+paper),...this.camera(e[0],d[0],p,n)}),c.ground(()=>this.drawFloor(p,o));let f=g=>{for(let[b,w]of e.entries())g(w,d[b],-2.1*p*b)};c.shadows(()=>f((g,b,w)=>this.
 drawHoop(g,b,w,n,o,i,!0))),f((g,b,w)=>{this.drawHoop(g,b,w,n,o,i,!1),n.traces&&this.drawTraces(g,b,w,o,i,m),n.forces&&this.drawForces(g,b,w,i)})}camera(e,t,n,o){
-let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,m=o.whole?Math.max(r*n,.85*(c-l)+3*n):r*n,[h,u]=[o.whole?.5*(l+c)-this.focus:0,n+.45*(t.
-height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+u*f,-h*f+u*p,0],b=[g[0]+m*Math.sin(i)*Math.cos(a),g[1]+m*Math.sin(a),m*Math.cos(i)*Math.cos(a)];return this.
+let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,m=o.whole?Math.max(r*n,.85*(c-l)+3*n):r*n,[h,d]=[o.whole?.5*(l+c)-this.focus:0,n+.45*(t.
+height||0)],p=Math.cos(e.slope),f=Math.sin(e.slope),g=[h*p+d*f,-h*f+d*p,0],b=[g[0]+m*Math.sin(i)*Math.cos(a),g[1]+m*Math.sin(a),m*Math.cos(i)*Math.cos(a)];return this.
 reach=12*n+3*m,{eye:b,target:g,slope:e.slope,angle:.75,near:.05*n,far:40*n+6*m}}drawFloor(e,t){let{space:n}=this,o=ce(t.ground),i=o.map(l=>l*(t.dark?.82:.94)),a=.5*
 e,r=this.focus%(2*a);n.use(this.floor,{reach:this.reach,light:o,dark:i,far:ce(t.paper),tile:a,shift:r}),at(n.gl,this.floor,this.corners),n.gl.drawArrays(n.gl.TRIANGLE_STRIP,
 0,4)}drawHoop(e,t,n,o,i,a,r){let{space:l}=this,c=e.radius,m=.045*c,h=[t.x-this.focus,c+t.height,n];l.ring({center:h,radius:c,tube:m,broad:3.2*m,angle:t.angle,velocity:[
-t.vx,t.vy],omega:t.omega,plain:o.speed?null:ce(a.modes[t.mode])},r);let u=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*u[w]);l.ball(p(c-m),.125*
-c,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,u,c-m,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,ce(f?a.airborne:a.gravity_center),
+t.vx,t.vy],omega:t.omega,plain:o.speed?null:ce(a.modes[t.mode])},r);let d=[Math.sin(t.angle),Math.cos(t.angle),0],p=g=>h.map((b,w)=>b+g*d[w]);l.ball(p(c-m),.125*
+c,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(h,d,c-m,.012*c,[.55,.57,.6],r);let f=t.mode==="H";l.ball(p(e.eccentricity*c),.07*c,ce(f?a.airborne:a.gravity_center),
 r)}drawForces(e,t,n,o){if(t.mode==="H"||!(t.normal_force>0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,n+.2*i],l=m=>_(.55*
 i*Math.abs(m)/a,0,3.2*i),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),i,ce(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),
 i,ce(o.friction_force))}linesOf(e,t,n){let o=this.lines.get(e);if(o?.dark===t.dark)return o;let i=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,m=(g,b)=>this.
-space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),i+r[w]+g*Math.cos(l[w])],b),[h,u,p]=[ce(n.gravity_center),ce(n.airborne),ce(t.ink)],f={dark:t.dark,load:m(i,()=>p),
-center:m(e.eccentricity*i,g=>c[g]===3?u:h)};return this.lines.set(e,f),f}drawTraces(e,t,n,o,i,a){let{load:r,center:l}=this.linesOf(e,o,i),c=Math.min(e.index(t.t)+
-2,e.length),m={shift:this.focus,depth:n};this.space.drawTrace(r,c,{width:a,...m}),this.space.drawTrace(l,c,{width:1.6*a,...m})}};var $u=["hoop","mode","time","angle","v","R θ̇","gap"],es=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1};this.plane=d("canvas",{class:"stage-canvas"});this.space=d("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Jn(this.plane,this.onview);
-this.deep=null;this.outputs=$u.map(o=>({name:d("dt",{},o),value:d("dd",{})})),this.outputs[1].value.className="mode",this.fastest=d("span",{}),this.legend=d("di\
-v",{class:"legend","aria-hidden":"true"},d("i",{style:`background: linear-gradient(90deg, ${en.filter((o,i)=>i%15===0).join(",")})`}),d("span",{},"0"),d("span",
-{},"rim speed"),this.fastest);let n=(o,i)=>d("span",{},d("i",{class:"dot",style:`background:${o}`}),i);this.order=d("span",{hidden:!0},"A in front, B behind"),this.
-element=d("div",{class:"stage",role:"figure","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,d("dl",{class:"readout","aria-hidden":"true"},this.outputs.
-flatMap(({name:o,value:i})=>[o,i])),this.legend,d("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),
+space.trace(e.length,w=>[a[w]+g*Math.sin(l[w]),i+r[w]+g*Math.cos(l[w])],b),[h,d,p]=[ce(n.gravity_center),ce(n.airborne),ce(t.ink)],f={dark:t.dark,load:m(i,()=>p),
+center:m(e.eccentricity*i,g=>c[g]===3?d:h)};return this.lines.set(e,f),f}drawTraces(e,t,n,o,i,a){let{load:r,center:l}=this.linesOf(e,o,i),c=Math.min(e.index(t.t)+
+2,e.length),m={shift:this.focus,depth:n};this.space.drawTrace(r,c,{width:a,...m}),this.space.drawTrace(l,c,{width:1.6*a,...m})}};var Wu=["hoop","mode","time","angle","v","R θ̇","gap"],es=class{constructor(e,t){this.colors=e;this.onview=t;this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Jn(this.plane,this.onview);
+this.deep=null;this.outputs=Wu.map(o=>({name:u("dt",{},o),value:u("dd",{})})),this.outputs[1].value.className="mode",this.fastest=u("span",{}),this.legend=u("di\
+v",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${en.filter((o,i)=>i%15===0).join(",")})`}),u("span",{},"0"),u("span",
+{},"rim speed"),this.fastest);let n=(o,i)=>u("span",{},u("i",{class:"dot",style:`background:${o}`}),i);this.order=u("span",{hidden:!0},"A in front, B behind"),this.
+element=u("div",{class:"stage",role:"figure","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,u("dl",{class:"readout","aria-hidden":"true"},this.outputs.
+flatMap(({name:o,value:i})=>[o,i])),this.legend,u("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),
 n(e.airborne,"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:o,inks:i}){let{options:a}=this;this.legend.
 hidden=!a.speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${M(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Xn(
 this.space,this.onview),this.deep.draw(e,n.time,a,o,i,n.playing)):(this.flat.pointed=n.pointed===null?null:{time:n.pointed,lane:t},this.flat.draw(e,n.time,a,o,i)),
@@ -2417,32 +2417,32 @@ hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.m
 "aria-label",`${k("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.
 three,t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({
 options:e,zoom:t,pan:n,from:o}){if(e){let{three:i,...a}=e;Object.assign(this.options,a)}this.flat.look(t,n),o&&this.deep?.look(o)}zoom(e){this.options.three?this.
-deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var ts=class{constructor(e){this.clock=e;this.listed=null;this.summary=d("p",{class:"summary"});this.doubt=d("p",{class:"hint",hidden:!0});this.list=d("ol",{class:"\
-story-list"});this.heading=d("h2",{},"What happens");this.signature=d("span",{});this.compared=d("span",{});this.fingerprint=d("p",{class:"hint fingerprint"},this.
-signature,this.compared);this.live=d("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=d("section",{class:"story","aria-label":"The motion\
+deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var ts=class{constructor(e){this.clock=e;this.listed=null;this.summary=u("p",{class:"summary"});this.doubt=u("p",{class:"hint",hidden:!0});this.list=u("ol",{class:"\
+story-list"});this.heading=u("h2",{},"What happens");this.signature=u("span",{});this.compared=u("span",{});this.fingerprint=u("p",{class:"hint fingerprint"},this.
+signature,this.compared);this.live=u("div",{class:"spoken",role:"status","aria-live":"polite"});this.element=u("section",{class:"story","aria-label":"The motion\
  in words"},this.heading,this.summary,this.doubt,this.list,this.fingerprint,this.live)}draw(e,t,n,o){this.film=e[t],R(this.heading,e.length>1?`What happens to h\
-oop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,a)=>[e.length>1?d("b",{},`${"AB"[a]}: `):"",i.summary,i.status==="event_limit"||i.shortened?
-" (not all events are shown)":"",a+1<e.length?d("br"):""])),this.doubt.hidden=!this.film.doubt,R(this.doubt,this.film.doubt),this.listed!==this.film&&this.fill(
-n),this.sign(),this.compared.replaceChildren(...o.flatMap(({same:i,text:a})=>[" ",d("span",{class:i?"same":"differs"},a)])),this.cursor(this.clock.time)}fill(e){
-this.listed=this.film,this.current=-1,this.items=this.film.story.map(t=>d("li",{},d("button",{type:"button",onclick:()=>this.clock.seek(t.t),onpointerenter:()=>this.
-clock.point(t.t),onpointerleave:()=>this.clock.point(null),onfocus:()=>this.clock.point(t.t),onblur:()=>this.clock.point(null)},d("i",{class:"dot",style:`backgr\
-ound:${e.modes[t.mode]}`,"aria-hidden":"true"}),d("span",{class:"when"},`${M(t.t,4)} s`),d("span",{},t.text)))),this.list.replaceChildren(...this.items),this.clock.
-pointed=null}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...Wu(e)))}say(e){R(this.live,e)}announce(e){this.
+oop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,a)=>[e.length>1?u("b",{},`${"AB"[a]}: `):"",i.summary,i.status==="event_limit"||i.shortened?
+" (not all events are shown)":"",a+1<e.length?u("br"):""])),this.doubt.hidden=!this.film.doubt,R(this.doubt,this.film.doubt),this.listed!==this.film&&this.fill(
+n),this.sign(),this.compared.replaceChildren(...o.flatMap(({same:i,text:a})=>[" ",u("span",{class:i?"same":"differs"},a)])),this.cursor(this.clock.time)}fill(e){
+this.listed=this.film,this.current=-1,this.items=this.film.story.map(t=>u("li",{},u("button",{type:"button",onclick:()=>this.clock.seek(t.t),onpointerenter:()=>this.
+clock.point(t.t),onpointerleave:()=>this.clock.point(null),onfocus:()=>this.clock.point(t.t),onblur:()=>this.clock.point(null)},u("i",{class:"dot",style:`backgr\
+ound:${e.modes[t.mode]}`,"aria-hidden":"true"}),u("span",{class:"when"},`${M(t.t,4)} s`),u("span",{},t.text)))),this.list.replaceChildren(...this.items),this.clock.
+pointed=null}sign(){let{fingerprint:e}=this.film;e!==this.signed&&(this.signed=e,this.signature.replaceChildren(...Gu(e)))}say(e){R(this.live,e)}announce(e){this.
 say(j(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let i=0;i<t.length&&t[i].t<=e+1e-9;i++)n=i;if(n===this.current)return;this.items[this.
 current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[n]?.setAttribute("ari\
 a-current","step"),this.current=n;let o=this.items[n];if(o){let i=o.offsetTop-this.list.offsetTop;(i<this.list.scrollTop||i+o.offsetHeight>this.list.scrollTop+this.
-list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function Wu(s){if(!s)return[d("span",{},"No fingerprint: this motion depends on more di\
-gits than this page computes.")];let e=d("code",{},document.createTextNode(s)),t=d("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.
-clipboard.writeText(s),R(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[d("span",{title:"A hash of all events: the same wherever hophoop computes the\
- same bits, also in Python"},"Fingerprint")," ",e," ",t]}var ns=class{constructor(){this.list=d("dl",{});this.heading=d("h2",{},"What theory says");this.element=
-d("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){R(this.heading,t?`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(
-...e.flatMap(({label:n,text:o})=>[d("dt",{},n),d("dd",{},o)]))}};var Vr="hophoop-theme",Gu=["gravity_center","airborne","normal_force","friction_force"],ss=class{constructor(e,t,n,o){this.root=e;this.colors=t;this.hosted=n;this.
+list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};function Gu(s){if(!s)return[u("span",{},"No fingerprint: this motion depends on more di\
+gits than this page computes.")];let e=u("code",{},document.createTextNode(s)),t=u("button",{type:"button"},"Copy");return t.onclick=async()=>{try{await navigator.
+clipboard.writeText(s),R(t,"Copied")}catch{getSelection()?.selectAllChildren(e)}},[u("span",{title:"A hash of all events: the same wherever hophoop computes the\
+ same bits, also in Python"},"Fingerprint")," ",e," ",t]}var ns=class{constructor(){this.list=u("dl",{});this.heading=u("h2",{},"What theory says");this.element=
+u("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){R(this.heading,t?`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(
+...e.flatMap(({label:n,text:o})=>[u("dt",{},n),u("dd",{},o)]))}};var Vr="hophoop-theme",Uu=["gravity_center","airborne","normal_force","friction_force"],ss=class{constructor(e,t,n,o){this.root=e;this.colors=t;this.hosted=n;this.
 changed=o;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
 this.mark(),this.look=io(e),this.inks={...t},this.read()}mark(){let e=this.hosted?se(Vr):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=io(this.root),this.inks={...this.colors};for(let e of Gu)
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=io(this.root),this.inks={...this.colors};for(let e of Uu)
 this.inks[e]=kt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&oe(Vr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var os=class{constructor(e){this.clock=e;this.window=null;this.canvas=d("canvas",{class:"timeline-canvas"});this.tip=d("div",{class:"tip",hidden:!0});this.element=
-d("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
+k",this.hosted&&oe(Vr,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var os=class{constructor(e){this.clock=e;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});this.element=
+u("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.element.
 addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("pointerleave",()=>this.
 tip.hidden=!0),this.pinched=re(this.element,{zoom:(t,n)=>this.zoom(1/t,n?this.timeAt(n):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){let e=[0,this.
 clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:Ke(this.window,e)}zoom(e,t){let[n,o]=this.ends(),i=1e-6*this.clock.duration,a=Math.
@@ -2456,8 +2456,8 @@ tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${_
 (!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,n){this.films=e;let{context:o,width:i,height:a}=K(this.canvas,t.px);this.keep();let[r,l]=this.ends(),c=w=>(w-r)/
 (l-r)*i;o.clearRect(0,0,i,a);let m=15,h=(a-15)/e.length-m;e.forEach((w,y)=>{let v=m+y*(m+h);for(let{mode:E,from:T,wide:L}of La(w.phases,c,i)){let P=n.modes[E];o.
 fillStyle=P,o.fillRect(T,v,L,h-2),this.named(o,k(n.mode_names[E]),T,L,v,h-2,P,t)}w.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(w.duration),0),v,i,h-2)),
-this.marks(o,w,c,v,i,t),e.length>1&&(o.fillStyle=ge(y,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[y],i-1,v-4))});let u=V(l-r,i/60);o.
-fillStyle=t.soft,o.font=`10.5px ${t.font}`;let p=he(r,l,i/60);for(let w of p){let y=c(w);o.textAlign=y<14?"left":y>i-14?"right":"center",o.fillText(ae(w,u)+(w===
+this.marks(o,w,c,v,i,t),e.length>1&&(o.fillStyle=ge(y,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[y],i-1,v-4))});let d=V(l-r,i/60);o.
+fillStyle=t.soft,o.font=`10.5px ${t.font}`;let p=he(r,l,i/60);for(let w of p){let y=c(w);o.textAlign=y<14?"left":y>i-14?"right":"center",o.fillText(ae(w,d)+(w===
 p[0]?" s":""),y,a-3)}let{pointed:f}=this.clock;if(f!==null&&f>=r&&f<=l){let w=_(c(f),2,i-2);o.lineWidth=2;for(let[y,v]of[[t.paper,5],[t.ink,1]])o.fillStyle=y,o.
 fillRect(w-.5*v,m-4,v,a-m-9),o.fillRect(w-5-.5*v,m-4,10+v,v)}let g=_(c(this.clock.time),6,i-6),b=_(c(this.clock.time),1,i-1);o.fillStyle=t.ink,o.fillRect(b-1,m-
 4,2,a-m-9),o.beginPath(),o.moveTo(g-6,m-10),o.lineTo(g+6,m-10),o.lineTo(b,m-1),o.fill(),this.tell(e,n)}tell(e,t){let{time:n,duration:o,playing:i}=this.clock,r=e.
@@ -2466,19 +2466,19 @@ a-valuemax",o.toFixed(3)),this.element.setAttribute("aria-valuenow",n.toFixed(3)
 n,4),what:j(r)})))}named(e,t,n,o,i,a,r,l){e.font=`11px ${l.font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Gi(r),e.textAlign="center",e.textBaseline="m\
 iddle",e.fillText(t,n+.5*o,i+.5*a+1),e.textBaseline="alphabetic")}marks(e,t,n,o,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!==
 "start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(c)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,o,
-1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Aa(r))e.fillText(l,_(c,6,i-6),o-4)}};var Uu=1/60,Ku=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Vu={three:"In space"},De=(s,e,t)=>d(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Jr=(s,e)=>d("span",{},d("span",{"aria-hidden":"true"},`${s} `),e),is=class{constructor(e,t,n,o,i){this.
+1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Aa(r))e.fillText(l,_(c,6,i-6),o-4)}};var Ku=1/60,Vu=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ju={three:"In space"},De=(s,e,t)=>u(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Jr=(s,e)=>u("span",{},u("span",{"aria-hidden":"true"},`${s} `),e),is=class{constructor(e,t,n,o,i){this.
 clock=e;this.films=t;this.say=o;this.tell=i;this.titled="";this.playButton=De(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.
-speeds=d("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},At.map(a=>d("option",{value:String(a)},`${a}×`))),this.speeds.
-value="1",this.switches=new Map(Ku.map(([a,r,l])=>{let c=`${a==="three"?Vu.three:r} (${l})`;return[a,d("button",{type:"button",class:"switch",title:c,onclick:()=>n(
-a)},r)]})),this.row=d("div",{class:"buttons switches"},[...this.switches.values()]),this.element=d("div",{class:"transport"},d("div",{class:"buttons"},De(Y("sta\
+speeds=u("select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},At.map(a=>u("option",{value:String(a)},`${a}×`))),this.speeds.
+value="1",this.switches=new Map(Vu.map(([a,r,l])=>{let c=`${a==="three"?Ju.three:r} (${l})`;return[a,u("button",{type:"button",class:"switch",title:c,onclick:()=>n(
+a)},r)]})),this.row=u("div",{class:"buttons switches"},[...this.switches.values()]),this.element=u("div",{class:"transport"},u("div",{class:"buttons"},De(Y("sta\
 rt"),"To the start (Home)",()=>e.seek(0)),De(Y("previous"),"Previous event (Shift ←)",()=>this.jump(-1)),De(Y("back"),"One frame back (←)",()=>this.nudge(-1)),
-this.playButton,De(Y("on"),"One frame on (→)",()=>this.nudge(1)),De(Y("next"),"Next event (Shift →)",()=>this.jump(1))),d("div",{class:"buttons jumps"},De(Jr(
+this.playButton,De(Y("on"),"One frame on (→)",()=>this.nudge(1)),De(Y("next"),"Next event (Shift →)",()=>this.jump(1))),u("div",{class:"buttons jumps"},De(Jr(
 "▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),De(Jr("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,this.
 row)}show(e){let{clock:t,playButton:n}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let o=t.playing?"Pause (space)":"Play (spac\
 e)";this.titled!==o&&(this.titled=o,n.replaceChildren(Y(t.playing?"pause":"play")),Xe(n,"title",o),Xe(n,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.
-speeds.value=String(t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Uu*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=
-!1;let n=this.films().flatMap((m,h)=>m.events.map(u=>({event:u,lane:h}))).filter(({event:m})=>!t||(t==="impact"?m.kind===t:_a(m))).sort((m,h)=>m.event.t-h.event.
+speeds.value=String(t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Ku*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=
+!1;let n=this.films().flatMap((m,h)=>m.events.map(d=>({event:d,lane:h}))).filter(({event:m})=>!t||(t==="impact"?m.kind===t:_a(m))).sort((m,h)=>m.event.t-h.event.
 t),o=this.clock.time,i=e>0?n.find(({event:m})=>m.t>o+1e-9):n.findLast(({event:m})=>m.t<o-1e-9);if(!i&&t&&(i=n[0]),!i){t&&this.say(t==="takeoff"?"This motion has\
  no flight.":"This motion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${k(`Hoop ${"AB"[r]}`)}: `:"",c=k(Te[a.
 kind]??a.kind);this.tell(j(`${l}${k("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:M(a.t,4)})}`))}};var Yr="hophoop-steps",rt=class{constructor(e,t,n,{hosted:o=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e;this.backend=t;this.requested=!1;this.surrounding=
@@ -2520,17 +2520,17 @@ this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.e
 let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{this.theory.draw(await this.backend.theory(e,t),this.
 motions.name()),await this.phase.fetch(e,t)}catch(n){let{name:o,message:i}=n;o!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.
 stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(n){this.notice.say(n.message)}this.transport.show(t),this.address?.soon(),this.
-request()}};var Ju={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ft(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
+request()}};var Yu={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ft(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let n=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+n))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let m=l.reduce((h,u)=>h*u,1);i[a]=new Ju[r](t.buffer,t.byteOffset+4+n+c,m)}return{header:o,arrays:i}}var Yu=4,Zu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",as=class{constructor(e){this.base=e}async motion(e,t){
+4,4+n))),i={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let m=l.reduce((h,d)=>h*d,1);i[a]=new Yu[r](t.buffer,t.byteOffset+4+n+c,m)}return{header:o,arrays:i}}var Zu=4,Qu="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.",as=class{constructor(e){this.base=e}async motion(e,t){
 let n={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(e),signal:t};return Ft(await(await this.answered(new URL("lab/motion",this.
-base),n)).arrayBuffer())}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}async answered(e,t){for(let n=Yu;;n--){
-let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(Zu)});if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>
+base),n)).arrayBuffer())}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}async answered(e,t){for(let n=Zu;;n--){
+let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(Qu)});if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>
 0)||n<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${o.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),
-t?.signal?.throwIfAborted()}}},Qu=2e4,Xu=3e5,rs=class{constructor(e){this.model=e;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(
+t?.signal?.throwIfAborted()}}},Xu=2e4,ed=3e5,rs=class{constructor(e){this.model=e;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(
 2);this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(n.timer),
 this.waiting.delete(e.number),e.error?n.reject(new Error(e.error)):n.resolve(Ft(t[0])))}ask(e,t,n){let o=++this.number;return new Promise((i,a)=>{let r=setTimeout(
-()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e==="file"?Xu:Qu);this.waiting.set(o,{resolve:i,reject:a,
+()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e==="file"?ed:Xu);this.waiting.set(o,{resolve:i,reject:a,
 timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(o),a(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,
 number:o,call:e,body:t})})}motion(e,t){return this.ask("motion",e,t)}async file(e,t){let{arrays:n}=await this.ask("file",{query:t,name:e});return new Blob([n.content])}async derivatives(){
 return(await this.ask("derivatives",{})).arrays.content}close(){this.model.off("msg:custom",this.listen)}};var qo=class extends Error{},Fo=class{constructor(e,t){this.start=e;this.compiled=t;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let e=this.
@@ -2544,24 +2544,24 @@ n?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("super
 limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await i.ask(e,t,o)}finally{clearTimeout(r),n?.removeEventListener(
 "abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var ls=class{constructor(e){this.exports=e;this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
-o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var ed=150,td=240,nd=6e3,[gy,Zr,Qr]=[0,1,2],sd={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var td=150,nd=240,sd=6e3,[by,Zr,Qr]=[0,1,2],od={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
 al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ho(s,e,t){let{rows:n,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(b=>Math.
-min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*ed),td),nd),c=x.events.length,m=new Set;for(let b=0;b<=l&&i>0;b++)m.add(b===l?r:a+b*((r-a)/l));let h=new Set;
-for(let b=0;b<o;b++){let w=Math.min(n[b*c+B.t],i);w>=a&&w<=r&&h.add(w)}for(let b of h)m.add(b);let u=Float64Array.from(m).sort(),p=Float64Array.from(h).filter(b=>b>
-0).sort(),f=s.states(e,u,!1),g=s.states(e,p,!0);return jo(u,f,p,g)}function jo(s,e,t,n){let o=s.length+t.length,i=x.samples.length,a=new Float64Array(o),r=new Float64Array(
+min(Math.max(b,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*td),nd),sd),c=x.events.length,m=new Set;for(let b=0;b<=l&&i>0;b++)m.add(b===l?r:a+b*((r-a)/l));let h=new Set;
+for(let b=0;b<o;b++){let w=Math.min(n[b*c+B.t],i);w>=a&&w<=r&&h.add(w)}for(let b of h)m.add(b);let d=Float64Array.from(m).sort(),p=Float64Array.from(h).filter(b=>b>
+0).sort(),f=s.states(e,d,!1),g=s.states(e,p,!0);return jo(d,f,p,g)}function jo(s,e,t,n){let o=s.length+t.length,i=x.samples.length,a=new Float64Array(o),r=new Float64Array(
 o*i),l=0,c=0;for(let h=0;h<s.length;h++)c<t.length&&t[c]<=s[h]&&(a[l]=t[c],r.set(n.subarray(c*i,(c+1)*i),l*i),l++,c++),a[l]=s[h],r.set(e.subarray(h*i,(h+1)*i),l*
-i),l++;let m={t:a};for(let[h,u]of Object.entries(sd)){let p=new Float64Array(o).fill(-0);for(let f of u)for(let g=0;g<o;g++)p[g]+=r[g*i+ms[f]];m[h]=p}return m.mode=
-od(r,o,m.omega),m}function od(s,e,t){let n=x.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
-Math.sign(t[a])||i;let r=s[a*n+ms.mode],l=r===Zr?-1:r===Qr?1:0;o[a]=l===0?r:l*i<0?Zr:Qr}return o}var id=s=>s/2**32|0,ad=s=>s>>>0;function Xr(s,e,t,n){let o=id(t),i=ad(t);s.setUint32(e,n?i:o,n),s.setUint32(e+4,n?o:i,n)}function el(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var Bo=s=>s?
-`"${s}" `:"";function rd(s,e=""){if(typeof s!="number")throw new TypeError(Bo(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
-Bo(e)+"expected integer >= 0, got "+s);return s}function $o(s,e,t=""){if(el(s)&&(e===void 0||s.length===e))return s;e!==void 0&&rd(e,"length");let n=el(s),o=e!==void 0?` of length ${e}`:"",i=n?`length=${s.length}`:
-`type=${typeof s}`,a=Bo(t)+"expected Uint8Array"+o+", got "+i;throw n?new RangeError(a):new TypeError(a)}var ld=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},tl=(s,e)=>{
-ld(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
+i),l++;let m={t:a};for(let[h,d]of Object.entries(od)){let p=new Float64Array(o).fill(-0);for(let f of d)for(let g=0;g<o;g++)p[g]+=r[g*i+ms[f]];m[h]=p}return m.mode=
+id(r,o,m.omega),m}function id(s,e,t){let n=x.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=
+Math.sign(t[a])||i;let r=s[a*n+ms.mode],l=r===Zr?-1:r===Qr?1:0;o[a]=l===0?r:l*i<0?Zr:Qr}return o}var ad=s=>s/2**32|0,rd=s=>s>>>0;function Xr(s,e,t,n){let o=ad(t),i=rd(t);s.setUint32(e,n?i:o,n),s.setUint32(e+4,n?o:i,n)}function el(s){return s instanceof Uint8Array||ArrayBuffer.isView(s)&&s.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in s&&s.BYTES_PER_ELEMENT===1}var Bo=s=>s?
+`"${s}" `:"";function ld(s,e=""){if(typeof s!="number")throw new TypeError(Bo(e)+"expected number, got "+typeof s);if(!Number.isSafeInteger(s)||s<0)throw new RangeError(
+Bo(e)+"expected integer >= 0, got "+s);return s}function $o(s,e,t=""){if(el(s)&&(e===void 0||s.length===e))return s;e!==void 0&&ld(e,"length");let n=el(s),o=e!==void 0?` of length ${e}`:"",i=n?`length=${s.length}`:
+`type=${typeof s}`,a=Bo(t)+"expected Uint8Array"+o+", got "+i;throw n?new RangeError(a):new TypeError(a)}var hd=(s,e)=>{if(s===null||typeof s!="object"||Array.isArray(s))throw new TypeError((e==="object"?"":`"${e}" `)+"expected object, got type="+typeof s)},tl=(s,e)=>{
+hd(s,e);let t=Object.getPrototypeOf(s);if(t!==Object.prototype&&t!==null)throw new TypeError(`"${e}" expected plain object`);if(Object.hasOwn(s,"__proto__"))throw new TypeError(
 `"${e}.__proto__" is not allowed`)};function Wo(s,e=!0){if(s.destroyed)throw new Error("hash was destroyed");if(e&&s.finished)throw new Error("digest() was alre\
 ady called")}function nl(s,e){$o(s,void 0,"output");let t=e.outputLen;if(!(s.length>=t))throw new RangeError('"output" expected length >= '+t)}function Go(...s){for(let e=0;e<s.length;e++)s[e].fill(0)}function hs(s){return new DataView(s.buffer,s.byteOffset,s.byteLength)}function ue(s,e){return s<<32-e|
-s>>>e}function hd(s,e,t="opts"){return tl(s,"defaults"),e!==void 0&&tl(e,t),Object.assign(Object.create(null),s,e)}function sl(s,e={}){if(typeof s!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof s);e=hd({},e,"info");let t=(o,i)=>s(i).update(o).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
+s>>>e}function cd(s,e,t="opts"){return tl(s,"defaults"),e!==void 0&&tl(e,t),Object.assign(Object.create(null),s,e)}function sl(s,e={}){if(typeof s!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof s);e=cd({},e,"info");let t=(o,i)=>s(i).update(o).digest(),n=s(void 0);return t.outputLen=n.outputLen,t.blockLen=
 n.blockLen,t.canXOF=n.canXOF,t.create=o=>s(o),Object.assign(t,e),Object.freeze(t)}var ol=s=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,s])});function il(s,e,t){return s&e^~s&t}function al(s,e,t){return s&e^s&t^e&t}var cs=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(e,t,n,o){
 this.blockLen=e,this.outputLen=t,this.padOffset=n,this.isLE=o,this.buffer=new Uint8Array(e),this.view=hs(this.buffer)}update(e){Wo(this),$o(e);let{view:t,buffer:n,
 blockLen:o}=this,i=e.length,a=!1;for(let r=0;r<i;){let l=Math.min(o-this.pos,i-r);if(l===o){let c=hs(e);for(;o<=i-r;r+=o)this.process(c,r);a=!0;continue}n.set(r===
@@ -2570,70 +2570,70 @@ Wo(this),nl(e,this),this.finished=!0;let{buffer:t,view:n,blockLen:o,isLE:i}=this
 0)),Xr(n,o-8,this.length*8,i),this.process(n,0),this.roundClean();let r=e===t?n:hs(e),l=this.outputLen,c=l/4,m=this.get();if(l%4||c>m.length)throw new Error("in\
 valid outputLen");for(let h=0;h<c;h++)r.setUint32(4*h,m[h],i)}digest(){let{buffer:e,outputLen:t}=this;this.digestInto(e);let n=e.slice(0,t);return this.destroy(),
 n}_cloneIntoMeta(e){let{buffer:t,length:n,finished:o,destroyed:i,pos:a}=this;return e.destroyed=i,e.finished=o,e.length=n,e.pos=a,a&&e.buffer.set(t),e}clone(){return this.
-_cloneInto()}},rl=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var cd=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+_cloneInto()}},rl=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var ud=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
 2361852424,2428436474,2756734187,3204031479,3329325298]),Oe=new Uint32Array(64),Uo=class extends cs{A=0;B=0;C=0;D=0;E=0;F=0;G=0;H=0;constructor(e,t){super(64,e,
 8,!1),this.A=t[0]|0,this.B=t[1]|0,this.C=t[2]|0,this.D=t[3]|0,this.E=t[4]|0,this.F=t[5]|0,this.G=t[6]|0,this.H=t[7]|0}get(){let{A:e,B:t,C:n,D:o,E:i,F:a,G:r,H:l}=this;
 return[e,t,n,o,i,a,r,l]}set(e,t,n,o,i,a,r,l){this.A=e|0,this.B=t|0,this.C=n|0,this.D=o|0,this.E=i|0,this.F=a|0,this.G=r|0,this.H=l|0}_cloneInto(e){return(e||=new this.
-constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)Oe[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let u=Oe[h-15],p=Oe[h-
-2],f=ue(u,7)^ue(u,18)^u>>>3,g=ue(p,17)^ue(p,19)^p>>>10;Oe[h]=g+Oe[h-7]+f+Oe[h-16]|0}let{A:n,B:o,C:i,D:a,E:r,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let u=ue(r,6)^
-ue(r,11)^ue(r,25),p=m+u+il(r,l,c)+cd[h]+Oe[h]|0,g=(ue(n,2)^ue(n,13)^ue(n,22))+al(n,o,i)|0;m=c,c=l,l=r,r=a+p|0,a=i,i=o,o=n,n=p+g|0}n=n+this.A|0,o=o+this.B|0,i=i+
+constructor).set(...this.get()),this._cloneIntoMeta(e)}process(e,t){for(let h=0;h<16;h++,t+=4)Oe[h]=e.getUint32(t,!1);for(let h=16;h<64;h++){let d=Oe[h-15],p=Oe[h-
+2],f=ue(d,7)^ue(d,18)^d>>>3,g=ue(p,17)^ue(p,19)^p>>>10;Oe[h]=g+Oe[h-7]+f+Oe[h-16]|0}let{A:n,B:o,C:i,D:a,E:r,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let d=ue(r,6)^
+ue(r,11)^ue(r,25),p=m+d+il(r,l,c)+ud[h]+Oe[h]|0,g=(ue(n,2)^ue(n,13)^ue(n,22))+al(n,o,i)|0;m=c,c=l,l=r,r=a+p|0,a=i,i=o,o=n,n=p+g|0}n=n+this.A|0,o=o+this.B|0,i=i+
 this.C|0,a=a+this.D|0,r=r+this.E|0,l=l+this.F|0,c=c+this.G|0,m=m+this.H|0,this.set(n,o,i,a,r,l,c,m)}roundClean(){Go(Oe)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),Go(this.buffer)}},Ko=class extends Uo{constructor(){super(32,rl)}};var ll=sl(()=>new Ko,ol(1));var hl=["t","x","height","angle","vx","vy","omega","slip"],ud=16,dd=0x7ff8000000000000n;function cl(s,e){let t=new TextEncoder,n=ll.create(),o=new DataView(new ArrayBuffer(
+0,0,0,0,0,0),Go(this.buffer)}},Ko=class extends Uo{constructor(){super(32,rl)}};var ll=sl(()=>new Ko,ol(1));var hl=["t","x","height","angle","vx","vy","omega","slip"],dd=16,md=0x7ff8000000000000n;function cl(s,e){let t=new TextEncoder,n=ll.create(),o=new DataView(new ArrayBuffer(
 8*hl.length)),i=new Uint8Array(o.buffer);for(let r=0;r<e;r++){let l=r*x.events.length;n.update(t.encode(x.kinds[s[l+B.kind]])),hl.forEach((c,m)=>{let h=s[l+B[c]];
-Number.isNaN(h)?o.setBigUint64(8*m,dd,!0):o.setFloat64(8*m,h+0,!0)}),n.update(i)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
-0,ud)}function ul(s,e){let t=new Map,n=new Float64Array(e);for(let o=0;o<e;o++){let i=md(s.subarray(o*x.keys,(o+1)*x.keys));if(i===""){n[o]=Number.NaN;continue}let a=t.
-get(i);a===void 0&&(a=t.size,t.set(i,a)),n[o]=a}return{values:n,sequences:[...t.keys()]}}function md(s){let e="";for(let t of s){let n=t;for(let o=0;o<x.letters_a_key&&
-n;o++){let i=Number(n&7n);n>>=3n,i&&(e+=i===x.more?"+":x.letters[i-1])}}return e}var pd=256,fd=2048,gd=4096,bd=2e5,wd=x.statuses.indexOf("buffer"),yd=2,vd=new Set(x.passing),Vo=s=>Number.isFinite(s)?s:null,us=class{constructor(e){this.kept=[];
-this.turn=0;this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new ls(this.exports),this.mostEvents=pd,this.mostSegments=
-fd,this.mostRows=gd}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=x.events.length;
+Number.isNaN(h)?o.setBigUint64(8*m,md,!0):o.setFloat64(8*m,h+0,!0)}),n.update(i)}return Array.from(n.digest(),r=>r.toString(16).padStart(2,"0")).join("").slice(
+0,dd)}function ul(s,e){let t=new Map,n=new Float64Array(e);for(let o=0;o<e;o++){let i=pd(s.subarray(o*x.keys,(o+1)*x.keys));if(i===""){n[o]=Number.NaN;continue}let a=t.
+get(i);a===void 0&&(a=t.size,t.set(i,a)),n[o]=a}return{values:n,sequences:[...t.keys()]}}function pd(s){let e="";for(let t of s){let n=t;for(let o=0;o<x.letters_a_key&&
+n;o++){let i=Number(n&7n);n>>=3n,i&&(e+=i===x.more?"+":x.letters[i-1])}}return e}var fd=256,gd=2048,bd=4096,wd=2e5,yd=x.statuses.indexOf("buffer"),vd=2,kd=new Set(x.passing),Vo=s=>Number.isFinite(s)?s:null,us=class{constructor(e){this.kept=[];
+this.turn=0;this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new ls(this.exports),this.mostEvents=fd,this.mostSegments=
+gd,this.mostRows=bd}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=x.events.length;
 for(;;){let o=t.room("table",8*n*this.mostEvents),i=t.room("heads",8*x.heads.length);e.contact?this.computeCompliant(e,e.contact,o,i):this.computeRigid(e,o,i);let a=t.
-floats(i,x.heads.length).slice(),r=a[de.events];if(a[de.status]===wd)this.makeRoom(e,a[de.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=
+floats(i,x.heads.length).slice(),r=a[de.events];if(a[de.status]===yd)this.makeRoom(e,a[de.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=
 4;else{let l=t.floats(o,r*n).slice();return{given:e,head:a,rows:l,count:r,duration:a[de.duration],segments:a[de.segments]}}}}computeRigid(e,t,n){let{memory:o}=this,
 i=o.put("cell",Ae(e)),a=o.room("events",x.event_bytes*this.mostEvents),r=o.room("segments",x.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,
 r,this.mostSegments,t,n)}computeCompliant(e,t,n,o){let{memory:i}=this,a=i.put("cell",Ae(e)),r=i.put("contact",ct(t)),l=i.room("events",x.event_bytes*this.mostEvents),
-c=i.room("rows",x.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,bd,c,this.mostRows,n,o)}makeRoom(e,t){e.contact?this.
+c=i.room("rows",x.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,wd,c,this.mostRows,n,o)}makeRoom(e,t){e.contact?this.
 mostRows=t:this.mostSegments*=4}motion(e){return dl(this.compute(e))}film(e){let t=this.compute(e),[n,o]=e.contact?["rows",x.compliant_segment_bytes]:["segments",
 x.segment_bytes],i=this.memory.room(n,8),a=new Uint8Array(this.exports.memory.buffer,i,o*t.segments).slice();return{motion:dl(t),columns:Ho(this,t),pieces:a}}instant(e,t,n){
 let o=t.length/(e.contact?x.compliant_segment_bytes:x.segment_bytes);this.memory.put("cell",Ae(e)),e.contact&&this.memory.put("contact",ct(e.contact));let i=Float64Array.
 of(n),a=this.states({given:e,segments:o},i,!1,this.placeOf(t)),r=new Float64Array(0);return jo(i,a,r,r)}placeOf(e){let t=this.kept.find(i=>i.pieces===e);if(t)return t.
-place;let{turn:n}=this;this.turn=(n+1)%yd;let o=this.memory.room(`pieces ${n}`,Math.max(e.length,1));return new Uint8Array(this.exports.memory.buffer,o,e.length).
+place;let{turn:n}=this;this.turn=(n+1)%vd;let o=this.memory.room(`pieces ${n}`,Math.max(e.length,1));return new Uint8Array(this.exports.memory.buffer,o,e.length).
 set(e),this.kept[n]={pieces:e,place:o},o}columns(e,t){return Ho(this,this.compute(e),t)}samples(e,t){let n=this.states(this.compute(e),t,!1),o=x.samples.length;
 return Object.fromEntries(x.samples.map((i,a)=>[i,Float64Array.from(t,(r,l)=>n[l*o+a])]))}states(e,t,n,o){return this.rows("samples",x.samples.length,e,t,n,o)}margins(e,t,n=!1){
 if(e.contact)throw new TypeError("A compliant contact has no such rules.");let o=x.margins.length,i=this.rows("margins",o,this.compute(e),t,n);return Object.fromEntries(
 x.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>i[c*o+r])]))}rows(e,t,n,o,i,a){let{memory:r}=this,l=o.length*t,c=r.put("times",o),m=r.room("states",8*Math.max(
-l,1)),h=r.room("cell",8),u=[n.segments,c,o.length,Number(i),m];return n.given.contact?this.call("compliant_samples",h,r.room("contact",8),a??r.room("rows",8),...u):
-this.call(e,h,a??r.room("segments",8),...u),r.floats(m,l).slice()}changes(e,t){let{memory:n}=this,o=this.compute(e),i=n.put("rates",t),a=this.side(o,i,1),{reason:r,
+l,1)),h=r.room("cell",8),d=[n.segments,c,o.length,Number(i),m];return n.given.contact?this.call("compliant_samples",h,r.room("contact",8),a??r.room("rows",8),...d):
+this.call(e,h,a??r.room("segments",8),...d),r.floats(m,l).slice()}changes(e,t){let{memory:n}=this,o=this.compute(e),i=n.put("rates",t),a=this.side(o,i,1),{reason:r,
 sided:l}=a,c=l||r==="border"||r==="contact"?this.side(o,i,-1):a;return{count:o.count,larger:a,smaller:c}}side({count:e,segments:t,head:n},o,i){let{memory:a}=this,
-r=e*x.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[m,h,u]=["cell","events","segments"].map(b=>a.room(b,8)),p=n[de.doubt_from];this.call("changes",
-m,o,1,i,h,e,u,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:x.reasons[Math.max(f,0)],sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,
+r=e*x.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[m,h,d]=["cell","events","segments"].map(b=>a.room(b,8)),p=n[de.doubt_from];this.call("changes",
+m,o,1,i,h,e,d,t,p,l,c);let[f,g]=a.floats(c,2);return{rates:a.floats(l,r).slice(),reason:x.reasons[Math.max(f,0)],sided:f<0,failed:g}}thresholds(e){let{memory:t}=this,
 n=t.put("cell",Ae(e)),o=t.room("answers",8*x.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresholds",n,i?e.vx:Number.NaN,o);let a=t.floats(o,x.thresholds.
 length),r=c=>{let m=a[x.thresholds.indexOf(c)];return Number.isNaN(m)?null:m},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r(
 "first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("\
 painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angl\
 e"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,o,i],a,r){let{memory:l}=this,c=l.put("cell",Ae(e)),m=l.room("modes",a*r),h=l.room(
-"sides",a);this.call("regions",c,t,n,o,i,a,r,m,h);let{buffer:u}=this.exports.memory;return{modes:new Uint8Array(u,m,a*r).slice(),paradox:Float32Array.from(new Int8Array(
-u,h,a))}}map({count:e,rows:t},n,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*x.numbers.length),l=i.room("words",4*e*x.words.length),c=i.room(
-"keys",8*e*x.keys),{angle:m,stop:h,timed:u}=x.spans[o],p=x.wanted[n];this.call("map_cells",a,e,m??Number.NaN,h,u,p,r,l,c);let{buffer:f}=this.exports.memory;if(n===
+"sides",2*a);this.call("regions",c,t,n,o,i,a,r,m,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(d,m,a*r).slice(),paradox:Float32Array.from(new Int8Array(
+d,h,2*a))}}map({count:e,rows:t},n,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*x.numbers.length),l=i.room("words",4*e*x.words.length),c=i.room(
+"keys",8*e*x.keys),{angle:m,stop:h,timed:d}=x.spans[o],p=x.wanted[n];this.call("map_cells",a,e,m??Number.NaN,h,d,p,r,l,c);let{buffer:f}=this.exports.memory;if(n===
 "sequence")return ul(new BigUint64Array(f,c,e*x.keys),e);let g=new Float64Array(e);if(n in ps){let b=new Int32Array(f,l,e*x.words.length);for(let w=0;w<e;w++)g[w]=
 b[w*x.words.length+ps[n]]}else{let b=i.floats(r,e*x.numbers.length);for(let w=0;w<e;w++)g[w]=b[w*x.numbers.length+oi[n]]}return{values:g}}ideal(e){let t=this.memory.
 room("answers",8*x.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}refused(e){let t=this.memory.put("cell",Ae(e)),n=this.memory.
 put("contact",ct(e.contact)),o=this.memory.room("answers",8*x.thresholds.length);this.call("refused",t,n,+!e.contact,o);let[i,a]=this.memory.floats(o,2);return[
-i,a]}combine(e,t){let{memory:n}=this,o=n.put("parts",t.flatMap(kd)),i=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_\
+i,a]}combine(e,t){let{memory:n}=this,o=n.put("parts",t.flatMap(xd)),i=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_\
 parts",e,o,t.length,i,a);let[r,l,c]=n.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}chosen(e){let t=this.memory.put(
 "cell",Ae(e)),n=this.memory.put("contact",ct(e.contact)),o=this.memory.room("answers",8*x.thresholds.length);this.call("compliance",t,n,o);let i=this.memory.floats(
-o,x.chosen.length);return Object.fromEntries(x.chosen.map((a,r)=>[a,i[r]]))}};function kd(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.shapes.indexOf(
+o,x.chosen.length);return Object.fromEntries(x.chosen.map((a,r)=>[a,i[r]]))}};function xd(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.shapes.indexOf(
 e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,
-s.mass,0,0,s.at]}var xd=["friction","impact_normal","impact_tangential","rolling_resistance"],_d=["kinetic","potential",...xd,"residual"],ml=["x","height","angl\
-e","vx","vy","omega"];function dl({given:s,head:e,rows:t,count:n,duration:o}){let i=x.events.length,a=Array.from({length:n},(m,h)=>Ed(t.subarray(h*i,(h+1)*i))),
-r=a[n-1],l=Object.fromEntries([..._d,...s.contact?["spring","damping"]:[]].map(m=>[m,e[de[m]]])),c=Vo(e[de.doubt_from]);return{status:x.statuses[e[de.status]],sequence:Md(
-a),fingerprint:c===null?cl(t,n):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(ml.map(m=>[m,r[m]]))},energy:l,doubt:c}}function Ed(s){let e=x.
+s.mass,0,0,s.at]}var _d=["friction","impact_normal","impact_tangential","rolling_resistance"],Ed=["kinetic","potential",..._d,"residual"],ml=["x","height","angl\
+e","vx","vy","omega"];function dl({given:s,head:e,rows:t,count:n,duration:o}){let i=x.events.length,a=Array.from({length:n},(m,h)=>Md(t.subarray(h*i,(h+1)*i))),
+r=a[n-1],l=Object.fromEntries([...Ed,...s.contact?["spring","damping"]:[]].map(m=>[m,e[de[m]]])),c=Vo(e[de.doubt_from]);return{status:x.statuses[e[de.status]],sequence:Sd(
+a),fingerprint:c===null?cl(t,n):null,duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(ml.map(m=>[m,r[m]]))},energy:l,doubt:c}}function Md(s){let e=x.
 kinds[s[B.kind]],t=s[B.from_mode],n={t:s[B.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[B.to_mode]]};for(let o of ml)n[o]=Vo(s[B[o]]);return n.before=Object.
 fromEntries(["vx","vy","omega"].map(o=>[o,Vo(s[B[`before_${o}`]])])),n.impulse={normal:s[B.impulse_normal],tangential:s[B.impulse_tangential]},s[B.collision]===
-0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[B.gain]),s[B.stable]>=0&&(n.stable=s[B.stable]===1),n}function Md(s){let e=s.filter((n,o)=>o===s.length-1||!vd.has(
-n.kind));return e.slice(0,-1).map((n,o)=>e[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var Jo=1e4,Sd="The part of the page that computes this could not be loaded; choose it again when there is a network.",Yo=256;function pl(s){let e=URL.createObjectURL(
+0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[B.gain]),s[B.stable]>=0&&(n.stable=s[B.stable]===1),n}function Sd(s){let e=s.filter((n,o)=>o===s.length-1||!kd.has(
+n.kind));return e.slice(0,-1).map((n,o)=>e[o+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var Jo=1e4,Td="The part of the page that computes this could not be loaded; choose it again when there is a network.",Yo=256;function pl(s){let e=URL.createObjectURL(
 new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function fl(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
 arrayBuffer())}async function gl(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
@@ -2643,21 +2643,21 @@ vatives.wasm?${x.derivatives}`,e)),o=new URL(`kernel.js?${x.module}`,e);return o
 n):new s(t,pl(await(await fetch(o)).text()),n)}static async unpack(e,t,n){return new s(await gl(e),pl(t),async()=>gl(await n()))}motion(e,t){return this.motions.
 ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,n){return this.motions.ask("columns",[e,n],t)}samples(e,t,n){return this.motions.
 ask("samples",[e,t],n)}async changes(e,t,n){return this.rates??=this.derivatives().then(i=>new lt(this.start,i,1,Jo)),(await this.rates.catch(()=>{throw this.rates=
-null,new Error(Sd)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,o,i){return this.motions.ask("regions",[e,
-t,n,o],i)}async map({count:e,rows:t},n,o,i){let a=x.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let u=Math.min(Yo,e-h),p=new Float64Array(
-a*u);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+u),b*u);let f=await this.maps.ask("map",[{count:u,rows:p},n,o],i,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
-b)||l.push(b),l.indexOf(b)));for(let b=0;b<u;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},m=Array.from({length:Math.ceil(e/Yo)},(h,u)=>u*Yo);return await Promise.
-all(m.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var Td=360,Ad=240,Zo={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Ld=["motion.nc","motion.mp4","mo\
+null,new Error(Td)})).ask("changes",[e,t],n)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,n,o,i){return this.motions.ask("regions",[e,
+t,n,o],i)}async map({count:e,rows:t},n,o,i){let a=x.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async h=>{let d=Math.min(Yo,e-h),p=new Float64Array(
+a*d);for(let b=0;b<a;b++)p.set(t.subarray(b*e+h,b*e+h+d),b*d);let f=await this.maps.ask("map",[{count:d,rows:p},n,o],i,[p.buffer]),g=f.sequences?.map(b=>(l.includes(
+b)||l.push(b),l.indexOf(b)));for(let b=0;b<d;b++)r[h+b]=g?g[f.values[b]]??Number.NaN:f.values[b]},m=Array.from({length:Math.ceil(e/Yo)},(h,d)=>d*Yo);return await Promise.
+all(m.map(c)),n==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close(),this.rates?.then(e=>e.close()).catch(()=>{})}};var Ad=360,Ld=240,Zo={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Rd=["motion.nc","motion.mp4","mo\
 tion.gif"],ds=class{constructor(e,t,{base:n=null,python:o=null}={}){this.kernel=e;this.mechanics=t;this.base=n,this.python=o,this.shares=n!==null,this.files=[...Object.
-keys(Zo),...o?Ld:[]]}async film(e,t){t?.throwIfAborted();let n=ne(e,this.mechanics),o=Z(Ee(n)),{python:i}=this,{motion:a,columns:r,pieces:l}=this.kernel.film?await this.
+keys(Zo),...o?Rd:[]]}async film(e,t){t?.throwIfAborted();let n=ne(e,this.mechanics),o=Z(Ee(n)),{python:i}=this,{motion:a,columns:r,pieces:l}=this.kernel.film?await this.
 kernel.film(o,t):{motion:await this.kernel.motion(o,t),columns:await this.kernel.columns(o,t),pieces:null},{doubt:c}=a;if(c!==null&&i){let p=bt(n),f=async g=>(await i.
-motion({query:p,window:g})).arrays;return{...this.shown(await i.motion({query:p},t),n),samples:f}}let m=await this.turning(o,a,t),h=Yt(n,a,m,this.mechanics),u=this.
-mechanics.instant?.bind(this.mechanics);return{header:c===null?h:{...h,doubt:Ts(c)},arrays:r,exact:u&&l?p=>u(o,l,p):void 0}}async exact(e){let{exact:t,samples:n}=await this.
+motion({query:p,window:g})).arrays;return{...this.shown(await i.motion({query:p},t),n),samples:f}}let m=await this.turning(o,a,t),h=Yt(n,a,m,this.mechanics),d=this.
+mechanics.instant?.bind(this.mechanics);return{header:c===null?h:{...h,doubt:Ts(c)},arrays:r,exact:d&&l?p=>d(o,l,p):void 0}}async exact(e){let{exact:t,samples:n}=await this.
 film({scenario:e});return{exact:t,samples:n}}readable(e){return Zs(e,this.mechanics)}shown({header:e,arrays:t},n=gt(e.query,this.mechanics)){return{header:Yt(n,
 e,i=>e.turning[i],this.mechanics),arrays:t}}async samples(e,t,n){let o=ne({scenario:e},this.mechanics);return this.kernel.columns(Z(Ee(o)),n,t)}async turning(e,{
 events:t},n){let o=Bs(t);if(!o.length)return()=>0;let i=Float64Array.from(o,r=>$s(t,r)),{omega:a}=await this.kernel.samples(e,i,n);return r=>a[o.indexOf(r)]}code(e){
 let t=ne({scenario:e},this.mechanics);return{python:qs(t),toml:Kt(t)}}async theory(e,t){t?.throwIfAborted();let n=ne({scenario:e},this.mechanics);return eo(n,await this.
-kernel.thresholds(Z(n),t))}async regions(e,t,n){n?.throwIfAborted();let o=Z(ne({scenario:e},this.mechanics));return this.kernel.regions(o,t,Td,Ad,n)}async changes(e,t,n){
+kernel.thresholds(Z(n),t))}async regions(e,t,n){n?.throwIfAborted();let o=Z(ne({scenario:e},this.mechanics));return this.kernel.regions(o,t,Ad,Ld,n)}async changes(e,t,n){
 if(!this.kernel.changes)throw new TypeError("This kernel has no derivatives.");let o=Ee(ne({scenario:e},this.mechanics)),i=Z(o);if(i.contact)throw new C($("comp\
 liant_changes"));let a=Qs(o,t);if(!a)return null;let{rates:r,smaller:l,larger:c}=a,m=await this.kernel.changes(i,r,n);return{count:m.count,smaller:l?m.smaller:null,
 larger:c?m.larger:null}}async map(e,t){t?.throwIfAborted();let{checked:n,x:o,y:i,what:a}=Ys(e,this.mechanics),r=As(n,{x:o,y:i,what:a}),l=await Ds(r,{x:o,y:i},this.
@@ -2666,11 +2666,11 @@ mechanics,t);return Is({x:o,y:i,what:a},await this.kernel.map(l,a,Os(a),t))}asyn
 otion.toml")return Kt(n);let o=Ee(n),i=Z(o),a=await this.kernel.motion(i);if(a.doubt!==null&&this.python)return(await this.python.file(e,t)).text();if(e==="moti\
 on.json")return Ks(o,a);let r=Vs(a.duration);return Js(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function bl(s,e){let t=await s.catch(n=>{throw typeof WebAssembly=="object"&&!(n instanceof WebAssembly.CompileError)?n:new Error("This needs a browser th\
 at runs WebAssembly.")});return new ds(t,t.mechanics,e)}function Qo(s,e,t){return bl(Ht.load(s),{base:t,python:e&&new as(e)})}function wl(s,e){let t=Ht.unpack(s.
-get("module"),s.get("worker"),()=>e.derivatives());return bl(t,{python:e})}function yl(s){navigator.serviceWorker?.register(s).catch(()=>{})}var Rd=new URL("./",import.meta.url);async function Pd(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),n;try{n=await Qo(Rd,t?null:e,e)}catch(c){R(s,c.message);return}t&&yl(t.getAttribute("content")??"");let o=new rt(s,n,S.setup,{hosted:!0});Object.assign(globalThis,
+get("module"),s.get("worker"),()=>e.derivatives());return bl(t,{python:e})}function yl(s){navigator.serviceWorker?.register(s).catch(()=>{})}var Pd=new URL("./",import.meta.url);async function Cd(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),n;try{n=await Qo(Pd,t?null:e,e)}catch(c){R(s,c.message);return}t&&yl(t.getAttribute("content")??"");let o=new rt(s,n,S.setup,{hosted:!0});Object.assign(globalThis,
 {hophoopLab:o});let i=ca(location.hash),a=o.address,{links:r,said:l}=a.read(ao());try{await o.open(r,i),l()}catch(c){a.held=!0,await o.open([""]),o.notice.fail(
-c)}}async function nv(s,e,t,n){let o=await Qo(e,null,new URL("../",e)),i=new rt(s,o,S.setup,{panels:n});return await i.open([t]),i}async function Cd({model:s,el:e}){
+c)}}async function sv(s,e,t,n){let o=await Qo(e,null,new URL("../",e)),i=new rt(s,o,S.setup,{panels:n});return await i.open([t]),i}async function zd({model:s,el:e}){
 let t=document.createElement("div");e.append(t);let n=new rs(s),o;try{o=await wl(s,n)}catch(l){return R(t,l.message),()=>n.close()}let i=()=>o.shown(Ft(s.get("f\
 ilm"))),a=new rt(t,o,S.setup,{panels:s.get("panels"),onmotion:l=>{s.get("query")!==l&&(s.set("query",l),s.save_changes())}});a.motions.set([i()]),a.begin();let r=()=>a.
-motions.replace(i());return s.on("change:film",r),()=>{s.off("change:film",r),n.close(),a.close()}}var vl=document.getElementById("hophoop-lab");vl&&Pd(vl);var sv={
-render:Cd};export{lc as adopt,Pe as current,sv as default,po as languageMenu,nv as mount,sn as repeat,k as t,Qe as untranslated};
+motions.replace(i());return s.on("change:film",r),()=>{s.off("change:film",r),n.close(),a.close()}}var vl=document.getElementById("hophoop-lab");vl&&Cd(vl);var ov={
+render:zd};export{lc as adopt,Pe as current,ov as default,po as languageMenu,sv as mount,sn as repeat,k as t,Qe as untranslated};
