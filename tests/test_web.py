@@ -14,6 +14,9 @@ ROOT = Path(__file__).parents[1]
 WEB = ROOT / "web"
 BUILT = {
     "lab.js": ROOT / "src/hophoop/lab/static/lab.js",
+    "widget.js": ROOT / "src/hophoop/lab/static/widget.js",
+    "stage3d.js": ROOT / "src/hophoop/lab/static/stage3d.js",
+    "svg.js": ROOT / "src/hophoop/lab/static/svg.js",
     "kernel.js": ROOT / "src/hophoop/lab/static/kernel.js",
     "motion_element.js": ROOT / "src/hophoop/lab/static/motion_element.js",
     "embed.js": ROOT / "src/hophoop/lab/static/embed.js",
@@ -72,13 +75,20 @@ def test_the_build_gives_the_same_bytes(node, tmp_path):
         assert (tmp_path / name).read_bytes() == path.read_bytes(), name
 
 
-def test_a_translation_is_in_the_page_once():
-    """German was there twice: the two ways of importing it differed."""
-    german = json.loads((WEB / "words" / "de.json").read_text(encoding="utf-8"))
+def test_a_translation_is_beside_the_page_and_english_in_it_once():
     page = BUILT["lab.js"].read_text(encoding="utf-8").replace("\\\n", "")  # long lines are broken
-    plain = {text for text, count in Counter(german.values()).items() if count == 1 and re.fullmatch(r"[\w ,.;–]{30,}", text)}
-    assert len(plain) > 10
-    assert {len(re.findall(f"[\"'`]{re.escape(text)}[\"'`]", page)) for text in plain} == {1}
+    for path in (WEB / "words").glob("*.json"):
+        table = json.loads(path.read_text(encoding="utf-8"))
+        count = Counter(text for text in table.values() if isinstance(text, str))
+        long = 16 if path.stem == "zh" else 24  # shorter ones may be anything
+        plain = {text for text, times in count.items() if times == 1 and re.fullmatch(r"[\w ,.;–，。；]+", text)}
+        plain = {text for text in plain if len(text) >= long}
+        assert len(plain) > 10
+        times = {len(re.findall(f"[\"'`]{re.escape(text)}[\"'`]", page)) for text in plain}
+        assert times == {int(path.stem == "en")}
+        if path.stem != "en":
+            built = BUILT["lab.js"].with_name(f"words.{path.name}")
+            assert json.loads(built.read_text(encoding="utf-8")) == table, "run `npm run build` in web/"
 
 
 def test_the_linter_finds_nothing(node):
@@ -91,6 +101,14 @@ def test_types_hold(node):
 
 def test_pure_modules_do_what_their_tests_say(node):
     node("tests/run.mjs")
+
+
+def test_no_class_of_the_page_takes_all_of_it():
+    """A class names the parts that it needs, `Pick<Lab, …>`, or takes them one by one."""
+    sources = {path: path.read_text(encoding="utf-8") for path in (WEB / "lab").rglob("*.ts")}
+    assert len(sources) > 60
+    whole = re.compile(r"constructor\([^)]*: Lab\b")
+    assert [path.name for path, text in sources.items() if whole.search(text)] == []
 
 
 def test_no_lock_file_names_a_registry():

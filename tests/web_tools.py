@@ -1,9 +1,12 @@
 """Sources of web/ for Node, which reads no TypeScript in all of its versions: bundled first by esbuild."""
 
 import functools
+import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -34,3 +37,21 @@ def bundled(path: Path) -> str:
     done = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=WEB, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout
+
+
+@functools.cache
+def _english() -> dict[str, Any]:
+    return json.loads((WEB / "words" / "en.json").read_text(encoding="utf-8"))
+
+
+def english(said: Any) -> str:
+    """What the page says, as web/words/texts.ts puts it together."""
+    if isinstance(said, list):
+        return "".join(english(part) for part in said)
+    if not isinstance(said, dict):
+        text = _english().get(said, said) if isinstance(said, str) else str(said)
+        return str(text)
+    text, values = _english()[said["key"]], said.get("values", {})
+    if isinstance(text, dict):
+        text = text["one" if values["count"] == 1 else "other"]
+    return re.sub(r"\{(\w+)\}", lambda place: english(values[place[1]]), text)

@@ -3,7 +3,7 @@
 
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
-import { basename, dirname, join } from "node:path";
+import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
@@ -13,6 +13,10 @@ const SOURCES = ["kernel", "lab", "model", "pages", "scene", "site", "space", "w
 const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json"];
 const TARGETS = [
   { entry: "lab/shell/main.ts", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
+  // a notebook's widget is a single file
+  { entry: "lab/shell/main.ts", file: "../src/hophoop/lab/static/widget.js", format: "esm", apart: false },
+  { entry: "lab/player/stage3d.ts", file: "../src/hophoop/lab/static/stage3d.js", format: "esm" },
+  { entry: "lab/player/svg.ts", file: "../src/hophoop/lab/static/svg.js", format: "esm" },
   { entry: "kernel/worker.ts", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
   { entry: "site/motion_element.ts", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
   { entry: "site/embed.ts", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
@@ -36,30 +40,11 @@ function stamp() {
   return hash.digest("hex").slice(0, 32);
 }
 
-// Each language has the same keys, English sentences, which are a third of all that the page loads: they are put in once.
-const words = {
-  name: "words",
-  setup(bundler) {
-    bundler.onLoad({ filter: /words[/\\]\w+\.json$/ }, ({ path }) => {
-      if (basename(path) === "de.json") return undefined;
-      const read = (name) => JSON.parse(readFileSync(name, "utf8"));
-      const table = read(path);
-      const keys = Object.keys(read(join(dirname(path), "de.json")));
-      if (Object.keys(table).length !== keys.length || keys.some((key) => !(key in table)))
-        throw new Error(`${path} has not the keys of de.json`);
-      const values = JSON.stringify(keys.map((key) => table[key]));
-      return {
-        contents:
-          `import de from "./de.json" with { type: "json" };\nconst values = ${values};\n` +
-          "export default Object.fromEntries(Object.keys(de).map((key, place) => [key, values[place]]));",
-        loader: "js",
-      };
-    });
-  },
-};
+// English is in the script; another language is a file beside it.
+const LANGUAGES = readdirSync(join(here, "words")).filter((name) => name.endsWith(".json") && name !== "en.json");
 
 const folder = process.argv[2]; // where to write instead, to compare
-for (const { entry, file, format } of TARGETS) {
+for (const { entry, file, format, apart = true } of TARGETS) {
   await build({
     entryPoints: [join(here, entry)],
     outfile: folder ? join(folder, file.split("/").at(-1)) : join(here, file),
@@ -70,7 +55,7 @@ for (const { entry, file, format } of TARGETS) {
     target: "es2022",
     charset: "utf8",
     legalComments: "none",
-    plugins: [words],
+    define: { STAMP: JSON.stringify(stamp()), APART: String(apart) },
     supported: { nesting: false },
     banner: {
       [entry.endsWith(".css") ? "css" : "js"]:
@@ -84,4 +69,8 @@ for (const name of PAGES) {
     `\n<!-- Copied from web/pages/${name} by web/build.mjs -->\n`,
   );
   writeFileSync(join(folder ?? join(here, "../src/hophoop/lab/static"), name), page);
+}
+for (const name of LANGUAGES) {
+  const text = JSON.stringify(JSON.parse(readFileSync(join(here, "words", name), "utf8")));
+  writeFileSync(join(folder ?? join(here, "../src/hophoop/lab/static"), `words.${name}`), `${text}\n`);
 }

@@ -3,6 +3,20 @@
 type Film = import("./lab/player/film.ts").Film;
 type Clock = import("./lab/player/clock.ts").Clock;
 
+/** A hash of all sources, and whether parts of the page are files of their own; written by the build. */
+declare const STAMP: string;
+declare const APART: boolean;
+
+/** A table of a language: a text by its key, or one for each plural. */
+type Words = Record<string, string | { [plural: string]: string; other: string }>;
+type Values = Record<string, Said>;
+interface Phrase {
+  key: string;
+  values?: Values;
+}
+/** What is said: a key, or what needs none such as a number or a symbol; a key with its values; parts; what makes a text. */
+type Said = string | number | Phrase | Said[] | (() => string);
+
 // Colours of the page, as the style sheet has them.
 interface Look {
   ink: string;
@@ -49,7 +63,7 @@ interface Sentence {
   t: number;
   event: number;
   mode: string;
-  text: string;
+  text: Said;
 }
 
 interface Phase {

@@ -306,7 +306,7 @@ def test_the_script_is_one_module_without_imports():
     script = export.static_text("lab.js")
     assert not re.search(r"(^|[;}])import\b", script, re.MULTILINE)
     (exported,) = re.findall(r"\bexport\{([^}]*)\}", script)
-    words = {"adopt", "current", "languageMenu", "repeat", "t", "untranslated"}  # for the page that makes tags
+    words = {"current", "languageMenu", "name", "repeat", "say", "speakFrom", "t"}  # for the page that makes tags
     assert set(re.findall(r" as (\w+)", exported)) == {"default", "mount", *words}
 
 
@@ -319,5 +319,6 @@ def test_the_page_asks_for_nothing_from_elsewhere():
 def test_every_file_of_the_page_is_used():
     folder = files.Path(export.__file__).parents[1] / "static"
     assert {path.name for path in folder.iterdir()} == {
-        "index.html", "pick.html", "tables.json", "backdrop.js", "service_worker.js", *export.STATIC, *export.PAGES,
+        "index.html", "pick.html", "tables.json", "backdrop.js", "service_worker.js", "widget.js",
+        *(f"words.{code}.json" for code in export.languages()), *export.STATIC, *export.PAGES,
     }  # fmt: skip

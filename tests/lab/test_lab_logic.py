@@ -10,7 +10,7 @@ from hophoop.lab.site.controls import controls
 from hophoop.lab.site.presets import presets
 from hophoop.scenario.ranges import RANGES
 from model.test_page_model import answers
-from web_tools import bundled, needs_node, source
+from web_tools import bundled, english, needs_node, source
 
 pytestmark = needs_node
 
@@ -72,9 +72,9 @@ def test_a_map_says_when_its_starts_are_others(js):
     jam = next(preset for preset in presets() if preset.key == "jam").scenario.to_dict()
     code = "return [['start.speed', 'plane.mu'], ['start.vx', 'plane.mu']].map((paths) => lab.otherStart(scenario, paths))"
     said = js("map_words.ts", code, scenario=jam)
-    assert said == ["of rolling starts, though this motion starts otherwise", ""]
+    assert [english(one) for one in said] == ["with a rolling start, unlike this motion", ""]
     said = js("map_words.ts", code, scenario={"start": {"speed": 3.1}})
-    assert said == ["", "of starts in any state, though this motion starts rolling"]
+    assert [english(one) for one in said] == ["", "with a start in any state; this motion starts rolling"]
 
 
 # Where a flight begins
@@ -146,7 +146,8 @@ def test_a_short_film_asks_for_nothing(js):
 def test_theory_says_what_can_be_said_on_every_slope():
     scenarios = [{"plane": {"slope": math.radians(23.0)}}, {"plane": {"slope": -0.1}}, {}]
     asked = [{"scenario": keys} for keys in scenarios]
-    steep, uphill, level = ({row["key"]: row["text"] for row in answer["value"]} for answer in answers("theory", asked))
+    said = [answer["value"] for answer in answers("theory", asked)]
+    steep, uphill, level = ({row["key"]: english(row["text"]) for row in rows} for rows in said)
     assert steep["first_slip"] == "would slip: any push is enough"
     for text in steep.values():
         assert "e-" not in text

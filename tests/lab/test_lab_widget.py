@@ -77,4 +77,4 @@ def test_the_widget_shows_a_defect_in_the_notebook(widget, monkeypatch):
     monkeypatch.setattr("hophoop.lab.api.calls.answer", broken)
     with pytest.raises(ValueError, match="broadcast"):
         widget._answer(widget, {"view": "a", "number": 5, "call": "file", "body": {"name": "motion.csv"}}, [])
-    assert widget.sent == [({"view": "a", "number": 5, "error": "The computation failed."}, None)]
+    assert widget.sent == [({"view": "a", "number": 5, "error": "server.failed"}, None)]

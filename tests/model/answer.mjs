@@ -5,7 +5,8 @@ import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { Backend } from "../../web/lab/backend/backend.ts";
 import * as model from "../../web/model/index.ts";
-import { fill, numberOf, plain, shortened } from "../../web/model/text.ts";
+import { numberOf, plain, shortened, written } from "../../web/model/text.ts";
+import { spoken } from "../../web/words/texts.ts";
 
 const [script, binary, derivatives] = process.argv.slice(2);
 const { HoopModule } = await import(script);
@@ -30,7 +31,12 @@ const CALLS = {
       given: model.given(checked),
     };
   },
-  numbers: (values) => values.map((value) => fill("{value!r} {value:g} {value:.3g} {value:.2e} {value:.1f}", { value })),
+  numbers: (values) =>
+    values.map((value) =>
+      ["{value!r}", "{value:g}", "{value:.3g}", "{value:.2e}", "{value:.1f}"]
+        .map((template) => written(template, { value }).value)
+        .join(" "),
+    ),
   texts: (texts) => texts.map((text) => [plain(text), shortened(text), numberOf(text) ?? null]),
   bounded({ name, body }) {
     const { checked, ...options } = model.requested(body, mechanics);

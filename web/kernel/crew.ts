@@ -1,7 +1,9 @@
 // Workers that hold the module: one a call at a time, replaced where one is stopped in the middle of a call.
 
+import { Refused } from "../words/texts.ts";
+
 /** An answer that took longer than anything asked for in a page may take. */
-export class TooLong extends Error {}
+export class TooLong extends Refused {}
 
 class Hand {
   number = 0;
@@ -22,7 +24,7 @@ class Hand {
       if (data.error) reject(new Error(data.error));
       else resolve(data.answer);
     };
-    worker.onerror = (event) => this.fail(new Error(event.message || "The kernel could not be started."));
+    worker.onerror = (event) => this.fail(new Error(event.message || "kernel.not_started"));
     worker.postMessage({ compiled: this.compiled });
     return worker;
   }
@@ -84,7 +86,13 @@ export class Crew {
     const hand = await this.hand();
     const stop = () => hand.stop(new DOMException("superseded", "AbortError"));
     const timer = setTimeout(
-      () => hand.stop(new TooLong(`This takes longer than ${this.limit / 1000} s, and was stopped.`)),
+      () =>
+        hand.stop(
+          new TooLong({
+            key: "kernel.stopped",
+            values: { time: this.limit / 1000 },
+          }),
+        ),
       this.limit,
     );
     try {

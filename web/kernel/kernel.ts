@@ -1,12 +1,12 @@
 // The kernel of a page without a server: the module in workers, and in the page itself what checking a scenario needs.
 
+import { Refused } from "../words/texts.ts";
 import { Crew } from "./crew.ts";
 import { layout } from "./layout.ts";
 import { HoopModule } from "./module.ts";
 
 const LIMIT = 10_000; // milliseconds
-const UNLOADED =
-  "The part of the page that computes this could not be loaded; choose it again when there is a network.";
+const UNLOADED = "kernel.the_part_of_the";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
 function ofText(script: string): () => Worker {
@@ -16,7 +16,7 @@ function ofText(script: string): () => Worker {
 
 async function fetched(address: URL): Promise<WebAssembly.Module> {
   const response = await fetch(address);
-  if (!response.ok) throw new Error(`The kernel is not there: ${address.pathname} gives ${response.status}.`);
+  if (!response.ok) throw new Refused({ key: "kernel.not_loaded", values: { status: response.status } });
   const typed = response.headers.get("Content-Type") === "application/wasm";
   return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }

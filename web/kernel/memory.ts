@@ -13,7 +13,7 @@ export class Memory {
     if (there) this.exports.free(there.place);
     this.rooms.delete(name);
     const place = this.exports.malloc(bytes);
-    if (!place) throw new RangeError("There is not enough memory for this motion.");
+    if (!place) throw new RangeError("kernel.no_memory");
     this.rooms.set(name, { place, bytes });
     return place;
   }

@@ -59,7 +59,8 @@ export const spanOf = (what: string): string => quantities[what].span;
 
 /** A map as the page shows it. */
 export function mapReply({ x, y, what }: { x: Axis; y: Axis; what: string }, found: MapValues) {
-  const { label, unit, words } = quantities[what];
+  const { unit, words } = quantities[what];
+  const label = `quantity.${what}`;
   const { values, names } = ordered(found, unit === "" ? words : null);
   const classOf = (name: string) => ({
     name,

@@ -1,38 +1,39 @@
 // A table of keys checked against a model of Python's, field by field: values, or what is wrong with them.
 
 import { number, tables } from "./tables.ts";
-import { fill, plain, shortened, shown } from "./text.ts";
+import { listed, Refused, spoken } from "../words/texts.ts";
+import { general, shortened, shown, written } from "./text.ts";
 
 const { texts, scenario } = tables;
 /** Farther from a known key is not meant by it: letters to take away, to add or to change. */
 const MOST_WRONG = 2;
 
 /** Bad input, said in one sentence. */
-export class InputError extends Error {
-  constructor(message: string) {
-    super(plain(message));
-    this.name = "InputError";
-  }
+export class InputError extends Refused {
+  name = "InputError";
 }
 
 /** The request is valid, but asks for more than the lab computes at a time. */
 export class TooMuch extends InputError {}
 
-/** A sentence of Python's, filled. */
-export const say = (name: string, values: Record<string, any> = {}) => fill(texts[name], values);
+/** A sentence of Python's, with its values. */
+export const say = (name: string, values: Record<string, any> = {}): Phrase => ({
+  key: `refusal.${name}`,
+  values: written(texts[name], values),
+});
 
 export const isTable = (value: any) => value !== null && typeof value === "object" && !Array.isArray(value);
 
 /** What is wrong with one value. `name`: of what would be allowed. */
 export const finding = (path: string, value: any, name: string, values?: Record<string, any>) =>
-  say("finding", { path: path || texts.whole_scenario, shown: shown(value), allowed: say(name, values) });
+  say("finding", { path: path || say("whole_scenario"), shown: shown(value), allowed: say(name, values) });
 
 /** The fields of a model, or null where something is wrong with them. `found`: sentences about what is wrong. */
 export function readFields(
   model: string,
   data: any,
   path: string,
-  found: string[],
+  found: Phrase[],
 ): { values: Record<string, any>; given: Set<string> } | null {
   const { fields, place } = scenario.models[model];
   const said = isTable(data) ? unknownKey(place, data, Object.keys(fields)) : finding(path, data, "table");
@@ -71,7 +72,7 @@ function distance(one: string, other: string) {
   return row[other.length];
 }
 
-export function readValue(field: any, value: any, path: string, found: string[]): any {
+export function readValue(field: any, value: any, path: string, found: Phrase[]): any {
   if (value === null && field.nullable) return null;
   if (field.kind === "parts") return readParts(value, path, found);
   const given = field.kind === "friction" && value === "inf" ? Infinity : value;
@@ -89,25 +90,40 @@ const LIMITS: Record<string, (value: number, limit: number) => boolean> = {
 /** Returns the sentence of what is allowed. */
 function refusal(field: any, value: any): [name: string, values?: any] | null {
   const { kind, options, limits = [], range } = field;
-  if (kind === "word") return options.includes(value) ? null : ["literal_error", field];
+  if (kind === "word") return options.includes(value) ? null : ["literal_error", { expected: oneOf(options) }];
   if (typeof value !== "number") return ["number"];
   if (kind === "friction" && !(value >= 0)) return ["friction"];
   if (kind === "whole" && !Number.isInteger(value)) return ["whole"];
   if (kind !== "friction" && !Number.isFinite(value)) return ["finite_number"];
   const passed = limits.find(([name, limit]: [string, number]) => !LIMITS[name](value, limit));
   if (passed) return [passed[0], { limit: passed[1] }];
-  return range && !holds(range, value) ? ["range", range] : null;
+  return range && !holds(range, value) ? ["range", { words: rangeText(range) }] : null;
 }
 
-export const holds = ({ least, most, also = [] }: { least: number; most: number; also?: any[] }, value: number) =>
+export type Range = { least: number; most: number; unit?: string; also?: any[] };
+
+/** A range in words. */
+export function rangeText({ least, most, unit = "", also = [] }: Range): Phrase {
+  const name = `${also.includes(0) ? "zero_or_" : ""}from_to${also.includes("inf") ? "_or_inf" : ""}`;
+  return { key: `range.${name}`, values: { least: general(least), most: `${general(most)}${unit && ` ${unit}`}` } };
+}
+
+/** One of several words. */
+function oneOf(words: string[]): Said {
+  const quoted = words.map((word) => `'${word}'`);
+  if (quoted.length === 1) return quoted;
+  return { key: "list.or", values: { some: listed(quoted.slice(0, -1)), last: quoted[quoted.length - 1] } };
+}
+
+export const holds = ({ least, most, also = [] }: Range, value: number) =>
   (least <= value && value <= most) || also.some((one) => number(one) === value);
 
-function readParts(value: any, path: string, found: string[]) {
+function readParts(value: any, path: string, found: Phrase[]) {
   if (!Array.isArray(value)) found.push(finding(path, value, "list"));
   else return value.map((part, index) => readPart(part, `${path}.${index}`, found));
 }
 
-function readPart(part: any, path: string, found: string[]) {
+function readPart(part: any, path: string, found: Phrase[]) {
   const model = modelOf(part, "shape", scenario.parts, path, found);
   const read = model && readFields(model, part, path, found);
   if (!read) return null;
@@ -122,7 +138,7 @@ export function modelOf(
   key: string,
   models: Record<string, string>,
   path: string,
-  found: string[],
+  found: Phrase[],
   usual?: string,
 ): string | null {
   const word = isTable(data) && Object.hasOwn(data, key) ? data[key] : usual;
@@ -130,17 +146,15 @@ export function modelOf(
   else if (word === undefined) found.push(say("missing", { path: `${path}.${key}` }));
   else if (typeof word === "string" && Object.hasOwn(models, word)) return models[word];
   else {
-    const expected = Object.keys(models)
-      .map((name) => `'${name}'`)
-      .join(" or ");
-    found.push(finding(`${path}.${key}`, word, "literal_error", { expected }));
+    found.push(finding(`${path}.${key}`, word, "literal_error", { expected: oneOf(Object.keys(models)) }));
   }
   return null;
 }
 
 /** The one sentence of all that was found. */
-export function whole(said: string[]) {
+export function whole(said: Phrase[]): Phrase {
   const count = said.length - 1;
   if (!count) return said[0];
-  return say(count === 1 ? "other_problem" : "other_problems", { first: said[0].replace(/\.$/, ""), count });
+  const first = () => spoken(said[0]).replace(/[.。]$/, "");
+  return { key: "refusal.other_problems", values: { first, count } };
 }

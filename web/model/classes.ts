@@ -3,7 +3,6 @@
 import { tables } from "./tables.ts";
 
 const { codes, families, massless, hops, rolls, other } = tables.classes;
-const { sequence: letters } = tables.words;
 const SEQUENCE = "sequence";
 
 /** From 0 to 1: classes of one length and family differ a little, by their names. */
@@ -31,7 +30,8 @@ export function classColor(name: string, quantity: string): string {
 }
 
 /** A class in words. */
-export function classText(name: string, quantity: string) {
-  if (quantity !== SEQUENCE) return name.replaceAll("_", " ");
-  return [...name].map((letter) => letters[letter]).join(" → ");
+export function classText(name: string, quantity: string): Said {
+  if (quantity !== SEQUENCE) return `class.${name}`;
+  const letters = [...name].map((letter) => (letter === "+" ? "…" : `sequence.${letter}`));
+  return letters.flatMap((letter, k) => (k ? [" → ", letter] : [letter]));
 }

@@ -36,7 +36,6 @@ export function headerOf(
     massless: checked.hoop.inertia_ratio === 0,
     summary: summary(told),
     story: story(told),
-    ending: tables.words.statuses[motion.status],
     shortened: motion.events.length > MOST_EVENTS,
   };
 }

@@ -4,7 +4,7 @@ import { holds, InputError, TooMuch } from "./check.ts";
 import { stateOf } from "./given.ts";
 import { contradiction } from "./paths.ts";
 import { tables } from "./tables.ts";
-import { fill, general } from "./text.ts";
+import { general, written } from "./text.ts";
 
 const { lab, limits } = tables;
 const { allowed, events: MOST_EVENTS, flight_turns: FLIGHT_TURNS, quantities } = tables.map;
@@ -12,8 +12,11 @@ const TINY = 1e-300;
 
 export type Axis = { path: string; from: number; to: number; cells: number };
 
-/** A sentence of the lab's, filled. */
-export const labText = (name: string, values: Record<string, any> = {}) => fill(lab[name], values);
+/** A sentence of the lab's, with its values. */
+export const labText = (name: string, values: Record<string, any> = {}): Phrase => ({
+  key: `lab.${name}`,
+  values: written(lab[name], values),
+});
 
 /** What the page says of a motion that doubles do not decide. */
 export const doubtText = (time: number) => labText("doubt", { time: general(time, 4) });
@@ -32,6 +35,11 @@ export function within(checked: Checked): Checked {
   }
   if (contact.max_events <= limits.events) return checked;
   return { ...checked, contact: { ...contact, max_events: limits.events } };
+}
+
+/** Refuse a film that Python would not draw. */
+export function withinFilm({ duration }: Checked) {
+  if (duration > limits.film) throw new TooMuch(labText("film_too_long", { duration, most: limits.film }));
 }
 
 /** What the number of turns follows from. */

@@ -1,6 +1,6 @@
 // What ties the fields of a scenario together: in which ways they can be given; the kernel has the rules between numbers.
 
-import { say } from "./check.ts";
+import { rangeText, say } from "./check.ts";
 import { tables } from "./tables.ts";
 
 const { scenario } = tables;
@@ -14,7 +14,7 @@ const FREE = ["height", "vx", "vy", "omega"];
 const ALONE = { mass: 1, inertia_ratio: 1, contact: null };
 
 /** The first rule that numbers break, in a sentence. `sections`: that the sentence may speak of. */
-export function broken(given: any, sections: any, mechanics: Mechanics): string | null {
+export function broken(given: any, sections: any, mechanics: Mechanics): Phrase | null {
   const [code, number] = mechanics.refused(given);
   const rule = RULES[code];
   if (!rule) return null;
@@ -22,7 +22,9 @@ export function broken(given: any, sections: any, mechanics: Mechanics): string 
     const [section, field] = path.split(".");
     return [name, sections[section][field]];
   });
-  return say(rule.sentence, { ...rule.known, ...Object.fromEntries(values), [rule.number]: number });
+  const { words, ...known } = rule.known;
+  if (words) known.words = rangeText(words);
+  return say(rule.sentence, { ...known, ...Object.fromEntries(values), [rule.number]: number });
 }
 
 function together(section: string, way: string, given: Set<string>, others: string[]) {
@@ -31,7 +33,7 @@ function together(section: string, way: string, given: Set<string>, others: stri
 }
 
 /** Complete the values of a section; what is wrong with them is said in a sentence. */
-export const COMPLETE: Record<string, (values: any, given: Set<string>, mechanics: Mechanics) => string | null> = {
+export const COMPLETE: Record<string, (values: any, given: Set<string>, mechanics: Mechanics) => Phrase | null> = {
   hoop: completeHoop,
   plane: completePlane,
   start: completeStart,

@@ -17,7 +17,7 @@ export function fromDict(keys: any, mechanics: Mechanics): Checked {
   const { fields, place } = knowledge.models.Scenario;
   const wrong = isTable(keys) ? unknownKey(place, keys, Object.keys(fields)) : finding("", keys, "table");
   if (wrong) throw new InputError(wrong);
-  const found: string[] = [];
+  const found: Phrase[] = [];
   const sections = Object.keys(fields).map((name) => {
     const data = Object.hasOwn(keys, name) ? keys[name] : knowledge.default[name];
     return [name, readSection(name, data, mechanics, found)];
@@ -29,7 +29,7 @@ export function fromDict(keys: any, mechanics: Mechanics): Checked {
 }
 
 /** One section of a scenario by itself, or its duration. `found`: sentences about what is wrong. */
-function readSection(name: string, data: any, mechanics: Mechanics, found: string[]): any {
+function readSection(name: string, data: any, mechanics: Mechanics, found: Phrase[]): any {
   if (name === "duration") return readValue(knowledge.models.Scenario.fields[name], data, name, found);
   const [model] =
     name === "contact" ? [modelOf(data, "model", CONTACTS, name, found, "rigid")] : knowledge.sections[name];
@@ -48,7 +48,7 @@ export const withValues = (checked: Checked, values: Map<string, any>, mechanics
 /** `values`: by path. */
 function keysWith(checked: Checked, values: Map<string, any>, mechanics: Mechanics) {
   return replaced(checked, toDict(checked), values, (name, data) => {
-    const found: string[] = [];
+    const found: Phrase[] = [];
     const one = readSection(name, data, mechanics, found);
     if (found.length) throw new InputError(whole(found));
     return one;
@@ -64,7 +64,7 @@ export function sectionsWith(
   values: Map<string, any>,
   mechanics: Mechanics,
 ): Partial<Checked> | null {
-  const found: string[] = [];
+  const found: Phrase[] = [];
   try {
     const keys = keysWith(checked, values, mechanics);
     const names = new Set([...values.keys()].map((path) => path.split(".")[0]));

@@ -30,13 +30,16 @@ const FORMATS: Record<string, (value: number, digits: number) => string> = {
   f: fixed,
 };
 
-/** A template of Python's, filled: `{name}`, `{name!r}`, `{name:.3g}`. */
-export function fill(template: string, values: Record<string, any>) {
-  return template.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g, (_, name, quoted, digits, kind) => {
+/** The values of a template of Python's as texts: of `{name}`, `{name!r}`, `{name:.3g}`. What is said already stays. */
+export function written(template: string, values: Record<string, any>): Values {
+  const places = template.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g);
+  const texts = [...places].map(([, name, quoted, digits, kind]): [string, Said] => {
     const value = values[name];
-    if (kind) return FORMATS[kind](value, Number(digits));
-    return quoted ? shown(value) : String(value);
+    if (kind) return [name, FORMATS[kind](value, Number(digits))];
+    if (value?.key || Array.isArray(value) || typeof value === "number") return [name, quoted ? shown(value) : value];
+    return [name, plain(quoted ? shown(value) : String(value))];
   });
+  return Object.fromEntries(texts);
 }
 
 /** A value as a sentence shows it. */

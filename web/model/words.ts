@@ -1,9 +1,10 @@
 // A motion told in words, from its events: the page's side of lab/words.py, with the same sentences.
 
 import { tables } from "./tables.ts";
-import { fill, fixed, general } from "./text.ts";
+import { listed } from "../words/texts.ts";
+import { fixed, general } from "./text.ts";
 
-const { letters, modes, verbs, events: kinds, statuses, story: STORY, summary: SUMMARY } = tables.words;
+const { letters, modes, summed_up: SUMMED_UP } = tables.words;
 const MOST_TOLD = 400;
 const [, SPIN, SKID, FLIGHT, SKIM] = modes;
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -34,15 +35,16 @@ export function story(motion: Told, most = MOST_TOLD): Sentence[] {
   for (const [number, event] of motion.events.entries()) {
     const bounces = many.get(number);
     if (bounces === 0) continue;
-    const text = bounces === undefined ? say(motion, number, event) : fill(STORY.more_bounces, { count: bounces });
-    if (!text) continue;
+    if (event.kind === "end") continue;
+    const text =
+      bounces === undefined ? say(motion, number, event) : { key: "story.more_bounces", values: { count: bounces } };
     if (told.length >= most) {
       leftOut++;
       continue;
     }
     told.push({ t: event.t, event: number, mode: letters[modes.indexOf(wordAfter(motion, number))], text });
   }
-  if (leftOut) told.push({ ...told[told.length - 1], text: fill(STORY.left_out, { count: leftOut }) });
+  if (leftOut) told.push({ ...told[told.length - 1], text: { key: "story.left_out", values: { count: leftOut } } });
   return told;
 }
 
@@ -69,61 +71,52 @@ function manyBounces(events: MotionEvent[], told = 3, least = 6) {
 }
 
 /** The motion in one sentence. */
-export function summary(motion: Told, most = 6) {
-  const phrases: string[] = [];
+export function summary(motion: Told, most = 6): Phrase {
+  const phrases: Said[] = [];
   let changes = 0;
   const many = manyBounces(motion.events, 1);
   for (const [number, event] of motion.events.entries()) {
     const more = many.get(number);
     if (more !== undefined) {
-      if (more) phrases.push(fill(SUMMARY.more_bounces, { count: more }));
+      if (more) phrases.push({ key: "summary.more_times", values: { what: phrases.pop() ?? "", count: more } });
       continue;
     }
     if (event.kind === "start" || !phrases.length) {
-      phrases.push(verbs[wordAfter(motion, number)]);
+      phrases.push(`verb.${wordAfter(motion, number)}`);
       continue;
     }
-    const phrase = phraseOf(motion, number, event);
-    if (!phrase) continue;
+    const key = phraseOf(motion, number, event);
+    if (!key) continue;
     changes++;
-    if (changes <= most) phrases.push(fill(SUMMARY.change, { phrase, where: degrees(event.angle) }));
+    if (changes <= most) phrases.push({ key, values: { where: degrees(event.angle) } });
   }
-  const rest = changes > most ? fill(SUMMARY.more_changes, { count: changes - most }) : "";
-  const text = phrases.join(", ").replaceAll(", and ", " and ") + rest;
-  const values = { phrases: text.slice(0, 1).toUpperCase() + text.slice(1), ending: statuses[motion.status] };
-  return fill(SUMMARY.sentence, values).trim();
+  if (changes > most) phrases.push({ key: "summary.more_changes", values: { count: changes - most } });
+  const ending = `status.${motion.status}`;
+  if (motion.status === "completed") return { key: "summary.whole", values: { phrases: listed(phrases) } };
+  return { key: "summary.with_ending", values: { phrases: listed(phrases), ending } };
 }
 
 function phraseOf(motion: Told, number: number, event: MotionEvent): string {
-  if (event.collision === false) return SUMMARY.without_collision;
-  if (bounces(event)) return SUMMARY.bounces;
+  if (event.collision === false) return "summary.without_collision";
+  if (bounces(event)) return "summary.bounces";
   if (["slip_start", "slip_reversal"].includes(event.kind) || turnsInSlip(event))
-    return verbs[wordAfter(motion, number)];
-  const { verb, summed_up } = kinds[event.kind];
-  return summed_up ? verb : "";
+    return `summary.${wordAfter(motion, number)}`;
+  return SUMMED_UP.includes(event.kind) ? `summary.${event.kind}` : "";
 }
 
-function say(motion: Told, number: number, event: MotionEvent): string {
+function say(motion: Told, number: number, event: MotionEvent): Phrase {
   const word = wordAfter(motion, number);
-  const values: Record<string, any> = {
-    where: degrees(event.angle),
-    verb: verbs[word],
-    kind: event.kind.replaceAll("_", " "),
-  };
-  const name = nameOf(motion.events, number, word, values);
-  return fill(STORY[name] ?? STORY.other, values);
+  const values: Values = { where: degrees(event.angle), verb: `verb.${word}` };
+  return { key: `story.${nameOf(motion.events, number, word, values)}`, values };
 }
 
 /** Which sentence tells an event; what it needs besides is added to the values. */
-function nameOf(events: MotionEvent[], number: number, word: string, values: Record<string, any>) {
+function nameOf(events: MotionEvent[], number: number, word: string, values: Values) {
   const event = events[number];
   const { kind } = event;
   if (kind === "start") {
     values.speed = inWords(event.vx);
-    values.started = fill(
-      word === FLIGHT ? STORY.started_flight : word === SKIM ? STORY.started_skim : STORY.started,
-      values,
-    );
+    if (word === FLIGHT || word === SKIM) return `start_${word}`;
   }
   if (kind === "slip_start" && word === SPIN) return "slip_start_spin";
   if (kind === "takeoff") return takeoff(events, number, values);
@@ -138,7 +131,7 @@ function nameOf(events: MotionEvent[], number: number, word: string, values: Rec
   return kind === "rest" && event.stable === false ? "rest_unstable" : kind;
 }
 
-function takeoff(events: MotionEvent[], number: number, values: Record<string, any>) {
+function takeoff(events: MotionEvent[], number: number, values: Values) {
   const { t } = events[number];
   let top = 0;
   for (let at = number; at < events.length; at++) {

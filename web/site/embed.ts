@@ -5,7 +5,8 @@ import { qrcode } from "./qr.ts";
 const site = new URL("../", import.meta.url);
 
 // the words of the lab, and its choice of a language
-const { adopt, current, languageMenu, repeat, t } = await import(new URL("lab.js", import.meta.url).href);
+const lab = await import(new URL("lab.js", import.meta.url).href);
+const { current, languageMenu, name, repeat, say, speakFrom, t } = lab;
 
 const find = (id: string) => document.getElementById(id) as any;
 
@@ -26,7 +27,7 @@ function show() {
   const tag =
     `<script type="module" src="${new URL("static/hophoop-motion.js", site).href}"></script>\n` +
     `<hophoop-motion scenario="${escaped(query)}"${panels.length ? ` panels="${panels.join(" ")}"` : ""}></hophoop-motion>`;
-  const frame = `<iframe src="${escaped(link)}" title="${escaped(t("A hopping hoop"))}" width="100%" height="700" loading="lazy"></iframe>`;
+  const frame = `<iframe src="${escaped(link)}" title="${escaped(t("embed.a_hopping_hoop"))}" width="100%" height="700" loading="lazy"></iframe>`;
   find("tag").value = tag;
   find("frame").value = frame;
   find("link").textContent = link;
@@ -40,7 +41,7 @@ function show() {
 
 async function copy({ target }: any) {
   await navigator.clipboard.writeText(find(target.dataset.copies).value);
-  find("said").textContent = t("Copied.");
+  say(find("said"), "embed.copied");
 }
 
 function spoken() {
@@ -50,7 +51,12 @@ function spoken() {
   show();
 }
 
-adopt(document.body);
+await speakFrom(new URL("./", import.meta.url));
+// the page holds keys; from now on its words follow the language
+for (const element of document.querySelectorAll("[data-said]")) say(element, element.getAttribute("data-said"));
+for (const element of document.querySelectorAll("[data-label]")) {
+  name(element, "aria-label", element.getAttribute("data-label"));
+}
 find("language").append(
   languageMenu(() => {
     repeat(document.body);

@@ -4,9 +4,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { length, niceStep, show, ticks, tickText } from "../lab/common/numbers.ts";
 import { readNumber, refusal } from "../lab/controls/entry.ts";
+import { spoken } from "../words/texts.ts";
 
-const slope = { label: "Slope", unit: "°", range: { least: -90, most: 90, also: [] } };
-const friction = { label: "Friction", unit: "", range: { least: 0, most: 1e6, also: [Infinity] } };
+const slope = { label: "parameter.plane.slope", unit: "°", range: { least: -90, most: 90, also: [] } };
+const friction = { label: "parameter.plane.mu", unit: "", range: { least: 0, most: 1e6, also: [Infinity] } };
 
 test("numbers have four digits, no zeros at their end and a real minus sign", () => {
   const shown: [number, string][] = [
@@ -57,13 +58,13 @@ test("what is typed is read as it is meant", () => {
 });
 
 test("a refusal names the field in its own unit", () => {
-  const said = (text: string) => refusal(text, readNumber(text, "°"), slope);
+  const said = (text: string) => spoken(refusal(text, readNumber(text, "°"), slope));
   assert.equal(said("100"), "Slope = 100° must be from −90 to 90°.");
   assert.equal(said("x"), "Slope = x must be a number, such as 2.5.");
   assert.equal(said("12"), "");
-  assert.equal(refusal("-1", -1, friction), "Friction = −1 must be from 0 to 1·10⁶, or inf.");
+  assert.equal(spoken(refusal("-1", -1, friction)), "Friction = −1 must be from 0 to 1·10⁶, or inf.");
   assert.equal(refusal("inf", Infinity, friction), "");
   // a number that doubles cannot hold is none of the numbers without end that are meant
-  assert.equal(refusal("-5e400", readNumber("-5e400"), friction), "Friction = -5e400 is too large.");
+  assert.equal(spoken(refusal("-5e400", readNumber("-5e400"), friction)), "Friction = -5e400 is too large.");
   assert.equal(refusal("∞", readNumber("∞"), friction), "");
 });

@@ -1,12 +1,14 @@
 """Tables of Python's data for the page that computes in the browser, written to a file that its script is built with.
 
-``python -m hophoop.lab.tables`` writes it, and the page's types of it; a test fails if a file is out of date.
+``python -m hophoop.lab.tables`` writes it, the page's types of it, and Python's words into the page's English; a test fails if
+a file is out of date.
 """
 
 from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from types import UnionType
@@ -22,7 +24,8 @@ from hophoop.lab.api.files import SAMPLES_PER_SECOND
 from hophoop.lab.api.limits import USUAL
 from hophoop.lab.api.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
 from hophoop.lab.site import typescript
-from hophoop.lab.site.presets import presets
+from hophoop.lab.site.controls import GRAVITIES
+from hophoop.lab.site.presets import GROUPS, presets
 from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
@@ -31,24 +34,26 @@ from hophoop.scenario.base import Frozen
 from hophoop.scenario.models import LEFT_OUT
 from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
-from hophoop.scenario.ranges import RANGES, Inside
-from hophoop.scenario.rules import RULES
+from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside
+from hophoop.scenario.rules import RULES, Rule
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENTS, SIGNS
 from hophoop.vocabulary.parameters import TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
-from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
+from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
 from hophoop.vocabulary.statuses import STATUSES
+from hophoop.vocabulary.words import plain
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
+ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
 
 _KINDS = {base._number: "number", base._friction: "friction", base._whole: "whole"}
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
 _LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
-_BOUNDS = ("duration", "events", "parts", "samples", "cells", "turns", "map_turns", "steps", "changes")
+_BOUNDS = ("duration", "events", "parts", "samples", "cells", "turns", "map_turns", "steps", "changes", "film")
 
 
 def tables() -> dict[str, Any]:
@@ -65,20 +70,13 @@ def tables() -> dict[str, Any]:
         "fingerprints": {preset.key: _fingerprint(preset.scenario) for preset in presets()},
         "schema": SCHEMA,
         "scenario": _scenario(),
-        "texts": TEXTS,
+        # the sentences are in web/words; here is how their values are written
+        "texts": {name: _places(said) for name, said in TEXTS.items()},
         "words": {
             "letters": "".join(modes.MODE_LETTERS),
             "modes": modes.MODE_WORDS,
-            "verbs": modes.VERBS,
-            "events": {
-                kind: {"verb": event.verb, "label": event.label, "summed_up": event.summed_up} for kind, event in EVENTS.items()
-            },
+            "summed_up": [kind for kind, event in EVENTS.items() if event.summed_up],
             "signs": SIGNS,
-            "statuses": {status: facts.sentence for status, facts in STATUSES.items()},
-            "sequence": modes.LETTERS,
-            "story": STORY,
-            "summary": SUMMARY,
-            "theory": THEORY,
             "least_speed": LEAST_SPEED,
         },
         "classes": {
@@ -97,19 +95,54 @@ def tables() -> dict[str, Any]:
             # the columns of a cell that change by as much as a parameter of which a motion has derivatives
             "rates": {row.path: row.column for row in TABLE if row.derivative and row.column},
             "quantities": {
-                name: {"label": label, "span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
-                for name, (label, span) in MAP_QUANTITIES.items()
+                name: {"span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
+                for name, (_, span) in MAP_QUANTITIES.items()
             },
         },
-        "lab": LAB,
-        # reasons for a missing derivative, by the module's names; and the reason for a one-sided one
-        "reasons": {reason.name.lower(): text for reason, text in REASONS.items()} | {"edge": EDGE, "sided": SIDED},
+        "lab": {name: _places(said) for name, said in LAB.items()},
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
         # sliders whose values may follow from the scenario instead of being in it
         "shown": [row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start")],
     }
     return found
+
+
+def english() -> dict[str, str | dict[str, str]]:
+    """Return what the page says in words of Python's own, by their keys in web/words/en.json.
+
+    Returns
+    -------
+    texts : dict
+        A text, or one for each plural; {places} without the format of their values.
+    """
+    found: dict[str, str] = {
+        **{f"mode.{word}": word for word in modes.WORDS},
+        **{f"verb.{word}": verb for word, verb in modes.VERBS.items()},
+        **{f"sequence.{letter}": text for letter, text in modes.LETTERS.items() if letter in modes.MODE_LETTERS},
+        **{f"event.{kind}": event.label for kind, event in EVENTS.items()},
+        **{f"status.{status}": facts.sentence for status, facts in STATUSES.items() if facts.sentence},
+        **{f"class.{word}": plain(word) for what in MAP_QUANTITIES for word in classes.CODES.get(what, ())},
+        **{f"reason.{reason.name.lower()}": text for reason, text in REASONS.items()},
+        "reason.edge": EDGE,
+        "reason.sided": SIDED,
+        **{f"quantity.{name}": label for name, (label, _) in MAP_QUANTITIES.items()},
+        **{f"gravity.{name.lower()}": name for name, _ in GRAVITIES},
+        **{f"examples.{key}": title for key, title in GROUPS.items()},
+        **{f"refusal.{name}": text for name, text in TEXTS.items() if not name.startswith("other_problem")},
+        **{f"lab.{name}": text for name, text in LAB.items()},
+    }
+    for row in TABLE:
+        if row.slider or row.choices:
+            found |= {f"parameter.{row.path}": row.label, f"help.{row.path}": row.meaning}
+        found |= {f"choice.{row.path}.{value}": label for value, label in row.choices}
+        if row.axis:
+            found[f"axis.{row.path}"] = row.axis.label or f"{row.label} {row.symbol}"
+    for preset in presets():
+        found |= {f"example.{preset.key}": preset.title, f"example.{preset.key}.text": preset.text}
+    texts: dict[str, str | dict[str, str]] = {key: re.sub(r"\{(\w+)[^}]*\}", r"{\1}", text) for key, text in found.items()}
+    texts["refusal.other_problems"] = {"one": TEXTS["other_problem"], "other": TEXTS["other_problems"]}
+    return texts
 
 
 def _fingerprint(scenario: Scenario) -> str | None:
@@ -135,7 +168,7 @@ def _scenario() -> dict[str, Any]:
         # keys of the plane that are not written where they have their default
         "left_out": LEFT_OUT,
         # by the codes of the kernel's refusals
-        "rules": [_written(RULES[code]._asdict()) if code in RULES else None for code in Refusal],
+        "rules": [_rule(RULES[code]) if code in RULES else None for code in Refusal],
         "touch": TOUCH,
         "default": _written(Scenario().to_dict()),
     }
@@ -166,9 +199,7 @@ def _field(field: FieldInfo) -> dict[str, Any]:
                 made.setdefault("limits", []).extend(found)
     if get_origin(kind) is Literal:
         options = get_args(kind)
-        quoted = [repr(option) for option in options]
-        said = " or ".join(part for part in (", ".join(quoted[:-1]), quoted[-1]) if part)
-        made.update(kind="word", options=options, expected=said)
+        made.update(kind="word", options=options)
     elif get_origin(kind) is tuple:
         made["kind"] = "parts"
     return made
@@ -190,8 +221,24 @@ def _taken_apart(annotation: Any, metadata: list[Any]) -> tuple[Any, list[Any], 
             return annotation, metadata, nullable
 
 
+def _places(template: str) -> str:
+    """Return the places of a template, each with the format of its value."""
+    return "".join(re.findall(r"\{[^}]*\}", template))
+
+
+def _rule(rule: Rule) -> dict[str, Any]:
+    """Return a rule; a range in its sentence is given by its ends."""
+    ranges = [*((RANGES[row.path], row.unit) for row in TABLE if row.path in RANGES), (RELATIVE_STIFFNESS, "")]
+    ranges.append((RELATIVE_SLIP_SPEED, ""))
+    spoken = {allowed.words(unit): _range(allowed, unit) for allowed, unit in ranges}
+    known = {name: spoken.get(value, value) if name == "words" else value for name, value in rule.known.items()}
+    return dict(_written({**rule._asdict(), "known": known}))
+
+
 def _range(allowed: Range, unit: str = "") -> dict[str, Any]:
-    made = {"least": allowed.least, "most": allowed.most, "words": allowed.words(unit)}
+    made: dict[str, Any] = {"least": allowed.least, "most": allowed.most}
+    if unit not in ("", "1"):
+        made["unit"] = unit
     return made | ({"also": _written(list(allowed.also))} if allowed.also else {})
 
 
@@ -214,6 +261,22 @@ def text() -> str:
     return json.dumps(tables(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
+def words() -> str:
+    """Return the page's English, with Python's own texts as they are now.
+
+    Returns
+    -------
+    text : str
+        JSON.
+    """
+    own = english()
+    families = {key.partition(".")[0] for key in own}
+    page = json.loads(ENGLISH.read_text(encoding="utf-8"))
+    kept = {key: said for key, said in page.items() if key.partition(".")[0] not in families}
+    return json.dumps(dict(sorted({**kept, **own}.items())), ensure_ascii=False, indent=2) + "\n"
+
+
 if __name__ == "__main__":
     FILE.write_text(text(), encoding="utf-8")
+    ENGLISH.write_text(words(), encoding="utf-8")
     typescript.FILE.write_text(typescript.text(), encoding="utf-8")

@@ -66,7 +66,7 @@ def _widget_class() -> Any:
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
         """A motion with its player and its sliders."""
 
-        _esm = export.static_text("lab.js")
+        _esm = export.static_text("widget.js")
         _css = export.static_text("lab.css")
         # the results of the motion; the page makes its words from them
         film = traitlets.Bytes().tag(sync=True)
@@ -74,6 +74,8 @@ def _widget_class() -> Any:
         # the page's kernel and worker: sliders need no round trip, even in a notebook exported to HTML
         module = traitlets.Bytes().tag(sync=True)
         worker = traitlets.Unicode().tag(sync=True)
+        # of all languages: a saved notebook speaks that of its reader
+        words = traitlets.Bytes().tag(sync=True)
         # the scenario's link; changes when another motion is chosen, so that other cells can follow
         query = traitlets.Unicode().tag(sync=True)
 
@@ -83,6 +85,7 @@ def _widget_class() -> Any:
                 panels=panels,
                 module=export.packed_module(),
                 worker=export.static_text("kernel.js"),
+                words=export.packed_words(),
                 query=motion.scenario.to_query(),
             )
             self._motion = motion
@@ -128,7 +131,7 @@ def _widget_class() -> Any:
                 self.send({**reply, "error": str(error)})
                 return
             except Exception:
-                self.send({**reply, "error": "The computation failed."})
+                self.send({**reply, "error": "server.failed"})  # a key of the page's words
                 raise
             self.send(reply, [answered.packed()])
 

@@ -1,7 +1,7 @@
 """Kinds of events, one row of a table each, and the sequence of letters that they make.
 
 A new kind of event needs a member of the kernel's `Event` (and of `PASSING`, where it does not end a phase), a member of
-`EventKind` and a row of `EVENTS`. Its sentence is in `sentences.STORY`.
+`EventKind` and a row of `EVENTS`. Its sentence on the page is in web/words, by `story.` and its name.
 """
 
 from __future__ import annotations
@@ -45,7 +45,6 @@ class EventFacts(NamedTuple):
     """Facts about a kind of event."""
 
     noun: str  # in figures and films
-    verb: str  # in summaries
     label: str  # in the lab
     color: str | None = None  # of maps of the first event
     mark: tuple[int, str] | None = None  # in figures: priority among many marks, and Matplotlib's marker
@@ -55,26 +54,24 @@ class EventFacts(NamedTuple):
 
 
 EVENTS: Final[dict[str, EventFacts]] = {
-    EventKind.START: EventFacts("start", "starts", "start"),
-    EventKind.SLIP_START: EventFacts("slip starts", "slips", "slip starts", palette.ORANGE),
-    EventKind.STICK: EventFacts("slip ends", "rolls", "slip ends", palette.BLUE),
-    EventKind.SLIP_REVERSAL: EventFacts("slip reverses", "slips the other way", "slip reverses", palette.PURPLE),
-    EventKind.TAKEOFF: EventFacts("take-off", "hops", "take-off", palette.VERMILION, (4, "^"), (7, "▲"), filmed=True),
-    EventKind.IMPACT: EventFacts("landing", "lands", "landing", palette.YELLOW, (3, "v"), (8, "▼"), filmed=True),
-    EventKind.TURN: EventFacts("turns back", "turns back", "turns back", palette.GREEN, (5, "<"), (9, "↺"), summed_up=False),
-    EventKind.APEX: EventFacts("apex", "is highest", "highest point", None, (7, "d"), (10, "•"), summed_up=False),
-    EventKind.BOUNCE_LIMIT: EventFacts("end of the bounces", "stops bouncing", "bounces end", sign=(4, "≋")),
-    EventKind.PAINLEVE_INCONSISTENT: EventFacts(
-        "Painlevé", "meets Painlevé's paradox", "Painlevé: no solution", None, (1, "X"), (1, "◆"), filmed=True
-    ),
+    EventKind.START: EventFacts("start", "start"),
+    EventKind.SLIP_START: EventFacts("slip starts", "slip starts", palette.ORANGE),
+    EventKind.STICK: EventFacts("slip ends", "slip ends", palette.BLUE),
+    EventKind.SLIP_REVERSAL: EventFacts("slip reverses", "slip reverses", palette.PURPLE),
+    EventKind.TAKEOFF: EventFacts("take-off", "take-off", palette.VERMILION, (4, "^"), (7, "▲"), filmed=True),
+    EventKind.IMPACT: EventFacts("landing", "landing", palette.YELLOW, (3, "v"), (8, "▼"), filmed=True),
+    EventKind.TURN: EventFacts("turns back", "turns back", palette.GREEN, (5, "<"), (9, "↺"), summed_up=False),
+    EventKind.APEX: EventFacts("apex", "highest point", None, (7, "d"), (10, "•"), summed_up=False),
+    EventKind.BOUNCE_LIMIT: EventFacts("end of the bounces", "bounces end", sign=(4, "≋")),
+    EventKind.PAINLEVE_INCONSISTENT: EventFacts("Painlevé", "Painlevé: no solution", None, (1, "X"), (1, "◆"), filmed=True),
     EventKind.PAINLEVE_INDETERMINATE: EventFacts(
-        "Painlevé", "meets Painlevé's indeterminacy", "Painlevé: several solutions", None, (2, "X"), (2, "◇"), filmed=True
+        "Painlevé", "Painlevé: several solutions", None, (2, "X"), (2, "◇"), filmed=True
     ),
-    EventKind.JAM: EventFacts("jam", "jams", "jam", palette.BLACK, (0, "X"), (0, "✖"), filmed=True),
-    EventKind.KANE_GAIN: EventFacts("gain of energy", "gains energy (Kane)", "energy gain (Kane)", sign=(3, "✚")),
-    EventKind.SKIM: EventFacts("skims", "skims", "skimming starts", None, (6, "s"), (5, "◗")),
-    EventKind.REST: EventFacts("rest", "rests", "at rest", palette.LIGHT_GRAY, None, (6, "■")),
-    EventKind.END: EventFacts("end", "ends", "end", palette.SKY, summed_up=False),
+    EventKind.JAM: EventFacts("jam", "jam", palette.BLACK, (0, "X"), (0, "✖"), filmed=True),
+    EventKind.KANE_GAIN: EventFacts("gain of energy", "energy gain (Kane)", sign=(3, "✚")),
+    EventKind.SKIM: EventFacts("skims", "skimming starts", None, (6, "s"), (5, "◗")),
+    EventKind.REST: EventFacts("rest", "at rest", palette.LIGHT_GRAY, None, (6, "■")),
+    EventKind.END: EventFacts("end", "end", palette.SKY, summed_up=False),
 }
 
 

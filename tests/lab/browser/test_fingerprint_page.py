@@ -60,7 +60,7 @@ def link_of(page, address):
     """What the page copies as its link, after the address."""
     page.locator("summary", has_text="Share").click()
     page.get_by_role("button", name="Copy a link to this motion").click()
-    page.locator(".toast", has_text="The link is copied.").wait_for()
+    page.locator(".toast", has_text="Link copied.").wait_for()
     return page.evaluate("navigator.clipboard.readText()").removeprefix(address)
 
 

@@ -68,7 +68,7 @@ def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(vis
     assert page.evaluate("hophoopLab.stage.canvas().width") == before
     page.locator(".menu summary", has_text="Share").click()
     page.get_by_role("button", name="Save a picture (SVG)").click()
-    page.wait_for_selector("text=A picture in space has no lines to keep")
+    page.wait_for_selector("text=SVG works in 2D only")
 
 
 def test_a_picture_of_lines_is_what_the_screen_shows(visit, browser, tmp_path):

@@ -92,8 +92,8 @@ def test_the_film_between_frames_is_the_motion_and_its_energies_are_booked_alike
         "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
     )
     ledger = hh.simulate(hh.Scenario()).ledger
-    assert dict(drawn)["lost to friction"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
-    assert dict(drawn)["lost in impacts, normal part"] == pytest.approx(ledger.impact_normal, rel=1e-6)
+    assert dict(drawn)["diagram.lost_to_friction"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
+    assert dict(drawn)["diagram.lost_in_impacts_normal"] == pytest.approx(ledger.impact_normal, rel=1e-6)
     assert ledger.impact_tangential > 0.1  # what tells one convention from the other
 
 
@@ -188,7 +188,7 @@ def test_two_hoops_are_told_apart(visit):
     expect(page.locator(".story h2")).to_have_text("What happens to hoop B")
     lines = page.locator(".story-list li")
     expect(lines.nth(10)).to_be_attached()
-    wait_for(page, "lab.theory.heading.textContent === 'What theory says of hoop B'")
+    wait_for(page, "lab.theory.heading.textContent === 'Theory for hoop B'")
     told = page.locator("[data-plot=velocities] .value").first
     expect(told).to_have_text("3.1")
     page.get_by_role("button", name="Hoop A").click()
@@ -203,7 +203,7 @@ def test_two_hoops_are_told_apart(visit):
 
 def test_real_parts_and_compliant_contact(visit):
     page = visit("?duration=1")
-    page.locator(".choice", has_text="Given by").locator("select").select_option("parts")
+    page.locator(".choice", has_text="Defined by").locator("select").select_option("parts")
     wait_for(page, "lab.film().scenario.hoop.parts?.length === 2")
     page.get_by_label("Add a part").select_option("disk")
     wait_for(page, "lab.film().scenario.hoop.parts.length === 3")

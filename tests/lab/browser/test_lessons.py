@@ -125,7 +125,7 @@ def test_challenges_are_scored_from_the_motion(visit):
     for name in ("Hop highest", "Land upright", "Hop without skidding"):
         page.get_by_role("button", name=name).click()
         before = page.locator(".challenges .hint").inner_text()
-        page.get_by_role("button", name="Show a best one").click()
+        page.get_by_role("button", name="Show a best solution").click()
         wait_for(page, "document.querySelector('.challenges meter').value === 100")
         motion = hh.simulate(hh.Scenario.from_query(page.evaluate("hophoopLab.film().query")))
         said = page.locator(".challenge-result").inner_text()
@@ -192,15 +192,15 @@ def test_the_table_holds_the_states_of_the_motion(visit):
     with page.expect_download() as download:
         page.get_by_role("button", name="Save as CSV").click()
     text = download.value.path().read_text()
-    assert text.splitlines()[0].startswith("time [s],angle [°],place of the centre [m]")
+    assert text.splitlines()[0].startswith("time [s],angle [°],displacement of the centre [m]")
     assert len(text.splitlines()) == 14
 
 
 def test_any_quantity_stands_on_either_axis(visit):
     page = visit()
     page.get_by_label("Horizontal axis of the diagrams").select_option("x")
-    page.get_by_label("What your diagram shows").select_option("total")
-    wait_for(page, "lab.plots.plots.at(-1).unit === 'E [J]'")
+    page.get_by_label("Quantity of your diagram").select_option("total")
+    wait_for(page, "lab.plots.plots.at(-1).unit === 'W [J]'")
     label = page.locator("[data-plot=own] .plot-body").get_attribute("aria-label")
     assert "total energy from" in label
     across, up = page.evaluate(
@@ -248,7 +248,7 @@ def test_sound_follows_the_contact_force(visit):
 
 def test_a_class_sees_the_player_alone(visit):
     page = visit()
-    page.get_by_role("button", name="Presentation on the whole screen").click()
+    page.get_by_role("button", name="Presentation in full screen").click()
     wait_for(page, "lab.root.classList.contains('presenting')")
     assert page.locator(".side").is_hidden()
     assert page.locator(".stage").bounding_box()["height"] > 500
@@ -256,7 +256,7 @@ def test_a_class_sees_the_player_alone(visit):
     assert page.evaluate("hophoopLab.clock.loop") is False
     page.get_by_role("button", name="Slow motion: a tenth of the speed").click()
     assert page.evaluate("hophoopLab.clock.speed") == 0.1
-    page.get_by_role("button", name="Presentation on the whole screen").click()
+    page.get_by_role("button", name="Presentation in full screen").click()
     assert page.locator(".side").is_visible()
     page.locator(".learn summary").click()
     page.get_by_role("button", name="For teachers").click()

@@ -1,10 +1,67 @@
 """The page in the visitor's language: chosen by the browser, switched by hand, and nothing left in English."""
 
+import json
+import re
+from pathlib import Path
+
 import pytest
 
 from lab_page_tools import wait_for
 
 LOCALES = {"de": "de-DE", "es": "es-MX", "fr": "fr-CA", "zh": "zh-TW"}
+WORDS = Path(__file__).parents[3] / "web" / "words"
+
+# What stands on the page, and what is read to people.
+TEXTS = """() => {
+  const found = [document.title];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    if (node.nodeType === Node.TEXT_NODE) {
+      if (!node.parentElement.closest("script, style, noscript, code, pre, .language")) found.push(node.nodeValue);
+    } else {
+      for (const name of ["aria-label", "title", "placeholder", "label", "aria-valuetext"]) {
+        if (node.hasAttribute(name)) found.push(node.getAttribute(name));
+      }
+    }
+  }
+  return found;
+}"""
+# Opens all there is to see.
+EVERYTHING = """async () => {
+  const lab = hophoopLab;
+  const { visit, challenges, table, more } = lab.extras;
+  table.open(true);
+  more.turn(true);
+  await new Promise((resolve) => setTimeout(resolve, 600));
+  const found = new Set();
+  const read = () => { for (const text of (%s)()) found.add(text); };
+  for (let step = 0; step < 8; step++) {
+    await visit.go(step);
+    document.querySelector(".guess-choice input")?.click();
+    const key = new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true });
+    document.querySelector(".dial, .sketch-point")?.dispatchEvent(key);
+    if (step < 7) visit.show();
+    read();
+  }
+  visit.leave();
+  challenges.open();
+  for (const tab of challenges.tabs.values()) { tab.click(); read(); }
+  await challenges.load("plane.slope=0.1");
+  read();
+  await challenges.load("plane.nothing=1");
+  read();
+  await challenges.load("plane.mu=-1");
+  read();
+  await challenges.load("contact.model=compliant&plane.mu=0.7");
+  read();
+  for (const query of %s) { await challenges.load(query); await new Promise((done) => setTimeout(done, 60)); read(); }
+  await challenges.load("");
+  lab.motions.compare();
+  lab.transport.jump(1, "takeoff");
+  await new Promise((resolve) => setTimeout(resolve, 600));
+  read();
+  return [...found];
+}"""
 
 
 @pytest.fixture(scope="module")
@@ -22,59 +79,75 @@ def test_the_browser_chooses_and_the_visitor_switches(visit):
     assert "würde über 2,043 m/s gleiten" in page.locator(".theory").inner_text()
     assert page.locator(".readout .mode").inner_text() == "Rollen"
     page.get_by_label("Sprache").select_option("fr")
-    wait_for(page, "!lab.surrounding")
-    assert page.evaluate("document.documentElement.lang") == "fr"
+    wait_for(page, "document.documentElement.lang === 'fr' && !lab.surrounding")
     assert page.locator(".summary").inner_text().startswith("Roule, dérape à partir de 65,5°")
+    assert "glisserait au-delà de 2,043 m/s" in page.locator(".theory").inner_text()
     assert page.get_by_role("button", name="Lecture (espace)").is_visible()
     page.reload()
     page.wait_for_selector("[data-ready]")
     assert page.evaluate("document.documentElement.lang") == "fr"  # the choice is kept
     page.get_by_label("Langue").select_option("en")
-    wait_for(page, "!lab.surrounding")
+    wait_for(page, "document.documentElement.lang === 'en' && !lab.surrounding")
     assert page.locator(".summary").inner_text().startswith("Rolls, skids at 65.5°")
 
 
 def test_another_language_falls_back_to_english(visit):
+    asked = []
     page = visit(locale="fi-FI")
+    page.on("request", lambda request: asked.append(request.url))
     assert page.evaluate("document.documentElement.lang") == "en"
+    assert not [url for url in asked if "words." in url]  # English comes with the script
+
+
+def test_a_language_that_cannot_be_loaded_leaves_the_page_as_it_is(visit):
+    page = visit(locale="en-GB", service_workers="block", expected=["404"])
+    page.route("**/words.de.json*", lambda route: route.fulfill(status=404))
+    page.get_by_label("Language").select_option("de")
+    page.wait_for_selector(".message:not([hidden]), .toast:not([hidden])")
+    assert "This language could not be loaded" in page.locator(".message").inner_text()
+    assert page.get_by_label("Language").input_value() == "en"
+
+
+def marked(text):
+    return {form: f"⟦{one}⟧" for form, one in text.items()} if isinstance(text, dict) else f"⟦{text}⟧"
+
+
+def outside(text):
+    """What no table has said."""
+    before = None
+    while text != before:
+        before, text = text, re.sub(r"⟦[^⟦⟧]*⟧", "", text)
+    return text
+
+
+def test_everything_that_is_said_is_in_the_tables(visit):
+    """With each text between marks, whatever is not between them is English in the sources."""
+    from hophoop.lab.tables import tables
+
+    queries = [preset["query"] for preset in tables()["setup"]["presets"]]
+    english = json.loads((WORDS / "en.json").read_text(encoding="utf-8"))
+    table = json.dumps({key: marked(text) for key, text in english.items()}, ensure_ascii=False)
+    page = visit("?start.speed=2", locale="en-GB", reduced_motion="reduce", service_workers="block")
+    page.route("**/words.de.json*", lambda route: route.fulfill(body=table, content_type="application/json"))
+    page.get_by_label("Language").select_option("de")
+    wait_for(page, "document.documentElement.lang === 'de' && !lab.surrounding && lab.theory.list.children.length > 4")
+    texts = page.evaluate(TEXTS) + page.evaluate(EVERYTHING % (TEXTS, json.dumps(queries)))
+    assert len(texts) > 600
+    # names of units, of the program, of parameters and of words of a scenario are the same everywhere
+    names = re.compile(r"rad|cos|hophoop|MIT|Shift|Ctrl|Home|End|Esc|inf|[a-z]+(\.\w+)+|'\w+'|\b[0-9a-f]{16,}\b")
+    left = {text for text in texts if re.search(r"[^\W\d_]{3}", names.sub("", outside(text)))}
+    assert left == set()
 
 
 # one language every time, and the others in CI
 @pytest.mark.parametrize("code", [code if code == "zh" else pytest.param(code, marks=pytest.mark.long) for code in LOCALES])
-def test_nothing_stays_in_english(visit, code):
+def test_each_language_fits_on_a_phone(visit, code):
     page = visit(locale=LOCALES[code], reduced_motion="reduce", viewport={"width": 390, "height": 844})
-    # longer words still fit on a phone
-    assert page.evaluate("document.documentElement.scrollWidth") == 390
     assert page.evaluate("document.documentElement.lang") == code
     wait_for(page, "!lab.surrounding && lab.theory.list.children.length > 4")
-    page.evaluate(
-        """async () => {
-          const lab = hophoopLab;
-          const { visit, challenges, table, teach } = lab.extras;
-          table.open(true);
-          for (let step = 0; step < 8; step++) {
-            await visit.go(step);
-            document.querySelector(".guess-choice input")?.click();
-            const key = new KeyboardEvent("keydown", { key: "ArrowUp", bubbles: true });
-            document.querySelector(".dial, .sketch-point")?.dispatchEvent(key);
-            if (step < 7) visit.show();
-          }
-          visit.leave();
-          challenges.open();
-          for (const tab of challenges.tabs.values()) tab.click();
-          await challenges.load("plane.slope=0.1");
-          lab.motions.compare();
-          lab.transport.jump(1, "takeoff");
-          await new Promise((resolve) => setTimeout(resolve, 400));
-        }"""
-    )
-    wait_for(page, "!lab.surrounding")
-    assert page.evaluate("[...hophoopLab.extras.words.untranslated]") == []
-    # every label that is read to people as well
-    latin = page.evaluate(
-        """() => [...document.querySelectorAll("button, summary, option, label, h2, h3, th")]
-          .map((element) => element.textContent.trim()).filter((text) => /[a-z]{4}/.test(text))"""
-    )
-    if code == "zh":
-        names = {"English", "Deutsch", "Español", "Français", "Shift ← →"}
-        assert [text for text in latin if text not in names and not any(sign >= "\u4e00" for sign in text)] == []
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
+    # of what one reads, nothing is English
+    english, own = (json.loads((WORDS / f"{name}.json").read_text(encoding="utf-8")) for name in ("en", code))
+    same = {text for key, text in english.items() if isinstance(text, str) and own[key] == text}
+    long = {text for text in english.values() if isinstance(text, str) and len(text) > 12 and "{" not in text} - same
+    assert [text for text in page.evaluate(TEXTS) if text.strip() in long] == []

@@ -139,8 +139,9 @@ export class Backend {
 
   async file(name: string, query: string) {
     if (!(name in OWN_FILES)) {
+      if (this.python && /\.(mp4|gif)$/.test(name)) model.withinFilm(model.asked({ query }, this.mechanics));
       if (this.python) return this.python.file(name, query);
-      throw new model.InputError(`${name} needs Python: run hophoop lab.`);
+      throw new model.InputError({ key: "save.needs_python", values: { name } });
     }
     return new Blob([await this.fileText(name, query)], { type: OWN_FILES[name] });
   }

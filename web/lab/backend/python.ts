@@ -2,9 +2,10 @@
 // the kernel of the notebook.
 
 import { unpack } from "../backend/packing.ts";
+import { Refused } from "../words/words.ts";
 
 const TRIES = 4; // of a server that says it is busy
-const GONE = "The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";
+const GONE = "backend.the_server_does_not";
 
 export class Server implements Python {
   constructor(readonly base: URL) {}
@@ -32,8 +33,13 @@ export class Server implements Python {
       if (response.ok) return response;
       const again = Number(response.headers.get("Retry-After"));
       if (response.status !== 503 || !(again > 0) || left <= 1) {
-        const said = await response.json().catch(() => ({}));
-        throw new Error(said.detail ?? `The server answered ${response.status}.`);
+        const { detail } = await response.json().catch(() => ({}));
+        if (response.status === 503) throw new Refused({ key: "server.busy", values: { count: again } });
+        if (response.status === 413) throw new Error("server.too_much");
+        if (response.status === 500) throw new Error("server.failed");
+        throw detail
+          ? new Error(detail)
+          : new Refused({ key: "backend.the_server_answered_status", values: { status: response.status } });
       }
       await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
       asked?.signal?.throwIfAborted();
@@ -82,7 +88,7 @@ export class NotebookKernel implements Python {
       const timer = setTimeout(
         () => {
           this.waiting.delete(number);
-          reject(new Error("The notebook’s kernel does not answer; run the cell again."));
+          reject(new Error("backend.the_notebooks_kernel_does"));
         },
         call === "file" ? FILE_PATIENCE : PATIENCE,
       );

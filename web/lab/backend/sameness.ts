@@ -2,13 +2,13 @@
 
 import { tables } from "../../model/tables.ts";
 
-const SAME = { python: "✓ Same bits as in Python", link: "✓ Same bits as where the link was made" };
+const SAME = { python: "fingerprint.same_bits_as_in", link: "fingerprint.same_bits_as_where" };
 const OTHER = {
-  python: "The bits differ: {own} here, {other} in Python.",
-  link: "The bits differ: {own} here, {other} where the link was made, perhaps with another version.",
+  python: "fingerprint.the_bits_differ_own",
+  link: "fingerprint.the_bits_differ_own_here",
 };
 
-export type Comparison = { same: boolean; text: string };
+export type Comparison = { same: boolean; text: Said };
 
 export class Sameness {
   /** By the query of the motion. */
@@ -37,7 +37,7 @@ export class Sameness {
       const other = this[whose].get(query);
       if (!other) return [];
       const same = own === other;
-      return [{ same, text: same ? SAME[whose] : OTHER[whose].replace("{own}", own).replace("{other}", other) }];
+      return [{ same, text: same ? SAME[whose] : { key: OTHER[whose], values: { own, other } } }];
     });
   }
 }

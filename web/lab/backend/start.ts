@@ -7,7 +7,7 @@ import { Server, type Model, type NotebookKernel } from "./python.ts";
 async function backend(loading: Promise<WorkerKernel>, beside: { base?: URL; python?: Python | null }) {
   const kernel = await loading.catch((error) => {
     const able = typeof WebAssembly === "object" && !(error instanceof WebAssembly.CompileError);
-    throw able ? error : new Error("This needs a browser that runs WebAssembly.");
+    throw able ? error : new Error("page.this_needs_a_browser");
   });
   return new Backend(kernel, kernel.mechanics, beside);
 }

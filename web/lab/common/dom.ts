@@ -1,4 +1,4 @@
-// Elements of the page. Words go through `t` on their way there, see words.ts.
+// Elements of the page. Words follow the language, see words.ts.
 
 import { luminance } from "./colors.ts";
 import { name as called, spokenText } from "../words/words.ts";
@@ -18,20 +18,20 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
     if (value === undefined || value === null || value === false) continue;
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else if (name === "class") element.className = value;
+    else if (SAID.has(name)) called(element, name, value);
     else if (name in element && name !== "list" && typeof value !== "string") properties[name] = value;
-    else if (SAID.has(name)) called(element, name, String(value));
     else element.setAttribute(name, value === true ? "" : value);
   }
-  for (const child of children.flat()) {
+  for (const child of children.flat(2)) {
     if (child === null || child === undefined || child === false) continue;
-    element.append(child.nodeType ? child : spokenText(String(child)));
+    element.append(child.nodeType ? child : spokenText(child));
   }
   return element;
 }
 
-/** Put other words into an element; they change with the language. `text`: in English. */
-export function say(element: Element, text: string) {
-  if (text) element.replaceChildren(spokenText(text));
+/** Put other words into an element; they change with the language. */
+export function say(element: Element, said: Said) {
+  if (said) element.replaceChildren(spokenText(said));
   else element.replaceChildren();
 }
 

@@ -3,11 +3,8 @@
 import { focused } from "./dom.ts";
 import { pinch } from "./pointer.ts";
 
-// How it is said beside each of them.
-export const zoomHint: (drags: string) => string = (drags) =>
-  matchMedia("(hover: none)").matches
-    ? "two fingers zoom"
-    : `once clicked, or with Ctrl, the wheel zooms${drags && `; ${drags}`}; double-click for all`;
+/** Whether fingers zoom, not a wheel. */
+export const byFingers = () => matchMedia("(hover: none)").matches;
 
 const WHEEL = 0.0018;
 const MOST = 200; // of one turn of the wheel

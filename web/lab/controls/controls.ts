@@ -49,7 +49,9 @@ class Slider {
       onblur: hold(false),
     });
     const { label, unit } = info;
-    const name = `${label}, exact value${unit ? ` in ${unit}` : ""}`;
+    const name: Phrase = unit
+      ? { key: "controls.name_exact_value_in", values: { name: label, unit } }
+      : { key: "controls.name_exact_value", values: { name: label } };
     this.entry = new Entry({ label, unit, name, range: rangeOf(info) }, (value) => this.send(value, true));
     this.element = h(
       "div",
@@ -99,7 +101,7 @@ class Slider {
     }
     const shown = found === "inf" ? Infinity : Number(found) / (this.info.degrees ? DEGREE : 1);
     this.entry.show(!own ? "" : Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "∞");
-    this.entry.input.placeholder = own ? "" : t("auto {value}", { value: show(shown, 2) });
+    this.entry.input.placeholder = own ? "" : t("controls.auto_value", { value: show(shown, 2) });
     this.entry.input.title = own ? withUnit(String(shown), this.info.unit) : "";
     const place = clamp(this.info.logarithmic ? Math.log10(shown) : shown, this.low(), this.high());
     if (Math.abs(Number(this.range.value) - place) > 1e-6) this.range.value = String(place);
@@ -170,17 +172,17 @@ export class Controls {
 
   group(title: string, ...children: HTMLElement[]) {
     // on a phone all of it would be a long way to scroll
-    const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 47.5em)").matches;
+    const open = title === "controls.start" || title === "controls.plane" || !matchMedia("(max-width: 47.5em)").matches;
     return h("details", { class: "group", open }, h("summary", {}, title), children);
   }
 
   hoop() {
     this.way = this.select(
-      "Given by",
+      "controls.given_by",
       [
-        ["load_fraction", "load fraction γ"],
-        ["eccentricity", "ε and κ"],
-        ["parts", "real parts"],
+        ["load_fraction", "controls.load_fraction_gamma"],
+        ["eccentricity", "controls.epsilon_and_kappa"],
+        ["parts", "controls.real_parts"],
       ],
       (way) => {
         const { values } = this.film;
@@ -190,7 +192,7 @@ export class Controls {
     );
     this.derived = h("p", { class: "derived" });
     return this.group(
-      "Hoop",
+      "controls.hoop",
       this.way.element,
       ...this.of("hoop", { "hoop.radius": [this.parts.element, this.derived] }),
     );
@@ -210,24 +212,24 @@ export class Controls {
       },
     });
     this.gravity = this.select(
-      "Where",
-      [...this.gravities.map(([name]) => [name, name] as [string, string]), ["", "elsewhere"]],
+      "controls.where",
+      [...this.gravities.map(([name]) => [name, name] as [string, string]), ["", "controls.elsewhere"]],
       (name: string) => {
         const found = this.gravities.find(([known]) => known === name);
         if (found) this.onchange([["plane.gravity", found[1]]]);
       },
     );
-    const apart = h("label", { class: "check" }, this.apart, "static and kinetic friction apart");
+    const apart = h("label", { class: "check" }, this.apart, "controls.static_and_kinetic_friction");
     const before = { "plane.slope": [apart], "plane.gravity": [this.gravity.element] };
-    return this.group("Plane", ...this.of("plane", before));
+    return this.group("controls.plane", ...this.of("plane", before));
   }
 
   start() {
     this.kind = this.select(
-      "Starts",
+      "controls.starts",
       [
-        ["rolling", "rolling"],
-        ["free", "in any state"],
+        ["rolling", "controls.rolling"],
+        ["free", "controls.in_any_state"],
       ],
       (kind: string) => {
         const { values } = this.film;
@@ -235,12 +237,12 @@ export class Controls {
         else this.onchange([["start.omega", values["start.omega"]]]);
       },
     );
-    return this.group("Start", this.kind.element, ...this.of("start"), this.at("duration"));
+    return this.group("controls.start", this.kind.element, ...this.of("start"), this.at("duration"));
   }
 
   contact() {
     return this.group(
-      "Contact",
+      "controls.contact",
       this.at("contact.model"),
       this.at("contact.law"),
       this.at("contact.friction"),
@@ -251,7 +253,7 @@ export class Controls {
   }
 
   /** A change that was refused is said at its field, if it is one that is seen. */
-  refuse(changes: Change[], sentence: string) {
+  refuse(changes: Change[], sentence: Said) {
     const slider = changes.length === 1 ? this.sliders.get(changes[0][0]) : undefined;
     if (!slider?.element.checkVisibility()) return false;
     slider.entry.refuse(sentence);

@@ -29,22 +29,27 @@ export function refusal(
   text: string,
   value: number,
   { label, unit, range }: { label: string; unit: string; range?: NumberRange },
-) {
+): Said {
   const typed = text.trim();
-  if (Number.isNaN(value)) return `${label} = ${typed} must be a number, such as 2.5.`;
-  if (!Number.isFinite(value) && /\d/.test(typed)) return `${label} = ${typed} is too large.`;
+  if (Number.isNaN(value)) {
+    return { key: "controls.name_value_must_be", values: { name: label, value: typed } };
+  }
+  if (!Number.isFinite(value) && /\d/.test(typed)) {
+    return { key: "controls.label_value_is_too", values: { label, value: typed } };
+  }
   if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
-  const zero = range.also.includes(0) ? "0 or " : "";
-  const span = `from ${show(range.least, 4)} to ${withUnit(show(range.most, 4), unit)}`;
-  const endless = range.also.includes(Infinity) ? ", or inf" : "";
-  return `${label} = ${withUnit(show(value, 6), unit)} must be ${zero}${span}${endless}.`;
+  const [zero, endless] = [range.also.includes(0), range.also.includes(Infinity)];
+  const span = `range.${zero ? "zero_or_" : ""}from_to${endless ? "_or_inf" : ""}`;
+  const rule = { key: span, values: { least: show(range.least, 4), most: withUnit(show(range.most, 4), unit) } };
+  const values = { name: label, value: withUnit(show(value, 6), unit), rule };
+  return { key: "controls.name_value_must_be_rule", values };
 }
 
 export interface FieldInfo {
   label: string;
   unit: string;
   range?: NumberRange; // in the field's unit
-  name?: string; // for a screen reader, where no label belongs to it
+  name?: Said; // for a screen reader, where no label belongs to it
 }
 
 let count = 0;
@@ -99,7 +104,7 @@ export class Entry {
     else this.onvalue(value);
   }
 
-  refuse(sentence: string) {
+  refuse(sentence: Said) {
     this.input.setAttribute("aria-invalid", "true");
     this.input.setAttribute("aria-describedby", this.error.id);
     say(this.error, sentence);

@@ -4,18 +4,18 @@ import { h } from "../common/dom.ts";
 import { Entry } from "./entry.ts";
 
 const SHAPES = {
-  ring: { label: "Ring", keys: ["mass", "inner_radius", "outer_radius"] },
-  disk: { label: "Disk", keys: ["mass", "radius", "at"] },
-  point_mass: { label: "Point mass", keys: ["mass", "at"] },
-  rod: { label: "Rod", keys: ["mass", "length", "at"] },
+  ring: { label: "parts.ring", keys: ["mass", "inner_radius", "outer_radius"] },
+  disk: { label: "parts.disk", keys: ["mass", "radius", "at"] },
+  point_mass: { label: "parts.point_mass", keys: ["mass", "at"] },
+  rod: { label: "parts.rod", keys: ["mass", "length", "at"] },
 };
 const LABELS: Record<string, [string, string]> = {
-  mass: ["mass", "kg"],
-  inner_radius: ["inner radius", "m"],
-  outer_radius: ["outer radius", "m"],
-  radius: ["radius", "m"],
-  at: ["distance from centre", "m"],
-  length: ["length", "m"],
+  mass: ["parts.mass", "kg"],
+  inner_radius: ["parts.inner_radius", "m"],
+  outer_radius: ["parts.outer_radius", "m"],
+  radius: ["parts.radius", "m"],
+  at: ["parts.distance_from_centre", "m"],
+  length: ["parts.length", "m"],
 };
 
 const fresh = (shape: Part["shape"], R: number, mass: number) =>
@@ -56,14 +56,14 @@ export class Parts {
       h(
         "select",
         {
-          "aria-label": "Add a part",
+          "aria-label": "parts.add_a_part",
           onchange: (event: any) => {
             const shape = event.target.value;
             event.target.value = "";
             if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
           },
         },
-        h("option", { value: "" }, "+ add a part …"),
+        h("option", { value: "" }, "parts.add_a_part_2"),
         Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
       ),
     );
@@ -98,7 +98,7 @@ export class Parts {
             {
               type: "button",
               class: "quiet",
-              "aria-label": `Remove part ${i + 1}, ${label}`,
+              "aria-label": { key: "parts.remove_part_number_what", values: { number: i + 1, what: label } },
               onclick: () => this.send(this.parts.filter((_, k) => k !== i)),
             },
             "×",
@@ -114,6 +114,6 @@ export class Parts {
       this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: value } : one))),
     );
     entry.show(String(part[key] ?? 0));
-    return h("div", {}, h("label", {}, `${label} [${unit}]`, entry.input), entry.error);
+    return h("div", {}, h("label", {}, label, ` [${unit}]`, entry.input), entry.error);
   }
 }

@@ -3,10 +3,9 @@
 import { h } from "../common/dom.ts";
 import { Plot } from "./plot.ts";
 import { QUANTITIES, withSymbol, type Quantity } from "./quantities.ts";
-import { t } from "../words/words.ts";
 
 /** Options of a list of quantities. */
-export const optionsOf = (words: (quantity: Quantity) => string | string[]) =>
+export const optionsOf = (words: (quantity: Quantity) => Said) =>
   Object.entries(QUANTITIES).map(([key, quantity]) => h("option", { value: key }, words(quantity)));
 
 export function ownPlot(shared: PlotShared): Plot {
@@ -14,9 +13,9 @@ export function ownPlot(shared: PlotShared): Plot {
   const plot = new Plot(
     {
       key: "own",
-      title: "Your choice",
+      title: "diagram.your_choice",
       unit: "",
-      curves: (film) => [{ name: t(QUANTITIES[key].name), values: QUANTITIES[key].values(film) }],
+      curves: (film) => [{ name: QUANTITIES[key].name, values: QUANTITIES[key].values(film) }],
     },
     shared,
   );
@@ -27,7 +26,7 @@ export function ownPlot(shared: PlotShared): Plot {
   const select = h(
     "select",
     {
-      "aria-label": "What your diagram shows",
+      "aria-label": "diagram.what_your_diagram_shows",
       onchange: () => {
         key = select.value;
         name();

@@ -6,7 +6,7 @@ import { clamp, niceStep } from "../common/numbers.ts";
 import { axes, hatch, pictureOf } from "./phase_picture.ts";
 import { BOTTOM, LEFT, RIGHT, TOP } from "./plot_axes.ts";
 import { swatch } from "./swatch.ts";
-import { zoomable, zoomHint } from "../common/zoom.ts";
+import { byFingers, zoomable } from "../common/zoom.ts";
 
 export class PhasePlane {
   films: Film[];
@@ -24,7 +24,7 @@ export class PhasePlane {
   canvas = h("canvas", { class: "plot-canvas" });
   over = h("canvas", { class: "plot-canvas plot-over" });
   keys = h("div", { class: "plot-keys" });
-  hatched = h("span", { hidden: true }, "Hatched: slip that meets Painlevé’s paradox.", " ");
+  hatched = h("span", { hidden: true }, "phase.hatched", " ");
   asked = "";
   body: HTMLDivElement;
   element: HTMLElement;
@@ -43,7 +43,7 @@ export class PhasePlane {
         class: "plot-body",
         role: "figure",
         tabindex: "0",
-        "aria-label": "Plane of angle and angular velocity with the regions of rolling, slip and flight",
+        "aria-label": "phase.plane_of_angle_and",
       },
       this.canvas,
       this.over,
@@ -51,15 +51,15 @@ export class PhasePlane {
     this.element = h(
       "section",
       { class: "phase" },
-      h("header", {}, h("h3", {}, "Plane of θ and θ̇"), this.keys),
+      h("header", {}, h("h3", {}, "phase.plane_of_theta_and"), this.keys),
       this.body,
       h(
         "p",
         { class: "hint" },
-        "Colours: the mode that follows contact without slip.",
+        "phase.colours",
         " ",
         this.hatched,
-        `Click to go there; ${zoomHint("")}.`,
+        byFingers() ? "phase.click_to_go_there" : "phase.click_to_go_there_once",
       ),
     );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));

@@ -240,9 +240,9 @@ export class Plot {
       const size = 1e-12 * Math.max(-low, high);
       const tidy = (value: number) => show(Math.abs(value) < size ? 0 : value, 3);
       const found = { name: t(name), low: tidy(low), high: tidy(high) };
-      return high >= low ? `${which}${t("{name} from {low} to {high}", found)}` : "";
+      return high >= low ? `${which}${t("diagram.name_from_low_to", found)}` : "";
     });
-    const head = t("Diagram: {title} in {unit}.", { title: t(this.title), unit: t(this.unit) });
+    const head = t("diagram.diagram_title_in_unit", { title: t(this.title), unit: t(this.unit) });
     this.body.setAttribute("aria-label", `${head} ${parts.filter(Boolean).join("; ")}.`);
   }
 

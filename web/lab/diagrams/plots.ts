@@ -3,16 +3,15 @@
 import { h, say } from "../common/dom.ts";
 import { optionsOf, ownPlot } from "./own_plot.ts";
 import { Plot } from "./plot.ts";
-import { zoomHint } from "../common/zoom.ts";
 
 function definitions(colors: Colors): PlotDefinition[] {
   return [
     {
       key: "velocities",
-      title: "Velocities",
-      unit: "velocity [m/s]",
+      title: "diagram.velocities",
+      unit: "diagram.velocity_m_s",
       curves: (film: Film) => [
-        { name: "v (centre)", color: colors.center_speed, values: film.columns.vx },
+        { name: "diagram.v_centre", color: colors.center_speed, values: film.columns.vx },
         {
           name: "R θ̇",
           color: colors.rotation_speed,
@@ -23,22 +22,25 @@ function definitions(colors: Colors): PlotDefinition[] {
     },
     {
       key: "energies",
-      title: "Energies and losses",
-      unit: "energy [J]",
+      title: "diagram.energies_and_losses",
+      unit: "diagram.energy_j",
       curves: (film: Film) => [
-        { name: "kinetic", color: colors.kinetic, values: film.columns.kinetic },
-        { name: "potential", color: colors.potential, values: film.columns.potential },
+        { name: "diagram.kinetic", color: colors.kinetic, values: film.columns.kinetic },
+        { name: "diagram.potential", color: colors.potential, values: film.columns.potential },
         {
-          name: "total",
+          name: "diagram.total",
           values: film.derived("total", ({ t, kinetic, potential }) =>
             Float64Array.from(t, (_, i) => kinetic[i] + potential[i]),
           ),
           dash: "dash",
         },
         // as in Python's plots: what an impact loses along the plane is friction's
-        { name: "lost to friction", color: colors.friction_loss, values: film.columns.friction_loss },
+        { name: "diagram.lost_to_friction", color: colors.friction_loss, values: film.columns.friction_loss },
         {
-          name: film.scenario.contact.model === "compliant" ? "lost in the damper" : "lost in impacts, normal part",
+          name:
+            film.scenario.contact.model === "compliant"
+              ? "diagram.lost_in_the_damper"
+              : "diagram.lost_in_impacts_normal",
           color: colors.impact_loss,
           values: film.columns.normal_loss,
           dash: "dot",
@@ -46,7 +48,7 @@ function definitions(colors: Colors): PlotDefinition[] {
         ...(film.scenario.plane.rolling_resistance
           ? [
               {
-                name: "lost to rolling resistance",
+                name: "diagram.lost_to_rolling_resistance",
                 values: film.columns.rolling_resistance,
                 dash: "dot" as const,
               },
@@ -56,16 +58,16 @@ function definitions(colors: Colors): PlotDefinition[] {
     },
     {
       key: "forces",
-      title: "Contact forces",
-      unit: "force [N]",
+      title: "diagram.contact_forces",
+      unit: "diagram.force_n",
       curves: (film: Film) => [
-        { name: "normal N", color: colors.normal_force, values: film.columns.normal_force },
-        { name: "friction F", color: colors.friction_force, dash: "dash", values: film.columns.friction_force },
+        { name: "diagram.normal_n", color: colors.normal_force, values: film.columns.normal_force },
+        { name: "diagram.friction_f", color: colors.friction_force, dash: "dash", values: film.columns.friction_force },
       ],
     },
     {
       key: "utilization",
-      title: "Use of friction",
+      title: "diagram.use_of_friction",
       unit: "|F| / μN",
       limits: [0, 1.08],
       curves: (film: Film) => [{ name: "|F| / μN", color: colors.friction_force, values: film.columns.utilization }],
@@ -106,19 +108,19 @@ export class Plots {
     this.axis = h(
       "select",
       {
-        "aria-label": "Horizontal axis of the diagrams",
+        "aria-label": "diagram.horizontal_axis_of_the",
         onchange: () => {
           this.shared.axis = this.axis.value;
           this.shared.range = null;
           this.redraw();
         },
       },
-      optionsOf(({ name }) => `over ${name}`),
+      optionsOf(({ name }) => ({ key: "diagram.over_quantity", values: { quantity: name } })),
     );
     this.back = h(
       "button",
       { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) },
-      "Whole motion",
+      "diagram.whole_motion",
     );
     this.hint = h("span", { class: "hint" });
     this.element = h(
@@ -133,13 +135,16 @@ export class Plots {
     this.films = films;
     this.active = active;
     this.look = look;
-    const hands = matchMedia("(hover: none)").matches
-      ? "slide to go there, two fingers zoom"
-      : `click to go there, drag to zoom; ${zoomHint("")}`;
+    const hands = matchMedia("(hover: none)").matches ? "diagram.slide_to_go_there" : "diagram.click_to_go_there";
     const two = films.length > 1;
     say(
       this.hint,
-      two ? `A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[active]}; ${hands}` : hands,
+      two
+        ? {
+            key: "diagram.a_blue_b_ochre",
+            values: { hoop: "AB"[active], hands },
+          }
+        : hands,
     );
     this.redraw();
   }

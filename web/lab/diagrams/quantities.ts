@@ -17,11 +17,11 @@ const made =
     film.derived(key, (columns) => Float64Array.from(film.t, (_, i) => of(columns, i, film)));
 
 export const QUANTITIES: Record<string, Quantity> = {
-  time: { name: "time", symbol: "t", unit: "s", values: (film) => film.t },
-  angle: { name: "angle", symbol: "θ", unit: "°", values: made("degrees", ({ angle }, i) => angle[i] / DEGREE) },
+  time: { name: "column.time", symbol: "t", unit: "s", values: (film) => film.t },
+  angle: { name: "column.angle", symbol: "θ", unit: "°", values: made("degrees", ({ angle }, i) => angle[i] / DEGREE) },
   turns: {
-    name: "angle within a turn",
-    symbol: "θ mod 360°",
+    name: "column.angle_within_a_turn",
+    symbol: "column.theta_mod_360",
     unit: "°",
     // no line leads from one turn to the next
     values: made("within", ({ angle }, i) => {
@@ -29,10 +29,10 @@ export const QUANTITIES: Record<string, Quantity> = {
       return i > 0 && turn(i) !== turn(i - 1) ? Number.NaN : angle[i] / DEGREE - 360 * turn(i);
     }),
   },
-  x: { name: "place of the centre", symbol: "x", unit: "m", values: plain("x") },
-  height: { name: "gap under the rim", symbol: "y", unit: "m", values: plain("height") },
+  x: { name: "column.place_of_the_centre", symbol: "x", unit: "m", values: plain("x") },
+  height: { name: "column.gap_under_the_rim", symbol: "y", unit: "m", values: plain("height") },
   rise: {
-    name: "height of the centre of gravity",
+    name: "column.height_of_the_centre",
     symbol: "h_G",
     unit: "m",
     values: made(
@@ -40,31 +40,31 @@ export const QUANTITIES: Record<string, Quantity> = {
       ({ height, angle }, i, film) => film.radius * (1 + film.eccentricity * Math.cos(angle[i])) + height[i],
     ),
   },
-  vx: { name: "speed of the centre", symbol: "v", unit: "m/s", values: plain("vx") },
+  vx: { name: "column.speed_of_the_centre", symbol: "v", unit: "m/s", values: plain("vx") },
   spin: {
-    name: "speed of rotation",
+    name: "column.speed_of_rotation",
     symbol: "R θ̇",
     unit: "m/s",
     values: made("spin", ({ omega }, i, film) => omega[i] * film.radius),
   },
-  vy: { name: "speed away from the plane", symbol: "ẏ", unit: "m/s", values: plain("vy") },
-  slip: { name: "slip velocity", symbol: "v_t", unit: "m/s", values: plain("slip") },
-  omega: { name: "angular velocity", symbol: "θ̇", unit: "rad/s", values: plain("omega") },
-  normal_force: { name: "normal force", symbol: "N", unit: "N", values: plain("normal_force") },
-  friction_force: { name: "friction force", symbol: "F", unit: "N", values: plain("friction_force") },
-  utilization: { name: "use of friction", symbol: "|F|/μN", unit: "", values: plain("utilization") },
-  kinetic: { name: "kinetic energy", symbol: "W_k", unit: "J", values: plain("kinetic") },
-  potential: { name: "potential energy", symbol: "W_p", unit: "J", values: plain("potential") },
+  vy: { name: "column.speed_away_from_the", symbol: "ẏ", unit: "m/s", values: plain("vy") },
+  slip: { name: "column.slip_velocity", symbol: "v_t", unit: "m/s", values: plain("slip") },
+  omega: { name: "column.angular_velocity", symbol: "θ̇", unit: "rad/s", values: plain("omega") },
+  normal_force: { name: "column.normal_force", symbol: "N", unit: "N", values: plain("normal_force") },
+  friction_force: { name: "column.friction_force", symbol: "F", unit: "N", values: plain("friction_force") },
+  utilization: { name: "column.use_of_friction", symbol: "|F|/μN", unit: "", values: plain("utilization") },
+  kinetic: { name: "column.kinetic_energy", symbol: "W_k", unit: "J", values: plain("kinetic") },
+  potential: { name: "column.potential_energy", symbol: "W_p", unit: "J", values: plain("potential") },
   total: {
-    name: "total energy",
+    name: "column.total_energy",
     symbol: "W",
     unit: "J",
     values: made("total", ({ kinetic, potential }, i) => kinetic[i] + potential[i]),
   },
-  friction_loss: { name: "lost to friction", symbol: "W_f", unit: "J", values: plain("friction_loss") },
-  normal_loss: { name: "lost in impacts, normal part", symbol: "W_i", unit: "J", values: plain("normal_loss") },
+  friction_loss: { name: "diagram.lost_to_friction", symbol: "W_f", unit: "J", values: plain("friction_loss") },
+  normal_loss: { name: "diagram.lost_in_impacts_normal", symbol: "W_i", unit: "J", values: plain("normal_loss") },
   rolling_resistance: {
-    name: "lost to rolling resistance",
+    name: "diagram.lost_to_rolling_resistance",
     symbol: "W_r",
     unit: "J",
     values: plain("rolling_resistance"),

@@ -3,7 +3,7 @@
 import { h, saveBlob, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
-import { t, utter } from "../words/words.ts";
+import { t } from "../words/words.ts";
 
 const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -65,19 +65,19 @@ export class Table {
     this.body = h("tbody", {});
     this.element = h(
       "section",
-      { class: "table", "aria-label": "Table of the motion", hidden: true },
+      { class: "table", "aria-label": "table.table_of_the_motion", hidden: true },
       h(
         "header",
         {},
-        h("h2", {}, "Table"),
-        h("label", { class: "table-step" }, h("span", {}, "Every"), this.step),
-        h("button", { type: "button", onclick: () => this.save() }, "Save as CSV"),
-        h("button", { type: "button", onclick: () => this.open(false) }, "Close"),
+        h("h2", {}, "table.table"),
+        h("label", { class: "table-step" }, h("span", {}, "table.every"), this.step),
+        h("button", { type: "button", onclick: () => this.save() }, "table.save_as_csv"),
+        h("button", { type: "button", onclick: () => this.open(false) }, "table.close"),
       ),
-      h("details", { class: "table-columns" }, h("summary", {}, "Columns"), this.picks),
+      h("details", { class: "table-columns" }, h("summary", {}, "table.columns"), this.picks),
       h(
         "div",
-        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "Table of the motion, rows" },
+        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "table.table_of_the_motion_rows" },
         h("table", {}, this.caption, this.head, this.body),
       ),
     );
@@ -124,7 +124,7 @@ export class Table {
         units.map(({ name, symbol, unit }) =>
           h("th", { scope: "col", title: name }, symbol, unit && h("small", {}, ` ${unit}`)),
         ),
-        h("th", { scope: "col" }, "mode"),
+        h("th", { scope: "col" }, "table.mode"),
       ),
     );
     const rows = rowsOf(film, columns, step);
@@ -139,8 +139,8 @@ export class Table {
     }));
     this.body.replaceChildren(...this.rows.map(({ row }) => row));
     const whole = film.duration / step + 1 <= MOST + 1e-6;
-    const more = t("The first {count} rows.", { count: MOST });
-    say(this.caption, whole ? film.summary : utter(`${film.summary} ${more}`));
+    const more = { key: "table.the_first_count_rows", values: { count: MOST } };
+    say(this.caption, whole ? film.summary : [film.summary, " ", more]);
     this.cursor(this.clock.time);
   }
 
@@ -156,7 +156,10 @@ export class Table {
 
   save() {
     const { film, columns } = this;
-    const head = [...columns.map((key) => `${QUANTITIES[key].name} [${QUANTITIES[key].unit || "1"}]`), "mode"];
+    const head = [
+      ...columns.map((key) => `${t(QUANTITIES[key].name)} [${QUANTITIES[key].unit || "1"}]`),
+      t("table.mode"),
+    ];
     const rows = rowsOf(film, columns, Number(this.step.value)).map(({ mode, values }) => [...values, mode].join(","));
     saveBlob(new Blob([[head.join(","), ...rows, ""].join("\r\n")], { type: "text/csv" }), "hophoop-table.csv");
   }

@@ -4,9 +4,9 @@ import { fitted, focused, h, once, say } from "../common/dom.ts";
 import { AXES, cross, MapAxes } from "./map_axes.ts";
 import { takeHands } from "./map_hands.ts";
 import { otherStart } from "./map_words.ts";
-import { zoomHint } from "../common/zoom.ts";
+import { byFingers } from "../common/zoom.ts";
 import { layerOf, legendOf, stacked, textAt } from "./map_layers.ts";
-import { t } from "../words/words.ts";
+import { saidOf } from "../words/words.ts";
 
 const LEVELS = [
   [24, 16],
@@ -66,7 +66,7 @@ export class MotionMap {
         class: "map-body",
         tabindex: "0",
         role: "application",
-        "aria-label": "Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.",
+        "aria-label": "map.map_of_motions_arrow",
       },
       this.canvas,
       this.tip,
@@ -85,7 +85,7 @@ export class MotionMap {
     this.quantity = h(
       "select",
       {
-        "aria-label": "What the map shows",
+        "aria-label": "map.what_the_map_shows",
         onchange: () => {
           this.what = this.quantity.value;
           this.refresh();
@@ -95,34 +95,34 @@ export class MotionMap {
     );
     this.element = h(
       "section",
-      { class: "map", "aria-label": "Map of motions" },
+      { class: "map", "aria-label": "map.map_of_motions" },
       h(
         "div",
         { class: "map-head" },
-        h("h2", {}, "Map"),
-        h("label", {}, "of", this.quantity),
-        h("label", {}, "Across", this.selects.x),
-        h("label", {}, "Up", this.selects.y),
+        h("h2", {}, "map.map"),
+        h("label", {}, "map.of", this.quantity),
+        h("label", {}, "map.across", this.selects.x),
+        h("label", {}, "map.up", this.selects.y),
         h(
           "span",
           { class: "buttons" },
           h(
             "button",
-            { type: "button", "aria-label": "Zoom into the map", onclick: () => this.zoom(0.5, this.aim()) },
+            { type: "button", "aria-label": "map.zoom_into_the_map", onclick: () => this.zoom(0.5, this.aim()) },
             "+",
           ),
           h(
             "button",
-            { type: "button", "aria-label": "Zoom out of the map", onclick: () => this.zoom(2, this.aim()) },
+            { type: "button", "aria-label": "map.zoom_out_of_the", onclick: () => this.zoom(2, this.aim()) },
             "−",
           ),
-          h("button", { type: "button", onclick: () => this.home() }, "Whole map"),
+          h("button", { type: "button", onclick: () => this.home() }, "map.whole_map"),
         ),
         this.state,
       ),
       this.body,
       this.keys,
-      h("p", { class: "hint" }, `Click to take that motion into the player; ${zoomHint("drag to move")}.`),
+      h("p", { class: "hint" }, byFingers() ? "map.click_to_take_that" : "map.click_to_take_that_motion"),
     );
     takeHands(this);
     this.soon = once(() => this.refresh(), 140);
@@ -203,7 +203,7 @@ export class MotionMap {
     const { signal } = this.asked;
     const base = this.film.scenario;
     // maps know rigid contact only
-    const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
+    const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "choice.contact.model.rigid"]];
     this.computing = true;
     // the coarse layers stay below as long as they show the same quantity of the same motion
     const kind = `${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;
@@ -212,7 +212,7 @@ export class MotionMap {
     this.redraw();
     try {
       for (const [x, y] of LEVELS) {
-        say(this.state, `computing ${x * y} motions …`);
+        say(this.state, { key: "map.computing_count_motions", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
         const reply = await this.backend.map(body, signal);
@@ -220,15 +220,15 @@ export class MotionMap {
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
         const other = otherStart(base, Object.values(this.axes.paths));
-        const done = t(changes.length ? "{count} motions, with rigid contact" : "{count} motions", { count: x * y });
-        say(this.state, other ? `${done}; ${t(other)}` : done);
+        const key = changes.length ? "map.count_motions_with_rigid" : "map.count_motions";
+        const done = { key, values: { count: x * y } };
+        say(this.state, other ? [done, "; ", other] : done);
         this.redraw();
       }
       this.level = LEVELS.length;
     } catch (error) {
-      const { name, message } = error as Error;
-      if (name === "AbortError") return;
-      say(this.state, message);
+      if ((error as Error).name === "AbortError") return;
+      say(this.state, saidOf(error));
     }
     this.computing = false;
   }

@@ -3,7 +3,7 @@
 import { parsed, SPEED_COLORS } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { clamp, show, withUnit } from "../common/numbers.ts";
-import { t } from "../words/words.ts";
+import { spoken, t } from "../words/words.ts";
 
 const DEGREE = Math.PI / 180;
 const MOST = 12; // layers that are kept
@@ -75,10 +75,10 @@ export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement 
     }
     const [scale, unit] = units(header);
     return [
-      h("span", {}, header.label, ": ", high >= low ? show(low * scale, 3) : "none", " "),
+      h("span", {}, header.label, ": ", high >= low ? show(low * scale, 3) : "map.none", " "),
       bar,
       h("span", {}, high >= low ? withUnit(show(high * scale, 3), unit) : ""),
-      values.some((value) => !Number.isFinite(value)) ? h("span", {}, h("i", { class: "blank" }), "none") : "",
+      values.some((value) => !Number.isFinite(value)) ? h("span", {}, h("i", { class: "blank" }), "map.none") : "",
     ];
   }
   const counts = new Map();
@@ -89,7 +89,7 @@ export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement 
       const { color, text } = classes[code];
       return h("span", {}, h("i", { style: `background:${color}`, "aria-hidden": "true" }), text);
     }),
-    order.length > 10 ? h("span", {}, `and ${order.length - 10} more`) : "",
+    order.length > 10 ? h("span", {}, { key: "map.and_count_more", values: { count: order.length - 10 } }) : "",
   ];
 }
 
@@ -101,9 +101,9 @@ export function textAt(layers: MapLayer[], place: Place) {
     const row = Math.floor(((place.y - y.from) / (y.to - y.from)) * y.cells);
     if (column < 0 || row < 0 || column >= x.cells || row >= y.cells) continue;
     const value = values[row * x.cells + column];
-    if (classes) return t(classes[value]?.text ?? "not allowed");
+    if (classes) return spoken(classes[value]?.text ?? "map.not_allowed");
     const [scale, unit] = units(header);
-    return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("none");
+    return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("map.none");
   }
   return "…";
 }

@@ -2,7 +2,6 @@
 
 import { tables } from "../../model/tables.ts";
 import { clamp } from "../common/numbers.ts";
-import { told } from "../words/words.ts";
 
 export const MODE_LETTERS: string = tables.words.letters;
 
@@ -29,10 +28,10 @@ export class Film {
   events: MotionEvent[];
   values: Record<string, any>;
   automatic: Record<string, number>;
-  said: string;
+  summary: Said;
   story: Sentence[];
   shortened: boolean;
-  doubt: string;
+  doubt: Said;
   columns: Record<string, Column>;
   exact: Reply["exact"];
   samples: ((window: [number, number]) => Promise<Record<string, Column>>) | undefined;
@@ -58,7 +57,8 @@ export class Film {
     this.events = header.events;
     this.values = header.values;
     this.automatic = header.automatic;
-    this.said = header.summary;
+    /** what happens, in one sentence. */
+    this.summary = header.summary;
     this.story = header.story;
     this.shortened = header.shortened;
     /** that more digits would have to decide what comes, if they would. */
@@ -120,11 +120,6 @@ export class Film {
   holding(time: number): Film {
     const { part } = this;
     return part && time >= part.t[0] && time <= part.t[part.length - 1] ? part : this;
-  }
-
-  // What happens, in one sentence.
-  get summary() {
-    return told(this.said);
   }
 
   findPhases() {

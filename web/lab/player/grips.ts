@@ -17,9 +17,9 @@ const SMALL = 44; // pixels, the least that a finger hits
 type Hands = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "film" | "request" | "mark">;
 
 const GRIPS: [Grip, string, string][] = [
-  ["plane", "Slope of the plane", "Tilt the plane: drag, or arrow keys"],
-  ["hoop", "The hoop: height and speed", "Lift, roll or throw the hoop: drag, or arrow keys"],
-  ["load", "Angle of the load", "Turn the load: drag, or arrow keys"],
+  ["plane", "hand.slope_of_the_plane", "hand.tilt_the_plane_drag"],
+  ["hoop", "hand.the_hoop_height_and", "hand.lift_roll_or_throw"],
+  ["load", "hand.angle_of_the_load", "hand.turn_the_load_drag"],
 ];
 
 export class Grips {
@@ -33,7 +33,7 @@ export class Grips {
   places: Map<Grip, HTMLElement>;
   tip: HTMLOutputElement;
   /** What a first visitor is told. */
-  hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "Drag the load");
+  hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "hand.drag_the_load");
   element: HTMLDivElement;
   settle: () => void;
 
@@ -42,7 +42,7 @@ export class Grips {
     this.tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
     this.element = h(
       "div",
-      { class: "grips", role: "group", "aria-label": "The hoop in your hand" },
+      { class: "grips", role: "group", "aria-label": "hand.the_hoop_in_your" },
       [...this.places.values()],
       this.tip,
       this.hint,
@@ -119,7 +119,7 @@ export class Grips {
     const held = this.pull?.held ?? this.held ?? taken(film, this.lab.clock.time);
     const texts = {
       load: degrees(held.angle),
-      hoop: t("gap {height}, speed {speed} m/s", { height: length(held.height), speed: show(held.vx, 3) }),
+      hoop: t("hand.gap_height_speed_speed", { height: length(held.height), speed: show(held.vx, 3) }),
       plane: degrees(held.slope),
     };
     const values = { load: held.angle * (180 / Math.PI), hoop: held.height, plane: held.slope * (180 / Math.PI) };

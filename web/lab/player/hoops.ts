@@ -9,12 +9,12 @@ export class Hoops {
   element: HTMLDivElement;
 
   constructor(choose: (lane: number) => void) {
-    this.tabs = ["A", "B"].map((name, i) =>
-      h("button", { type: "button", "aria-pressed": "false", onclick: () => choose(i) }, `Hoop ${name}`),
+    this.tabs = ["hoops.hoop_a", "hoops.hoop_b"].map((name, i) =>
+      h("button", { type: "button", "aria-pressed": "false", onclick: () => choose(i) }, name),
     );
     this.bar = h(
       "div",
-      { class: "tabs", role: "group", "aria-label": "Which hoop the controls change", hidden: true },
+      { class: "tabs", role: "group", "aria-label": "hoops.which_hoop_the_controls", hidden: true },
       this.tabs,
     );
     this.text = h("p", { class: "preset-text" });

@@ -1,7 +1,7 @@
 // Pictures of what is shown, larger than the screen, with the words that stand beside it on the page.
 
-import { Context } from "svgcanvas";
 import { h, pen } from "../common/dom.ts";
+import { fetched, lines } from "../common/later.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
@@ -24,14 +24,15 @@ export async function png(lab: Shown): Promise<Blob> {
   } else flat(context, lab, width, height);
   words(context, lab, height);
   return new Promise((resolve, reject) =>
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The picture is too large for this browser.")))),
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("save.the_picture_is_too")))),
   );
 }
 
 /** As lines and curves, which stay sharp at any size. */
-export function svg(lab: Shown) {
-  if (lab.stage.options.three) throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");
+export async function svg(lab: Shown) {
+  if (lab.stage.options.three) throw new Error("save.a_picture_in_space");
   const { width, height } = lab.stage.canvas().getBoundingClientRect();
+  const { Context } = await fetched(lines());
   const context = new Context({ width, height, document });
   background(context, lab, width, height);
   flat(context, lab, width, height);

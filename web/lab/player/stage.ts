@@ -2,14 +2,15 @@
 
 import { SPEED_TEXTS } from "../common/colors.ts";
 import { h } from "../common/dom.ts";
+import { fetched, space } from "../common/later.ts";
 import { degrees, length, show, withUnit } from "../common/numbers.ts";
 import { Stage2D } from "./stage2d.ts";
-import { Stage3D } from "./stage3d.ts";
-import { local, t } from "../words/words.ts";
+import type { Stage3D } from "./stage3d.ts";
+import { local, name, t } from "../words/words.ts";
 import type { Shown } from "../shell/address.ts";
 import type { Lab } from "../shell/lab.ts";
 
-const OUTPUTS = ["hoop", "mode", "time", "angle", "v", "R θ̇", "gap"];
+const OUTPUTS = ["player.hoop", "table.mode", "column.time", "column.angle", "v", "R θ̇", "player.gap"];
 
 export class Stage {
   options: StageOptions = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
@@ -36,15 +37,15 @@ export class Stage {
       { class: "legend", "aria-hidden": "true" },
       h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
       h("span", {}, "0"),
-      h("span", {}, "rim speed"),
+      h("span", {}, "player.rim_speed"),
       this.fastest,
     );
     const dot: (color: string, words: string) => HTMLElement = (color, words) =>
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
-    this.order = h("span", { hidden: true }, "A in front, B behind");
+    this.order = h("span", { hidden: true }, "player.a_in_front_b");
     this.element = h(
       "div",
-      { class: "stage", role: "figure", "aria-label": "The hoop", tabindex: "0" },
+      { class: "stage", role: "figure", "aria-label": "player.the_hoop", tabindex: "0" },
       this.plane,
       this.space,
       h(
@@ -56,9 +57,9 @@ export class Stage {
       h(
         "div",
         { class: "stage-keys", "aria-hidden": "true" },
-        dot("var(--ink)", "load"),
-        dot(colors.gravity_center, "centre of gravity"),
-        dot(colors.airborne, "the same in flight"),
+        dot("var(--ink)", "player.load"),
+        dot(colors.gravity_center, "player.centre_of_gravity"),
+        dot(colors.airborne, "player.the_same_in_flight"),
         this.order,
       ),
     );
@@ -75,8 +76,7 @@ export class Stage {
     this.order.hidden = !(options.three && films.length > 1);
     this.fastest.textContent = `≥ ${show(Math.max(...films.map((film) => film.extent.speed)), 2)} m/s`;
     if (options.three) {
-      this.deep ??= new Stage3D(this.space, this.onview);
-      this.deep.draw(films, clock.time, options, look, inks, clock.playing);
+      this.deep?.draw(films, clock.time, options, look, inks, clock.playing);
     } else {
       this.flat.pointed = clock.pointed === null ? null : { time: clock.pointed, lane: active };
       this.flat.draw(films, clock.time, options, look, inks);
@@ -115,12 +115,12 @@ export class Stage {
   }
 
   describe(films: Film[]) {
-    const said = films.map((film) => film.summary).join(" ");
-    this.element.setAttribute("aria-label", `${t("The hoop.")} ${said}`);
+    name(this.element, "aria-label", ["player.the_hoop_2", ...films.flatMap((film) => [" ", film.summary])]);
   }
 
-  /** In space or in the plane. `draw`: what fails where the browser cannot. */
-  turn(draw: () => void) {
+  /** In space, which has to come first, or in the plane. `draw`: what fails where the browser cannot. */
+  async turn(draw: () => void) {
+    const part = this.deep ? null : await fetched(space());
     const show = () => {
       this.plane.hidden = this.options.three;
       this.space.hidden = !this.options.three;
@@ -128,6 +128,7 @@ export class Stage {
     this.options.three = !this.options.three;
     show();
     try {
+      if (part) this.deep ??= new part.Stage3D(this.space, this.onview);
       draw();
     } catch (error) {
       this.options.three = false;

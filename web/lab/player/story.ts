@@ -2,7 +2,6 @@
 
 import { h, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
-import { utter } from "../words/words.ts";
 import type { Comparison } from "../backend/sameness.ts";
 
 export class Story {
@@ -16,7 +15,7 @@ export class Story {
   summary = h("p", { class: "summary" });
   doubt = h("p", { class: "hint", hidden: true });
   list = h("ol", { class: "story-list" });
-  heading = h("h2", {}, "What happens");
+  heading = h("h2", {}, "motion.what_happens");
   signature = h("span", {});
   compared = h("span", {});
   fingerprint = h("p", { class: "hint fingerprint" }, this.signature, this.compared);
@@ -26,7 +25,7 @@ export class Story {
   constructor(public clock: Clock) {
     this.element = h(
       "section",
-      { class: "story", "aria-label": "The motion in words" },
+      { class: "story", "aria-label": "motion.the_motion_in_words" },
       this.heading,
       this.summary,
       this.doubt,
@@ -42,12 +41,15 @@ export class Story {
    */
   draw(films: Film[], active: number, colors: Colors, comparisons: Comparison[]) {
     this.film = films[active];
-    say(this.heading, films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens");
+    say(
+      this.heading,
+      films.length > 1 ? { key: "motion.what_happens_to_hoop", values: { hoop: "AB"[active] } } : "motion.what_happens",
+    );
     this.summary.replaceChildren(
       ...films.flatMap((film, i) => [
         films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
-        film.summary,
-        film.status === "event_limit" || film.shortened ? " (not all events are shown)" : "",
+        h("span", {}, film.summary),
+        film.status === "event_limit" || film.shortened ? h("span", {}, " ", "motion.not_all_events_are") : "",
         i + 1 < films.length ? h("br") : "",
       ]),
     );
@@ -98,12 +100,12 @@ export class Story {
   }
 
   /** Tell a screen reader: the one place where changes are said, so that they do not talk over each other. */
-  say(text: string) {
-    say(this.live, text);
+  say(said: Said) {
+    say(this.live, said);
   }
 
   announce(films: Film[]) {
-    this.say(utter(films.map((film) => film.summary).join(" ")));
+    this.say(films.flatMap((film, k) => (k ? [" ", film.summary] : [film.summary])));
   }
 
   cursor(time: number) {
@@ -129,29 +131,28 @@ export class Story {
 
 /** The fingerprint with a button that copies it, or why there is none. */
 function fingerprintOf(fingerprint: string | null) {
-  if (!fingerprint)
-    return [h("span", {}, "No fingerprint: this motion depends on more digits than this page computes.")];
+  if (!fingerprint) return [h("span", {}, "motion.no_fingerprint_this_motion")];
   const code = h("code", {}, document.createTextNode(fingerprint));
-  const copy = h("button", { type: "button" }, "Copy");
+  const copy = h("button", { type: "button" }, "motion.copy");
   copy.onclick = async () => {
     try {
       await navigator.clipboard.writeText(fingerprint);
-      say(copy, "Copied");
+      say(copy, "motion.copied");
     } catch {
       getSelection()?.selectAllChildren(code); // to be copied by hand
     }
   };
-  const title = "A hash of all events: the same wherever hophoop computes the same bits, also in Python";
-  return [h("span", { title }, "Fingerprint"), " ", code, " ", copy];
+  const title = "motion.a_hash_of_all";
+  return [h("span", { title }, "motion.fingerprint"), " ", code, " ", copy];
 }
 
 export class Theory {
   list = h("dl", {});
-  heading = h("h2", {}, "What theory says");
+  heading = h("h2", {}, "motion.what_theory_says");
   element = h("section", { class: "theory" }, this.heading, this.list);
 
-  draw(thresholds: { label: string; text: string }[], hoop = "") {
-    say(this.heading, hoop ? `What theory says of hoop ${hoop}` : "What theory says");
+  draw(thresholds: { label: Said; text: Said }[], hoop = "") {
+    say(this.heading, hoop ? { key: "motion.what_theory_says_of", values: { hoop } } : "motion.what_theory_says");
     this.list.replaceChildren(...thresholds.flatMap(({ label, text }) => [h("dt", {}, label), h("dd", {}, text)]));
   }
 }

@@ -2,13 +2,13 @@
 
 import { hoopInk, writing } from "../common/colors.ts";
 import { fitted, h } from "../common/dom.ts";
-import { EVENT_WORDS } from "./events.ts";
+import { eventWord } from "./events.ts";
 import { within } from "../map/map_axes.ts";
 import { placed, stretches } from "./marks.ts";
 import { clamp, niceStep, show, tickText, ticks } from "../common/numbers.ts";
 import { follow } from "../common/pointer.ts";
 import { zoomable } from "../common/zoom.ts";
-import { t, utter } from "../words/words.ts";
+import { t } from "../words/words.ts";
 
 export class Timeline {
   films: Film[];
@@ -28,7 +28,7 @@ export class Timeline {
         class: "timeline",
         role: "slider",
         tabindex: "0",
-        "aria-label": "Time",
+        "aria-label": "player.time",
         "aria-valuemin": "0",
         "aria-orientation": "horizontal",
       },
@@ -98,7 +98,7 @@ export class Timeline {
     const time = this.timeAt(event);
     const near = this.nearest(time, 8);
     const said = near
-      ? `${t(EVENT_WORDS[near.kind] ?? near.kind)} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
+      ? `${t(eventWord(near.kind))} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
       : `${show(time, 4)} s`;
     this.tip.textContent = said;
     this.tip.hidden = false;
@@ -195,10 +195,7 @@ export class Timeline {
     this.said = said;
     this.element.setAttribute("aria-valuemax", duration.toFixed(3));
     this.element.setAttribute("aria-valuenow", time.toFixed(3));
-    this.element.setAttribute(
-      "aria-valuetext",
-      t("{time} seconds, {what}", { time: show(time, 4), what: utter(said) }),
-    );
+    this.element.setAttribute("aria-valuetext", t("player.time_seconds_what", { time: show(time, 4), what: said }));
   }
 
   /** The word of a mode inside its stretch, where it fits. */

@@ -4,19 +4,18 @@ import { SPEEDS } from "./clock.ts";
 import { h } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
 import { degrees, show } from "../common/numbers.ts";
-import { EVENT_WORDS, leaves } from "./events.ts";
-import { name, t, utter } from "../words/words.ts";
+import { eventWord, leaves } from "./events.ts";
+import { name } from "../words/words.ts";
 
 const STEP = 1 / 60; // seconds
 
 const SWITCHES: [keyof StageOptions, string, string][] = [
-  ["traces", "Traces", "t"],
-  ["forces", "Forces", "f"],
-  ["speed", "Rim speed", "c"],
-  ["whole", "Whole path", "w"],
-  ["three", "3D", "3"],
+  ["traces", "player.traces", "player.traces_t"],
+  ["forces", "player.forces", "player.forces_f"],
+  ["speed", "player.rim_speed_2", "player.rim_speed_c"],
+  ["whole", "player.whole_path", "player.whole_path_w"],
+  ["three", "3D", "player.in_space_3"],
 ];
-const TITLES = { three: "In space" };
 
 const button = (label: Node | string, title: string, action: () => void) =>
   h("button", { type: "button", title, "aria-label": title, onclick: action }, label);
@@ -38,14 +37,14 @@ export class Transport {
     public films: () => Film[],
     toggle: (name: keyof StageOptions) => void,
     readonly say: (text: string) => void,
-    readonly tell: (text: string) => void,
+    readonly tell: (said: Said) => void,
   ) {
-    this.playButton = button(icon("play"), "Play (space)", () => clock.play());
+    this.playButton = button(icon("play"), "player.play_space", () => clock.play());
     this.playButton.classList.add("play");
     this.speeds = h(
       "select",
       {
-        "aria-label": "Speed of the film",
+        "aria-label": "player.speed_of_the_film",
         onchange: () => {
           clock.speed = Number(this.speeds.value);
         },
@@ -54,10 +53,10 @@ export class Transport {
     );
     this.speeds.value = "1";
     this.switches = new Map(
-      SWITCHES.map(([name, label, key]) => {
-        const title = `${name === "three" ? TITLES.three : label} (${key})`;
-        return [name, h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label)];
-      }),
+      SWITCHES.map(([name, label, title]) => [
+        name,
+        h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label),
+      ]),
     );
     this.row = h("div", { class: "buttons switches" }, [...this.switches.values()]);
     this.element = h(
@@ -66,18 +65,18 @@ export class Transport {
       h(
         "div",
         { class: "buttons" },
-        button(icon("start"), "To the start (Home)", () => clock.seek(0)),
-        button(icon("previous"), "Previous event (Shift ←)", () => this.jump(-1)),
-        button(icon("back"), "One frame back (←)", () => this.nudge(-1)),
+        button(icon("start"), "player.to_the_start_home", () => clock.seek(0)),
+        button(icon("previous"), "player.previous_event_shift", () => this.jump(-1)),
+        button(icon("back"), "player.one_frame_back", () => this.nudge(-1)),
         this.playButton,
-        button(icon("on"), "One frame on (→)", () => this.nudge(1)),
-        button(icon("next"), "Next event (Shift →)", () => this.jump(1)),
+        button(icon("on"), "player.one_frame_on", () => this.nudge(1)),
+        button(icon("next"), "player.next_event_shift", () => this.jump(1)),
       ),
       h(
         "div",
         { class: "buttons jumps" },
-        button(marked("▲", "flight"), "To the next flight (h)", () => this.jump(1, "takeoff")),
-        button(marked("▼", "landing"), "To the next landing (l)", () => this.jump(1, "impact")),
+        button(marked("▲", "mode.flight"), "player.to_the_next_flight", () => this.jump(1, "takeoff")),
+        button(marked("▼", "event.impact"), "player.to_the_next_landing", () => this.jump(1, "impact")),
       ),
       this.speeds,
       this.row,
@@ -87,7 +86,7 @@ export class Transport {
   show(options: StageOptions) {
     const { clock, playButton } = this;
     for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
-    const title = clock.playing ? "Pause (space)" : "Play (space)";
+    const title = clock.playing ? "player.pause_space" : "player.play_space";
     if (this.titled !== title) {
       this.titled = title;
       playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
@@ -114,17 +113,13 @@ export class Transport {
       way > 0 ? all.find(({ event }) => event.t > now + 1e-9) : all.findLast(({ event }) => event.t < now - 1e-9);
     if (!next && kind) next = all[0];
     if (!next) {
-      if (kind) this.say(kind === "takeoff" ? "This motion has no flight." : "This motion has no landing.");
+      if (kind) this.say(kind === "takeoff" ? "player.this_motion_has_no" : "player.this_motion_has_no_landing");
       return;
     }
     this.clock.seek(next.event.t);
     const { event, lane } = next;
-    const hoop = this.films().length > 1 ? `${t(`Hoop ${"AB"[lane]}`)}: ` : "";
-    const what = t(EVENT_WORDS[event.kind] ?? event.kind);
-    this.tell(
-      utter(
-        `${hoop}${t("{what} at {angle}, {time} s", { what, angle: degrees(event.angle), time: show(event.t, 4) })}`,
-      ),
-    );
+    const values = { what: eventWord(event.kind), angle: degrees(event.angle), time: show(event.t, 4) };
+    const said = { key: "player.what_at_angle_time", values };
+    this.tell(this.films().length > 1 ? [["hoops.hoop_a", "hoops.hoop_b"][lane], ": ", said] : said);
   }
 }

@@ -1,9 +1,9 @@
 // What a little more of a parameter does: the rates of events, as changes with a step, and in words.
 
 import { CHANGE, layout } from "../../kernel/layout.ts";
-import { EVENT_WORDS } from "../player/events.ts";
+import { eventWord } from "../player/events.ts";
 import { show, withUnit } from "../common/numbers.ts";
-import { current, t, utter } from "../words/words.ts";
+import { listed } from "../words/words.ts";
 
 const PASSING = new Set(layout.passing);
 const MOST_HOPS = 3;
@@ -105,51 +105,53 @@ export function signed(value: number, unit: "s" | "m" | "m/s" | "°") {
 }
 
 /** Words for each change that there is. */
-function listed(changes: [value: number, unit: "s" | "m" | "m/s" | "°", more: string, less: string][]) {
-  const said = changes
+function listOf(changes: [value: number, unit: "s" | "m" | "m/s" | "°", more: string, less: string][]) {
+  const parts = changes
     .filter(([value]) => Number.isFinite(value) && counts(value, 1))
-    .map(([value, unit, more, less]) => t(value > 0 ? more : less, { amount: amount(value, unit) }))
-    .join(current() === "zh" ? "，" : ", ");
-  return utter(said);
+    .map(([value, unit, more, less]) => ({ key: value > 0 ? more : less, values: { amount: amount(value, unit) } }));
+  return parts.length ? listed(parts) : null;
 }
 
-const ALONG = ["m", "{amount} further to the right", "{amount} further to the left"] as const;
-const LATER = ["s", "{amount} later", "{amount} earlier"] as const;
+const ALONG = ["m", "sensitivity.amount_further_to_the", "sensitivity.amount_further_to_the_left"] as const;
+const LATER = ["s", "sensitivity.amount_later", "sensitivity.amount_earlier"] as const;
 
 /** What changes, in a sentence or a few. */
-export function sentences(changes: Changes): string[] {
+export function sentences(changes: Changes): Said[] {
   const { events, count } = changes;
-  const said = [];
+  const said: Said[] = [];
   const hops = changes.hops();
   for (const [k, { begin, end, height, distance, duration }] of hops.slice(0, MOST_HOPS).entries()) {
     const way = end >= 0 && events[end].x < events[begin].x ? -distance : distance;
-    const list = listed([
-      [height, "m", "{amount} higher", "{amount} lower"],
-      [way, "m", "{amount} longer", "{amount} shorter"],
-      [duration, "s", "{amount} more in the air", "{amount} less in the air"],
-      [changes.of(begin, "t"), "s", "begins {amount} later", "begins {amount} earlier"],
+    const list = listOf([
+      [height, "m", "sensitivity.amount_higher", "sensitivity.amount_lower"],
+      [way, "m", "sensitivity.amount_longer", "sensitivity.amount_shorter"],
+      [duration, "s", "sensitivity.amount_more_in_the", "sensitivity.amount_less_in_the"],
+      [changes.of(begin, "t"), "s", "sensitivity.begins_amount_later", "sensitivity.begins_amount_earlier"],
     ]);
     if (list)
       said.push(
-        hops.length > 1 ? t("Hop {number}: {list}.", { number: k + 1, list }) : t("The hop: {list}.", { list }),
+        hops.length > 1
+          ? { key: "sensitivity.hop_number_list", values: { number: k + 1, list } }
+          : { key: "sensitivity.the_hop_list", values: { list } },
       );
   }
   const first = hops.length ? -1 : events.findIndex(({ kind }, k) => k < count && kind !== "start" && kind !== "end");
   if (first >= 0) {
-    const list = listed([
+    const list = listOf([
       [changes.of(first, "t"), ...LATER],
       [changes.of(first, "x"), ...ALONG],
     ]);
-    if (list) said.push(t("The first event, {what}: {list}.", { what: t(EVENT_WORDS[events[first].kind]), list }));
+    if (list)
+      said.push({ key: "sensitivity.the_first_event_what", values: { what: eventWord(events[first].kind), list } });
   }
   const last = count - 1;
   if (last > 0 && events[last].kind === "end") {
     const faster = Math.sign(events[last].vx) * changes.of(last, "vx");
-    const list = listed([
+    const list = listOf([
       [changes.of(last, "x"), ...ALONG],
-      [faster, "m/s", "{amount} faster", "{amount} slower"],
+      [faster, "m/s", "sensitivity.amount_faster", "sensitivity.amount_slower"],
     ]);
-    if (list) said.push(t("At the end, after {time} s: {list}.", { time: show(events[last].t, 4), list }));
+    if (list) said.push({ key: "sensitivity.at_the_end_after", values: { time: show(events[last].t, 4), list } });
   }
   return said;
 }

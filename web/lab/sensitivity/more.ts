@@ -1,12 +1,11 @@
 // What a little more of a parameter would do: arrows in the picture, and what changes in words and numbers.
 
-import { tables } from "../../model/tables.ts";
 import { Changes, sentences, signed } from "./changes.ts";
 import { h, once, say } from "../common/dom.ts";
-import { EVENT_WORDS } from "../player/events.ts";
+import { eventWord } from "../player/events.ts";
 import { show, withUnit } from "../common/numbers.ts";
 import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
-import { t, utter } from "../words/words.ts";
+import { saidOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
 /** The motion that is asked about, and what shows and says the answer. */
@@ -20,13 +19,8 @@ const WAIT = 100; // milliseconds
 const FIRST = "plane.mu";
 const LEFT_OUT = /^(contact\.|duration$)/;
 const MOST = 200; // events in the table
-const REASONS: Record<string, string> = tables.reasons;
-
-/** What is put together of translated pieces is put together again in another language. */
-function named<E extends HTMLElement>(element: E, text: string) {
-  element.textContent = text;
-  return element;
-}
+/** Why there is no derivative. */
+const reasonOf = (name: string) => `reason.${name}`;
 
 export class More {
   on = false;
@@ -39,7 +33,7 @@ export class More {
   /** What the shown numbers belong to. */
   known = "";
   /** What is offered. */
-  texts = "";
+  paths = "";
   /** Whether a screen reader is told what comes. */
   speak = false;
 
@@ -62,15 +56,15 @@ export class More {
       {
         type: "button",
         class: "switch",
-        title: "What a little more would do (a)",
+        title: "sensitivity.what_a_little_more",
         "aria-pressed": "false",
         onclick: () => this.turn(),
       },
-      "Arrows",
+      "sensitivity.arrows",
     );
     this.picked = h("select", { onchange: () => this.pick(this.picked.value) });
     this.step = h("span", { class: "more-step" });
-    this.take = h("button", { type: "button", onclick: () => this.apply() }, "Do it");
+    this.take = h("button", { type: "button", onclick: () => this.apply() }, "sensitivity.do_it");
     this.said = h("ul", { class: "more-said" });
     this.reason = h("p", { class: "more-reason", hidden: true });
     this.scale = h("p", { class: "hint" });
@@ -78,10 +72,10 @@ export class More {
     this.rows = h(
       "details",
       { class: "more-events" },
-      h("summary", {}, "Every event, by this step"),
+      h("summary", {}, "sensitivity.every_event_by_this"),
       h(
         "div",
-        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "What changes at every event" },
+        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.what_changes_at_every" },
         h(
           "table",
           {},
@@ -91,7 +85,13 @@ export class More {
             h(
               "tr",
               {},
-              ["event", "time", "place", "height", "load angle"].map((name) => h("th", { scope: "col" }, name)),
+              [
+                "sensitivity.event",
+                "column.time",
+                "sensitivity.place",
+                "sensitivity.height",
+                "sensitivity.load_angle",
+              ].map((name) => h("th", { scope: "col" }, name)),
             ),
           ),
           this.body,
@@ -100,17 +100,17 @@ export class More {
     );
     this.element = h(
       "section",
-      { class: "table more", "aria-label": "What a little more would do", hidden: true },
+      { class: "table more", "aria-label": "sensitivity.what_a_little_more_would", hidden: true },
       h(
         "header",
         {},
-        h("h2", {}, "What a little more would do"),
-        h("button", { type: "button", onclick: () => this.turn(false) }, "Close"),
+        h("h2", {}, "sensitivity.what_a_little_more_would"),
+        h("button", { type: "button", onclick: () => this.turn(false) }, "table.close"),
       ),
       h(
         "div",
         { class: "more-asked" },
-        h("label", {}, h("span", {}, "A little more"), this.picked),
+        h("label", {}, h("span", {}, "sensitivity.a_little_more"), this.picked),
         this.step,
         this.take,
       ),
@@ -186,10 +186,11 @@ export class More {
     if (!infos.some(({ path }) => path === this.path)) {
       this.path = infos.find(({ path }) => path.startsWith(FIRST))?.path ?? infos[0].path;
     }
-    const texts = infos.map(({ label, symbol }) => `${t(label)} ${symbol}`);
-    if (texts.join() !== this.texts) {
-      this.texts = texts.join();
-      this.picked.replaceChildren(...infos.map(({ path }, k) => named(h("option", { value: path }), texts[k])));
+    const paths = infos.map(({ path }) => path).join();
+    if (paths !== this.paths) {
+      this.paths = paths;
+      const option = ({ path, label, symbol }: SliderInfo) => h("option", { value: path }, label, " ", symbol);
+      this.picked.replaceChildren(...infos.map(option));
     }
     this.picked.value = this.path;
   }
@@ -210,32 +211,31 @@ export class More {
     this.asked = new AbortController();
     const { signal } = this.asked;
     this.known = `${path} ${film.query}`;
-    if (!found || !Number.isFinite(found.value)) return this.refuse("It is infinite: there is no more of it.");
+    if (!found || !Number.isFinite(found.value)) return this.refuse("sensitivity.it_is_infinite_there");
     try {
       const sides = await lab.backend.changes(film.scenario, path, signal);
       if (signal.aborted || lab.film() !== film) return undefined;
-      if (!sides) return this.refuse(REASONS.edge);
+      if (!sides) return this.refuse(reasonOf("edge"));
       this.changes = new Changes(film, sides, found.step);
       this.arrows = arrowsOf(this.changes);
       this.factor = 0; // until they are drawn
       this.tell();
     } catch (error) {
-      const { name, message } = error as Error;
-      if (name !== "AbortError" && !signal.aborted) this.refuse(message);
+      if ((error as Error).name !== "AbortError" && !signal.aborted) this.refuse(saidOf(error));
     }
     lab.request();
     return undefined;
   }
 
   /** No numbers: why. */
-  refuse(words: string) {
+  refuse(words: Said) {
     this.forget();
     this.take.disabled = true;
     for (const place of [this.step, this.said, this.body]) place.replaceChildren();
     this.rows.hidden = this.scale.hidden = true;
     this.reason.hidden = false;
     say(this.reason, words);
-    if (this.speak) this.lab.story.say(t(words));
+    if (this.speak) this.lab.story.say(words);
     this.speak = false;
     this.lab.request();
   }
@@ -251,15 +251,19 @@ export class More {
     this.take.disabled = false;
     this.rows.hidden = this.scale.hidden = false;
     const said = sentences(changes);
-    if (!said.length && changes.failed < 0) said.push(t("Nothing: no event moves."));
-    this.said.replaceChildren(...said.map((sentence) => named(h("li", {}), sentence)));
+    if (!said.length && changes.failed < 0) said.push("sensitivity.nothing_no_event_moves");
+    this.said.replaceChildren(...said.map((sentence) => h("li", {}, [sentence])));
     const why = this.why(changes);
     this.reason.hidden = !why;
-    this.reason.textContent = why;
+    say(this.reason, why);
     this.fill(changes);
     this.tellScale();
     if (this.speak)
-      this.lab.story.say(utter([`${t(info.label)} ${than}.`, ...said, why && t(why)].filter(Boolean).join(" ")));
+      this.lab.story.say([
+        info.label,
+        ` ${than}.`,
+        ...[...said, why].flatMap((sentence) => (sentence ? [" ", sentence] : [])),
+      ]);
     this.speak = false;
   }
 
@@ -274,31 +278,31 @@ export class More {
   tellScale() {
     const { three } = this.lab.stage.options;
     const drawn = three
-      ? "The arrows are drawn in the picture in the plane: leave 3D to see them."
-      : t("The arrows in the picture lead from where the rim touches to where it would, {factor} times as long.", {
-          factor: show(this.factor, 3),
-        });
-    this.scale.textContent = three || this.factor ? t(drawn) : "";
+      ? "sensitivity.the_arrows_are_drawn"
+      : {
+          key: "sensitivity.the_arrows_in_the",
+          values: { factor: show(this.factor, 3) },
+        };
+    say(this.scale, three || this.factor ? drawn : "");
   }
 
   /** Where there is no derivative, or one to this side only, and why. */
-  why(changes: Changes) {
+  why(changes: Changes): Said {
     const { failed, side, events, edge, sided } = changes;
     if (failed >= 0 && side) {
       const { kind, t: time } = events[Math.min(failed, events.length - 1)];
-      const what = t(EVENT_WORDS[kind] ?? kind);
-      const reason = t(REASONS[side.reason]);
-      return utter(t("From {what} at {time} s on no derivative: {reason}.", { what, time: show(time, 4), reason }));
+      const values = { what: eventWord(kind), time: show(time, 4), reason: reasonOf(side.reason) };
+      return { key: "sensitivity.from_what_at_time", values };
     }
-    if (edge) return utter(t("To one side only: {reason}.", { reason: t(REASONS.edge) }));
-    return sided ? utter(t("To one side only: {reason}.", { reason: t(REASONS.sided) })) : "";
+    if (!edge && !sided) return "";
+    return { key: "sensitivity.to_one_side_only", values: { reason: reasonOf(edge ? "edge" : "sided") } };
   }
 
   fill(changes: Changes) {
     const cell = (value: number, unit: "s" | "m" | "°", rate: number) => {
       const text = signed(value, unit);
       const mark = text[0] === "+" ? "▲ " : text[0] === "−" ? "▼ " : "";
-      return h("td", { "data-rate": String(rate) }, mark && h("span", { "aria-hidden": "true" }, mark), utter(text));
+      return h("td", { "data-rate": String(rate) }, mark && h("span", { "aria-hidden": "true" }, mark), text);
     };
     const units = [
       ["t", "s"],
@@ -311,7 +315,7 @@ export class More {
         h(
           "tr",
           { onclick: () => this.lab.clock.seek(time) },
-          h("th", { scope: "row" }, EVENT_WORDS[kind] ?? kind, h("small", {}, ` ${show(time, 4)} s`)),
+          h("th", { scope: "row" }, eventWord(kind), h("small", {}, ` ${show(time, 4)} s`)),
           units.map(([name, unit]) => cell(changes.of(k, name), unit, changes.rate(k, name))),
         ),
       ),

@@ -2,7 +2,7 @@
 
 import { once } from "../common/dom.ts";
 import { clamp } from "../common/numbers.ts";
-import { english } from "../words/words.ts";
+import { listed } from "../words/words.ts";
 import type { Notice } from "./notice.ts";
 import type { Motions } from "../player/motions.ts";
 
@@ -127,8 +127,8 @@ export class Address {
     const foreign = found.flatMap((one) => one.foreign);
     this.held = Boolean(error);
     const said = () => {
-      if (error) notice.fail(error, "The rest of the link is shown. Correct the address, or go on from here.");
-      else if (foreign.length) notice.say(english("Ignored in the link: {names}.", { names: foreign.join(", ") }));
+      if (error) notice.fail(error, "shell.the_rest_of_the");
+      else if (foreign.length) notice.say({ key: "shell.ignored_in_the_link", values: { names: listed(foreign) } });
     };
     return { links: found.map((one) => one.query), said };
   }

@@ -12,15 +12,18 @@ import { Sound } from "../player/sound.ts";
 import { Table } from "../diagrams/table.ts";
 import { teachDialog } from "../teach/teach.ts";
 import { Visit } from "../teach/visit.ts";
-import { current, repeat, t, untranslated } from "../words/words.ts";
+import { current, repeat, spoken, t } from "../words/words.ts";
 import type { Lab } from "./lab.ts";
 
 const LONG = 60; // letters of a motion's name
 
-export class Extras {
-  // what the page says, for tests and for those who look in from outside
-  words = { t, untranslated };
+/** The parts of the page that these need. */
+type Around = ConstructorParameters<typeof Grips>[0] &
+  ConstructorParameters<typeof Visit>[0] &
+  ConstructorParameters<typeof More>[0] &
+  Pick<Lab, "root" | "hosted" | "theme" | "load" | "about" | "known">;
 
+export class Extras {
   grips: Grips;
   sound = new Sound();
   present: Present;
@@ -37,7 +40,7 @@ export class Extras {
   loud: HTMLButtonElement;
   large: HTMLButtonElement;
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Around) {
     const film = () => lab.film();
     const load = (query: string) => lab.load(query);
     this.grips = new Grips(lab);
@@ -49,11 +52,12 @@ export class Extras {
     this.teach = teachDialog(load, () => this.visit.start());
     this.tools = this.makeTools();
     this.menu = this.makeMenu();
-    this.languages = languageMenu(() => {
+    const changed = () => {
       this.spoken();
       repeat(lab.root);
       lab.show();
-    });
+    };
+    this.languages = languageMenu(changed, (error) => lab.notice.fail(error));
     this.spoken();
   }
 
@@ -62,20 +66,20 @@ export class Extras {
     const { clock } = this.lab;
     const toggle = (name: any, title: string, action: () => void) =>
       h("button", { type: "button", title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
-    this.loop = toggle("loop", "Repeat", () => {
+    this.loop = toggle("loop", "menu.repeat", () => {
       clock.loop = !clock.loop;
       this.mark();
     });
-    this.slow = toggle("slow", "Slow motion: a tenth of the speed", () => {
+    this.slow = toggle("slow", "menu.slow_motion_a_tenth", () => {
       clock.speed = clock.speed === 0.1 ? 1 : 0.1;
       clock.changed();
       this.mark();
     });
-    this.loud = toggle("sound", "Sound of the contact", () => {
+    this.loud = toggle("sound", "menu.sound_of_the_contact", () => {
       this.sound.turn(!this.sound.on);
       this.mark();
     });
-    this.large = toggle("large", "Presentation on the whole screen", () => this.present.turn());
+    this.large = toggle("large", "menu.presentation_on_the_whole", () => this.present.turn());
     this.present.onchange = () => this.mark();
     this.mark();
     return h("div", { class: "buttons tools" }, this.loop, this.slow, this.loud, this.large);
@@ -105,17 +109,17 @@ export class Extras {
     const menu = h(
       "details",
       { class: "learn" },
-      h("summary", { class: "button" }, "Learn"),
+      h("summary", { class: "button" }, "menu.learn"),
       h(
         "div",
         { class: "menu-body" },
-        item("Guided visit", () => this.visit.start()),
-        item("Challenges", () => this.challenges.open()),
-        item("What a little more would do", () => this.more.turn(true)),
-        item("Table of the motion", () => this.table.open(true)),
-        item("Presentation", () => this.present.turn(true)),
-        item("For teachers", () => this.teach.showModal()),
-        item("About hophoop", () => this.lab.about.showModal()),
+        item("menu.guided_visit", () => this.visit.start()),
+        item("menu.challenges", () => this.challenges.open()),
+        item("sensitivity.what_a_little_more_would", () => this.more.turn(true)),
+        item("table.table_of_the_motion", () => this.table.open(true)),
+        item("menu.presentation", () => this.present.turn(true)),
+        item("menu.for_teachers", () => this.teach.showModal()),
+        item("menu.about_hophoop", () => this.lab.about.showModal()),
       ),
     );
     menu.addEventListener("keydown", (event) => {
@@ -140,13 +144,13 @@ export class Extras {
     if (!lab.hosted) return;
     const names = this.visit.guessing ? [] : lab.motions.films().map((film) => this.nameOf(film));
     const said = [...new Set(names)].join(" | ");
-    document.title = said ? `${said} – hophoop` : t("hophoop lab: play with the hopping hoop");
+    document.title = said ? `${said} – hophoop` : t("menu.hophoop_lab_play_with");
   }
 
   nameOf({ query, summary }: Film) {
     const example = this.lab.known.find((one) => one.query === query);
     if (example) return t(example.title);
-    const [sentence] = summary.split(/(?<=[.。])(?!\d)/u);
+    const [sentence] = spoken(summary).split(/(?<=[.。])(?!\d)/u);
     return sentence.length <= LONG
       ? sentence.replace(/[.。]$/u, "")
       : `${sentence.slice(0, LONG).replace(/[,，][^,，]*$/u, "")} …`;

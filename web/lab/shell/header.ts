@@ -33,7 +33,7 @@ export class Header {
       "select",
       {
         class: "presets",
-        "aria-label": "Examples",
+        "aria-label": "header.examples",
         onchange: () => {
           const preset = presets.find(({ key }) => key === this.presets.value);
           this.fresh = preset !== undefined;
@@ -46,7 +46,7 @@ export class Header {
           this.fresh = false;
         },
       },
-      h("option", { value: "" }, "Examples …"),
+      h("option", { value: "" }, "header.examples_2"),
       [...groups].map(([group, list]) =>
         h(
           "optgroup",
@@ -55,17 +55,22 @@ export class Header {
         ),
       ),
     );
-    this.undo = button(icon("undo"), "Undo (z)", actions.undo);
-    this.redo = button(icon("redo"), "Redo (y)", actions.redo);
-    const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, icon("two")));
-    this.compare = button(words, "Compare two hoops", actions.compare);
+    this.undo = button(icon("undo"), "header.undo_z", actions.undo);
+    this.redo = button(icon("redo"), "header.redo_y", actions.redo);
+    const words = h(
+      "span",
+      {},
+      h("span", { class: "long" }, "header.compare"),
+      h("span", { class: "short" }, icon("two")),
+    );
+    this.compare = button(words, "header.compare_two_hoops", actions.compare);
     this.compare.classList.add("full");
     this.right = h(
       "div",
       { class: "buttons right" },
       share,
-      button(icon("theme"), "Dark or light (d)", actions.theme),
-      button("?", "Keys and help (?)", actions.help),
+      button(icon("theme"), "header.dark_or_light_d", actions.theme),
+      button("?", "header.keys_and_help", actions.help),
     );
     this.element = h(
       "header",
@@ -74,7 +79,7 @@ export class Header {
         "h1",
         {},
         h("span", { class: "logo", "aria-hidden": "true" }),
-        h("span", {}, "hophoop", h("span", { class: "long" }, " lab")),
+        h("span", {}, "hophoop", h("span", { class: "long" }, " ", "header.lab")),
       ),
       this.presets,
       h("div", { class: "buttons" }, this.undo, this.redo, this.compare, view),

@@ -3,39 +3,39 @@
 import { h } from "../common/dom.ts";
 
 const KEYS = [
-  ["space", "play, pause"],
-  ["← →", "one frame"],
-  ["Shift ← →", "previous, next event"],
-  ["h  l", "next flight, landing"],
-  ["[ ]", "slower, faster"],
-  ["Home End", "start, end"],
-  ["t f c w", "traces, forces, rim speed, whole path"],
-  ["a", "arrows: what a little more would do"],
-  ["3", "in space"],
-  ["+ − 0", "zoom, zoom back"],
-  ["Esc", "leave a field, a menu, a picture that the wheel zooms"],
-  ["z y  Ctrl Z", "undo, redo"],
-  ["d", "dark, light"],
-  ["p", "Python"],
+  ["keys.space", "keys.play_pause"],
+  ["← →", "keys.one_frame"],
+  ["keys.shift", "keys.previous_next_event"],
+  ["h  l", "keys.next_flight_landing"],
+  ["[ ]", "keys.slower_faster"],
+  ["keys.home_end", "keys.start_end"],
+  ["t f c w", "keys.traces_forces_rim_speed"],
+  ["a", "keys.arrows_what_a_little"],
+  ["3", "keys.in_space"],
+  ["+ − 0", "keys.zoom_zoom_back"],
+  ["keys.esc", "keys.leave_a_field_a"],
+  ["keys.z_y_ctrl_z", "keys.undo_redo"],
+  ["d", "keys.dark_light"],
+  ["p", "keys.python"],
 ];
 
 // A letter stands for a mode in sequences; slip is named by what the rim does.
 const MODES = [
-  ["R", "roll", "the rim does not slide"],
-  ["S", "spin", "slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],
-  ["K", "skid", "slip: the rim slides ahead (slip +, for a hoop that rolls ahead)"],
-  ["H", "flight", "the hop: from take-off to landing"],
-  ["M", "skim", "a massless rim that touches without force"],
+  ["R", "mode.roll", "keys.the_rim_does_not"],
+  ["S", "mode.spin", "keys.slip_the_rim_turns"],
+  ["K", "mode.skid", "keys.slip_the_rim_slides"],
+  ["H", "mode.flight", "keys.the_hop_from_take"],
+  ["M", "mode.skim", "keys.a_massless_rim_that"],
 ];
 const MARKED = [
-  ["▲ ▼", "take-off, landing"],
-  ["•", "highest point"],
-  ["↺", "turns back"],
-  ["◆ ◇", "Painlevé’s paradox: no solution, several"],
-  ["✖", "jam"],
-  ["✚", "Kane: energy out of nothing"],
-  ["≋", "bounces without number end"],
-  ["◗ ■", "skimming begins, rest"],
+  ["▲ ▼", "keys.take_off_landing"],
+  ["•", "event.apex"],
+  ["↺", "event.turn"],
+  ["◆ ◇", "keys.painleves_paradox_no_solution"],
+  ["✖", "event.jam"],
+  ["✚", "example.kane"],
+  ["≋", "keys.bounces_without_number_end"],
+  ["◗ ■", "keys.skimming_begins_rest"],
 ];
 
 const table = (title: string, rows: string[][], mark: (letter: string) => HTMLElement | false = () => false) =>
@@ -61,25 +61,21 @@ export function aboutDialog(version: string, hosted: boolean) {
   const base = docs();
   const link = (href: string, words: string) => h("a", { href, target: "_blank", rel: "noopener" }, words);
   const row = (name: string, ...words: (Node | string)[]) => [h("dt", {}, name), h("dd", {}, words)];
-  const licences =
-    hosted && link(new URL("licences.txt", import.meta.url).href, "Licences of all that the page contains");
+  const licences = hosted && link(new URL("licences.txt", import.meta.url).href, "keys.licences_of_all_that");
   const dialog = h(
     "dialog",
-    { class: "about", "aria-label": "About hophoop" },
-    h("h2", {}, "About hophoop"),
-    h("p", {}, "hophoop computes exactly how a hoop with a load on its rim rolls, slips, hops and lands."),
+    { class: "about", "aria-label": "menu.about_hophoop" },
+    h("h2", {}, "menu.about_hophoop"),
+    h("p", {}, "keys.hophoop_computes_exactly_how"),
     h(
       "dl",
       {},
-      row("Version", document.createTextNode(version)),
-      row("Licence", document.createTextNode("MIT"), ...(licences ? [". ", licences] : [])),
-      row(
-        "Documentation",
-        base ? link(base, "The documentation") : "docs/index.md in the source; this page: docs/lab.md",
-      ),
-      row("Commands", h("code", {}, document.createTextNode("hophoop --help"))),
+      row("keys.version", document.createTextNode(version)),
+      row("keys.licence", document.createTextNode("MIT"), ...(licences ? [". ", licences] : [])),
+      row("keys.documentation", base ? link(base, "keys.the_documentation") : "keys.docs_index_md_in"),
+      row("keys.commands", h("code", {}, document.createTextNode("hophoop --help"))),
     ),
-    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close"),
+    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
   );
   return dialog;
 }
@@ -88,20 +84,15 @@ export function aboutDialog(version: string, hosted: boolean) {
 export function helpDialog(about: HTMLDialogElement, colors: Colors, keys: HTMLElement) {
   const dialog = h(
     "dialog",
-    { class: "help", "aria-label": "Keys and help" },
-    h("h2", {}, "The hoop"),
-    h(
-      "p",
-      {},
-      "A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: " +
-        "so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.",
-    ),
-    table("Modes", MODES, (letter) => h("i", { class: "dot", style: `background:${colors.modes[letter]}` })),
-    table("Marks on the bar of time", MARKED),
-    table("Keys", KEYS),
+    { class: "help", "aria-label": "keys.keys_and_help" },
+    h("h2", {}, "player.the_hoop"),
+    h("p", {}, "keys.a_ring_with_a"),
+    table("keys.modes", MODES, (letter) => h("i", { class: "dot", style: `background:${colors.modes[letter]}` })),
+    table("keys.marks_on_the_bar", MARKED),
+    table("keys.keys", KEYS),
     keys,
-    h("button", { type: "button", class: "link", onclick: () => about.showModal() }, "About hophoop"),
-    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close"),
+    h("button", { type: "button", class: "link", onclick: () => about.showModal() }, "menu.about_hophoop"),
+    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
   );
   return dialog;
 }

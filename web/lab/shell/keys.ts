@@ -66,7 +66,7 @@ export class SingleKeys {
         if (hosted) remember(KEPT, this.on ? "on" : "off");
       },
     });
-    this.element = h("label", { class: "check" }, box, "Single keys (letters, digits, signs) do what the table says");
+    this.element = h("label", { class: "check" }, box, "keys.single_keys_letters_digits");
   }
 }
 

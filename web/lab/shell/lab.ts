@@ -25,6 +25,7 @@ import { Story, Theory } from "../player/story.ts";
 import { Theme } from "./theme.ts";
 import { Timeline } from "../player/timeline.ts";
 import { Transport } from "../player/transport.ts";
+import { saidOf } from "../words/words.ts";
 
 export interface Options {
   hosted?: boolean; // whether the lab owns the page, with its address and its keyboard
@@ -71,6 +72,7 @@ export class Lab {
   view: View;
   about: HTMLDialogElement;
   opening: Opening;
+  player: HTMLElement;
   sticky: { edge: HTMLElement; close: () => void } | null;
   extras: Extras;
   later: () => void;
@@ -144,7 +146,9 @@ export class Lab {
     });
     this.extras = new Extras(this);
     this.opening = new Opening(this.clock, this.extras.grips.hint);
-    this.sticky = layOut(this, panels);
+    const { player, sticky } = layOut(this, panels);
+    this.player = player;
+    this.sticky = sticky;
     if (hosted && !location.search && !location.hash) this.extras.visit.offer();
     this.later = once(() => this.fetchTheory(), 120);
     this.frame = this.frame.bind(this);
@@ -165,8 +169,7 @@ export class Lab {
     this.restore(shown);
     this.begin();
     // who has chosen to see everything knows the page
-    if (this.hosted && shown.time === undefined && !this.view.everything)
-      this.opening.begin(this.stage.element.parentElement as HTMLElement);
+    if (this.hosted && shown.time === undefined && !this.view.everything) this.opening.begin(this.player);
   }
 
   // The motions are there.
@@ -212,7 +215,7 @@ export class Lab {
 
   /** A refusal is said at its field; what is shown stays as it was. */
   failed(error: Error, changes: Change[] = []) {
-    if (!this.controls.refuse(changes, error.message)) {
+    if (!this.controls.refuse(changes, saidOf(error))) {
       this.notice.fail(error);
       this.controls.restore();
     }
@@ -240,8 +243,9 @@ export class Lab {
 
   /** `shown`: what a link says of it. */
   restore({ time, map, options, more, ...view }: Shown) {
-    if (options?.three) this.toggle("three");
+    const turned = options?.three ? this.toggle("three") : Promise.resolve();
     this.stage.restore({ options, ...view });
+    turned.then(() => this.stage.restore(view)); // from where it is looked at
     if (map) this.map.restore(map);
     if (more) this.extras.more.turn(true, more);
     if (time) this.clock.seek(time);
@@ -379,20 +383,19 @@ export class Lab {
       this.theory.draw(await this.backend.theory(scenario, signal), this.motions.name());
       await this.phase.fetch(scenario, signal);
     } catch (error) {
-      const { name, message } = error as Error;
-      if (name !== "AbortError") this.theory.draw([{ label: "–", text: message }]);
+      if ((error as Error).name !== "AbortError") this.theory.draw([{ label: "–", text: saidOf(error) }]);
     }
   }
 
   /** Draw it, or leave it out. */
-  toggle(name: keyof StageOptions) {
+  async toggle(name: keyof StageOptions) {
     const { options } = this.stage;
     if (name !== "three") options[name] = !options[name];
     else {
       try {
-        this.stage.turn(() => this.drawStage());
+        await this.stage.turn(() => this.drawStage());
       } catch (error) {
-        this.notice.say((error as Error).message);
+        this.notice.say(saidOf(error));
       }
     }
     this.transport.show(options);

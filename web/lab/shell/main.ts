@@ -7,19 +7,47 @@ import { Lab } from "./lab.ts";
 import { unpack } from "../backend/packing.ts";
 import { NotebookKernel, type Model } from "../backend/python.ts";
 import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
+import { preferred, saidOf, speak, wordsFrom } from "../words/words.ts";
 
 const here = new URL("./", import.meta.url);
+
+/** The visitor's language, from the files beside the script; English where it is not to be had. */
+function speakFrom(folder: URL) {
+  wordsFrom(async (code) => {
+    const response = await fetch(new URL(`words.${code}.json?${STAMP}`, folder));
+    if (!response.ok) throw new Error(`words.${code}.json: ${response.status}`);
+    return response.json();
+  });
+  return speak(preferred()).catch(() => {});
+}
+
+/** Of a notebook, with which the words of all languages travel. */
+function speakPacked(packed: DataView<ArrayBuffer>) {
+  const unpacked = async () => {
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Response(stream).json();
+  };
+  let tables: Promise<Record<string, Words>> | undefined;
+  wordsFrom(async (code) => {
+    tables ??= unpacked();
+    return (await tables)[code];
+  });
+  return speak(preferred()).catch(() => {});
+}
 
 async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
   let backend: Backend;
+  const words = speakFrom(here);
   try {
     backend = await backendOf(here, site ? null : base, base);
   } catch (error) {
-    say(root, (error as Error).message);
+    await words;
+    say(root, saidOf(error));
     return;
   }
+  await words;
   if (site) keepOffline(site.getAttribute("content") ?? "");
   const lab = new Lab(root, backend, tables.setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
@@ -39,7 +67,9 @@ async function startPage(root: HTMLElement) {
 
 /** A live hoop in any page, for <hophoop-motion>. `folder`: of the script and the module. */
 export async function mount(root: HTMLElement, folder: URL, query: string, panels: string[]) {
+  const words = speakFrom(folder);
   const backend = await backendOf(folder, null, new URL("../", folder));
+  await words;
   const lab = new Lab(root, backend, tables.setup, { panels });
   await lab.open([query]);
   return lab;
@@ -49,12 +79,15 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
 async function render({ model, el }: { model: Model; el: HTMLElement }) {
   const root = document.createElement("div");
   el.append(root);
+  const words = speakPacked(model.get("words"));
   const python = new NotebookKernel(model);
   let backend: Backend;
   try {
     backend = await widgetBackend(model, python);
+    await words;
   } catch (error) {
-    say(root, (error as Error).message);
+    await words;
+    say(root, saidOf(error));
     return () => python.close();
   }
   const shown = () => backend.shown(unpack(model.get("film")));
@@ -84,5 +117,7 @@ if (page) startPage(page);
 export default { render };
 
 // for the page that makes tags
+export { say } from "../common/dom.ts";
 export { languageMenu } from "../words/languages.ts";
-export { adopt, current, repeat, t, untranslated } from "../words/words.ts";
+export { current, name, repeat, t } from "../words/words.ts";
+export { speakFrom };

@@ -1,7 +1,7 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
 import { h, say } from "../common/dom.ts";
-import { spokenText } from "../words/words.ts";
+import { saidOf, spokenText } from "../words/words.ts";
 
 const TOAST_TIME = 6000; // milliseconds
 
@@ -12,10 +12,10 @@ export class Notice {
 
   /** `hint`: what can be done. */
   fail(error: Error, hint = "") {
-    const texts = [error.message, ...(hint ? [" ", hint] : [])].map(spokenText);
-    this.message.replaceChildren(...texts);
+    const said = saidOf(error);
+    this.message.replaceChildren(...[said, ...(hint ? [" ", hint] : [])].map(spokenText));
     this.message.hidden = false;
-    if (!this.seen()) this.say(error.message, this.message.isConnected);
+    if (!this.seen()) this.say(said, this.message.isConnected);
   }
 
   // Whether the refusal stands where one looks.
@@ -29,7 +29,7 @@ export class Notice {
   }
 
   /** `heard`: whether a screen reader has it already. */
-  say(text: string, heard = false) {
+  say(text: Said, heard = false) {
     this.toast.setAttribute("role", heard ? "presentation" : "status");
     say(this.toast, text);
     this.toast.hidden = false;

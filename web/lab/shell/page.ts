@@ -16,8 +16,8 @@ export function prepareRoot(root: HTMLElement, hosted: boolean) {
 }
 
 /**
- * `panels`: what stands beside the player; everything by default; returns what keeps the player in sight, where the
- * lab owns the page.
+ * `panels`: what stands beside the player; everything by default; returns the player, and what keeps it in sight where
+ * the lab owns the page.
  */
 export function layOut(lab: Lab, panels: string[] | null) {
   const { root, notice, hosted, extras, transport, header } = lab;
@@ -25,7 +25,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
   const cards = [extras.visit.element, extras.challenges.element];
   const side = h(
     "aside",
-    { class: "side", "aria-label": "Parameters" },
+    { class: "side", "aria-label": "page.parameters" },
     ...cards,
     lab.hoops.element,
     notice.message,
@@ -75,12 +75,12 @@ export function layOut(lab: Lab, panels: string[] | null) {
     for (const menu of [lab.share.menu, extras.menu]) if (!menu.contains(target as Node)) menu.open = false;
   });
   root.classList.toggle("no-controls", !want("controls"));
-  return sticky;
+  return { player, sticky };
 }
 
 function skipTo(player: HTMLElement) {
   player.id = "hh-player";
-  const skip = h("a", { class: "skip button", href: "#hh-player" }, "Skip to the player");
+  const skip = h("a", { class: "skip button", href: "#hh-player" }, "page.skip_to_the_player");
   skip.onclick = (event) => {
     event.preventDefault(); // what stands behind the # of the address is the lab's own
     player.focus();

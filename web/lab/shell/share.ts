@@ -9,11 +9,11 @@ import type { Lab } from "./lab.ts";
 type Kept = Parameters<typeof record>[0] & Pick<Lab, "backend" | "film" | "link">;
 
 const FILES = [
-  ["motion.toml", "Save the scenario (TOML)"],
-  ["motion.csv", "Save the states (CSV)"],
-  ["motion.nc", "Save the motion (netCDF)"],
-  ["motion.json", "Save the events (JSON)"],
-  ["motion.mp4", "Save a film (MP4)"],
+  ["motion.toml", "save.save_the_scenario_toml"],
+  ["motion.csv", "save.save_the_states_csv"],
+  ["motion.nc", "save.save_the_motion_netcdf"],
+  ["motion.json", "save.save_the_events_json"],
+  ["motion.mp4", "save.save_a_film_mp4"],
 ];
 
 export class Share {
@@ -27,23 +27,23 @@ export class Share {
       h(
         "summary",
         { class: "button" },
-        h("span", { class: "long" }, "Share and save"),
-        h("span", { class: "short" }, "Share"),
+        h("span", { class: "long" }, "save.share_and_save"),
+        h("span", { class: "short" }, "save.share"),
       ),
       h(
         "div",
         { class: "menu-body" },
-        lab.backend.shares && this.item("Copy a link to this motion", () => this.copyLink()),
+        lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
         FILES.filter(([name]) => lab.backend.files.includes(name)).map(([name, label]) =>
           this.item(label, () => this.download(name)),
         ),
-        this.item("Save a picture (PNG)", () => this.picture("png", png)),
-        this.item("Save a picture (SVG)", () => this.picture("svg", svg)),
-        this.item("Record one run as a film (WebM)", () => this.record()),
-        this.item("Show the Python code", () => this.code()),
+        this.item("save.save_a_picture_png", () => this.picture("png", png)),
+        this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
+        this.item("save.record_one_run_as", () => this.record()),
+        this.item("save.show_the_python_code", () => this.code()),
       ),
     );
-    this.dialog = h("dialog", { class: "code-dialog", "aria-label": "The same motion in Python" });
+    this.dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
   }
 
   item(label: string, action: () => void) {
@@ -68,17 +68,19 @@ export class Share {
     const link = this.lab.link(this.lab.films().map(({ fingerprint }) => fingerprint ?? "")) ?? "";
     try {
       await navigator.clipboard.writeText(link);
-      this.lab.notice.say("The link is copied.");
+      this.lab.notice.say("save.the_link_is_copied");
     } catch {
-      this.show("The link to this motion", link);
+      this.show("save.the_link_to_this", link);
     }
   }
 
   async download(name: string) {
     const film = this.lab.film();
-    this.lab.notice.say(name.endsWith("mp4") ? "The film is being made; this takes a while …" : `Fetching ${name} …`);
+    this.lab.notice.say(
+      name.endsWith("mp4") ? "save.the_film_is_being" : { key: "save.fetching_name", values: { name } },
+    );
     saveBlob(await this.lab.backend.file(name, film.query), `hophoop-${name}`);
-    this.lab.notice.say(`${name} is there.`);
+    this.lab.notice.say({ key: "save.name_is_there", values: { name } });
   }
 
   async picture(kind: string, make: (shown: Kept) => Promise<Blob> | Blob) {
@@ -87,12 +89,12 @@ export class Share {
 
   async record() {
     saveBlob(await record(this.lab), "hophoop.webm");
-    this.lab.notice.say("The film is there.");
+    this.lab.notice.say("save.the_film_is_there");
   }
 
   async code() {
     const { python, toml } = this.lab.backend.code(this.lab.film().scenario);
-    this.show("The same motion in Python", python, "The scenario as a file", toml);
+    this.show("save.the_same_motion_in", python, "save.the_scenario_as_a", toml);
   }
 
   /** Headings and texts in turn. */
@@ -100,10 +102,10 @@ export class Share {
     const blocks = [];
     for (let i = 0; i < pairs.length; i += 2) {
       const text = pairs[i + 1];
-      const copy = h("button", { type: "button" }, "Copy");
+      const copy = h("button", { type: "button" }, "motion.copy");
       copy.onclick = async () => {
         await navigator.clipboard?.writeText(text).catch(() => {});
-        say(copy, "Copied");
+        say(copy, "motion.copied");
       };
       blocks.push(
         h("header", {}, h("h2", {}, pairs[i]), copy),
@@ -112,7 +114,7 @@ export class Share {
     }
     this.dialog.replaceChildren(
       ...blocks,
-      h("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, "Close"),
+      h("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, "table.close"),
     );
     this.dialog.showModal();
   }

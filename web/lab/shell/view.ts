@@ -27,8 +27,9 @@ export class View {
     this.more = h(
       "p",
       { class: "hint beyond", hidden: true },
-      "This motion has other settings too. ",
-      h("button", { type: "button", class: "link", onclick: () => this.choose() }, "Show everything"),
+      "shell.this_motion_has_other",
+      " ",
+      h("button", { type: "button", class: "link", onclick: () => this.choose() }, "shell.show_everything"),
     );
   }
 
@@ -53,7 +54,7 @@ export class View {
   turn(simple: boolean) {
     this.simple = simple;
     this.root.classList.toggle("simple", simple);
-    say(this.button, simple ? "Everything" : "Simple view");
+    say(this.button, simple ? "shell.everything" : "shell.simple_view");
     // a slider in a closed group would not be seen
     for (const group of this.root.querySelectorAll<HTMLDetailsElement>("details.group")) {
       if (simple) {

@@ -3,7 +3,7 @@
 import { h, say } from "../common/dom.ts";
 import { GOALS, stars, type Goal } from "./goals.ts";
 import { recall, remember } from "../shell/memory.ts";
-import { t } from "../words/words.ts";
+import { spoken } from "../words/words.ts";
 
 const KEY = "hophoop-best-";
 
@@ -35,23 +35,35 @@ export class Challenges {
       ]),
     );
     this.text = h("p", {});
-    this.meter = h("meter", { min: "0", max: "100", low: "40", high: "75", optimum: "100", "aria-label": "Score" });
+    this.meter = h("meter", {
+      min: "0",
+      max: "100",
+      low: "40",
+      high: "75",
+      optimum: "100",
+      "aria-label": "challenge.score",
+    });
     this.result = h("p", { class: "challenge-result", role: "status" });
     this.kept = h("p", { class: "hint" });
     this.element = h(
       "section",
-      { class: "challenges card", "aria-label": "Challenges", hidden: true },
+      { class: "challenges card", "aria-label": "menu.challenges", hidden: true },
       h(
         "header",
         {},
-        h("h2", {}, "Challenges"),
+        h("h2", {}, "menu.challenges"),
         h(
           "button",
-          { type: "button", class: "quiet", "aria-label": "Leave the challenges", onclick: () => this.close() },
+          {
+            type: "button",
+            class: "quiet",
+            "aria-label": "challenge.leave_the_challenges",
+            onclick: () => this.close(),
+          },
           "×",
         ),
       ),
-      h("div", { class: "tabs", role: "group", "aria-label": "Which challenge" }, [...this.tabs.values()]),
+      h("div", { class: "tabs", role: "group", "aria-label": "challenge.which_challenge" }, [...this.tabs.values()]),
       this.text,
       this.meter,
       this.result,
@@ -59,8 +71,8 @@ export class Challenges {
       h(
         "div",
         { class: "buttons" },
-        h("button", { type: "button", onclick: () => this.begin() }, "Begin again"),
-        h("button", { type: "button", onclick: () => this.solve() }, "Show a best one"),
+        h("button", { type: "button", onclick: () => this.begin() }, "challenge.begin_again"),
+        h("button", { type: "button", onclick: () => this.solve() }, "challenge.show_a_best_one"),
       ),
     );
   }
@@ -107,12 +119,12 @@ export class Challenges {
     const { points, text, values = {} } = goal.score(this.film());
     const counts = !this.solved.has(goal.key) && !this.solutions.has(this.film().query);
     this.meter.value = points;
-    const score = counts ? "{stars} {points} points. {what}" : "{stars} {points} points, shown and not counted. {what}";
-    const said = t(score, { stars: drawn(points), points, what: t(text, values) });
-    if (this.result.textContent !== said) this.result.textContent = said;
+    const key = counts ? "challenge.stars_points_points_what" : "challenge.stars_points_points_shown";
+    const said = { key, values: { stars: drawn(points), count: points, what: { key: text, values } } };
+    if (this.result.textContent !== spoken(said)) say(this.result, said);
     const kept = Number(recall(KEY + goal.key) ?? 0);
     const best = counts && !this.ahead() ? Math.max(kept, points) : kept;
     if (best > kept) remember(KEY + goal.key, String(best));
-    say(this.kept, t("Your best: {points} points.", { points: best }));
+    say(this.kept, { key: "challenge.your_best_points_points", values: { count: best } });
   }
 }

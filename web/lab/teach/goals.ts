@@ -24,16 +24,16 @@ export interface Goal {
  */
 export function broken(film: Film, most: number) {
   const { start, plane, contact, hoop } = film.scenario;
-  if (contact.model !== "rigid") return "Rigid contact only.";
-  if (film.slope !== 0) return "The plane must be level.";
-  if (Math.abs(film.gravity - 9.81) > 1e-9) return "It must be on Earth.";
-  if ((plane.restitution ?? 0) !== 0) return "Restitution must be 0.";
-  if (film.radius !== 1 || hoop.parts) return "The radius must stay 1 m, without parts.";
-  if (film.eccentricity > 0.9) return "At most 90 % of the mass may be in the load.";
-  if (!("load_fraction" in hoop)) return "The hoop must be given by its load fraction.";
-  if (!("speed" in start)) return "It must start rolling.";
-  if (Math.abs(start.speed ?? 3.1) > most + 1e-9) return most > 5 ? "At most 10 m/s." : "At most 3.1 m/s.";
-  if (film.scenario.duration > 6) return "At most 6 s.";
+  if (contact.model !== "rigid") return "challenge.rigid_contact_only";
+  if (film.slope !== 0) return "challenge.the_plane_must_be";
+  if (Math.abs(film.gravity - 9.81) > 1e-9) return "challenge.it_must_be_on";
+  if ((plane.restitution ?? 0) !== 0) return "challenge.restitution_must_be_0";
+  if (film.radius !== 1 || hoop.parts) return "challenge.the_radius_must_stay";
+  if (film.eccentricity > 0.9) return "challenge.at_most_90_of";
+  if (!("load_fraction" in hoop)) return "challenge.the_hoop_must_be";
+  if (!("speed" in start)) return "challenge.it_must_start_rolling";
+  if (Math.abs(start.speed ?? 3.1) > most + 1e-9) return most > 5 ? "challenge.at_most_10_m" : "challenge.at_most_3_1";
+  if (film.scenario.duration > 6) return "challenge.at_most_6_s";
   return "";
 }
 
@@ -55,70 +55,64 @@ const LEAST = 0.05; // metres: a hop that can be seen
 export const GOALS: Goal[] = [
   {
     key: "highest",
-    title: "Hop highest",
-    text:
-      "On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. How high " +
-      "can the hoop rise within 6 s?",
+    title: "challenge.hop_highest",
+    text: "challenge.on_level_ground_rolling",
     start: "",
     best: "hoop.load_fraction=0.9&plane.mu=0.29",
     score: (film) => {
       const rule = broken(film, 3.1);
       if (rule) return { points: 0, text: rule };
       const top = Math.max(0, ...heights(film));
-      if (!top) return { points: 0, text: "It does not hop." };
-      return { points: part(top, HIGHEST), text: "It rises by {height}.", values: { height: length(top) } };
+      if (!top) return { points: 0, text: "challenge.it_does_not_hop" };
+      return { points: part(top, HIGHEST), text: "challenge.it_rises_by_height", values: { height: length(top) } };
     },
   },
   {
     key: "upright",
-    title: "Land upright",
-    text:
-      "Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm " +
-      "high.",
+    title: "challenge.land_upright",
+    text: "challenge.let_the_hoop_land",
     start: "",
     best: "hoop.load_fraction=0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",
     score: (film) => {
       const up = hops(film)[0];
       const landing = film.events.find(({ kind, t }) => kind === "impact" && up && t > up.t);
-      if (!up || !landing) return { points: 0, text: "It does not hop." };
+      if (!up || !landing) return { points: 0, text: "challenge.it_does_not_hop" };
       const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
-      if (!top || top.height < LEAST) return { points: 0, text: "The first hop is too low." };
+      if (!top || top.height < LEAST) return { points: 0, text: "challenge.the_first_hop_is" };
       const off = Math.abs(landing.angle - 2 * Math.PI * Math.round(landing.angle / (2 * Math.PI))) / DEGREE;
       const points = Math.max(0, Math.round(100 * (1 - (off - 0.5) / 89.5)));
       return {
         points: Math.min(points, 100),
-        text: "It lands {off} away from the top.",
+        text: "challenge.it_lands_off_away",
         values: { off: degrees(off * DEGREE) },
       };
     },
   },
   {
     key: "clean",
-    title: "Hop without skidding",
-    text:
-      "On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at most 1.5. " +
-      "Before it hops it must not skid; to spin is allowed. How high does it hop?",
+    title: "challenge.hop_without_skidding",
+    text: "challenge.on_level_ground_the",
     start: "start.angle=3.141592653589793&start.speed=8",
     best: "hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",
     score: (film) => {
       const rule = broken(film, 10);
       if (rule) return { points: 0, text: rule };
       if (Math.abs(Math.abs(film.scenario.start.angle ?? 0) - Math.PI) > 0.5 * DEGREE) {
-        return { points: 0, text: "The load must start at the bottom." };
+        return { points: 0, text: "challenge.the_load_must_start" };
       }
       if (film.values["plane.mu_kinetic"] > 1.5 || film.values["plane.mu_static"] > 1.5) {
-        return { points: 0, text: "Friction must be at most 1.5." };
+        return { points: 0, text: "challenge.friction_must_be_at" };
       }
       const up = hops(film)[0];
-      if (!up) return { points: 0, text: "It does not hop." };
+      if (!up) return { points: 0, text: "challenge.it_does_not_hop" };
       const before = film.phases.filter(({ from }) => from < up.t);
-      if (before.some(({ mode }) => mode === "K")) return { points: 0, text: "It skids before it hops." };
-      if (before[0]?.mode !== "R") return { points: 0, text: "It must start rolling." };
+      if (before.some(({ mode }) => mode === "K")) return { points: 0, text: "challenge.it_skids_before_it" };
+      if (before[0]?.mode !== "R") return { points: 0, text: "challenge.it_must_start_rolling" };
       const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
-      if (!top) return { points: 0, text: "It does not hop." };
+      if (!top) return { points: 0, text: "challenge.it_does_not_hop" };
       return {
         points: part(top.height, HIGHEST_CLEAN),
-        text: "It rises by {height}.",
+        text: "challenge.it_rises_by_height",
         values: { height: length(top.height) },
       };
     },

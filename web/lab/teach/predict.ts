@@ -49,7 +49,7 @@ export function choices(options: [string, string][], onguess: () => void, open =
   return {
     element: h(
       "div",
-      { class: "guess", role: "radiogroup", "aria-label": "Your guess" },
+      { class: "guess", role: "radiogroup", "aria-label": "visit.your_guess" },
       rows.map(({ row }) => row),
     ),
     made: () => chosen !== "",
@@ -190,7 +190,7 @@ export function sketch(
       class: "sketch-point",
       role: "slider",
       tabindex: "0",
-      "aria-label": `${label} with the load at ${45 * i}°`,
+      "aria-label": { key: "visit.what_with_the_load", values: { what: label, angle: `${45 * i}°` } },
       "aria-orientation": "vertical",
       "aria-valuemin": "0",
       "aria-valuemax": String(most),
@@ -205,7 +205,7 @@ export function sketch(
   );
   const element = h(
     "div",
-    { class: "guess sketch", role: "group", "aria-label": "Draw the curve: pull the points up and down" },
+    { class: "guess sketch", role: "group", "aria-label": "visit.draw_the_curve_pull" },
     canvas,
     handles,
   );

@@ -7,37 +7,34 @@ const SHEET = "hoop.radius=0.4&duration=1.5&start.speed=";
 
 /** Minute, what happens, the motion that it needs. */
 const LESSON: [string, string, string | null][] = [
-  ["0", "Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”", "duration=2"],
-  ["3", "Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.", null],
-  ["7", "Energy on the way down, in pairs: who has the energy when the load is at rest?", "start.speed=0.1&duration=8"],
-  ["17", "Lift at the top: at which speed is the force of the floor zero?", "start.speed=3.7&duration=2"],
-  ["24", "The film again, in slow motion and with forces; stop at take-off. Compare with the votes.", "duration=2"],
-  ["28", "Each group takes one speed of the worksheet; results on the board.", `${SHEET}2.2`],
-  ["35", "Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?", null],
-  ["42", "One sentence each: “The hoop hops because …”", null],
+  ["0", "teach.show_the_hoop_at", "duration=2"],
+  ["3", "teach.everybody_predicts_where_the", null],
+  ["7", "teach.energy_on_the_way", "start.speed=0.1&duration=8"],
+  ["17", "teach.lift_at_the_top", "start.speed=3.7&duration=2"],
+  ["24", "teach.the_film_again_in", "duration=2"],
+  ["28", "teach.each_group_takes_one", `${SHEET}2.2`],
+  ["35", "teach.why_what_has_to", null],
+  ["42", "teach.one_sentence_each_the", null],
 ];
 
 const IDEAS: [string, string][] = [
-  [
-    "The load pulls the hoop up at the top, so it hops there.",
-    "Only if it is very fast. Slower hoops hop before the top, after slipping.",
-  ],
-  ["It hops at the bottom, where it is fastest.", "There the floor pushes hardest: the load has to be turned upwards."],
-  ["Nothing can be faster than a falling stone.", "The ring can: it gets the energy of a load that has come to rest."],
-  ["Friction always brakes.", "It acts against slip. On the hoop’s way up it points forwards."],
-  ["More friction, more hop.", "There is a best friction in between."],
-  ["A heavier hoop behaves otherwise.", "Only the shares of mass count."],
+  ["teach.the_load_pulls_the", "teach.only_if_it_is"],
+  ["teach.it_hops_at_the", "teach.there_the_floor_pushes"],
+  ["teach.nothing_can_be_faster", "teach.the_ring_can_it"],
+  ["teach.friction_always_brakes", "teach.it_acts_against_slip"],
+  ["teach.more_friction_more_hop", "teach.there_is_a_best"],
+  ["teach.a_heavier_hoop_behaves", "teach.only_the_shares_of"],
 ];
 
 const TASKS = [
-  "Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.",
-  "The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?",
-  "While a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?",
-  "How fast is a stone that falls from the height of the load? Why can the hoop be faster?",
-  "Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.",
-  "In the lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.",
-  "Find the smallest speed with which the hoop hops, to 1 cm/s.",
-  "At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?",
+  "teach.before_the_film_where",
+  "teach.the_hoop_gets_only",
+  "teach.while_a_wheel_rolls",
+  "teach.how_fast_is_a",
+  "teach.find_the_force_of",
+  "teach.in_the_lab_what",
+  "teach.find_the_smallest_speed",
+  "teach.at_2_2_m",
 ];
 
 const SPEEDS = ["1.0", "1.3", "1.6", "1.9", "2.2", "2.3"];
@@ -47,26 +44,26 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     dialog.close();
     load(query);
   };
-  const motion = (query: string, words = "Show") =>
+  const motion = (query: string, words = "teach.show") =>
     h("button", { type: "button", class: "link", onclick: () => go(query) }, words);
   const base = docs();
   const pages = base && [
-    ["teach/index.html", "Teaching with the hoop"],
-    ["teach/worksheet.html", "Worksheet"],
-    ["teach/solutions.html", "Solutions"],
-    ["teach/exercises.html", "Exercises"],
+    ["teach/index.html", "teach.teaching_with_the_hoop"],
+    ["teach/worksheet.html", "teach.worksheet"],
+    ["teach/solutions.html", "teach.solutions"],
+    ["teach/exercises.html", "teach.exercises"],
   ];
   const lesson = h(
     "table",
     {},
-    h("caption", {}, "A lesson of 45 minutes"),
+    h("caption", {}, "teach.a_lesson_of_45"),
     h(
       "thead",
       {},
       h(
         "tr",
         {},
-        ["Minute", "What happens", "Motion"].map((name) => h("th", { scope: "col" }, name)),
+        ["teach.minute", "motion.what_happens", "teach.motion"].map((name) => h("th", { scope: "col" }, name)),
       ),
     ),
     h(
@@ -86,14 +83,14 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
   const ideas = h(
     "table",
     {},
-    h("caption", {}, "What students often think"),
+    h("caption", {}, "teach.what_students_often_think"),
     h(
       "thead",
       {},
       h(
         "tr",
         {},
-        ["Idea", "What is right"].map((name) => h("th", { scope: "col" }, name)),
+        ["teach.idea", "teach.what_is_right"].map((name) => h("th", { scope: "col" }, name)),
       ),
     ),
     h(
@@ -105,13 +102,8 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
   const sheet = h(
     "section",
     { class: "sheet" },
-    h("h3", {}, "Worksheet: the hoop that hops"),
-    h(
-      "p",
-      {},
-      "A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a " +
-        "level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².",
-    ),
+    h("h3", {}, "teach.worksheet_the_hoop_that"),
+    h("p", {}, "teach.a_thin_ring_of"),
     h(
       "ol",
       {},
@@ -126,7 +118,9 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
         h(
           "tr",
           {},
-          ["v₀ [m/s]", "phases", "does it hop?", "at which angle?"].map((name) => h("th", { scope: "col" }, name)),
+          ["v₀ [m/s]", "teach.phases", "teach.does_it_hop", "teach.at_which_angle"].map((name) =>
+            h("th", { scope: "col" }, name),
+          ),
         ),
       ),
       h(
@@ -147,18 +141,19 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
   );
   const dialog = h(
     "dialog",
-    { class: "teach", "aria-label": "For teachers" },
+    { class: "teach", "aria-label": "menu.for_teachers" },
     h(
       "header",
       {},
-      h("h2", {}, "For teachers"),
-      h("button", { type: "button", onclick: () => print() }, "Print"),
-      h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close"),
+      h("h2", {}, "menu.for_teachers"),
+      h("button", { type: "button", onclick: () => print() }, "teach.print"),
+      h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
     ),
     h(
       "p",
       {},
-      "The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",
+      "teach.the_visit_asks_before",
+      " ",
       h(
         "button",
         {
@@ -169,7 +164,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
             visit();
           },
         },
-        "Start the visit",
+        "teach.start_the_visit",
       ),
     ),
     pages &&

@@ -4,7 +4,7 @@ import { h, say } from "../common/dom.ts";
 import { Film } from "../player/film.ts";
 import { recall, remember } from "../shell/memory.ts";
 import { STEPS, type Step } from "./visit_steps.ts";
-import { english, t } from "../words/words.ts";
+import { name } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 import type { Guess } from "./predict.ts";
 
@@ -25,6 +25,7 @@ export class Visit {
   points: Map<string, number> = new Map();
   play: HTMLButtonElement;
   skip: HTMLButtonElement;
+  wait: HTMLElement;
   next: HTMLButtonElement;
   /** Whether the film was seen running. */
   running = false;
@@ -49,7 +50,7 @@ export class Visit {
     this.said = h("div", { class: "visit-answer", role: "status" });
     this.element = h(
       "section",
-      { class: "visit card", "aria-label": "Guided visit", hidden: true },
+      { class: "visit card", "aria-label": "menu.guided_visit", hidden: true },
       this.body,
       this.said,
     );
@@ -69,9 +70,9 @@ export class Visit {
       h(
         "div",
         { class: "buttons offer" },
-        h("p", {}, h("b", {}, "New here?"), " ", "Eight short questions: guess, then play."),
-        h("button", { type: "button", class: "main", onclick: () => this.start() }, "Start the visit"),
-        h("button", { type: "button", onclick: () => this.leave() }, "Not now"),
+        h("p", {}, h("b", {}, "visit.new_here"), " ", "visit.eight_short_questions_guess"),
+        h("button", { type: "button", class: "main", onclick: () => this.start() }, "teach.start_the_visit"),
+        h("button", { type: "button", onclick: () => this.leave() }, "visit.not_now"),
       ),
     );
   }
@@ -125,7 +126,7 @@ export class Visit {
   /** What would tell the answer waits for the guess. */
   veil() {
     this.lab.mark("guessing", this.guessing);
-    if (this.guessing) this.lab.stage.element.setAttribute("aria-label", t("The hoop, before it is let go."));
+    if (this.guessing) name(this.lab.stage.element, "aria-label", "visit.the_hoop_before_it");
   }
 
   fill(number: number) {
@@ -133,26 +134,31 @@ export class Visit {
     this.play = h(
       "button",
       { type: "button", class: "main", disabled: Boolean(this.guess), onclick: () => this.show() },
-      "Play",
+      "visit.play",
     );
     this.running = false;
+    this.wait = h("span", { class: "hint visit-wait" }, "visit.first_say_what_you");
     this.skip = h(
       "button",
       { type: "button", hidden: true, onclick: () => this.stop !== null && this.lab.clock.seek(this.stop) },
-      "Skip to the answer",
+      "visit.skip_to_the_answer",
     );
     const last = number === STEPS.length - 1;
     const heading = h("h2", { tabindex: "-1" }, step.title);
-    this.next = h("button", { type: "button", onclick: () => this.go(number + 1) }, "Next");
+    this.next = h("button", { type: "button", onclick: () => this.go(number + 1) }, "visit.next");
     this.body.replaceChildren(
       h(
         "header",
         {},
-        h("span", { class: "visit-count" }, `Step ${number + 1} of ${STEPS.length}`),
+        h(
+          "span",
+          { class: "visit-count" },
+          { key: "visit.step_number_of_all", values: { number: number + 1, all: STEPS.length } },
+        ),
         h("progress", { max: String(STEPS.length), value: String(number + 1), "aria-hidden": "true" }),
         h(
           "button",
-          { type: "button", class: "quiet", "aria-label": "Leave the visit", onclick: () => this.leave() },
+          { type: "button", class: "quiet", "aria-label": "visit.leave_the_visit", onclick: () => this.leave() },
           "×",
         ),
       ),
@@ -163,14 +169,14 @@ export class Visit {
       h(
         "div",
         { class: "buttons" },
-        number > 0 && h("button", { type: "button", onclick: () => this.go(number - 1) }, "Back"),
+        number > 0 && h("button", { type: "button", onclick: () => this.go(number - 1) }, "visit.back"),
         this.guess && this.play,
         this.guess && this.skip,
         last
-          ? h("button", { type: "button", class: "main", onclick: () => this.challenge() }, "Challenges")
+          ? h("button", { type: "button", class: "main", onclick: () => this.challenge() }, "menu.challenges")
           : this.next,
-        last && h("button", { type: "button", onclick: () => this.leave() }, "Done"),
-        this.guess && h("span", { class: "hint visit-wait" }, "First say what you expect, then play."),
+        last && h("button", { type: "button", onclick: () => this.leave() }, "visit.done"),
+        this.guess && this.wait,
       ),
     );
     if (last && this.points.size) this.total();
@@ -179,8 +185,7 @@ export class Visit {
 
   guessed() {
     if (this.play) this.play.disabled = false;
-    const wait = this.body.querySelector(".visit-wait") as HTMLElement | null;
-    if (wait) wait.hidden = true;
+    this.wait.hidden = true;
   }
 
   /** The film runs to the moment that answers, then the answer is said; meanwhile it can be halted, and skipped. */
@@ -212,7 +217,7 @@ export class Visit {
     this.skip.hidden = false;
     if (this.running !== clock.playing) {
       this.running = clock.playing;
-      say(this.play, this.running ? "Pause" : "Play");
+      say(this.play, this.running ? "visit.pause" : "visit.play");
     }
     if (clock.time < this.stop - 1e-9) return;
     clock.playing = false;
@@ -231,7 +236,10 @@ export class Visit {
     this.points.set(step.key, points);
     this.play.hidden = this.skip.hidden = true;
     this.said.replaceChildren(
-      h("p", {}, h("b", {}, points ? `${points} of 100 points.` : "Not so."), " ", english(text, values)),
+      h("p", {}, h("b", {}, points ? { key: "visit.points_of_100_points", values: { points } } : "visit.not_so"), " ", {
+        key: text,
+        values,
+      }),
       h("p", {}, step.why ?? ""),
     );
     this.veil();
@@ -242,7 +250,9 @@ export class Visit {
 
   total() {
     const sum = [...this.points.values()].reduce((one, other) => one + other, 0);
-    this.said.replaceChildren(h("p", {}, `You have ${sum} of ${100 * this.points.size} points.`));
+    this.said.replaceChildren(
+      h("p", {}, { key: "visit.you_have_sum_of", values: { sum, most: 100 * this.points.size } }),
+    );
   }
 
   challenge() {

@@ -51,18 +51,16 @@ const AFTER: Record<string, string> = { R: "roll", S: "spin", K: "skid", H: "bou
 export const STEPS: Step[] = [
   {
     key: "littlewood",
-    title: "Littlewood’s question",
-    text:
-      "A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. " +
-      "J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.",
-    question: "What do you think?",
+    title: "visit.littlewoods_question",
+    text: "visit.a_hoop_without_mass",
+    question: "visit.what_do_you_think",
     queries: ["hoop.load_fraction=1&start.speed=0.1&duration=3"],
     guess: (onguess) =>
       choices(
         [
-          ["roll", "It rolls on."],
-          ["hop", "It hops: the hoop leaves the plane."],
-          ["skim", "The weight falls freely, and the hoop skims the plane below it."],
+          ["roll", "visit.it_rolls_on"],
+          ["hop", "visit.it_hops_the_hoop"],
+          ["skim", "visit.the_weight_falls_freely"],
         ],
         onguess,
       ),
@@ -74,89 +72,81 @@ export const STEPS: Step[] = [
       const lost = first(film, "skim") ?? first(film, "takeoff");
       return {
         truth: lost?.kind === "skim" ? "skim" : lost ? "hop" : "roll",
-        text: "At {angle} there is no contact force any more.",
+        text: "visit.at_angle_there_is",
         values: { angle: inTurn(lost?.angle ?? 0) },
       };
     },
-    why:
-      "Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a " +
-      "rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim.",
+    why: "visit.littlewood_said_that_the",
   },
   {
     key: "speed",
-    title: "A ring with mass",
-    text: "Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",
-    question: "Draw how fast the hoop’s centre goes during the first turn.",
+    title: "visit.a_ring_with_mass",
+    text: "visit.now_a_quarter_of",
+    question: "visit.draw_how_fast_the",
     queries: ["start.speed=0.1&duration=8"],
-    guess: (onguess) => sketch({ label: "Speed of the centre", unit: "m/s", most: 10 }, onguess),
+    guess: (onguess) => sketch({ label: "visit.speed_of_the_centre", unit: "m/s", most: 10 }, onguess),
     until: ([film]) => timeAt(film, WHOLE),
     answer: ([film]) => {
       const speeds = overTurn(film, "vx");
       return {
         truth: speeds,
-        text: "With the load at the bottom the centre has {speed} m/s.",
+        text: "visit.with_the_load_at",
         values: { speed: show(Math.max(...speeds), 2) },
       };
     },
-    why:
-      "The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all " +
-      "that the heavy load has lost: it is faster than a stone that falls from the same height.",
+    why: "visit.the_lowest_point_of",
   },
   {
     key: "slip",
-    title: "Why it slips",
-    text: "A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.",
-    question: "Where is the load when friction gives way for the first time? Turn the mark.",
+    title: "visit.why_it_slips",
+    text: "visit.a_harder_push_2",
+    question: "visit.where_is_the_load",
     queries: ["start.speed=2.8"],
-    guess: (onguess) => dial("Angle of the load where it begins to slip", onguess),
+    guess: (onguess) => dial("visit.angle_of_the_load", onguess),
     until: ([film]) => first(film, "slip_start")?.t ?? film.duration,
     answer: ([film]) => {
       const slip = first(film, "slip_start") as MotionEvent;
       const force = film.at(slip.t).normal_force / (film.mass * film.gravity);
       return {
         truth: (slip.angle * 180) / Math.PI,
-        text: "It begins to slip at {angle}. There the plane carries only {share} of the weight.",
+        text: "visit.it_begins_to_slip",
         values: { angle: inTurn(slip.angle), share: `${show(100 * force, 2)} %` },
       };
     },
-    why:
-      "The load on its way down and round presses little on the plane, so that N is small, while the ring has to be " +
-      "made faster: that takes friction. Watch the diagram ‘Use of friction’: it comes to 1.",
+    why: "visit.the_load_on_its",
   },
   {
     key: "hop",
-    title: "The hop",
-    text: "A little faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn is over.",
-    question: "Where is the load when the hoop takes off? Turn the mark.",
+    title: "visit.the_hop",
+    text: "visit.a_little_faster_3",
+    question: "visit.where_is_the_load_when",
     queries: [""],
-    guess: (onguess) => dial("Angle of the load where it takes off", onguess),
+    guess: (onguess) => dial("visit.angle_of_the_load_where", onguess),
     until: ([film]) => first(film, "takeoff")?.t ?? film.duration,
     answer: ([film]) => {
       const start = first(film, "takeoff") as MotionEvent;
       const pose = film.at(start.t - 1e-6);
       return {
         truth: (start.angle * 180) / Math.PI,
-        text: "It takes off at {angle}, while its rim slips at {slip} m/s.",
+        text: "visit.it_takes_off_at",
         values: { angle: inTurn(start.angle), slip: show(Math.abs(pose.slip), 3) },
       };
     },
-    why:
-      "A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim " +
-      "spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the top.",
+    why: "visit.a_rolling_hoop_would",
   },
   {
     key: "landing",
-    title: "The landing",
-    text: "The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",
-    question: "What does it do just after it has landed?",
+    title: "visit.the_landing",
+    text: "visit.the_hoop_is_in",
+    question: "visit.what_does_it_do",
     queries: [""],
     guess: (onguess) =>
       choices(
         [
-          ["roll", "It rolls at once."],
-          ["skid", "It skids: the rim slides ahead."],
-          ["spin", "It spins: the rim turns too fast."],
-          ["bounce", "It bounces."],
+          ["roll", "visit.it_rolls_at_once"],
+          ["skid", "visit.it_skids_the_rim"],
+          ["spin", "visit.it_spins_the_rim"],
+          ["bounce", "visit.it_bounces"],
         ],
         onguess,
       ),
@@ -166,7 +156,7 @@ export const STEPS: Step[] = [
       const top = film.events.find((event) => event.kind === "apex");
       return {
         truth: AFTER[film.at((down?.t ?? 0) + 1e-6).mode],
-        text: "It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+        text: "visit.it_was_in_the",
         values: {
           time: show((down?.t ?? 0) - (up?.t ?? 0), 3),
           height: show(100 * (top?.height ?? 0), 3),
@@ -174,15 +164,13 @@ export const STEPS: Step[] = [
         },
       };
     },
-    why:
-      "An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With " +
-      "less friction, or more restitution, the landing would be another one. Try it afterwards.",
+    why: "visit.an_impact_takes_no",
   },
   {
     key: "friction",
-    title: "More friction, more hop?",
-    text: "Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",
-    question: "Which of them hops highest?",
+    title: "visit.more_friction_more_hop",
+    text: "visit.three_hoops_get_the",
+    question: "visit.which_of_them_hops",
     queries: ["plane.mu=0.05", "plane.mu=0.2", ""],
     guess: (onguess) =>
       choices(
@@ -201,21 +189,17 @@ export const STEPS: Step[] = [
       const [low, middle, high] = heights.map((height) => show(100 * height, 3));
       return {
         truth: String(heights.indexOf(Math.max(...heights))),
-        text: "They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",
+        text: "visit.they_rise_by_low",
         values: { low, middle, high },
       };
     },
-    why:
-      "On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to " +
-      "turn the hoop fast on the way down, and not so much that it is braked on the way up.",
+    why: "visit.on_ice_nothing_drives",
   },
   {
     key: "undecided",
-    title: "What rigid bodies cannot decide",
-    text:
-      "A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have " +
-      "to say what happens next.",
-    question: "What do they say?",
+    title: "visit.what_rigid_bodies_cannot",
+    text: "visit.a_hoop_is_thrown",
+    question: "visit.what_do_they_say",
     queries: [
       "plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3",
       "plane.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3",
@@ -223,27 +207,23 @@ export const STEPS: Step[] = [
     guess: (onguess) =>
       choices(
         [
-          ["flight", "It flies off."],
-          ["impact", "An impact stops the slide at once."],
-          ["both", "Both agree with the laws."],
+          ["flight", "visit.it_flies_off"],
+          ["impact", "visit.an_impact_stops_the"],
+          ["both", "visit.both_agree_with_the"],
         ],
         onguess,
       ),
     until: (films) => Math.min(0.8, ...films.map((film) => film.duration)),
     answer: (films) => ({
       truth: films.every((film) => first(film, "painleve_indeterminate")) ? "both" : "flight",
-      text: "Hoop A and hoop B start alike, and both motions obey every law.",
+      text: "visit.hoop_a_and_hoop",
     }),
-    why:
-      "Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies " +
-      "yield a little, and that decides: choose the compliant contact under ‘Contact’.",
+    why: "visit.painleve_found_this_in",
   },
   {
     key: "yours",
-    title: "Your turn",
-    text:
-      "Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, " +
-      "and see how your scores are computed from the motion itself.",
+    title: "visit.your_turn",
+    text: "visit.take_the_hoop_turn",
     question: "",
     queries: [""],
   },

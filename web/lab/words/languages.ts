@@ -3,17 +3,22 @@
 import { h } from "../common/dom.ts";
 import { current, keep, LANGUAGES, speak } from "./words.ts";
 
-/** `changed`: called when another one is spoken. */
-export function languageMenu(changed: () => void) {
+/** `changed`: called when another one is spoken; `failed`: where it is not to be had. */
+export function languageMenu(changed: () => void, failed: (error: Error) => void = () => {}) {
   const select = h(
     "select",
     {
       class: "language",
-      "aria-label": "Language",
-      onchange: () => {
-        keep(select.value);
-        speak(select.value);
-        changed();
+      "aria-label": "language.language",
+      onchange: async () => {
+        try {
+          await speak(select.value);
+          keep(select.value);
+          changed();
+        } catch {
+          select.value = current();
+          failed(new Error("language.not_loaded"));
+        }
       },
     },
     Object.entries(LANGUAGES).map(([code, name]) =>

@@ -12,6 +12,7 @@ from hophoop.io import write_csv
 from hophoop.lab.api.limits import Limits, TooMuch, within
 from hophoop.scenario import Scenario
 from hophoop.simulation.simulate import simulate
+from hophoop.vocabulary.sentences import LAB
 
 SAMPLES_PER_SECOND = 200
 FILM_SIZE, FILM_RATE = (960, 540), 25
@@ -60,7 +61,7 @@ def gif(scenario: Scenario, limits: Limits) -> bytes:
 def _film(scenario: Scenario, limits: Limits, name: str) -> bytes:
     if scenario.duration > limits.film:
         raise TooMuch(
-            f"duration = {scenario.duration:g} must be at most {limits.film:g} s for a film from the lab.",
+            LAB["film_too_long"].format(duration=scenario.duration, most=limits.film),
             field="duration",
             value=scenario.duration,
         )

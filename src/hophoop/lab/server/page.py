@@ -32,6 +32,7 @@ def _assets() -> dict[str, tuple[bytes, str, str]]:
         ".svg": "image/svg+xml",
         ".png": "image/png",
         ".txt": "text/plain; charset=utf-8",
+        ".json": "application/json",
     }
     found = {}
     for path, content in site_files().items():

@@ -1,4 +1,7 @@
-"""Controls of the page: sliders with their ranges, choices and axes of maps, from the table of parameters."""
+"""Controls of the page: sliders with their ranges, choices and axes of maps, from the table of parameters.
+
+Their words are keys of the page's tables, which `tables.english` gives in English.
+"""
 
 from __future__ import annotations
 
@@ -87,9 +90,16 @@ def controls() -> ControlsInfo:
     return {
         "groups": {group: [_slider(row) for row in TABLE if section_of(row) == group and row.slider] for group in GROUPS},
         "choices": [
-            {"path": row.path, "label": row.label, "options": row.choices, "help": row.meaning} for row in TABLE if row.choices
+            {
+                "path": row.path,
+                "label": f"parameter.{row.path}",
+                "options": tuple((value, f"choice.{row.path}.{value}") for value, _ in row.choices),
+                "help": f"help.{row.path}",
+            }
+            for row in TABLE
+            if row.choices
         ],
-        "gravities": GRAVITIES,
+        "gravities": [(f"gravity.{name.lower()}", value) for name, value in GRAVITIES],
         "map_axes": [_axis(row) for row in sorted((row for row in TABLE if row.axis), key=_rank)],
     }
 
@@ -100,10 +110,10 @@ def _slider(row: Parameter) -> SliderInfo:
     low, high, step = row.slider
     return {
         "path": row.path,
-        "label": row.label,
+        "label": f"parameter.{row.path}",
         "symbol": row.symbol,
         "unit": _unit(row),
-        "help": row.meaning,
+        "help": f"help.{row.path}",
         "least": low,
         "most": high,
         "step": step,
@@ -124,7 +134,7 @@ def _axis(row: Parameter) -> AxisInfo:
     least = min(row.range.least, 0.0) if 0.0 in row.range.also else row.range.least
     return {
         "path": row.path,
-        "label": row.axis.label or f"{row.label} {row.symbol}",
+        "label": f"axis.{row.path}",
         "unit": _unit(row),
         "degrees": row.degrees,
         "range": (row.axis.low, row.axis.high),

@@ -23,6 +23,8 @@ POLICY = (
 )
 STATIC = (
     "lab.js",
+    "stage3d.js",
+    "svg.js",
     "kernel.js",
     "motion_element.js",
     "embed.js",
@@ -35,6 +37,20 @@ STATIC = (
 # Files renamed because pages and embedding sites use their names; the others keep their names.
 NAMES = {"motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
 PAGES = ("site.html", "embed.html")
+
+
+@cache
+def languages() -> tuple[str, ...]:
+    """Return the codes of the languages other than English, each a file of static/."""
+    names = (path.name for path in (files("hophoop.lab") / "static").iterdir())
+    return tuple(sorted(found[1] for name in names if (found := re.fullmatch(r"words\.(\w+)\.json", name))))
+
+
+@cache
+def packed_words() -> bytes:
+    """Return the words of all languages compressed by gzip, for the notebook widget."""
+    tables = {code: json.loads(static_bytes(f"words.{code}.json")) for code in languages()}
+    return gzip.compress(json.dumps(tables, ensure_ascii=False).encode(), 9, mtime=0)
 
 
 def static_bytes(name: str) -> bytes:
@@ -69,7 +85,10 @@ def site_files(docs: str = "", url: str = "") -> dict[str, bytes]:
     files : dict
         With relative paths throughout, so that the folder can be at any address.
     """
-    made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in STATIC}
+    made = {
+        f"static/{NAMES.get(name, name)}": static_bytes(name)
+        for name in (*STATIC, *(f"words.{code}.json" for code in languages()))
+    }
     for name in (MODULE, DERIVATIVES):
         made[f"static/{name}"] = (files("hophoop.lab.wasm") / name).read_bytes()
     for name in PAGES:

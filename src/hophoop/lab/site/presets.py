@@ -18,7 +18,7 @@ class Preset(NamedTuple):
     key : str
         Short name for links and code.
     group : str
-        Group heading in the menu.
+        Group in the menu, a key of `GROUPS`.
     title : str
     text : str
         What to look for.
@@ -32,7 +32,8 @@ class Preset(NamedTuple):
     scenario: Scenario
 
 
-ARTICLE, LITTLEWOOD, PARADOX, MORE = "The article", "Littlewood's hoop", "Paradoxes", "More"
+ARTICLE, LITTLEWOOD, PARADOX, MORE = "article", "littlewood", "paradoxes", "more"
+GROUPS = {ARTICLE: "The article", LITTLEWOOD: "Littlewood's hoop", PARADOX: "Paradoxes", MORE: "More"}
 
 
 def _rolling(speed: float, mu: float = 1.0, duration: float = 6.0, **hoop: float) -> Scenario:

@@ -60,13 +60,13 @@ def setup() -> Setup:
     return {
         "version": __version__,
         "controls": controls(),
-        "map_quantities": [(name, words) for name, (words, _) in MAP_QUANTITIES.items()],
+        "map_quantities": [(name, f"quantity.{name}") for name in MAP_QUANTITIES],
         "presets": [
             {
                 "key": p.key,
-                "group": p.group,
-                "title": p.title,
-                "text": p.text,
+                "group": f"examples.{p.group}",
+                "title": f"example.{p.key}",
+                "text": f"example.{p.key}.text",
                 "query": p.scenario.to_query(),
             }
             for p in presets()
@@ -74,7 +74,7 @@ def setup() -> Setup:
         "colors": {
             # by the letters of a hoop that rolls forward; each mode is shown with the letter of its word
             "modes": dict(zip(modes.MODE_LETTERS, colors.MODES.values(), strict=True)),
-            "mode_names": dict(zip(modes.MODE_LETTERS, colors.MODES, strict=True)),
+            "mode_names": {letter: f"mode.{word}" for letter, word in zip(modes.MODE_LETTERS, colors.MODES, strict=True)},
             "gravity_center": colors.GRAVITY_CENTER,
             "airborne": colors.GRAVITY_CENTER_AIRBORNE,
             "center_speed": colors.CENTER_SPEED,

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources 40742352566fed2b84702c259ec110d0 */
+/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources 79a1938e77982c607400ef6619fd642f */
 var c={sources:"8b55b304b90bb2841a2033a0ba629ce4",module:"08ddd1356e3298fb",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
@@ -25,8 +25,8 @@ nge"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","tu
 "buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var v=n=>Object.fromEntries(n.map((t,e)=>[t,e])),Gt=v(c.cell),w=v(c.heads),p=v(c.events),L=v(c.samples),Dt=v(c.changes),$=v(c.numbers),B=v(c.words),at={law:({impact_law:n})=>c.
 impact_laws.indexOf(n),strike:({painleve:n})=>+(n==="impact"),allowed:()=>1},ct=c.cell.map(n=>at[n]??(t=>Number(t[n]??0))),A=n=>Float64Array.from(ct,t=>t(n));function k(n){
 let t=n?{...n,law:c.laws.indexOf(n.law),friction_law:c.friction_laws.indexOf(n.friction)}:{};return Float64Array.from(c.compliant,e=>t[e]??Number.NaN)}var S=class{constructor(t){this.exports=t;this.rooms=new Map}room(t,e){let s=this.rooms.get(t);if(s&&s.bytes>=e)return s.place;s&&this.exports.free(s.place),this.
-rooms.delete(t);let o=this.exports.malloc(e);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(t,{place:o,bytes:e}),
-o}floats(t,e){return new Float64Array(this.exports.memory.buffer,t,e)}put(t,e){let s=this.room(t,8*Math.max(e.length,1));return this.floats(s,e.length).set(e),s}};var lt=150,ft=240,mt=6e3,[Pt,I,W]=[0,1,2],ht={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["frict\
+rooms.delete(t);let o=this.exports.malloc(e);if(!o)throw new RangeError("kernel.no_memory");return this.rooms.set(t,{place:o,bytes:e}),o}floats(t,e){return new Float64Array(
+this.exports.memory.buffer,t,e)}put(t,e){let s=this.room(t,8*Math.max(e.length,1));return this.floats(s,e.length).set(e),s}};var lt=150,ft=240,mt=6e3,[Pt,I,W]=[0,1,2],ht={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["frict\
 ion_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal",
 "damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function T(n,t,e){let{rows:s,count:o,duration:r}=t,[i,a]=(e??[0,r]).map(d=>Math.
 min(Math.max(d,0),r)),l=Math.min(Math.max(Math.ceil((a-i)*lt),ft),mt),m=c.events.length,h=new Set;for(let d=0;d<=l&&r>0;d++)h.add(d===l?a:i+d*((a-i)/l));let f=new Set;

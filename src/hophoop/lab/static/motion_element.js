@@ -1,4 +1,4 @@
-/* Built from web/site/motion_element.ts by esbuild 0.28.2; sources 40742352566fed2b84702c259ec110d0 */
+/* Built from web/site/motion_element.ts by esbuild 0.28.2; sources 79a1938e77982c607400ef6619fd642f */
 var a=new URL("./",import.meta.url),i=0,o=class extends HTMLElement{constructor(){super();this.lab=null;this.number=++i}static{this.observedAttributes=["scenari\
 o"]}async connectedCallback(){if(this.shadowRoot)return;let r=this.attachShadow({mode:"open"}),t=document.createElement("link");t.rel="stylesheet",t.href=new URL(
 "lab.css",a).href;let e=document.createElement("style");e.textContent=":host { display: block; min-height: 18rem; } :host([hidden]) { display: none; }";let n=document.

@@ -1,4 +1,4 @@
-/* Built from web/site/service_worker.ts by esbuild 0.28.2; sources 40742352566fed2b84702c259ec110d0 */
+/* Built from web/site/service_worker.ts by esbuild 0.28.2; sources 79a1938e77982c607400ef6619fd642f */
 var o=self,s="hophoop-{version}",a=["{files}"];o.addEventListener("install",i=>{let e=caches.open(s).then(n=>n.addAll(a));i.waitUntil(e.then(()=>o.skipWaiting()))});
 o.addEventListener("activate",i=>{let e=caches.keys().then(n=>n.filter(t=>t.startsWith("hophoop-")&&t!==s)).then(n=>Promise.all(n.map(t=>caches.delete(t))));i.waitUntil(
 e.then(()=>o.clients.claim()))});o.addEventListener("fetch",i=>{let{request:e}=i;if(e.method!=="GET"||new URL(e.url).origin!==o.location.origin)return;let n=caches.
