@@ -192,12 +192,12 @@ class Calls:
     def regions(
         self, cell: np.ndarray, window: tuple[float, float, float, float], columns: int, rows: int
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Codes of words over the phase plane, and the side of the paradox for each column."""
+        """Codes of words over the phase plane, and the side of the paradox for each column, for θ̇ < 0 and then for θ̇ > 0."""
         self.view(self.cell, len(CELL))[:] = cell
-        modes, sides = self.room(columns * rows), self.room(columns)
+        modes, sides = self.room(columns * rows), self.room(2 * columns)
         self.call("regions", self.cell, *window, columns, rows, modes, sides)
         found = self.view(modes, columns * rows, np.uint8).reshape(rows, columns).copy()
-        paradox = self.view(sides, columns, np.int8).copy()
+        paradox = self.view(sides, 2 * columns, np.int8).copy()
         self.free(modes)
         self.free(sides)
         return found, paradox

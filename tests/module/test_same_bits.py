@@ -230,9 +230,20 @@ def test_regions(host: Calls, query: str) -> None:
     hoop, plane = scenario.hoop, scenario.plane
     words = mode_words(hh.theory.mode_of(angles, rates, hoop, plane), rates)
     assert np.array_equal(codes, codes_of(words))
-    there = not hoop.massless and math.isfinite(plane.mu_kinetic) and plane.rolling_resistance == 0.0
-    sides = hh.theory.painleve_region(angles, plane.mu_kinetic, hoop) if there else np.zeros(90)
-    assert np.array_equal(paradox, sides)
+    sides = np.zeros((2, 90))
+    if not hoop.massless and math.isfinite(plane.mu_kinetic):
+        couple, turning = plane.rolling_resistance, np.array([[-1.0], [1.0]])
+        sides[:] = hh.theory.painleve_region(angles, plane.mu_kinetic, hoop, rolling_resistance=couple, omega=turning)
+    assert np.array_equal(paradox, sides.ravel())
+
+
+@pytest.mark.parametrize(("couple", "shares"), [(0.0, (0.085, 0.085)), (0.1, (0.0, 0.186))])
+def test_painleve_regions_know_the_rolling_resistance(host: Calls, couple: float, shares: tuple[float, float]) -> None:
+    """Share of (0, π) for θ̇ < 0 and θ̇ > 0 at γ = 3/4, μ = 0.9."""
+    scenario = hh.Scenario.from_query(f"hoop.load_fraction=0.75&plane.mu=0.9&plane.rolling_resistance={couple}")
+    _, paradox = host.regions(cell_of(scenario), (0.0, math.pi, -1.0, 1.0), 4000, 2)
+    found = (paradox.reshape(2, -1) != 0).mean(axis=1)
+    assert found == pytest.approx(shares, abs=6e-4)
 
 
 def parts_within(radius: float, draw: np.random.Generator) -> list[Any]:

@@ -254,12 +254,12 @@ export class HoopModule implements Mechanics {
     const { memory } = this;
     const cell = memory.put("cell", cellOf(given));
     const modes = memory.room("modes", columns * rows);
-    const sides = memory.room("sides", columns);
+    const sides = memory.room("sides", 2 * columns);
     this.call("regions", cell, left, right, bottom, top, columns, rows, modes, sides);
     const { buffer } = this.exports.memory;
     return {
       modes: new Uint8Array(buffer, modes, columns * rows).slice(),
-      paradox: Float32Array.from(new Int8Array(buffer, sides, columns)),
+      paradox: Float32Array.from(new Int8Array(buffer, sides, 2 * columns)),
     };
   }
 

@@ -24,6 +24,7 @@ export class PhasePlane {
   canvas = h("canvas", { class: "plot-canvas" });
   over = h("canvas", { class: "plot-canvas plot-over" });
   keys = h("div", { class: "plot-keys" });
+  hatched = h("span", { hidden: true }, "phase.hatched", " ");
   asked = "";
   body: HTMLDivElement;
   element: HTMLElement;
@@ -55,8 +56,9 @@ export class PhasePlane {
       h(
         "p",
         { class: "hint" },
-        "phase.colours_the_mode_that",
+        "phase.colours",
         " ",
+        this.hatched,
         byFingers() ? "phase.click_to_go_there" : "phase.click_to_go_there_once",
       ),
     );
@@ -108,7 +110,7 @@ export class PhasePlane {
     return {
       window,
       paradox,
-      picture: pictureOf(modes, paradox.length, this.colors.modes),
+      picture: pictureOf(modes, paradox.length / 2, this.colors.modes),
     };
   }
 
@@ -224,7 +226,9 @@ export class PhasePlane {
         context.drawImage(picture, place[0], place[1], place[2], place[3]);
         context.globalAlpha = 1;
       }
-      hatch(context, this, this.pictures[0].paradox);
+      const { paradox } = this.pictures[0];
+      hatch(context, this, paradox);
+      this.hatched.hidden = !paradox.some((side) => side !== 0);
     }
     for (const [lane, film] of this.films.entries()) this.way(context, film, lane);
     context.restore();

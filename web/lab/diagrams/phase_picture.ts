@@ -4,7 +4,7 @@ import { tables } from "../../model/tables.ts";
 import { drawAxes } from "../common/axes.ts";
 import { faded, parsed } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
-import { niceStep, tickText, ticks } from "../common/numbers.ts";
+import { clamp, niceStep, tickText, ticks } from "../common/numbers.ts";
 import { LEFT, TOP } from "./plot_axes.ts";
 import { t } from "../words/words.ts";
 import type { PhasePlane } from "./phase.ts";
@@ -28,30 +28,41 @@ export function pictureOf(codes: Column, columns: number, colors: Record<string,
   return picture;
 }
 
-/** Columns in which slip meets the paradox, hatched one way for spin and the other for skid. */
+const BOTH = 2;
+
+/** Where slip meets the paradox, for θ̇ < 0 and for θ̇ > 0: hatched one way for spin and the other for skid. */
 export function hatch(context: CanvasRenderingContext2D, plane: PhasePlane, paradox: Column) {
-  const columns = paradox.length;
+  const columns = paradox.length / 2;
+  const [top, middle, bottom] = [TOP, clamp(plane.y(0), TOP, TOP + plane.box.height), TOP + plane.box.height];
   context.strokeStyle = faded(plane.look.dark ? "#ffffff" : "#000000", 0.28);
   context.lineWidth = 1;
-  for (let from = 0; from < columns; from++) {
-    if (!paradox[from]) continue;
-    let to = from;
-    while (to < columns && paradox[to] === paradox[from]) to++;
-    const left = plane.x((from * 2 * Math.PI) / columns);
-    const right = plane.x((to * 2 * Math.PI) / columns);
-    context.save();
-    context.beginPath();
-    context.rect(left, TOP, right - left, plane.box.height);
-    context.clip();
-    context.beginPath();
-    const way = paradox[from];
-    for (let c = -plane.box.height; c < right - left + plane.box.height; c += 7) {
-      context.moveTo(left + c, way > 0 ? TOP + plane.box.height : TOP);
-      context.lineTo(left + c + plane.box.height, way > 0 ? TOP : TOP + plane.box.height);
+  for (const [first, up, down] of [
+    [0, middle, bottom],
+    [columns, top, middle],
+  ]) {
+    for (let from = 0; from < columns; from++) {
+      const side = paradox[first + from];
+      if (!side) continue;
+      let to = from;
+      while (to < columns && paradox[first + to] === side) to++;
+      const left = plane.x((from * 2 * Math.PI) / columns);
+      const right = plane.x((to * 2 * Math.PI) / columns);
+      context.save();
+      context.beginPath();
+      context.rect(left, up, right - left, down - up);
+      context.clip();
+      context.beginPath();
+      const { height } = plane.box;
+      for (let c = -height; c < right - left + height; c += 7) {
+        for (const rises of side === BOTH ? [true, false] : [side > 0]) {
+          context.moveTo(left + c, rises ? bottom : top);
+          context.lineTo(left + c + height, rises ? top : bottom);
+        }
+      }
+      context.stroke();
+      context.restore();
+      from = to;
     }
-    context.stroke();
-    context.restore();
-    from = to;
   }
 }
 

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources 68616c9ace06cc8dc5716515f893b328 */
-var c={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+var c={sources:"8b55b304b90bb2841a2033a0ba629ce4",module:"08ddd1356e3298fb",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
 _until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
@@ -96,8 +96,8 @@ length),a=m=>{let h=i[c.thresholds.indexOf(m)];return Number.isNaN(h)?null:h},l=
 "first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a("immediate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("\
 painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:l.filter(m=>m!==null),stable_angle:a("stable_angle"),massless_loss_angle:a("massless_loss_angl\
 e"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(t,[e,s,o,r],i,a){let{memory:l}=this,m=l.put("cell",A(t)),h=l.room("modes",i*a),f=l.room(
-"sides",i);this.call("regions",m,e,s,o,r,i,a,h,f);let{buffer:u}=this.exports.memory;return{modes:new Uint8Array(u,h,i*a).slice(),paradox:Float32Array.from(new Int8Array(
-u,f,i))}}map({count:t,rows:e},s,o){let{memory:r}=this,i=r.put("cells",e),a=r.room("numbers",8*t*c.numbers.length),l=r.room("words",4*t*c.words.length),m=r.room(
+"sides",2*i);this.call("regions",m,e,s,o,r,i,a,h,f);let{buffer:u}=this.exports.memory;return{modes:new Uint8Array(u,h,i*a).slice(),paradox:Float32Array.from(new Int8Array(
+u,f,2*i))}}map({count:t,rows:e},s,o){let{memory:r}=this,i=r.put("cells",e),a=r.room("numbers",8*t*c.numbers.length),l=r.room("words",4*t*c.words.length),m=r.room(
 "keys",8*t*c.keys),{angle:h,stop:f,timed:u}=c.spans[o],x=c.wanted[s];this.call("map_cells",i,t,h??Number.NaN,f,u,x,a,l,m);let{buffer:y}=this.exports.memory;if(s===
 "sequence")return nt(new BigUint64Array(y,m,t*c.keys),t);let b=new Float64Array(t);if(s in B){let d=new Int32Array(y,l,t*c.words.length);for(let g=0;g<t;g++)b[g]=
 d[g*c.words.length+B[s]]}else{let d=r.floats(a,t*c.numbers.length);for(let g=0;g<t;g++)b[g]=d[g*c.numbers.length+$[s]]}return{values:b}}ideal(t){let e=this.memory.

@@ -1,5 +1,5 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 68616c9ace06cc8dc5716515f893b328 */
-var w={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+var w={sources:"8b55b304b90bb2841a2033a0ba629ce4",module:"08ddd1356e3298fb",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
 _until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
@@ -326,40 +326,40 @@ ed":"Speed","parameter.start.vx":"Speed along","parameter.start.vy":"Speed upwar
 ts.disk":"Disk","parts.distance_from_centre":"distance from the centre","parts.inner_radius":"inner radius","parts.length":"length","parts.mass":"mass","parts.o\
 uter_radius":"outer radius","parts.point_mass":"Point mass","parts.radius":"radius","parts.remove_part_number_what":"Remove part {number}, {what}","parts.ring":"\
 Ring","parts.rod":"Rod","phase.angle_theta_within_a":"angle θ within a revolution [°]","phase.click_to_go_there":"Tap to go there; two fingers zoom.","phase.c\
-lick_to_go_there_once":"Click to go there; after a click, or with Ctrl, the wheel zooms; double-click shows all.","phase.colours_the_mode_that":"Colours: mode t\
-hat follows contact without slip. Hatched: slip with Painlevé’s paradox.","phase.plane_of_angle_and":"Phase plane of angle and angular velocity with the regi\
-ons of rolling, slip and flight","phase.plane_of_theta_and":"Phase plane of θ and θ̇","player.a_in_front_b":"A in front, B behind","player.centre_of_gravity":"\
-centre of gravity","player.forces":"Forces","player.forces_f":"Forces (f)","player.gap":"gap","player.hoop":"hoop","player.in_space_3":"In space (3)","player.lo\
-ad":"load","player.next_event_shift":"Next event (Shift →)","player.one_frame_back":"One frame back (←)","player.one_frame_on":"One frame forward (→)","pl\
-ayer.pause_space":"Pause (space)","player.play_space":"Play (space)","player.previous_event_shift":"Previous event (Shift ←)","player.rim_speed":"rim speed","\
-player.rim_speed_2":"Rim speed","player.rim_speed_c":"Rim speed (c)","player.speed_of_the_film":"Playback speed","player.the_hoop":"The hoop","player.the_hoop_2":"\
-The hoop.","player.the_same_in_flight":"in flight","player.this_motion_has_no":"This motion has no flight.","player.this_motion_has_no_landing":"This motion has\
- no landing.","player.time":"Time","player.time_seconds_what":"{time} seconds, {what}","player.to_the_next_flight":"To the next flight (h)","player.to_the_next_\
-landing":"To the next landing (l)","player.to_the_start_home":"To the start (Home)","player.traces":"Traces","player.traces_t":"Traces (t)","player.what_at_angl\
-e_time":"{what} at {angle}, {time} s","player.whole_path":"Whole path","player.whole_path_w":"Whole path (w)","plot.cut":"axis cut: values from {low} to {high}",
-"quantity.end_angle":"angle at the end","quantity.ending":"how it ends","quantity.energy_lost":"energy lost","quantity.flight_time":"duration of the first hop",
-"quantity.greatest_utilization":"greatest friction utilization","quantity.hop_height":"height of the first hop","quantity.painleve":"Painlevé’s paradox or jam m\
-et","quantity.sequence":"what happens in the first turn","quantity.takeoff_angle":"angle of take-off","range.from_to":"from {least} to {most}","range.from_to_or\
-_inf":"from {least} to {most}, or inf","range.zero_or_from_to":"0 or from {least} to {most}","range.zero_or_from_to_or_inf":"0 or from {least} to {most}, or inf",
-"reason.border":"the motion lies on the border of two classes: the least change may lead to other events","reason.contact":"the motion starts in contact: with t\
-he rim lifted or thrown it would bounce, and its events are others","reason.edge":"the parameter is at the edge of what is allowed","reason.ended":"the motion h\
-as no answer from there on","reason.frictionless":"without friction the hoop rests on no more than a border of two classes","reason.graze":"a quantity that sets\
- off the event only touches zero there","reason.massless":"the massless hoop (γ = 1) is a singular limit once the contact force is lost","reason.plastic":"rest\
-itution is 0 and the rim has landed: with any restitution it would bounce","reason.sided":"the derivatives of the two sides differ","reason.singular":"the slip \
-runs into p_σ = 0, where the contact force has no bound","refusal.beyond_the_rim":"hoop.parts.{index} ({shape}) reaches {reach} m from the centre, beyond the r\
-im: hoop.radius = {radius}.","refusal.compliant_friction":"plane.mu_static = inf must be finite with contact.model = 'compliant'.","refusal.did_you_mean":"did y\
-ou mean {close}?","refusal.finding":"{path} = {shown} {allowed}.","refusal.finite_number":"must be a finite number","refusal.friction":"must be at least 0 (inf \
-is allowed)","refusal.given_twice":"{path} is given twice.","refusal.greater_than":"must be greater than {limit}","refusal.greater_than_equal":"must be at least\
- {limit}","refusal.half_a_hoop":"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.","refusal.hoop_mass":"hoop.mass = {mass} must be {wo\
-rds}.","refusal.kinetic_above_static":"plane.mu_kinetic = {mu_kinetic} must not exceed plane.mu_static = {mu_static}.","refusal.known_are":"known are {known}.",
-"refusal.less_than":"must be less than {limit}","refusal.less_than_equal":"must be at most {limit}","refusal.list":"must be a list","refusal.literal_error":"mus\
-t be {expected}","refusal.load_inertia":"hoop.load_fraction = {load_fraction} gives hoop.inertia_ratio = {inertia_ratio}, which must be {words}.","refusal.massl\
-ess_compliant":"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_eccentricity":"hoop.inertia_ratio\
- = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity}.","refusal.massless_resistance":"plane.rolling_resistance = {given} must b\
-e 0 for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_slope":"plane.slope = {slope} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",
-"refusal.missing":"{path} is missing.","refusal.no_omega":"start.omega = None must be a number.","refusal.no_parameter":"{path} is not a parameter of a scenario\
-; known are {known}.","refusal.no_parts":"hoop.parts must not be empty.","refusal.no_section_parts":"{path} is not a parameter of a scenario: {section} has no p\
-arts.","refusal.not_there":"{path} is not there to be replaced: the scenario has no {step}.","refusal.number":"must be a number","refusal.other_problems":{one:"\
+lick_to_go_there_once":"Click to go there; after a click, or with Ctrl, the wheel zooms; double-click shows all.","phase.colours":"Colours: mode that follows co\
+ntact without slip.","phase.hatched":"Hatched: slip with Painlevé’s paradox.","phase.plane_of_angle_and":"Phase plane of angle and angular velocity with the \
+regions of rolling, slip and flight","phase.plane_of_theta_and":"Phase plane of θ and θ̇","player.a_in_front_b":"A in front, B behind","player.centre_of_grav\
+ity":"centre of gravity","player.forces":"Forces","player.forces_f":"Forces (f)","player.gap":"gap","player.hoop":"hoop","player.in_space_3":"In space (3)","pla\
+yer.load":"load","player.next_event_shift":"Next event (Shift →)","player.one_frame_back":"One frame back (←)","player.one_frame_on":"One frame forward (→)",
+"player.pause_space":"Pause (space)","player.play_space":"Play (space)","player.previous_event_shift":"Previous event (Shift ←)","player.rim_speed":"rim speed",
+"player.rim_speed_2":"Rim speed","player.rim_speed_c":"Rim speed (c)","player.speed_of_the_film":"Playback speed","player.the_hoop":"The hoop","player.the_hoop_\
+2":"The hoop.","player.the_same_in_flight":"in flight","player.this_motion_has_no":"This motion has no flight.","player.this_motion_has_no_landing":"This motion\
+ has no landing.","player.time":"Time","player.time_seconds_what":"{time} seconds, {what}","player.to_the_next_flight":"To the next flight (h)","player.to_the_n\
+ext_landing":"To the next landing (l)","player.to_the_start_home":"To the start (Home)","player.traces":"Traces","player.traces_t":"Traces (t)","player.what_at_\
+angle_time":"{what} at {angle}, {time} s","player.whole_path":"Whole path","player.whole_path_w":"Whole path (w)","plot.cut":"axis cut: values from {low} to {hi\
+gh}","quantity.end_angle":"angle at the end","quantity.ending":"how it ends","quantity.energy_lost":"energy lost","quantity.flight_time":"duration of the first \
+hop","quantity.greatest_utilization":"greatest friction utilization","quantity.hop_height":"height of the first hop","quantity.painleve":"Painlevé’s paradox or \
+jam met","quantity.sequence":"what happens in the first turn","quantity.takeoff_angle":"angle of take-off","range.from_to":"from {least} to {most}","range.from_\
+to_or_inf":"from {least} to {most}, or inf","range.zero_or_from_to":"0 or from {least} to {most}","range.zero_or_from_to_or_inf":"0 or from {least} to {most}, o\
+r inf","reason.border":"the motion lies on the border of two classes: the least change may lead to other events","reason.contact":"the motion starts in contact:\
+ with the rim lifted or thrown it would bounce, and its events are others","reason.edge":"the parameter is at the edge of what is allowed","reason.ended":"the m\
+otion has no answer from there on","reason.frictionless":"without friction the hoop rests on no more than a border of two classes","reason.graze":"a quantity th\
+at sets off the event only touches zero there","reason.massless":"the massless hoop (γ = 1) is a singular limit once the contact force is lost","reason.plastic":"\
+restitution is 0 and the rim has landed: with any restitution it would bounce","reason.sided":"the derivatives of the two sides differ","reason.singular":"the s\
+lip runs into p_σ = 0, where the contact force has no bound","refusal.beyond_the_rim":"hoop.parts.{index} ({shape}) reaches {reach} m from the centre, beyond t\
+he rim: hoop.radius = {radius}.","refusal.compliant_friction":"plane.mu_static = inf must be finite with contact.model = 'compliant'.","refusal.did_you_mean":"d\
+id you mean {close}?","refusal.finding":"{path} = {shown} {allowed}.","refusal.finite_number":"must be a finite number","refusal.friction":"must be at least 0 (\
+inf is allowed)","refusal.given_twice":"{path} is given twice.","refusal.greater_than":"must be greater than {limit}","refusal.greater_than_equal":"must be at l\
+east {limit}","refusal.half_a_hoop":"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.","refusal.hoop_mass":"hoop.mass = {mass} must be\
+ {words}.","refusal.kinetic_above_static":"plane.mu_kinetic = {mu_kinetic} must not exceed plane.mu_static = {mu_static}.","refusal.known_are":"known are {known\
+}.","refusal.less_than":"must be less than {limit}","refusal.less_than_equal":"must be at most {limit}","refusal.list":"must be a list","refusal.literal_error":"\
+must be {expected}","refusal.load_inertia":"hoop.load_fraction = {load_fraction} gives hoop.inertia_ratio = {inertia_ratio}, which must be {words}.","refusal.ma\
+ssless_compliant":"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_eccentricity":"hoop.inertia_ra\
+tio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity}.","refusal.massless_resistance":"plane.rolling_resistance = {given} mus\
+t be 0 for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_slope":"plane.slope = {slope} must be 0 for the massless hoop (hoop.inertia_ratio = 0)\
+.","refusal.missing":"{path} is missing.","refusal.no_omega":"start.omega = None must be a number.","refusal.no_parameter":"{path} is not a parameter of a scena\
+rio; known are {known}.","refusal.no_parts":"hoop.parts must not be empty.","refusal.no_section_parts":"{path} is not a parameter of a scenario: {section} has n\
+o parts.","refusal.not_there":"{path} is not there to be replaced: the scenario has no {step}.","refusal.number":"must be a number","refusal.other_problems":{one:"\
 {first} (and {count} more problem).",other:"{first} (and {count} more problems)."},"refusal.parts_inertia":"hoop.parts give hoop.inertia_ratio = {inertia_ratio}\
 , which must be {words}.","refusal.parts_out_of_order":"hoop.parts.{name} is out of order: parts are numbered from 0 without a gap.","refusal.range":"must be {w\
 ords}","refusal.relative_contact":"contact.{name} = {value} is {relative} {unit} of this hoop and must be {words} of it.","refusal.resistance":"plane.rolling_re\
@@ -1283,52 +1283,53 @@ e[Math.ceil(.98*e.length)-1]],a=Math.max(r-i,1e-12);o>r+4*a&&(o=r+.6*a),s<i-4*a&
 -s,o)]);let l=.06*(o-s)||1;return[s<0?s-l:s,o+l]}function Jr(n,t){let{look:e,box:s,heights:o,range:i}=t,r=Math.max(s.height/28,4);for(;at(o[0],o[1],r).length<3&&
 r<12;)r+=1;let a=z(o[1]-o[0],r),l=s.width/70,h=z(i[1]-i[0],l),{name:m,unit:u}=D[t.shared.axis];Kt(n,e,{left:R,top:A,box:s},{up:{marks:at(o[0],o[1],r).map(p=>({at:t.
 y(p),text:it(p,a),strong:Math.abs(p)<1e-9*a})),name:T(t.unit)},across:{marks:at(i[0],i[1],l).map(p=>({at:t.x(p),text:it(p,h)})),name:Nr(m,u)},lines:!0})}var{letters:Dc}=S.words;function Xr(n,t,e){let s=n.length/t,o=c("canvas",{width:t,height:s}),i=new ImageData(t,s);for(let r=0;r<s;r++)for(let a=0;a<t;a++){let l=Dc[n[r*
-t+a]],h=xt(e[l]??"#6E6E6E"),m=4*((s-1-r)*t+a);i.data.set([...h,255],m)}return ft(o).putImageData(i,0,0),o}function Qr(n,t,e){let s=e.length;n.strokeStyle=pe(t.look.
-dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let o=0;o<s;o++){if(!e[o])continue;let i=o;for(;i<s&&e[i]===e[o];)i++;let r=t.x(o*2*Math.PI/s),a=t.x(i*2*Math.PI/
-s);n.save(),n.beginPath(),n.rect(r,A,a-r,t.box.height),n.clip(),n.beginPath();let l=e[o];for(let h=-t.box.height;h<a-r+t.box.height;h+=7)n.moveTo(r+h,l>0?A+t.box.
-height:A),n.lineTo(r+h+t.box.height,l>0?A:A+t.box.height);n.stroke(),n.restore(),o=i}}function Zr(n,t){let{look:e,box:s}=t,[o,i]=t.range.map(h=>h*180/Math.PI),r=i-
-o>200?45:z(i-o,6),a=[];for(let h=Math.ceil(o/r-1e-9);h*r<=i+1e-9;h++)a.push(h*r);let l=z(t.top()-t.bottom(),5);Kt(n,e,{left:R,top:A,box:s},{across:{marks:a.map(
-h=>({at:t.x(h*Math.PI/180),text:it(h,r)})),name:T("phase.angle_theta_within_a")},up:{marks:at(t.bottom(),t.top(),5).map(h=>({at:t.y(h),text:it(h,l)})),name:"θ̇ \
-[rad/s]"}})}var Ls={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ps(n,t="solid"){let e=c("i",{class:"swatch","aria-hidden":"true"});if(e.style.borderTopColor=
+t+a]],h=xt(e[l]??"#6E6E6E"),m=4*((s-1-r)*t+a);i.data.set([...h,255],m)}return ft(o).putImageData(i,0,0),o}var Bc=2;function Qr(n,t,e){let s=e.length/2,[o,i,r]=[
+A,v(t.y(0),A,A+t.box.height),A+t.box.height];n.strokeStyle=pe(t.look.dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let[a,l,h]of[[0,i,r],[s,o,i]])for(let m=0;m<
+s;m++){let u=e[a+m];if(!u)continue;let p=m;for(;p<s&&e[a+p]===u;)p++;let d=t.x(m*2*Math.PI/s),f=t.x(p*2*Math.PI/s);n.save(),n.beginPath(),n.rect(d,l,f-d,h-l),n.
+clip(),n.beginPath();let{height:_}=t.box;for(let g=-_;g<f-d+_;g+=7)for(let b of u===Bc?[!0,!1]:[u>0])n.moveTo(d+g,b?r:o),n.lineTo(d+g+_,b?o:r);n.stroke(),n.restore(),
+m=p}}function Zr(n,t){let{look:e,box:s}=t,[o,i]=t.range.map(h=>h*180/Math.PI),r=i-o>200?45:z(i-o,6),a=[];for(let h=Math.ceil(o/r-1e-9);h*r<=i+1e-9;h++)a.push(h*
+r);let l=z(t.top()-t.bottom(),5);Kt(n,e,{left:R,top:A,box:s},{across:{marks:a.map(h=>({at:t.x(h*Math.PI/180),text:it(h,r)})),name:T("phase.angle_theta_within_a")},
+up:{marks:at(t.bottom(),t.top(),5).map(h=>({at:t.y(h),text:it(h,l)})),name:"θ̇ [rad/s]"}})}var Ls={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ps(n,t="solid"){let e=c("i",{class:"swatch","aria-hidden":"true"});if(e.style.borderTopColor=
 n??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[t],t==="long"||t==="mixed"){let s=0,o=Ls[t].map((i,r)=>(s+=
 i,`${r%2?"transparent":n??"var(--ink)"} ${s-i}px ${s}px`));e.style.height="2.5px",e.style.width="28px",e.style.background=`repeating-linear-gradient(90deg, ${o.
 join(", ")})`}return e}var Cs=class{constructor(t,e,s){this.backend=t;this.clock=e;this.colors=s;this.canvas=c("canvas",{class:"plot-canvas"});this.over=c("canvas",{class:"plot-canvas\
- plot-over"});this.keys=c("div",{class:"plot-keys"});this.asked="";this.body=c("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"phase.plane_of_\
-angle_and"},this.canvas,this.over),this.element=c("section",{class:"phase"},c("header",{},c("h3",{},"phase.plane_of_theta_and"),this.keys),this.body,c("p",{class:"\
-hint"},"phase.colours_the_mode_that"," ",xs()?"phase.click_to_go_there":"phase.click_to_go_there_once")),this.body.addEventListener("pointerdown",o=>this.seek(o)),
-this.pinched=yt(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/o),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.
-soon=ot(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),o=JSON.stringify([t.hoop,t.plane,s]);if(o!==this.asked){let i=await this.painted(t,[0,2*Math.
-PI,-s,s],e);this.asked=o,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){
-this.sharpening=new AbortController;try{let t=await this.painted(this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.sharpening.signal);
-this.pictures=[this.pictures[0],t],this.redraw()}catch(t){if(t.name!=="AbortError")throw t}}}async painted(t,e,s){let{modes:o,paradox:i}=await this.backend.regions(
-t,e,s);return s?.throwIfAborted(),{window:e,paradox:i,picture:Xr(o,i.length,this.colors.modes)}}reach(){return this.reached}findReach(){let t=0;for(let s of this.
-films??[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();t=Math.max(t,o[Math.floor(.99*(o.length-1))]??0)}let e=z(Math.max(t,
-1)*1.15,4);return Math.ceil(Math.max(t,1)*1.12/e)*e}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[t,e]=this.range;
-return e-t>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(t){
-let e=this.body.getBoundingClientRect(),s=((t.clientX-e.left)/this.look.px-R)/this.box.width,o=1-((t.clientY-e.top)/this.look.px-A)/this.box.height;return[this.
-range[0]+s*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([
-t,e],s){let o=Math.max(t-(t-this.range[0])*s,0),i=Math.min(t+(this.range[1]-t)*s,2*Math.PI),r=this.reach(),a=Math.max(e-(e-this.bottom())*s,-r),l=Math.min(e+(this.
-top()-e)*s,r);this.range=[o,i],this.window=[a,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?
--this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(t,e,s){this.films=t,this.active=e,this.look=s,this.reached=
-this.findReach(),this.forwards=t.some(o=>o.columns.omega.some(i=>i>.3)),this.backwards=t.some(o=>o.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&
-(this.forwards=!0),this.redraw()}x(t){return R+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return A+(1-(t-this.bottom())/(this.top()-this.
-bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:t,look:e}=this,{context:s,width:o,height:i}=B(this.canvas,e.px);if(this.box={width:o-R-Es,height:i-
-A-As},s.clearRect(0,0,o,i),s.save(),s.beginPath(),s.rect(R,A,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:r,
-window:a}of this.pictures){let[l,h,m,u]=a,p=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(m)-this.y(u)];s.fillStyle=e.panel,s.fillRect(p[0],p[1],p[2],p[3]),s.
-globalAlpha=.35,s.drawImage(r,p[0],p[1],p[2],p[3]),s.globalAlpha=1}Qr(s,this,this.pictures[0].paradox)}for(let[r,a]of this.films.entries())this.way(s,a,r);if(s.
-restore(),Zr(s,this),this.keyed!==e.dark){this.keyed=e.dark;let r=Object.entries(t.mode_names).filter(([a])=>"RSKH".includes(a));this.keys.replaceChildren(...r.
-map(([a,l])=>c("span",{class:"plot-key"},Ps(t.modes[a]),l)))}this.cursor(this.clock.time)}way(t,e,s){let{angle:o,omega:i,mode:r}=e.columns,a=2*Math.PI;t.lineWidth=
-s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=this.films.length>1?pt(s,this.look.dark):this.look.ink,t.beginPath();let l=null;for(let h=0;h<e.length;h++){if(!Number.
-isFinite(i[h])){l=null;continue}let m=Math.floor(o[h]/a),u=o[h]-m*a;if(l===null)t.moveTo(this.x(u),this.y(i[h]));else if(m!==l.lap){let p=m>l.lap?a:0;t.lineTo(this.
-x(p),this.y(i[h])),t.moveTo(this.x(a-p),this.y(i[h])),t.lineTo(this.x(u),this.y(i[h]))}else t.lineTo(this.x(u),this.y(i[h]));l={lap:m,mode:r[h]}}t.stroke(),t.setLineDash(
-[])}spot({angle:t,omega:e}){let s=2*Math.PI;return[this.x(t-Math.floor(t/s)*s),this.y(e)]}cursor(t){if(!this.films||!this.box)return;let{context:e,width:s,height:o}=B(
-this.over,this.look.px);e.clearRect(0,0,s,o);let{pointed:i}=this.clock;if(i!==null){let[r,a]=this.spot(this.films[this.active].at(i));e.strokeStyle=this.look.ink,
-e.lineWidth=1.5;for(let l of[6,10])e.beginPath(),e.arc(r,a,l,0,2*Math.PI),e.stroke()}this.films.forEach((r,a)=>{let l=r.at(t),[h,m]=this.spot(l);h>=R&&h<=R+this.
-box.width&&m>=A&&m<=A+this.box.height&&(e.beginPath(),e.arc(h,m,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.modes[l.mode],e.fill(),e.lineWidth=2,e.strokeStyle=
-this.films.length>1?pt(a,this.look.dark):this.look.ink,e.stroke(),!(this.films.length<2)&&(e.font=`700 12px ${this.look.font}`,e.textAlign="left",e.fillStyle=e.
-strokeStyle,e.fillText("AB"[a],h+8,m-6)))})}seek(t){let e=this.body.getBoundingClientRect(),[s,o]=[t.clientX-e.left,t.clientY-e.top].map(m=>m/this.look.px);if(this.
-pinched())return;let i=this.films[this.active],{angle:r,omega:a}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let m=0;m<i.length;m++){let u=r[m]-Math.floor(r[m]/
-l)*l,p=Math.hypot(this.x(u)-s,this.y(a[m])-o);p<h.distance&&(h={distance:p,t:i.t[m]})}h.distance<40&&this.clock.seek(v(h.t,0,i.duration))}};function ta(n,t){let e=[],s=null;for(let o=0;o<n.length;o++){let i=Math.floor(n[o]),r=t[o];Number.isFinite(i+r)?s&&s.x===i?(s.low=Math.min(s.low,r),s.high=Math.
+ plot-over"});this.keys=c("div",{class:"plot-keys"});this.hatched=c("span",{hidden:!0},"phase.hatched"," ");this.asked="";this.body=c("div",{class:"plot-body",role:"\
+figure",tabindex:"0","aria-label":"phase.plane_of_angle_and"},this.canvas,this.over),this.element=c("section",{class:"phase"},c("header",{},c("h3",{},"phase.pla\
+ne_of_theta_and"),this.keys),this.body,c("p",{class:"hint"},"phase.colours"," ",this.hatched,xs()?"phase.click_to_go_there":"phase.click_to_go_there_once")),this.
+body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=yt(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/o),home:()=>this.
+home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ot(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),o=JSON.stringify([t.hoop,t.plane,s]);if(o!==this.
+asked){let i=await this.painted(t,[0,2*Math.PI,-s,s],e);this.asked=o,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.
+abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let t=await this.painted(this.films[this.active].scenario,[...this.range,this.
+bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],t],this.redraw()}catch(t){if(t.name!=="AbortError")throw t}}}async painted(t,e,s){let{
+modes:o,paradox:i}=await this.backend.regions(t,e,s);return s?.throwIfAborted(),{window:e,paradox:i,picture:Xr(o,i.length/2,this.colors.modes)}}reach(){return this.
+reached}findReach(){let t=0;for(let s of this.films??[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();t=Math.max(t,o[Math.floor(
+.99*(o.length-1))]??0)}let e=z(Math.max(t,1)*1.15,4);return Math.ceil(Math.max(t,1)*1.12/e)*e}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),
+this.redraw()}isWhole(){let[t,e]=this.range;return e-t>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.
+abort(),this.pictures?.splice(1)}point(t){let e=this.body.getBoundingClientRect(),s=((t.clientX-e.left)/this.look.px-R)/this.box.width,o=1-((t.clientY-e.top)/this.
+look.px-A)/this.box.height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.
+range[1]),.5*(this.bottom()+this.top())]}zoomAbout([t,e],s){let o=Math.max(t-(t-this.range[0])*s,0),i=Math.min(t+(this.range[1]-t)*s,2*Math.PI),r=this.reach(),a=Math.
+max(e-(e-this.bottom())*s,-r),l=Math.min(e+(this.top()-e)*s,r);this.range=[o,i],this.window=[a,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){
+return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(t,e,s){
+this.films=t,this.active=e,this.look=s,this.reached=this.findReach(),this.forwards=t.some(o=>o.columns.omega.some(i=>i>.3)),this.backwards=t.some(o=>o.columns.omega.
+some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return R+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){
+return A+(1-(t-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:t,look:e}=this,{context:s,width:o,height:i}=B(
+this.canvas,e.px);if(this.box={width:o-R-Es,height:i-A-As},s.clearRect(0,0,o,i),s.save(),s.beginPath(),s.rect(R,A,this.box.width,this.box.height),s.clip(),this.
+pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:l}of this.pictures){let[h,m,u,p]=l,d=[this.x(h),this.y(p),this.x(m)-this.x(h),this.y(u)-this.y(p)];
+s.fillStyle=e.panel,s.fillRect(d[0],d[1],d[2],d[3]),s.globalAlpha=.35,s.drawImage(a,d[0],d[1],d[2],d[3]),s.globalAlpha=1}let{paradox:r}=this.pictures[0];Qr(s,this,
+r),this.hatched.hidden=!r.some(a=>a!==0)}for(let[r,a]of this.films.entries())this.way(s,a,r);if(s.restore(),Zr(s,this),this.keyed!==e.dark){this.keyed=e.dark;let r=Object.
+entries(t.mode_names).filter(([a])=>"RSKH".includes(a));this.keys.replaceChildren(...r.map(([a,l])=>c("span",{class:"plot-key"},Ps(t.modes[a]),l)))}this.cursor(
+this.clock.time)}way(t,e,s){let{angle:o,omega:i,mode:r}=e.columns,a=2*Math.PI;t.lineWidth=s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=this.films.length>1?
+pt(s,this.look.dark):this.look.ink,t.beginPath();let l=null;for(let h=0;h<e.length;h++){if(!Number.isFinite(i[h])){l=null;continue}let m=Math.floor(o[h]/a),u=o[h]-
+m*a;if(l===null)t.moveTo(this.x(u),this.y(i[h]));else if(m!==l.lap){let p=m>l.lap?a:0;t.lineTo(this.x(p),this.y(i[h])),t.moveTo(this.x(a-p),this.y(i[h])),t.lineTo(
+this.x(u),this.y(i[h]))}else t.lineTo(this.x(u),this.y(i[h]));l={lap:m,mode:r[h]}}t.stroke(),t.setLineDash([])}spot({angle:t,omega:e}){let s=2*Math.PI;return[this.
+x(t-Math.floor(t/s)*s),this.y(e)]}cursor(t){if(!this.films||!this.box)return;let{context:e,width:s,height:o}=B(this.over,this.look.px);e.clearRect(0,0,s,o);let{
+pointed:i}=this.clock;if(i!==null){let[r,a]=this.spot(this.films[this.active].at(i));e.strokeStyle=this.look.ink,e.lineWidth=1.5;for(let l of[6,10])e.beginPath(),
+e.arc(r,a,l,0,2*Math.PI),e.stroke()}this.films.forEach((r,a)=>{let l=r.at(t),[h,m]=this.spot(l);h>=R&&h<=R+this.box.width&&m>=A&&m<=A+this.box.height&&(e.beginPath(),
+e.arc(h,m,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.modes[l.mode],e.fill(),e.lineWidth=2,e.strokeStyle=this.films.length>1?pt(a,this.look.dark):this.look.ink,
+e.stroke(),!(this.films.length<2)&&(e.font=`700 12px ${this.look.font}`,e.textAlign="left",e.fillStyle=e.strokeStyle,e.fillText("AB"[a],h+8,m-6)))})}seek(t){let e=this.
+body.getBoundingClientRect(),[s,o]=[t.clientX-e.left,t.clientY-e.top].map(m=>m/this.look.px);if(this.pinched())return;let i=this.films[this.active],{angle:r,omega:a}=i.
+columns,l=2*Math.PI,h={distance:1/0,t:0};for(let m=0;m<i.length;m++){let u=r[m]-Math.floor(r[m]/l)*l,p=Math.hypot(this.x(u)-s,this.y(a[m])-o);p<h.distance&&(h={
+distance:p,t:i.t[m]})}h.distance<40&&this.clock.seek(v(h.t,0,i.duration))}};function ta(n,t){let e=[],s=null;for(let o=0;o<n.length;o++){let i=Math.floor(n[o]),r=t[o];Number.isFinite(i+r)?s&&s.x===i?(s.low=Math.min(s.low,r),s.high=Math.
 max(s.high,r),s.middle+=(r-s.middle)/++s.count):(s={x:i,low:r,high:r,middle:r,count:1},e.push(s)):(s&&e.push(null),s=null)}return e}function ea(n){let t=n.filter(
 e=>e!==null);return t.filter(({count:e})=>e>=4).length>.5*t.length}var Vt=class{constructor({key:t,title:e,unit:s,curves:o,limits:i,symmetric:r=!1},a){this.shared=a;this.cut=null;this.key=t,this.title=e,this.unit=s,this.curves=
 o,this.limits=i,this.symmetric=r,this.canvas=c("canvas",{class:"plot-canvas"}),this.over=c("canvas",{class:"plot-canvas plot-over"}),this.keys=c("div",{class:"p\
@@ -1374,7 +1375,7 @@ return this.onseek(t);let e=this.films[this.active],s=this.abscissa(e),o=0;for(l
 e.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){let s=this.fullRange(),o=Math.max(t-(t-this.range[0])*e,s[0]),i=Math.min(t+(this.range[1]-
 t)*e,s[1]);this.zoomTo(o<=s[0]&&i>=s[1]?null:[o,i])}zoomTo(t){this.shared.range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};var fo=n=>Object.entries(D).map(([t,e])=>c("option",{value:t},n(e)));function sa(n){let t="height",e=new Vt({key:"own",title:"diagram.your_choice",unit:"",curves:i=>[
 {name:D[t].name,values:D[t].values(i)}]},n),s=()=>{let{symbol:i,unit:r}=D[t];e.unit=r?`${i} [${r}]`:i},o=c("select",{"aria-label":"diagram.what_your_diagram_sho\
-ws",onchange:()=>{t=o.value,s(),n.changed()}},fo(gr));return o.value=t,s(),e.element.querySelector("h3")?.after(o),e}function Bc(n){return[{key:"velocities",title:"diagram.velocities",unit:"diagram.velocity_m_s",curves:t=>[{name:"diagram.v_centre",color:n.center_speed,values:t.
+ws",onchange:()=>{t=o.value,s(),n.changed()}},fo(gr));return o.value=t,s(),e.element.querySelector("h3")?.after(o),e}function zc(n){return[{key:"velocities",title:"diagram.velocities",unit:"diagram.velocity_m_s",curves:t=>[{name:"diagram.v_centre",color:n.center_speed,values:t.
 columns.vx},{name:"R θ̇",color:n.rotation_speed,dash:"dash",values:t.derived("spin",({omega:e})=>Float64Array.from(e,s=>s*t.radius))}]},{key:"energies",title:"\
 diagram.energies_and_losses",unit:"diagram.energy_j",curves:t=>[{name:"diagram.kinetic",color:n.kinetic,values:t.columns.kinetic},{name:"diagram.potential",color:n.
 potential,values:t.columns.potential},{name:"diagram.total",values:t.derived("total",({t:e,kinetic:s,potential:o})=>Float64Array.from(e,(i,r)=>s[r]+o[r])),dash:"\
@@ -1383,7 +1384,7 @@ damper":"diagram.lost_in_impacts_normal",color:n.impact_loss,values:t.columns.no
 t_to_rolling_resistance",values:t.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"forces",title:"diagram.contact_forces",unit:"diagram.force_n",curves:t=>[{name:"\
 diagram.normal_n",color:n.normal_force,values:t.columns.normal_force},{name:"diagram.friction_f",color:n.friction_force,dash:"dash",values:t.columns.friction_force}]},
 {key:"utilization",title:"diagram.use_of_friction",unit:"|F| / μN",limits:[0,1.08],curves:t=>[{name:"|F| / μN",color:n.friction_force,values:t.columns.utilization}]}]}
-var Rs=class{constructor(t,e){this.colors=e;this.shared={axis:"time",range:null,clock:t,changed:()=>this.redraw()},this.plots=[...Bc(e).map(o=>new Vt(o,this.shared)),
+var Rs=class{constructor(t,e){this.colors=e;this.shared={axis:"time",range:null,clock:t,changed:()=>this.redraw()},this.plots=[...zc(e).map(o=>new Vt(o,this.shared)),
 sa(this.shared)];for(let o of this.plots)o.onseek=i=>t.seek(i);this.seen=new Map(this.plots.map(o=>[o.element,!0]));let s=new IntersectionObserver(o=>{for(let{target:i,
 isIntersecting:r}of o)this.seen.set(i,r);this.redraw()},{rootMargin:"400px"});for(let o of this.plots)s.observe(o.element);this.axis=c("select",{"aria-label":"d\
 iagram.horizontal_axis_of_the",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,this.redraw()}},fo(({name:o})=>({key:"diagram.over_quantity",
@@ -1392,11 +1393,11 @@ hint"}),this.element=c("div",{class:"plots"},c("div",{class:"plots-head"},this.a
 this.active=e,this.look=s;let o=matchMedia("(hover: none)").matches?"diagram.slide_to_go_there":"diagram.click_to_go_there",i=t.length>1;E(this.hint,i?{key:"dia\
 gram.a_blue_b_ochre",values:{hoop:"AB"[e],hands:o}}:o),this.redraw()}redraw(){if(this.films?.length){this.back.hidden=!this.shared.range;for(let t of this.plots)
 t.take(this.films,this.active,this.look);for(let t of this.visible())t.draw(this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.plots.filter(
-t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var zc={python:"fingerprint.same_bits_as_in",link:"fingerprint.same_bits_as_where"},Wc={python:"fingerprint.the_bits_differ_own",link:"fingerprint.the_bits_diff\
+t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var Wc={python:"fingerprint.same_bits_as_in",link:"fingerprint.same_bits_as_where"},Gc={python:"fingerprint.the_bits_differ_own",link:"fingerprint.the_bits_diff\
 er_own_here"},Os=class{constructor(t){this.link=new Map;this.python=new Map(t.map(({key:e,query:s})=>[s,S.fingerprints[e]]))}expect(t,e){for(let[s,{query:o}]of t.
 entries())e[s]&&this.link.set(o,e[s])}expected(t){return t.map(({query:e})=>this.link.get(e)??"")}of({query:t,fingerprint:e}){return e?["python","link"].flatMap(
-s=>{let o=this[s].get(t);if(!o)return[];let i=e===o;return[{same:i,text:i?zc[s]:{key:Wc[s],values:{own:e,other:o}}}]}):[]}};var na=n=>new URL(`${n}?68616c9ace06cc8dc5716515f893b328`,import.meta.url).href,oa=()=>import(na("stage3d.js")),ia=()=>import(na("svg.js")),Ns=n=>n.catch(()=>{throw new Error(
-"page.not_loaded")});var Gc=3840;async function ra(n){let{width:t,height:e}=n.stage.canvas().getBoundingClientRect(),s=Math.max(Gc/t,globalThis.devicePixelRatio||1),o=c("canvas",{width:Math.
+s=>{let o=this[s].get(t);if(!o)return[];let i=e===o;return[{same:i,text:i?Wc[s]:{key:Gc[s],values:{own:e,other:o}}}]}):[]}};var na=n=>new URL(`${n}?8b07b5a1b58cd5cd0a8237518072a035`,import.meta.url).href,oa=()=>import(na("stage3d.js")),ia=()=>import(na("svg.js")),Ns=n=>n.catch(()=>{throw new Error(
+"page.not_loaded")});var Uc=3840;async function ra(n){let{width:t,height:e}=n.stage.canvas().getBoundingClientRect(),s=Math.max(Uc/t,globalThis.devicePixelRatio||1),o=c("canvas",{width:Math.
 round(t*s),height:Math.round(e*s)}),i=ft(o);return i.setTransform(s,0,0,s,0,0),go(i,n,t,e),n.stage.options.three?(i.drawImage(n.stage.sharp(n,s),0,0,t,e),n.drawStage()):
 ha(i,n,t,e),_o(i,n,e),new Promise((r,a)=>o.toBlob(l=>l?r(l):a(new Error("save.the_picture_is_too"))))}async function aa(n){if(n.stage.options.three)throw new Error(
 "save.a_picture_in_space");let{width:t,height:e}=n.stage.canvas().getBoundingClientRect(),{Context:s}=await Ns(ia()),o=new s({width:t,height:e,document});return go(
@@ -1409,10 +1410,10 @@ s.colors.modes[m.mode],n.fillRect(12,f+2*r,11*r,11*r),n.fillStyle=s.look.ink,n.f
 "alphabetic"}async function ca(n){let t=n.stage.canvas();if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("save.this_browser_cannot_record");let e=c("canvas",{
 width:2*Math.ceil(t.width/2),height:2*Math.ceil(t.height/2)}),s=new MediaRecorder(e.captureStream(60),{videoBitsPerSecond:8e6}),o=[];s.ondataavailable=a=>o.push(
 a.data);let i=new Promise(a=>s.onstop=a),{loop:r}=n.clock;return n.clock.loop=!1,n.clock.seek(0),n.notice.say("save.recording_one_run"),n.afterFrame=()=>{la(n,e),
-!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await i,n.afterFrame=null,n.clock.loop=r,new Blob(o,{type:s.mimeType})}var Uc=[["motion.toml","save.save_the_scenario_toml"],["motion.csv","save.save_the_states_csv"],["motion.nc","save.save_the_motion_netcdf"],["motion.json","save\
+!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await i,n.afterFrame=null,n.clock.loop=r,new Blob(o,{type:s.mimeType})}var Kc=[["motion.toml","save.save_the_scenario_toml"],["motion.csv","save.save_the_states_csv"],["motion.nc","save.save_the_motion_netcdf"],["motion.json","save\
 .save_the_events_json"],["motion.mp4","save.save_a_film_mp4"]],Hs=class{constructor(t){this.lab=t;this.menu=c("details",{class:"menu"},c("summary",{class:"butto\
 n"},c("span",{class:"long"},"save.share_and_save"),c("span",{class:"short"},"save.share")),c("div",{class:"menu-body"},t.backend.shares&&this.item("save.copy_a_\
-link_to",()=>this.copyLink()),Uc.filter(([e])=>t.backend.files.includes(e)).map(([e,s])=>this.item(s,()=>this.download(e))),this.item("save.save_a_picture_png",
+link_to",()=>this.copyLink()),Kc.filter(([e])=>t.backend.files.includes(e)).map(([e,s])=>this.item(s,()=>this.download(e))),this.item("save.save_a_picture_png",
 ()=>this.picture("png",ra)),this.item("save.save_a_picture_svg",()=>this.picture("svg",aa)),this.item("save.record_one_run_as",()=>this.record()),this.item("sav\
 e.show_the_python_code",()=>this.code()))),this.dialog=c("dialog",{class:"code-dialog","aria-label":"save.the_same_motion_in"})}item(t,e){return c("button",{type:"\
 button",onclick:async()=>{this.menu.open=!1;try{await e()}catch(s){this.lab.notice.fail(s)}}},t)}async copyLink(){let t=this.lab.link(this.lab.films().map(({fingerprint:e})=>e??
@@ -1477,9 +1478,9 @@ let{context:r,width:a,height:l}=B(this.canvas);r.clearRect(0,0,a,l),!(a<40||l<40
 m={top:Math.max(...o.map(u=>u.extent.top)),radius:Math.max(...o.map(u=>u.radius)),speed:Math.max(...o.map(u=>u.extent.speed))};return o.map((u,p)=>{t.save(),t.beginPath(),
 t.rect(0,p*h,e,h),t.clip(),t.translate(0,p*h);let d=new Fs(t,e,h,u,i,r,a,l,this.zoom,this.shift,m);return d.top=p*h,d.scale=this.fixed??d.scale,d.draw(),this.pointed?.
 lane===p&&d.ghost(u.at(this.pointed.time)),this.over(d,p),o.length>1&&(d.mark("AB"[p],pt(p,a.dark)),t.fillStyle=pt(p,a.dark),t.font=`700 ${17*a.px}px ${a.font}`,
-t.textAlign="left",t.fillText("AB"[p],12,h-12)),t.restore(),p>0&&(t.fillStyle=a.line,t.fillRect(0,p*h-.5,e,1)),d})}};var Kc=["player.hoop","table.mode","column.time","column.angle","v","R θ̇","player.gap"],$s=class{constructor(t,e){this.colors=t;this.onview=e;this.options={traces:!0,
+t.textAlign="left",t.fillText("AB"[p],12,h-12)),t.restore(),p>0&&(t.fillStyle=a.line,t.fillRect(0,p*h-.5,e,1)),d})}};var Vc=["player.hoop","table.mode","column.time","column.angle","v","R θ̇","player.gap"],$s=class{constructor(t,e){this.colors=t;this.onview=e;this.options={traces:!0,
 forces:!0,speed:!0,whole:!1,three:!1,ahead:!1};this.plane=c("canvas",{class:"stage-canvas"});this.space=c("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Is(
-this.plane,this.onview);this.deep=null;this.outputs=Kc.map(o=>({name:c("dt",{},o),value:c("dd",{})})),this.outputs[1].value.className="mode",this.fastest=c("spa\
+this.plane,this.onview);this.deep=null;this.outputs=Vc.map(o=>({name:c("dt",{},o),value:c("dd",{})})),this.outputs[1].value.className="mode",this.fastest=c("spa\
 n",{}),this.legend=c("div",{class:"legend","aria-hidden":"true"},c("i",{style:`background: linear-gradient(90deg, ${Ue.filter((o,i)=>i%15===0).join(",")})`}),c(
 "span",{},"0"),c("span",{},"player.rim_speed"),this.fastest);let s=(o,i)=>c("span",{},c("i",{class:"dot",style:`background:${o}`}),i);this.order=c("span",{hidden:!0},
 "player.a_in_front_b"),this.element=c("div",{class:"stage",role:"figure","aria-label":"player.the_hoop",tabindex:"0"},this.plane,this.space,c("dl",{class:"reado\
@@ -1506,18 +1507,18 @@ key:"motion.what_happens_to_hoop",values:{hoop:"AB"[e]}}:"motion.what_happens"),
 {},c("button",{type:"button",onclick:()=>this.clock.seek(e.t),onpointerenter:()=>this.clock.point(e.t),onpointerleave:()=>this.clock.point(null),onfocus:()=>this.
 clock.point(e.t),onblur:()=>this.clock.point(null)},c("i",{class:"dot",style:`background:${t.modes[e.mode]}`,"aria-hidden":"true"}),c("span",{class:"when"},`${x(
 e.t,4)} s`),c("span",{},e.text)))),this.list.replaceChildren(...this.items),this.clock.pointed=null}sign(){let{fingerprint:t}=this.film;t!==this.signed&&(this.signed=
-t,this.signature.replaceChildren(...Vc(t)))}say(t){E(this.live,t)}announce(t){this.say(t.flatMap((e,s)=>s?[" ",e.summary]:[e.summary]))}cursor(t){let{story:e}=this.
+t,this.signature.replaceChildren(...Yc(t)))}say(t){E(this.live,t)}announce(t){this.say(t.flatMap((e,s)=>s?[" ",e.summary]:[e.summary]))}cursor(t){let{story:e}=this.
 film,s=-1;for(let i=0;i<e.length&&e[i].t<=t+1e-9;i++)s=i;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add(
 "now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let o=this.items[s];if(o){let i=o.
 offsetTop-this.list.offsetTop;(i<this.list.scrollTop||i+o.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}};
-function Vc(n){if(!n)return[c("span",{},"motion.no_fingerprint_this_motion")];let t=c("code",{},document.createTextNode(n)),e=c("button",{type:"button"},"motion\
+function Yc(n){if(!n)return[c("span",{},"motion.no_fingerprint_this_motion")];let t=c("code",{},document.createTextNode(n)),e=c("button",{type:"button"},"motion\
 .copy");return e.onclick=async()=>{try{await navigator.clipboard.writeText(n),E(e,"motion.copied")}catch{getSelection()?.selectAllChildren(t)}},[c("span",{title:"\
 motion.a_hash_of_all"},"motion.fingerprint")," ",t," ",e]}var qs=class{constructor(){this.list=c("dl",{});this.heading=c("h2",{},"motion.what_theory_says");this.
 element=c("section",{class:"theory"},this.heading,this.list)}draw(t,e=""){E(this.heading,e?{key:"motion.what_theory_says_of",values:{hoop:e}}:"motion.what_theor\
-y_says"),this.list.replaceChildren(...t.flatMap(({label:s,text:o})=>[c("dt",{},s),c("dd",{},o)]))}};var ua="hophoop-theme",Yc=["gravity_center","airborne","normal_force","friction_force"],Ds=class{constructor(t,e,s,o){this.root=t;this.colors=e;this.hosted=s;this.
+y_says"),this.list.replaceChildren(...t.flatMap(({label:s,text:o})=>[c("dt",{},s),c("dd",{},o)]))}};var ua="hophoop-theme",Jc=["gravity_center","airborne","normal_force","friction_force"],Ds=class{constructor(t,e,s,o){this.root=t;this.colors=e;this.hosted=s;this.
 changed=o;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
 this.mark(),this.look=Wn(t),this.inks={...e},this.read()}mark(){let t=this.hosted?st(ua):null;this.root.dataset.theme=this.chosen??t??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Wn(this.root),this.inks={...this.colors};for(let t of Yc)
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Wn(this.root),this.inks={...this.colors};for(let t of Jc)
 this.inks[t]=de(this.colors[t],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
 k",this.hosted&&nt(ua,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Bs=class{constructor(t){this.clock=t;this.window=null;this.canvas=c("canvas",{class:"timeline-canvas"});this.tip=c("div",{class:"tip",hidden:!0});this.element=
 c("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"player.time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),this.
@@ -1544,11 +1545,11 @@ o.toFixed(3)),this.element.setAttribute("aria-valuenow",s.toFixed(3)),this.eleme
 t.font=`11px ${l.font}`,!(r<13||t.measureText(e).width+8>o)&&(t.fillStyle=Li(a),t.textAlign="center",t.textBaseline="middle",t.fillText(e,s+.5*o,i+.5*r+1),t.textBaseline=
 "alphabetic")}marks(t,e,s,o,i,r){t.font=`11px ${r.font}`,t.textAlign="center";let a=e.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,
 x:s(h)})).filter(({x:l})=>l>=-1&&l<=i+1);if(t.fillStyle=r.panel,a.length<i/6)for(let{x:l}of a)t.fillRect(l-.5,o,1,5);t.fillStyle=r.ink;for(let{mark:l,x:h}of nr(
-a))t.fillText(l,v(h,6,i-6),o-4)}};var Jc=1/60,Xc=[["traces","player.traces","player.traces_t"],["forces","player.forces","player.forces_f"],["speed","player.rim_speed_2","player.rim_speed_c"],["\
+a))t.fillText(l,v(h,6,i-6),o-4)}};var Xc=1/60,Qc=[["traces","player.traces","player.traces_t"],["forces","player.forces","player.forces_f"],["speed","player.rim_speed_2","player.rim_speed_c"],["\
 whole","player.whole_path","player.whole_path_w"],["three","3D","player.in_space_3"]],Pt=(n,t,e)=>c("button",{type:"button",title:t,"aria-label":t,onclick:e},n),
 pa=(n,t)=>c("span",{},c("span",{"aria-hidden":"true"},`${n} `),t),zs=class{constructor(t,e,s,o,i){this.clock=t;this.films=e;this.say=o;this.tell=i;this.titled="";
 this.playButton=Pt(W("play"),"player.play_space",()=>t.play()),this.playButton.classList.add("play"),this.speeds=c("select",{"aria-label":"player.speed_of_the_f\
-ilm",onchange:()=>{t.speed=Number(this.speeds.value)}},_e.map(r=>c("option",{value:String(r)},`${r}×`))),this.speeds.value="1",this.switches=new Map(Xc.map(([r,
+ilm",onchange:()=>{t.speed=Number(this.speeds.value)}},_e.map(r=>c("option",{value:String(r)},`${r}×`))),this.speeds.value="1",this.switches=new Map(Qc.map(([r,
 a,l])=>[r,c("button",{type:"button",class:"switch",title:l,onclick:()=>s(r)},a)])),this.row=c("div",{class:"buttons switches"},[...this.switches.values()]),this.
 element=c("div",{class:"transport"},c("div",{class:"buttons"},Pt(W("start"),"player.to_the_start_home",()=>t.seek(0)),Pt(W("previous"),"player.previous_event_sh\
 ift",()=>this.jump(-1)),Pt(W("back"),"player.one_frame_back",()=>this.nudge(-1)),this.playButton,Pt(W("on"),"player.one_frame_on",()=>this.nudge(1)),Pt(W("next"),
@@ -1556,7 +1557,7 @@ ift",()=>this.jump(-1)),Pt(W("back"),"player.one_frame_back",()=>this.nudge(-1))
 Pt(pa("▼","event.impact"),"player.to_the_next_landing",()=>this.jump(1,"impact"))),this.speeds,this.row)}show(t){let{clock:e,playButton:s}=this;for(let[i,r]of this.
 switches)r.setAttribute("aria-pressed",String(t[i]));let o=e.playing?"player.pause_space":"player.play_space";this.titled!==o&&(this.titled=o,s.replaceChildren(
 W(e.playing?"pause":"play")),dt(s,"title",o),dt(s,"aria-label",o)),this.speeds.value!==String(e.speed)&&(this.speeds.value=String(e.speed))}nudge(t){this.clock.
-playing=!1,this.clock.seek(this.clock.time+t*Jc*Math.min(this.clock.speed,1))}jump(t,e=null){this.clock.playing=!1;let s=this.films().flatMap((m,u)=>m.events.map(
+playing=!1,this.clock.seek(this.clock.time+t*Xc*Math.min(this.clock.speed,1))}jump(t,e=null){this.clock.playing=!1;let s=this.films().flatMap((m,u)=>m.events.map(
 p=>({event:p,lane:u}))).filter(({event:m})=>!e||(e==="impact"?m.kind===e:Qi(m))).sort((m,u)=>m.event.t-u.event.t),o=this.clock.time,i=t>0?s.find(({event:m})=>m.
 t>o+1e-9):s.findLast(({event:m})=>m.t<o-1e-9);if(!i&&e&&(i=s[0]),!i){e&&this.say(e==="takeoff"?"player.this_motion_has_no":"player.this_motion_has_no_landing");
 return}this.clock.seek(i.event.t);let{event:r,lane:a}=i,h={key:"player.what_at_angle_time",values:{what:kt(r.kind),angle:q(r.angle),time:x(r.t,4)}};this.tell(this.
@@ -1599,18 +1600,18 @@ this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.d
 this.request())}async fetchTheory(){let{scenario:t}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked;try{this.theory.draw(
 await this.backend.theory(t,e),this.motions.name()),await this.phase.fetch(t,e)}catch(s){s.name!=="AbortError"&&this.theory.draw([{label:"–",text:K(s)}])}}async toggle(t){
 let{options:e}=this.stage;if(t!=="three")e[t]=!e[t];else try{await this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(K(s))}this.transport.show(e),this.
-address?.soon(),this.request()}};var Qc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ae(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
+address?.soon(),this.request()}};var Zc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ae(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(e.subarray(
-4,4+s))),i={};for(let{name:r,type:a,shape:l,place:h}of o.arrays){let m=l.reduce((u,p)=>u*p,1);i[r]=new Qc[a](e.buffer,e.byteOffset+4+s+h,m)}return{header:o,arrays:i}}var Zc=4,tm="backend.the_server_does_not",Ws=class{constructor(t){this.base=t}async motion(t,e){let s={method:"POST",headers:{"Content-Type":"application/json"},
+4,4+s))),i={};for(let{name:r,type:a,shape:l,place:h}of o.arrays){let m=l.reduce((u,p)=>u*p,1);i[r]=new Zc[a](e.buffer,e.byteOffset+4+s+h,m)}return{header:o,arrays:i}}var tm=4,em="backend.the_server_does_not",Ws=class{constructor(t){this.base=t}async motion(t,e){let s={method:"POST",headers:{"Content-Type":"application/json"},
 body:JSON.stringify(t),signal:e};return Ae(await(await this.answered(new URL("lab/motion",this.base),s)).arrayBuffer())}async file(t,e){return(await this.answered(
-new URL(`api/v1/files/${t}?${e}`,this.base))).blob()}async answered(t,e){for(let s=Zc;;s--){let o=await fetch(t,e).catch(r=>{throw r.name==="AbortError"?r:new Error(
-tm)});if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>0)||s<=1){let{detail:r}=await o.json().catch(()=>({}));throw o.status===
+new URL(`api/v1/files/${t}?${e}`,this.base))).blob()}async answered(t,e){for(let s=tm;;s--){let o=await fetch(t,e).catch(r=>{throw r.name==="AbortError"?r:new Error(
+em)});if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>0)||s<=1){let{detail:r}=await o.json().catch(()=>({}));throw o.status===
 503?new Z({key:"server.busy",values:{count:i}}):o.status===413?new Error("server.too_much"):o.status===500?new Error("server.failed"):r?new Error(r):new Z({key:"\
-backend.the_server_answered_status",values:{status:o.status}})}await new Promise(r=>setTimeout(r,1e3*Math.min(i,10))),e?.signal?.throwIfAborted()}}},em=2e4,sm=3e5,
+backend.the_server_answered_status",values:{status:o.status}})}await new Promise(r=>setTimeout(r,1e3*Math.min(i,10))),e?.signal?.throwIfAborted()}}},sm=2e4,nm=3e5,
 Gs=class{constructor(t){this.model=t;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(e,s)=>this.answered(e,s),t.on(
 "msg:custom",this.listen)}answered(t,e){let s=t?.view===this.view&&this.waiting.get(t.number);s&&(clearTimeout(s.timer),this.waiting.delete(t.number),t.error?s.
 reject(new Error(t.error)):s.resolve(Ae(e[0])))}ask(t,e,s){let o=++this.number;return new Promise((i,r)=>{let a=setTimeout(()=>{this.waiting.delete(o),r(new Error(
-"backend.the_notebooks_kernel_does"))},t==="file"?sm:em);this.waiting.set(o,{resolve:i,reject:r,timer:a}),s?.addEventListener("abort",()=>{clearTimeout(a),this.
+"backend.the_notebooks_kernel_does"))},t==="file"?nm:sm);this.waiting.set(o,{resolve:i,reject:r,timer:a}),s?.addEventListener("abort",()=>{clearTimeout(a),this.
 waiting.delete(o),r(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:o,call:t,body:e})})}motion(t,e){return this.ask("motio\
 n",t,e)}async file(t,e){let{arrays:s}=await this.ask("file",{query:e,name:t});return new Blob([s.content])}async derivatives(){return(await this.ask("derivative\
 s",{})).arrays.content}close(){this.model.off("msg:custom",this.listen)}};var bo=class extends Z{},yo=class{constructor(t,e){this.start=t;this.compiled=e;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let t=this.start();
@@ -1624,24 +1625,24 @@ hand(),r=()=>i.stop(new DOMException("superseded","AbortError")),a=setTimeout(()
 try{return s?.throwIfAborted(),s?.addEventListener("abort",r),await i.ask(t,e,o)}finally{clearTimeout(a),s?.removeEventListener("abort",r),this.release(i)}}close(){
 for(let t of this.idle)t.worker.terminate()}};var Us=class{constructor(t){this.exports=t;this.rooms=new Map}room(t,e){let s=this.rooms.get(t);if(s&&s.bytes>=e)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(t);let o=this.exports.malloc(e);if(!o)throw new RangeError("kernel.no_memory");return this.rooms.set(t,{place:o,bytes:e}),o}floats(t,e){return new Float64Array(
-this.exports.memory.buffer,t,e)}put(t,e){let s=this.room(t,8*Math.max(e.length,1));return this.floats(s,e.length).set(e),s}};var nm=150,om=240,im=6e3,[sb,fa,ga]=[0,1,2],rm={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+this.exports.memory.buffer,t,e)}put(t,e){let s=this.room(t,8*Math.max(e.length,1));return this.floats(s,e.length).set(e),s}};var om=150,im=240,rm=6e3,[nb,fa,ga]=[0,1,2],am={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
 al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function wo(n,t,e){let{rows:s,count:o,duration:i}=t,[r,a]=(e??[0,i]).map(g=>Math.
-min(Math.max(g,0),i)),l=Math.min(Math.max(Math.ceil((a-r)*nm),om),im),h=w.events.length,m=new Set;for(let g=0;g<=l&&i>0;g++)m.add(g===l?a:r+g*((a-r)/l));let u=new Set;
+min(Math.max(g,0),i)),l=Math.min(Math.max(Math.ceil((a-r)*om),im),rm),h=w.events.length,m=new Set;for(let g=0;g<=l&&i>0;g++)m.add(g===l?a:r+g*((a-r)/l));let u=new Set;
 for(let g=0;g<o;g++){let b=Math.min(s[g*h+F.t],i);b>=r&&b<=a&&u.add(b)}for(let g of u)m.add(g);let p=Float64Array.from(m).sort(),d=Float64Array.from(u).filter(g=>g>
 0).sort(),f=n.states(t,p,!1),_=n.states(t,d,!0);return vo(p,f,d,_)}function vo(n,t,e,s){let o=n.length+e.length,i=w.samples.length,r=new Float64Array(o),a=new Float64Array(
 o*i),l=0,h=0;for(let u=0;u<n.length;u++)h<e.length&&e[h]<=n[u]&&(r[l]=e[h],a.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),r[l]=n[u],a.set(t.subarray(u*i,(u+1)*i),l*
-i),l++;let m={t:r};for(let[u,p]of Object.entries(rm)){let d=new Float64Array(o).fill(-0);for(let f of p)for(let _=0;_<o;_++)d[_]+=a[_*i+Xs[f]];m[u]=d}return m.mode=
-am(a,o,m.omega),m}function am(n,t,e){let s=w.samples.length,o=new Float64Array(t),i=0;for(let r=t-1;r>=0&&!i;r--)i=Math.sign(e[r])||0;for(let r=t-1;r>=0;r--){i=
-Math.sign(e[r])||i;let a=n[r*s+Xs.mode],l=a===fa?-1:a===ga?1:0;o[r]=l===0?a:l*i<0?fa:ga}return o}var lm=n=>n/2**32|0,hm=n=>n>>>0;function _a(n,t,e,s){let o=lm(e),i=hm(e);n.setUint32(t,s?i:o,s),n.setUint32(t+4,s?o:i,s)}function ba(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var xo=n=>n?
-`"${n}" `:"";function cm(n,t=""){if(typeof n!="number")throw new TypeError(xo(t)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
-xo(t)+"expected integer >= 0, got "+n);return n}function ko(n,t,e=""){if(ba(n)&&(t===void 0||n.length===t))return n;t!==void 0&&cm(t,"length");let s=ba(n),o=t!==void 0?` of length ${t}`:"",i=s?`length=${n.length}`:
-`type=${typeof n}`,r=xo(e)+"expected Uint8Array"+o+", got "+i;throw s?new RangeError(r):new TypeError(r)}var mm=(n,t)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((t==="object"?"":`"${t}" `)+"expected object, got type="+typeof n)},ya=(n,t)=>{
-mm(n,t);let e=Object.getPrototypeOf(n);if(e!==Object.prototype&&e!==null)throw new TypeError(`"${t}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
+i),l++;let m={t:r};for(let[u,p]of Object.entries(am)){let d=new Float64Array(o).fill(-0);for(let f of p)for(let _=0;_<o;_++)d[_]+=a[_*i+Xs[f]];m[u]=d}return m.mode=
+lm(a,o,m.omega),m}function lm(n,t,e){let s=w.samples.length,o=new Float64Array(t),i=0;for(let r=t-1;r>=0&&!i;r--)i=Math.sign(e[r])||0;for(let r=t-1;r>=0;r--){i=
+Math.sign(e[r])||i;let a=n[r*s+Xs.mode],l=a===fa?-1:a===ga?1:0;o[r]=l===0?a:l*i<0?fa:ga}return o}var hm=n=>n/2**32|0,cm=n=>n>>>0;function _a(n,t,e,s){let o=hm(e),i=cm(e);n.setUint32(t,s?i:o,s),n.setUint32(t+4,s?o:i,s)}function ba(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var xo=n=>n?
+`"${n}" `:"";function mm(n,t=""){if(typeof n!="number")throw new TypeError(xo(t)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
+xo(t)+"expected integer >= 0, got "+n);return n}function ko(n,t,e=""){if(ba(n)&&(t===void 0||n.length===t))return n;t!==void 0&&mm(t,"length");let s=ba(n),o=t!==void 0?` of length ${t}`:"",i=s?`length=${n.length}`:
+`type=${typeof n}`,r=xo(e)+"expected Uint8Array"+o+", got "+i;throw s?new RangeError(r):new TypeError(r)}var um=(n,t)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((t==="object"?"":`"${t}" `)+"expected object, got type="+typeof n)},ya=(n,t)=>{
+um(n,t);let e=Object.getPrototypeOf(n);if(e!==Object.prototype&&e!==null)throw new TypeError(`"${t}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
 `"${t}.__proto__" is not allowed`)};function Mo(n,t=!0){if(n.destroyed)throw new Error("hash was destroyed");if(t&&n.finished)throw new Error("digest() was alre\
 ady called")}function wa(n,t){ko(n,void 0,"output");let e=t.outputLen;if(!(n.length>=e))throw new RangeError('"output" expected length >= '+e)}function So(...n){for(let t=0;t<n.length;t++)n[t].fill(0)}function Ks(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function lt(n,t){return n<<32-t|
-n>>>t}function um(n,t,e="opts"){return ya(n,"defaults"),t!==void 0&&ya(t,e),Object.assign(Object.create(null),n,t)}function va(n,t={}){if(typeof n!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof n);t=um({},t,"info");let e=(o,i)=>n(i).update(o).digest(),s=n(void 0);return e.outputLen=s.outputLen,e.blockLen=
+n>>>t}function pm(n,t,e="opts"){return ya(n,"defaults"),t!==void 0&&ya(t,e),Object.assign(Object.create(null),n,t)}function va(n,t={}){if(typeof n!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof n);t=pm({},t,"info");let e=(o,i)=>n(i).update(o).digest(),s=n(void 0);return e.outputLen=s.outputLen,e.blockLen=
 s.blockLen,e.canXOF=s.canXOF,e.create=o=>n(o),Object.assign(e,t),Object.freeze(e)}var xa=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function ka(n,t,e){return n&t^~n&e}function Ma(n,t,e){return n&t^n&e^t&e}var Vs=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(t,e,s,o){
 this.blockLen=t,this.outputLen=e,this.padOffset=s,this.isLE=o,this.buffer=new Uint8Array(t),this.view=Ks(this.buffer)}update(t){Mo(this),ko(t);let{view:e,buffer:s,
 blockLen:o}=this,i=t.length,r=!1;for(let a=0;a<i;){let l=Math.min(o-this.pos,i-a);if(l===o){let h=Ks(t);for(;o<=i-a;a+=o)this.process(h,a);r=!0;continue}s.set(a===
@@ -1650,7 +1651,7 @@ Mo(this),wa(t,this),this.finished=!0;let{buffer:e,view:s,blockLen:o,isLE:i}=this
 0)),_a(s,o-8,this.length*8,i),this.process(s,0),this.roundClean();let a=t===e?s:Ks(t),l=this.outputLen,h=l/4,m=this.get();if(l%4||h>m.length)throw new Error("in\
 valid outputLen");for(let u=0;u<h;u++)a.setUint32(4*u,m[u],i)}digest(){let{buffer:t,outputLen:e}=this;this.digestInto(t);let s=t.slice(0,e);return this.destroy(),
 s}_cloneIntoMeta(t){let{buffer:e,length:s,finished:o,destroyed:i,pos:r}=this;return t.destroyed=i,t.finished=o,t.length=s,t.pos=r,r&&t.buffer.set(e),t}clone(){return this.
-_cloneInto()}},Sa=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var pm=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+_cloneInto()}},Sa=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var dm=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
@@ -1659,27 +1660,27 @@ _cloneInto()}},Sa=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,
 return[t,e,s,o,i,r,a,l]}set(t,e,s,o,i,r,a,l){this.A=t|0,this.B=e|0,this.C=s|0,this.D=o|0,this.E=i|0,this.F=r|0,this.G=a|0,this.H=l|0}_cloneInto(t){return(t||=new this.
 constructor).set(...this.get()),this._cloneIntoMeta(t)}process(t,e){for(let u=0;u<16;u++,e+=4)Ct[u]=t.getUint32(e,!1);for(let u=16;u<64;u++){let p=Ct[u-15],d=Ct[u-
 2],f=lt(p,7)^lt(p,18)^p>>>3,_=lt(d,17)^lt(d,19)^d>>>10;Ct[u]=_+Ct[u-7]+f+Ct[u-16]|0}let{A:s,B:o,C:i,D:r,E:a,F:l,G:h,H:m}=this;for(let u=0;u<64;u++){let p=lt(a,6)^
-lt(a,11)^lt(a,25),d=m+p+ka(a,l,h)+pm[u]+Ct[u]|0,_=(lt(s,2)^lt(s,13)^lt(s,22))+Ma(s,o,i)|0;m=h,h=l,l=a,a=r+d|0,r=i,i=o,o=s,s=d+_|0}s=s+this.A|0,o=o+this.B|0,i=i+
+lt(a,11)^lt(a,25),d=m+p+ka(a,l,h)+dm[u]+Ct[u]|0,_=(lt(s,2)^lt(s,13)^lt(s,22))+Ma(s,o,i)|0;m=h,h=l,l=a,a=r+d|0,r=i,i=o,o=s,s=d+_|0}s=s+this.A|0,o=o+this.B|0,i=i+
 this.C|0,r=r+this.D|0,a=a+this.E|0,l=l+this.F|0,h=h+this.G|0,m=m+this.H|0,this.set(s,o,i,r,a,l,h,m)}roundClean(){So(Ct)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),So(this.buffer)}},Eo=class extends To{constructor(){super(32,Sa)}};var Ta=va(()=>new Eo,xa(1));var Ea=["t","x","height","angle","vx","vy","omega","slip"],dm=16,fm=0x7ff8000000000000n;function Aa(n,t){let e=new TextEncoder,s=Ta.create(),o=new DataView(new ArrayBuffer(
+0,0,0,0,0,0),So(this.buffer)}},Eo=class extends To{constructor(){super(32,Sa)}};var Ta=va(()=>new Eo,xa(1));var Ea=["t","x","height","angle","vx","vy","omega","slip"],fm=16,gm=0x7ff8000000000000n;function Aa(n,t){let e=new TextEncoder,s=Ta.create(),o=new DataView(new ArrayBuffer(
 8*Ea.length)),i=new Uint8Array(o.buffer);for(let a=0;a<t;a++){let l=a*w.events.length;s.update(e.encode(w.kinds[n[l+F.kind]])),Ea.forEach((h,m)=>{let u=n[l+F[h]];
-Number.isNaN(u)?o.setBigUint64(8*m,fm,!0):o.setFloat64(8*m,u+0,!0)}),s.update(i)}return Array.from(s.digest(),a=>a.toString(16).padStart(2,"0")).join("").slice(
-0,dm)}function La(n,t){let e=new Map,s=new Float64Array(t);for(let o=0;o<t;o++){let i=gm(n.subarray(o*w.keys,(o+1)*w.keys));if(i===""){s[o]=Number.NaN;continue}let r=e.
-get(i);r===void 0&&(r=e.size,e.set(i,r)),s[o]=r}return{values:s,sequences:[...e.keys()]}}function gm(n){let t="";for(let e of n){let s=e;for(let o=0;o<w.letters_a_key&&
-s;o++){let i=Number(s&7n);s>>=3n,i&&(t+=i===w.more?"+":w.letters[i-1])}}return t}var _m=256,bm=2048,ym=4096,wm=2e5,vm=w.statuses.indexOf("buffer"),xm=2,km=new Set(w.passing),Ao=n=>Number.isFinite(n)?n:null,Ys=class{constructor(t){this.kept=[];
-this.turn=0;this.exports=new WebAssembly.Instance(t,{}).exports,this.exports._initialize?.(),this.memory=new Us(this.exports),this.mostEvents=_m,this.mostSegments=
-bm,this.mostRows=ym}call(t,...e){let s=this.exports[t](...e);if(s)throw new Error(`The kernel ended ${t} with ${s}.`)}compute(t){let{memory:e}=this,s=w.events.length;
+Number.isNaN(u)?o.setBigUint64(8*m,gm,!0):o.setFloat64(8*m,u+0,!0)}),s.update(i)}return Array.from(s.digest(),a=>a.toString(16).padStart(2,"0")).join("").slice(
+0,fm)}function La(n,t){let e=new Map,s=new Float64Array(t);for(let o=0;o<t;o++){let i=_m(n.subarray(o*w.keys,(o+1)*w.keys));if(i===""){s[o]=Number.NaN;continue}let r=e.
+get(i);r===void 0&&(r=e.size,e.set(i,r)),s[o]=r}return{values:s,sequences:[...e.keys()]}}function _m(n){let t="";for(let e of n){let s=e;for(let o=0;o<w.letters_a_key&&
+s;o++){let i=Number(s&7n);s>>=3n,i&&(t+=i===w.more?"+":w.letters[i-1])}}return t}var bm=256,ym=2048,wm=4096,vm=2e5,xm=w.statuses.indexOf("buffer"),km=2,Mm=new Set(w.passing),Ao=n=>Number.isFinite(n)?n:null,Ys=class{constructor(t){this.kept=[];
+this.turn=0;this.exports=new WebAssembly.Instance(t,{}).exports,this.exports._initialize?.(),this.memory=new Us(this.exports),this.mostEvents=bm,this.mostSegments=
+ym,this.mostRows=wm}call(t,...e){let s=this.exports[t](...e);if(s)throw new Error(`The kernel ended ${t} with ${s}.`)}compute(t){let{memory:e}=this,s=w.events.length;
 for(;;){let o=e.room("table",8*s*this.mostEvents),i=e.room("heads",8*w.heads.length);t.contact?this.computeCompliant(t,t.contact,o,i):this.computeRigid(t,o,i);let r=e.
-floats(i,w.heads.length).slice(),a=r[ht.events];if(r[ht.status]===vm)this.makeRoom(t,r[ht.segments]);else if(a===this.mostEvents&&a<t.max_events)this.mostEvents*=
+floats(i,w.heads.length).slice(),a=r[ht.events];if(r[ht.status]===xm)this.makeRoom(t,r[ht.segments]);else if(a===this.mostEvents&&a<t.max_events)this.mostEvents*=
 4;else{let l=e.floats(o,a*s).slice();return{given:t,head:r,rows:l,count:a,duration:r[ht.duration],segments:r[ht.segments]}}}}computeRigid(t,e,s){let{memory:o}=this,
 i=o.put("cell",St(t)),r=o.room("events",w.event_bytes*this.mostEvents),a=o.room("segments",w.segment_bytes*this.mostSegments);this.call("motion",i,r,this.mostEvents,
 a,this.mostSegments,e,s)}computeCompliant(t,e,s,o){let{memory:i}=this,r=i.put("cell",St(t)),a=i.put("contact",Zt(e)),l=i.room("events",w.event_bytes*this.mostEvents),
-h=i.room("rows",w.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",r,a,l,this.mostEvents,wm,h,this.mostRows,s,o)}makeRoom(t,e){t.contact?this.
+h=i.room("rows",w.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",r,a,l,this.mostEvents,vm,h,this.mostRows,s,o)}makeRoom(t,e){t.contact?this.
 mostRows=e:this.mostSegments*=4}motion(t){return Pa(this.compute(t))}film(t){let e=this.compute(t),[s,o]=t.contact?["rows",w.compliant_segment_bytes]:["segments",
 w.segment_bytes],i=this.memory.room(s,8),r=new Uint8Array(this.exports.memory.buffer,i,o*e.segments).slice();return{motion:Pa(e),columns:wo(this,e),pieces:r}}instant(t,e,s){
 let o=e.length/(t.contact?w.compliant_segment_bytes:w.segment_bytes);this.memory.put("cell",St(t)),t.contact&&this.memory.put("contact",Zt(t.contact));let i=Float64Array.
 of(s),r=this.states({given:t,segments:o},i,!1,this.placeOf(e)),a=new Float64Array(0);return vo(i,r,a,a)}placeOf(t){let e=this.kept.find(i=>i.pieces===t);if(e)return e.
-place;let{turn:s}=this;this.turn=(s+1)%xm;let o=this.memory.room(`pieces ${s}`,Math.max(t.length,1));return new Uint8Array(this.exports.memory.buffer,o,t.length).
+place;let{turn:s}=this;this.turn=(s+1)%km;let o=this.memory.room(`pieces ${s}`,Math.max(t.length,1));return new Uint8Array(this.exports.memory.buffer,o,t.length).
 set(t),this.kept[s]={pieces:t,place:o},o}columns(t,e){return wo(this,this.compute(t),e)}samples(t,e){let s=this.states(this.compute(t),e,!1),o=w.samples.length;
 return Object.fromEntries(w.samples.map((i,r)=>[i,Float64Array.from(e,(a,l)=>s[l*o+r])]))}states(t,e,s,o){return this.rows("samples",w.samples.length,t,e,s,o)}margins(t,e,s=!1){
 if(t.contact)throw new TypeError("A compliant contact has no such rules.");let o=w.margins.length,i=this.rows("margins",o,this.compute(t),e,s);return Object.fromEntries(
@@ -1694,26 +1695,26 @@ length),a=h=>{let m=r[w.thresholds.indexOf(h)];return Number.isNaN(m)?null:m},l=
 "first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a("immediate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("\
 painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:l.filter(h=>h!==null),stable_angle:a("stable_angle"),massless_loss_angle:a("massless_loss_angl\
 e"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(t,[e,s,o,i],r,a){let{memory:l}=this,h=l.put("cell",St(t)),m=l.room("modes",r*a),u=l.room(
-"sides",r);this.call("regions",h,e,s,o,i,r,a,m,u);let{buffer:p}=this.exports.memory;return{modes:new Uint8Array(p,m,r*a).slice(),paradox:Float32Array.from(new Int8Array(
-p,u,r))}}map({count:t,rows:e},s,o){let{memory:i}=this,r=i.put("cells",e),a=i.room("numbers",8*t*w.numbers.length),l=i.room("words",4*t*w.words.length),h=i.room(
+"sides",2*r);this.call("regions",h,e,s,o,i,r,a,m,u);let{buffer:p}=this.exports.memory;return{modes:new Uint8Array(p,m,r*a).slice(),paradox:Float32Array.from(new Int8Array(
+p,u,2*r))}}map({count:t,rows:e},s,o){let{memory:i}=this,r=i.put("cells",e),a=i.room("numbers",8*t*w.numbers.length),l=i.room("words",4*t*w.words.length),h=i.room(
 "keys",8*t*w.keys),{angle:m,stop:u,timed:p}=w.spans[o],d=w.wanted[s];this.call("map_cells",r,t,m??Number.NaN,u,p,d,a,l,h);let{buffer:f}=this.exports.memory;if(s===
 "sequence")return La(new BigUint64Array(f,h,t*w.keys),t);let _=new Float64Array(t);if(s in Qs){let g=new Int32Array(f,l,t*w.words.length);for(let b=0;b<t;b++)_[b]=
 g[b*w.words.length+Qs[s]]}else{let g=i.floats(a,t*w.numbers.length);for(let b=0;b<t;b++)_[b]=g[b*w.numbers.length+$o[s]]}return{values:_}}ideal(t){let e=this.memory.
 room("answers",8*w.thresholds.length);return this.call("ideal_hoop",t,e),this.memory.floats(e,1)[0]}refused(t){let e=this.memory.put("cell",St(t)),s=this.memory.
 put("contact",Zt(t.contact)),o=this.memory.room("answers",8*w.thresholds.length);this.call("refused",e,s,+!t.contact,o);let[i,r]=this.memory.floats(o,2);return[
-i,r]}combine(t,e){let{memory:s}=this,o=s.put("parts",e.flatMap(Mm)),i=s.room("answers",8*w.thresholds.length),r=s.room("reaches",8*e.length);this.call("hoop_of_\
+i,r]}combine(t,e){let{memory:s}=this,o=s.put("parts",e.flatMap(Sm)),i=s.room("answers",8*w.thresholds.length),r=s.room("reaches",8*e.length);this.call("hoop_of_\
 parts",t,o,e.length,i,r);let[a,l,h]=s.floats(i,3);return{mass:a,eccentricity:l,inertia_ratio:h,reaches:[...s.floats(r,e.length)]}}chosen(t){let e=this.memory.put(
 "cell",St(t)),s=this.memory.put("contact",Zt(t.contact)),o=this.memory.room("answers",8*w.thresholds.length);this.call("compliance",e,s,o);let i=this.memory.floats(
-o,w.chosen.length);return Object.fromEntries(w.chosen.map((r,a)=>[r,i[a]]))}};function Mm(n){let t=n.shape==="rod"?`${n.direction}_rod`:n.shape,e=w.shapes.indexOf(
+o,w.chosen.length);return Object.fromEntries(w.chosen.map((r,a)=>[r,i[a]]))}};function Sm(n){let t=n.shape==="rod"?`${n.direction}_rod`:n.shape,e=w.shapes.indexOf(
 t);return n.shape==="ring"?[e,n.mass,n.inner_radius,n.outer_radius,0]:n.shape==="disk"?[e,n.mass,n.radius,0,n.at]:n.shape==="rod"?[e,n.mass,n.length,0,n.at]:[e,
-n.mass,0,0,n.at]}var Sm=["friction","impact_normal","impact_tangential","rolling_resistance"],Tm=["kinetic","potential",...Sm,"residual"],Ca=["x","height","angl\
-e","vx","vy","omega"];function Pa({given:n,head:t,rows:e,count:s,duration:o}){let i=w.events.length,r=Array.from({length:s},(m,u)=>Em(e.subarray(u*i,(u+1)*i))),
-a=r[s-1],l=Object.fromEntries([...Tm,...n.contact?["spring","damping"]:[]].map(m=>[m,t[ht[m]]])),h=Ao(t[ht.doubt_from]);return{status:w.statuses[t[ht.status]],sequence:Am(
-r),fingerprint:h===null?Aa(e,s):null,duration:o,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(Ca.map(m=>[m,a[m]]))},energy:l,doubt:h}}function Em(n){let t=w.
+n.mass,0,0,n.at]}var Tm=["friction","impact_normal","impact_tangential","rolling_resistance"],Em=["kinetic","potential",...Tm,"residual"],Ca=["x","height","angl\
+e","vx","vy","omega"];function Pa({given:n,head:t,rows:e,count:s,duration:o}){let i=w.events.length,r=Array.from({length:s},(m,u)=>Am(e.subarray(u*i,(u+1)*i))),
+a=r[s-1],l=Object.fromEntries([...Em,...n.contact?["spring","damping"]:[]].map(m=>[m,t[ht[m]]])),h=Ao(t[ht.doubt_from]);return{status:w.statuses[t[ht.status]],sequence:Lm(
+r),fingerprint:h===null?Aa(e,s):null,duration:o,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(Ca.map(m=>[m,a[m]]))},energy:l,doubt:h}}function Am(n){let t=w.
 kinds[n[F.kind]],e=n[F.from_mode],s={t:n[F.t],kind:t,from:e<0?null:w.letters[e],to:w.letters[n[F.to_mode]]};for(let o of Ca)s[o]=Ao(n[F[o]]);return s.before=Object.
 fromEntries(["vx","vy","omega"].map(o=>[o,Ao(n[F[`before_${o}`]])])),s.impulse={normal:n[F.impulse_normal],tangential:n[F.impulse_tangential]},n[F.collision]===
-0&&(s.collision=!1),t==="kane_gain"&&(s.gain=n[F.gain]),n[F.stable]>=0&&(s.stable=n[F.stable]===1),s}function Am(n){let t=n.filter((s,o)=>o===n.length-1||!km.has(
-s.kind));return t.slice(0,-1).map((s,o)=>t[o+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var Lo=1e4,Lm="kernel.the_part_of_the",Po=256;function Ra(n){let t=URL.createObjectURL(new Blob([n],{type:"text/javascript"}));return()=>new Worker(t,{type:"mod\
+0&&(s.collision=!1),t==="kane_gain"&&(s.gain=n[F.gain]),n[F.stable]>=0&&(s.stable=n[F.stable]===1),s}function Lm(n){let t=n.filter((s,o)=>o===n.length-1||!Mm.has(
+s.kind));return t.slice(0,-1).map((s,o)=>t[o+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var Lo=1e4,Pm="kernel.the_part_of_the",Po=256;function Ra(n){let t=URL.createObjectURL(new Blob([n],{type:"text/javascript"}));return()=>new Worker(t,{type:"mod\
 ule"})}async function Oa(n){let t=await fetch(n);if(!t.ok)throw new Z({key:"kernel.not_loaded",values:{status:t.status}});return t.headers.get("Content-Type")===
 "application/wasm"?WebAssembly.compileStreaming(t):WebAssembly.compile(await t.arrayBuffer())}async function Na(n){let t=new Blob([n]).stream().pipeThrough(new DecompressionStream(
 "gzip"));return WebAssembly.compile(await new Response(t).arrayBuffer())}var Le=class n{constructor(t,e,s){this.start=e;this.derivatives=s;this.rates=null;this.
@@ -1722,14 +1723,14 @@ let e=await Oa(new URL(`hophoop.wasm?${w.module}`,t)),s=()=>Oa(new URL(`hophoop-
 origin===globalThis.location?.origin?new n(e,()=>new Worker(o,{type:"module"}),s):new n(e,Ra(await(await fetch(o)).text()),s)}static async unpack(t,e,s){return new n(
 await Na(t),Ra(e),async()=>Na(await s()))}motion(t,e){return this.motions.ask("motion",[t],e)}film(t,e){return this.motions.ask("film",[t],e)}columns(t,e,s){return this.
 motions.ask("columns",[t,s],e)}samples(t,e,s){return this.motions.ask("samples",[t,e],s)}async changes(t,e,s){return this.rates??=this.derivatives().then(i=>new Jt(
-this.start,i,1,Lo)),(await this.rates.catch(()=>{throw this.rates=null,new Error(Lm)})).ask("changes",[t,e],s)}thresholds(t,e){return this.motions.ask("threshol\
+this.start,i,1,Lo)),(await this.rates.catch(()=>{throw this.rates=null,new Error(Pm)})).ask("changes",[t,e],s)}thresholds(t,e){return this.motions.ask("threshol\
 ds",[t],e)}regions(t,e,s,o,i){return this.motions.ask("regions",[t,e,s,o],i)}async map({count:t,rows:e},s,o,i){let r=w.cell.length,a=new Float64Array(t).fill(Number.
 NaN),l=[],h=async u=>{let p=Math.min(Po,t-u),d=new Float64Array(r*p);for(let g=0;g<r;g++)d.set(e.subarray(g*t+u,g*t+u+p),g*p);let f=await this.maps.ask("map",[{
 count:p,rows:d},s,o],i,[d.buffer]),_=f.sequences?.map(g=>(l.includes(g)||l.push(g),l.indexOf(g)));for(let g=0;g<p;g++)a[u+g]=_?_[f.values[g]]??Number.NaN:f.values[g]},
 m=Array.from({length:Math.ceil(t/Po)},(u,p)=>p*Po);return await Promise.all(m.map(h)),s==="sequence"?{values:a,sequences:l}:{values:a}}close(){this.motions.close(),
-this.maps.close(),this.rates?.then(t=>t.close()).catch(()=>{})}};var Pm=360,Cm=240,Co={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Rm=["motion.nc","motion.mp4","mo\
+this.maps.close(),this.rates?.then(t=>t.close()).catch(()=>{})}};var Cm=360,Rm=240,Co={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Om=["motion.nc","motion.mp4","mo\
 tion.gif"],Js=class{constructor(t,e,{base:s=null,python:o=null}={}){this.kernel=t;this.mechanics=e;this.base=s,this.python=o,this.shares=s!==null,this.files=[...Object.
-keys(Co),...o?Rm:[]]}async film(t,e){e?.throwIfAborted();let s=J(t,this.mechanics),o=U(vt(s)),{python:i}=this,{motion:r,columns:a,pieces:l}=this.kernel.film?await this.
+keys(Co),...o?Om:[]]}async film(t,e){e?.throwIfAborted();let s=J(t,this.mechanics),o=U(vt(s)),{python:i}=this,{motion:r,columns:a,pieces:l}=this.kernel.film?await this.
 kernel.film(o,e):{motion:await this.kernel.motion(o,e),columns:await this.kernel.columns(o,e),pieces:null},{doubt:h}=r;if(h!==null&&i){let d=ce(s),f=async _=>(await i.
 motion({query:d,window:_})).arrays;return{...this.shown(await i.motion({query:d},e),s),samples:f}}let m=await this.turning(o,r,e),u=De(s,r,m,this.mechanics),p=this.
 mechanics.instant?.bind(this.mechanics);return{header:h===null?u:{...u,doubt:un(h)},arrays:a,exact:p&&l?d=>p(o,l,d):void 0}}async exact(t){let{exact:e,samples:s}=await this.
@@ -1737,7 +1738,7 @@ film({scenario:t});return{exact:e,samples:s}}readable(t){return Fn(t,this.mechan
 t,i=>t.turning[i],this.mechanics),arrays:e}}async samples(t,e,s){let o=J({scenario:t},this.mechanics);return this.kernel.columns(U(vt(o)),s,e)}async turning(t,{
 events:e},s){let o=En(e);if(!o.length)return()=>0;let i=Float64Array.from(o,a=>An(e,a)),{omega:r}=await this.kernel.samples(t,i,s);return a=>r[o.indexOf(a)]}code(t){
 let e=J({scenario:t},this.mechanics);return{python:Mn(e),toml:$e(e)}}async theory(t,e){e?.throwIfAborted();let s=J({scenario:t},this.mechanics);return jn(s,await this.
-kernel.thresholds(U(s),e))}async regions(t,e,s){s?.throwIfAborted();let o=U(J({scenario:t},this.mechanics));return this.kernel.regions(o,e,Pm,Cm,s)}async changes(t,e,s){
+kernel.thresholds(U(s),e))}async regions(t,e,s){s?.throwIfAborted();let o=U(J({scenario:t},this.mechanics));return this.kernel.regions(o,e,Cm,Rm,s)}async changes(t,e,s){
 if(!this.kernel.changes)throw new TypeError("This kernel has no derivatives.");let o=vt(J({scenario:t},this.mechanics)),i=U(o);if(i.contact)throw new L($("compl\
 iant_changes"));let r=In(o,e);if(!r)return null;let{rates:a,smaller:l,larger:h}=r,m=await this.kernel.changes(i,a,s);return{count:m.count,smaller:l?m.smaller:null,
 larger:h?m.larger:null}}async map(t,e){e?.throwIfAborted();let{checked:s,x:o,y:i,what:r}=Hn(t,this.mechanics),a=dn(s,{x:o,y:i,what:r}),l=await vn(a,{x:o,y:i},this.
@@ -1747,14 +1748,14 @@ let s=J({query:e},this.mechanics);if(t==="motion.toml")return $e(s);let o=vt(s),
 python.file(t,e)).text();if(t==="motion.json")return Rn(o,r);let a=On(r.duration);return Nn(a,await this.kernel.samples(i,a))}link(t,e){return this.base&&`${new URL(
 t?`?${t}`:"",this.base)}${e}`}};async function Ha(n,t){let e=await n.catch(s=>{throw typeof WebAssembly=="object"&&!(s instanceof WebAssembly.CompileError)?s:new Error("page.this_needs_a_brows\
 er")});return new Js(e,e.mechanics,t)}function Ro(n,t,e){return Ha(Le.load(n),{base:e,python:t&&new Ws(t)})}function Fa(n,t){let e=Le.unpack(n.get("module"),n.get(
-"worker"),()=>t.derivatives());return Ha(e,{python:t})}function Ia(n){navigator.serviceWorker?.register(n).catch(()=>{})}var $a=new URL("./",import.meta.url);function qa(n){return Pe(async t=>{let e=await fetch(new URL(`words.${t}.json?68616c9ace06cc8dc5716515f893b328`,n));if(!e.ok)
-throw new Error(`words.${t}.json: ${e.status}`);return e.json()}),zt(Bn()).catch(()=>{})}function Om(n){let t=async()=>{let s=new Blob([n]).stream().pipeThrough(
-new DecompressionStream("gzip"));return new Response(s).json()},e;return Pe(async s=>(e??=t(),(await e)[s])),zt(Bn()).catch(()=>{})}async function Nm(n){let t=new URL(
+"worker"),()=>t.derivatives());return Ha(e,{python:t})}function Ia(n){navigator.serviceWorker?.register(n).catch(()=>{})}var $a=new URL("./",import.meta.url);function qa(n){return Pe(async t=>{let e=await fetch(new URL(`words.${t}.json?8b07b5a1b58cd5cd0a8237518072a035`,n));if(!e.ok)
+throw new Error(`words.${t}.json: ${e.status}`);return e.json()}),zt(Bn()).catch(()=>{})}function Nm(n){let t=async()=>{let s=new Blob([n]).stream().pipeThrough(
+new DecompressionStream("gzip"));return new Response(s).json()},e;return Pe(async s=>(e??=t(),(await e)[s])),zt(Bn()).catch(()=>{})}async function Hm(n){let t=new URL(
 "./",document.baseURI.split(/[?#]/)[0]),e=document.querySelector("meta[name=hophoop-site]"),s,o=qa($a);try{s=await Ro($a,e?null:t,t)}catch(m){await o,E(n,K(m));
 return}await o,e&&Ia(e.getAttribute("content")??"");let i=new Yt(n,s,S.setup,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let r=ji(location.hash),a=i.address,
-{links:l,said:h}=a.read(Gn());try{await i.open(l,r),h()}catch(m){a.held=!0,await i.open([""]),i.notice.fail(m)}}async function Wb(n,t,e,s){let o=qa(t),i=await Ro(
-t,null,new URL("../",t));await o;let r=new Yt(n,i,S.setup,{panels:s});return await r.open([e]),r}async function Hm({model:n,el:t}){let e=document.createElement(
-"div");t.append(e);let s=Om(n.get("words")),o=new Gs(n),i;try{i=await Fa(n,o),await s}catch(h){return await s,E(e,K(h)),()=>o.close()}let r=()=>i.shown(Ae(n.get(
+{links:l,said:h}=a.read(Gn());try{await i.open(l,r),h()}catch(m){a.held=!0,await i.open([""]),i.notice.fail(m)}}async function Gb(n,t,e,s){let o=qa(t),i=await Ro(
+t,null,new URL("../",t));await o;let r=new Yt(n,i,S.setup,{panels:s});return await r.open([e]),r}async function Fm({model:n,el:t}){let e=document.createElement(
+"div");t.append(e);let s=Nm(n.get("words")),o=new Gs(n),i;try{i=await Fa(n,o),await s}catch(h){return await s,E(e,K(h)),()=>o.close()}let r=()=>i.shown(Ae(n.get(
 "film"))),a=new Yt(e,i,S.setup,{panels:n.get("panels"),onmotion:h=>{n.get("query")!==h&&(n.set("query",h),n.save_changes())}});a.motions.set([r()]),a.begin();let l=()=>a.
-motions.replace(r());return n.on("change:film",l),()=>{n.off("change:film",l),o.close(),a.close()}}var ja=document.getElementById("hophoop-lab");ja&&Nm(ja);var Gb={
-render:Hm};export{Tt as current,Gb as default,Qn as languageMenu,Wb as mount,dt as name,zn as repeat,E as say,qa as speakFrom,T as t};
+motions.replace(r());return n.on("change:film",l),()=>{n.off("change:film",l),o.close(),a.close()}}var ja=document.getElementById("hophoop-lab");ja&&Hm(ja);var Ub={
+render:Fm};export{Tt as current,Ub as default,Qn as languageMenu,Gb as mount,dt as name,zn as repeat,E as say,qa as speakFrom,T as t};

@@ -1,4 +1,4 @@
-/* Built from web/lab/player/stage3d.ts by esbuild 0.28.2; sources 68616c9ace06cc8dc5716515f893b328 */
+/* Built from web/lab/player/stage3d.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
 function R(n,t){let e=new Float32Array(16);for(let a=0;a<4;a++)for(let s=0;s<4;s++){let i=0;for(let o=0;o<4;o++)i+=n[4*o+s]*t[4*a+o];e[4*a+s]=i}return e}function W(n,t,e,a){
 let s=1/Math.tan(n/2),i=1/(e-a);return new Float32Array([s/t,0,0,0,0,s,0,0,0,0,(a+e)*i,-1,0,0,2*a*e*i,0])}function z(n,t){let e=b(L(n,t)),a=b(E([0,1,0],e)),s=E(
 e,a);return new Float32Array([a[0],s[0],e[0],0,a[1],s[1],e[1],0,a[2],s[2],e[2],0,-P(a,n),-P(s,n),-P(e,n),1])}var L=(n,t)=>[n[0]-t[0],n[1]-t[1],n[2]-t[2]],P=(n,t)=>n[0]*
@@ -237,40 +237,40 @@ ed":"Speed","parameter.start.vx":"Speed along","parameter.start.vy":"Speed upwar
 ts.disk":"Disk","parts.distance_from_centre":"distance from the centre","parts.inner_radius":"inner radius","parts.length":"length","parts.mass":"mass","parts.o\
 uter_radius":"outer radius","parts.point_mass":"Point mass","parts.radius":"radius","parts.remove_part_number_what":"Remove part {number}, {what}","parts.ring":"\
 Ring","parts.rod":"Rod","phase.angle_theta_within_a":"angle θ within a revolution [°]","phase.click_to_go_there":"Tap to go there; two fingers zoom.","phase.c\
-lick_to_go_there_once":"Click to go there; after a click, or with Ctrl, the wheel zooms; double-click shows all.","phase.colours_the_mode_that":"Colours: mode t\
-hat follows contact without slip. Hatched: slip with Painlevé’s paradox.","phase.plane_of_angle_and":"Phase plane of angle and angular velocity with the regi\
-ons of rolling, slip and flight","phase.plane_of_theta_and":"Phase plane of θ and θ̇","player.a_in_front_b":"A in front, B behind","player.centre_of_gravity":"\
-centre of gravity","player.forces":"Forces","player.forces_f":"Forces (f)","player.gap":"gap","player.hoop":"hoop","player.in_space_3":"In space (3)","player.lo\
-ad":"load","player.next_event_shift":"Next event (Shift →)","player.one_frame_back":"One frame back (←)","player.one_frame_on":"One frame forward (→)","pl\
-ayer.pause_space":"Pause (space)","player.play_space":"Play (space)","player.previous_event_shift":"Previous event (Shift ←)","player.rim_speed":"rim speed","\
-player.rim_speed_2":"Rim speed","player.rim_speed_c":"Rim speed (c)","player.speed_of_the_film":"Playback speed","player.the_hoop":"The hoop","player.the_hoop_2":"\
-The hoop.","player.the_same_in_flight":"in flight","player.this_motion_has_no":"This motion has no flight.","player.this_motion_has_no_landing":"This motion has\
- no landing.","player.time":"Time","player.time_seconds_what":"{time} seconds, {what}","player.to_the_next_flight":"To the next flight (h)","player.to_the_next_\
-landing":"To the next landing (l)","player.to_the_start_home":"To the start (Home)","player.traces":"Traces","player.traces_t":"Traces (t)","player.what_at_angl\
-e_time":"{what} at {angle}, {time} s","player.whole_path":"Whole path","player.whole_path_w":"Whole path (w)","plot.cut":"axis cut: values from {low} to {high}",
-"quantity.end_angle":"angle at the end","quantity.ending":"how it ends","quantity.energy_lost":"energy lost","quantity.flight_time":"duration of the first hop",
-"quantity.greatest_utilization":"greatest friction utilization","quantity.hop_height":"height of the first hop","quantity.painleve":"Painlevé’s paradox or jam m\
-et","quantity.sequence":"what happens in the first turn","quantity.takeoff_angle":"angle of take-off","range.from_to":"from {least} to {most}","range.from_to_or\
-_inf":"from {least} to {most}, or inf","range.zero_or_from_to":"0 or from {least} to {most}","range.zero_or_from_to_or_inf":"0 or from {least} to {most}, or inf",
-"reason.border":"the motion lies on the border of two classes: the least change may lead to other events","reason.contact":"the motion starts in contact: with t\
-he rim lifted or thrown it would bounce, and its events are others","reason.edge":"the parameter is at the edge of what is allowed","reason.ended":"the motion h\
-as no answer from there on","reason.frictionless":"without friction the hoop rests on no more than a border of two classes","reason.graze":"a quantity that sets\
- off the event only touches zero there","reason.massless":"the massless hoop (γ = 1) is a singular limit once the contact force is lost","reason.plastic":"rest\
-itution is 0 and the rim has landed: with any restitution it would bounce","reason.sided":"the derivatives of the two sides differ","reason.singular":"the slip \
-runs into p_σ = 0, where the contact force has no bound","refusal.beyond_the_rim":"hoop.parts.{index} ({shape}) reaches {reach} m from the centre, beyond the r\
-im: hoop.radius = {radius}.","refusal.compliant_friction":"plane.mu_static = inf must be finite with contact.model = 'compliant'.","refusal.did_you_mean":"did y\
-ou mean {close}?","refusal.finding":"{path} = {shown} {allowed}.","refusal.finite_number":"must be a finite number","refusal.friction":"must be at least 0 (inf \
-is allowed)","refusal.given_twice":"{path} is given twice.","refusal.greater_than":"must be greater than {limit}","refusal.greater_than_equal":"must be at least\
- {limit}","refusal.half_a_hoop":"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.","refusal.hoop_mass":"hoop.mass = {mass} must be {wo\
-rds}.","refusal.kinetic_above_static":"plane.mu_kinetic = {mu_kinetic} must not exceed plane.mu_static = {mu_static}.","refusal.known_are":"known are {known}.",
-"refusal.less_than":"must be less than {limit}","refusal.less_than_equal":"must be at most {limit}","refusal.list":"must be a list","refusal.literal_error":"mus\
-t be {expected}","refusal.load_inertia":"hoop.load_fraction = {load_fraction} gives hoop.inertia_ratio = {inertia_ratio}, which must be {words}.","refusal.massl\
-ess_compliant":"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_eccentricity":"hoop.inertia_ratio\
- = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity}.","refusal.massless_resistance":"plane.rolling_resistance = {given} must b\
-e 0 for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_slope":"plane.slope = {slope} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",
-"refusal.missing":"{path} is missing.","refusal.no_omega":"start.omega = None must be a number.","refusal.no_parameter":"{path} is not a parameter of a scenario\
-; known are {known}.","refusal.no_parts":"hoop.parts must not be empty.","refusal.no_section_parts":"{path} is not a parameter of a scenario: {section} has no p\
-arts.","refusal.not_there":"{path} is not there to be replaced: the scenario has no {step}.","refusal.number":"must be a number","refusal.other_problems":{one:"\
+lick_to_go_there_once":"Click to go there; after a click, or with Ctrl, the wheel zooms; double-click shows all.","phase.colours":"Colours: mode that follows co\
+ntact without slip.","phase.hatched":"Hatched: slip with Painlevé’s paradox.","phase.plane_of_angle_and":"Phase plane of angle and angular velocity with the \
+regions of rolling, slip and flight","phase.plane_of_theta_and":"Phase plane of θ and θ̇","player.a_in_front_b":"A in front, B behind","player.centre_of_grav\
+ity":"centre of gravity","player.forces":"Forces","player.forces_f":"Forces (f)","player.gap":"gap","player.hoop":"hoop","player.in_space_3":"In space (3)","pla\
+yer.load":"load","player.next_event_shift":"Next event (Shift →)","player.one_frame_back":"One frame back (←)","player.one_frame_on":"One frame forward (→)",
+"player.pause_space":"Pause (space)","player.play_space":"Play (space)","player.previous_event_shift":"Previous event (Shift ←)","player.rim_speed":"rim speed",
+"player.rim_speed_2":"Rim speed","player.rim_speed_c":"Rim speed (c)","player.speed_of_the_film":"Playback speed","player.the_hoop":"The hoop","player.the_hoop_\
+2":"The hoop.","player.the_same_in_flight":"in flight","player.this_motion_has_no":"This motion has no flight.","player.this_motion_has_no_landing":"This motion\
+ has no landing.","player.time":"Time","player.time_seconds_what":"{time} seconds, {what}","player.to_the_next_flight":"To the next flight (h)","player.to_the_n\
+ext_landing":"To the next landing (l)","player.to_the_start_home":"To the start (Home)","player.traces":"Traces","player.traces_t":"Traces (t)","player.what_at_\
+angle_time":"{what} at {angle}, {time} s","player.whole_path":"Whole path","player.whole_path_w":"Whole path (w)","plot.cut":"axis cut: values from {low} to {hi\
+gh}","quantity.end_angle":"angle at the end","quantity.ending":"how it ends","quantity.energy_lost":"energy lost","quantity.flight_time":"duration of the first \
+hop","quantity.greatest_utilization":"greatest friction utilization","quantity.hop_height":"height of the first hop","quantity.painleve":"Painlevé’s paradox or \
+jam met","quantity.sequence":"what happens in the first turn","quantity.takeoff_angle":"angle of take-off","range.from_to":"from {least} to {most}","range.from_\
+to_or_inf":"from {least} to {most}, or inf","range.zero_or_from_to":"0 or from {least} to {most}","range.zero_or_from_to_or_inf":"0 or from {least} to {most}, o\
+r inf","reason.border":"the motion lies on the border of two classes: the least change may lead to other events","reason.contact":"the motion starts in contact:\
+ with the rim lifted or thrown it would bounce, and its events are others","reason.edge":"the parameter is at the edge of what is allowed","reason.ended":"the m\
+otion has no answer from there on","reason.frictionless":"without friction the hoop rests on no more than a border of two classes","reason.graze":"a quantity th\
+at sets off the event only touches zero there","reason.massless":"the massless hoop (γ = 1) is a singular limit once the contact force is lost","reason.plastic":"\
+restitution is 0 and the rim has landed: with any restitution it would bounce","reason.sided":"the derivatives of the two sides differ","reason.singular":"the s\
+lip runs into p_σ = 0, where the contact force has no bound","refusal.beyond_the_rim":"hoop.parts.{index} ({shape}) reaches {reach} m from the centre, beyond t\
+he rim: hoop.radius = {radius}.","refusal.compliant_friction":"plane.mu_static = inf must be finite with contact.model = 'compliant'.","refusal.did_you_mean":"d\
+id you mean {close}?","refusal.finding":"{path} = {shown} {allowed}.","refusal.finite_number":"must be a finite number","refusal.friction":"must be at least 0 (\
+inf is allowed)","refusal.given_twice":"{path} is given twice.","refusal.greater_than":"must be greater than {limit}","refusal.greater_than_equal":"must be at l\
+east {limit}","refusal.half_a_hoop":"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.","refusal.hoop_mass":"hoop.mass = {mass} must be\
+ {words}.","refusal.kinetic_above_static":"plane.mu_kinetic = {mu_kinetic} must not exceed plane.mu_static = {mu_static}.","refusal.known_are":"known are {known\
+}.","refusal.less_than":"must be less than {limit}","refusal.less_than_equal":"must be at most {limit}","refusal.list":"must be a list","refusal.literal_error":"\
+must be {expected}","refusal.load_inertia":"hoop.load_fraction = {load_fraction} gives hoop.inertia_ratio = {inertia_ratio}, which must be {words}.","refusal.ma\
+ssless_compliant":"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_eccentricity":"hoop.inertia_ra\
+tio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity}.","refusal.massless_resistance":"plane.rolling_resistance = {given} mus\
+t be 0 for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_slope":"plane.slope = {slope} must be 0 for the massless hoop (hoop.inertia_ratio = 0)\
+.","refusal.missing":"{path} is missing.","refusal.no_omega":"start.omega = None must be a number.","refusal.no_parameter":"{path} is not a parameter of a scena\
+rio; known are {known}.","refusal.no_parts":"hoop.parts must not be empty.","refusal.no_section_parts":"{path} is not a parameter of a scenario: {section} has n\
+o parts.","refusal.not_there":"{path} is not there to be replaced: the scenario has no {step}.","refusal.number":"must be a number","refusal.other_problems":{one:"\
 {first} (and {count} more problem).",other:"{first} (and {count} more problems)."},"refusal.parts_inertia":"hoop.parts give hoop.inertia_ratio = {inertia_ratio}\
 , which must be {words}.","refusal.parts_out_of_order":"hoop.parts.{name} is out of order: parts are numbered from 0 without a gap.","refusal.range":"must be {w\
 ords}","refusal.relative_contact":"contact.{name} = {value} is {relative} {unit} of this hoop and must be {words} of it.","refusal.resistance":"plane.rolling_re\
@@ -421,20 +421,20 @@ a===T.distance?void 0:[t,e,a]}look([t,e,a]){this.turned={azimuth:y(t,-1.5,1.5),h
 y:t.clientY};K(this.canvas,t,a=>{this.pinched()||(this.turned.azimuth=y(e.azimuth-(a.clientX-e.x)*.008,-1.5,1.5),this.turned.height=y(e.height+(a.clientY-e.y)*.006,
 .02,1.45),this.onview())})}quality(){let t=performance.now(),e=t-(this.before||t);return this.before=t,e>0&&e<200&&(this.pace=.9*this.pace+.1*e),this.pace>26&&this.
 share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(t,e,a,s,i,o,r){let{canvas:h,space:l}=this,c=r??Math.min(globalThis.devicePixelRatio||
-1,2)*(o?this.quality():1),u=h.getBoundingClientRect();h.width=Math.max(Math.round(u.width*c),1),h.height=Math.max(Math.round(u.height*c),1);let _=t.map(m=>m.at(
-e)),f=t[0].radius;l.fastest=Math.max(...t.map(m=>m.extent.speed)),this.focus=Number.isFinite(_[0].x)?_[0].x:0,l.begin({background:g(s.paper),...this.camera(t[0],
-_[0],f,a)}),l.ground(()=>this.drawFloor(f,s));let w=m=>{for(let[p,d]of t.entries())m(d,_[p],-2.1*f*p)};l.shadows(()=>w((m,p,d)=>this.drawHoop(m,p,d,a,s,i,!0))),
+1,2)*(o?this.quality():1),_=h.getBoundingClientRect();h.width=Math.max(Math.round(_.width*c),1),h.height=Math.max(Math.round(_.height*c),1);let u=t.map(m=>m.at(
+e)),f=t[0].radius;l.fastest=Math.max(...t.map(m=>m.extent.speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:g(s.paper),...this.camera(t[0],
+u[0],f,a)}),l.ground(()=>this.drawFloor(f,s));let w=m=>{for(let[p,d]of t.entries())m(d,u[p],-2.1*f*p)};l.shadows(()=>w((m,p,d)=>this.drawHoop(m,p,d,a,s,i,!0))),
 w((m,p,d)=>{this.drawHoop(m,p,d,a,s,i,!1),a.traces&&this.drawTraces(m,p,d,s,i,c),a.forces&&this.drawForces(m,p,d,i)})}camera(t,e,a,s){let{azimuth:i,height:o,distance:r}=this.
-turned,{left:h,right:l}=t.extent,c=s.whole?Math.max(r*a,.85*(l-h)+3*a):r*a,[u,_]=[s.whole?.5*(h+l)-this.focus:0,a+.45*(e.height||0)],f=Math.cos(t.slope),w=Math.
-sin(t.slope),m=[u*f+_*w,-u*w+_*f,0],p=[m[0]+c*Math.sin(i)*Math.cos(o),m[1]+c*Math.sin(o),c*Math.cos(i)*Math.cos(o)];return this.reach=12*a+3*c,{eye:p,target:m,slope:t.
+turned,{left:h,right:l}=t.extent,c=s.whole?Math.max(r*a,.85*(l-h)+3*a):r*a,[_,u]=[s.whole?.5*(h+l)-this.focus:0,a+.45*(e.height||0)],f=Math.cos(t.slope),w=Math.
+sin(t.slope),m=[_*f+u*w,-_*w+u*f,0],p=[m[0]+c*Math.sin(i)*Math.cos(o),m[1]+c*Math.sin(o),c*Math.cos(i)*Math.cos(o)];return this.reach=12*a+3*c,{eye:p,target:m,slope:t.
 slope,angle:.75,near:.05*a,far:40*a+6*c}}drawFloor(t,e){let{space:a}=this,s=g(e.ground),i=s.map(h=>h*(e.dark?.82:.94)),o=.5*t,r=this.focus%(2*o);a.use(this.floor,
 {reach:this.reach,light:s,dark:i,far:g(e.paper),tile:o,shift:r}),x(a.gl,this.floor,this.corners),a.gl.drawArrays(a.gl.TRIANGLE_STRIP,0,4)}drawHoop(t,e,a,s,i,o,r){
-let{space:h}=this,l=t.radius,c=.045*l,u=[e.x-this.focus,l+e.height,a];h.ring({center:u,radius:l,tube:c,broad:3.2*c,angle:e.angle,velocity:[e.vx,e.vy],omega:e.omega,
-plain:s.speed?null:g(o.modes[e.mode])},r);let _=[Math.sin(e.angle),Math.cos(e.angle),0],f=m=>u.map((p,d)=>p+m*_[d]);h.ball(f(l-c),.125*l,i.dark?[.9,.91,.94]:[.12,
-.13,.15],r),h.rod(u,_,l-c,.012*l,[.55,.57,.6],r);let w=e.mode==="H";h.ball(f(t.eccentricity*l),.07*l,g(w?o.airborne:o.gravity_center),r)}drawForces(t,e,a,s){if(e.
+let{space:h}=this,l=t.radius,c=.045*l,_=[e.x-this.focus,l+e.height,a];h.ring({center:_,radius:l,tube:c,broad:3.2*c,angle:e.angle,velocity:[e.vx,e.vy],omega:e.omega,
+plain:s.speed?null:g(o.modes[e.mode])},r);let u=[Math.sin(e.angle),Math.cos(e.angle),0],f=m=>_.map((p,d)=>p+m*u[d]);h.ball(f(l-c),.125*l,i.dark?[.9,.91,.94]:[.12,
+.13,.15],r),h.rod(_,u,l-c,.012*l,[.55,.57,.6],r);let w=e.mode==="H";h.ball(f(t.eccentricity*l),.07*l,g(w?o.airborne:o.gravity_center),r)}drawForces(t,e,a,s){if(e.
 mode==="H"||!(e.normal_force>0))return;let i=t.radius,o=t.mass*(t.gravity||9.81),r=[e.x-this.focus,e.height+.03*i,a+.2*i],h=c=>y(.55*i*Math.abs(c)/o,0,3.2*i),l=Math.
 sign(e.friction_force);this.space.arrow(r,[0,1,0],h(e.normal_force),i,g(s.normal_force)),this.space.arrow(r,[l,0,0],h(e.friction_force),i,g(s.friction_force))}linesOf(t,e,a){
 let s=this.lines.get(t);if(s?.dark===e.dark)return s;let i=t.radius,{x:o,height:r,angle:h,mode:l}=t.columns,c=(m,p)=>this.space.trace(t.length,d=>[o[d]+m*Math.sin(
-h[d]),i+r[d]+m*Math.cos(h[d])],p),[u,_,f]=[g(a.gravity_center),g(a.airborne),g(e.ink)],w={dark:e.dark,load:c(i,()=>f),center:c(t.eccentricity*i,m=>l[m]===3?_:u)};
+h[d]),i+r[d]+m*Math.cos(h[d])],p),[_,u,f]=[g(a.gravity_center),g(a.airborne),g(e.ink)],w={dark:e.dark,load:c(i,()=>f),center:c(t.eccentricity*i,m=>l[m]===3?u:_)};
 return this.lines.set(t,w),w}drawTraces(t,e,a,s,i,o){let{load:r,center:h}=this.linesOf(t,s,i),l=Math.min(t.index(e.t)+2,t.length),c={shift:this.focus,depth:a};this.
 space.drawTrace(r,l,{width:o,...c}),this.space.drawTrace(h,l,{width:1.6*o,...c})}};export{te as Stage3D};

@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 68616c9ace06cc8dc5716515f893b328 */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
 var zl=Object.create;var vn=Object.defineProperty;var Ul=Object.getOwnPropertyDescriptor;var Gl=Object.getOwnPropertyNames;var Wl=Object.getPrototypeOf,Kl=Object.prototype.hasOwnProperty;var Z=(n,t,e)=>()=>{if(e)throw e[0];try{return n&&(t=n(n=0)),t}catch(s){throw e=[s],s}};var Vl=(n,t)=>()=>{try{return t||n((t={exports:{}}).exports,t),t.exports}catch(e){throw t=0,e}},fo=(n,t)=>{for(var e in t)vn(n,e,{get:t[e],enumerable:!0})},Yl=(n,t,e,s)=>{
 if(t&&typeof t=="object"||typeof t=="function")for(let i of Gl(t))!Kl.call(n,i)&&i!==e&&vn(n,i,{get:()=>t[i],enumerable:!(s=Ul(t,i))||s.enumerable});return n};var Xl=(n,t,e)=>(e=n!=null?zl(Wl(n)):{},Yl(t||!n||!n.__esModule?vn(e,"default",{value:n,enumerable:!0}):e,n));var Mo,ko=Z(()=>{Mo={"axis.hoop.eccentricity":"Eccentricity ε","axis.hoop.inertia_ratio":"Inertia ratio κ","axis.hoop.load_fraction":"Load fraction γ","axis.\
 hoop.radius":"Radius R","axis.plane.gravity":"Gravity g","axis.plane.mu":"Friction μ","axis.plane.restitution":"Restitution e","axis.plane.rolling_resistance":"\
@@ -142,40 +142,40 @@ ed":"Speed","parameter.start.vx":"Speed along","parameter.start.vy":"Speed upwar
 ts.disk":"Disk","parts.distance_from_centre":"distance from the centre","parts.inner_radius":"inner radius","parts.length":"length","parts.mass":"mass","parts.o\
 uter_radius":"outer radius","parts.point_mass":"Point mass","parts.radius":"radius","parts.remove_part_number_what":"Remove part {number}, {what}","parts.ring":"\
 Ring","parts.rod":"Rod","phase.angle_theta_within_a":"angle θ within a revolution [°]","phase.click_to_go_there":"Tap to go there; two fingers zoom.","phase.c\
-lick_to_go_there_once":"Click to go there; after a click, or with Ctrl, the wheel zooms; double-click shows all.","phase.colours_the_mode_that":"Colours: mode t\
-hat follows contact without slip. Hatched: slip with Painlevé’s paradox.","phase.plane_of_angle_and":"Phase plane of angle and angular velocity with the regi\
-ons of rolling, slip and flight","phase.plane_of_theta_and":"Phase plane of θ and θ̇","player.a_in_front_b":"A in front, B behind","player.centre_of_gravity":"\
-centre of gravity","player.forces":"Forces","player.forces_f":"Forces (f)","player.gap":"gap","player.hoop":"hoop","player.in_space_3":"In space (3)","player.lo\
-ad":"load","player.next_event_shift":"Next event (Shift →)","player.one_frame_back":"One frame back (←)","player.one_frame_on":"One frame forward (→)","pl\
-ayer.pause_space":"Pause (space)","player.play_space":"Play (space)","player.previous_event_shift":"Previous event (Shift ←)","player.rim_speed":"rim speed","\
-player.rim_speed_2":"Rim speed","player.rim_speed_c":"Rim speed (c)","player.speed_of_the_film":"Playback speed","player.the_hoop":"The hoop","player.the_hoop_2":"\
-The hoop.","player.the_same_in_flight":"in flight","player.this_motion_has_no":"This motion has no flight.","player.this_motion_has_no_landing":"This motion has\
- no landing.","player.time":"Time","player.time_seconds_what":"{time} seconds, {what}","player.to_the_next_flight":"To the next flight (h)","player.to_the_next_\
-landing":"To the next landing (l)","player.to_the_start_home":"To the start (Home)","player.traces":"Traces","player.traces_t":"Traces (t)","player.what_at_angl\
-e_time":"{what} at {angle}, {time} s","player.whole_path":"Whole path","player.whole_path_w":"Whole path (w)","plot.cut":"axis cut: values from {low} to {high}",
-"quantity.end_angle":"angle at the end","quantity.ending":"how it ends","quantity.energy_lost":"energy lost","quantity.flight_time":"duration of the first hop",
-"quantity.greatest_utilization":"greatest friction utilization","quantity.hop_height":"height of the first hop","quantity.painleve":"Painlevé’s paradox or jam m\
-et","quantity.sequence":"what happens in the first turn","quantity.takeoff_angle":"angle of take-off","range.from_to":"from {least} to {most}","range.from_to_or\
-_inf":"from {least} to {most}, or inf","range.zero_or_from_to":"0 or from {least} to {most}","range.zero_or_from_to_or_inf":"0 or from {least} to {most}, or inf",
-"reason.border":"the motion lies on the border of two classes: the least change may lead to other events","reason.contact":"the motion starts in contact: with t\
-he rim lifted or thrown it would bounce, and its events are others","reason.edge":"the parameter is at the edge of what is allowed","reason.ended":"the motion h\
-as no answer from there on","reason.frictionless":"without friction the hoop rests on no more than a border of two classes","reason.graze":"a quantity that sets\
- off the event only touches zero there","reason.massless":"the massless hoop (γ = 1) is a singular limit once the contact force is lost","reason.plastic":"rest\
-itution is 0 and the rim has landed: with any restitution it would bounce","reason.sided":"the derivatives of the two sides differ","reason.singular":"the slip \
-runs into p_σ = 0, where the contact force has no bound","refusal.beyond_the_rim":"hoop.parts.{index} ({shape}) reaches {reach} m from the centre, beyond the r\
-im: hoop.radius = {radius}.","refusal.compliant_friction":"plane.mu_static = inf must be finite with contact.model = 'compliant'.","refusal.did_you_mean":"did y\
-ou mean {close}?","refusal.finding":"{path} = {shown} {allowed}.","refusal.finite_number":"must be a finite number","refusal.friction":"must be at least 0 (inf \
-is allowed)","refusal.given_twice":"{path} is given twice.","refusal.greater_than":"must be greater than {limit}","refusal.greater_than_equal":"must be at least\
- {limit}","refusal.half_a_hoop":"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.","refusal.hoop_mass":"hoop.mass = {mass} must be {wo\
-rds}.","refusal.kinetic_above_static":"plane.mu_kinetic = {mu_kinetic} must not exceed plane.mu_static = {mu_static}.","refusal.known_are":"known are {known}.",
-"refusal.less_than":"must be less than {limit}","refusal.less_than_equal":"must be at most {limit}","refusal.list":"must be a list","refusal.literal_error":"mus\
-t be {expected}","refusal.load_inertia":"hoop.load_fraction = {load_fraction} gives hoop.inertia_ratio = {inertia_ratio}, which must be {words}.","refusal.massl\
-ess_compliant":"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_eccentricity":"hoop.inertia_ratio\
- = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity}.","refusal.massless_resistance":"plane.rolling_resistance = {given} must b\
-e 0 for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_slope":"plane.slope = {slope} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",
-"refusal.missing":"{path} is missing.","refusal.no_omega":"start.omega = None must be a number.","refusal.no_parameter":"{path} is not a parameter of a scenario\
-; known are {known}.","refusal.no_parts":"hoop.parts must not be empty.","refusal.no_section_parts":"{path} is not a parameter of a scenario: {section} has no p\
-arts.","refusal.not_there":"{path} is not there to be replaced: the scenario has no {step}.","refusal.number":"must be a number","refusal.other_problems":{one:"\
+lick_to_go_there_once":"Click to go there; after a click, or with Ctrl, the wheel zooms; double-click shows all.","phase.colours":"Colours: mode that follows co\
+ntact without slip.","phase.hatched":"Hatched: slip with Painlevé’s paradox.","phase.plane_of_angle_and":"Phase plane of angle and angular velocity with the \
+regions of rolling, slip and flight","phase.plane_of_theta_and":"Phase plane of θ and θ̇","player.a_in_front_b":"A in front, B behind","player.centre_of_grav\
+ity":"centre of gravity","player.forces":"Forces","player.forces_f":"Forces (f)","player.gap":"gap","player.hoop":"hoop","player.in_space_3":"In space (3)","pla\
+yer.load":"load","player.next_event_shift":"Next event (Shift →)","player.one_frame_back":"One frame back (←)","player.one_frame_on":"One frame forward (→)",
+"player.pause_space":"Pause (space)","player.play_space":"Play (space)","player.previous_event_shift":"Previous event (Shift ←)","player.rim_speed":"rim speed",
+"player.rim_speed_2":"Rim speed","player.rim_speed_c":"Rim speed (c)","player.speed_of_the_film":"Playback speed","player.the_hoop":"The hoop","player.the_hoop_\
+2":"The hoop.","player.the_same_in_flight":"in flight","player.this_motion_has_no":"This motion has no flight.","player.this_motion_has_no_landing":"This motion\
+ has no landing.","player.time":"Time","player.time_seconds_what":"{time} seconds, {what}","player.to_the_next_flight":"To the next flight (h)","player.to_the_n\
+ext_landing":"To the next landing (l)","player.to_the_start_home":"To the start (Home)","player.traces":"Traces","player.traces_t":"Traces (t)","player.what_at_\
+angle_time":"{what} at {angle}, {time} s","player.whole_path":"Whole path","player.whole_path_w":"Whole path (w)","plot.cut":"axis cut: values from {low} to {hi\
+gh}","quantity.end_angle":"angle at the end","quantity.ending":"how it ends","quantity.energy_lost":"energy lost","quantity.flight_time":"duration of the first \
+hop","quantity.greatest_utilization":"greatest friction utilization","quantity.hop_height":"height of the first hop","quantity.painleve":"Painlevé’s paradox or \
+jam met","quantity.sequence":"what happens in the first turn","quantity.takeoff_angle":"angle of take-off","range.from_to":"from {least} to {most}","range.from_\
+to_or_inf":"from {least} to {most}, or inf","range.zero_or_from_to":"0 or from {least} to {most}","range.zero_or_from_to_or_inf":"0 or from {least} to {most}, o\
+r inf","reason.border":"the motion lies on the border of two classes: the least change may lead to other events","reason.contact":"the motion starts in contact:\
+ with the rim lifted or thrown it would bounce, and its events are others","reason.edge":"the parameter is at the edge of what is allowed","reason.ended":"the m\
+otion has no answer from there on","reason.frictionless":"without friction the hoop rests on no more than a border of two classes","reason.graze":"a quantity th\
+at sets off the event only touches zero there","reason.massless":"the massless hoop (γ = 1) is a singular limit once the contact force is lost","reason.plastic":"\
+restitution is 0 and the rim has landed: with any restitution it would bounce","reason.sided":"the derivatives of the two sides differ","reason.singular":"the s\
+lip runs into p_σ = 0, where the contact force has no bound","refusal.beyond_the_rim":"hoop.parts.{index} ({shape}) reaches {reach} m from the centre, beyond t\
+he rim: hoop.radius = {radius}.","refusal.compliant_friction":"plane.mu_static = inf must be finite with contact.model = 'compliant'.","refusal.did_you_mean":"d\
+id you mean {close}?","refusal.finding":"{path} = {shown} {allowed}.","refusal.finite_number":"must be a finite number","refusal.friction":"must be at least 0 (\
+inf is allowed)","refusal.given_twice":"{path} is given twice.","refusal.greater_than":"must be greater than {limit}","refusal.greater_than_equal":"must be at l\
+east {limit}","refusal.half_a_hoop":"hoop.{missing} is missing: hoop.{given} does not define a hoop without it.","refusal.hoop_mass":"hoop.mass = {mass} must be\
+ {words}.","refusal.kinetic_above_static":"plane.mu_kinetic = {mu_kinetic} must not exceed plane.mu_static = {mu_static}.","refusal.known_are":"known are {known\
+}.","refusal.less_than":"must be less than {limit}","refusal.less_than_equal":"must be at most {limit}","refusal.list":"must be a list","refusal.literal_error":"\
+must be {expected}","refusal.load_inertia":"hoop.load_fraction = {load_fraction} gives hoop.inertia_ratio = {inertia_ratio}, which must be {words}.","refusal.ma\
+ssless_compliant":"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_eccentricity":"hoop.inertia_ra\
+tio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity}.","refusal.massless_resistance":"plane.rolling_resistance = {given} mus\
+t be 0 for the massless hoop (hoop.inertia_ratio = 0).","refusal.massless_slope":"plane.slope = {slope} must be 0 for the massless hoop (hoop.inertia_ratio = 0)\
+.","refusal.missing":"{path} is missing.","refusal.no_omega":"start.omega = None must be a number.","refusal.no_parameter":"{path} is not a parameter of a scena\
+rio; known are {known}.","refusal.no_parts":"hoop.parts must not be empty.","refusal.no_section_parts":"{path} is not a parameter of a scenario: {section} has n\
+o parts.","refusal.not_there":"{path} is not there to be replaced: the scenario has no {step}.","refusal.number":"must be a number","refusal.other_problems":{one:"\
 {first} (and {count} more problem).",other:"{first} (and {count} more problems)."},"refusal.parts_inertia":"hoop.parts give hoop.inertia_ratio = {inertia_ratio}\
 , which must be {words}.","refusal.parts_out_of_order":"hoop.parts.{name} is out of order: parts are numbered from 0 without a gap.","refusal.range":"must be {w\
 ords}","refusal.relative_contact":"contact.{name} = {value} is {relative} {unit} of this hoop and must be {words} of it.","refusal.resistance":"plane.rolling_re\
@@ -442,7 +442,7 @@ m.UNSIGNED_SHORT,0)}rod(t,e,s,i,o,r=!1){this.solid(this.cylinder,tn(t,e,s,i),o,{
 o),a=e(Math.min(o+1,t-1));if(Math.hypot(a[0]-r[0],a[1]-r[1])<1e-9&&o>0){let l=e(o-1);a=r.map((c,m)=>2*c-l[m])}for(let l of[-1,1])i.push(...r,0,...a,0,...s(o),l)}
 return se(this.gl,i,{position:3,next:3,tint:3,side:1})}drawTrace(t,e,{width:s,distance:i=0,shift:o,depth:r}){let{gl:a,canvas:l}=this;this.use(this.line,{pixel:[
 2/l.width,2/l.height],width:s,distance:i,shift:o,depth:r}),pe(a,this.line,t),a.drawArrays(a.TRIANGLE_STRIP,0,2*e)}onScreen([t,e,s]){let i=this.view,[o,r,a]=[0,1,
-3].map(l=>i[l]*t+i[4+l]*e+i[8+l]*s+i[12+l]);return a>0?[(.5+.5*o/a)*this.canvas.width,(.5-.5*r/a)*this.canvas.height]:null}}});var Xa={};fo(Xa,{Stage3D:()=>Ki});var eu,su,We,Ya,Ki,Ja=Z(()=>{"use strict";zi();Wi();Va();ht();N();Ot();Bt();eu=[.35,.85,.4],su=.18,We={azimuth:.5,height:.22,distance:5.2},
+3].map(l=>i[l]*t+i[4+l]*e+i[8+l]*s+i[12+l]);return a>0?[(.5+.5*o/a)*this.canvas.width,(.5-.5*r/a)*this.canvas.height]:null}}});var Xa={};fo(Xa,{Stage3D:()=>Ki});var su,nu,We,Ya,Ki,Ja=Z(()=>{"use strict";zi();Wi();Va();ht();N();Ot();Bt();su=[.35,.85,.4],nu=.18,We={azimuth:.5,height:.22,distance:5.2},
 Ya=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
@@ -451,7 +451,7 @@ Ya=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Ki=class{constructor(t,e){this.canvas=t;this.onview=e;this.space=new en(this.canvas,ae,eu,su,{keep:!0});this.floor=ue(this.space.gl,Ya[0],Ya[1]);this.corners=
+   }`],Ki=class{constructor(t,e){this.canvas=t;this.onview=e;this.space=new en(this.canvas,ae,su,nu,{keep:!0});this.floor=ue(this.space.gl,Ya[0],Ya[1]);this.corners=
 se(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...We};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
 t.addEventListener("pointerdown",s=>this.drag(s)),this.pinched=dt(t,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>t.parentElement})}zoomBy(t){t?this.
 turned.distance=x(this.turned.distance/t,1.6,60):this.turned={...We},this.onview()}from(){let{azimuth:t,height:e,distance:s}=this.turned;return t===We.azimuth&&
@@ -621,7 +621,7 @@ Rect"].forEach(function(i){e[i]=function(){return t[i]()}})}zt.prototype.getCont
 Canvas");return this.ctx};zt.prototype.toObjectURL=function(){var n=new XMLSerializer().serializeToString(this.svg),t=new Blob([n],{type:"image/svg+xml;charset=\
 utf-8"});return URL.createObjectURL(t)};zt.prototype.toDataURL=function(n,t,e){return Za.toDataURL(this.svg,this.width,this.height,n,t,e)};zt.prototype.addEventListener=
 function(){return this.svg.addEventListener.apply(this.svg,arguments)};zt.prototype.getElement=function(){return this.wrapper};zt.prototype.getAttribute=function(n){
-return this.wrapper.getAttribute(n)};zt.prototype.setAttribute=function(n,t){this.wrapper.setAttribute(n,t)};sn.Context=tl;sn.Element=zt});var sl={};fo(sl,{Context:()=>nl.Context});var nl,il=Z(()=>{"use strict";nl=Xl(el(),1)});var v={sources:"fd852c67161ba4eadb60f19563a6516d",module:"a6c1ed3dcae80b36",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
+return this.wrapper.getAttribute(n)};zt.prototype.setAttribute=function(n,t){this.wrapper.setAttribute(n,t)};sn.Context=tl;sn.Element=zt});var sl={};fo(sl,{Context:()=>nl.Context});var nl,il=Z(()=>{"use strict";nl=Xl(el(),1)});var v={sources:"8b55b304b90bb2841a2033a0ba629ce4",module:"08ddd1356e3298fb",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
 _until","panels","kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","fr\
@@ -1563,53 +1563,53 @@ e[Math.ceil(.98*e.length)-1]],a=Math.max(r-o,1e-12);i>r+4*a&&(i=r+.6*a),s<o-4*a&
 -s,i)]);let l=.06*(i-s)||1;return[s<0?s-l:s,i+l]}function Ca(n,t){let{look:e,box:s,heights:i,range:o}=t,r=Math.max(s.height/28,4);for(;_t(i[0],i[1],r).length<3&&
 r<12;)r+=1;let a=X(i[1]-i[0],r),l=s.width/70,c=X(o[1]-o[0],l),{name:m,unit:h}=V[t.shared.axis];ce(n,e,{left:D,top:F,box:s},{up:{marks:_t(i[0],i[1],r).map(p=>({at:t.
 y(p),text:pt(p,a),strong:Math.abs(p)<1e-9*a})),name:P(t.unit)},across:{marks:_t(o[0],o[1],l).map(p=>({at:t.x(p),text:pt(p,c)})),name:fa(m,h)},lines:!0})}O();var{letters:Jm}=E.words;function Ra(n,t,e){let s=n.length/t,i=u("canvas",{width:t,height:s}),o=new ImageData(t,s);for(let r=0;r<s;r++)for(let a=0;a<t;a++){let l=Jm[n[r*
-t+a]],c=Rt(e[l]??"#6E6E6E"),m=4*((s-1-r)*t+a);o.data.set([...c,255],m)}return Tt(i).putImageData(o,0,0),i}function Oa(n,t,e){let s=e.length;n.strokeStyle=Ce(t.look.
-dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let i=0;i<s;i++){if(!e[i])continue;let o=i;for(;o<s&&e[o]===e[i];)o++;let r=t.x(i*2*Math.PI/s),a=t.x(o*2*Math.PI/
-s);n.save(),n.beginPath(),n.rect(r,F,a-r,t.box.height),n.clip(),n.beginPath();let l=e[i];for(let c=-t.box.height;c<a-r+t.box.height;c+=7)n.moveTo(r+c,l>0?F+t.box.
-height:F),n.lineTo(r+c+t.box.height,l>0?F:F+t.box.height);n.stroke(),n.restore(),i=o}}function Na(n,t){let{look:e,box:s}=t,[i,o]=t.range.map(c=>c*180/Math.PI),r=o-
-i>200?45:X(o-i,6),a=[];for(let c=Math.ceil(i/r-1e-9);c*r<=o+1e-9;c++)a.push(c*r);let l=X(t.top()-t.bottom(),5);ce(n,e,{left:D,top:F,box:s},{across:{marks:a.map(
-c=>({at:t.x(c*Math.PI/180),text:pt(c,r)})),name:P("phase.angle_theta_within_a")},up:{marks:_t(t.bottom(),t.top(),5).map(c=>({at:t.y(c),text:pt(c,l)})),name:"θ̇ \
-[rad/s]"}})}S();var Vs={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ys(n,t="solid"){let e=u("i",{class:"swatch","aria-hidden":"true"});if(e.style.borderTopColor=
+t+a]],c=Rt(e[l]??"#6E6E6E"),m=4*((s-1-r)*t+a);o.data.set([...c,255],m)}return Tt(i).putImageData(o,0,0),i}var Qm=2;function Oa(n,t,e){let s=e.length/2,[i,o,r]=[
+F,x(t.y(0),F,F+t.box.height),F+t.box.height];n.strokeStyle=Ce(t.look.dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let[a,l,c]of[[0,o,r],[s,i,o]])for(let m=0;m<
+s;m++){let h=e[a+m];if(!h)continue;let p=m;for(;p<s&&e[a+p]===h;)p++;let d=t.x(m*2*Math.PI/s),f=t.x(p*2*Math.PI/s);n.save(),n.beginPath(),n.rect(d,l,f-d,c-l),n.
+clip(),n.beginPath();let{height:g}=t.box;for(let _=-g;_<f-d+g;_+=7)for(let b of h===Qm?[!0,!1]:[h>0])n.moveTo(d+_,b?r:i),n.lineTo(d+_+g,b?i:r);n.stroke(),n.restore(),
+m=p}}function Na(n,t){let{look:e,box:s}=t,[i,o]=t.range.map(c=>c*180/Math.PI),r=o-i>200?45:X(o-i,6),a=[];for(let c=Math.ceil(i/r-1e-9);c*r<=o+1e-9;c++)a.push(c*
+r);let l=X(t.top()-t.bottom(),5);ce(n,e,{left:D,top:F,box:s},{across:{marks:a.map(c=>({at:t.x(c*Math.PI/180),text:pt(c,r)})),name:P("phase.angle_theta_within_a")},
+up:{marks:_t(t.bottom(),t.top(),5).map(c=>({at:t.y(c),text:pt(c,l)})),name:"θ̇ [rad/s]"}})}S();var Vs={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ys(n,t="solid"){let e=u("i",{class:"swatch","aria-hidden":"true"});if(e.style.borderTopColor=
 n??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[t],t==="long"||t==="mixed"){let s=0,i=Vs[t].map((o,r)=>(s+=
 o,`${r%2?"transparent":n??"var(--ink)"} ${s-o}px ${s}px`));e.style.height="2.5px",e.style.width="28px",e.style.background=`repeating-linear-gradient(90deg, ${i.
 join(", ")})`}return e}Bt();var Xs=class{constructor(t,e,s){this.backend=t;this.clock=e;this.colors=s;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-c\
-anvas plot-over"});this.keys=u("div",{class:"plot-keys"});this.asked="";this.body=u("div",{class:"plot-body",role:"figure",tabindex:"0","aria-label":"phase.plan\
-e_of_angle_and"},this.canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},"phase.plane_of_theta_and"),this.keys),this.body,u("p",
-{class:"hint"},"phase.colours_the_mode_that"," ",qs()?"phase.click_to_go_there":"phase.click_to_go_there_once")),this.body.addEventListener("pointerdown",i=>this.
-seek(i)),this.pinched=dt(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(o?this.point(o):this.middle(),1/i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.
-PI],this.soon=ut(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),i=JSON.stringify([t.hoop,t.plane,s]);if(i!==this.asked){let o=await this.painted(t,
-[0,2*Math.PI,-s,s],e);this.asked=i,this.pictures=[o],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.abort(),!(!this.pictures||
-this.isWhole())){this.sharpening=new AbortController;try{let t=await this.painted(this.films[this.active].scenario,[...this.range,this.bottom(),this.top()],this.
-sharpening.signal);this.pictures=[this.pictures[0],t],this.redraw()}catch(t){if(t.name!=="AbortError")throw t}}}async painted(t,e,s){let{modes:i,paradox:o}=await this.
-backend.regions(t,e,s);return s?.throwIfAborted(),{window:e,paradox:o,picture:Ra(i,o.length,this.colors.modes)}}reach(){return this.reached}findReach(){let t=0;
-for(let s of this.films??[]){let i=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();t=Math.max(t,i[Math.floor(.99*(i.length-1))]??0)}let e=X(
-Math.max(t,1)*1.15,4);return Math.ceil(Math.max(t,1)*1.12/e)*e}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[t,
-e]=this.range;return e-t>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.
-splice(1)}point(t){let e=this.body.getBoundingClientRect(),s=((t.clientX-e.left)/this.look.px-D)/this.box.width,i=1-((t.clientY-e.top)/this.look.px-F)/this.box.
-height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
-bottom()+this.top())]}zoomAbout([t,e],s){let i=Math.max(t-(t-this.range[0])*s,0),o=Math.min(t+(this.range[1]-t)*s,2*Math.PI),r=this.reach(),a=Math.max(e-(e-this.
-bottom())*s,-r),l=Math.min(e+(this.top()-e)*s,r);this.range=[i,o],this.window=[a,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){return this.
-window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(t,e,s){this.films=
-t,this.active=e,this.look=s,this.reached=this.findReach(),this.forwards=t.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=t.some(i=>i.columns.omega.some(o=>o<
--.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return D+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return F+
-(1-(t-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:t,look:e}=this,{context:s,width:i,height:o}=Y(this.canvas,
-e.px);if(this.box={width:i-D-Ws,height:o-F-Ks},s.clearRect(0,0,i,o),s.save(),s.beginPath(),s.rect(D,F,this.box.width,this.box.height),s.clip(),this.pictures){s.
-imageSmoothingEnabled=!1;for(let{picture:r,window:a}of this.pictures){let[l,c,m,h]=a,p=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(m)-this.y(h)];s.fillStyle=
-e.panel,s.fillRect(p[0],p[1],p[2],p[3]),s.globalAlpha=.35,s.drawImage(r,p[0],p[1],p[2],p[3]),s.globalAlpha=1}Oa(s,this,this.pictures[0].paradox)}for(let[r,a]of this.
-films.entries())this.way(s,a,r);if(s.restore(),Na(s,this),this.keyed!==e.dark){this.keyed=e.dark;let r=Object.entries(t.mode_names).filter(([a])=>"RSKH".includes(
-a));this.keys.replaceChildren(...r.map(([a,l])=>u("span",{class:"plot-key"},Ys(t.modes[a]),l)))}this.cursor(this.clock.time)}way(t,e,s){let{angle:i,omega:o,mode:r}=e.
-columns,a=2*Math.PI;t.lineWidth=s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=this.films.length>1?Mt(s,this.look.dark):this.look.ink,t.beginPath();let l=null;
-for(let c=0;c<e.length;c++){if(!Number.isFinite(o[c])){l=null;continue}let m=Math.floor(i[c]/a),h=i[c]-m*a;if(l===null)t.moveTo(this.x(h),this.y(o[c]));else if(m!==
-l.lap){let p=m>l.lap?a:0;t.lineTo(this.x(p),this.y(o[c])),t.moveTo(this.x(a-p),this.y(o[c])),t.lineTo(this.x(h),this.y(o[c]))}else t.lineTo(this.x(h),this.y(o[c]));
-l={lap:m,mode:r[c]}}t.stroke(),t.setLineDash([])}spot({angle:t,omega:e}){let s=2*Math.PI;return[this.x(t-Math.floor(t/s)*s),this.y(e)]}cursor(t){if(!this.films||
-!this.box)return;let{context:e,width:s,height:i}=Y(this.over,this.look.px);e.clearRect(0,0,s,i);let{pointed:o}=this.clock;if(o!==null){let[r,a]=this.spot(this.films[this.
-active].at(o));e.strokeStyle=this.look.ink,e.lineWidth=1.5;for(let l of[6,10])e.beginPath(),e.arc(r,a,l,0,2*Math.PI),e.stroke()}this.films.forEach((r,a)=>{let l=r.
-at(t),[c,m]=this.spot(l);c>=D&&c<=D+this.box.width&&m>=F&&m<=F+this.box.height&&(e.beginPath(),e.arc(c,m,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.modes[l.mode],
-e.fill(),e.lineWidth=2,e.strokeStyle=this.films.length>1?Mt(a,this.look.dark):this.look.ink,e.stroke(),!(this.films.length<2)&&(e.font=`700 12px ${this.look.font}`,
-e.textAlign="left",e.fillStyle=e.strokeStyle,e.fillText("AB"[a],c+8,m-6)))})}seek(t){let e=this.body.getBoundingClientRect(),[s,i]=[t.clientX-e.left,t.clientY-e.
-top].map(m=>m/this.look.px);if(this.pinched())return;let o=this.films[this.active],{angle:r,omega:a}=o.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<o.
-length;m++){let h=r[m]-Math.floor(r[m]/l)*l,p=Math.hypot(this.x(h)-s,this.y(a[m])-i);p<c.distance&&(c={distance:p,t:o.t[m]})}c.distance<40&&this.clock.seek(x(c.
-t,0,o.duration))}};S();S();ht();function Fa(n,t){let e=[],s=null;for(let i=0;i<n.length;i++){let o=Math.floor(n[i]),r=t[i];Number.isFinite(o+r)?s&&s.x===o?(s.low=Math.min(s.low,r),s.high=Math.
+anvas plot-over"});this.keys=u("div",{class:"plot-keys"});this.hatched=u("span",{hidden:!0},"phase.hatched"," ");this.asked="";this.body=u("div",{class:"plot-bo\
+dy",role:"figure",tabindex:"0","aria-label":"phase.plane_of_angle_and"},this.canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},
+"phase.plane_of_theta_and"),this.keys),this.body,u("p",{class:"hint"},"phase.colours"," ",this.hatched,qs()?"phase.click_to_go_there":"phase.click_to_go_there_o\
+nce")),this.body.addEventListener("pointerdown",i=>this.seek(i)),this.pinched=dt(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(o?this.point(o):this.middle(),1/
+i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ut(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),i=JSON.stringify([t.hoop,t.plane,
+s]);if(i!==this.asked){let o=await this.painted(t,[0,2*Math.PI,-s,s],e);this.asked=i,this.pictures=[o],this.redraw()}this.window&&await this.sharpen()}async sharpen(){
+if(this.sharpening?.abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let t=await this.painted(this.films[this.active].scenario,
+[...this.range,this.bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],t],this.redraw()}catch(t){if(t.name!=="AbortError")throw t}}}async painted(t,e,s){
+let{modes:i,paradox:o}=await this.backend.regions(t,e,s);return s?.throwIfAborted(),{window:e,paradox:o,picture:Ra(i,o.length/2,this.colors.modes)}}reach(){return this.
+reached}findReach(){let t=0;for(let s of this.films??[]){let i=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();t=Math.max(t,i[Math.floor(
+.99*(i.length-1))]??0)}let e=X(Math.max(t,1)*1.15,4);return Math.ceil(Math.max(t,1)*1.12/e)*e}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),
+this.redraw()}isWhole(){let[t,e]=this.range;return e-t>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.
+abort(),this.pictures?.splice(1)}point(t){let e=this.body.getBoundingClientRect(),s=((t.clientX-e.left)/this.look.px-D)/this.box.width,i=1-((t.clientY-e.top)/this.
+look.px-F)/this.box.height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.
+range[1]),.5*(this.bottom()+this.top())]}zoomAbout([t,e],s){let i=Math.max(t-(t-this.range[0])*s,0),o=Math.min(t+(this.range[1]-t)*s,2*Math.PI),r=this.reach(),a=Math.
+max(e-(e-this.bottom())*s,-r),l=Math.min(e+(this.top()-e)*s,r);this.range=[i,o],this.window=[a,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){
+return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(t,e,s){
+this.films=t,this.active=e,this.look=s,this.reached=this.findReach(),this.forwards=t.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=t.some(i=>i.columns.omega.
+some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return D+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){
+return F+(1-(t-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:t,look:e}=this,{context:s,width:i,height:o}=Y(
+this.canvas,e.px);if(this.box={width:i-D-Ws,height:o-F-Ks},s.clearRect(0,0,i,o),s.save(),s.beginPath(),s.rect(D,F,this.box.width,this.box.height),s.clip(),this.
+pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:l}of this.pictures){let[c,m,h,p]=l,d=[this.x(c),this.y(p),this.x(m)-this.x(c),this.y(h)-this.y(p)];
+s.fillStyle=e.panel,s.fillRect(d[0],d[1],d[2],d[3]),s.globalAlpha=.35,s.drawImage(a,d[0],d[1],d[2],d[3]),s.globalAlpha=1}let{paradox:r}=this.pictures[0];Oa(s,this,
+r),this.hatched.hidden=!r.some(a=>a!==0)}for(let[r,a]of this.films.entries())this.way(s,a,r);if(s.restore(),Na(s,this),this.keyed!==e.dark){this.keyed=e.dark;let r=Object.
+entries(t.mode_names).filter(([a])=>"RSKH".includes(a));this.keys.replaceChildren(...r.map(([a,l])=>u("span",{class:"plot-key"},Ys(t.modes[a]),l)))}this.cursor(
+this.clock.time)}way(t,e,s){let{angle:i,omega:o,mode:r}=e.columns,a=2*Math.PI;t.lineWidth=s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=this.films.length>1?
+Mt(s,this.look.dark):this.look.ink,t.beginPath();let l=null;for(let c=0;c<e.length;c++){if(!Number.isFinite(o[c])){l=null;continue}let m=Math.floor(i[c]/a),h=i[c]-
+m*a;if(l===null)t.moveTo(this.x(h),this.y(o[c]));else if(m!==l.lap){let p=m>l.lap?a:0;t.lineTo(this.x(p),this.y(o[c])),t.moveTo(this.x(a-p),this.y(o[c])),t.lineTo(
+this.x(h),this.y(o[c]))}else t.lineTo(this.x(h),this.y(o[c]));l={lap:m,mode:r[c]}}t.stroke(),t.setLineDash([])}spot({angle:t,omega:e}){let s=2*Math.PI;return[this.
+x(t-Math.floor(t/s)*s),this.y(e)]}cursor(t){if(!this.films||!this.box)return;let{context:e,width:s,height:i}=Y(this.over,this.look.px);e.clearRect(0,0,s,i);let{
+pointed:o}=this.clock;if(o!==null){let[r,a]=this.spot(this.films[this.active].at(o));e.strokeStyle=this.look.ink,e.lineWidth=1.5;for(let l of[6,10])e.beginPath(),
+e.arc(r,a,l,0,2*Math.PI),e.stroke()}this.films.forEach((r,a)=>{let l=r.at(t),[c,m]=this.spot(l);c>=D&&c<=D+this.box.width&&m>=F&&m<=F+this.box.height&&(e.beginPath(),
+e.arc(c,m,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.modes[l.mode],e.fill(),e.lineWidth=2,e.strokeStyle=this.films.length>1?Mt(a,this.look.dark):this.look.ink,
+e.stroke(),!(this.films.length<2)&&(e.font=`700 12px ${this.look.font}`,e.textAlign="left",e.fillStyle=e.strokeStyle,e.fillText("AB"[a],c+8,m-6)))})}seek(t){let e=this.
+body.getBoundingClientRect(),[s,i]=[t.clientX-e.left,t.clientY-e.top].map(m=>m/this.look.px);if(this.pinched())return;let o=this.films[this.active],{angle:r,omega:a}=o.
+columns,l=2*Math.PI,c={distance:1/0,t:0};for(let m=0;m<o.length;m++){let h=r[m]-Math.floor(r[m]/l)*l,p=Math.hypot(this.x(h)-s,this.y(a[m])-i);p<c.distance&&(c={
+distance:p,t:o.t[m]})}c.distance<40&&this.clock.seek(x(c.t,0,o.duration))}};S();S();ht();function Fa(n,t){let e=[],s=null;for(let i=0;i<n.length;i++){let o=Math.floor(n[i]),r=t[i];Number.isFinite(o+r)?s&&s.x===o?(s.low=Math.min(s.low,r),s.high=Math.
 max(s.high,r),s.middle+=(r-s.middle)/++s.count):(s={x:o,low:r,high:r,middle:r,count:1},e.push(s)):(s&&e.push(null),s=null)}return e}function Ia(n){let t=n.filter(
 e=>e!==null);return t.filter(({count:e})=>e>=4).length>.5*t.length}S();N();Ot();O();Bt();var me=class{constructor({key:t,title:e,unit:s,curves:i,limits:o,symmetric:r=!1},a){this.shared=a;this.cut=null;this.key=t,this.title=e,this.unit=s,this.
 curves=i,this.limits=o,this.symmetric=r,this.canvas=u("canvas",{class:"plot-canvas"}),this.over=u("canvas",{class:"plot-canvas plot-over"}),this.keys=u("div",{class:"\
@@ -1655,7 +1655,7 @@ return this.onseek(t);let e=this.films[this.active],s=this.abscissa(e),i=0;for(l
 e.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){let s=this.fullRange(),i=Math.max(t-(t-this.range[0])*e,s[0]),o=Math.min(t+(this.range[1]-
 t)*e,s[1]);this.zoomTo(i<=s[0]&&o>=s[1]?null:[i,o])}zoomTo(t){this.shared.range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};var $i=n=>Object.entries(V).map(([t,e])=>u("option",{value:t},n(e)));function Ha(n){let t="height",e=new me({key:"own",title:"diagram.your_choice",unit:"",curves:o=>[
 {name:V[t].name,values:V[t].values(o)}]},n),s=()=>{let{symbol:o,unit:r}=V[t];e.unit=r?`${o} [${r}]`:o},i=u("select",{"aria-label":"diagram.what_your_diagram_sho\
-ws",onchange:()=>{t=i.value,s(),n.changed()}},$i(Jr));return i.value=t,s(),e.element.querySelector("h3")?.after(i),e}function Qm(n){return[{key:"velocities",title:"diagram.velocities",unit:"diagram.velocity_m_s",curves:t=>[{name:"diagram.v_centre",color:n.center_speed,values:t.
+ws",onchange:()=>{t=i.value,s(),n.changed()}},$i(Jr));return i.value=t,s(),e.element.querySelector("h3")?.after(i),e}function Zm(n){return[{key:"velocities",title:"diagram.velocities",unit:"diagram.velocity_m_s",curves:t=>[{name:"diagram.v_centre",color:n.center_speed,values:t.
 columns.vx},{name:"R θ̇",color:n.rotation_speed,dash:"dash",values:t.derived("spin",({omega:e})=>Float64Array.from(e,s=>s*t.radius))}]},{key:"energies",title:"\
 diagram.energies_and_losses",unit:"diagram.energy_j",curves:t=>[{name:"diagram.kinetic",color:n.kinetic,values:t.columns.kinetic},{name:"diagram.potential",color:n.
 potential,values:t.columns.potential},{name:"diagram.total",values:t.derived("total",({t:e,kinetic:s,potential:i})=>Float64Array.from(e,(o,r)=>s[r]+i[r])),dash:"\
@@ -1664,7 +1664,7 @@ damper":"diagram.lost_in_impacts_normal",color:n.impact_loss,values:t.columns.no
 t_to_rolling_resistance",values:t.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"forces",title:"diagram.contact_forces",unit:"diagram.force_n",curves:t=>[{name:"\
 diagram.normal_n",color:n.normal_force,values:t.columns.normal_force},{name:"diagram.friction_f",color:n.friction_force,dash:"dash",values:t.columns.friction_force}]},
 {key:"utilization",title:"diagram.use_of_friction",unit:"|F| / μN",limits:[0,1.08],curves:t=>[{name:"|F| / μN",color:n.friction_force,values:t.columns.utilization}]}]}
-var Js=class{constructor(t,e){this.colors=e;this.shared={axis:"time",range:null,clock:t,changed:()=>this.redraw()},this.plots=[...Qm(e).map(i=>new me(i,this.shared)),
+var Js=class{constructor(t,e){this.colors=e;this.shared={axis:"time",range:null,clock:t,changed:()=>this.redraw()},this.plots=[...Zm(e).map(i=>new me(i,this.shared)),
 Ha(this.shared)];for(let i of this.plots)i.onseek=o=>t.seek(o);this.seen=new Map(this.plots.map(i=>[i.element,!0]));let s=new IntersectionObserver(i=>{for(let{target:o,
 isIntersecting:r}of i)this.seen.set(o,r);this.redraw()},{rootMargin:"400px"});for(let i of this.plots)s.observe(i.element);this.axis=u("select",{"aria-label":"d\
 iagram.horizontal_axis_of_the",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=null,this.redraw()}},$i(({name:i})=>({key:"diagram.over_quantity",
@@ -1673,10 +1673,10 @@ hint"}),this.element=u("div",{class:"plots"},u("div",{class:"plots-head"},this.a
 this.active=e,this.look=s;let i=matchMedia("(hover: none)").matches?"diagram.slide_to_go_there":"diagram.click_to_go_there",o=t.length>1;L(this.hint,o?{key:"dia\
 gram.a_blue_b_ochre",values:{hoop:"AB"[e],hands:i}}:i),this.redraw()}redraw(){if(this.films?.length){this.back.hidden=!this.shared.range;for(let t of this.plots)
 t.take(this.films,this.active,this.look);for(let t of this.visible())t.draw(this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.plots.filter(
-t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var Zm={python:"fingerprint.same_bits_as_in",link:"fingerprint.same_bits_as_where"},tu={python:"fingerprint.the_bits_differ_own",link:"fingerprint.the_bits_diff\
+t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var tu={python:"fingerprint.same_bits_as_in",link:"fingerprint.same_bits_as_where"},eu={python:"fingerprint.the_bits_differ_own",link:"fingerprint.the_bits_diff\
 er_own_here"},Qs=class{constructor(t){this.link=new Map;this.python=new Map(t.map(({key:e,query:s})=>[s,E.fingerprints[e]]))}expect(t,e){for(let[s,{query:i}]of t.
 entries())e[s]&&this.link.set(i,e[s])}expected(t){return t.map(({query:e})=>this.link.get(e)??"")}of({query:t,fingerprint:e}){return e?["python","link"].flatMap(
-s=>{let i=this[s].get(t);if(!i)return[];let o=e===i;return[{same:o,text:o?Zm[s]:{key:tu[s],values:{own:e,other:i}}}]}):[]}};S();S();S();var ol=()=>Promise.resolve().then(()=>(Ja(),Xa)),rl=()=>Promise.resolve().then(()=>(il(),sl)),nn=n=>n.catch(()=>{throw new Error("page.not_loaded")});N();O();var nu=3840;async function al(n){let{width:t,height:e}=n.stage.canvas().getBoundingClientRect(),s=Math.max(nu/t,globalThis.devicePixelRatio||1),i=u("can\
+s=>{let i=this[s].get(t);if(!i)return[];let o=e===i;return[{same:o,text:o?tu[s]:{key:eu[s],values:{own:e,other:i}}}]}):[]}};S();S();S();var ol=()=>Promise.resolve().then(()=>(Ja(),Xa)),rl=()=>Promise.resolve().then(()=>(il(),sl)),nn=n=>n.catch(()=>{throw new Error("page.not_loaded")});N();O();var iu=3840;async function al(n){let{width:t,height:e}=n.stage.canvas().getBoundingClientRect(),s=Math.max(iu/t,globalThis.devicePixelRatio||1),i=u("can\
 vas",{width:Math.round(t*s),height:Math.round(e*s)}),o=Tt(i);return o.setTransform(s,0,0,s,0,0),Yi(o,n,t,e),n.stage.options.three?(o.drawImage(n.stage.sharp(n,s),
 0,0,t,e),n.drawStage()):cl(o,n,t,e),Xi(o,n,e),new Promise((r,a)=>i.toBlob(l=>l?r(l):a(new Error("save.the_picture_is_too"))))}async function ll(n){if(n.stage.options.
 three)throw new Error("save.a_picture_in_space");let{width:t,height:e}=n.stage.canvas().getBoundingClientRect(),{Context:s}=await nn(rl()),i=new s({width:t,height:e,
@@ -1689,10 +1689,10 @@ length;n.fillStyle=s.colors.modes[m.mode],n.fillRect(12,f+2*r,11*r,11*r),n.fillS
 18*r,f)}n.textBaseline="alphabetic"}async function ml(n){let t=n.stage.canvas();if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("save.this_browser_cannot_record");let e=u("canvas",{
 width:2*Math.ceil(t.width/2),height:2*Math.ceil(t.height/2)}),s=new MediaRecorder(e.captureStream(60),{videoBitsPerSecond:8e6}),i=[];s.ondataavailable=a=>i.push(
 a.data);let o=new Promise(a=>s.onstop=a),{loop:r}=n.clock;return n.clock.loop=!1,n.clock.seek(0),n.notice.say("save.recording_one_run"),n.afterFrame=()=>{hl(n,e),
-!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await o,n.afterFrame=null,n.clock.loop=r,new Blob(i,{type:s.mimeType})}var iu=[["motion.toml","save.save_the_scenario_toml"],["motion.csv","save.save_the_states_csv"],["motion.nc","save.save_the_motion_netcdf"],["motion.json","save\
+!n.clock.playing&&s.state==="recording"&&s.stop()},s.start(),n.clock.play(!0),await o,n.afterFrame=null,n.clock.loop=r,new Blob(i,{type:s.mimeType})}var ou=[["motion.toml","save.save_the_scenario_toml"],["motion.csv","save.save_the_states_csv"],["motion.nc","save.save_the_motion_netcdf"],["motion.json","save\
 .save_the_events_json"],["motion.mp4","save.save_a_film_mp4"]],on=class{constructor(t){this.lab=t;this.menu=u("details",{class:"menu"},u("summary",{class:"butto\
 n"},u("span",{class:"long"},"save.share_and_save"),u("span",{class:"short"},"save.share")),u("div",{class:"menu-body"},t.backend.shares&&this.item("save.copy_a_\
-link_to",()=>this.copyLink()),iu.filter(([e])=>t.backend.files.includes(e)).map(([e,s])=>this.item(s,()=>this.download(e))),this.item("save.save_a_picture_png",
+link_to",()=>this.copyLink()),ou.filter(([e])=>t.backend.files.includes(e)).map(([e,s])=>this.item(s,()=>this.download(e))),this.item("save.save_a_picture_png",
 ()=>this.picture("png",al)),this.item("save.save_a_picture_svg",()=>this.picture("svg",ll)),this.item("save.record_one_run_as",()=>this.record()),this.item("sav\
 e.show_the_python_code",()=>this.code()))),this.dialog=u("dialog",{class:"code-dialog","aria-label":"save.the_same_motion_in"})}item(t,e){return u("button",{type:"\
 button",onclick:async()=>{this.menu.open=!1;try{await e()}catch(s){this.lab.notice.fail(s)}}},t)}async copyLink(){let t=this.lab.link(this.lab.films().map(({fingerprint:e})=>e??
@@ -1757,9 +1757,9 @@ let{context:r,width:a,height:l}=Y(this.canvas);r.clearRect(0,0,a,l),!(a<40||l<40
 m={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,p)=>{t.save(),t.beginPath(),
 t.rect(0,p*c,e,c),t.clip(),t.translate(0,p*c);let d=new rn(t,e,c,h,o,r,a,l,this.zoom,this.shift,m);return d.top=p*c,d.scale=this.fixed??d.scale,d.draw(),this.pointed?.
 lane===p&&d.ghost(h.at(this.pointed.time)),this.over(d,p),i.length>1&&(d.mark("AB"[p],Mt(p,a.dark)),t.fillStyle=Mt(p,a.dark),t.font=`700 ${17*a.px}px ${a.font}`,
-t.textAlign="left",t.fillText("AB"[p],12,c-12)),t.restore(),p>0&&(t.fillStyle=a.line,t.fillRect(0,p*c-.5,e,1)),d})}};O();var ou=["player.hoop","table.mode","column.time","column.angle","v","R θ̇","player.gap"],ln=class{constructor(t,e){this.colors=t;this.onview=e;this.options=
+t.textAlign="left",t.fillText("AB"[p],12,c-12)),t.restore(),p>0&&(t.fillStyle=a.line,t.fillRect(0,p*c-.5,e,1)),d})}};O();var ru=["player.hoop","table.mode","column.time","column.angle","v","R θ̇","player.gap"],ln=class{constructor(t,e){this.colors=t;this.onview=e;this.options=
 {traces:!0,forces:!0,speed:!0,whole:!1,three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});
-this.flat=new an(this.plane,this.onview);this.deep=null;this.outputs=ou.map(i=>({name:u("dt",{},i),value:u("dd",{})})),this.outputs[1].value.className="mode",this.
+this.flat=new an(this.plane,this.onview);this.deep=null;this.outputs=ru.map(i=>({name:u("dt",{},i),value:u("dd",{})})),this.outputs[1].value.className="mode",this.
 fastest=u("span",{}),this.legend=u("div",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${ms.filter((i,o)=>o%15===0).join(
 ",")})`}),u("span",{},"0"),u("span",{},"player.rim_speed"),this.fastest);let s=(i,o)=>u("span",{},u("i",{class:"dot",style:`background:${i}`}),o);this.order=u("\
 span",{hidden:!0},"player.a_in_front_b"),this.element=u("div",{class:"stage",role:"figure","aria-label":"player.the_hoop",tabindex:"0"},this.plane,this.space,u(
@@ -1786,18 +1786,18 @@ text:r})=>[" ",u("span",{class:o?"same":"differs"},r)])),this.cursor(this.clock.
 e=>u("li",{},u("button",{type:"button",onclick:()=>this.clock.seek(e.t),onpointerenter:()=>this.clock.point(e.t),onpointerleave:()=>this.clock.point(null),onfocus:()=>this.
 clock.point(e.t),onblur:()=>this.clock.point(null)},u("i",{class:"dot",style:`background:${t.modes[e.mode]}`,"aria-hidden":"true"}),u("span",{class:"when"},`${M(
 e.t,4)} s`),u("span",{},e.text)))),this.list.replaceChildren(...this.items),this.clock.pointed=null}sign(){let{fingerprint:t}=this.film;t!==this.signed&&(this.signed=
-t,this.signature.replaceChildren(...ru(t)))}say(t){L(this.live,t)}announce(t){this.say(t.flatMap((e,s)=>s?[" ",e.summary]:[e.summary]))}cursor(t){let{story:e}=this.
+t,this.signature.replaceChildren(...au(t)))}say(t){L(this.live,t)}announce(t){this.say(t.flatMap((e,s)=>s?[" ",e.summary]:[e.summary]))}cursor(t){let{story:e}=this.
 film,s=-1;for(let o=0;o<e.length&&e[o].t<=t+1e-9;o++)s=o;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add(
 "now"),this.items[this.current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let i=this.items[s];if(i){let o=i.
 offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}};
-function ru(n){if(!n)return[u("span",{},"motion.no_fingerprint_this_motion")];let t=u("code",{},document.createTextNode(n)),e=u("button",{type:"button"},"motion\
+function au(n){if(!n)return[u("span",{},"motion.no_fingerprint_this_motion")];let t=u("code",{},document.createTextNode(n)),e=u("button",{type:"button"},"motion\
 .copy");return e.onclick=async()=>{try{await navigator.clipboard.writeText(n),L(e,"motion.copied")}catch{getSelection()?.selectAllChildren(t)}},[u("span",{title:"\
 motion.a_hash_of_all"},"motion.fingerprint")," ",t," ",e]}var cn=class{constructor(){this.list=u("dl",{});this.heading=u("h2",{},"motion.what_theory_says");this.
 element=u("section",{class:"theory"},this.heading,this.list)}draw(t,e=""){L(this.heading,e?{key:"motion.what_theory_says_of",values:{hoop:e}}:"motion.what_theor\
-y_says"),this.list.replaceChildren(...t.flatMap(({label:s,text:i})=>[u("dt",{},s),u("dd",{},i)]))}};ht();S();Dt();var pl="hophoop-theme",au=["gravity_center","airborne","normal_force","friction_force"],mn=class{constructor(t,e,s,i){this.root=t;this.colors=e;this.
+y_says"),this.list.replaceChildren(...t.flatMap(({label:s,text:i})=>[u("dt",{},s),u("dd",{},i)]))}};ht();S();Dt();var pl="hophoop-theme",lu=["gravity_center","airborne","normal_force","friction_force"],mn=class{constructor(t,e,s,i){this.root=t;this.colors=e;this.
 hosted=s;this.changed=i;this.chosen=null;this.media=matchMedia("(prefers-color-scheme: dark)");this.listen=()=>this.apply(),this.media.addEventListener("change",
 this.listen),this.mark(),this.look=di(t),this.inks={...e},this.read()}mark(){let t=this.hosted?ct(pl):null;this.root.dataset.theme=this.chosen??t??(this.media.matches?
-"dark":"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=di(this.root),this.inks={...this.colors};for(let t of au)
+"dark":"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=di(this.root),this.inks={...this.colors};for(let t of lu)
 this.inks[t]=Re(this.colors[t],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
 k",this.hosted&&mt(pl,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};ht();S();N();Ot();Bt();O();var un=class{constructor(t){this.clock=t;this.window=null;this.canvas=u("canvas",{class:"timeline-canvas"});this.tip=u("div",{class:"tip",hidden:!0});
 this.element=u("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"player.time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.
@@ -1824,11 +1824,11 @@ i.toFixed(3)),this.element.setAttribute("aria-valuenow",s.toFixed(3)),this.eleme
 t.font=`11px ${l.font}`,!(r<13||t.measureText(e).width+8>i)&&(t.fillStyle=cr(a),t.textAlign="center",t.textBaseline="middle",t.fillText(e,s+.5*i,o+.5*r+1),t.textBaseline=
 "alphabetic")}marks(t,e,s,i,o,r){t.font=`11px ${r.font}`,t.textAlign="center";let a=e.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,
 x:s(c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(t.fillStyle=r.panel,a.length<o/6)for(let{x:l}of a)t.fillRect(l-.5,i,1,5);t.fillStyle=r.ink;for(let{mark:l,x:c}of $r(
-a))t.fillText(l,x(c,6,o-6),i-4)}};S();N();O();var lu=1/60,hu=[["traces","player.traces","player.traces_t"],["forces","player.forces","player.forces_f"],["speed","player.rim_speed_2","player.rim_speed_c"],
+a))t.fillText(l,x(c,6,o-6),i-4)}};S();N();O();var hu=1/60,cu=[["traces","player.traces","player.traces_t"],["forces","player.forces","player.forces_f"],["speed","player.rim_speed_2","player.rim_speed_c"],
 ["whole","player.whole_path","player.whole_path_w"],["three","3D","player.in_space_3"]],Ut=(n,t,e)=>u("button",{type:"button",title:t,"aria-label":t,onclick:e},
 n),dl=(n,t)=>u("span",{},u("span",{"aria-hidden":"true"},`${n} `),t),pn=class{constructor(t,e,s,i,o){this.clock=t;this.films=e;this.say=i;this.tell=o;this.titled=
 "";this.playButton=Ut(Q("play"),"player.play_space",()=>t.play()),this.playButton.classList.add("play"),this.speeds=u("select",{"aria-label":"player.speed_of_th\
-e_film",onchange:()=>{t.speed=Number(this.speeds.value)}},Fe.map(r=>u("option",{value:String(r)},`${r}×`))),this.speeds.value="1",this.switches=new Map(hu.map(
+e_film",onchange:()=>{t.speed=Number(this.speeds.value)}},Fe.map(r=>u("option",{value:String(r)},`${r}×`))),this.speeds.value="1",this.switches=new Map(cu.map(
 ([r,a,l])=>[r,u("button",{type:"button",class:"switch",title:l,onclick:()=>s(r)},a)])),this.row=u("div",{class:"buttons switches"},[...this.switches.values()]),
 this.element=u("div",{class:"transport"},u("div",{class:"buttons"},Ut(Q("start"),"player.to_the_start_home",()=>t.seek(0)),Ut(Q("previous"),"player.previous_eve\
 nt_shift",()=>this.jump(-1)),Ut(Q("back"),"player.one_frame_back",()=>this.nudge(-1)),this.playButton,Ut(Q("on"),"player.one_frame_on",()=>this.nudge(1)),Ut(Q("\
@@ -1836,7 +1836,7 @@ next"),"player.next_event_shift",()=>this.jump(1))),u("div",{class:"buttons jump
 off")),Ut(dl("▼","event.impact"),"player.to_the_next_landing",()=>this.jump(1,"impact"))),this.speeds,this.row)}show(t){let{clock:e,playButton:s}=this;for(let[
 o,r]of this.switches)r.setAttribute("aria-pressed",String(t[o]));let i=e.playing?"player.pause_space":"player.play_space";this.titled!==i&&(this.titled=i,s.replaceChildren(
 Q(e.playing?"pause":"play")),Et(s,"title",i),Et(s,"aria-label",i)),this.speeds.value!==String(e.speed)&&(this.speeds.value=String(e.speed))}nudge(t){this.clock.
-playing=!1,this.clock.seek(this.clock.time+t*lu*Math.min(this.clock.speed,1))}jump(t,e=null){this.clock.playing=!1;let s=this.films().flatMap((m,h)=>m.events.map(
+playing=!1,this.clock.seek(this.clock.time+t*hu*Math.min(this.clock.speed,1))}jump(t,e=null){this.clock.playing=!1;let s=this.films().flatMap((m,h)=>m.events.map(
 p=>({event:p,lane:h}))).filter(({event:m})=>!e||(e==="impact"?m.kind===e:Or(m))).sort((m,h)=>m.event.t-h.event.t),i=this.clock.time,o=t>0?s.find(({event:m})=>m.
 t>i+1e-9):s.findLast(({event:m})=>m.t<i-1e-9);if(!o&&e&&(o=s[0]),!o){e&&this.say(e==="takeoff"?"player.this_motion_has_no":"player.this_motion_has_no_landing");
 return}this.clock.seek(o.event.t);let{event:r,lane:a}=o,c={key:"player.what_at_angle_time",values:{what:Nt(r.kind),angle:K(r.angle),time:M(r.t,4)}};this.tell(this.
@@ -1879,18 +1879,18 @@ this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.d
 this.request())}async fetchTheory(){let{scenario:t}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked;try{this.theory.draw(
 await this.backend.theory(t,e),this.motions.name()),await this.phase.fetch(t,e)}catch(s){s.name!=="AbortError"&&this.theory.draw([{label:"–",text:et(s)}])}}async toggle(t){
 let{options:e}=this.stage;if(t!=="three")e[t]=!e[t];else try{await this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(et(s))}this.transport.show(e),
-this.address?.soon(),this.request()}};var cu={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ke(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
+this.address?.soon(),this.request()}};var mu={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ke(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
-4,4+s))),o={};for(let{name:r,type:a,shape:l,place:c}of i.arrays){let m=l.reduce((h,p)=>h*p,1);o[r]=new cu[a](e.buffer,e.byteOffset+4+s+c,m)}return{header:i,arrays:o}}O();var mu=4,uu="backend.the_server_does_not",dn=class{constructor(t){this.base=t}async motion(t,e){let s={method:"POST",headers:{"Content-Type":"application/js\
+4,4+s))),o={};for(let{name:r,type:a,shape:l,place:c}of i.arrays){let m=l.reduce((h,p)=>h*p,1);o[r]=new mu[a](e.buffer,e.byteOffset+4+s+c,m)}return{header:i,arrays:o}}O();var uu=4,pu="backend.the_server_does_not",dn=class{constructor(t){this.base=t}async motion(t,e){let s={method:"POST",headers:{"Content-Type":"application/js\
 on"},body:JSON.stringify(t),signal:e};return Ke(await(await this.answered(new URL("lab/motion",this.base),s)).arrayBuffer())}async file(t,e){return(await this.answered(
-new URL(`api/v1/files/${t}?${e}`,this.base))).blob()}async answered(t,e){for(let s=mu;;s--){let i=await fetch(t,e).catch(r=>{throw r.name==="AbortError"?r:new Error(
-uu)});if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>0)||s<=1){let{detail:r}=await i.json().catch(()=>({}));throw i.status===
+new URL(`api/v1/files/${t}?${e}`,this.base))).blob()}async answered(t,e){for(let s=uu;;s--){let i=await fetch(t,e).catch(r=>{throw r.name==="AbortError"?r:new Error(
+pu)});if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>0)||s<=1){let{detail:r}=await i.json().catch(()=>({}));throw i.status===
 503?new rt({key:"server.busy",values:{count:o}}):i.status===413?new Error("server.too_much"):i.status===500?new Error("server.failed"):r?new Error(r):new rt({key:"\
-backend.the_server_answered_status",values:{status:i.status}})}await new Promise(r=>setTimeout(r,1e3*Math.min(o,10))),e?.signal?.throwIfAborted()}}},pu=2e4,du=3e5,
+backend.the_server_answered_status",values:{status:i.status}})}await new Promise(r=>setTimeout(r,1e3*Math.min(o,10))),e?.signal?.throwIfAborted()}}},du=2e4,fu=3e5,
 fn=class{constructor(t){this.model=t;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(e,s)=>this.answered(e,s),t.on(
 "msg:custom",this.listen)}answered(t,e){let s=t?.view===this.view&&this.waiting.get(t.number);s&&(clearTimeout(s.timer),this.waiting.delete(t.number),t.error?s.
 reject(new Error(t.error)):s.resolve(Ke(e[0])))}ask(t,e,s){let i=++this.number;return new Promise((o,r)=>{let a=setTimeout(()=>{this.waiting.delete(i),r(new Error(
-"backend.the_notebooks_kernel_does"))},t==="file"?du:pu);this.waiting.set(i,{resolve:o,reject:r,timer:a}),s?.addEventListener("abort",()=>{clearTimeout(a),this.
+"backend.the_notebooks_kernel_does"))},t==="file"?fu:du);this.waiting.set(i,{resolve:o,reject:r,timer:a}),s?.addEventListener("abort",()=>{clearTimeout(a),this.
 waiting.delete(i),r(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:i,call:t,body:e})})}motion(t,e){return this.ask("motio\
 n",t,e)}async file(t,e){let{arrays:s}=await this.ask("file",{query:e,name:t});return new Blob([s.content])}async derivatives(){return(await this.ask("derivative\
 s",{})).arrays.content}close(){this.model.off("msg:custom",this.listen)}};Ht();Ht();var Ji=class extends rt{},Qi=class{constructor(t,e){this.start=t;this.compiled=e;this.number=0;this.waiting=null;this.worker=this.begun()}begun(){let t=this.
@@ -1904,24 +1904,24 @@ let o=await this.hand(),r=()=>o.stop(new DOMException("superseded","AbortError")
 this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",r),await o.ask(t,e,i)}finally{clearTimeout(a),s?.removeEventListener("abort",r),this.release(
 o)}}close(){for(let t of this.idle)t.worker.terminate()}};var gn=class{constructor(t){this.exports=t;this.rooms=new Map}room(t,e){let s=this.rooms.get(t);if(s&&s.bytes>=e)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(t);let i=this.exports.malloc(e);if(!i)throw new RangeError("kernel.no_memory");return this.rooms.set(t,{place:i,bytes:e}),i}floats(t,e){return new Float64Array(
-this.exports.memory.buffer,t,e)}put(t,e){let s=this.room(t,8*Math.max(e.length,1));return this.floats(s,e.length).set(e),s}};var fu=150,gu=240,_u=6e3,[Ay,gl,_l]=[0,1,2],bu={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+this.exports.memory.buffer,t,e)}put(t,e){let s=this.room(t,8*Math.max(e.length,1));return this.floats(s,e.length).set(e),s}};var gu=150,_u=240,bu=6e3,[Py,gl,_l]=[0,1,2],yu={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
 al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Zi(n,t,e){let{rows:s,count:i,duration:o}=t,[r,a]=(e??[0,o]).map(_=>Math.
-min(Math.max(_,0),o)),l=Math.min(Math.max(Math.ceil((a-r)*fu),gu),_u),c=v.events.length,m=new Set;for(let _=0;_<=l&&o>0;_++)m.add(_===l?a:r+_*((a-r)/l));let h=new Set;
+min(Math.max(_,0),o)),l=Math.min(Math.max(Math.ceil((a-r)*gu),_u),bu),c=v.events.length,m=new Set;for(let _=0;_<=l&&o>0;_++)m.add(_===l?a:r+_*((a-r)/l));let h=new Set;
 for(let _=0;_<i;_++){let b=Math.min(s[_*c+z.t],o);b>=r&&b<=a&&h.add(b)}for(let _ of h)m.add(_);let p=Float64Array.from(m).sort(),d=Float64Array.from(h).filter(_=>_>
 0).sort(),f=n.states(t,p,!1),g=n.states(t,d,!0);return to(p,f,d,g)}function to(n,t,e,s){let i=n.length+e.length,o=v.samples.length,r=new Float64Array(i),a=new Float64Array(
 i*o),l=0,c=0;for(let h=0;h<n.length;h++)c<e.length&&e[c]<=n[h]&&(r[l]=e[c],a.set(s.subarray(c*o,(c+1)*o),l*o),l++,c++),r[l]=n[h],a.set(t.subarray(h*o,(h+1)*o),l*
-o),l++;let m={t:r};for(let[h,p]of Object.entries(bu)){let d=new Float64Array(i).fill(-0);for(let f of p)for(let g=0;g<i;g++)d[g]+=a[g*o+xn[f]];m[h]=d}return m.mode=
-yu(a,i,m.omega),m}function yu(n,t,e){let s=v.samples.length,i=new Float64Array(t),o=0;for(let r=t-1;r>=0&&!o;r--)o=Math.sign(e[r])||0;for(let r=t-1;r>=0;r--){o=
-Math.sign(e[r])||o;let a=n[r*s+xn.mode],l=a===gl?-1:a===_l?1:0;i[r]=l===0?a:l*o<0?gl:_l}return i}var wu=n=>n/2**32|0,vu=n=>n>>>0;function bl(n,t,e,s){let i=wu(e),o=vu(e);n.setUint32(t,s?o:i,s),n.setUint32(t+4,s?i:o,s)}function yl(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var eo=n=>n?
-`"${n}" `:"";function xu(n,t=""){if(typeof n!="number")throw new TypeError(eo(t)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
-eo(t)+"expected integer >= 0, got "+n);return n}function so(n,t,e=""){if(yl(n)&&(t===void 0||n.length===t))return n;t!==void 0&&xu(t,"length");let s=yl(n),i=t!==void 0?` of length ${t}`:"",o=s?`length=${n.length}`:
-`type=${typeof n}`,r=eo(e)+"expected Uint8Array"+i+", got "+o;throw s?new RangeError(r):new TypeError(r)}var ku=(n,t)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((t==="object"?"":`"${t}" `)+"expected object, got type="+typeof n)},wl=(n,t)=>{
-ku(n,t);let e=Object.getPrototypeOf(n);if(e!==Object.prototype&&e!==null)throw new TypeError(`"${t}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
+o),l++;let m={t:r};for(let[h,p]of Object.entries(yu)){let d=new Float64Array(i).fill(-0);for(let f of p)for(let g=0;g<i;g++)d[g]+=a[g*o+xn[f]];m[h]=d}return m.mode=
+wu(a,i,m.omega),m}function wu(n,t,e){let s=v.samples.length,i=new Float64Array(t),o=0;for(let r=t-1;r>=0&&!o;r--)o=Math.sign(e[r])||0;for(let r=t-1;r>=0;r--){o=
+Math.sign(e[r])||o;let a=n[r*s+xn.mode],l=a===gl?-1:a===_l?1:0;i[r]=l===0?a:l*o<0?gl:_l}return i}var vu=n=>n/2**32|0,xu=n=>n>>>0;function bl(n,t,e,s){let i=vu(e),o=xu(e);n.setUint32(t,s?o:i,s),n.setUint32(t+4,s?i:o,s)}function yl(n){return n instanceof Uint8Array||ArrayBuffer.isView(n)&&n.constructor.name==="Uint8Array"&&"BYTES_PER_ELEMENT"in n&&n.BYTES_PER_ELEMENT===1}var eo=n=>n?
+`"${n}" `:"";function ku(n,t=""){if(typeof n!="number")throw new TypeError(eo(t)+"expected number, got "+typeof n);if(!Number.isSafeInteger(n)||n<0)throw new RangeError(
+eo(t)+"expected integer >= 0, got "+n);return n}function so(n,t,e=""){if(yl(n)&&(t===void 0||n.length===t))return n;t!==void 0&&ku(t,"length");let s=yl(n),i=t!==void 0?` of length ${t}`:"",o=s?`length=${n.length}`:
+`type=${typeof n}`,r=eo(e)+"expected Uint8Array"+i+", got "+o;throw s?new RangeError(r):new TypeError(r)}var Mu=(n,t)=>{if(n===null||typeof n!="object"||Array.isArray(n))throw new TypeError((t==="object"?"":`"${t}" `)+"expected object, got type="+typeof n)},wl=(n,t)=>{
+Mu(n,t);let e=Object.getPrototypeOf(n);if(e!==Object.prototype&&e!==null)throw new TypeError(`"${t}" expected plain object`);if(Object.hasOwn(n,"__proto__"))throw new TypeError(
 `"${t}.__proto__" is not allowed`)};function no(n,t=!0){if(n.destroyed)throw new Error("hash was destroyed");if(t&&n.finished)throw new Error("digest() was alre\
 ady called")}function vl(n,t){so(n,void 0,"output");let e=t.outputLen;if(!(n.length>=e))throw new RangeError('"output" expected length >= '+e)}function io(...n){for(let t=0;t<n.length;t++)n[t].fill(0)}function _n(n){return new DataView(n.buffer,n.byteOffset,n.byteLength)}function yt(n,t){return n<<32-t|
-n>>>t}function Mu(n,t,e="opts"){return wl(n,"defaults"),t!==void 0&&wl(t,e),Object.assign(Object.create(null),n,t)}function xl(n,t={}){if(typeof n!="function")throw new TypeError(
-'"hashCons" expected function, got type='+typeof n);t=Mu({},t,"info");let e=(i,o)=>n(o).update(i).digest(),s=n(void 0);return e.outputLen=s.outputLen,e.blockLen=
+n>>>t}function Eu(n,t,e="opts"){return wl(n,"defaults"),t!==void 0&&wl(t,e),Object.assign(Object.create(null),n,t)}function xl(n,t={}){if(typeof n!="function")throw new TypeError(
+'"hashCons" expected function, got type='+typeof n);t=Eu({},t,"info");let e=(i,o)=>n(o).update(i).digest(),s=n(void 0);return e.outputLen=s.outputLen,e.blockLen=
 s.blockLen,e.canXOF=s.canXOF,e.create=i=>n(i),Object.assign(e,t),Object.freeze(e)}var kl=n=>({oid:Uint8Array.from([6,9,96,134,72,1,101,3,4,2,n])});function Ml(n,t,e){return n&t^~n&e}function El(n,t,e){return n&t^n&e^t&e}var bn=class{blockLen;outputLen;canXOF=!1;padOffset;isLE;buffer;view;finished=!1;length=0;pos=0;destroyed=!1;constructor(t,e,s,i){
 this.blockLen=t,this.outputLen=e,this.padOffset=s,this.isLE=i,this.buffer=new Uint8Array(t),this.view=_n(this.buffer)}update(t){no(this),so(t);let{view:e,buffer:s,
 blockLen:i}=this,o=t.length,r=!1;for(let a=0;a<o;){let l=Math.min(i-this.pos,o-a);if(l===i){let c=_n(t);for(;i<=o-a;a+=i)this.process(c,a);r=!0;continue}s.set(a===
@@ -1930,7 +1930,7 @@ no(this),vl(t,this),this.finished=!0;let{buffer:e,view:s,blockLen:i,isLE:o}=this
 0)),bl(s,i-8,this.length*8,o),this.process(s,0),this.roundClean();let a=t===e?s:_n(t),l=this.outputLen,c=l/4,m=this.get();if(l%4||c>m.length)throw new Error("in\
 valid outputLen");for(let h=0;h<c;h++)a.setUint32(4*h,m[h],o)}digest(){let{buffer:t,outputLen:e}=this;this.digestInto(t);let s=t.slice(0,e);return this.destroy(),
 s}_cloneIntoMeta(t){let{buffer:e,length:s,finished:i,destroyed:o,pos:r}=this;return t.destroyed=o,t.finished=i,t.length=s,t.pos=r,r&&t.buffer.set(e),t}clone(){return this.
-_cloneInto()}},Tl=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var Eu=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
+_cloneInto()}},Tl=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,1359893119,2600822924,528734635,1541459225]);var Tu=Uint32Array.from([1116352408,1899447441,3049323471,3921009573,961987163,1508970993,2453635748,2870763221,3624381080,310598401,607225278,1426881987,1925078388,
 2162078206,2614888103,3248222580,3835390401,4022224774,264347078,604807628,770255983,1249150122,1555081692,1996064986,2554220882,2821834349,2952996808,3210313671,
 3336571891,3584528711,113926993,338241895,666307205,773529912,1294757372,1396182291,1695183700,1986661051,2177026350,2456956037,2730485921,2820302411,3259730800,
 3345764771,3516065817,3600352804,4094571909,275423344,430227734,506948616,659060556,883997877,958139571,1322822218,1537002063,1747873779,1955562222,2024104815,2227730452,
@@ -1939,27 +1939,27 @@ _cloneInto()}},Tl=Uint32Array.from([1779033703,3144134277,1013904242,2773480762,
 return[t,e,s,i,o,r,a,l]}set(t,e,s,i,o,r,a,l){this.A=t|0,this.B=e|0,this.C=s|0,this.D=i|0,this.E=o|0,this.F=r|0,this.G=a|0,this.H=l|0}_cloneInto(t){return(t||=new this.
 constructor).set(...this.get()),this._cloneIntoMeta(t)}process(t,e){for(let h=0;h<16;h++,e+=4)Gt[h]=t.getUint32(e,!1);for(let h=16;h<64;h++){let p=Gt[h-15],d=Gt[h-
 2],f=yt(p,7)^yt(p,18)^p>>>3,g=yt(d,17)^yt(d,19)^d>>>10;Gt[h]=g+Gt[h-7]+f+Gt[h-16]|0}let{A:s,B:i,C:o,D:r,E:a,F:l,G:c,H:m}=this;for(let h=0;h<64;h++){let p=yt(a,6)^
-yt(a,11)^yt(a,25),d=m+p+Ml(a,l,c)+Eu[h]+Gt[h]|0,g=(yt(s,2)^yt(s,13)^yt(s,22))+El(s,i,o)|0;m=c,c=l,l=a,a=r+d|0,r=o,o=i,i=s,s=d+g|0}s=s+this.A|0,i=i+this.B|0,o=o+
+yt(a,11)^yt(a,25),d=m+p+Ml(a,l,c)+Tu[h]+Gt[h]|0,g=(yt(s,2)^yt(s,13)^yt(s,22))+El(s,i,o)|0;m=c,c=l,l=a,a=r+d|0,r=o,o=i,i=s,s=d+g|0}s=s+this.A|0,i=i+this.B|0,o=o+
 this.C|0,r=r+this.D|0,a=a+this.E|0,l=l+this.F|0,c=c+this.G|0,m=m+this.H|0,this.set(s,i,o,r,a,l,c,m)}roundClean(){io(Gt)}destroy(){this.destroyed=!0,this.set(0,0,
-0,0,0,0,0,0),io(this.buffer)}},ro=class extends oo{constructor(){super(32,Tl)}};var Sl=xl(()=>new ro,kl(1));var Al=["t","x","height","angle","vx","vy","omega","slip"],Tu=16,Su=0x7ff8000000000000n;function Pl(n,t){let e=new TextEncoder,s=Sl.create(),i=new DataView(new ArrayBuffer(
+0,0,0,0,0,0),io(this.buffer)}},ro=class extends oo{constructor(){super(32,Tl)}};var Sl=xl(()=>new ro,kl(1));var Al=["t","x","height","angle","vx","vy","omega","slip"],Su=16,Au=0x7ff8000000000000n;function Pl(n,t){let e=new TextEncoder,s=Sl.create(),i=new DataView(new ArrayBuffer(
 8*Al.length)),o=new Uint8Array(i.buffer);for(let a=0;a<t;a++){let l=a*v.events.length;s.update(e.encode(v.kinds[n[l+z.kind]])),Al.forEach((c,m)=>{let h=n[l+z[c]];
-Number.isNaN(h)?i.setBigUint64(8*m,Su,!0):i.setFloat64(8*m,h+0,!0)}),s.update(o)}return Array.from(s.digest(),a=>a.toString(16).padStart(2,"0")).join("").slice(
-0,Tu)}function Ll(n,t){let e=new Map,s=new Float64Array(t);for(let i=0;i<t;i++){let o=Au(n.subarray(i*v.keys,(i+1)*v.keys));if(o===""){s[i]=Number.NaN;continue}let r=e.
-get(o);r===void 0&&(r=e.size,e.set(o,r)),s[i]=r}return{values:s,sequences:[...e.keys()]}}function Au(n){let t="";for(let e of n){let s=e;for(let i=0;i<v.letters_a_key&&
-s;i++){let o=Number(s&7n);s>>=3n,o&&(t+=o===v.more?"+":v.letters[o-1])}}return t}var Pu=256,Lu=2048,Cu=4096,Ru=2e5,Ou=v.statuses.indexOf("buffer"),Nu=2,Fu=new Set(v.passing),ao=n=>Number.isFinite(n)?n:null,yn=class{constructor(t){this.kept=[];
-this.turn=0;this.exports=new WebAssembly.Instance(t,{}).exports,this.exports._initialize?.(),this.memory=new gn(this.exports),this.mostEvents=Pu,this.mostSegments=
-Lu,this.mostRows=Cu}call(t,...e){let s=this.exports[t](...e);if(s)throw new Error(`The kernel ended ${t} with ${s}.`)}compute(t){let{memory:e}=this,s=v.events.length;
+Number.isNaN(h)?i.setBigUint64(8*m,Au,!0):i.setFloat64(8*m,h+0,!0)}),s.update(o)}return Array.from(s.digest(),a=>a.toString(16).padStart(2,"0")).join("").slice(
+0,Su)}function Ll(n,t){let e=new Map,s=new Float64Array(t);for(let i=0;i<t;i++){let o=Pu(n.subarray(i*v.keys,(i+1)*v.keys));if(o===""){s[i]=Number.NaN;continue}let r=e.
+get(o);r===void 0&&(r=e.size,e.set(o,r)),s[i]=r}return{values:s,sequences:[...e.keys()]}}function Pu(n){let t="";for(let e of n){let s=e;for(let i=0;i<v.letters_a_key&&
+s;i++){let o=Number(s&7n);s>>=3n,o&&(t+=o===v.more?"+":v.letters[o-1])}}return t}var Lu=256,Cu=2048,Ru=4096,Ou=2e5,Nu=v.statuses.indexOf("buffer"),Fu=2,Iu=new Set(v.passing),ao=n=>Number.isFinite(n)?n:null,yn=class{constructor(t){this.kept=[];
+this.turn=0;this.exports=new WebAssembly.Instance(t,{}).exports,this.exports._initialize?.(),this.memory=new gn(this.exports),this.mostEvents=Lu,this.mostSegments=
+Cu,this.mostRows=Ru}call(t,...e){let s=this.exports[t](...e);if(s)throw new Error(`The kernel ended ${t} with ${s}.`)}compute(t){let{memory:e}=this,s=v.events.length;
 for(;;){let i=e.room("table",8*s*this.mostEvents),o=e.room("heads",8*v.heads.length);t.contact?this.computeCompliant(t,t.contact,i,o):this.computeRigid(t,i,o);let r=e.
-floats(o,v.heads.length).slice(),a=r[wt.events];if(r[wt.status]===Ou)this.makeRoom(t,r[wt.segments]);else if(a===this.mostEvents&&a<t.max_events)this.mostEvents*=
+floats(o,v.heads.length).slice(),a=r[wt.events];if(r[wt.status]===Nu)this.makeRoom(t,r[wt.segments]);else if(a===this.mostEvents&&a<t.max_events)this.mostEvents*=
 4;else{let l=e.floats(i,a*s).slice();return{given:t,head:r,rows:l,count:a,duration:r[wt.duration],segments:r[wt.segments]}}}}computeRigid(t,e,s){let{memory:i}=this,
 o=i.put("cell",Ft(t)),r=i.room("events",v.event_bytes*this.mostEvents),a=i.room("segments",v.segment_bytes*this.mostSegments);this.call("motion",o,r,this.mostEvents,
 a,this.mostSegments,e,s)}computeCompliant(t,e,s,i){let{memory:o}=this,r=o.put("cell",Ft(t)),a=o.put("contact",_e(e)),l=o.room("events",v.event_bytes*this.mostEvents),
-c=o.room("rows",v.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",r,a,l,this.mostEvents,Ru,c,this.mostRows,s,i)}makeRoom(t,e){t.contact?this.
+c=o.room("rows",v.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",r,a,l,this.mostEvents,Ou,c,this.mostRows,s,i)}makeRoom(t,e){t.contact?this.
 mostRows=e:this.mostSegments*=4}motion(t){return Cl(this.compute(t))}film(t){let e=this.compute(t),[s,i]=t.contact?["rows",v.compliant_segment_bytes]:["segments",
 v.segment_bytes],o=this.memory.room(s,8),r=new Uint8Array(this.exports.memory.buffer,o,i*e.segments).slice();return{motion:Cl(e),columns:Zi(this,e),pieces:r}}instant(t,e,s){
 let i=e.length/(t.contact?v.compliant_segment_bytes:v.segment_bytes);this.memory.put("cell",Ft(t)),t.contact&&this.memory.put("contact",_e(t.contact));let o=Float64Array.
 of(s),r=this.states({given:t,segments:i},o,!1,this.placeOf(e)),a=new Float64Array(0);return to(o,r,a,a)}placeOf(t){let e=this.kept.find(o=>o.pieces===t);if(e)return e.
-place;let{turn:s}=this;this.turn=(s+1)%Nu;let i=this.memory.room(`pieces ${s}`,Math.max(t.length,1));return new Uint8Array(this.exports.memory.buffer,i,t.length).
+place;let{turn:s}=this;this.turn=(s+1)%Fu;let i=this.memory.room(`pieces ${s}`,Math.max(t.length,1));return new Uint8Array(this.exports.memory.buffer,i,t.length).
 set(t),this.kept[s]={pieces:t,place:i},i}columns(t,e){return Zi(this,this.compute(t),e)}samples(t,e){let s=this.states(this.compute(t),e,!1),i=v.samples.length;
 return Object.fromEntries(v.samples.map((o,r)=>[o,Float64Array.from(e,(a,l)=>s[l*i+r])]))}states(t,e,s,i){return this.rows("samples",v.samples.length,t,e,s,i)}margins(t,e,s=!1){
 if(t.contact)throw new TypeError("A compliant contact has no such rules.");let i=v.margins.length,o=this.rows("margins",i,this.compute(t),e,s);return Object.fromEntries(
@@ -1974,26 +1974,26 @@ length),a=c=>{let m=r[v.thresholds.indexOf(c)];return Number.isNaN(m)?null:m},l=
 "first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a("immediate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("\
 painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:a("stable_angle"),massless_loss_angle:a("massless_loss_angl\
 e"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(t,[e,s,i,o],r,a){let{memory:l}=this,c=l.put("cell",Ft(t)),m=l.room("modes",r*a),h=l.room(
-"sides",r);this.call("regions",c,e,s,i,o,r,a,m,h);let{buffer:p}=this.exports.memory;return{modes:new Uint8Array(p,m,r*a).slice(),paradox:Float32Array.from(new Int8Array(
-p,h,r))}}map({count:t,rows:e},s,i){let{memory:o}=this,r=o.put("cells",e),a=o.room("numbers",8*t*v.numbers.length),l=o.room("words",4*t*v.words.length),c=o.room(
+"sides",2*r);this.call("regions",c,e,s,i,o,r,a,m,h);let{buffer:p}=this.exports.memory;return{modes:new Uint8Array(p,m,r*a).slice(),paradox:Float32Array.from(new Int8Array(
+p,h,2*r))}}map({count:t,rows:e},s,i){let{memory:o}=this,r=o.put("cells",e),a=o.room("numbers",8*t*v.numbers.length),l=o.room("words",4*t*v.words.length),c=o.room(
 "keys",8*t*v.keys),{angle:m,stop:h,timed:p}=v.spans[i],d=v.wanted[s];this.call("map_cells",r,t,m??Number.NaN,h,p,d,a,l,c);let{buffer:f}=this.exports.memory;if(s===
 "sequence")return Ll(new BigUint64Array(f,c,t*v.keys),t);let g=new Float64Array(t);if(s in kn){let _=new Int32Array(f,l,t*v.words.length);for(let b=0;b<t;b++)g[b]=
 _[b*v.words.length+kn[s]]}else{let _=o.floats(a,t*v.numbers.length);for(let b=0;b<t;b++)g[b]=_[b*v.numbers.length+bo[s]]}return{values:g}}ideal(t){let e=this.memory.
 room("answers",8*v.thresholds.length);return this.call("ideal_hoop",t,e),this.memory.floats(e,1)[0]}refused(t){let e=this.memory.put("cell",Ft(t)),s=this.memory.
 put("contact",_e(t.contact)),i=this.memory.room("answers",8*v.thresholds.length);this.call("refused",e,s,+!t.contact,i);let[o,r]=this.memory.floats(i,2);return[
-o,r]}combine(t,e){let{memory:s}=this,i=s.put("parts",e.flatMap(Iu)),o=s.room("answers",8*v.thresholds.length),r=s.room("reaches",8*e.length);this.call("hoop_of_\
+o,r]}combine(t,e){let{memory:s}=this,i=s.put("parts",e.flatMap(Hu)),o=s.room("answers",8*v.thresholds.length),r=s.room("reaches",8*e.length);this.call("hoop_of_\
 parts",t,i,e.length,o,r);let[a,l,c]=s.floats(o,3);return{mass:a,eccentricity:l,inertia_ratio:c,reaches:[...s.floats(r,e.length)]}}chosen(t){let e=this.memory.put(
 "cell",Ft(t)),s=this.memory.put("contact",_e(t.contact)),i=this.memory.room("answers",8*v.thresholds.length);this.call("compliance",e,s,i);let o=this.memory.floats(
-i,v.chosen.length);return Object.fromEntries(v.chosen.map((r,a)=>[r,o[a]]))}};function Iu(n){let t=n.shape==="rod"?`${n.direction}_rod`:n.shape,e=v.shapes.indexOf(
+i,v.chosen.length);return Object.fromEntries(v.chosen.map((r,a)=>[r,o[a]]))}};function Hu(n){let t=n.shape==="rod"?`${n.direction}_rod`:n.shape,e=v.shapes.indexOf(
 t);return n.shape==="ring"?[e,n.mass,n.inner_radius,n.outer_radius,0]:n.shape==="disk"?[e,n.mass,n.radius,0,n.at]:n.shape==="rod"?[e,n.mass,n.length,0,n.at]:[e,
-n.mass,0,0,n.at]}var Hu=["friction","impact_normal","impact_tangential","rolling_resistance"],$u=["kinetic","potential",...Hu,"residual"],Rl=["x","height","angl\
-e","vx","vy","omega"];function Cl({given:n,head:t,rows:e,count:s,duration:i}){let o=v.events.length,r=Array.from({length:s},(m,h)=>Du(e.subarray(h*o,(h+1)*o))),
-a=r[s-1],l=Object.fromEntries([...$u,...n.contact?["spring","damping"]:[]].map(m=>[m,t[wt[m]]])),c=ao(t[wt.doubt_from]);return{status:v.statuses[t[wt.status]],sequence:ju(
-r),fingerprint:c===null?Pl(e,s):null,duration:i,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(Rl.map(m=>[m,a[m]]))},energy:l,doubt:c}}function Du(n){let t=v.
+n.mass,0,0,n.at]}var $u=["friction","impact_normal","impact_tangential","rolling_resistance"],Du=["kinetic","potential",...$u,"residual"],Rl=["x","height","angl\
+e","vx","vy","omega"];function Cl({given:n,head:t,rows:e,count:s,duration:i}){let o=v.events.length,r=Array.from({length:s},(m,h)=>ju(e.subarray(h*o,(h+1)*o))),
+a=r[s-1],l=Object.fromEntries([...Du,...n.contact?["spring","damping"]:[]].map(m=>[m,t[wt[m]]])),c=ao(t[wt.doubt_from]);return{status:v.statuses[t[wt.status]],sequence:qu(
+r),fingerprint:c===null?Pl(e,s):null,duration:i,events:r,final:{t:a.t,mode:a.to,...Object.fromEntries(Rl.map(m=>[m,a[m]]))},energy:l,doubt:c}}function ju(n){let t=v.
 kinds[n[z.kind]],e=n[z.from_mode],s={t:n[z.t],kind:t,from:e<0?null:v.letters[e],to:v.letters[n[z.to_mode]]};for(let i of Rl)s[i]=ao(n[z[i]]);return s.before=Object.
 fromEntries(["vx","vy","omega"].map(i=>[i,ao(n[z[`before_${i}`]])])),s.impulse={normal:n[z.impulse_normal],tangential:n[z.impulse_tangential]},n[z.collision]===
-0&&(s.collision=!1),t==="kane_gain"&&(s.gain=n[z.gain]),n[z.stable]>=0&&(s.stable=n[z.stable]===1),s}function ju(n){let t=n.filter((s,i)=>i===n.length-1||!Fu.has(
-s.kind));return t.slice(0,-1).map((s,i)=>t[i+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var lo=1e4,qu="kernel.the_part_of_the",ho=256;function Ol(n){let t=URL.createObjectURL(new Blob([n],{type:"text/javascript"}));return()=>new Worker(t,{type:"mod\
+0&&(s.collision=!1),t==="kane_gain"&&(s.gain=n[z.gain]),n[z.stable]>=0&&(s.stable=n[z.stable]===1),s}function qu(n){let t=n.filter((s,i)=>i===n.length-1||!Iu.has(
+s.kind));return t.slice(0,-1).map((s,i)=>t[i+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var lo=1e4,Bu="kernel.the_part_of_the",ho=256;function Ol(n){let t=URL.createObjectURL(new Blob([n],{type:"text/javascript"}));return()=>new Worker(t,{type:"mod\
 ule"})}async function Nl(n){let t=await fetch(n);if(!t.ok)throw new rt({key:"kernel.not_loaded",values:{status:t.status}});return t.headers.get("Content-Type")===
 "application/wasm"?WebAssembly.compileStreaming(t):WebAssembly.compile(await t.arrayBuffer())}async function Fl(n){let t=new Blob([n]).stream().pipeThrough(new DecompressionStream(
 "gzip"));return WebAssembly.compile(await new Response(t).arrayBuffer())}var Ve=class n{constructor(t,e,s){this.start=e;this.derivatives=s;this.rates=null;this.
@@ -2002,14 +2002,14 @@ let e=await Nl(new URL(`hophoop.wasm?${v.module}`,t)),s=()=>Nl(new URL(`hophoop-
 origin===globalThis.location?.origin?new n(e,()=>new Worker(i,{type:"module"}),s):new n(e,Ol(await(await fetch(i)).text()),s)}static async unpack(t,e,s){return new n(
 await Fl(t),Ol(e),async()=>Fl(await s()))}motion(t,e){return this.motions.ask("motion",[t],e)}film(t,e){return this.motions.ask("film",[t],e)}columns(t,e,s){return this.
 motions.ask("columns",[t,s],e)}samples(t,e,s){return this.motions.ask("samples",[t,e],s)}async changes(t,e,s){return this.rates??=this.derivatives().then(o=>new fe(
-this.start,o,1,lo)),(await this.rates.catch(()=>{throw this.rates=null,new Error(qu)})).ask("changes",[t,e],s)}thresholds(t,e){return this.motions.ask("threshol\
+this.start,o,1,lo)),(await this.rates.catch(()=>{throw this.rates=null,new Error(Bu)})).ask("changes",[t,e],s)}thresholds(t,e){return this.motions.ask("threshol\
 ds",[t],e)}regions(t,e,s,i,o){return this.motions.ask("regions",[t,e,s,i],o)}async map({count:t,rows:e},s,i,o){let r=v.cell.length,a=new Float64Array(t).fill(Number.
 NaN),l=[],c=async h=>{let p=Math.min(ho,t-h),d=new Float64Array(r*p);for(let _=0;_<r;_++)d.set(e.subarray(_*t+h,_*t+h+p),_*p);let f=await this.maps.ask("map",[{
 count:p,rows:d},s,i],o,[d.buffer]),g=f.sequences?.map(_=>(l.includes(_)||l.push(_),l.indexOf(_)));for(let _=0;_<p;_++)a[h+_]=g?g[f.values[_]]??Number.NaN:f.values[_]},
 m=Array.from({length:Math.ceil(t/ho)},(h,p)=>p*ho);return await Promise.all(m.map(c)),s==="sequence"?{values:a,sequences:l}:{values:a}}close(){this.motions.close(),
-this.maps.close(),this.rates?.then(t=>t.close()).catch(()=>{})}};var Bu=360,zu=240,co={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Uu=["motion.nc","motion.mp4","mo\
+this.maps.close(),this.rates?.then(t=>t.close()).catch(()=>{})}};var zu=360,Uu=240,co={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Gu=["motion.nc","motion.mp4","mo\
 tion.gif"],wn=class{constructor(t,e,{base:s=null,python:i=null}={}){this.kernel=t;this.mechanics=e;this.base=s,this.python=i,this.shares=s!==null,this.files=[...Object.
-keys(co),...i?Uu:[]]}async film(t,e){e?.throwIfAborted();let s=it(t,this.mechanics),i=tt(Ct(s)),{python:o}=this,{motion:r,columns:a,pieces:l}=this.kernel.film?await this.
+keys(co),...i?Gu:[]]}async film(t,e){e?.throwIfAborted();let s=it(t,this.mechanics),i=tt(Ct(s)),{python:o}=this,{motion:r,columns:a,pieces:l}=this.kernel.film?await this.
 kernel.film(i,e):{motion:await this.kernel.motion(i,e),columns:await this.kernel.columns(i,e),pieces:null},{doubt:c}=r;if(c!==null&&o){let d=Ae(s),f=async g=>(await o.
 motion({query:d,window:g})).arrays;return{...this.shown(await o.motion({query:d},e),s),samples:f}}let m=await this.turning(i,r,e),h=as(s,r,m,this.mechanics),p=this.
 mechanics.instant?.bind(this.mechanics);return{header:c===null?h:{...h,doubt:In(c)},arrays:a,exact:p&&l?d=>p(i,l,d):void 0}}async exact(t){let{exact:e,samples:s}=await this.
@@ -2017,7 +2017,7 @@ film({scenario:t});return{exact:e,samples:s}}readable(t){return ri(t,this.mechan
 t,o=>t.turning[o],this.mechanics),arrays:e}}async samples(t,e,s){let i=it({scenario:t},this.mechanics);return this.kernel.columns(tt(Ct(i)),s,e)}async turning(t,{
 events:e},s){let i=Jn(e);if(!i.length)return()=>0;let o=Float64Array.from(i,a=>Qn(e,a)),{omega:r}=await this.kernel.samples(t,o,s);return a=>r[i.indexOf(a)]}code(t){
 let e=it({scenario:t},this.mechanics);return{python:Vn(e),toml:is(e)}}async theory(t,e){e?.throwIfAborted();let s=it({scenario:t},this.mechanics);return hi(s,await this.
-kernel.thresholds(tt(s),e))}async regions(t,e,s){s?.throwIfAborted();let i=tt(it({scenario:t},this.mechanics));return this.kernel.regions(i,e,Bu,zu,s)}async changes(t,e,s){
+kernel.thresholds(tt(s),e))}async regions(t,e,s){s?.throwIfAborted();let i=tt(it({scenario:t},this.mechanics));return this.kernel.regions(i,e,zu,Uu,s)}async changes(t,e,s){
 if(!this.kernel.changes)throw new TypeError("This kernel has no derivatives.");let i=Ct(it({scenario:t},this.mechanics)),o=tt(i);if(o.contact)throw new I(G("com\
 pliant_changes"));let r=ai(i,e);if(!r)return null;let{rates:a,smaller:l,larger:c}=r,m=await this.kernel.changes(o,a,s);return{count:m.count,smaller:l?m.smaller:
 null,larger:c?m.larger:null}}async map(t,e){e?.throwIfAborted();let{checked:s,x:i,y:o,what:r}=oi(t,this.mechanics),a=$n(s,{x:i,y:o,what:r}),l=await Gn(a,{x:i,y:o},
@@ -2027,14 +2027,14 @@ let s=it({query:e},this.mechanics);if(t==="motion.toml")return is(s);let i=Ct(s)
 python.file(t,e)).text();if(t==="motion.json")return si(i,r);let a=ni(r.duration);return ii(a,await this.kernel.samples(o,a))}link(t,e){return this.base&&`${new URL(
 t?`?${t}`:"",this.base)}${e}`}};async function Il(n,t){let e=await n.catch(s=>{throw typeof WebAssembly=="object"&&!(s instanceof WebAssembly.CompileError)?s:new Error("page.this_needs_a_brows\
 er")});return new wn(e,e.mechanics,t)}function mo(n,t,e){return Il(Ve.load(n),{base:e,python:t&&new dn(t)})}function Hl(n,t){let e=Ve.unpack(n.get("module"),n.get(
-"worker"),()=>t.derivatives());return Il(e,{python:t})}function $l(n){navigator.serviceWorker?.register(n).catch(()=>{})}O();S();O();var Dl=new URL("./",import.meta.url);function ql(n){return Xe(async t=>{let e=await fetch(new URL(`words.${t}.json?68616c9ace06cc8dc5716515f893b328`,
-n));if(!e.ok)throw new Error(`words.${t}.json: ${e.status}`);return e.json()}),oe(ui()).catch(()=>{})}function Gu(n){let t=async()=>{let s=new Blob([n]).stream().
-pipeThrough(new DecompressionStream("gzip"));return new Response(s).json()},e;return Xe(async s=>(e??=t(),(await e)[s])),oe(ui()).catch(()=>{})}async function Wu(n){
+"worker"),()=>t.derivatives());return Il(e,{python:t})}function $l(n){navigator.serviceWorker?.register(n).catch(()=>{})}O();S();O();var Dl=new URL("./",import.meta.url);function ql(n){return Xe(async t=>{let e=await fetch(new URL(`words.${t}.json?8b07b5a1b58cd5cd0a8237518072a035`,
+n));if(!e.ok)throw new Error(`words.${t}.json: ${e.status}`);return e.json()}),oe(ui()).catch(()=>{})}function Wu(n){let t=async()=>{let s=new Blob([n]).stream().
+pipeThrough(new DecompressionStream("gzip"));return new Response(s).json()},e;return Xe(async s=>(e??=t(),(await e)[s])),oe(ui()).catch(()=>{})}async function Ku(n){
 let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=document.querySelector("meta[name=hophoop-site]"),s,i=ql(Dl);try{s=await mo(Dl,e?null:t,t)}catch(m){await i,
 L(n,et(m));return}await i,e&&$l(e.getAttribute("content")??"");let o=new de(n,s,E.setup,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let r=wr(location.
-hash),a=o.address,{links:l,said:c}=a.read(fi());try{await o.open(l,r),c()}catch(m){a.held=!0,await o.open([""]),o.notice.fail(m)}}async function gw(n,t,e,s){let i=ql(
-t),o=await mo(t,null,new URL("../",t));await i;let r=new de(n,o,E.setup,{panels:s});return await r.open([e]),r}async function Ku({model:n,el:t}){let e=document.
-createElement("div");t.append(e);let s=Gu(n.get("words")),i=new fn(n),o;try{o=await Hl(n,i),await s}catch(c){return await s,L(e,et(c)),()=>i.close()}let r=()=>o.
+hash),a=o.address,{links:l,said:c}=a.read(fi());try{await o.open(l,r),c()}catch(m){a.held=!0,await o.open([""]),o.notice.fail(m)}}async function _w(n,t,e,s){let i=ql(
+t),o=await mo(t,null,new URL("../",t));await i;let r=new de(n,o,E.setup,{panels:s});return await r.open([e]),r}async function Vu({model:n,el:t}){let e=document.
+createElement("div");t.append(e);let s=Wu(n.get("words")),i=new fn(n),o;try{o=await Hl(n,i),await s}catch(c){return await s,L(e,et(c)),()=>i.close()}let r=()=>o.
 shown(Ke(n.get("film"))),a=new de(e,o,E.setup,{panels:n.get("panels"),onmotion:c=>{n.get("query")!==c&&(n.set("query",c),n.save_changes())}});a.motions.set([r()]),
 a.begin();let l=()=>a.motions.replace(r());return n.on("change:film",l),()=>{n.off("change:film",l),i.close(),a.close()}}var jl=document.getElementById("hophoop\
--lab");jl&&Wu(jl);var _w={render:Ku};export{It as current,_w as default,xi as languageMenu,gw as mount,Et as name,pi as repeat,L as say,ql as speakFrom,P as t};
+-lab");jl&&Ku(jl);var bw={render:Vu};export{It as current,bw as default,xi as languageMenu,_w as mount,Et as name,pi as repeat,L as say,ql as speakFrom,P as t};

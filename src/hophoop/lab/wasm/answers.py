@@ -91,7 +91,7 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
     """Write the mode that follows each state of contact without slip, as an index into `vocabulary.modes.MODE_WORDS`."""
     cells = carray(given, (FIELDS, 1))
     codes = carray(modes, (lines, columns))
-    sides = carray(paradox, (columns,))
+    sides = carray(paradox, (2, columns))  # for θ̇ < 0 and θ̇ > 0, which differ with rolling resistance
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
     rows = table_of(body)
@@ -100,12 +100,12 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
     found = np.empty(1, np.int64)
     for i in range(columns):
         angle[0] = left + (i + 0.5) * ((right - left) / columns)
-        sides[i] = 0
-        # with rolling resistance the side depends on the direction of rotation: a column has no single answer
-        if body.kap > 0.0 and body.mu_k < math.inf and body.resist == 0.0:
-            rate[0] = 0.0
-            paradox_sides(rows, angle, rate, found)
-            sides[i] = found[0]
+        for turning in range(2):
+            sides[turning, i] = 0
+            if body.kap > 0.0 and body.mu_k < math.inf:
+                rate[0] = 2.0 * turning - 1.0
+                paradox_sides(rows, angle, rate, found)
+                sides[turning, i] = found[0]
         for j in range(lines):
             omega = bottom + (j + 0.5) * ((top - bottom) / lines)
             rate[0] = omega * scales.time
