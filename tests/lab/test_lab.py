@@ -177,7 +177,7 @@ def test_limits_bound_a_motion():
     with pytest.raises(limits.TooMuch, match="65 parts"):
         limits.within(hh.Scenario(hoop=hh.Hoop.from_parts(1, [hh.PointMass(1, at=1)] + 64 * [hh.Ring(1, 0.9, 1)])))
     stiff = hh.Scenario(contact=hh.Compliant(stiffness=1e14))
-    with pytest.raises(limits.TooMuch, match="about .* million steps; at most 3 million"):
+    with pytest.raises(limits.TooMuch, match=r"about .* million steps; at most 3 million"):
         limits.within(stiff)
     assert limits.within(HOP).contact.max_events == limits.USUAL.events
     own = hh.Scenario(contact=hh.Rigid(max_events=7))
