@@ -46,7 +46,7 @@ CELLS = """async () => {
   const times = [];
   for (let k = 0; k < 5; k++) {
     const begun = performance.now();
-    await hophoopLab.backend.call("map", body);
+    await hophoopLab.backend.map(body);
     times.push(performance.now() - begun);
   }
   return { cells: 16000, workers: hophoopLab.backend.kernel.maps.hired, times };

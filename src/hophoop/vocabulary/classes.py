@@ -56,7 +56,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     Examples
     --------
     >>> class_color("R"), class_color("RKRSH") == class_color("RKRSR")
-    ('#9fc9e1', False)
+    ('#c6ebeb', False)
     >>> class_color("yes", "hop")
     '#D55E00'
     """

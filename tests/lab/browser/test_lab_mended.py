@@ -113,18 +113,18 @@ def test_back_goes_one_change_at_a_time_and_a_link_holds_what_is_seen(visit):
 
 def test_a_server_that_is_gone_is_named_and_no_step_is_lost(visit):
     page = visit("?start.speed=2", expected=["ERR_", "Failed to load"])
-    page.evaluate("() => { hophoopLab.backend.call = async () => { throw new Error('The server does not answer.'); }; }")
+    page.evaluate("() => { hophoopLab.backend.film = async () => { throw new Error('The server does not answer.'); }; }")
     page.locator("input[data-path='start.speed']").fill("3.1")
     page.locator(".control .error:visible").wait_for()
     assert "does not answer" in page.locator(".control .error:visible").inner_text()
-    page.evaluate("() => { delete hophoopLab.backend.call; }")
+    page.evaluate("() => { delete hophoopLab.backend.film; }")
     page.locator("input[data-path='start.speed']").fill("3")
     wait_for(page, "lab.film().values['start.speed'] === 3 && " + SETTLED)
-    page.evaluate("() => { hophoopLab.backend.call = async () => { throw new Error('The server does not answer.'); }; }")
+    page.evaluate("() => { hophoopLab.backend.film = async () => { throw new Error('The server does not answer.'); }; }")
     page.keyboard.press("z")
     page.wait_for_timeout(300)
     assert page.evaluate("hophoopLab.motions.history.past.length") == 1  # the step is kept
-    page.evaluate("() => { delete hophoopLab.backend.call; }")
+    page.evaluate("() => { delete hophoopLab.backend.film; }")
     page.keyboard.press("z")
     wait_for(page, "lab.film().values['start.speed'] === 2")
     # what it says when it does not answer
@@ -132,12 +132,11 @@ def test_a_server_that_is_gone_is_named_and_no_step_is_lost(visit):
         """async () => {
           const { fetch } = globalThis;
           globalThis.fetch = async () => { throw new TypeError("Failed to fetch"); };
-          const remote = hophoopLab.backend.server ?? hophoopLab.backend;
-          try { await remote.call("film", { query: "" }); return ""; } catch (error) { return error.message; }
+          try { await hophoopLab.backend.python.motion({ query: "" }); return ""; } catch (error) { return error.message; }
           finally { globalThis.fetch = fetch; }
         }"""
     )
-    assert said.startswith("The server does not answer.")
+    assert said == "backend.the_server_does_not"
 
 
 @pytest.mark.long
@@ -184,7 +183,7 @@ def test_keys_can_be_switched_off_and_escape_leaves(visit):
     letters = next(text for text in rows if "skid" in text)
     assert "S\tspin\tslip: the rim turns too fast" in letters
     assert "K\tskid\tslip: the rim slides ahead" in letters
-    page.get_by_label("Single keys").uncheck()
+    page.get_by_label("Enable single-key shortcuts").uncheck()
     page.keyboard.press("Escape")
     page.keyboard.press("h")
     page.keyboard.press("f")
@@ -291,14 +290,14 @@ ENDED = """async (why) => {
   if (why === "too long") crew.limit = 150;
   const giving = new AbortController();
   // the longest motion that the lab takes, far more work than the test waits for
-  const asked = backend.call("film", { query: "contact.model=compliant&duration=600" }, giving.signal);
+  const asked = backend.film({ query: "contact.model=compliant&duration=600" }, giving.signal);
   let due = performance.now() + 150;
   if (why === "given up") setTimeout(() => { due = performance.now(); giving.abort(); }, 150);
   let said = "";
   try { await asked; } catch (error) { said = `${error.name} ${error.message}`; }
   const took = performance.now() - due;
   crew.limit = usual;
-  const { header } = await backend.call("film", { query: "duration=1" });
+  const { header } = await backend.film({ query: "duration=1" });
   return [took, said, header.status];
 }"""
 

@@ -315,7 +315,8 @@ export class Plot {
 
   valueAt(event: Point) {
     const box = this.body.getBoundingClientRect();
-    const share = clamp(((event.clientX - box.left) / this.look.px - LEFT) / this.box.width, 0, 1);
+    const { px } = this.look;
+    const share = clamp(((event.clientX - box.left) / px - LEFT) / (box.width / px - LEFT - RIGHT), 0, 1);
     return this.range[0] + share * (this.range[1] - this.range[0]);
   }
 

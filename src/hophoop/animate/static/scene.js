@@ -1,4 +1,4 @@
-/* Built from web/scene/main.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/scene/main.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 "use strict";(()=>{var D=r=>{if(Array.isArray(r))return r.map(D);if(r===null||typeof r!="object")return r;if(r.f32!==void 0){let t=Uint8Array.from(atob(r.f32),e=>e.charCodeAt(0));
 return new Float32Array(t.buffer)}return Object.fromEntries(Object.entries(r).map(([t,e])=>[t,D(e)]))};function Y(r,t){let[e,n]=[Math.cos(t),Math.sin(t)],o=new Float32Array(
 r.length);for(let i=0;i<r.length;i+=2)o[i]=r[i]*e-r[i+1]*n,o[i+1]=r[i]*n+r[i+1]*e;return o}function X(r){let t=D(JSON.parse(r));for(let e of t.hoops){for(let n of[

@@ -1,4 +1,4 @@
-/* Built from web/site/embed.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/site/embed.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 var $=function(a,g){let i=a,u=j[g],e=null,t=0,l=null,y=[],x={},p=function(o,f){t=i*4+17,e=(function(n){let c=new Array(n);for(let s=0;s<n;s+=1){c[s]=new Array(n);
 for(let w=0;w<n;w+=1)c[s][w]=null}return c})(t),d(0,0),d(t-7,0),d(0,t-7),k(),P(),I(o,f),i>=7&&D(o),l==null&&(l=nt(i,u,y)),R(l,f)},d=function(o,f){for(let n=-1;n<=
 7;n+=1)if(!(o+n<=-1||t<=o+n))for(let c=-1;c<=7;c+=1)f+c<=-1||t<=f+c||(0<=n&&n<=6&&(c==0||c==6)||0<=c&&c<=6&&(n==0||n==6)||2<=n&&n<=4&&2<=c&&c<=4?e[o+n][f+c]=!0:

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/kernel/worker.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 var c={sources:"8b55b304b90bb2841a2033a0ba629ce4",module:"08ddd1356e3298fb",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\

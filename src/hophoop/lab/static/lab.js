@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 var w={sources:"8b55b304b90bb2841a2033a0ba629ce4",module:"08ddd1356e3298fb",derivatives:"caff7ba008cdc5ef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",numpy:"2\
 .4.6",ziglang:"0.17.1"},cell:["eccentricity","inertia_ratio","radius","mass","mu_static","mu_kinetic","slope","gravity","restitution","rolling_resistance","dura\
 tion","max_events","law","strike","x","height","angle","vy","omega","slip","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt\
@@ -307,9 +307,9 @@ row":"Map of motions. Arrow keys move the mark, Enter shows the motion, plus and
 ap.of_rolling_starts_though":"with a rolling start, unlike this motion","map.of_starts_in_any":"with a start in any state; this motion starts rolling","map.spin\
 _and_skid":"Spin and skid are named for forward rotation; for backward rotation they change places.","map.up":"Vertical","map.what_the_map_shows":"Quantity of t\
 he map","map.whole_map":"Whole map","map.zoom_into_the_map":"Zoom into the map","map.zoom_out_of_the":"Zoom out of the map","menu.about_hophoop":"About hophoop",
-"menu.challenges":"Challenges","menu.for_teachers":"For teachers","menu.guided_visit":"Guided visit","menu.hophoop_lab_play_with":"hophoop lab: play with a hopp\
-ing hoop","menu.learn":"Learn","menu.presentation":"Presentation","menu.presentation_on_the_whole":"Presentation in full screen","menu.repeat":"Repeat","menu.sl\
-ow_motion_a_tenth":"Slow motion: a tenth of the speed","menu.sound_of_the_contact":"Sound of the contact","mode.flight":"flight","mode.roll":"roll","mode.skid":"\
+"menu.challenges":"Challenges","menu.for_teachers":"For teachers","menu.guided_visit":"Guided visit","menu.hophoop_lab_play_with":"hophoop lab: play with the ho\
+pping hoop","menu.learn":"Learn","menu.presentation":"Presentation","menu.presentation_on_the_whole":"Presentation in full screen","menu.repeat":"Repeat","menu.\
+slow_motion_a_tenth":"Slow motion: a tenth of the speed","menu.sound_of_the_contact":"Sound of the contact","mode.flight":"flight","mode.roll":"roll","mode.skid":"\
 skid","mode.skim":"skim","mode.spin":"spin","motion.a_hash_of_all":"Hash of all events: equal wherever hophoop computes the same bits, also in Python","motion.c\
 opied":"Copied","motion.copy":"Copy","motion.fingerprint":"Fingerprint","motion.no_fingerprint_this_motion":"No fingerprint: this motion depends on more digits \
 than this page computes.","motion.not_all_events_are":"(not all events are shown)","motion.the_motion_in_words":"The motion in words","motion.what_happens":"Wha\
@@ -487,7 +487,7 @@ gle}","visit.where_is_the_load":"Where is the load when friction first reaches i
  the load at the bottom the centre moves at {speed} m/s.","visit.you_have_sum_of":"You have {sum} of {most} points.","visit.your_guess":"Your guess","visit.your\
 _turn":"Your turn"};var Qa=["en","de","es","fr","zh"],Za=/\{(\w+)\}/g,tl=n=>{let t=new Intl.DisplayNames([n],{type:"language"}).of(n)??n;return t[0].toLocaleUpperCase(n)+t.slice(1)},
 Bt=Object.fromEntries(Qa.map(n=>[n,tl(n)])),Go=n=>Object.assign(Object.create(null),n),oe=Go(zo),Wo=new Map([["en",oe]]),Uo=async()=>oe,Dt="en",ee=oe,se=new Intl.
-PluralRules("en"),ne=!1,Tt=()=>Dt;function Pe(n){Uo=n}async function zt(n){let t=Wo.get(n)??Go(await Uo(n));Wo.set(n,t),[Dt,ee]=[n,t],se=new Intl.PluralRules(n),
+PluralRules("en"),ne=!1,Tt=()=>Dt;function Ce(n){Uo=n}async function zt(n){let t=Wo.get(n)??Go(await Uo(n));Wo.set(n,t),[Dt,ee]=[n,t],se=new Intl.PluralRules(n),
 ne=1.5.toLocaleString(n).includes(",")}var rt=n=>ne?n.replace(/(\d)\.(\d)/g,"$1,$2"):n;function T(n,t){let e=ee[n]??oe[n];if(e===void 0)return rt(n);let s=typeof e==
 "string"?e:e[se.select(Number(t?.count))]??e.other;return t?s.replace(Za,(o,i)=>el(i,t)):s}function el(n,t){if(n in t)return I(t[n]);let e=I(t[n[0].toLowerCase()+
 n.slice(1)]);return e.slice(0,1).toLocaleUpperCase(Dt)+e.slice(1)}function I(n){return typeof n=="string"?T(n):typeof n=="number"?rt(String(n)):typeof n=="funct\
@@ -496,16 +496,16 @@ commas:ne};[Dt,ee,se,ne]=["en",oe,new Intl.PluralRules("en"),!1];try{return I(n)
 super(sl(e));this.said=e}},K=n=>n.said??n.message;var nl=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,ol=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function wt(n){return Number.isNaN(n)?"nan":String(n).replace("Infi\
 nity","inf")}var Zs=n=>wt(n).replace(/^-?\d+$/,"$&.0");function et(n,t=6){if(!Number.isFinite(n))return wt(n);let e=n!==0&&Math.abs(n)<1e-4,[s,...o]=(e?n.toExponential(
 t-1):n.toPrecision(t)).split("e");return[s.includes(".")?s.replace(/\.?0+$/,""):s,...o].join("e")}var tn=(n,t)=>Number.isFinite(n)?n.toFixed(t):wt(n),il={g:(n,t)=>et(
-n,t||6),e:(n,t)=>n.toExponential(t),f:tn};function Oe(n,t){let s=[...n.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g)].map(([,o,i,r,a])=>{let l=t[o];return a?
-[o,il[a](l,Number(r))]:l?.key||Array.isArray(l)||typeof l=="number"?[o,i?Ce(l):l]:[o,rl(i?Ce(l):String(l))]});return Object.fromEntries(s)}function Ce(n){return typeof n==
-"number"?wt(n):typeof n=="string"?Re(`'${n}'`):n==null?"None":Re(JSON.stringify(n))}var rl=n=>n.replace(/[\p{C}\p{Zl}\p{Zp}]/gu,t=>`\\u{${t.codePointAt(0)?.toString(
-16)}}`);function Re(n){let t=[...n];return t.length<=60?n:`${t.slice(0,57).join("")}...`}function Ko(n){if(nl.test(n))return Number(n);let[,t,e]=ol.exec(n)??[];
+n,t||6),e:(n,t)=>n.toExponential(t),f:tn};function Ne(n,t){let s=[...n.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g)].map(([,o,i,r,a])=>{let l=t[o];return a?
+[o,il[a](l,Number(r))]:l?.key||Array.isArray(l)||typeof l=="number"?[o,i?Re(l):l]:[o,rl(i?Re(l):String(l))]});return Object.fromEntries(s)}function Re(n){return typeof n==
+"number"?wt(n):typeof n=="string"?Oe(`'${n}'`):n==null?"None":Oe(JSON.stringify(n))}var rl=n=>n.replace(/[\p{C}\p{Zl}\p{Zp}]/gu,t=>`\\u{${t.codePointAt(0)?.toString(
+16)}}`);function Oe(n){let t=[...n];return t.length<=60?n:`${t.slice(0,57).join("")}...`}function Ko(n){if(nl.test(n))return Number(n);let[,t,e]=ol.exec(n)??[];
 if(e)return e[0].toLowerCase()==="n"?Number.NaN:t==="-"?-1/0:1/0}var{texts:al,scenario:Vo}=S,ll=2,L=class extends Z{constructor(){super(...arguments);this.name="InputError"}},V=class extends L{},P=(n,t={})=>({key:`refusal.${n}`,
-values:Oe(al[n],t)}),mt=n=>n!==null&&typeof n=="object"&&!Array.isArray(n),Nt=(n,t,e,s)=>P("finding",{path:n||P("whole_scenario"),shown:Ce(t),allowed:P(e,s)});function sn(n,t,e,s){
+values:Ne(al[n],t)}),mt=n=>n!==null&&typeof n=="object"&&!Array.isArray(n),Nt=(n,t,e,s)=>P("finding",{path:n||P("whole_scenario"),shown:Re(t),allowed:P(e,s)});function sn(n,t,e,s){
 let{fields:o,place:i}=Vo.models[n],r=mt(t)?nn(i,t,Object.keys(o)):Nt(e,t,"table");if(r&&s.push(r),r)return null;let a=s.length,l={};for(let[h,m]of Object.entries(
 o))Object.hasOwn(t,h)?l[h]=on(m,t[h],`${e}.${h}`,s):m.required?s.push(P("missing",{path:`${e}.${h}`})):l[h]=te(m.default);return s.length===a?{values:l,given:new Set(
 Object.keys(t))}:null}function nn(n,t,e){let s=Object.keys(t).find(a=>!e.includes(a));if(s===void 0)return null;let[o]=[...e].sort((a,l)=>en(s,a)-en(s,l)),r=en(
-s,o)<=ll?P("did_you_mean",{close:o}):P("known_are",{known:e.join(", ")});return P("unknown_key",{path:`${n}${Re(s)}`,hint:r})}function en(n,t){let e=Array.from(
+s,o)<=ll?P("did_you_mean",{close:o}):P("known_are",{known:e.join(", ")});return P("unknown_key",{path:`${n}${Oe(s)}`,hint:r})}function en(n,t){let e=Array.from(
 {length:t.length+1},(s,o)=>o);for(let[s,o]of[...n].entries()){let i=[s+1];for(let r=0;r<t.length;r++)i.push(Math.min(i[r]+1,e[r+1]+1,e[r]+ +(o!==t[r])));e=i}return e[t.
 length]}function on(n,t,e,s){if(t===null&&n.nullable)return null;if(n.kind==="parts")return ml(t,e,s);let o=n.kind==="friction"&&t==="inf"?1/0:t,i=cl(n,o);return i&&
 s.push(Nt(e,t,...i)),typeof o=="number"?o+0:o}var hl={greater_than:(n,t)=>n>t,greater_than_equal:(n,t)=>n>=t,less_than_equal:(n,t)=>n<=t};function cl(n,t){let{kind:e,
@@ -529,7 +529,7 @@ configurable:!0,writable:!0});function pl(n,t,e){let{mass:s,eccentricity:o,inert
 if(t==="hoop.eccentricity"||t==="hoop.inertia_ratio")return{mass:s,eccentricity:o,inertia_ratio:i};if(t==="plane.mu_static"||t==="plane.mu_kinetic")return{mu_static:r,
 mu_kinetic:a};if(!t.startsWith("start.")||t==="start.speed")return{};let{height:l,vx:h,vy:m,omega:u}=ct(n,e().radius);return{height:l,vx:h,vy:m,omega:u}}function dl(n,t,e,s){
 let o=n;for(let[i,r]of t.entries()){let a=i===t.length-1;if(!(Array.isArray(o)&&/^\d+$/.test(r)&&Number(r)<o.length)&&!(mt(o)&&(a||Object.hasOwn(o,r))))throw new L(
-P("not_there",{path:s,step:r}));a?cn(o,r,e):o=o[r]}}var{lab:fl,limits:j}=S,{allowed:Zo,events:gl,flight_turns:_l,quantities:bl}=S.map,yl=1e-300,$=(n,t={})=>({key:`lab.${n}`,values:Oe(fl[n],t)}),un=n=>$("doubt",{time:et(
+P("not_there",{path:s,step:r}));a?cn(o,r,e):o=o[r]}}var{lab:fl,limits:j}=S,{allowed:Zo,events:gl,flight_turns:_l,quantities:bl}=S.map,yl=1e-300,$=(n,t={})=>({key:`lab.${n}`,values:Ne(fl[n],t)}),un=n=>$("doubt",{time:et(
 n,4)});function vt(n){let{duration:t,hoop:e,contact:s}=n;if(t>j.duration)throw new V($("too_long",{duration:t,most:j.duration}));let o=e.parts?.length??0;if(o>j.
 parts)throw new V($("too_many_parts",{parts:o,most:j.parts}));let i=ni(si(n));if(i>j.turns)throw new V($("too_many_turns",{duration:t,turns:i,most:j.turns}));if(s.
 model==="compliant"){let r=wl(n,i);if(r>j.steps)throw new V($("too_stiff",{steps:r/1e6,most:j.steps/1e6}))}return s.max_events<=j.events?n:{...n,contact:{...s,max_events:j.
@@ -550,20 +550,20 @@ Map&&s.get("parts");return o instanceof Map&&s.set("parts",kl(o)),fn(e)}function
 includes(s));if(e!==void 0)throw new L(P("parts_out_of_order",{name:e}));return t.map(s=>n.get(s))}function fn(n){return Array.isArray(n)?n.map(fn):n instanceof
 Map?Object.fromEntries([...n].map(([t,e])=>[t,fn(e)])):n}function gn(n,t=""){return typeof n=="string"?`${t}=${n}`:typeof n=="number"?`${t}=${wt(n).replace("e+",
 "e")}`:Object.entries(n).map(([e,s])=>gn(s,t?`${t}.${e}`:e)).join("&")}var{scenario:_n}=S,Ml=_n.rules,Sl=["load_fraction","eccentricity","inertia_ratio"],ii=["mu_static","mu_kinetic"],Tl=["height","vx","vy","omega"],ri={mass:1,inertia_ratio:1,
-contact:null};function He(n,t,e){let[s,o]=e.refused(n),i=Ml[s];if(!i)return null;let r=Object.entries(i.values).map(([h,m])=>{let[u,p]=m.split(".");return[h,t[u][p]]}),
-{words:a,...l}=i.known;return a&&(l.words=rn(a)),P(i.sentence,{...l,...Object.fromEntries(r),[i.number]:o})}function Ne(n,t,e,s){let o=s.find(i=>e.has(i));return o?
+contact:null};function Fe(n,t,e){let[s,o]=e.refused(n),i=Ml[s];if(!i)return null;let r=Object.entries(i.values).map(([h,m])=>{let[u,p]=m.split(".");return[h,t[u][p]]}),
+{words:a,...l}=i.known;return a&&(l.words=rn(a)),P(i.sentence,{...l,...Object.fromEntries(r),[i.number]:o})}function He(n,t,e,s){let o=s.find(i=>e.has(i));return o?
 P("together",{section:n,other:o,way:t}):null}var ai={hoop:El,plane:Al,start:Ll,contact:Pl};function El(n,t,e){let s=Sl.filter(o=>t.has(o)&&n[o]!==null);if(n.parts){
-let o=n.parts.length?Ne("hoop","parts",t,[...s,"mass"]):P("no_parts");if(o)return o;let{radius:i,parts:r}=n,{reaches:a,...l}=e.combine(i,r),h=a.findIndex(m=>m>i*
-(1+_n.touch));if(h>=0)return P("beyond_the_rim",{index:h,shape:r[h].shape,reach:a[h],radius:i});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let o=Ne(
+let o=n.parts.length?He("hoop","parts",t,[...s,"mass"]):P("no_parts");if(o)return o;let{radius:i,parts:r}=n,{reaches:a,...l}=e.combine(i,r),h=a.findIndex(m=>m>i*
+(1+_n.touch));if(h>=0)return P("beyond_the_rim",{index:h,shape:r[h].shape,reach:a[h],radius:i});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let o=He(
 "hoop","load_fraction",t,s.slice(+(n.load_fraction!==null)));if(o)return o;n.load_fraction??=_n.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
 n.inertia_ratio=e.ideal(n.load_fraction)}else if(s.length===1){let o=s[0]==="eccentricity"?"inertia_ratio":"eccentricity";return P("half_a_hoop",{missing:o,given:s[0]})}
-return He({...ri,...n,ideal:n.load_fraction!==null},{hoop:n},e)}function Al(n,t,e){if(n.apart=ii.some(s=>t.has(s)),n.mu!==null){let s=Ne("plane","mu",t,ii);if(s)
-return s;n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return He({...ri,...n},{plane:n},e)}function Ll(n,t){return n.speed===
-null?n.omega===null?P("no_omega"):null:(n.vx=n.speed,n.omega=null,Ne("start","speed",t,Tl))}function Pl({damping:n=null,restitution:t=null}){return n!==null&&t!==
+return Fe({...ri,...n,ideal:n.load_fraction!==null},{hoop:n},e)}function Al(n,t,e){if(n.apart=ii.some(s=>t.has(s)),n.mu!==null){let s=He("plane","mu",t,ii);if(s)
+return s;n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return Fe({...ri,...n},{plane:n},e)}function Ll(n,t){return n.speed===
+null?n.omega===null?P("no_omega"):null:(n.vx=n.speed,n.omega=null,He("start","speed",t,Tl))}function Pl({damping:n=null,restitution:t=null}){return n!==null&&t!==
 null?P("together",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:ut}=S,li=ut.left_out,hi={rigid:"Rigid",compliant:"Compliant"};function le(n,t){let{fields:e,place:s}=ut.models.Scenario,o=mt(n)?nn(s,n,Object.keys(
 e)):Nt("",n,"table");if(o)throw new L(o);let i=[],r=Object.keys(e).map(h=>{let m=Object.hasOwn(n,h)?n[h]:ut.default[h];return[h,yn(h,m,t,i)]}),a=Object.fromEntries(
-r),l=i.length?hn(i):He(U(a),a,t);if(l)throw new L(l);return a}function yn(n,t,e,s){if(n==="duration")return on(ut.models.Scenario.fields[n],t,n,s);let[o]=n==="c\
-ontact"?[ln(t,"model",hi,n,s,"rigid")]:ut.sections[n],i=o&&sn(o,t,n,s),r=i&&ai[n](i.values,i.given,e);return r&&s.push(r),i?.values}var he=(n,t)=>le(oi(n),t),Ie=(n,t,e)=>le(
+r),l=i.length?hn(i):Fe(U(a),a,t);if(l)throw new L(l);return a}function yn(n,t,e,s){if(n==="duration")return on(ut.models.Scenario.fields[n],t,n,s);let[o]=n==="c\
+ontact"?[ln(t,"model",hi,n,s,"rigid")]:ut.sections[n],i=o&&sn(o,t,n,s),r=i&&ai[n](i.values,i.given,e);return r&&s.push(r),i?.values}var he=(n,t)=>le(oi(n),t),$e=(n,t,e)=>le(
 ci(n,t,e),e);function ci(n,t,e){return Qo(n,Et(n),t,(s,o)=>{let i=[],r=yn(s,o,e,i);if(i.length)throw new L(hn(i));return r})}function mi(n,t,e){let s=[];try{let o=ci(
 n,t,e),r=[...new Set([...t.keys()].map(a=>a.split(".")[0]))].map(a=>[a,yn(a,o[a],e,s)]);return s.length?null:Object.fromEntries(r)}catch(o){if(o instanceof L)return null;
 throw o}}var ae=(n,t)=>Object.fromEntries(t.filter(e=>n[e]!==null).map(e=>[e,n[e]===1/0?"inf":n[e]])),bn=n=>Object.keys(ut.models[n].fields);function Et({duration:n,
@@ -572,8 +572,8 @@ duration:n,hoop:Cl(t),plane:ae(e,bn("Plane").filter(l=>!i.includes(l)&&!r(l))),s
 function Cl(n){if(n.parts){let e=n.parts.map(s=>ae(s,bn(ut.parts[s.shape])));return{radius:n.radius,parts:e}}let t=n.load_fraction===null?["eccentricity","inert\
 ia_ratio"]:["load_fraction"];return ae(n,["radius","mass",...t])}function wn(n,t){if(n==="hoop"||n==="plane")return ut.default[n];let{fields:e}=ut.models[n==="s\
 tart"?"Start":t==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(e).map(([s,o])=>[s,o.default??void 0]))}function ce(n){let t={};for(let[
-e,s]of Object.entries(Et(n))){if(Fe(s,ut.default[e]))continue;let o=mt(s)?wn(e,s.model):{},i=Object.entries(s).filter(([r,a])=>r==="model"||!Fe(o[r],a));t[e]=mt(
-s)&&i.length?Object.fromEntries(i):s}return gn(t)}var Fe=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var Rl=8,{quantities:ui}=S.map;async function vn(n,{x:t,y:e},s,o){let[i,r]=[re(t),re(e)],a=(...f)=>mi(n,new Map(f),s),l=Ol(n,t.path,e.path),h=l&&i.map(f=>a([t.path,
+e,s]of Object.entries(Et(n))){if(Ie(s,ut.default[e]))continue;let o=mt(s)?wn(e,s.model):{},i=Object.entries(s).filter(([r,a])=>r==="model"||!Ie(o[r],a));t[e]=mt(
+s)&&i.length?Object.fromEntries(i):s}return gn(t)}var Ie=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var Rl=8,{quantities:ui}=S.map;async function vn(n,{x:t,y:e},s,o){let[i,r]=[re(t),re(e)],a=(...f)=>mi(n,new Map(f),s),l=Ol(n,t.path,e.path),h=l&&i.map(f=>a([t.path,
 f])),m=l&&r.map(f=>a([e.path,f])),u=i.length*r.length,p=new Float64Array(Qt.length*u),d=performance.now();for(let f=0;f<u;f++){let _=f%i.length,g=(f-_)/i.length;
 _===0&&performance.now()-d>Rl&&(await new Promise(M=>setTimeout(M)),o?.throwIfAborted(),d=performance.now());let b=h?h[_]:a([e.path,r[g]],[t.path,i[_]]),y=m?m[g]:
 b;if(!b||!y)continue;let k=U({...n,...b,...y});for(let M=0;M<Qt.length;M++)p[M*u+f]=Qt[M](k)}return{count:u,rows:p}}function Ol({start:n},t,e){let s=[t,e].map(i=>i.
@@ -584,11 +584,11 @@ let s=t?[...t].sort((r,a)=>r.length-a.length||(r<a?-1:1)):e,o=t?.map(r=>s.indexO
 kind==="whole"?String(t):Zs(t)}function pi(n,t,e){if(Array.isArray(e)){let r=a=>Object.entries(a).map(([l,h])=>`${l} = ${di(l,h)}`);return[`${t} = [`,...e.map(a=>`\
   { ${r(a).join(", ")} },`),"]"].join(`
 `)}let s=`${t} = ${di(t,e)}`,i=(me.sections[n]??["Scenario"]).map(r=>me.models[r].fields).find(r=>t in r)[t].unit;return i===""||i==="1"?s:`${s.padEnd(Hl)} # ${i}`}
-var di=(n,t)=>t==="inf"?"inf":_i(n,t);function $e(n){let{duration:t,...e}=Et(n),s=[pi("","duration",t)];for(let[o,i]of Object.entries(e))s.push("",`[${o}]`,...Object.
+var di=(n,t)=>t==="inf"?"inf":_i(n,t);function je(n){let{duration:t,...e}=Et(n),s=[pi("","duration",t)];for(let[o,i]of Object.entries(e))s.push("",`[${o}]`,...Object.
 entries(i).map(([r,a])=>pi(o,r,a)));return`${s.join(`
 `)}
 `}var Fl={hoop:"Hoop",plane:"Plane",start:"Start"},Il=["load_fraction","mu"];function Mn(n){let{duration:t,contact:e,...s}=Et(n),o=Object.entries(s).map(([i,r])=>fi(
-i,r));return Fe(e,me.default.contact)||o.push(`contact=${fi("contact",e)}`),o.splice(3,0,`duration=${Zs(t)}`),`import hophoop as hh
+i,r));return Ie(e,me.default.contact)||o.push(`contact=${fi("contact",e)}`),o.splice(3,0,`duration=${Zs(t)}`),`import hophoop as hh
 
 motion = hh.simulate(
 ${o.map(i=>`    ${i},
@@ -601,39 +601,39 @@ r=Object.entries(e).filter(([l,h])=>Il.includes(l)||i[l]!==h),a=t?[`parts=[${t.m
 shape:n,...t})=>`hh.${me.parts[n]}(${Object.entries(t).map(bi).join(", ")})`,bi=([n,t])=>`${n}=${t==="inf"?'float("inf")':_i(n,t)}`;var{letters:wi,modes:Tn,summed_up:jl}=S.words,ql=400,[,Sn,yi,Dl,Bl]=Tn,zl="⁰¹²³⁴⁵⁶⁷⁸⁹";function vi(n,t){let{omega:e,to:s}=n[t];return e===0&&(s===
 "S"||s==="K")&&t+1<n.length}var En=n=>[...n.keys()].filter(t=>vi(n,t)),An=(n,t)=>.5*(n[t].t+n[t+1].t);function Ln(n,t=ql){let e=[],s=0,o=ki(n.events);for(let[i,
 r]of n.events.entries()){let a=o.get(i);if(a===0||r.kind==="end")continue;let l=a===void 0?Gl(n,i,r):{key:"story.more_bounces",values:{count:a}};if(e.length>=t){
-s++;continue}e.push({t:r.t,event:i,mode:wi[Tn.indexOf(je(n,i))],text:l})}return s&&e.push({...e[e.length-1],text:{key:"story.left_out",values:{count:s}}}),e}var xi=n=>n.
+s++;continue}e.push({t:r.t,event:i,mode:wi[Tn.indexOf(qe(n,i))],text:l})}return s&&e.push({...e[e.length-1],text:{key:"story.left_out",values:{count:s}}}),e}var xi=n=>n.
 kind==="impact"&&n.to==="H"&&n.collision!==!1;function ki(n,t=3,e=6){let s=new Map,o=[];for(let i=0;i<=n.length;i++){let r=n[i];if(r&&(xi(r)||o.length&&r.kind===
 "apex")){o.push(i);continue}let a=o.filter(l=>n[l].kind==="impact");if(a.length>=e){for(let l of o.slice(o.indexOf(a[t])))s.set(l,0);s.set(a[t],a.length-t)}o=[]}
 return s}function Pn(n,t=6){let e=[],s=0,o=ki(n.events,1);for(let[r,a]of n.events.entries()){let l=o.get(r);if(l!==void 0){l&&e.push({key:"summary.more_times",values:{
-what:e.pop()??"",count:l}});continue}if(a.kind==="start"||!e.length){e.push(`verb.${je(n,r)}`);continue}let h=Wl(n,r,a);h&&(s++,s<=t&&e.push({key:h,values:{where:Wt(
+what:e.pop()??"",count:l}});continue}if(a.kind==="start"||!e.length){e.push(`verb.${qe(n,r)}`);continue}let h=Wl(n,r,a);h&&(s++,s<=t&&e.push({key:h,values:{where:Wt(
 a.angle)}}))}s>t&&e.push({key:"summary.more_changes",values:{count:s-t}});let i=`status.${n.status}`;return n.status==="completed"?{key:"summary.whole",values:{
 phrases:tt(e)}}:{key:"summary.with_ending",values:{phrases:tt(e),ending:i}}}function Wl(n,t,e){return e.collision===!1?"summary.without_collision":xi(e)?"summar\
-y.bounces":["slip_start","slip_reversal"].includes(e.kind)||Mi(e)?`summary.${je(n,t)}`:jl.includes(e.kind)?`summary.${e.kind}`:""}function Gl(n,t,e){let s=je(n,
+y.bounces":["slip_start","slip_reversal"].includes(e.kind)||Mi(e)?`summary.${qe(n,t)}`:jl.includes(e.kind)?`summary.${e.kind}`:""}function Gl(n,t,e){let s=qe(n,
 t),o={where:Wt(e.angle),verb:`verb.${s}`};return{key:`story.${Ul(n.events,t,s,o)}`,values:o}}function Ul(n,t,e,s){let o=n[t],{kind:i}=o;return i==="start"&&(s.speed=
 Ht(o.vx),e===Dl||e===Bl)?`start_${e}`:i==="slip_start"&&e===Sn?"slip_start_spin":i==="takeoff"?Kl(n,t,s):i==="impact"?(s.speed=Ht(o.before.vy===null?null:Math.abs(
 o.before.vy)),o.collision===!1?"impact_without_collision":o.to==="H"?"impact_bounce":i):i==="turn"&&Mi(o)?"turn_in_slip":(i==="apex"&&(s.gap=Si(o.height)),i==="\
 kane_gain"&&(s.gain=Ht(o.gain)),i==="rest"&&o.stable===!1?"rest_unstable":i)}function Kl(n,t,e){let{t:s}=n[t],o=0;for(let i=t;i<n.length;i++)if(o=Math.max(o,n[i].
 height),!(i===t||n[i].kind!=="impact")){for(let r=i+1;r<n.length&&n[r].t<=n[i].t;r++)o=Math.max(o,n[r].height);if(!o)break;return e.top=Si(o),e.time=Ht(n[i].t-s),
-"takeoff_and_landing"}return"takeoff"}function je(n,t){let e=n.events[t];return Vl(e.to,vi(n.events,t)?n.omega(t):e.omega)}function Vl(n,t){return n==="S"?t>0?Sn:
+"takeoff_and_landing"}return"takeoff"}function qe(n,t){let e=n.events[t];return Vl(e.to,vi(n.events,t)?n.omega(t):e.omega)}function Vl(n,t){return n==="S"?t>0?Sn:
 yi:n==="K"?t<0?Sn:yi:Tn[wi.indexOf(n)]}var Mi=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),Wt=n=>`${tn(n*(180/Math.PI),1)}°`.replaceAll("-","−");function Si(n){
 return n>=.995?`${Ht(n)} m`:n>=.00995?`${Ht(n*100)} cm`:`${Ht(n*1e3)} mm`}function Ht(n){if(n===null||Number.isNaN(n))return"?";let[t,e]=et(n,3).split("e"),s=e===
-void 0?"":`·10${Yl(Number(e))}`;return`${t}${s}`.replaceAll("-","−")}var Yl=n=>[...String(n)].map(t=>t==="-"?"⁻":zl[Number(t)]).join("");var Ti=2e3;function qe(n,{status:t,sequence:e,fingerprint:s,events:o,final:i,energy:r}){let{schema:a,setup:l}=S,h=Et(n);return{schema:a,version:l.version,scenario:h,
-status:t,sequence:e,fingerprint:s,events:o,final:i,energy:r}}function De(n,t,e,s){let o={events:t.events,status:t.status,omega:e};return{...qe(n,t),events:t.events.
+void 0?"":`·10${Yl(Number(e))}`;return`${t}${s}`.replaceAll("-","−")}var Yl=n=>[...String(n)].map(t=>t==="-"?"⁻":zl[Number(t)]).join("");var Ti=2e3;function De(n,{status:t,sequence:e,fingerprint:s,events:o,final:i,energy:r}){let{schema:a,setup:l}=S,h=Et(n);return{schema:a,version:l.version,scenario:h,
+status:t,sequence:e,fingerprint:s,events:o,final:i,energy:r}}function Be(n,t,e,s){let o={events:t.events,status:t.status,omega:e};return{...De(n,t),events:t.events.
 slice(0,Ti),query:ce(n),duration:t.duration,values:Jl(n),automatic:Xl(n,s),massless:n.hoop.inertia_ratio===0,summary:Pn(o),story:Ln(o),shortened:t.events.length>
 Ti}}function Jl({hoop:n,plane:t,start:e}){let s={hoop:n,plane:t,start:{...ct(e,n.radius),speed:e.speed}},o=S.shown.map(i=>{let[r,a]=i.split("."),l=s[r][a];return[
 i,l===1/0?"inf":l]});return Object.fromEntries(o)}function Xl(n,t){if(n.contact.model==="rigid")return{};let{stiffness:e,slip_speed:s}=t.chosen(U(n)),{restitution:o}=n.
-plane;return{"contact.stiffness":e,"contact.slip_speed":s,"contact.restitution":o}}var{rate:Ql,variables:Cn}=S.table,{letters:Zl}=S.words,Rn=(n,t)=>JSON.stringify(qe(n,t),null,1);function On(n){let t=Math.min(Math.max(Math.floor(n*Ql)+1,2),S.limits.
+plane;return{"contact.stiffness":e,"contact.slip_speed":s,"contact.restitution":o}}var{rate:Ql,variables:Cn}=S.table,{letters:Zl}=S.words,Rn=(n,t)=>JSON.stringify(De(n,t),null,1);function On(n){let t=Math.min(Math.max(Math.floor(n*Ql)+1,2),S.limits.
 samples),e=n/(t-1);return Float64Array.from({length:t},(s,o)=>o===t-1?n:o*e)}function Nn(n,t){let e=Object.keys(Cn),s=e.map(l=>Cn[l]==="1"?l:`${l} [${Cn[l]}]`),
 {kinetic:o,potential:i}=t,r={...t,total:Float64Array.from(o,(l,h)=>l+i[h])},a=[["t [s]",...s].join(",")];for(let[l,h]of n.entries()){let m=e.map(u=>u==="mode"?Zl[r.
 mode[l]]:wt(r[u][l]));a.push([wt(h),...m].join(","))}return`${a.join(`\r
 `)}\r
-`}var{limits:Be}=S;function J({scenario:n,query:t,changes:e=[]},s){let i=n!==void 0&&t===void 0?le(n,s):he(t??"",s),r=new Map;for(let[a,l]of e)ie([...r.keys(),a])&&
-(i=Ie(i,r,s),r=new Map),r.set(a,l);return r.size?Ie(i,r,s):i}function Hn({scenario:n,query:t,changes:e=[],...s},o){if(e.length>Be.changes)throw new V($("too_man\
-y_changes",{pairs:e.length,most:Be.changes}));let{x:i,y:r}=s;if(i&&i.path===r.path)throw new L($("equal_axes",{path:i.path}));let a=i?i.cells*r.cells:0;if(a>Be.
-cells)throw new V($("too_many_cells",{cells:a,most:Be.cells}));return{...s,checked:J({scenario:n,query:t,changes:e},o)}}var th=new Set(Object.keys(S.scenario.models.Scenario.fields)),eh=40,ze=n=>new URLSearchParams(`&${n}`).keys().next().value??"",Ei=n=>!ze(n).includes(".")&&!th.
-has(ze(n));function Fn(n,t){let e=n.replace(/^\?/,"").split("&").filter(Boolean),s=e.filter(l=>!Ei(l)),o=e.filter(Ei).map(ze),i=l=>{try{return vt(J({query:l.join(
+`}var{limits:ze}=S;function J({scenario:n,query:t,changes:e=[]},s){let i=n!==void 0&&t===void 0?le(n,s):he(t??"",s),r=new Map;for(let[a,l]of e)ie([...r.keys(),a])&&
+(i=$e(i,r,s),r=new Map),r.set(a,l);return r.size?$e(i,r,s):i}function Hn({scenario:n,query:t,changes:e=[],...s},o){if(e.length>ze.changes)throw new V($("too_man\
+y_changes",{pairs:e.length,most:ze.changes}));let{x:i,y:r}=s;if(i&&i.path===r.path)throw new L($("equal_axes",{path:i.path}));let a=i?i.cells*r.cells:0;if(a>ze.
+cells)throw new V($("too_many_cells",{cells:a,most:ze.cells}));return{...s,checked:J({scenario:n,query:t,changes:e},o)}}var th=new Set(Object.keys(S.scenario.models.Scenario.fields)),eh=40,We=n=>new URLSearchParams(`&${n}`).keys().next().value??"",Ei=n=>!We(n).includes(".")&&!th.
+has(We(n));function Fn(n,t){let e=n.replace(/^\?/,"").split("&").filter(Boolean),s=e.filter(l=>!Ei(l)),o=e.filter(Ei).map(We),i=l=>{try{return vt(J({query:l.join(
 "&")},t)),null}catch(h){if(h instanceof L)return h;throw h}},r=i(s);return{query:(r?sh(s,l=>!i(l)):s).join("&"),foreign:[...new Set(o)],error:r}}function sh(n,t){
-if(n.length>eh)return[];let e=new Map;for(let o of n){let i=ze(o).split(".")[0];e.set(i,[...e.get(i)??[],o])}let s=[];for(let o of e.values()){let i=[...s,...nh(
+if(n.length>eh)return[];let e=new Map;for(let o of n){let i=We(o).split(".")[0];e.set(i,[...e.get(i)??[],o])}let s=[];for(let o of e.values()){let i=[...s,...nh(
 o,t)];t(i)&&(s=i)}return s}function nh(n,t){let e=(...o)=>n.filter((i,r)=>!o.includes(r));return[n,...n.map((o,i)=>e(i)),...n.flatMap((o,i)=>n.map((r,a)=>e(i,a)))].
 find(t)??[]}var oh=["hoop.eccentricity","plane.slope"],ih={...Object.fromEntries(Object.entries(S.map.rates).map(([n,t])=>[n,()=>({[t]:1})])),"hoop.radius":rh,"hoop.mass":({
 hoop:n})=>n.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:n}})=>n===null?null:{eccentricity:1,inertia_ratio:-2*n},"plane.mu":({plane:{mu:n}})=>n===
@@ -656,9 +656,9 @@ key:n,values:{where:Wt(t)}});function $n(n,t){return n<S.words.least_speed?`theo
 mu:et(n,3),where:Wt(t)}}}function xt(n){let t=Number.parseInt(n.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var Li=n=>ue(n)>.2?"#111111":"#ffffff",pe=(n,t)=>`rgba(${xt(n).join(",")}\
 ,${t})`,uh=n=>{let t=n/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};function ue(n){let[t,e,s]=xt(n).map(uh);return .2126*t+.7152*e+.0722*s}function de(n,t){
 if(!t||!/^#[0-9a-f]{6}$/i.test(n))return n;if(ue(n)<.002)return"#eceef2";let e=n;for(let s=0;ue(e)<.2&&s<1;s+=.05)e=`#${xt(n).map(o=>Math.round(o+(255-o)*s).toString(
-16).padStart(2,"0")).join("")}`;return e}var We=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function ph(){let n=[];
-for(let t=0;t<256;t++){let e=t/255*(We.length-1),s=Math.min(Math.floor(e),We.length-2),o=xt(We[s]),i=xt(We[s+1]);n.push(o.map((r,a)=>Math.round(r+(i[a]-r)*(e-s))))}
-return n}var Ge=ph(),Ue=Ge.map(n=>`rgb(${n.join(",")})`),dh=["#123a8c","#8a6d00"],pt=(n,t)=>de(dh[n],t);var qn=new Map;function st(n){try{return localStorage.getItem(n)??qn.get(n)??null}catch{return qn.get(n)??null}}function nt(n,t){qn.set(n,t);try{localStorage.setItem(
+16).padStart(2,"0")).join("")}`;return e}var Ge=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function ph(){let n=[];
+for(let t=0;t<256;t++){let e=t/255*(Ge.length-1),s=Math.min(Math.floor(e),Ge.length-2),o=xt(Ge[s]),i=xt(Ge[s+1]);n.push(o.map((r,a)=>Math.round(r+(i[a]-r)*(e-s))))}
+return n}var Ue=ph(),Ke=Ue.map(n=>`rgb(${n.join(",")})`),dh=["#123a8c","#8a6d00"],pt=(n,t)=>de(dh[n],t);var qn=new Map;function st(n){try{return localStorage.getItem(n)??qn.get(n)??null}catch{return qn.get(n)??null}}function nt(n,t){qn.set(n,t);try{localStorage.setItem(
 n,t)}catch{}}function Pi(n){try{return sessionStorage.getItem(n)}catch{return null}}function Ci(n,t){try{sessionStorage.setItem(n,t)}catch{}}var Ri="hophoop-language";function Bn(){let n=st(Ri);return n&&n in Bt?n:(globalThis.navigator?.languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in Bt)??
 "en"}function Oi(n){nt(Ri,n)}var Ni=new WeakMap,Dn=new WeakMap;function fe(n){let t=document.createTextNode(I(n));return Ni.set(t,n),t}function dt(n,t,e){Dn.set(
 n,{...Dn.get(n),[t]:e}),n.setAttribute(t,I(e))}function zn(n){let t=document.createTreeWalker(n,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let e=t.nextNode();e;e=
@@ -689,16 +689,16 @@ v(i,.05,60));let r=Fi(t.get("pan"),2);r&&(e.pan=r.map(y=>v(y,-20,20)));let a=Fi(
 _]=t.get("map")?.split(",")??[],g=[u,p,f,_].map(Number);_!==void 0&&g.every(Number.isFinite)&&g[0]<g[1]&&g[2]<g[3]&&(e.map={what:h,x:[m,g[0],g[1]],y:[d,g[2],g[3]]});
 let b=t.get("fingerprint")?.toLowerCase().split(",");return b&&(e.fingerprints=b.map(y=>wh.test(y)?y:"")),e}function Fi(n,t){let e=(n??"").split(",").map(Number);
 return n&&e.length===t&&e.every(Number.isFinite)?e:null}var Gn=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),
-...n===null?[]:[n]]},Ke=class{constructor(t,e,s){this.motions=t;this.notice=e;this.link=s;this.number=history.state?.number??0;this.held=!1;this.soon=ot(()=>this.
+...n===null?[]:[n]]},Ve=class{constructor(t,e,s){this.motions=t;this.notice=e;this.link=s;this.number=history.state?.number??0;this.held=!1;this.soon=ot(()=>this.
 write("same"),vh),this.listen=()=>this.arrived(),addEventListener("popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(t){let{motions:e}=this;
 if(!e.lanes.length||!e.history.holds(e.queries())||this.held&&(t==="same"||t==="travelled"))return;let s=this.link();t==="step"||this.held?history.pushState({number:++this.
 number},"",s):history.replaceState({number:this.number},"",s),this.held=!1}read(t){let{notice:e}=this,{backend:s}=this.motions,o=t.map(l=>s.readable?.(l)??{query:l,
 foreign:[],error:null}),i=o.find(l=>l.error)?.error,r=o.flatMap(l=>l.foreign);this.held=!!i;let a=()=>{i?e.fail(i,"shell.the_rest_of_the"):r.length&&e.say({key:"\
 shell.ignored_in_the_link",values:{names:tt(r)}})};return{links:o.map(l=>l.query),said:a}}travel(t){return new Promise(e=>{let s=()=>e();addEventListener("popst\
 ate",s,{once:!0}),setTimeout(s,300),history.go(t)})}async arrived(){let t=history.state?.number??0,{links:e,said:s}=this.read(Gn());JSON.stringify(e)===JSON.stringify(
-this.motions.queries())?this.number=t:await this.motions.arrive(e)?(this.number=t,s()):t!==this.number&&history.go(this.number-t)}};var _e=[.05,.1,.25,.5,1,2,4],Ve=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Ye=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
-playing=!1;this.loop=!Ve();this.once=!1;this.pointed=null;this.last=null;this.listeners=new Set}changed(){for(let t of this.listeners)t(this)}run({to:t=this.time,
-once:e=!1}={}){Ve()?this.seek(t):(this.play(!0),this.once=e)}seek(t){this.time=v(t,0,this.duration),this.changed()}point(t){this.pointed=t,this.changed()}play(t=!this.
+this.motions.queries())?this.number=t:await this.motions.arrive(e)?(this.number=t,s()):t!==this.number&&history.go(this.number-t)}};var _e=[.05,.1,.25,.5,1,2,4],Ye=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,Je=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
+playing=!1;this.loop=!Ye();this.once=!1;this.pointed=null;this.last=null;this.listeners=new Set}changed(){for(let t of this.listeners)t(this)}run({to:t=this.time,
+once:e=!1}={}){Ye()?this.seek(t):(this.play(!0),this.once=e)}seek(t){this.time=v(t,0,this.duration),this.changed()}point(t){this.pointed=t,this.changed()}play(t=!this.
 playing){this.playing=t,this.once=!1,this.last=null,t&&this.time>=this.duration&&(this.time=0),this.changed()}faster(t){let e=_e.indexOf(this.speed);this.speed=
 _e[v(e+t,0,_e.length-1)],this.changed()}tick(t){if(!this.playing)return!1;let e=this.last===null?0:Math.min(t-this.last,100)/1e3;return this.last=t,this.time+=e*
 this.speed,this.time>=this.duration&&(this.loop&&!this.once&&this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.
@@ -718,10 +718,10 @@ this.typing=!1,this.input.value=this.shown,this.accept()}show(t){this.shown=rt(t
 nt_mass",keys:["mass","at"]},rod:{label:"parts.rod",keys:["mass","length","at"]}},Sh={mass:["parts.mass","kg"],inner_radius:["parts.inner_radius","m"],outer_radius:[
 "parts.outer_radius","m"],radius:["parts.radius","m"],at:["parts.distance_from_centre","m"],length:["parts.length","m"]},Th=(n,t,e)=>({ring:{shape:n,mass:e,inner_radius:.95*
 t,outer_radius:t},disk:{shape:n,mass:e,radius:.1*t,at:.8*t},point_mass:{shape:n,mass:e,at:t},rod:{shape:n,mass:e,length:.5*t,at:.5*t}})[n];function Di(n){let t=n["\
-hoop.radius"],e=n["hoop.mass"],s=Math.min(Math.max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Je(e*(1-s)),inner_radius:Je(.98*t),outer_radius:t},
-{shape:"point_mass",mass:Je(e*s),at:t}]}var Je=n=>Number(n.toPrecision(6)),Xe=class{constructor(t){this.onchange=t;this.list=c("div",{class:"parts"});this.element=
+hoop.radius"],e=n["hoop.mass"],s=Math.min(Math.max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Xe(e*(1-s)),inner_radius:Xe(.98*t),outer_radius:t},
+{shape:"point_mass",mass:Xe(e*s),at:t}]}var Xe=n=>Number(n.toPrecision(6)),Qe=class{constructor(t){this.onchange=t;this.list=c("div",{class:"parts"});this.element=
 c("div",{},this.list,c("select",{"aria-label":"parts.add_a_part",onchange:e=>{let s=e.target.value;e.target.value="",s&&this.send([...this.parts,Th(s,this.radius,
-Je(.2*this.mass))])}},c("option",{value:""},"parts.add_a_part_2"),Object.entries(qi).map(([e,{label:s}])=>c("option",{value:e},s))))}send(t){this.onchange([["ho\
+Xe(.2*this.mass))])}},c("option",{value:""},"parts.add_a_part_2"),Object.entries(qi).map(([e,{label:s}])=>c("option",{value:e},s))))}send(t){this.onchange([["ho\
 op.parts",t]])}show(t,e,s){let o=JSON.stringify(t);if(o===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=t;return}Object.assign(
 this,{text:o,parts:t,radius:e,mass:s}),this.list.replaceChildren(...t.map((i,r)=>this.row(i,r)))}row(t,e){let{label:s,keys:o}=qi[t.shape];return c("fieldset",{class:"\
 part"},c("legend",{},s,this.parts.length>1&&c("button",{type:"button",class:"quiet","aria-label":{key:"parts.remove_part_number_what",values:{number:e+1,what:s}},
@@ -740,8 +740,8 @@ show("");return}let i=o==="inf"?1/0:Number(o)/(this.info.degrees?Un:1);this.entr
 input.placeholder=s?"":T("controls.auto_value",{value:x(i,2)}),this.entry.input.title=s?N(String(i),this.info.unit):"";let r=v(this.info.logarithmic?Math.log10(
 i):i,this.low(),this.high());Math.abs(Number(this.range.value)-r)>1e-6&&(this.range.value=String(r)),this.say(i)}};function Ah(n,t){let e=c("select",{"data-path":n.
 path,onchange:()=>t([[n.path,e.value]],!0)},n.options.map(([o,i])=>c("option",{value:o},i)));return{element:c("label",{class:"choice",title:n.help},c("span",{},
-n.label),e),select:e,path:n.path}}var Qe=class{constructor(t,e){this.sliders=new Map;this.onchange=(s,o=!0)=>e(s,o);for(let s of Object.values(t.groups))for(let o of s)
-this.sliders.set(o.path,new Kn(o,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,Ah(s,this.onchange)])),this.parts=new Xe(this.onchange),this.gravities=
+n.label),e),select:e,path:n.path}}var Ze=class{constructor(t,e){this.sliders=new Map;this.onchange=(s,o=!0)=>e(s,o);for(let s of Object.values(t.groups))for(let o of s)
+this.sliders.set(o.path,new Kn(o,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,Ah(s,this.onchange)])),this.parts=new Qe(this.onchange),this.gravities=
 t.gravities,this.element=c("div",{class:"controls"},this.hoop(),this.plane(),this.start(),this.contact())}at(t){let e=this.sliders.get(t)??this.choices.get(t);if(!e)
 throw new Error(`There is no control of ${t}.`);return e.element}of(t,e={}){return[...this.sliders.keys(),...this.choices.keys()].filter(s=>s.startsWith(`${t}.`)).
 flatMap(s=>[...e[s]??[],this.at(s)])}select(t,e,s){let o=c("select",{onchange:()=>s(o.value)},e.map(([i,r])=>c("option",{value:i},r)));return{select:o,element:c(
@@ -785,7 +785,7 @@ if(t)return{points:0,text:t};if(Math.abs(Math.abs(n.scenario.start.angle??0)-Mat
 lane.mu_kinetic"]>1.5||n.values["plane.mu_static"]>1.5)return{points:0,text:"challenge.friction_must_be_at"};let e=zi(n)[0];if(!e)return{points:0,text:"challeng\
 e.it_does_not_hop"};let s=n.phases.filter(({from:i})=>i<e.t);if(s.some(({mode:i})=>i==="K"))return{points:0,text:"challenge.it_skids_before_it"};if(s[0]?.mode!==
 "R")return{points:0,text:"challenge.it_must_start_rolling"};let o=n.events.find(({kind:i,t:r})=>i==="apex"&&r>e.t);return o?{points:Wi(o.height,Ch),text:"challe\
-nge.it_rises_by_height",values:{height:At(o.height)}}:{points:0,text:"challenge.it_does_not_hop"}}}],Jn=n=>n>=95?3:n>=75?2:n>=40?1:0;var Gi="hophoop-best-",Oh=n=>"★".repeat(Jn(n))+"☆".repeat(3-Jn(n)),Ze=class{constructor({film:t,load:e,ahead:s}){this.goal=null;this.solved=new Set;this.solutions=
+nge.it_rises_by_height",values:{height:At(o.height)}}:{points:0,text:"challenge.it_does_not_hop"}}}],Jn=n=>n>=95?3:n>=75?2:n>=40?1:0;var Gi="hophoop-best-",Oh=n=>"★".repeat(Jn(n))+"☆".repeat(3-Jn(n)),ts=class{constructor({film:t,load:e,ahead:s}){this.goal=null;this.solved=new Set;this.solutions=
 new Set;Object.assign(this,{film:t,load:e,ahead:s}),this.tabs=new Map(Yn.map(o=>[o.key,c("button",{type:"button","aria-pressed":"false",onclick:()=>this.choose(
 o)},o.title)])),this.text=c("p",{}),this.meter=c("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"100","aria-label":"challenge.score"}),this.result=c("p",
 {class:"challenge-result",role:"status"}),this.kept=c("p",{class:"hint"}),this.element=c("section",{class:"challenges card","aria-label":"menu.challenges",hidden:!0},
@@ -798,28 +798,28 @@ this.goal&&(this.solved.delete(this.goal.key),this.load(this.goal.start))}async 
 solutions.add(this.film().query))}changed(){let{goal:t}=this;if(!t)return;let{points:e,text:s,values:o={}}=t.score(this.film()),i=!this.solved.has(t.key)&&!this.
 solutions.has(this.film().query);this.meter.value=e;let a={key:i?"challenge.stars_points_points_what":"challenge.stars_points_points_shown",values:{stars:Oh(e),
 count:e,what:{key:s,values:o}}};this.result.textContent!==I(a)&&E(this.result,a);let l=Number(st(Gi+t.key)??0),h=i&&!this.ahead()?Math.max(l,e):l;h>l&&nt(Gi+t.key,
-String(h)),E(this.kept,{key:"challenge.your_best_points_points",values:{count:h}})}};var Ui=.09,Nh=.03,Xn=Math.PI/180,ts=Math.PI/4,Ki=2*Math.PI,be=n=>n-Ki*Math.round(n/Ki);function es(n,t){let e=n.at(t),s=t===0;return{angle:be(e.angle),height:Math.
+String(h)),E(this.kept,{key:"challenge.your_best_points_points",values:{count:h}})}};var Ui=.09,Nh=.03,Xn=Math.PI/180,es=Math.PI/4,Ki=2*Math.PI,be=n=>n-Ki*Math.round(n/Ki);function ss(n,t){let e=n.at(t),s=t===0;return{angle:be(e.angle),height:Math.
 max(e.height,0),vx:s?e.vx:0,vy:s?e.vy:0,omega:s?e.omega:0,slope:n.slope}}var Vi=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),Lt=n=>Number(n.toFixed(4))+0;function Yi(n,t,e){
 if(n==="plane")return[["plane.slope",Lt(t.slope)]];if(t.height>0)return[["start.angle",Lt(t.angle)],["start.height",Lt(t.height)],["start.vx",Lt(t.vx)],["start.\
 vy",Lt(t.vy)],["start.omega",Lt(t.omega)]];let s=n==="load"?t.omega*e.radius:t.vx;return[["start.angle",Lt(t.angle)],["start.speed",Lt(s)]]}var ye=class{constructor(t,e,s,o,i){
-this.grip=t;this.film=e;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=es(e,s),this.held={...this.before,vx:0,vy:0,omega:0};let r=e.at(s);this.
+this.grip=t;this.film=e;this.view=o;this.turned=0;this.trail=[];this.moved=0;this.before=ss(e,s),this.held={...this.before,vx:0,vy:0,omega:0};let r=e.at(s);this.
 center=[r.x,e.radius+r.height],this.foot=o.point(r.x,0),this.from=this.read(i)}read(t){let[e,s]=this.view.unpoint(t.clientX,t.clientY),o=this.grip==="plane"?Math.
 atan2(t.clientY-this.foot[1],t.clientX-this.foot[0]):Math.atan2(e-this.center[0],s-this.center[1]);return{x:t.clientX,y:t.clientY,along:e,away:s,turn:o}}move(t,e){
-let s=this.read(t),{radius:o}=this.film;if(this.turned+=be(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=v(this.before.slope+this.turned,-ts,ts);
+let s=this.read(t),{radius:o}=this.film;if(this.turned+=be(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=v(this.before.slope+this.turned,-es,es);
 this.held.slope=Math.abs(i)<Xn?0:i}else if(this.grip==="load")this.held.angle=be(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
 this.held.height=i<Nh*o?0:i;let r=s.along-this.from.along;this.held.angle=be(this.before.angle+(this.held.height>0?0:r/o)),this.moved=s.x-this.from.x}for(this.trail.
 push({t:e/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<e/1e3-Ui;)this.trail.shift();return this.held}release(t){let{held:e,
 trail:s,film:o}=this,i=s.at(-1),r=s[0],a=i&&r?i.t-r.t:0,l=!i||a<.012||t/1e3-i.t>Ui,h=Vi(o);return l||this.grip==="plane"||(this.grip==="load"?e.omega=v((i.turned-
 r.turned)/a,-h/o.radius,h/o.radius):(e.vx=v((i.along-r.along)/a,-h,h),e.vy=e.height>0?v((i.away-r.away)/a,-h,h):0)),e}};function Ji(n,t,e,s,o){let i={ArrowLeft:-1,
 ArrowRight:1}[t]??0,r={ArrowDown:-1,ArrowUp:1}[t]??0;if(!i&&!r)return null;let a=e?.2:1;if(n==="load"){let u=be(s.angle+(i||r)*5*Xn*a);return{...s,angle:u}}if(n===
-"plane"){let u=v(s.slope+(i||-r)*Xn*a,-ts,ts);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=Vi(o),h=v(s.height+r*.05*a*o.radius,0,4*o.radius),m=v(s.vx+i*.1*a,-l,
+"plane"){let u=v(s.slope+(i||-r)*Xn*a,-es,es);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=Vi(o),h=v(s.height+r*.05*a*o.radius,0,4*o.radius),m=v(s.vx+i*.1*a,-l,
 l);return{...s,height:h<1e-9?0:h,vx:m}}function X(n,t,e,s=()=>{}){let o=new AbortController,{signal:i}=o,r=(l,h)=>n.addEventListener(l,m=>m.pointerId===t.pointerId&&h(m),{signal:i}),a=l=>h=>{o.abort(),
 s(h,l)};n.setPointerCapture(t.pointerId),r("pointermove",e),r("pointerup",a(!0)),r("pointercancel",a(!1))}function Xi(n,t){let e=new Map,s=null,o=()=>{let[r,a]=[
 ...e.values()];return{span:Math.max(Math.hypot(r.clientX-a.clientX,r.clientY-a.clientY),1),clientX:.5*(r.clientX+a.clientX),clientY:.5*(r.clientY+a.clientY)}};n.
 addEventListener("pointerdown",r=>{r.pointerType!=="mouse"&&(e.set(r.pointerId,r),s=e.size===2?o():null)}),n.addEventListener("pointermove",r=>{if(!e.has(r.pointerId)||
 (e.set(r.pointerId,r),e.size!==2||!s))return;let a=o();t(a.span/s.span,a),s=a});for(let r of["pointerup","pointercancel"])n.addEventListener(r,a=>{e.delete(a.pointerId),
-s=null});let i=r=>r.touches.length>1&&r.cancelable&&r.preventDefault();return n.addEventListener("touchmove",i,{passive:!1}),()=>e.size>1}var Hh=700,ss=44,Fh=[["plane","hand.slope_of_the_plane","hand.tilt_the_plane_drag"],["hoop","hand.the_hoop_height_and","hand.lift_roll_or_throw"],["load","hand.\
-angle_of_the_load","hand.turn_the_load_drag"]],ns=class{constructor(t){this.lab=t;this.pull=null;this.held=null;this.before=null;this.hint=c("div",{class:"grip-\
+s=null});let i=r=>r.touches.length>1&&r.cancelable&&r.preventDefault();return n.addEventListener("touchmove",i,{passive:!1}),()=>e.size>1}var Hh=700,ns=44,Fh=[["plane","hand.slope_of_the_plane","hand.tilt_the_plane_drag"],["hoop","hand.the_hoop_height_and","hand.lift_roll_or_throw"],["load","hand.\
+angle_of_the_load","hand.turn_the_load_drag"]],os=class{constructor(t){this.lab=t;this.pull=null;this.held=null;this.before=null;this.hint=c("div",{class:"grip-\
 hint","aria-hidden":"true",hidden:!0},"hand.drag_the_load");this.places=new Map(Fh.map(([i,r,a])=>[i,this.place(i,r,a)])),this.tip=c("output",{class:"grip-tip",
 "aria-hidden":"true",hidden:!0}),this.element=c("div",{class:"grips",role:"group","aria-label":"hand.the_hoop_in_your"},[...this.places.values()],this.tip,this.
 hint);let{flat:e,plane:s}=t.stage;e.grab=i=>this.take(i),s.addEventListener("pointermove",i=>this.hover(i)),s.addEventListener("pointerleave",()=>this.hover(null));
@@ -827,11 +827,11 @@ let o=i=>this.pull&&i.cancelable&&i.preventDefault();s.addEventListener("touchmo
 return c("div",{class:`grip grip-${t}`,role:"slider",tabindex:"0","aria-label":e,"aria-valuenow":"0",title:s,onkeydown:o=>this.key(t,o),onblur:()=>this.held&&this.
 chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:t}=this,e=this.view(),s=!!e&&!t.stage.options.three;if(this.element.
 hidden=!s,!s)return;this.element.classList.toggle("running",t.clock.playing);let{pose:o,film:i,scale:r}=e,a=i.radius,l=e.point(o.x,a+o.height),h=e.point(o.x+a*Math.
-sin(o.angle),a+o.height+a*Math.cos(o.angle)),m=this.onPlane(e),u=v(1.1*a*r,ss,190),p=[["plane",m,ss],["hoop",l,u],["load",h,ss]];for(let[d,[f,_],g]of p){let b=this.
+sin(o.angle),a+o.height+a*Math.cos(o.angle)),m=this.onPlane(e),u=v(1.1*a*r,ns,190),p=[["plane",m,ns],["hoop",l,u],["load",h,ns]];for(let[d,[f,_],g]of p){let b=this.
 places.get(d);b.style.transform=`translate(${f-g/2}px, ${e.top+_-g/2}px)`,b.style.width=b.style.height=`${g}px`,b.hidden=f<0||_<0||f>e.width||_>e.height}if(!this.
-hint.hidden){let[d,f]=p[2][1];this.hint.style.transform=`translate(${v(d,70,e.width-70)}px, ${e.top+Math.max(f-ss,18)}px) translate(-50%, -50%)`}t.clock.playing||
+hint.hidden){let[d,f]=p[2][1];this.hint.style.transform=`translate(${v(d,70,e.width-70)}px, ${e.top+Math.max(f-ns,18)}px) translate(-50%, -50%)`}t.clock.playing||
 this.tell(i)}onPlane(t){let e=t.point(t.pose.x,0),o=(Math.min(e[0]+Math.max(1.9*t.film.radius*t.scale,90),t.width-30)-e[0])/(t.scale*Math.max(t.cosine,.2));return t.
-point(t.pose.x+o,0)}tell(t){let e=this.pull?.held??this.held??es(t,this.lab.clock.time),s={load:q(e.angle),hoop:T("hand.gap_height_speed_speed",{height:At(e.height),
+point(t.pose.x+o,0)}tell(t){let e=this.pull?.held??this.held??ss(t,this.lab.clock.time),s={load:q(e.angle),hoop:T("hand.gap_height_speed_speed",{height:At(e.height),
 speed:x(e.vx,3)}),plane:q(e.slope)},o={load:e.angle*(180/Math.PI),hoop:e.height,plane:e.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*t.radius],plane:[-45,45]};
 for(let[r,a]of this.places)a.getAttribute("aria-valuetext")!==s[r]&&(a.setAttribute("aria-valuetext",s[r]),a.setAttribute("aria-valuenow",String(Number(o[r].toPrecision(
 4)))),a.setAttribute("aria-valuemin",String(i[r][0])),a.setAttribute("aria-valuemax",String(Number(i[r][1].toPrecision(4)))))}under(t){if(this.element.hidden)return null;
@@ -844,14 +844,14 @@ g=b=>{b.key==="Escape"&&(b.stopPropagation(),f(),p&&this.back())};return addEven
 f(),p&&this.back();return}!p&&Math.hypot(b.clientX-t.clientX,b.clientY-t.clientY)<3||(p||(o.fixed=a.scale,this.hold(),this.begin()),p=!0,m.move(h(b),b.timeStamp),
 o.shift=[u[0]+m.moved,u[1]],this.change(e,m.held,!1),this.show(e,m.held))}},(b,y)=>{d||(f(),p&&(y?(this.change(e,m.release(b.timeStamp),!0),this.end(!0)):this.back()))}),
 !0}key(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return;let{lab:s}=this;if(e.key==="Escape"&&this.held)this.back();else if(e.key==="Enter")this.chosen(!0);else{this.
-held??=es(s.film(),s.clock.time);let o=Ji(t,e.key,e.shiftKey,this.held,s.film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(
+held??=ss(s.film(),s.clock.time);let o=Ji(t,e.key,e.shiftKey,this.held,s.film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(
 t==="load"?"hoop":t,o,!1),this.show(t,o),this.settle()}e.preventDefault(),e.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){
 let{lab:t}=this;t.stage.options.ahead=!0,t.clock.seek(0),t.mark("holding",!0)}change(t,e,s){this.lab.motions.change(Yi(t,e,this.lab.film()),s)}show(t,e){let s={
 load:`θ = ${q(e.angle)}`,hoop:e.height>0?`y = ${At(e.height)}`:`θ = ${q(e.angle)}`,plane:`β = ${q(e.slope)}`};E(this.tip,e.vx&&this.held?`${s[t]}, v = ${x(e.
 vx,3)} m/s`:s[t]),this.tip.hidden=!1}chosen(t){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(t)}end(t){let{lab:e}=this;this.held=null,this.
 before=null,this.tip.hidden=!0,e.stage.options.ahead=!1,e.mark("holding",!1),t&&e.clock.seek(0),t&&e.clock.run(),e.request()}async back(){let{lab:t,before:e}=this;
 if(this.end(!1),e===null)return;let s=t.motions.lanes[t.motions.active];for(s.pending=null;s.busy;)await new Promise(o=>requestAnimationFrame(o));try{t.motions.
-replace(await t.backend.film({query:e}))}catch(o){t.notice.fail(o)}}comeBack(t){let{flat:e}=this.lab.stage,s=Ve(),o=()=>{if(this.pull)return;let i=e.shift[0]-t[0];
+replace(await t.backend.film({query:e}))}catch(o){t.notice.fail(o)}}comeBack(t){let{flat:e}=this.lab.stage,s=Ye(),o=()=>{if(this.pull)return;let i=e.shift[0]-t[0];
 e.shift=Math.abs(i)<1||s?[...t]:[t[0]+.82*i,t[1]],this.lab.request(),e.shift[0]!==t[0]&&requestAnimationFrame(o)};o()}};var Ih={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
@@ -861,15 +861,15 @@ v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.
 http://www.w3.org/2000/svg",e=document.createElementNS(t,"svg");e.setAttribute("viewBox","0 0 17 17"),e.setAttribute("aria-hidden","true"),e.setAttribute("class",
 `icon icon-${n}`);let s=document.createElementNS(t,"path");return s.setAttribute("d",Ih[n]),e.append(s),e}function Qn(n,t=()=>{}){let e=c("select",{class:"language","aria-label":"language.language",onchange:async()=>{try{await zt(e.value),Oi(e.value),n()}catch{e.value=
 Tt(),t(new Error("language.not_loaded"))}}},Object.entries(Bt).map(([s,o])=>c("option",{value:s,lang:s},document.createTextNode(o))));return e.value=Tt(),e}var kt=n=>`event.${n}`,Qi=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";var $h=new Set(w.passing),jh=3,qh=1e-10;function Dh(n){let t=[],e=-1,s=-1;for(let[o,{kind:i,from:r,to:a,t:l,height:h}]of n.entries())e>=0&&i==="apex"&&(s<0||h>n[s].
-height)&&(s=o),!$h.has(i)&&(e>=0&&r==="H"&&l>n[e].t&&(t.push({begin:e,top:s,end:i==="end"?-1:o}),e=s=-1),a==="H"&&i!=="end"&&([e,s]=[o,-1]));return t}var os=class{constructor(t,e,s){
+height)&&(s=o),!$h.has(i)&&(e>=0&&r==="H"&&l>n[e].t&&(t.push({begin:e,top:s,end:i==="end"?-1:o}),e=s=-1),a==="H"&&i!=="end"&&([e,s]=[o,-1]));return t}var is=class{constructor(t,e,s){
 let{larger:o=null,smaller:i=null,count:r=0}=e??{};this.events=t.events,this.count=Math.min(r,t.events.length),this.radius=t.radius,this.side=o??i,this.step=o?s:
 -s,this.edge=!o||!i,this.sided=!this.edge&&(o?.sided||Bh(o,i))}rate(t,e){return this.side?this.side.rates[t*w.changes.length+Io[e]]:Number.NaN}of(t,e){return this.
 step*this.rate(t,e)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Dh(this.events.slice(0,this.count)).map(({begin:t,
 top:e,end:s})=>{let o=i=>s<0?Number.NaN:this.step*(this.rate(s,i)-this.rate(t,i));return{begin:t,end:s,height:this.of(e<0?t:e,"height"),distance:o("x"),duration:o(
 "t")}})}};function Bh(n,t){return n!==t&&(n?.rates.some((e,s)=>Number.isFinite(e)!==Number.isFinite(t?.rates[s]))??!1)}function tr(n,t){let e=Math.abs(n);if(t===
-"°")return N(x(e*180/Math.PI,3),"°");let s=e<.0995,o=e<9995e-8,[i,r]=s?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return t==="m/s"?N(x(e,3),t):N(x(i*e,3),`${r}${t}`)}var is=(n,t)=>Math.
-abs(n)>qh*Math.max(t,.001);function er(n,t){return Number.isFinite(n)?is(n,1)?`${n>0?"+":"−"}${tr(n,t)}`:"0":"–"}function Zn(n){let t=n.filter(([e])=>Number.
-isFinite(e)&&is(e,1)).map(([e,s,o,i])=>({key:e>0?o:i,values:{amount:tr(e,s)}}));return t.length?tt(t):null}var Zi=["m","sensitivity.amount_further_to_the","sens\
+"°")return N(x(e*180/Math.PI,3),"°");let s=e<.0995,o=e<9995e-8,[i,r]=s?o?[1e6,"µ"]:[1e3,"m"]:[1,""];return t==="m/s"?N(x(e,3),t):N(x(i*e,3),`${r}${t}`)}var rs=(n,t)=>Math.
+abs(n)>qh*Math.max(t,.001);function er(n,t){return Number.isFinite(n)?rs(n,1)?`${n>0?"+":"−"}${tr(n,t)}`:"0":"–"}function Zn(n){let t=n.filter(([e])=>Number.
+isFinite(e)&&rs(e,1)).map(([e,s,o,i])=>({key:e>0?o:i,values:{amount:tr(e,s)}}));return t.length?tt(t):null}var Zi=["m","sensitivity.amount_further_to_the","sens\
 itivity.amount_further_to_the_left"],zh=["s","sensitivity.amount_later","sensitivity.amount_earlier"];function sr(n){let{events:t,count:e}=n,s=[],o=n.hops();for(let[
 a,{begin:l,end:h,height:m,distance:u,duration:p}]of o.slice(0,jh).entries()){let d=h>=0&&t[h].x<t[l].x?-u:u,f=Zn([[m,"m","sensitivity.amount_higher","sensitivit\
 y.amount_lower"],[d,"m","sensitivity.amount_longer","sensitivity.amount_shorter"],[p,"s","sensitivity.amount_more_in_the","sensitivity.amount_less_in_the"],[n.of(
@@ -877,14 +877,14 @@ l,"t"),"s","sensitivity.begins_amount_later","sensitivity.begins_amount_earlier"
 {key:"sensitivity.the_hop_list",values:{list:f}})}let i=o.length?-1:t.findIndex(({kind:a},l)=>l<e&&a!=="start"&&a!=="end");if(i>=0){let a=Zn([[n.of(i,"t"),...zh],
 [n.of(i,"x"),...Zi]]);a&&s.push({key:"sensitivity.the_first_event_what",values:{what:kt(t[i].kind),list:a}})}let r=e-1;if(r>0&&t[r].kind==="end"){let a=Math.sign(
 t[r].vx)*n.of(r,"vx"),l=Zn([[n.of(r,"x"),...Zi],[a,"m/s","sensitivity.amount_faster","sensitivity.amount_slower"]]);l&&s.push({key:"sensitivity.at_the_end_after",
-values:{time:x(t[r].t,4),list:l}})}return s}var Ft=S.words.signs,rs=Object.keys(Ft);function nr(n,t=11){let s=[...n.filter(({kind:i})=>i in Ft)].sort((i,r)=>rs.indexOf(i.kind)-rs.indexOf(r.kind)||i.x-r.x),
-o=[];for(let{kind:i,x:r}of s){let a=rs.indexOf(i)<rs.indexOf("takeoff"),l=o.filter(h=>Math.abs(h.x-r)<t);l.length?l.length===1&&l[0].rare&&!o.some(h=>Math.abs(h.
+values:{time:x(t[r].t,4),list:l}})}return s}var Ft=S.words.signs,as=Object.keys(Ft);function nr(n,t=11){let s=[...n.filter(({kind:i})=>i in Ft)].sort((i,r)=>as.indexOf(i.kind)-as.indexOf(r.kind)||i.x-r.x),
+o=[];for(let{kind:i,x:r}of s){let a=as.indexOf(i)<as.indexOf("takeoff"),l=o.filter(h=>Math.abs(h.x-r)<t);l.length?l.length===1&&l[0].rare&&!o.some(h=>Math.abs(h.
 x-(l[0].x+t))<t-1e-9)?l[0].mark!==Ft[i]&&o.push({mark:Ft[i],x:l[0].x+t,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:Ft[i],x:r,rare:a,hidden:0})}return o.sort(
 (i,r)=>i.x-r.x).map(({mark:i,x:r})=>({mark:i,x:r}))}function or(n,t,e){let s=[],o=new Map,i=-1,r=(l,h,m)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-
 h)<1e-6?u.wide+=m:s.push({mode:l,from:h,wide:m})},a=()=>{o.size&&r([...o].reduce((l,h)=>h[1]>l[1]?h:l)[0],i,1),o=new Map};for(let{mode:l,from:h,to:m}of n){let[u,
 p]=[Math.max(t(h),0),Math.min(t(m),e)];if(p>u)for(let d=u;d<p-1e-9;){if((Math.floor(d+1e-9)!==i||!o.size)&&(a(),i=Math.floor(d+1e-9),p-d>=1&&Math.abs(d-i)<1e-6)){
 let _=Math.floor(p-d+1e-9);r(l,i,_),d=i+_;continue}let f=Math.min(p,i+1);o.set(l,(o.get(l)??0)+f-d),d=f}}return a(),s}var ir=.7,rr=34,Wh=3,Gh=400,Uh=8,to=13;function ar(n){let{events:t,count:e}=n;return t.slice(0,Math.min(e,Gh)).map(({kind:s,x:o,height:i},r)=>({kind:s,x:o,y:i,dx:n.
-of(r,"x"),dy:n.of(r,"height")}))}function lr(n,t,e){let s=n.map(({dx:a,dy:l})=>Math.hypot(a,l)).filter(a=>Number.isFinite(a)&&is(a,t)).sort((a,l)=>a-l);if(!s.length)
+of(r,"x"),dy:n.of(r,"height")}))}function lr(n,t,e){let s=n.map(({dx:a,dy:l})=>Math.hypot(a,l)).filter(a=>Number.isFinite(a)&&rs(a,t)).sort((a,l)=>a-l);if(!s.length)
 return 0;let o=Math.max(ir*t,rr/e)/s[Math.floor(s.length/2)];if(o<=1)return 1;let i=10**Math.floor(Math.log10(o)),r=o/i;return(r>=5?5:r>=2?2:1)*i}function hr(n,t,e){
 let s=[],o=Wh*Math.max(ir*n.film.radius,rr/n.scale);for(let{kind:i,x:r,y:a,dx:l,dy:h}of t){let m=Number.isFinite(l)&&Number.isFinite(h),u=m?e*Math.hypot(l,h):0,
 p=u>o?o/u:1,d=m?[p*e*l,p*e*h]:[0,0],f=n.point(r,a),_=n.point(r+d[0],a+d[1]);if(Math.max(f[0],_[0])<-20||Math.min(f[0],_[0])>n.width+20)continue;let[g,b]=[Math.min(
@@ -895,7 +895,7 @@ n.lineCap="round",o&&(n.lineWidth=_>3?3:1,n.beginPath(),n.moveTo(e[0],e[1]),n.li
 n.moveTo(l[0],l[1]),n.lineTo(s[0]-m*p,s[1]-u*p),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],_>3?5.5:3.5,0,2*Math.PI),n.fill(),!(h<1)&&(n.lineWidth=
 _>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-m*p-u*p*.55,s[1]-u*p+m*p*.55),n.lineTo(s[0]-m*p+u*p*.55,s[1]-u*p-m*p*.55),n.closePath(),n.stroke(),n.fill());
 n.lineCap="butt";let d=i?a:"?";d&&(n.font=`600 ${11*t.px}px ${t.font}`,n.textAlign="center",n.lineWidth=3,n.strokeStyle=t.paper,n.fillStyle=t.ink,n.strokeText(d,
-l[0],l[1]-7),n.fillText(d,l[0],l[1]-7))}var cr=Math.PI/180,Vh=100,mr="plane.mu",Yh=/^(contact\.|duration$)/,Jh=200,eo=n=>`reason.${n}`,as=class{constructor(t){this.lab=t;this.on=!1;this.path=mr;this.changes=
+l[0],l[1]-7),n.fillText(d,l[0],l[1]-7))}var cr=Math.PI/180,Vh=100,mr="plane.mu",Yh=/^(contact\.|duration$)/,Jh=200,eo=n=>`reason.${n}`,ls=class{constructor(t){this.lab=t;this.on=!1;this.path=mr;this.changes=
 null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.paths="";this.speak=!1;this.later=ot(()=>this.fetch(),Vh),this.switch=c("butt\
 on",{type:"button",class:"switch",title:"sensitivity.what_a_little_more","aria-pressed":"false",onclick:()=>this.turn()},"sensitivity.arrows"),this.picked=c("se\
 lect",{onchange:()=>this.pick(this.picked.value)}),this.step=c("span",{class:"more-step"}),this.take=c("button",{type:"button",onclick:()=>this.apply()},"sensit\
@@ -916,7 +916,7 @@ let t=this.offered();t.some(({path:s})=>s===this.path)||(this.path=t.find(({path
 this.paths){this.paths=e;let s=({path:o,label:i,symbol:r})=>c("option",{value:o},i," ",r);this.picked.replaceChildren(...t.map(s))}this.picked.value=this.path}forget(){
 this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){if(!this.on)return;let{lab:t,path:e}=this,s=t.film(),o=this.parameter();this.asked?.
 abort(),this.asked=new AbortController;let{signal:i}=this.asked;if(this.known=`${e} ${s.query}`,!o||!Number.isFinite(o.value))return this.refuse("sensitivity.it\
-_is_infinite_there");try{let r=await t.backend.changes(s.scenario,e,i);if(i.aborted||t.film()!==s)return;if(!r)return this.refuse(eo("edge"));this.changes=new os(
+_is_infinite_there");try{let r=await t.backend.changes(s.scenario,e,i);if(i.aborted||t.film()!==s)return;if(!r)return this.refuse(eo("edge"));this.changes=new is(
 s,r,o.step),this.arrows=ar(this.changes),this.factor=0,this.tell()}catch(r){r.name!=="AbortError"&&!i.aborted&&this.refuse(K(r))}t.request()}refuse(t){this.forget(),
 this.take.disabled=!0;for(let e of[this.step,this.said,this.body])e.replaceChildren();this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,E(this.reason,
 t),this.speak&&this.lab.story.say(t),this.speak=!1,this.lab.request()}tell(){let{changes:t}=this,e=this.parameter();if(!t||!e)return;let{info:s,value:o}=e,i=h=>N(
@@ -930,13 +930,13 @@ s.reason)}}}return!i&&!r?"":{key:"sensitivity.to_one_side_only",values:{reason:e
 a[0]==="−"?"▼ ":"";return c("td",{"data-rate":String(r)},l&&c("span",{"aria-hidden":"true"},l),a)},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.
 body.replaceChildren(...t.events.slice(0,Math.min(t.count,Jh)).map(({kind:o,t:i},r)=>c("tr",{onclick:()=>this.lab.clock.seek(i)},c("th",{scope:"row"},kt(o),c("s\
 mall",{},` ${x(i,4)} s`)),s.map(([a,l])=>e(t.of(r,a),l,t.rate(r,a))))))}apply(){let t=this.parameter();if(!t||!this.changes)return;let e=Number((t.value+this.changes.
-step).toPrecision(12));this.lab.motions.change([[this.path,e]],!0)}};var ls=class{constructor(t,e){this.root=t;this.show=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
+step).toPrecision(12));this.lab.motions.change([[this.path,e]],!0)}};var hs=class{constructor(t,e){this.root=t;this.show=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
 "fullscreenchange",this.left),this.onchange=()=>{}}async turn(t=!this.on){let{root:e}=this;if(this.on=t,e.classList.toggle("presenting",t),this.onchange(),this.
 show(),!t){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await e.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var ur=.22,pr=.03;function dr(n,t){let e=n.at(t),s=n.mass*(n.gravity||9.81),o=e.mode==="H"||!(e.normal_force>0)?0:e.normal_force/s,i=o/(1+o),r=e.mode==="S"||e.mode===
 "K",a=Math.abs(e.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:i,pitch:55*(1+Math.min(o,8))**.5,hiss:r?i*v(.15+a,0,1):0}}function fr(n,t,e){let s=Math.
 sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:o,t:i,before:r})=>o==="impact"&&r&&i>t&&i<=e).map(({before:o})=>v(Math.abs(o.vy)/s,.02,1))}function Xh(n){
-let t=n.createBuffer(1,n.sampleRate,n.sampleRate),e=t.getChannelData(0),s=1;for(let o=0;o<e.length;o++)s=s*16807%2147483647,e[o]=2*s/2147483647-1;return t}var hs=class{constructor(){
+let t=n.createBuffer(1,n.sampleRate,n.sampleRate),e=t.getChannelData(0),s=1;for(let o=0;o<e.length;o++)s=s*16807%2147483647,e[o]=2*s/2147483647-1;return t}var cs=class{constructor(){
 this.context=null;this.on=!1;this.last=0}static{this.heard=dr}static{this.knocks=fr}start(){let t=new AudioContext,e=t.createOscillator();e.type="triangle";let s=t.
 createBufferSource();s.buffer=Xh(t),s.loop=!0;let o=t.createBiquadFilter();o.type="bandpass",o.frequency.value=1800,o.Q.value=.6;let[i,r]=[t.createGain(),t.createGain()];
 i.gain.value=r.gain.value=0,e.connect(i).connect(t.destination),s.connect(o).connect(r).connect(t.destination),e.start(),s.start(),this.context=t,Object.assign(
@@ -960,7 +960,7 @@ name:"diagram.lost_to_friction",symbol:"W_f",unit:"J",values:Y("friction_loss")}
 "normal_loss")},rolling_resistance:{name:"diagram.lost_to_rolling_resistance",symbol:"W_r",unit:"J",values:Y("rolling_resistance")}},gr=({name:n,symbol:t})=>[n,
 " ",t];var Qh=["time","angle","x","vx","spin","normal_force","friction_force"],Zh=[1,.5,.2,.1,.05,.02,.01],no=601;function _r(n,t,e){let s=Math.min(Math.floor(n.duration/
 e+1e-9)+1,no),o=[];for(let i=0;i<s;i++){let r=Number((i*e).toPrecision(12));o.push({time:r,mode:n.at(r).mode,values:t.map(a=>tc(n,a,r))})}return o}function tc(n,t,e){
-return D[t].values(n.moment(e))[0]}var cs=class{constructor({film:t,clock:e,names:s}){this.rows=[];this.columns=[...Qh];this.source=t,this.clock=e,this.names=s,
+return D[t].values(n.moment(e))[0]}var ms=class{constructor({film:t,clock:e,names:s}){this.rows=[];this.columns=[...Qh];this.source=t,this.clock=e,this.names=s,
 this.step=c("select",{onchange:()=>this.fill()},Zh.map(o=>c("option",{value:String(o)},`${o} s`))),this.step.value="0.1",this.picks=c("div",{class:"table-picks"},
 Object.entries(D).filter(([o])=>o!=="time").map(([o,{name:i}])=>this.pick(o,i))),this.caption=c("caption",{}),this.head=c("thead",{}),this.body=c("tbody",{}),this.
 element=c("section",{class:"table","aria-label":"table.table_of_the_motion",hidden:!0},c("header",{},c("h2",{},"table.table"),c("label",{class:"table-step"},c("\
@@ -1045,39 +1045,39 @@ u.arc(...ao(o),12,0,2*Math.PI),u.stroke(),_(o,p,7)),_(e,s?f:d,9)},l=m=>{o===null
 "aria-valuetext",`${Math.round(e)}°`),a(),t())},h=m=>{let u=i.getBoundingClientRect(),[p,d]=[m.clientX-u.left-u.width/2,m.clientY-u.top-u.height/2];l(Math.atan2(
 p,-d)*180/Math.PI)};return r.addEventListener("pointerdown",m=>{m.preventDefault(),r.focus({preventScroll:!0}),h(m),X(r,m,h)}),r.addEventListener("keydown",m=>{
 let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[m.key];u!==void 0&&(m.preventDefault(),m.stopPropagation(),l(e+(m.shiftKey?u/5:u)))}),
-requestAnimationFrame(a),{element:r,redraw:a,made:()=>s,judge:m=>(o=ho(m),a(),uc(e,o))}}var ve=9,[gt,ms,$t,lo]=[34,12,12,26];function kr({label:n,unit:t,most:e},s){
+requestAnimationFrame(a),{element:r,redraw:a,made:()=>s,judge:m=>(o=ho(m),a(),uc(e,o))}}var ve=9,[gt,us,$t,lo]=[34,12,12,26];function kr({label:n,unit:t,most:e},s){
 let o=Array(ve).fill(e/4),i=!1,r=null,a=c("canvas",{class:"sketch-canvas"}),l=o.map((y,k)=>c("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":{
 key:"visit.what_with_the_load",values:{what:n,angle:`${45*k}°`}},"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(e),onkeydown:M=>{let O={
 ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[M.key];O&&(M.preventDefault(),M.stopPropagation(),_(k,o[k]+O*e/(M.shiftKey?100:20)))}})),h=c("div",{class:"gue\
-ss sketch",role:"group","aria-label":"visit.draw_the_curve_pull"},a,l),m=()=>a.getBoundingClientRect(),u={width:0,height:0,px:1},p=y=>gt+y/(ve-1)*(u.width-gt-ms),
+ss sketch",role:"group","aria-label":"visit.draw_the_curve_pull"},a,l),m=()=>a.getBoundingClientRect(),u={width:0,height:0,px:1},p=y=>gt+y/(ve-1)*(u.width-gt-us),
 d=y=>$t+(1-y/e)*(u.height-$t-lo),f=()=>{let y=getComputedStyle(h),k=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:M,width:O,height:G}=B(a,k);
-u={width:O,height:G,px:k};let H=C=>y.getPropertyValue(C).trim();M.clearRect(0,0,O,G),M.strokeStyle=H("--line"),M.fillStyle=H("--soft"),M.font="11px system-ui, s\
-ans-serif";for(let C=0;C<ve;C+=2)M.textAlign="center",M.fillText(`${45*C}°`,p(C),G-8),M.strokeRect(p(C),$t,0,G-$t-lo);for(let C of[0,e/2,e])M.textAlign="right",
-M.fillText(String(C),gt-6,d(C)+4),M.strokeRect(gt,d(C),O-gt-ms,0);M.textAlign="left",M.fillText(t,gt+4,$t+10);let Xt=(C,Rt,Mt)=>{M.strokeStyle=Rt,M.lineWidth=2.5,
-M.setLineDash(Mt),M.beginPath(),C.forEach((Oo,No)=>{let Ho=gt+No/(C.length-1)*(O-gt-ms);No?M.lineTo(Ho,d(v(Oo,0,e))):M.moveTo(Ho,d(v(Oo,0,e)))}),M.stroke(),M.setLineDash(
-[])};Xt(o,H("--accent"),[6,4]),r&&Xt(r,H("--ink"),[]),l.forEach((C,Rt)=>{C.style.transform=`translate(${k*p(Rt)}px, ${k*d(o[Rt])}px)`})},_=(y,k)=>{r||(o[y]=v(k,
+u={width:O,height:G,px:k};let H=R=>y.getPropertyValue(R).trim();M.clearRect(0,0,O,G),M.strokeStyle=H("--line"),M.fillStyle=H("--soft"),M.font="11px system-ui, s\
+ans-serif";for(let R=0;R<ve;R+=2)M.textAlign="center",M.fillText(`${45*R}°`,p(R),G-8),M.strokeRect(p(R),$t,0,G-$t-lo);for(let R of[0,e/2,e])M.textAlign="right",
+M.fillText(String(R),gt-6,d(R)+4),M.strokeRect(gt,d(R),O-gt-us,0);M.textAlign="left",M.fillText(t,gt+4,$t+10);let Xt=(R,Rt,Mt)=>{M.strokeStyle=Rt,M.lineWidth=2.5,
+M.setLineDash(Mt),M.beginPath(),R.forEach((Oo,No)=>{let Ho=gt+No/(R.length-1)*(O-gt-us);No?M.lineTo(Ho,d(v(Oo,0,e))):M.moveTo(Ho,d(v(Oo,0,e)))}),M.stroke(),M.setLineDash(
+[])};Xt(o,H("--accent"),[6,4]),r&&Xt(r,H("--ink"),[]),l.forEach((R,Rt)=>{R.style.transform=`translate(${k*p(Rt)}px, ${k*d(o[Rt])}px)`})},_=(y,k)=>{r||(o[y]=v(k,
 0,e),i=!0,l[y].setAttribute("aria-valuenow",o[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${o[y].toPrecision(2)} ${t}`),f(),s())},g=null,b=y=>{let k=m(),
-[M,O]=[y.clientX-k.left,y.clientY-k.top].map(Mt=>Mt/u.px),G=v((M-gt)/(u.width-gt-ms),0,1),H=Math.round(G*(ve-1)),Xt=e*(1-(O-$t)/(u.height-$t-lo)),C=g??H,Rt=o[C];
-for(let Mt=Math.min(C,H);Mt<=Math.max(C,H);Mt++)_(Mt,C===H?Xt:Rt+(Xt-Rt)*(Mt-C)/(H-C));g=H};h.addEventListener("pointerdown",y=>{y.preventDefault(),g=null,b(y),
+[M,O]=[y.clientX-k.left,y.clientY-k.top].map(Mt=>Mt/u.px),G=v((M-gt)/(u.width-gt-us),0,1),H=Math.round(G*(ve-1)),Xt=e*(1-(O-$t)/(u.height-$t-lo)),R=g??H,Rt=o[R];
+for(let Mt=Math.min(R,H);Mt<=Math.max(R,H);Mt++)_(Mt,R===H?Xt:Rt+(Xt-Rt)*(Mt-R)/(H-R));g=H};h.addEventListener("pointerdown",y=>{y.preventDefault(),g=null,b(y),
 X(h,y,b)});for(let[y,k]of l.entries())k.setAttribute("aria-valuenow",o[y].toPrecision(3));return requestAnimationFrame(f),{element:h,redraw:f,made:()=>i,judge:y=>{
-r=y,f();let k=(y.length-1)/(ve-1);return pc(o,o.map((M,O)=>y[Math.round(O*k)]))}}}var ps=2*Math.PI,Q=(n,t)=>n.events.find(e=>e.kind===t),us=n=>q(n-ps*Math.floor(n/ps));function fc(n,t,e=72){let{angle:s}=n.columns,o=n.columns[t],i=[],r=0;for(let a=0;a<=
-e;a++){let l=n.columns.angle[0]+ps*a/e;for(;r+1<n.length&&s[r+1]<l;)r+=1;let h=Math.min(r+1,n.length-1),m=s[h]>s[r]?Math.min((l-s[r])/(s[h]-s[r]),1):0;i.push(o[r]+
+r=y,f();let k=(y.length-1)/(ve-1);return pc(o,o.map((M,O)=>y[Math.round(O*k)]))}}}var ds=2*Math.PI,Q=(n,t)=>n.events.find(e=>e.kind===t),ps=n=>q(n-ds*Math.floor(n/ds));function fc(n,t,e=72){let{angle:s}=n.columns,o=n.columns[t],i=[],r=0;for(let a=0;a<=
+e;a++){let l=n.columns.angle[0]+ds*a/e;for(;r+1<n.length&&s[r+1]<l;)r+=1;let h=Math.min(r+1,n.length-1),m=s[h]>s[r]?Math.min((l-s[r])/(s[h]-s[r]),1):0;i.push(o[r]+
 m*(o[h]-o[r]))}return i}var gc=(n,t)=>n.t[n.columns.angle.findIndex(e=>e>=t)]??n.duration,_c={R:"roll",S:"spin",K:"skid",H:"bounce"},jt=[{key:"littlewood",title:"\
 visit.littlewoods_question",text:"visit.a_hoop_without_mass",question:"visit.what_do_you_think",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>ke(
 [["roll","visit.it_rolls_on"],["hop","visit.it_hops_the_hoop"],["skim","visit.the_weight_falls_freely"]],n),until:([n])=>{let[t,e]=[Q(n,"skim"),Q(n,"impact")];return t?
 t.t+.7*((e?.t??n.duration)-t.t):n.duration},answer:([n])=>{let t=Q(n,"skim")??Q(n,"takeoff");return{truth:t?.kind==="skim"?"skim":t?"hop":"roll",text:"visit.at_\
-angle_there_is",values:{angle:us(t?.angle??0)}}},why:"visit.littlewood_said_that_the"},{key:"speed",title:"visit.a_ring_with_mass",text:"visit.now_a_quarter_of",
+angle_there_is",values:{angle:ps(t?.angle??0)}}},why:"visit.littlewood_said_that_the"},{key:"speed",title:"visit.a_ring_with_mass",text:"visit.now_a_quarter_of",
 question:"visit.draw_how_fast_the",queries:["start.speed=0.1&duration=8"],guess:n=>kr({label:"visit.speed_of_the_centre",unit:"m/s",most:10},n),until:([n])=>gc(
-n,ps),answer:([n])=>{let t=fc(n,"vx");return{truth:t,text:"visit.with_the_load_at",values:{speed:x(Math.max(...t),2)}}},why:"visit.the_lowest_point_of"},{key:"s\
+n,ds),answer:([n])=>{let t=fc(n,"vx");return{truth:t,text:"visit.with_the_load_at",values:{speed:x(Math.max(...t),2)}}},why:"visit.the_lowest_point_of"},{key:"s\
 lip",title:"visit.why_it_slips",text:"visit.a_harder_push_2",question:"visit.where_is_the_load",queries:["start.speed=2.8"],guess:n=>co("visit.angle_of_the_load",
 n),until:([n])=>Q(n,"slip_start")?.t??n.duration,answer:([n])=>{let t=Q(n,"slip_start"),e=n.at(t.t).normal_force/(n.mass*n.gravity);return{truth:t.angle*180/Math.
-PI,text:"visit.it_begins_to_slip",values:{angle:us(t.angle),share:`${x(100*e,2)} %`}}},why:"visit.the_load_on_its"},{key:"hop",title:"visit.the_hop",text:"visit\
+PI,text:"visit.it_begins_to_slip",values:{angle:ps(t.angle),share:`${x(100*e,2)} %`}}},why:"visit.the_load_on_its"},{key:"hop",title:"visit.the_hop",text:"visit\
 .a_little_faster_3",question:"visit.where_is_the_load_when",queries:[""],guess:n=>co("visit.angle_of_the_load_where",n),until:([n])=>Q(n,"takeoff")?.t??n.duration,
-answer:([n])=>{let t=Q(n,"takeoff"),e=n.at(t.t-1e-6);return{truth:t.angle*180/Math.PI,text:"visit.it_takes_off_at",values:{angle:us(t.angle),slip:x(Math.abs(e.slip),
+answer:([n])=>{let t=Q(n,"takeoff"),e=n.at(t.t-1e-6);return{truth:t.angle*180/Math.PI,text:"visit.it_takes_off_at",values:{angle:ps(t.angle),slip:x(Math.abs(e.slip),
 3)}}},why:"visit.a_rolling_hoop_would"},{key:"landing",title:"visit.the_landing",text:"visit.the_hoop_is_in",question:"visit.what_does_it_do",queries:[""],guess:n=>ke(
 [["roll","visit.it_rolls_at_once"],["skid","visit.it_skids_the_rim"],["spin","visit.it_spins_the_rim"],["bounce","visit.it_bounces"]],n),until:([n])=>Q(n,"impac\
 t")?.t??n.duration,answer:([n])=>{let[t,e]=[Q(n,"takeoff"),Q(n,"impact")],s=n.events.find(o=>o.kind==="apex");return{truth:_c[n.at((e?.t??0)+1e-6).mode],text:"v\
-isit.it_was_in_the",values:{time:x((e?.t??0)-(t?.t??0),3),height:x(100*(s?.height??0),3),angle:us(e?.angle??0)}}},why:"visit.an_impact_takes_no"},{key:"friction",
+isit.it_was_in_the",values:{time:x((e?.t??0)-(t?.t??0),3),height:x(100*(s?.height??0),3),angle:ps(e?.angle??0)}}},why:"visit.an_impact_takes_no"},{key:"friction",
 title:"visit.more_friction_more_hop",text:"visit.three_hoops_get_the",question:"visit.which_of_them_hops",queries:["plane.mu=0.05","plane.mu=0.2",""],guess:n=>ke(
 [["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(t=>Q(t,"impact")?.t??0)),answer:n=>{let t=n.map(i=>Math.max(0,...i.events.
 map(({kind:r,height:a})=>r==="apex"?a:0))),[e,s,o]=t.map(i=>x(100*i,3));return{truth:String(t.indexOf(Math.max(...t))),text:"visit.they_rise_by_low",values:{low:e,
@@ -1085,7 +1085,7 @@ middle:s,high:o}}},why:"visit.on_ice_nothing_drives"},{key:"undecided",title:"vi
 _do_they_say",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plane.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start\
 .omega=5&duration=3"],guess:n=>ke([["flight","visit.it_flies_off"],["impact","visit.an_impact_stops_the"],["both","visit.both_agree_with_the"]],n),until:n=>Math.
 min(.8,...n.map(t=>t.duration)),answer:n=>({truth:n.every(t=>Q(t,"painleve_indeterminate"))?"both":"flight",text:"visit.hoop_a_and_hoop"}),why:"visit.painleve_f\
-ound_this_in"},{key:"yours",title:"visit.your_turn",text:"visit.take_the_hoop_turn",question:"",queries:[""]}];var Mr="hophoop-visit",ds=class{constructor(t,e){this.lab=t;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
+ound_this_in"},{key:"yours",title:"visit.your_turn",text:"visit.take_the_hoop_turn",question:"",queries:[""]}];var Mr="hophoop-visit",fs=class{constructor(t,e){this.lab=t;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;this.
 loop=null;this.asked=0;this.onchallenges=e,this.body=c("div",{class:"visit-body"}),this.said=c("div",{class:"visit-answer",role:"status"}),this.element=c("secti\
 on",{class:"visit card","aria-label":"menu.guided_visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){st(Mr)||
 (this.element.hidden=!1,E(this.said,""),this.body.replaceChildren(c("div",{class:"buttons offer"},c("p",{},c("b",{},"visit.new_here")," ","visit.eight_short_que\
@@ -1112,9 +1112,9 @@ truth:s,text:o,values:i={}}=t.answer(this.films),r=e.judge(s);this.points.set(t.
 "b",{},r?{key:"visit.points_of_100_points",values:{points:r}}:"visit.not_so")," ",{key:o,values:i}),c("p",{},t.why??"")),this.veil(),this.next.classList.add("ma\
 in"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let t=[...this.points.values()].reduce((e,s)=>e+s,0);this.said.replaceChildren(c("p",{},
 {key:"visit.you_have_sum_of",values:{sum:t,most:100*this.points.size}}))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&
-this.veil()}};var Sr=60,fs=class{constructor(t){this.lab=t;this.sound=new hs;let e=()=>t.film(),s=i=>t.load(i);this.grips=new ns(t),this.present=new ls(t.root,()=>t.show()),this.
-challenges=new Ze({film:e,load:s,ahead:()=>t.stage.options.ahead}),this.visit=new ds(t,()=>this.challenges.open()),this.table=new cs({film:e,clock:t.clock,names:()=>t.
-theme.colors.mode_names}),this.more=new as(t),this.teach=vr(s,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.makeMenu();let o=()=>{this.spoken(),
+this.veil()}};var Sr=60,gs=class{constructor(t){this.lab=t;this.sound=new cs;let e=()=>t.film(),s=i=>t.load(i);this.grips=new os(t),this.present=new hs(t.root,()=>t.show()),this.
+challenges=new ts({film:e,load:s,ahead:()=>t.stage.options.ahead}),this.visit=new fs(t,()=>this.challenges.open()),this.table=new ms({film:e,clock:t.clock,names:()=>t.
+theme.colors.mode_names}),this.more=new ls(t),this.teach=vr(s,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.makeMenu();let o=()=>{this.spoken(),
 zn(t.root),t.show()};this.languages=Qn(o,i=>t.notice.fail(i)),this.spoken()}makeTools(){let{clock:t}=this.lab,e=(s,o,i)=>c("button",{type:"button",title:o,"aria\
 -label":o,"aria-pressed":"false",onclick:i},W(s));return this.loop=e("loop","menu.repeat",()=>{t.loop=!t.loop,this.mark()}),this.slow=e("slow","menu.slow_motion\
 _a_tenth",()=>{t.speed=t.speed===.1?1:.1,t.changed(),this.mark()}),this.loud=e("sound","menu.sound_of_the_contact",()=>{this.sound.turn(!this.sound.on),this.mark()}),
@@ -1130,7 +1130,7 @@ return;let e=this.visit.guessing?[]:t.motions.films().map(o=>this.nameOf(o)),s=[
 ab_play_with")}nameOf({query:t,summary:e}){let s=this.lab.known.find(i=>i.query===t);if(s)return T(s.title);let[o]=I(e).split(/(?<=[.。])(?!\d)/u);return o.length<=
 Sr?o.replace(/[.。]$/u,""):`${o.slice(0,Sr).replace(/[,，][^,，]*$/u,"")} …`}frame(){let{lab:t}=this;this.grips.draw(),this.sound.follow(t.film(),t.clock),
 this.table.cursor(t.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
-this.challenges.changed(),this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};var Me=(n,t,e)=>c("button",{type:"button",title:t,"aria-label":t,onclick:e},n),gs=class{constructor(t,e,s,o){this.fresh=!1;let i=new Map;for(let a of t)i.set(a.
+this.challenges.changed(),this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};var Me=(n,t,e)=>c("button",{type:"button",title:t,"aria-label":t,onclick:e},n),_s=class{constructor(t,e,s,o){this.fresh=!1;let i=new Map;for(let a of t)i.set(a.
 group,[...i.get(a.group)??[],a]);this.presets=c("select",{class:"presets","aria-label":"header.examples",onchange:()=>{let a=t.find(({key:l})=>l===this.presets.
 value);this.fresh=a!==void 0,a&&o.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},c("option",{value:""},"header.examples_2"),[...i].map(([
 a,l])=>c("optgroup",{label:a},l.map(({key:h,title:m})=>c("option",{value:h},m))))),this.undo=Me(W("undo"),"header.undo_z",o.undo),this.redo=Me(W("redo"),"header\
@@ -1138,22 +1138,22 @@ a,l])=>c("optgroup",{label:a},l.map(({key:h,title:m})=>c("option",{value:h},m)))
 compare),this.compare.classList.add("full"),this.right=c("div",{class:"buttons right"},e,Me(W("theme"),"header.dark_or_light_d",o.theme),Me("?","header.keys_and\
 _help",o.help)),this.element=c("header",{class:"top"},c("h1",{},c("span",{class:"logo","aria-hidden":"true"}),c("span",{},"hophoop",c("span",{class:"long"}," ",
 "header.lab"))),this.presets,c("div",{class:"buttons"},this.undo,this.redo,this.compare,s),this.right)}show(t,e){this.undo.disabled=!t.past.length,this.redo.disabled=
-!t.future.length,this.compare.setAttribute("aria-pressed",String(e))}};var bc=["pointerdown","wheel"],_s=class{constructor(t,e){this.clock=t;this.hint=e;this.touches=new AbortController}begin(t){let{signal:e}=this.touches,s=()=>this.
+!t.future.length,this.compare.setAttribute("aria-pressed",String(e))}};var bc=["pointerdown","wheel"],bs=class{constructor(t,e){this.clock=t;this.hint=e;this.touches=new AbortController}begin(t){let{signal:e}=this.touches,s=()=>this.
 end();for(let o of bc)t.addEventListener(o,s,{signal:e,capture:!0,passive:!0});addEventListener("keydown",s,{signal:e,capture:!0}),this.hint.hidden=!1,this.clock.
 run({once:!0})}end(){this.hint.hidden=!0,this.touches.abort()}};var Tr="hophoop-view",yc=new Set(["start.speed","hoop.load_fraction","plane.mu","duration"]),Er=({query:n})=>[...new URLSearchParams(n).keys()].some(t=>!yc.has(
-t)),bs=class{constructor(t,e,s){this.root=t;this.hosted=e;this.changed=s;this.simple=!1;this.button=c("button",{type:"button",class:"view",hidden:!e,onclick:()=>this.
+t)),ys=class{constructor(t,e,s){this.root=t;this.hosted=e;this.changed=s;this.simple=!1;this.button=c("button",{type:"button",class:"view",hidden:!e,onclick:()=>this.
 choose()}),this.more=c("p",{class:"hint beyond",hidden:!0},"shell.this_motion_has_other"," ",c("button",{type:"button",class:"link",onclick:()=>this.choose()},"\
 shell.show_everything"))}get everything(){return st(Tr)==="everything"}open(t,{map:e,more:s,fingerprints:o}){let i=t.length>1||e||s||o?.some(Boolean)||t.some(Er);
 this.turn(this.hosted&&!this.everything&&!i)}choose(){this.turn(!this.simple),nt(Tr,this.simple?"simple":"everything"),this.changed(),this.button.focus({preventScroll:!0})}turn(t){
 this.simple=t,this.root.classList.toggle("simple",t),E(this.button,t?"shell.everything":"shell.simple_view");for(let e of this.root.querySelectorAll("details.gr\
-oup"))t?(e.dataset.open=String(e.open),e.open=!0):e.dataset.open&&(e.open=e.dataset.open==="true")}show(t){this.more.hidden=!this.simple||!t.some(Er)}};var ys=class{constructor(t){this.tabs=["hoops.hoop_a","hoops.hoop_b"].map((e,s)=>c("button",{type:"button","aria-pressed":"false",onclick:()=>t(s)},e)),this.bar=
+oup"))t?(e.dataset.open=String(e.open),e.open=!0):e.dataset.open&&(e.open=e.dataset.open==="true")}show(t){this.more.hidden=!this.simple||!t.some(Er)}};var ws=class{constructor(t){this.tabs=["hoops.hoop_a","hoops.hoop_b"].map((e,s)=>c("button",{type:"button","aria-pressed":"false",onclick:()=>t(s)},e)),this.bar=
 c("div",{class:"tabs",role:"group","aria-label":"hoops.which_hoop_the_controls",hidden:!0},this.tabs),this.text=c("p",{class:"preset-text"}),this.element=c("div",
 {class:"lanes"},this.bar,this.text)}show(t,e){this.bar.hidden=t<2;for(let[s,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(s===e))}};var Ar="hophoop-single-keys",wc=(n,t)=>({" ":()=>n.clock.play(),ArrowLeft:()=>t?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>t?n.transport.jump(1):
 n.transport.nudge(1),Home:()=>n.clock.seek(0),End:()=>n.clock.seek(n.clock.duration),h:()=>n.transport.jump(1,"takeoff"),l:()=>n.transport.jump(1,"impact"),"[":()=>n.
 clock.faster(-1),"]":()=>n.clock.faster(1),t:()=>n.toggle("traces"),f:()=>n.toggle("forces"),c:()=>n.toggle("speed"),a:()=>n.extras.more.turn(),w:()=>n.toggle("\
 whole"),3:()=>n.toggle("three"),"+":()=>n.stage.zoom(1.25),"=":()=>n.stage.zoom(1.25),"-":()=>n.stage.zoom(.8),0:()=>n.stage.zoom(0),z:()=>n.travel(-1),y:()=>n.
 travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function vc(n,t){let e=t.key.toLowerCase();t.altKey||!(e==="z"||e==="y")||(t.
-preventDefault(),n.travel(e==="y"||t.shiftKey?1:-1))}function xc(n){let t=n.share.menu;t.open&&(t.open=!1,t.querySelector("summary")?.focus())}var ws=class{constructor(t){
+preventDefault(),n.travel(e==="y"||t.shiftKey?1:-1))}function xc(n){let t=n.share.menu;t.open&&(t.open=!1,t.querySelector("summary")?.focus())}var vs=class{constructor(t){
 this.on=!t||st(Ar)!=="off";let e=c("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=e.checked,t&&nt(Ar,this.on?"on":"off")}});this.element=c("labe\
 l",{class:"check"},e,"keys.single_keys_letters_digits")}};function kc(n,t){let e=t.target;if(n.root.querySelector("dialog[open]"))return;if(t.key==="Escape"){xc(
 n);return}if(e.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(t.ctrlKey||t.metaKey){vc(n,t);return}if(t.altKey||e.matches?.("select")&&
@@ -1174,7 +1174,7 @@ strokeStyle=a?t.line:t.soft,n.fillStyle=t.soft,n.lineWidth=1,a||n.strokeRect(e+.
 at:u,text:p,strong:d}of r.marks)a&&(n.globalAlpha=d?1:.55,Or(n,[e,Math.round(u)+.5],[m,Math.round(u)+.5]),n.globalAlpha=1),n.fillText(p,e-6,u);n.textBaseline="a\
 lphabetic",n.textAlign="center";for(let{at:u,text:p}of i.marks)Or(n,[u,h],[u,h+4]),n.fillText(p,u,h+15);l?n.fillText(i.name,e+.5*o.width,h+30):(n.textAlign="rig\
 ht",n.fillText(i.name,m,h+27)),n.translate(11,s+.5*o.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(r.name,0,0),n.restore()}function Or(n,t,e){n.beginPath(),
-n.moveTo(...t),n.lineTo(...e),n.stroke()}var Nr=(n,t)=>t?`${T(n)} [${t}]`:T(n);var mo=62,Sc=20,Tc=10,Hr=40,Fr=12,Te=10,Ec=36,Ir=Math.PI/180,bt=["x","y"],vs=class{constructor(t){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(t.
+n.moveTo(...t),n.lineTo(...e),n.stroke()}var Nr=(n,t)=>t?`${T(n)} [${t}]`:T(n);var mo=62,Sc=20,Tc=10,Hr=40,Fr=12,Te=10,Ec=36,Ir=Math.PI/180,bt=["x","y"],xs=class{constructor(t){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(t.
 map(e=>[e.path,e])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=mo}info(t){return this.known.get(this.paths[t])}whole(t){return[...this.info(t).
 range]}home(){for(let t of bt)this.windows[t]=this.whole(t)}choose(t,e){let s=t==="x"?"y":"x";this.paths[s]===e&&(this.paths[s]=this.paths[t]),this.paths[t]=e,this.
 home()}asked(t,e){let[s,o]=this.windows[t];return{path:this.paths[t],from:s,to:o,cells:e}}bounds(t){let{range:e,allowed:s}=this.info(t),o=2*(e[1]-e[0]);return[Math.
@@ -1194,7 +1194,7 @@ t),o=s.degrees?1/Ir:1,[i,r]=this.windows[t].map(p=>p*o),a=z(r-i,e),l=this.deep(t
 e),u=l?` − ${String(h).replace("-","−")}`:"";return{marks:m.map(p=>({at:this[t](p/o),text:l?x(p-h,3):it(p,a)})),name:`${T(s.label)}${u}${s.unit?` [${s.unit}\
 ]`:""}`}}};function qt([n,t],[e,s]){let o=Math.min(t-n,s-e);return n<e?[e,e+o]:t>s?[s-o,s]:[n,t]}function uo(n,t,e,s,o){for(let[i,r]of[[o,4],[s,1.8]])n.strokeStyle=
 i,n.lineWidth=r,n.beginPath(),n.arc(t,e,7,0,2*Math.PI),n.moveTo(t-13,e),n.lineTo(t-4,e),n.moveTo(t+4,e),n.lineTo(t+13,e),n.moveTo(t,e-13),n.lineTo(t,e-4),n.moveTo(
-t,e+4),n.lineTo(t,e+13),n.stroke()}var xs=()=>matchMedia("(hover: none)").matches,Ac=.0018,$r=200,[Lc,Pc]=[1/.6,1/1.7];function yt(n,{zoom:t,home:e,chosen:s=()=>n,keys:o=!1}){return n.addEventListener(
+t,e+4),n.lineTo(t,e+13),n.stroke()}var ks=()=>matchMedia("(hover: none)").matches,Ac=.0018,$r=200,[Lc,Pc]=[1/.6,1/1.7];function yt(n,{zoom:t,home:e,chosen:s=()=>n,keys:o=!1}){return n.addEventListener(
 "wheel",i=>{(i.ctrlKey||i.metaKey||ge(s()))&&(i.preventDefault(),t(Math.exp(-Math.min(Math.max(i.deltaY,-$r),$r)*Ac),i))},{passive:!1}),n.addEventListener("dblc\
 lick",e),o&&n.addEventListener("keydown",i=>{if(i.key==="+"||i.key==="=")t(Lc);else if(i.key==="-")t(Pc);else if(i.key==="0")e();else if(i.key==="Escape")n.blur();else
 return;i.preventDefault(),i.stopPropagation()}),Xi(n,t)}var jr={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},qr=48;function Dr(n){let{body:t}=n,e=!1,s=yt(t,{zoom:(o,i)=>n.axes.box&&n.zoom(1/o,i?po(
@@ -1212,18 +1212,18 @@ though":e&&t.some(s=>Nc.includes(s))?"map.of_starts_in_any":""}var Hc=Math.PI/18
 n.unit]}function $c({classes:n,what:t},e){let[s,o]=[1/0,-1/0];if(n)return[s,o];for(let i of e)i<s&&(s=i),i>o&&(o=i);return[Ic.includes(t)?Math.min(s,0):s,o]}function Wr(n){
 let{values:t}=n.arrays,e=n.header,{x:s,y:o,classes:i}=e,r=new ImageData(s.cells,o.cells),[a,l]=$c(e,t),h=i?.map(({color:u})=>xt(u));for(let u=0;u<o.cells;u++)for(let p=0;p<
 s.cells;p++){let d=t[u*s.cells+p],f=4*((o.cells-1-u)*s.cells+p);if(!Number.isFinite(d))continue;let _=h&&(p+1<s.cells&&t[u*s.cells+p+1]!==d||u+1<o.cells&&t[(u+1)*
-s.cells+p]!==d),g=h?h[d].map(b=>_?.72*b:b):Ge[v(Math.round(255*(d-a)/(l-a||1)),0,255)];r.data.set([...g,255],f)}let m=c("canvas",{width:s.cells,height:o.cells});
+s.cells+p]!==d),g=h?h[d].map(b=>_?.72*b:b):Ue[v(Math.round(255*(d-a)/(l-a||1)),0,255)];r.data.set([...g,255],f)}let m=c("canvas",{width:s.cells,height:o.cells});
 return ft(m).putImageData(r,0,0),{picture:m,header:e,values:t,x:[s.from,s.to],y:[o.from,o.to],low:a,high:l}}function Gr(n,t){let e=(o,i)=>o[0]>=i[0]-1e-300&&o[1]<=
 i[1]+1e-300;return[...n.filter(o=>!(e(o.x,t.x)&&e(o.y,t.y))),t].slice(-Fc)}function Ur({header:n,low:t,high:e,values:s}){let{classes:o}=n;if(!o){let a=c("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=ft(a);for(let u=0;u<120;u++)l.fillStyle=`rgb(${Ge[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
+{width:120,height:10,style:"width:120px;height:10px"}),l=ft(a);for(let u=0;u<120;u++)l.fillStyle=`rgb(${Ue[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
 10);let[h,m]=zr(n);return[c("span",{},n.label,": ",e>=t?x(t*h,3):"map.none"," "),a,c("span",{},e>=t?N(x(e*h,3),m):""),s.some(u=>!Number.isFinite(u))?c("span",{},
 c("i",{class:"blank"}),"map.none"):""]}let i=new Map;for(let a of s)i.set(a,(i.get(a)??0)+1);let r=[...i].filter(([a])=>a>=0).sort((a,l)=>l[1]-a[1]);return[...r.
 slice(0,10).map(([a])=>{let{color:l,text:h}=o[a];return c("span",{},c("i",{style:`background:${l}`,"aria-hidden":"true"}),h)}),r.length>10?c("span",{},{key:"map\
 .and_count_more",values:{count:r.length-10}}):"",o.some(({name:a})=>n.what==="sequence"&&/[SK]/.test(a))?c("span",{class:"hint"},"map.spin_and_skid"):""]}function Kr(n,t){
 for(let{header:e,values:s}of[...n].reverse()){let{x:o,y:i,classes:r}=e,a=Math.floor((t.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor((t.y-i.from)/(i.to-i.from)*
 i.cells);if(a<0||l<0||a>=o.cells||l>=i.cells)continue;let h=s[l*o.cells+a];if(r)return I(r[h]?.text??"map.not_allowed");let[m,u]=zr(e);return Number.isFinite(h)?
-N(x(h*m,4),u):T("map.none")}return"…"}var Vr=[[24,16],[72,48],[216,144]],ks=class{constructor(t,e,{take:s,say:o,changed:i}){this.backend=t;this.pointed=null;this.what="sequence";this.layers=[];this.
-seen=!1;this.onmotion=s,this.say=o,this.changed=i;let r=e.controls.map_axes;this.axes=new vs(r),this.canvas=c("canvas",{class:"plot-canvas"}),this.tip=c("div",{
+N(x(h*m,4),u):T("map.none")}return"…"}var Vr=[[24,16],[72,48],[216,144]],Ms=class{constructor(t,e,{take:s,say:o,changed:i}){this.backend=t;this.pointed=null;this.what="sequence";this.layers=[];this.
+seen=!1;this.onmotion=s,this.say=o,this.changed=i;let r=e.controls.map_axes;this.axes=new xs(r),this.canvas=c("canvas",{class:"plot-canvas"}),this.tip=c("div",{
 class:"tip",hidden:!0}),this.body=c("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"map.map_of_motions_arrow"},this.canvas,this.tip),this.
 keys=c("div",{class:"map-keys"}),this.state=c("span",{class:"hint"});let a=l=>{let h=c("select",{"data-axis":l,onchange:()=>this.setAxis(l,h.value)},r.map(({path:m,
 label:u})=>c("option",{value:m},u)));return h};this.selects={x:a("x"),y:a("y")},this.quantity=c("select",{"aria-label":"map.what_the_map_shows",onchange:()=>{this.
@@ -1231,7 +1231,7 @@ what=this.quantity.value,this.refresh()}},e.map_quantities.map(([l,h])=>c("optio
 _motions"},c("div",{class:"map-head"},c("h2",{},"map.map"),c("label",{},"map.of",this.quantity),c("label",{},"map.across",this.selects.x),c("label",{},"map.up",
 this.selects.y),c("span",{class:"buttons"},c("button",{type:"button","aria-label":"map.zoom_into_the_map",onclick:()=>this.zoom(.5,this.aim())},"+"),c("button",
 {type:"button","aria-label":"map.zoom_out_of_the",onclick:()=>this.zoom(2,this.aim())},"−"),c("button",{type:"button",onclick:()=>this.home()},"map.whole_map")),
-this.state),this.body,this.keys,c("p",{class:"hint"},xs()?"map.click_to_take_that":"map.click_to_take_that_motion")),Dr(this),this.soon=ot(()=>this.refresh(),140),
+this.state),this.body,this.keys,c("p",{class:"hint"},ks()?"map.click_to_take_that":"map.click_to_take_that_motion")),Dr(this),this.soon=ot(()=>this.refresh(),140),
 this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){
 this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let t of bt)this.selects[t].value=this.axes.paths[t]}setAxis(t,e){this.axes.choose(t,e),this.syncSelects(),
 this.refresh()}home(){this.axes.home(),this.refresh()}key_of(t){let e=structuredClone(t);for(let s of Object.values(this.axes.paths)){let[o,i]=s.split(".");e[o]&&
@@ -1250,14 +1250,14 @@ x.map(p=>i.x(p)),[m,u]=a.y.map(p=>i.y(p));e.drawImage(a.picture,l,u,h-l,m-u)}let
 uo(e,i.x(this.pointed.x),i.y(this.pointed.y),"#D55E00",t.paper),e.restore(),i.draw(e,t)}aim(){let t=ge(this.body)&&this.pointed||this.here(),{windows:e}=this.axes;
 return t&&bt.every(o=>t[o]>=e[o][0]&&t[o]<=e[o][1])?t:void 0}here(){let t=s=>{let[o,i]=s.split(".");return this.film.values[s]??this.film.scenario[o]?.[i]},e={x:t(
 this.axes.paths.x),y:t(this.axes.paths.y)};return typeof e.x=="number"&&typeof e.y=="number"?e:null}said(t){return`${this.axes.said(t)}: ${Kr(this.layers,t)}`}take(t){
-this.onmotion([[this.axes.paths.x,t.x],[this.axes.paths.y,t.y]])}zoom(t,e){this.tip.hidden=!0,this.axes.zoom(t,e)&&(this.redraw(),this.soon())}};var Ms=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(t,e="",s=performance.now()){let o=this.now;if(this.now=t,o===
+this.onmotion([[this.axes.paths.x,t.x],[this.axes.paths.y,t.y]])}zoom(t,e){this.tip.hidden=!0,this.axes.zoom(t,e)&&(this.redraw(),this.soon())}};var Ss=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(t,e="",s=performance.now()){let o=this.now;if(this.now=t,o===
 null||Ee(o,t))return"same";let i=e!==""&&e===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=e,this.when=s,this.future=[],i?"again":(this.past.push(
 o),this.past.length>500&&this.past.shift(),"step")}touch(t,e){t===this.what&&e-this.when<1e3&&(this.when=e)}written(){return JSON.stringify({past:this.past.slice(
 -100),now:this.now,future:this.future.slice(-100)})}restore(t){if(!t||!this.now)return;let{past:e,now:s,future:o}=JSON.parse(t);s&&Ee(s,this.now)&&Object.assign(
 this,{past:e,future:o})}holds(t){return this.now!==null&&Ee(this.now,t)}next(t){return(t<0?this.past:this.future).at(-1)??null}step(t){let[e,s]=t<0?[this.past,this.
 future]:[this.future,this.past],o=e.pop();!o||!this.now||(s.push(this.now),this.now=o,this.what="")}arrive(t){if(!(this.now&&Ee(this.now,t))){for(let e of[-1,1]){
 let s=e<0?this.past:this.future,o=s.length-s.findLastIndex(i=>Ee(i,t));if(!(o>s.length)){for(let i=0;i<o;i++)this.step(e);return}}Object.assign(this,{past:[],future:[],
-now:t,what:""})}}},Ee=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var jc=1e-6,Ss=class{constructor(t,e){this.backend=t;this.listener=e;this.history=new Ms;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(t=this.active){
+now:t,what:""})}}},Ee=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var jc=1e-6,Ts=class{constructor(t,e){this.backend=t;this.listener=e;this.history=new Ss;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(t=this.active){
 return this.lanes[t].film}films(){return this.lanes.map(t=>t.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([t])=>t))}name(){return this.
 lanes.length>1?"AB"[this.active]:""}filmOf(t){let e=new It(t);return(t.exact||t.samples?null:this.backend.exact(e.scenario))?.then(o=>{Object.assign(e,o,{latest:null}),
 this.listener.refined()}).catch(()=>{}),e}set(t){this.lanes=t.map(e=>({film:this.filmOf(e)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(t){
@@ -1274,28 +1274,28 @@ e),this.history.step(t),await this.listener.travelled(t),this.listener.shown(),t
 load(t),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(t){return this.going=this.going.then(t).then(()=>!0,
 e=>(this.listener.failed(e),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.
 active,1),this.active=0),this.listener.shown(),this.note()}choose(t){this.active=t,this.listener.shown(),this.listener.noted("same")}link(t=""){let s=[this.lanes.
-length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",t].filter(Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var qc=6e3,Ts=class{constructor(){this.message=c("p",{class:"message",role:"alert",hidden:!0});this.toast=c("div",{class:"toast",role:"status",hidden:!0});this.
+length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",t].filter(Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var qc=6e3,Es=class{constructor(){this.message=c("p",{class:"message",role:"alert",hidden:!0});this.toast=c("div",{class:"toast",role:"status",hidden:!0});this.
 timer=0}fail(t,e=""){let s=K(t);this.message.replaceChildren(...[s,...e?[" ",e]:[]].map(fe)),this.message.hidden=!1,this.seen()||this.say(s,this.message.isConnected)}seen(){
 let{top:t,bottom:e,height:s}=this.message.getBoundingClientRect();return this.message.isConnected&&s>0&&t>=0&&e<=innerHeight}clear(){this.message.hidden=!0}say(t,e=!1){
 this.toast.setAttribute("role",e?"presentation":"status"),E(this.toast,t),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=
-!0},qc)}};var R=52,Es=10,A=8,As=30;function Yr(n,t){if(!n.length)return[0,1];let e=Float64Array.from(n).sort(),[s,o]=[e[0],e[e.length-1]],[i,r]=[e[Math.floor(.02*e.length)],
+!0},qc)}};var C=52,Ae=10,A=8,As=30;function Yr(n,t){if(!n.length)return[0,1];let e=Float64Array.from(n).sort(),[s,o]=[e[0],e[e.length-1]],[i,r]=[e[Math.floor(.02*e.length)],
 e[Math.ceil(.98*e.length)-1]],a=Math.max(r-i,1e-12);o>r+4*a&&(o=r+.6*a),s<i-4*a&&(s=i-.6*a),s=Math.min(s,0),o=Math.max(o,0),t&&([s,o]=[-Math.max(-s,o),Math.max(
 -s,o)]);let l=.06*(o-s)||1;return[s<0?s-l:s,o+l]}function Jr(n,t){let{look:e,box:s,heights:o,range:i}=t,r=Math.max(s.height/28,4);for(;at(o[0],o[1],r).length<3&&
-r<12;)r+=1;let a=z(o[1]-o[0],r),l=s.width/70,h=z(i[1]-i[0],l),{name:m,unit:u}=D[t.shared.axis];Kt(n,e,{left:R,top:A,box:s},{up:{marks:at(o[0],o[1],r).map(p=>({at:t.
+r<12;)r+=1;let a=z(o[1]-o[0],r),l=s.width/70,h=z(i[1]-i[0],l),{name:m,unit:u}=D[t.shared.axis];Kt(n,e,{left:C,top:A,box:s},{up:{marks:at(o[0],o[1],r).map(p=>({at:t.
 y(p),text:it(p,a),strong:Math.abs(p)<1e-9*a})),name:T(t.unit)},across:{marks:at(i[0],i[1],l).map(p=>({at:t.x(p),text:it(p,h)})),name:Nr(m,u)},lines:!0})}var{letters:Dc}=S.words;function Xr(n,t,e){let s=n.length/t,o=c("canvas",{width:t,height:s}),i=new ImageData(t,s);for(let r=0;r<s;r++)for(let a=0;a<t;a++){let l=Dc[n[r*
 t+a]],h=xt(e[l]??"#6E6E6E"),m=4*((s-1-r)*t+a);i.data.set([...h,255],m)}return ft(o).putImageData(i,0,0),o}var Bc=2;function Qr(n,t,e){let s=e.length/2,[o,i,r]=[
 A,v(t.y(0),A,A+t.box.height),A+t.box.height];n.strokeStyle=pe(t.look.dark?"#ffffff":"#000000",.28),n.lineWidth=1;for(let[a,l,h]of[[0,i,r],[s,o,i]])for(let m=0;m<
 s;m++){let u=e[a+m];if(!u)continue;let p=m;for(;p<s&&e[a+p]===u;)p++;let d=t.x(m*2*Math.PI/s),f=t.x(p*2*Math.PI/s);n.save(),n.beginPath(),n.rect(d,l,f-d,h-l),n.
 clip(),n.beginPath();let{height:_}=t.box;for(let g=-_;g<f-d+_;g+=7)for(let b of u===Bc?[!0,!1]:[u>0])n.moveTo(d+g,b?r:o),n.lineTo(d+g+_,b?o:r);n.stroke(),n.restore(),
 m=p}}function Zr(n,t){let{look:e,box:s}=t,[o,i]=t.range.map(h=>h*180/Math.PI),r=i-o>200?45:z(i-o,6),a=[];for(let h=Math.ceil(o/r-1e-9);h*r<=i+1e-9;h++)a.push(h*
-r);let l=z(t.top()-t.bottom(),5);Kt(n,e,{left:R,top:A,box:s},{across:{marks:a.map(h=>({at:t.x(h*Math.PI/180),text:it(h,r)})),name:T("phase.angle_theta_within_a")},
+r);let l=z(t.top()-t.bottom(),5);Kt(n,e,{left:C,top:A,box:s},{across:{marks:a.map(h=>({at:t.x(h*Math.PI/180),text:it(h,r)})),name:T("phase.angle_theta_within_a")},
 up:{marks:at(t.bottom(),t.top(),5).map(h=>({at:t.y(h),text:it(h,l)})),name:"θ̇ [rad/s]"}})}var Ls={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ps(n,t="solid"){let e=c("i",{class:"swatch","aria-hidden":"true"});if(e.style.borderTopColor=
 n??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[t],t==="long"||t==="mixed"){let s=0,o=Ls[t].map((i,r)=>(s+=
 i,`${r%2?"transparent":n??"var(--ink)"} ${s-i}px ${s}px`));e.style.height="2.5px",e.style.width="28px",e.style.background=`repeating-linear-gradient(90deg, ${o.
 join(", ")})`}return e}var Cs=class{constructor(t,e,s){this.backend=t;this.clock=e;this.colors=s;this.canvas=c("canvas",{class:"plot-canvas"});this.over=c("canvas",{class:"plot-canvas\
  plot-over"});this.keys=c("div",{class:"plot-keys"});this.hatched=c("span",{hidden:!0},"phase.hatched"," ");this.asked="";this.body=c("div",{class:"plot-body",role:"\
 figure",tabindex:"0","aria-label":"phase.plane_of_angle_and"},this.canvas,this.over),this.element=c("section",{class:"phase"},c("header",{},c("h3",{},"phase.pla\
-ne_of_theta_and"),this.keys),this.body,c("p",{class:"hint"},"phase.colours"," ",this.hatched,xs()?"phase.click_to_go_there":"phase.click_to_go_there_once")),this.
+ne_of_theta_and"),this.keys),this.body,c("p",{class:"hint"},"phase.colours"," ",this.hatched,ks()?"phase.click_to_go_there":"phase.click_to_go_there_once")),this.
 body.addEventListener("pointerdown",o=>this.seek(o)),this.pinched=yt(this.body,{zoom:(o,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/o),home:()=>this.
 home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ot(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),o=JSON.stringify([t.hoop,t.plane,s]);if(o!==this.
 asked){let i=await this.painted(t,[0,2*Math.PI,-s,s],e);this.asked=o,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.
@@ -1305,15 +1305,15 @@ modes:o,paradox:i}=await this.backend.regions(t,e,s);return s?.throwIfAborted(),
 reached}findReach(){let t=0;for(let s of this.films??[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();t=Math.max(t,o[Math.floor(
 .99*(o.length-1))]??0)}let e=z(Math.max(t,1)*1.15,4);return Math.ceil(Math.max(t,1)*1.12/e)*e}home(){this.range=[0,2*Math.PI],this.window=null,this.wholeAgain(),
 this.redraw()}isWhole(){let[t,e]=this.range;return e-t>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.
-abort(),this.pictures?.splice(1)}point(t){let e=this.body.getBoundingClientRect(),s=((t.clientX-e.left)/this.look.px-R)/this.box.width,o=1-((t.clientY-e.top)/this.
+abort(),this.pictures?.splice(1)}point(t){let e=this.body.getBoundingClientRect(),s=((t.clientX-e.left)/this.look.px-C)/this.box.width,o=1-((t.clientY-e.top)/this.
 look.px-A)/this.box.height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.
 range[1]),.5*(this.bottom()+this.top())]}zoomAbout([t,e],s){let o=Math.max(t-(t-this.range[0])*s,0),i=Math.min(t+(this.range[1]-t)*s,2*Math.PI),r=this.reach(),a=Math.
 max(e-(e-this.bottom())*s,-r),l=Math.min(e+(this.top()-e)*s,r);this.range=[o,i],this.window=[a,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){
 return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(t,e,s){
 this.films=t,this.active=e,this.look=s,this.reached=this.findReach(),this.forwards=t.some(o=>o.columns.omega.some(i=>i>.3)),this.backwards=t.some(o=>o.columns.omega.
-some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return R+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){
+some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return C+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){
 return A+(1-(t-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:t,look:e}=this,{context:s,width:o,height:i}=B(
-this.canvas,e.px);if(this.box={width:o-R-Es,height:i-A-As},s.clearRect(0,0,o,i),s.save(),s.beginPath(),s.rect(R,A,this.box.width,this.box.height),s.clip(),this.
+this.canvas,e.px);if(this.box={width:o-C-Ae,height:i-A-As},s.clearRect(0,0,o,i),s.save(),s.beginPath(),s.rect(C,A,this.box.width,this.box.height),s.clip(),this.
 pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:l}of this.pictures){let[h,m,u,p]=l,d=[this.x(h),this.y(p),this.x(m)-this.x(h),this.y(u)-this.y(p)];
 s.fillStyle=e.panel,s.fillRect(d[0],d[1],d[2],d[3]),s.globalAlpha=.35,s.drawImage(a,d[0],d[1],d[2],d[3]),s.globalAlpha=1}let{paradox:r}=this.pictures[0];Qr(s,this,
 r),this.hatched.hidden=!r.some(a=>a!==0)}for(let[r,a]of this.films.entries())this.way(s,a,r);if(s.restore(),Zr(s,this),this.keyed!==e.dark){this.keyed=e.dark;let r=Object.
@@ -1324,7 +1324,7 @@ m*a;if(l===null)t.moveTo(this.x(u),this.y(i[h]));else if(m!==l.lap){let p=m>l.la
 this.x(u),this.y(i[h]))}else t.lineTo(this.x(u),this.y(i[h]));l={lap:m,mode:r[h]}}t.stroke(),t.setLineDash([])}spot({angle:t,omega:e}){let s=2*Math.PI;return[this.
 x(t-Math.floor(t/s)*s),this.y(e)]}cursor(t){if(!this.films||!this.box)return;let{context:e,width:s,height:o}=B(this.over,this.look.px);e.clearRect(0,0,s,o);let{
 pointed:i}=this.clock;if(i!==null){let[r,a]=this.spot(this.films[this.active].at(i));e.strokeStyle=this.look.ink,e.lineWidth=1.5;for(let l of[6,10])e.beginPath(),
-e.arc(r,a,l,0,2*Math.PI),e.stroke()}this.films.forEach((r,a)=>{let l=r.at(t),[h,m]=this.spot(l);h>=R&&h<=R+this.box.width&&m>=A&&m<=A+this.box.height&&(e.beginPath(),
+e.arc(r,a,l,0,2*Math.PI),e.stroke()}this.films.forEach((r,a)=>{let l=r.at(t),[h,m]=this.spot(l);h>=C&&h<=C+this.box.width&&m>=A&&m<=A+this.box.height&&(e.beginPath(),
 e.arc(h,m,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.modes[l.mode],e.fill(),e.lineWidth=2,e.strokeStyle=this.films.length>1?pt(a,this.look.dark):this.look.ink,
 e.stroke(),!(this.films.length<2)&&(e.font=`700 12px ${this.look.font}`,e.textAlign="left",e.fillStyle=e.strokeStyle,e.fillText("AB"[a],h+8,m-6)))})}seek(t){let e=this.
 body.getBoundingClientRect(),[s,o]=[t.clientX-e.left,t.clientY-e.top].map(m=>m/this.look.px);if(this.pinched())return;let i=this.films[this.active],{angle:r,omega:a}=i.
@@ -1338,16 +1338,16 @@ plot":t},c("header",{},c("h3",{},e),this.keys),this.body),this.body.addEventList
 films&&this.zoomAbout(h?this.valueAt(h):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(t){return D[this.shared.axis].values(
 t)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.duration),1e-9)];let[t,e]=[1/0,-1/0];for(let s of this.films)for(let o of this.
 abscissa(s))o<t&&(t=o),o>e&&(e=o);return e>t?[t,e]:[t-1,e+1]}take(t,e,s){this.films=t,this.active=e,this.look=s,this.range=this.shared.range??this.fullRange(),this.
-legend(this.shades(t[e],e),s.dark)}draw(t){let{films:e,active:s}=this,{context:o,width:i,height:r}=B(this.canvas,this.look.px);this.box={width:i-R-Es,height:r-A-
+legend(this.shades(t[e],e),s.dark)}draw(t){let{films:e,active:s}=this,{context:o,width:i,height:r}=B(this.canvas,this.look.px);this.box={width:i-C-Ae,height:r-A-
 As},o.clearRect(0,0,i,r);let a=e.flatMap((h,m)=>this.shades(h,m).map((u,p)=>({...u,film:h,lane:m,number:p})).filter((u,p,d)=>this.compares(u,m,d.length)));this.
-heights=this.limits??this.findHeights(a),this.shared.axis==="time"&&this.bands(o,e[s],t),Jr(o,this),o.save(),o.beginPath(),o.rect(R,A,this.box.width,this.box.height),
+heights=this.limits??this.findHeights(a),this.shared.axis==="time"&&this.bands(o,e[s],t),Jr(o,this),o.save(),o.beginPath(),o.rect(C,A,this.box.width,this.box.height),
 o.clip();for(let h of a)this.curve(o,h);let l=e.map((h,m)=>a.find(u=>u.lane===m));if(e.length>1)for(let h of l)h&&this.letter(o,h);this.cut&&this.tell(o,T("plot\
 .cut",this.cut)),o.restore(),this.describe(a)}shades(t,e){let{dark:s}=this.look;if(this.films.length<2)return this.curves(t).map(i=>({...i,color:i.color&&de(i.color,
 s)}));let o=Object.keys(Ls);return this.curves(t).map((i,r)=>({...i,color:pt(e,s),dash:o[r%o.length]}))}compares({name:t},e,s){return e===this.active||s<=2||t===
-"total"}x(t){return R+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return A+(1-(t-this.heights[0])/(this.heights[1]-this.heights[0]))*this.
+"total"}x(t){return C+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return A+(1-(t-this.heights[0])/(this.heights[1]-this.heights[0]))*this.
 box.height}findHeights(t){let e=[];for(let{film:r,values:a}of t){let l=this.abscissa(r);for(let h=0;h<a.length;h++)l[h]>=this.range[0]&&l[h]<=this.range[1]&&Number.
 isFinite(a[h])&&e.push(a[h])}let s=Yr(e,this.symmetric),[o,i]=e.reduce(([r,a],l)=>[Math.min(r,l),Math.max(a,l)],s);return this.cut=o<s[0]||i>s[1]?{low:x(o,3),high:x(
-i,3)}:null,s}bands(t,e,s){for(let o of e.phases){let i=v(this.x(o.from),R,R+this.box.width),r=v(this.x(o.to),R,R+this.box.width);r<=i||(t.fillStyle=pe(s.modes[o.
+i,3)}:null,s}bands(t,e,s){for(let o of e.phases){let i=v(this.x(o.from),C,C+this.box.width),r=v(this.x(o.to),C,C+this.box.width);r<=i||(t.fillStyle=pe(s.modes[o.
 mode],.14),t.fillRect(i,A,r-i,this.box.height))}}curve(t,{film:e,color:s,dash:o,number:i}){let[r,a]=[[],[]];for(let u of e.pieces()){let p=this.abscissa(u.film),
 {values:d}=this.curves(u.film)[i];for(let f=u.from;f<u.to;f++)r.push(this.x(p[f])),a.push(v(this.y(d[f]),-1e4,1e4))}t.strokeStyle=t.fillStyle=s??this.look.ink,t.
 lineWidth=1.8,t.setLineDash(Ls[o??"solid"]);let l=ta(r,a),h=ea(l),m=h?l.map(u=>u&&[u.x+.5,u.middle]):r.map((u,p)=>Number.isFinite(u+a[p])?[u,a[p]]:null);if(h){t.
@@ -1355,25 +1355,25 @@ globalAlpha=.28;for(let u of l)u&&t.fillRect(u.x,u.low,1,u.high-u.low);t.globalA
 ...p);t.stroke(),t.setLineDash([])}letter(t,{film:e,lane:s,values:o,color:i}){let r=this.abscissa(e),a=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=r.
 findIndex(u=>u>=a);if(l<0||!Number.isFinite(o[l]))return;let[h,m]=[this.x(r[l]),v(this.y(o[l])-8,A+10,A+this.box.height-4)];t.font=`700 12px ${this.look.font}`,
 t.textAlign="center",t.lineWidth=4,t.strokeStyle=this.look.panel,t.strokeText("AB"[s],h,m),t.fillStyle=i??this.look.ink,t.fillText("AB"[s],h,m)}tell(t,e){t.font=
-Se(this.look),t.textAlign="left",t.lineWidth=4,t.strokeStyle=this.look.panel,t.strokeText(e,R+6,A+11),t.fillStyle=this.look.ink,t.fillText(e,R+6,A+11)}legend(t,e){
+Se(this.look),t.textAlign="left",t.lineWidth=4,t.strokeStyle=this.look.panel,t.strokeText(e,C+6,A+11),t.fillStyle=this.look.ink,t.fillText(e,C+6,A+11)}legend(t,e){
 let s=t.map(o=>o.name+o.color+o.dash).join()+e;this.named!==s&&(this.named=s,this.values=t.map(()=>c("span",{class:"value"})),this.keys.replaceChildren(...t.map(
 (o,i)=>c("span",{class:"plot-key"},Ps(o.color,o.dash),o.name," ",this.values[i]))))}describe(t){let e=t.slice(0,6).map(({name:o,values:i,lane:r})=>{let[a,l]=[1/0,
 -1/0];for(let d of i)d<a&&(a=d),d>l&&(l=d);let h=this.films.length>1?`${"AB"[r]}: `:"",m=1e-12*Math.max(-a,l),u=d=>x(Math.abs(d)<m?0:d,3),p={name:T(o),low:u(a),
 high:u(l)};return l>=a?`${h}${T("diagram.name_from_low_to",p)}`:""}),s=T("diagram.diagram_title_in_unit",{title:T(this.title),unit:T(this.unit)});this.body.setAttribute(
 "aria-label",`${s} ${e.filter(Boolean).join("; ")}.`)}cursor(t){if(!this.heights)return;let{context:e,width:s,height:o}=B(this.over,this.look.px);e.clearRect(0,
-0,s,o),this.films.forEach((r,a)=>{let l=r.moment(t),h=this.x(this.abscissa(l)[0]),m=h>=R-1&&h<=R+this.box.width+1;m&&(e.strokeStyle=this.look.soft,e.lineWidth=1,
+0,s,o),this.films.forEach((r,a)=>{let l=r.moment(t),h=this.x(this.abscissa(l)[0]),m=h>=C-1&&h<=C+this.box.width+1;m&&(e.strokeStyle=this.look.soft,e.lineWidth=1,
 e.beginPath(),e.moveTo(h,A),e.lineTo(h,A+this.box.height),e.stroke()),this.shades(l,a).forEach((u,p,d)=>{if(!this.compares(u,a,d.length))return;let f=u.values[0];
 a===this.active&&this.values?.[p]&&(this.values[p].textContent=x(f,l.sure?3:2));let _=this.y(f);!m||!(_>=A-1&&_<=A+this.box.height+1)||(e.fillStyle=u.color??this.
 look.ink,e.beginPath(),e.arc(h,_,3.2,0,2*Math.PI),e.fill())})});let{pointed:i}=this.shared.clock;if(i!==null&&this.shared.axis==="time"&&(e.strokeStyle=this.look.
 ink,e.setLineDash([4,3]),e.strokeRect(this.x(i),A,0,this.box.height),e.setLineDash([])),this.picked){let[r,a]=this.picked;e.fillStyle=pe("#0072B2",.2),e.fillRect(
-Math.min(r,a),A,Math.abs(a-r),this.box.height)}}valueAt(t){let e=this.body.getBoundingClientRect(),s=v(((t.clientX-e.left)/this.look.px-R)/this.box.width,0,1);return this.
-range[0]+s*(this.range[1]-this.range[0])}press(t){if(!this.films)return;let e=this.body.getBoundingClientRect(),s=(t.clientX-e.left)/this.look.px,o=this.valueAt(
-t),i=this.pinched(),r=a=>{if(i||=this.pinched(),i)return;let l=(a.clientX-e.left)/this.look.px;this.picked=t.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,t.
-pointerType!=="mouse"&&this.seek(this.valueAt(a)),this.cursor(this.shared.clock.time)};X(this.body,t,r,(a,l)=>{let h=this.valueAt(a),{picked:m}=this;this.picked=
-null,m&&l?this.zoomTo(o<h?[o,h]:[h,o]):m?this.cursor(this.shared.clock.time):l&&!i&&this.seek(t.pointerType==="mouse"?o:h)})}seek(t){if(this.shared.axis==="time")
-return this.onseek(t);let e=this.films[this.active],s=this.abscissa(e),o=0;for(let i=0;i<s.length;i++)Math.abs(s[i]-t)<Math.abs(s[o]-t)&&(o=i);return this.onseek(
-e.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){let s=this.fullRange(),o=Math.max(t-(t-this.range[0])*e,s[0]),i=Math.min(t+(this.range[1]-
-t)*e,s[1]);this.zoomTo(o<=s[0]&&i>=s[1]?null:[o,i])}zoomTo(t){this.shared.range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};var fo=n=>Object.entries(D).map(([t,e])=>c("option",{value:t},n(e)));function sa(n){let t="height",e=new Vt({key:"own",title:"diagram.your_choice",unit:"",curves:i=>[
+Math.min(r,a),A,Math.abs(a-r),this.box.height)}}valueAt(t){let e=this.body.getBoundingClientRect(),{px:s}=this.look,o=v(((t.clientX-e.left)/s-C)/(e.width/s-C-Ae),
+0,1);return this.range[0]+o*(this.range[1]-this.range[0])}press(t){if(!this.films)return;let e=this.body.getBoundingClientRect(),s=(t.clientX-e.left)/this.look.
+px,o=this.valueAt(t),i=this.pinched(),r=a=>{if(i||=this.pinched(),i)return;let l=(a.clientX-e.left)/this.look.px;this.picked=t.pointerType==="mouse"&&Math.abs(l-
+s)>5?[s,l]:null,t.pointerType!=="mouse"&&this.seek(this.valueAt(a)),this.cursor(this.shared.clock.time)};X(this.body,t,r,(a,l)=>{let h=this.valueAt(a),{picked:m}=this;
+this.picked=null,m&&l?this.zoomTo(o<h?[o,h]:[h,o]):m?this.cursor(this.shared.clock.time):l&&!i&&this.seek(t.pointerType==="mouse"?o:h)})}seek(t){if(this.shared.
+axis==="time")return this.onseek(t);let e=this.films[this.active],s=this.abscissa(e),o=0;for(let i=0;i<s.length;i++)Math.abs(s[i]-t)<Math.abs(s[o]-t)&&(o=i);return this.
+onseek(e.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){let s=this.fullRange(),o=Math.max(t-(t-this.range[0])*e,s[0]),i=Math.min(t+(this.
+range[1]-t)*e,s[1]);this.zoomTo(o<=s[0]&&i>=s[1]?null:[o,i])}zoomTo(t){this.shared.range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};var fo=n=>Object.entries(D).map(([t,e])=>c("option",{value:t},n(e)));function sa(n){let t="height",e=new Vt({key:"own",title:"diagram.your_choice",unit:"",curves:i=>[
 {name:D[t].name,values:D[t].values(i)}]},n),s=()=>{let{symbol:i,unit:r}=D[t];e.unit=r?`${i} [${r}]`:i},o=c("select",{"aria-label":"diagram.what_your_diagram_sho\
 ws",onchange:()=>{t=o.value,s(),n.changed()}},fo(gr));return o.value=t,s(),e.element.querySelector("h3")?.after(o),e}function zc(n){return[{key:"velocities",title:"diagram.velocities",unit:"diagram.velocity_m_s",curves:t=>[{name:"diagram.v_centre",color:n.center_speed,values:t.
 columns.vx},{name:"R θ̇",color:n.rotation_speed,dash:"dash",values:t.derived("spin",({omega:e})=>Float64Array.from(e,s=>s*t.radius))}]},{key:"energies",title:"\
@@ -1396,7 +1396,7 @@ t.take(this.films,this.active,this.look);for(let t of this.visible())t.draw(this
 t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var Wc={python:"fingerprint.same_bits_as_in",link:"fingerprint.same_bits_as_where"},Gc={python:"fingerprint.the_bits_differ_own",link:"fingerprint.the_bits_diff\
 er_own_here"},Os=class{constructor(t){this.link=new Map;this.python=new Map(t.map(({key:e,query:s})=>[s,S.fingerprints[e]]))}expect(t,e){for(let[s,{query:o}]of t.
 entries())e[s]&&this.link.set(o,e[s])}expected(t){return t.map(({query:e})=>this.link.get(e)??"")}of({query:t,fingerprint:e}){return e?["python","link"].flatMap(
-s=>{let o=this[s].get(t);if(!o)return[];let i=e===o;return[{same:i,text:i?Wc[s]:{key:Gc[s],values:{own:e,other:o}}}]}):[]}};var na=n=>new URL(`${n}?8b07b5a1b58cd5cd0a8237518072a035`,import.meta.url).href,oa=()=>import(na("stage3d.js")),ia=()=>import(na("svg.js")),Ns=n=>n.catch(()=>{throw new Error(
+s=>{let o=this[s].get(t);if(!o)return[];let i=e===o;return[{same:i,text:i?Wc[s]:{key:Gc[s],values:{own:e,other:o}}}]}):[]}};var na=n=>new URL(`${n}?ffed6a535371fa98a0ae1f5c8a376399`,import.meta.url).href,oa=()=>import(na("stage3d.js")),ia=()=>import(na("svg.js")),Ns=n=>n.catch(()=>{throw new Error(
 "page.not_loaded")});var Uc=3840;async function ra(n){let{width:t,height:e}=n.stage.canvas().getBoundingClientRect(),s=Math.max(Uc/t,globalThis.devicePixelRatio||1),o=c("canvas",{width:Math.
 round(t*s),height:Math.round(e*s)}),i=ft(o);return i.setTransform(s,0,0,s,0,0),go(i,n,t,e),n.stage.options.three?(i.drawImage(n.stage.sharp(n,s),0,0,t,e),n.drawStage()):
 ha(i,n,t,e),_o(i,n,e),new Promise((r,a)=>o.toBlob(l=>l?r(l):a(new Error("save.the_picture_is_too"))))}async function aa(n){if(n.stage.options.three)throw new Error(
@@ -1451,7 +1451,7 @@ t":"right",e.lineWidth=3,e.strokeStyle=o.paper;let f=`${x(t.x-this.focus[0],3)} 
 pose:e,context:s,look:o,colors:i,scale:r}=this,a=t.radius,l=v(.07*a*r,2,14),h=a-.5*l/r,m=[e.x,a+e.height],u=(g,b=h)=>this.point(m[0]+b*Math.sin(g),m[1]+b*Math.cos(
 g));if(s.lineCap="butt",o.dark&&(s.strokeStyle=o.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(m[0],m[1]),h*r,0,2*Math.PI),s.stroke()),this.options.speed){
 let g=this.common.speed;s.lineWidth=l;let b=2*Math.PI/ma;for(let y=0;y<ma;y++){let k=e.angle+y*b,M=Math.hypot(e.vx+a*e.omega*Math.cos(k+.5*b),e.vy-a*e.omega*Math.
-sin(k+.5*b));s.strokeStyle=Ue[v(Math.round(255*M/g)||0,0,255)],s.beginPath(),s.moveTo(...u(k-.04*b)),s.lineTo(...u(k+1.04*b)),s.stroke()}}else s.strokeStyle=i.modes[e.
+sin(k+.5*b));s.strokeStyle=Ke[v(Math.round(255*M/g)||0,0,255)],s.beginPath(),s.moveTo(...u(k-.04*b)),s.lineTo(...u(k+1.04*b)),s.stroke()}}else s.strokeStyle=i.modes[e.
 mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(m[0],m[1]),h*r,0,2*Math.PI),s.stroke();s.strokeStyle=o.soft,s.lineWidth=1,s.beginPath(),s.moveTo(...this.point(
 m[0],m[1])),s.lineTo(...u(e.angle)),s.stroke();let p=(g,b,y,k)=>{s.beginPath(),s.arc(...g,b,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=1.5,s.strokeStyle=k,
 s.stroke()};p(this.point(m[0],m[1]),2.5,o.soft,o.soft);let d=t.scenario.hoop.parts;d?this.parts(d,m):p(u(e.angle),v(.1*a*r,4,16),o.ink,o.paper);let f=t.eccentricity*
@@ -1481,7 +1481,7 @@ lane===p&&d.ghost(u.at(this.pointed.time)),this.over(d,p),o.length>1&&(d.mark("A
 t.textAlign="left",t.fillText("AB"[p],12,h-12)),t.restore(),p>0&&(t.fillStyle=a.line,t.fillRect(0,p*h-.5,e,1)),d})}};var Vc=["player.hoop","table.mode","column.time","column.angle","v","R θ̇","player.gap"],$s=class{constructor(t,e){this.colors=t;this.onview=e;this.options={traces:!0,
 forces:!0,speed:!0,whole:!1,three:!1,ahead:!1};this.plane=c("canvas",{class:"stage-canvas"});this.space=c("canvas",{class:"stage-canvas",hidden:!0});this.flat=new Is(
 this.plane,this.onview);this.deep=null;this.outputs=Vc.map(o=>({name:c("dt",{},o),value:c("dd",{})})),this.outputs[1].value.className="mode",this.fastest=c("spa\
-n",{}),this.legend=c("div",{class:"legend","aria-hidden":"true"},c("i",{style:`background: linear-gradient(90deg, ${Ue.filter((o,i)=>i%15===0).join(",")})`}),c(
+n",{}),this.legend=c("div",{class:"legend","aria-hidden":"true"},c("i",{style:`background: linear-gradient(90deg, ${Ke.filter((o,i)=>i%15===0).join(",")})`}),c(
 "span",{},"0"),c("span",{},"player.rim_speed"),this.fastest);let s=(o,i)=>c("span",{},c("i",{class:"dot",style:`background:${o}`}),i);this.order=c("span",{hidden:!0},
 "player.a_in_front_b"),this.element=c("div",{class:"stage",role:"figure","aria-label":"player.the_hoop",tabindex:"0"},this.plane,this.space,c("dl",{class:"reado\
 ut","aria-hidden":"true"},this.outputs.flatMap(({name:o,value:i})=>[o,i])),this.legend,c("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","player.\
@@ -1563,15 +1563,15 @@ t>o+1e-9):s.findLast(({event:m})=>m.t<o-1e-9);if(!i&&e&&(i=s[0]),!i){e&&this.say
 return}this.clock.seek(i.event.t);let{event:r,lane:a}=i,h={key:"player.what_at_angle_time",values:{what:kt(r.kind),angle:q(r.angle),time:x(r.t,4)}};this.tell(this.
 films().length>1?[["hoops.hoop_a","hoops.hoop_b"][a],": ",h]:h)}};var da="hophoop-steps",Yt=class{constructor(t,e,s,{hosted:o=!1,panels:i=null,onmotion:r=()=>{}}={}){this.root=t;this.backend=e;this.requested=!1;this.surrounding=
 !1;this.taken=null;this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=o,this.onmotion=r,Cr(t,o);let{colors:a}=s;this.known=s.presets,
-this.sameness=new Os(s.presets),this.clock=new Ye,this.motions=new Ss(e,{shown:m=>this.changed(m),refined:()=>this.request(),settled:()=>this.story.announce(this.
-films()),noted:m=>this.noted(m),travelled:async m=>this.address?.travel(m),failed:(m,u)=>this.failed(m,u)}),this.notice=new Ts,this.address=o?new Ke(this.motions,
+this.sameness=new Os(s.presets),this.clock=new Je,this.motions=new Ts(e,{shown:m=>this.changed(m),refined:()=>this.request(),settled:()=>this.story.announce(this.
+films()),noted:m=>this.noted(m),travelled:async m=>this.address?.travel(m),failed:(m,u)=>this.failed(m,u)}),this.notice=new Es,this.address=o?new Ve(this.motions,
 this.notice,()=>this.link()):null,this.theme=new Ds(t,a,o,()=>this.show()),this.stage=new $s(a,()=>{this.request(),this.address?.soon()}),this.transport=new zs(
 this.clock,()=>this.films(),m=>this.toggle(m),m=>this.notice.say(m),m=>this.story.say(m)),this.timeline=new Bs(this.clock),this.story=new js(this.clock),this.theory=
-new qs,this.plots=new Rs(this.clock,a),this.phase=new Cs(e,this.clock,a),this.map=new ks(e,s,{take:m=>{this.clock.time=0,this.motions.change(m,!0)},say:m=>this.
-story.say(m),changed:()=>this.address?.soon()}),this.controls=new Qe(s.controls,(m,u)=>this.motions.change(m,u)),this.share=new Hs(this),this.singleKeys=new ws(
-o),this.about=br(s.version,o),this.help=yr(this.about,a,this.singleKeys.element),this.view=new bs(t,o,()=>this.show()),this.hoops=new ys(m=>this.motions.choose(
-m)),this.header=new gs(s.presets,this.share.menu,this.view.button,{take:m=>this.take(m),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.
-compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.extras=new fs(this),this.opening=new _s(this.clock,this.extras.grips.hint);let{player:l,
+new qs,this.plots=new Rs(this.clock,a),this.phase=new Cs(e,this.clock,a),this.map=new Ms(e,s,{take:m=>{this.clock.time=0,this.motions.change(m,!0)},say:m=>this.
+story.say(m),changed:()=>this.address?.soon()}),this.controls=new Ze(s.controls,(m,u)=>this.motions.change(m,u)),this.share=new Hs(this),this.singleKeys=new vs(
+o),this.about=br(s.version,o),this.help=yr(this.about,a,this.singleKeys.element),this.view=new ys(t,o,()=>this.show()),this.hoops=new ws(m=>this.motions.choose(
+m)),this.header=new _s(s.presets,this.share.menu,this.view.button,{take:m=>this.take(m),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.
+compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.extras=new gs(this),this.opening=new bs(this.clock,this.extras.grips.hint);let{player:l,
 sticky:h}=Rr(this,i);this.player=l,this.sticky=h,o&&!location.search&&!location.hash&&this.extras.visit.offer(),this.later=ot(()=>this.fetchTheory(),120),this.frame=
 this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=Lr(this,o),this.sizes=new ResizeObserver(
 ()=>this.show())}async open(t,e={}){await this.motions.load(t),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),this.sameness.expect(this.films(),
@@ -1600,17 +1600,17 @@ this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.d
 this.request())}async fetchTheory(){let{scenario:t}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked;try{this.theory.draw(
 await this.backend.theory(t,e),this.motions.name()),await this.phase.fetch(t,e)}catch(s){s.name!=="AbortError"&&this.theory.draw([{label:"–",text:K(s)}])}}async toggle(t){
 let{options:e}=this.stage;if(t!=="three")e[t]=!e[t];else try{await this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(K(s))}this.transport.show(e),this.
-address?.soon(),this.request()}};var Zc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ae(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
+address?.soon(),this.request()}};var Zc={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Le(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(e.subarray(
 4,4+s))),i={};for(let{name:r,type:a,shape:l,place:h}of o.arrays){let m=l.reduce((u,p)=>u*p,1);i[r]=new Zc[a](e.buffer,e.byteOffset+4+s+h,m)}return{header:o,arrays:i}}var tm=4,em="backend.the_server_does_not",Ws=class{constructor(t){this.base=t}async motion(t,e){let s={method:"POST",headers:{"Content-Type":"application/json"},
-body:JSON.stringify(t),signal:e};return Ae(await(await this.answered(new URL("lab/motion",this.base),s)).arrayBuffer())}async file(t,e){return(await this.answered(
+body:JSON.stringify(t),signal:e};return Le(await(await this.answered(new URL("lab/motion",this.base),s)).arrayBuffer())}async file(t,e){return(await this.answered(
 new URL(`api/v1/files/${t}?${e}`,this.base))).blob()}async answered(t,e){for(let s=tm;;s--){let o=await fetch(t,e).catch(r=>{throw r.name==="AbortError"?r:new Error(
 em)});if(o.ok)return o;let i=Number(o.headers.get("Retry-After"));if(o.status!==503||!(i>0)||s<=1){let{detail:r}=await o.json().catch(()=>({}));throw o.status===
 503?new Z({key:"server.busy",values:{count:i}}):o.status===413?new Error("server.too_much"):o.status===500?new Error("server.failed"):r?new Error(r):new Z({key:"\
 backend.the_server_answered_status",values:{status:o.status}})}await new Promise(r=>setTimeout(r,1e3*Math.min(i,10))),e?.signal?.throwIfAborted()}}},sm=2e4,nm=3e5,
 Gs=class{constructor(t){this.model=t;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(e,s)=>this.answered(e,s),t.on(
 "msg:custom",this.listen)}answered(t,e){let s=t?.view===this.view&&this.waiting.get(t.number);s&&(clearTimeout(s.timer),this.waiting.delete(t.number),t.error?s.
-reject(new Error(t.error)):s.resolve(Ae(e[0])))}ask(t,e,s){let o=++this.number;return new Promise((i,r)=>{let a=setTimeout(()=>{this.waiting.delete(o),r(new Error(
+reject(new Error(t.error)):s.resolve(Le(e[0])))}ask(t,e,s){let o=++this.number;return new Promise((i,r)=>{let a=setTimeout(()=>{this.waiting.delete(o),r(new Error(
 "backend.the_notebooks_kernel_does"))},t==="file"?nm:sm);this.waiting.set(o,{resolve:i,reject:r,timer:a}),s?.addEventListener("abort",()=>{clearTimeout(a),this.
 waiting.delete(o),r(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:o,call:t,body:e})})}motion(t,e){return this.ask("motio\
 n",t,e)}async file(t,e){let{arrays:s}=await this.ask("file",{query:e,name:t});return new Blob([s.content])}async derivatives(){return(await this.ask("derivative\
@@ -1717,7 +1717,7 @@ fromEntries(["vx","vy","omega"].map(o=>[o,Ao(n[F[`before_${o}`]])])),s.impulse={
 s.kind));return t.slice(0,-1).map((s,o)=>t[o+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var Lo=1e4,Pm="kernel.the_part_of_the",Po=256;function Ra(n){let t=URL.createObjectURL(new Blob([n],{type:"text/javascript"}));return()=>new Worker(t,{type:"mod\
 ule"})}async function Oa(n){let t=await fetch(n);if(!t.ok)throw new Z({key:"kernel.not_loaded",values:{status:t.status}});return t.headers.get("Content-Type")===
 "application/wasm"?WebAssembly.compileStreaming(t):WebAssembly.compile(await t.arrayBuffer())}async function Na(n){let t=new Blob([n]).stream().pipeThrough(new DecompressionStream(
-"gzip"));return WebAssembly.compile(await new Response(t).arrayBuffer())}var Le=class n{constructor(t,e,s){this.start=e;this.derivatives=s;this.rates=null;this.
+"gzip"));return WebAssembly.compile(await new Response(t).arrayBuffer())}var Pe=class n{constructor(t,e,s){this.start=e;this.derivatives=s;this.rates=null;this.
 mechanics=new Ys(t),this.motions=new Jt(e,t,2,Lo);let o=navigator.hardwareConcurrency||2;this.maps=new Jt(e,t,Math.max(1,Math.min(o-1,8)),Lo)}static async load(t){
 let e=await Oa(new URL(`hophoop.wasm?${w.module}`,t)),s=()=>Oa(new URL(`hophoop-derivatives.wasm?${w.derivatives}`,t)),o=new URL(`kernel.js?${w.module}`,t);return o.
 origin===globalThis.location?.origin?new n(e,()=>new Worker(o,{type:"module"}),s):new n(e,Ra(await(await fetch(o)).text()),s)}static async unpack(t,e,s){return new n(
@@ -1732,30 +1732,30 @@ this.maps.close(),this.rates?.then(t=>t.close()).catch(()=>{})}};var Cm=360,Rm=2
 tion.gif"],Js=class{constructor(t,e,{base:s=null,python:o=null}={}){this.kernel=t;this.mechanics=e;this.base=s,this.python=o,this.shares=s!==null,this.files=[...Object.
 keys(Co),...o?Om:[]]}async film(t,e){e?.throwIfAborted();let s=J(t,this.mechanics),o=U(vt(s)),{python:i}=this,{motion:r,columns:a,pieces:l}=this.kernel.film?await this.
 kernel.film(o,e):{motion:await this.kernel.motion(o,e),columns:await this.kernel.columns(o,e),pieces:null},{doubt:h}=r;if(h!==null&&i){let d=ce(s),f=async _=>(await i.
-motion({query:d,window:_})).arrays;return{...this.shown(await i.motion({query:d},e),s),samples:f}}let m=await this.turning(o,r,e),u=De(s,r,m,this.mechanics),p=this.
+motion({query:d,window:_})).arrays;return{...this.shown(await i.motion({query:d},e),s),samples:f}}let m=await this.turning(o,r,e),u=Be(s,r,m,this.mechanics),p=this.
 mechanics.instant?.bind(this.mechanics);return{header:h===null?u:{...u,doubt:un(h)},arrays:a,exact:p&&l?d=>p(o,l,d):void 0}}async exact(t){let{exact:e,samples:s}=await this.
-film({scenario:t});return{exact:e,samples:s}}readable(t){return Fn(t,this.mechanics)}shown({header:t,arrays:e},s=he(t.query,this.mechanics)){return{header:De(s,
+film({scenario:t});return{exact:e,samples:s}}readable(t){return Fn(t,this.mechanics)}shown({header:t,arrays:e},s=he(t.query,this.mechanics)){return{header:Be(s,
 t,i=>t.turning[i],this.mechanics),arrays:e}}async samples(t,e,s){let o=J({scenario:t},this.mechanics);return this.kernel.columns(U(vt(o)),s,e)}async turning(t,{
 events:e},s){let o=En(e);if(!o.length)return()=>0;let i=Float64Array.from(o,a=>An(e,a)),{omega:r}=await this.kernel.samples(t,i,s);return a=>r[o.indexOf(a)]}code(t){
-let e=J({scenario:t},this.mechanics);return{python:Mn(e),toml:$e(e)}}async theory(t,e){e?.throwIfAborted();let s=J({scenario:t},this.mechanics);return jn(s,await this.
+let e=J({scenario:t},this.mechanics);return{python:Mn(e),toml:je(e)}}async theory(t,e){e?.throwIfAborted();let s=J({scenario:t},this.mechanics);return jn(s,await this.
 kernel.thresholds(U(s),e))}async regions(t,e,s){s?.throwIfAborted();let o=U(J({scenario:t},this.mechanics));return this.kernel.regions(o,e,Cm,Rm,s)}async changes(t,e,s){
 if(!this.kernel.changes)throw new TypeError("This kernel has no derivatives.");let o=vt(J({scenario:t},this.mechanics)),i=U(o);if(i.contact)throw new L($("compl\
 iant_changes"));let r=In(o,e);if(!r)return null;let{rates:a,smaller:l,larger:h}=r,m=await this.kernel.changes(i,a,s);return{count:m.count,smaller:l?m.smaller:null,
 larger:h?m.larger:null}}async map(t,e){e?.throwIfAborted();let{checked:s,x:o,y:i,what:r}=Hn(t,this.mechanics),a=dn(s,{x:o,y:i,what:r}),l=await vn(a,{x:o,y:i},this.
 mechanics,e);return kn({x:o,y:i,what:r},await this.kernel.map(l,r,xn(r),e))}async file(t,e){if(!(t in Co)){if(this.python&&/\.(mp4|gif)$/.test(t)&&pn(J({query:e},
 this.mechanics)),this.python)return this.python.file(t,e);throw new L({key:"save.needs_python",values:{name:t}})}return new Blob([await this.fileText(t,e)],{type:Co[t]})}async fileText(t,e){
-let s=J({query:e},this.mechanics);if(t==="motion.toml")return $e(s);let o=vt(s),i=U(o),r=await this.kernel.motion(i);if(r.doubt!==null&&this.python)return(await this.
+let s=J({query:e},this.mechanics);if(t==="motion.toml")return je(s);let o=vt(s),i=U(o),r=await this.kernel.motion(i);if(r.doubt!==null&&this.python)return(await this.
 python.file(t,e)).text();if(t==="motion.json")return Rn(o,r);let a=On(r.duration);return Nn(a,await this.kernel.samples(i,a))}link(t,e){return this.base&&`${new URL(
 t?`?${t}`:"",this.base)}${e}`}};async function Ha(n,t){let e=await n.catch(s=>{throw typeof WebAssembly=="object"&&!(s instanceof WebAssembly.CompileError)?s:new Error("page.this_needs_a_brows\
-er")});return new Js(e,e.mechanics,t)}function Ro(n,t,e){return Ha(Le.load(n),{base:e,python:t&&new Ws(t)})}function Fa(n,t){let e=Le.unpack(n.get("module"),n.get(
-"worker"),()=>t.derivatives());return Ha(e,{python:t})}function Ia(n){navigator.serviceWorker?.register(n).catch(()=>{})}var $a=new URL("./",import.meta.url);function qa(n){return Pe(async t=>{let e=await fetch(new URL(`words.${t}.json?8b07b5a1b58cd5cd0a8237518072a035`,n));if(!e.ok)
+er")});return new Js(e,e.mechanics,t)}function Ro(n,t,e){return Ha(Pe.load(n),{base:e,python:t&&new Ws(t)})}function Fa(n,t){let e=Pe.unpack(n.get("module"),n.get(
+"worker"),()=>t.derivatives());return Ha(e,{python:t})}function Ia(n){navigator.serviceWorker?.register(n).catch(()=>{})}var $a=new URL("./",import.meta.url);function qa(n){return Ce(async t=>{let e=await fetch(new URL(`words.${t}.json?ffed6a535371fa98a0ae1f5c8a376399`,n));if(!e.ok)
 throw new Error(`words.${t}.json: ${e.status}`);return e.json()}),zt(Bn()).catch(()=>{})}function Nm(n){let t=async()=>{let s=new Blob([n]).stream().pipeThrough(
-new DecompressionStream("gzip"));return new Response(s).json()},e;return Pe(async s=>(e??=t(),(await e)[s])),zt(Bn()).catch(()=>{})}async function Hm(n){let t=new URL(
+new DecompressionStream("gzip"));return new Response(s).json()},e;return Ce(async s=>(e??=t(),(await e)[s])),zt(Bn()).catch(()=>{})}async function Hm(n){let t=new URL(
 "./",document.baseURI.split(/[?#]/)[0]),e=document.querySelector("meta[name=hophoop-site]"),s,o=qa($a);try{s=await Ro($a,e?null:t,t)}catch(m){await o,E(n,K(m));
 return}await o,e&&Ia(e.getAttribute("content")??"");let i=new Yt(n,s,S.setup,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let r=ji(location.hash),a=i.address,
 {links:l,said:h}=a.read(Gn());try{await i.open(l,r),h()}catch(m){a.held=!0,await i.open([""]),i.notice.fail(m)}}async function Gb(n,t,e,s){let o=qa(t),i=await Ro(
 t,null,new URL("../",t));await o;let r=new Yt(n,i,S.setup,{panels:s});return await r.open([e]),r}async function Fm({model:n,el:t}){let e=document.createElement(
-"div");t.append(e);let s=Nm(n.get("words")),o=new Gs(n),i;try{i=await Fa(n,o),await s}catch(h){return await s,E(e,K(h)),()=>o.close()}let r=()=>i.shown(Ae(n.get(
+"div");t.append(e);let s=Nm(n.get("words")),o=new Gs(n),i;try{i=await Fa(n,o),await s}catch(h){return await s,E(e,K(h)),()=>o.close()}let r=()=>i.shown(Le(n.get(
 "film"))),a=new Yt(e,i,S.setup,{panels:n.get("panels"),onmotion:h=>{n.get("query")!==h&&(n.set("query",h),n.save_changes())}});a.motions.set([r()]),a.begin();let l=()=>a.
 motions.replace(r());return n.on("change:film",l),()=>{n.off("change:film",l),o.close(),a.close()}}var ja=document.getElementById("hophoop-lab");ja&&Hm(ja);var Ub={
 render:Fm};export{Tt as current,Ub as default,Qn as languageMenu,Gb as mount,dt as name,zn as repeat,E as say,qa as speakFrom,T as t};

@@ -1,4 +1,4 @@
-/* Built from web/site/motion_element.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/site/motion_element.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 var a=new URL("./",import.meta.url),i=0,o=class extends HTMLElement{constructor(){super();this.lab=null;this.number=++i}static{this.observedAttributes=["scenari\
 o"]}async connectedCallback(){if(this.shadowRoot)return;let r=this.attachShadow({mode:"open"}),t=document.createElement("link");t.rel="stylesheet",t.href=new URL(
 "lab.css",a).href;let e=document.createElement("style");e.textContent=":host { display: block; min-height: 18rem; } :host([hidden]) { display: none; }";let n=document.

@@ -1,4 +1,4 @@
-/* Built from web/site/service_worker.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/site/service_worker.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 var o=self,s="hophoop-{version}",a=["{files}"];o.addEventListener("install",i=>{let e=caches.open(s).then(n=>n.addAll(a));i.waitUntil(e.then(()=>o.skipWaiting()))});
 o.addEventListener("activate",i=>{let e=caches.keys().then(n=>n.filter(t=>t.startsWith("hophoop-")&&t!==s)).then(n=>Promise.all(n.map(t=>caches.delete(t))));i.waitUntil(
 e.then(()=>o.clients.claim()))});o.addEventListener("fetch",i=>{let{request:e}=i;if(e.method!=="GET"||new URL(e.url).origin!==o.location.origin)return;let n=caches.

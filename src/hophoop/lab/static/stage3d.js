@@ -1,4 +1,4 @@
-/* Built from web/lab/player/stage3d.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/lab/player/stage3d.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 function R(n,t){let e=new Float32Array(16);for(let a=0;a<4;a++)for(let s=0;s<4;s++){let i=0;for(let o=0;o<4;o++)i+=n[4*o+s]*t[4*a+o];e[4*a+s]=i}return e}function W(n,t,e,a){
 let s=1/Math.tan(n/2),i=1/(e-a);return new Float32Array([s/t,0,0,0,0,s,0,0,0,0,(a+e)*i,-1,0,0,2*a*e*i,0])}function z(n,t){let e=b(L(n,t)),a=b(E([0,1,0],e)),s=E(
 e,a);return new Float32Array([a[0],s[0],e[0],0,a[1],s[1],e[1],0,a[2],s[2],e[2],0,-P(a,n),-P(s,n),-P(e,n),1])}var L=(n,t)=>[n[0]-t[0],n[1]-t[1],n[2]-t[2]],P=(n,t)=>n[0]*
@@ -218,9 +218,9 @@ row":"Map of motions. Arrow keys move the mark, Enter shows the motion, plus and
 ap.of_rolling_starts_though":"with a rolling start, unlike this motion","map.of_starts_in_any":"with a start in any state; this motion starts rolling","map.spin\
 _and_skid":"Spin and skid are named for forward rotation; for backward rotation they change places.","map.up":"Vertical","map.what_the_map_shows":"Quantity of t\
 he map","map.whole_map":"Whole map","map.zoom_into_the_map":"Zoom into the map","map.zoom_out_of_the":"Zoom out of the map","menu.about_hophoop":"About hophoop",
-"menu.challenges":"Challenges","menu.for_teachers":"For teachers","menu.guided_visit":"Guided visit","menu.hophoop_lab_play_with":"hophoop lab: play with a hopp\
-ing hoop","menu.learn":"Learn","menu.presentation":"Presentation","menu.presentation_on_the_whole":"Presentation in full screen","menu.repeat":"Repeat","menu.sl\
-ow_motion_a_tenth":"Slow motion: a tenth of the speed","menu.sound_of_the_contact":"Sound of the contact","mode.flight":"flight","mode.roll":"roll","mode.skid":"\
+"menu.challenges":"Challenges","menu.for_teachers":"For teachers","menu.guided_visit":"Guided visit","menu.hophoop_lab_play_with":"hophoop lab: play with the ho\
+pping hoop","menu.learn":"Learn","menu.presentation":"Presentation","menu.presentation_on_the_whole":"Presentation in full screen","menu.repeat":"Repeat","menu.\
+slow_motion_a_tenth":"Slow motion: a tenth of the speed","menu.sound_of_the_contact":"Sound of the contact","mode.flight":"flight","mode.roll":"roll","mode.skid":"\
 skid","mode.skim":"skim","mode.spin":"spin","motion.a_hash_of_all":"Hash of all events: equal wherever hophoop computes the same bits, also in Python","motion.c\
 opied":"Copied","motion.copy":"Copy","motion.fingerprint":"Fingerprint","motion.no_fingerprint_this_motion":"No fingerprint: this motion depends on more digits \
 than this page computes.","motion.not_all_events_are":"(not all events are shown)","motion.the_motion_in_words":"The motion in words","motion.what_happens":"Wha\

@@ -1,4 +1,4 @@
-/* Built from web/lab/player/svg.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/lab/player/svg.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 var z=Object.create;var j=Object.defineProperty;var V=Object.getOwnPropertyDescriptor;var X=Object.getOwnPropertyNames;var B=Object.getPrototypeOf,Y=Object.prototype.hasOwnProperty;var $=(c,n)=>()=>{try{return n||c((n={exports:{}}).exports,n),n.exports}catch(u){throw n=0,u}};var J=(c,n,u,g)=>{if(n&&typeof n=="object"||typeof n=="function")for(let _ of X(n))!Y.call(c,_)&&_!==u&&j(c,_,{get:()=>n[_],enumerable:!(g=V(n,_))||g.enumerable});
 return c};var H=(c,n,u)=>(u=c!=null?z(B(c)):{},J(n||!c||!c.__esModule?j(u,"default",{value:c,enumerable:!0}):u,c));var G=$(N=>{"use strict";Object.defineProperty(N,"__esModule",{value:!0});function R(c){return!c||typeof c=="string"?c:c+""}var O=class{async svg2canvas(n,u,g){
 let _=await new Promise(S=>{var M=new Image;M.onload=function(){S(M)},M.src=n});var p=document.createElement("canvas");return p.width=u,p.height=g,p.getContext(

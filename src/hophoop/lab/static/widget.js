@@ -1,4 +1,4 @@
-/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources 8b07b5a1b58cd5cd0a8237518072a035 */
+/* Built from web/lab/shell/main.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
 var zl=Object.create;var vn=Object.defineProperty;var Ul=Object.getOwnPropertyDescriptor;var Gl=Object.getOwnPropertyNames;var Wl=Object.getPrototypeOf,Kl=Object.prototype.hasOwnProperty;var Z=(n,t,e)=>()=>{if(e)throw e[0];try{return n&&(t=n(n=0)),t}catch(s){throw e=[s],s}};var Vl=(n,t)=>()=>{try{return t||n((t={exports:{}}).exports,t),t.exports}catch(e){throw t=0,e}},fo=(n,t)=>{for(var e in t)vn(n,e,{get:t[e],enumerable:!0})},Yl=(n,t,e,s)=>{
 if(t&&typeof t=="object"||typeof t=="function")for(let i of Gl(t))!Kl.call(n,i)&&i!==e&&vn(n,i,{get:()=>t[i],enumerable:!(s=Ul(t,i))||s.enumerable});return n};var Xl=(n,t,e)=>(e=n!=null?zl(Wl(n)):{},Yl(t||!n||!n.__esModule?vn(e,"default",{value:n,enumerable:!0}):e,n));var Mo,ko=Z(()=>{Mo={"axis.hoop.eccentricity":"Eccentricity ε","axis.hoop.inertia_ratio":"Inertia ratio κ","axis.hoop.load_fraction":"Load fraction γ","axis.\
 hoop.radius":"Radius R","axis.plane.gravity":"Gravity g","axis.plane.mu":"Friction μ","axis.plane.restitution":"Restitution e","axis.plane.rolling_resistance":"\
@@ -123,9 +123,9 @@ row":"Map of motions. Arrow keys move the mark, Enter shows the motion, plus and
 ap.of_rolling_starts_though":"with a rolling start, unlike this motion","map.of_starts_in_any":"with a start in any state; this motion starts rolling","map.spin\
 _and_skid":"Spin and skid are named for forward rotation; for backward rotation they change places.","map.up":"Vertical","map.what_the_map_shows":"Quantity of t\
 he map","map.whole_map":"Whole map","map.zoom_into_the_map":"Zoom into the map","map.zoom_out_of_the":"Zoom out of the map","menu.about_hophoop":"About hophoop",
-"menu.challenges":"Challenges","menu.for_teachers":"For teachers","menu.guided_visit":"Guided visit","menu.hophoop_lab_play_with":"hophoop lab: play with a hopp\
-ing hoop","menu.learn":"Learn","menu.presentation":"Presentation","menu.presentation_on_the_whole":"Presentation in full screen","menu.repeat":"Repeat","menu.sl\
-ow_motion_a_tenth":"Slow motion: a tenth of the speed","menu.sound_of_the_contact":"Sound of the contact","mode.flight":"flight","mode.roll":"roll","mode.skid":"\
+"menu.challenges":"Challenges","menu.for_teachers":"For teachers","menu.guided_visit":"Guided visit","menu.hophoop_lab_play_with":"hophoop lab: play with the ho\
+pping hoop","menu.learn":"Learn","menu.presentation":"Presentation","menu.presentation_on_the_whole":"Presentation in full screen","menu.repeat":"Repeat","menu.\
+slow_motion_a_tenth":"Slow motion: a tenth of the speed","menu.sound_of_the_contact":"Sound of the contact","mode.flight":"flight","mode.roll":"roll","mode.skid":"\
 skid","mode.skim":"skim","mode.spin":"spin","motion.a_hash_of_all":"Hash of all events: equal wherever hophoop computes the same bits, also in Python","motion.c\
 opied":"Copied","motion.copy":"Copy","motion.fingerprint":"Fingerprint","motion.no_fingerprint_this_motion":"No fingerprint: this motion depends on more digits \
 than this page computes.","motion.not_all_events_are":"(not all events are shown)","motion.the_motion_in_words":"The motion in words","motion.what_happens":"Wha\
@@ -301,7 +301,7 @@ What does it do right after landing?","visit.what_rigid_bodies_cannot":"What rig
 gle}","visit.where_is_the_load":"Where is the load when friction first reaches its limit? Turn the mark.","visit.where_is_the_load_when":"Where is the load when\
  the hoop takes off? Turn the mark.","visit.which_of_them_hops":"Which of them hops highest?","visit.why_it_slips":"Why it slips","visit.with_the_load_at":"With\
  the load at the bottom the centre moves at {speed} m/s.","visit.you_have_sum_of":"You have {sum} of {most} points.","visit.your_guess":"Your guess","visit.your\
-_turn":"Your turn"}});function Xe(n){So=n}async function oe(n){let t=Eo.get(n)??To(await So(n));Eo.set(n,t),[ne,ye]=[n,t],we=new Intl.PluralRules(n),ve=1.5.toLocaleString(n).includes(
+_turn":"Your turn"}});function Je(n){So=n}async function oe(n){let t=Eo.get(n)??To(await So(n));Eo.set(n,t),[ne,ye]=[n,t],we=new Intl.PluralRules(n),ve=1.5.toLocaleString(n).includes(
 ",")}function P(n,t){let e=ye[n]??xe[n];if(e===void 0)return gt(n);let s=typeof e=="string"?e:e[we.select(Number(t?.count))]??e.other;return t?s.replace(hh,(i,o)=>mh(
 o,t)):s}function mh(n,t){if(n in t)return U(t[n]);let e=U(t[n[0].toLowerCase()+n.slice(1)]);return e.slice(0,1).toLocaleUpperCase(ne)+e.slice(1)}function U(n){return typeof n==
 "string"?P(n):typeof n=="number"?gt(String(n)):typeof n=="function"?n():Array.isArray(n)?n.map(U).join(""):P(n.key,n.values)}function uh(n){let t={language:ne,table:ye,
@@ -311,10 +311,10 @@ language"}).of(n)??n;return t[0].toLocaleUpperCase(n)+t.slice(1)},ie=Object.from
 Eo=new Map([["en",xe]]),So=async()=>xe,ne="en",ye=xe,we=new Intl.PluralRules("en"),ve=!1,It=()=>ne;gt=n=>ve?n.replace(/(\d)\.(\d)/g,"$1,$2"):n;at=n=>n.flatMap((t,e)=>e?
 ["list.comma",t]:[t]);rt=class extends Error{constructor(e){super(uh(e));this.said=e}},et=n=>n.said??n.message});function Rt(n){let t=Number.parseInt(n.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}function Le(n){let[t,e,s]=Rt(n).map(xc);return .2126*t+.7152*e+.0722*s}function Re(n,t){
 if(!t||!/^#[0-9a-f]{6}$/i.test(n))return n;if(Le(n)<.002)return"#eceef2";let e=n;for(let s=0;Le(e)<.2&&s<1;s+=.05)e=`#${Rt(n).map(i=>Math.round(i+(255-i)*s).toString(
-16).padStart(2,"0")).join("")}`;return e}function kc(){let n=[];for(let t=0;t<256;t++){let e=t/255*(cs.length-1),s=Math.min(Math.floor(e),cs.length-2),i=Rt(cs[s]),
-o=Rt(cs[s+1]);n.push(i.map((r,a)=>Math.round(r+(o[a]-r)*(e-s))))}return n}var cr,Ce,xc,cs,ae,ms,Mc,Mt,ht=Z(()=>{"use strict";cr=n=>Le(n)>.2?"#111111":"#ffffff",
-Ce=(n,t)=>`rgba(${Rt(n).join(",")},${t})`,xc=n=>{let t=n/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};cs=["#440154","#472d7b","#3b528b","#2c728e","#21918\
-c","#28ae80","#5ec962","#addc30","#fde725"];ae=kc(),ms=ae.map(n=>`rgb(${n.join(",")})`),Mc=["#123a8c","#8a6d00"],Mt=(n,t)=>Re(Mc[n],t)});function ct(n){try{return localStorage.getItem(n)??ci.get(n)??null}catch{return ci.get(n)??null}}function mt(n,t){ci.set(n,t);try{localStorage.setItem(n,t)}catch{}}
+16).padStart(2,"0")).join("")}`;return e}function kc(){let n=[];for(let t=0;t<256;t++){let e=t/255*(ms.length-1),s=Math.min(Math.floor(e),ms.length-2),i=Rt(ms[s]),
+o=Rt(ms[s+1]);n.push(i.map((r,a)=>Math.round(r+(o[a]-r)*(e-s))))}return n}var cr,Ce,xc,ms,ae,us,Mc,Mt,ht=Z(()=>{"use strict";cr=n=>Le(n)>.2?"#111111":"#ffffff",
+Ce=(n,t)=>`rgba(${Rt(n).join(",")},${t})`,xc=n=>{let t=n/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};ms=["#440154","#472d7b","#3b528b","#2c728e","#21918\
+c","#28ae80","#5ec962","#addc30","#fde725"];ae=kc(),us=ae.map(n=>`rgb(${n.join(",")})`),Mc=["#123a8c","#8a6d00"],Mt=(n,t)=>Re(Mc[n],t)});function ct(n){try{return localStorage.getItem(n)??ci.get(n)??null}catch{return ci.get(n)??null}}function mt(n,t){ci.set(n,t);try{localStorage.setItem(n,t)}catch{}}
 function mr(n){try{return sessionStorage.getItem(n)}catch{return null}}function ur(n,t){try{sessionStorage.setItem(n,t)}catch{}}var ci,Dt=Z(()=>{"use strict";ci=
 new Map});function ui(){let n=ct(pr);return n&&n in ie?n:(globalThis.navigator?.languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in ie)??"en"}function dr(n){mt(
 pr,n)}function Oe(n){let t=document.createTextNode(U(n));return fr.set(t,n),t}function Et(n,t,e){mi.set(n,{...mi.get(n),[t]:e}),n.setAttribute(t,U(e))}function pi(n){
@@ -346,8 +346,8 @@ addEventListener("pointerdown",r=>{r.pointerType!=="mouse"&&(e.set(r.pointerId,r
 s=null});let o=r=>r.touches.length>1&&r.cancelable&&r.preventDefault();return n.addEventListener("touchmove",o,{passive:!1}),()=>e.size>1}var Ot=Z(()=>{"use str\
 ict"});function dt(n,{zoom:t,home:e,chosen:s=()=>n,keys:i=!1}){return n.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Ne(s()))&&(o.preventDefault(),t(Math.exp(-Math.
 min(Math.max(o.deltaY,-ya),ya)*$m),o))},{passive:!1}),n.addEventListener("dblclick",e),i&&n.addEventListener("keydown",o=>{if(o.key==="+"||o.key==="=")t(Dm);else if(o.
-key==="-")t(jm);else if(o.key==="0")e();else if(o.key==="Escape")n.blur();else return;o.preventDefault(),o.stopPropagation()}),Rr(n,t)}var qs,$m,ya,Dm,jm,Bt=Z(()=>{
-"use strict";S();Ot();qs=()=>matchMedia("(hover: none)").matches,$m=.0018,ya=200,[Dm,jm]=[1/.6,1/1.7]});function ji(n,t){let e=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let o=0;for(let r=0;r<4;r++)o+=n[4*r+i]*t[4*s+r];e[4*s+i]=o}return e}function $a(n,t,e,s){
+key==="-")t(jm);else if(o.key==="0")e();else if(o.key==="Escape")n.blur();else return;o.preventDefault(),o.stopPropagation()}),Rr(n,t)}var Bs,$m,ya,Dm,jm,Bt=Z(()=>{
+"use strict";S();Ot();Bs=()=>matchMedia("(hover: none)").matches,$m=.0018,ya=200,[Dm,jm]=[1/.6,1/1.7]});function ji(n,t){let e=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let o=0;for(let r=0;r<4;r++)o+=n[4*r+i]*t[4*s+r];e[4*s+i]=o}return e}function $a(n,t,e,s){
 let i=1/Math.tan(n/2),o=1/(e-s);return new Float32Array([i/t,0,0,0,0,i,0,0,0,0,(s+e)*o,-1,0,0,2*s*e*o,0])}function Da(n,t){let e=ee(qi(n,t)),s=ee(Zs([0,1,0],e)),
 i=Zs(e,s);return new Float32Array([s[0],i[0],e[0],0,s[1],i[1],e[1],0,s[2],i[2],e[2],0,-Di(s,n),-Di(i,n),-Di(e,n),1])}function ee(n){let t=Math.hypot(...n)||1;return[
 n[0]/t,n[1]/t,n[2]/t]}function tn(n,t,e,s){let i=ee(t),o=ee(Zs(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),r=Zs(o,i);return new Float32Array([...o.map(a=>a*s),0,...i.
@@ -442,7 +442,7 @@ m.UNSIGNED_SHORT,0)}rod(t,e,s,i,o,r=!1){this.solid(this.cylinder,tn(t,e,s,i),o,{
 o),a=e(Math.min(o+1,t-1));if(Math.hypot(a[0]-r[0],a[1]-r[1])<1e-9&&o>0){let l=e(o-1);a=r.map((c,m)=>2*c-l[m])}for(let l of[-1,1])i.push(...r,0,...a,0,...s(o),l)}
 return se(this.gl,i,{position:3,next:3,tint:3,side:1})}drawTrace(t,e,{width:s,distance:i=0,shift:o,depth:r}){let{gl:a,canvas:l}=this;this.use(this.line,{pixel:[
 2/l.width,2/l.height],width:s,distance:i,shift:o,depth:r}),pe(a,this.line,t),a.drawArrays(a.TRIANGLE_STRIP,0,2*e)}onScreen([t,e,s]){let i=this.view,[o,r,a]=[0,1,
-3].map(l=>i[l]*t+i[4+l]*e+i[8+l]*s+i[12+l]);return a>0?[(.5+.5*o/a)*this.canvas.width,(.5-.5*r/a)*this.canvas.height]:null}}});var Xa={};fo(Xa,{Stage3D:()=>Ki});var su,nu,We,Ya,Ki,Ja=Z(()=>{"use strict";zi();Wi();Va();ht();N();Ot();Bt();su=[.35,.85,.4],nu=.18,We={azimuth:.5,height:.22,distance:5.2},
+3].map(l=>i[l]*t+i[4+l]*e+i[8+l]*s+i[12+l]);return a>0?[(.5+.5*o/a)*this.canvas.width,(.5-.5*r/a)*this.canvas.height]:null}}});var Xa={};fo(Xa,{Stage3D:()=>Ki});var su,nu,Ke,Ya,Ki,Ja=Z(()=>{"use strict";zi();Wi();Va();ht();N();Ot();Bt();su=[.35,.85,.4],nu=.18,Ke={azimuth:.5,height:.22,distance:5.2},
 Ya=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
@@ -452,10 +452,10 @@ Ya=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
    }`],Ki=class{constructor(t,e){this.canvas=t;this.onview=e;this.space=new en(this.canvas,ae,su,nu,{keep:!0});this.floor=ue(this.space.gl,Ya[0],Ya[1]);this.corners=
-se(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...We};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
+se(this.space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2});this.turned={...Ke};this.lines=new WeakMap;this.share=1;this.pace=16;this.before=0;this.focus=0;this.reach=1;
 t.addEventListener("pointerdown",s=>this.drag(s)),this.pinched=dt(t,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>t.parentElement})}zoomBy(t){t?this.
-turned.distance=x(this.turned.distance/t,1.6,60):this.turned={...We},this.onview()}from(){let{azimuth:t,height:e,distance:s}=this.turned;return t===We.azimuth&&
-e===We.height&&s===We.distance?void 0:[t,e,s]}look([t,e,s]){this.turned={azimuth:x(t,-1.5,1.5),height:x(e,.02,1.45),distance:x(s,1.6,60)}}drag(t){let e={...this.
+turned.distance=x(this.turned.distance/t,1.6,60):this.turned={...Ke},this.onview()}from(){let{azimuth:t,height:e,distance:s}=this.turned;return t===Ke.azimuth&&
+e===Ke.height&&s===Ke.distance?void 0:[t,e,s]}look([t,e,s]){this.turned={azimuth:x(t,-1.5,1.5),height:x(e,.02,1.45),distance:x(s,1.6,60)}}drag(t){let e={...this.
 turned,x:t.clientX,y:t.clientY};J(this.canvas,t,s=>{this.pinched()||(this.turned.azimuth=x(e.azimuth-(s.clientX-e.x)*.008,-1.5,1.5),this.turned.height=x(e.height+
 (s.clientY-e.y)*.006,.02,1.45),this.onview())})}quality(){let t=performance.now(),e=t-(this.before||t);return this.before=t,e>0&&e<200&&(this.pace=.9*this.pace+
 .1*e),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.pace=16),this.share}draw(t,e,s,i,o,r,a){let{canvas:l,space:c}=this,m=a??Math.min(
@@ -554,7 +554,7 @@ var p=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/p,h[1]/p]};return t.prototype.a
 b=this.__currentPosition&&this.__currentPosition.y;if(!(typeof _>"u"||typeof b>"u")){if(g<0)throw new Error("IndexSizeError: The radius provided ("+g+") is nega\
 tive.");if(_===h&&b===p||h===d&&p===f||g===0){this.lineTo(h,p);return}var y=m([_-h,b-p]),w=m([d-h,f-p]);if(y[0]*w[1]===y[1]*w[0]){this.lineTo(h,p);return}var k=y[0]*
 w[0]+y[1]*w[1],T=Math.acos(Math.abs(k)),C=m([y[0]+w[0],y[1]+w[1]]),R=g/Math.sin(T/2),q=h+R*C[0],A=p+R*C[1],$=[-y[1],y[0]],B=[w[1],-w[0]],ft=function(uo){var po=uo[0],
-Bl=uo[1];return Bl>=0?Math.acos(po):-Math.acos(po)},Wt=ft($),Ye=ft(B);this.lineTo(q+$[0]*g,A+$[1]*g),this.arc(q,A,g,Wt,Ye)}},t.prototype.stroke=function(){this.
+Bl=uo[1];return Bl>=0?Math.acos(po):-Math.acos(po)},Wt=ft($),Xe=ft(B);this.lineTo(q+$[0]*g,A+$[1]*g),this.arc(q,A,g,Wt,Xe)}},t.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},t.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},t.prototype.rect=function(h,p,d,f){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,p),this.lineTo(
@@ -809,16 +809,16 @@ angle:f,vx:g,vy:_,omega:b,slip:y,rolling:s.speed!==null,duration:n,max_events:w,
 omega:r},a){let l=s===null?Number(r):s/a;return{x:n,height:t,angle:e,vx:i,vy:o,omega:l,slip:s===null?i-a*l:0}}Ht();var ph=/^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i,dh=/^\s*([+-]?)(inf|infinity|nan)\s*$/i;function Lt(n){return Number.isNaN(n)?"nan":String(n).replace("Infi\
 nity","inf")}var Mn=n=>Lt(n).replace(/^-?\d+$/,"$&.0");function lt(n,t=6){if(!Number.isFinite(n))return Lt(n);let e=n!==0&&Math.abs(n)<1e-4,[s,...i]=(e?n.toExponential(
 t-1):n.toPrecision(t)).split("e");return[s.includes(".")?s.replace(/\.?0+$/,""):s,...i].join("e")}var En=(n,t)=>Number.isFinite(n)?n.toFixed(t):Lt(n),fh={g:(n,t)=>lt(
-n,t||6),e:(n,t)=>n.toExponential(t),f:En};function Ze(n,t){let s=[...n.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g)].map(([,i,o,r,a])=>{let l=t[i];return a?
-[i,fh[a](l,Number(r))]:l?.key||Array.isArray(l)||typeof l=="number"?[i,o?Je(l):l]:[i,gh(o?Je(l):String(l))]});return Object.fromEntries(s)}function Je(n){return typeof n==
-"number"?Lt(n):typeof n=="string"?Qe(`'${n}'`):n==null?"None":Qe(JSON.stringify(n))}var gh=n=>n.replace(/[\p{C}\p{Zl}\p{Zp}]/gu,t=>`\\u{${t.codePointAt(0)?.toString(
-16)}}`);function Qe(n){let t=[...n];return t.length<=60?n:`${t.slice(0,57).join("")}...`}function Ao(n){if(ph.test(n))return Number(n);let[,t,e]=dh.exec(n)??[];
+n,t||6),e:(n,t)=>n.toExponential(t),f:En};function ts(n,t){let s=[...n.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g)].map(([,i,o,r,a])=>{let l=t[i];return a?
+[i,fh[a](l,Number(r))]:l?.key||Array.isArray(l)||typeof l=="number"?[i,o?Qe(l):l]:[i,gh(o?Qe(l):String(l))]});return Object.fromEntries(s)}function Qe(n){return typeof n==
+"number"?Lt(n):typeof n=="string"?Ze(`'${n}'`):n==null?"None":Ze(JSON.stringify(n))}var gh=n=>n.replace(/[\p{C}\p{Zl}\p{Zp}]/gu,t=>`\\u{${t.codePointAt(0)?.toString(
+16)}}`);function Ze(n){let t=[...n];return t.length<=60?n:`${t.slice(0,57).join("")}...`}function Ao(n){if(ph.test(n))return Number(n);let[,t,e]=dh.exec(n)??[];
 if(e)return e[0].toLowerCase()==="n"?Number.NaN:t==="-"?-1/0:1/0}var{texts:_h,scenario:Po}=E,bh=2,I=class extends rt{constructor(){super(...arguments);this.name="InputError"}},st=class extends I{},H=(n,t={})=>({key:`refusal.${n}`,
-values:Ze(_h[n],t)}),xt=n=>n!==null&&typeof n=="object"&&!Array.isArray(n),Vt=(n,t,e,s)=>H("finding",{path:n||H("whole_scenario"),shown:Je(t),allowed:H(e,s)});function Sn(n,t,e,s){
+values:ts(_h[n],t)}),xt=n=>n!==null&&typeof n=="object"&&!Array.isArray(n),Vt=(n,t,e,s)=>H("finding",{path:n||H("whole_scenario"),shown:Qe(t),allowed:H(e,s)});function Sn(n,t,e,s){
 let{fields:i,place:o}=Po.models[n],r=xt(t)?An(o,t,Object.keys(i)):Vt(e,t,"table");if(r&&s.push(r),r)return null;let a=s.length,l={};for(let[c,m]of Object.entries(
 i))Object.hasOwn(t,c)?l[c]=Pn(m,t[c],`${e}.${c}`,s):m.required?s.push(H("missing",{path:`${e}.${c}`})):l[c]=be(m.default);return s.length===a?{values:l,given:new Set(
 Object.keys(t))}:null}function An(n,t,e){let s=Object.keys(t).find(a=>!e.includes(a));if(s===void 0)return null;let[i]=[...e].sort((a,l)=>Tn(s,a)-Tn(s,l)),r=Tn(
-s,i)<=bh?H("did_you_mean",{close:i}):H("known_are",{known:e.join(", ")});return H("unknown_key",{path:`${n}${Qe(s)}`,hint:r})}function Tn(n,t){let e=Array.from(
+s,i)<=bh?H("did_you_mean",{close:i}):H("known_are",{known:e.join(", ")});return H("unknown_key",{path:`${n}${Ze(s)}`,hint:r})}function Tn(n,t){let e=Array.from(
 {length:t.length+1},(s,i)=>i);for(let[s,i]of[...n].entries()){let o=[s+1];for(let r=0;r<t.length;r++)o.push(Math.min(o[r]+1,e[r+1]+1,e[r]+ +(i!==t[r])));e=o}return e[t.
 length]}function Pn(n,t,e,s){if(t===null&&n.nullable)return null;if(n.kind==="parts")return vh(t,e,s);let i=n.kind==="friction"&&t==="inf"?1/0:t,o=wh(n,i);return o&&
 s.push(Vt(e,t,...o)),typeof i=="number"?i+0:i}var yh={greater_than:(n,t)=>n>t,greater_than_equal:(n,t)=>n>=t,less_than_equal:(n,t)=>n<=t};function wh(n,t){let{kind:e,
@@ -842,7 +842,7 @@ configurable:!0,writable:!0});function kh(n,t,e){let{mass:s,eccentricity:i,inert
 if(t==="hoop.eccentricity"||t==="hoop.inertia_ratio")return{mass:s,eccentricity:i,inertia_ratio:o};if(t==="plane.mu_static"||t==="plane.mu_kinetic")return{mu_static:r,
 mu_kinetic:a};if(!t.startsWith("start.")||t==="start.speed")return{};let{height:l,vx:c,vy:m,omega:h}=vt(n,e().radius);return{height:l,vx:c,vy:m,omega:h}}function Mh(n,t,e,s){
 let i=n;for(let[o,r]of t.entries()){let a=o===t.length-1;if(!(Array.isArray(i)&&/^\d+$/.test(r)&&Number(r)<i.length)&&!(xt(i)&&(a||Object.hasOwn(i,r))))throw new I(
-H("not_there",{path:s,step:r}));a?Nn(i,r,e):i=i[r]}}var{lab:Eh,limits:W}=E,{allowed:No,events:Th,flight_turns:Sh,quantities:Ah}=E.map,Ph=1e-300,G=(n,t={})=>({key:`lab.${n}`,values:Ze(Eh[n],t)}),In=n=>G("doubt",{time:lt(
+H("not_there",{path:s,step:r}));a?Nn(i,r,e):i=i[r]}}var{lab:Eh,limits:W}=E,{allowed:No,events:Th,flight_turns:Sh,quantities:Ah}=E.map,Ph=1e-300,G=(n,t={})=>({key:`lab.${n}`,values:ts(Eh[n],t)}),In=n=>G("doubt",{time:lt(
 n,4)});function Ct(n){let{duration:t,hoop:e,contact:s}=n;if(t>W.duration)throw new st(G("too_long",{duration:t,most:W.duration}));let i=e.parts?.length??0;if(i>
 W.parts)throw new st(G("too_many_parts",{parts:i,most:W.parts}));let o=$o(Ho(n));if(o>W.turns)throw new st(G("too_many_turns",{duration:t,turns:o,most:W.turns}));
 if(s.model==="compliant"){let r=Lh(n,o);if(r>W.steps)throw new st(G("too_stiff",{steps:r/1e6,most:W.steps/1e6}))}return s.max_events<=W.events?n:{...n,contact:{
@@ -863,20 +863,20 @@ Map&&s.get("parts");return i instanceof Map&&s.set("parts",Oh(i)),Dn(e)}function
 includes(s));if(e!==void 0)throw new I(H("parts_out_of_order",{name:e}));return t.map(s=>n.get(s))}function Dn(n){return Array.isArray(n)?n.map(Dn):n instanceof
 Map?Object.fromEntries([...n].map(([t,e])=>[t,Dn(e)])):n}function jn(n,t=""){return typeof n=="string"?`${t}=${n}`:typeof n=="number"?`${t}=${Lt(n).replace("e+",
 "e")}`:Object.entries(n).map(([e,s])=>jn(s,t?`${t}.${e}`:e)).join("&")}var{scenario:qn}=E,Nh=qn.rules,Fh=["load_fraction","eccentricity","inertia_ratio"],jo=["mu_static","mu_kinetic"],Ih=["height","vx","vy","omega"],qo={mass:1,inertia_ratio:1,
-contact:null};function es(n,t,e){let[s,i]=e.refused(n),o=Nh[s];if(!o)return null;let r=Object.entries(o.values).map(([c,m])=>{let[h,p]=m.split(".");return[c,t[h][p]]}),
-{words:a,...l}=o.known;return a&&(l.words=Ln(a)),H(o.sentence,{...l,...Object.fromEntries(r),[o.number]:i})}function ts(n,t,e,s){let i=s.find(o=>e.has(o));return i?
+contact:null};function ss(n,t,e){let[s,i]=e.refused(n),o=Nh[s];if(!o)return null;let r=Object.entries(o.values).map(([c,m])=>{let[h,p]=m.split(".");return[c,t[h][p]]}),
+{words:a,...l}=o.known;return a&&(l.words=Ln(a)),H(o.sentence,{...l,...Object.fromEntries(r),[o.number]:i})}function es(n,t,e,s){let i=s.find(o=>e.has(o));return i?
 H("together",{section:n,other:i,way:t}):null}var Bo={hoop:Hh,plane:$h,start:Dh,contact:jh};function Hh(n,t,e){let s=Fh.filter(i=>t.has(i)&&n[i]!==null);if(n.parts){
-let i=n.parts.length?ts("hoop","parts",t,[...s,"mass"]):H("no_parts");if(i)return i;let{radius:o,parts:r}=n,{reaches:a,...l}=e.combine(o,r),c=a.findIndex(m=>m>o*
-(1+qn.touch));if(c>=0)return H("beyond_the_rim",{index:c,shape:r[c].shape,reach:a[c],radius:o});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let i=ts(
+let i=n.parts.length?es("hoop","parts",t,[...s,"mass"]):H("no_parts");if(i)return i;let{radius:o,parts:r}=n,{reaches:a,...l}=e.combine(o,r),c=a.findIndex(m=>m>o*
+(1+qn.touch));if(c>=0)return H("beyond_the_rim",{index:c,shape:r[c].shape,reach:a[c],radius:o});Object.assign(n,l)}else if(n.load_fraction!==null||!s.length){let i=es(
 "hoop","load_fraction",t,s.slice(+(n.load_fraction!==null)));if(i)return i;n.load_fraction??=qn.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
 n.inertia_ratio=e.ideal(n.load_fraction)}else if(s.length===1){let i=s[0]==="eccentricity"?"inertia_ratio":"eccentricity";return H("half_a_hoop",{missing:i,given:s[0]})}
-return es({...qo,...n,ideal:n.load_fraction!==null},{hoop:n},e)}function $h(n,t,e){if(n.apart=jo.some(s=>t.has(s)),n.mu!==null){let s=ts("plane","mu",t,jo);if(s)
-return s;n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return es({...qo,...n},{plane:n},e)}function Dh(n,t){return n.speed===
-null?n.omega===null?H("no_omega"):null:(n.vx=n.speed,n.omega=null,ts("start","speed",t,Ih))}function jh({damping:n=null,restitution:t=null}){return n!==null&&t!==
+return ss({...qo,...n,ideal:n.load_fraction!==null},{hoop:n},e)}function $h(n,t,e){if(n.apart=jo.some(s=>t.has(s)),n.mu!==null){let s=es("plane","mu",t,jo);if(s)
+return s;n.mu_static=n.mu_kinetic=n.mu}else n.mu_static===n.mu_kinetic&&(n.mu=n.mu_static);return ss({...qo,...n},{plane:n},e)}function Dh(n,t){return n.speed===
+null?n.omega===null?H("no_omega"):null:(n.vx=n.speed,n.omega=null,es("start","speed",t,Ih))}function jh({damping:n=null,restitution:t=null}){return n!==null&&t!==
 null?H("together",{section:"contact",other:"restitution",way:"damping"}):null}var{scenario:kt}=E,zo=kt.left_out,Uo={rigid:"Rigid",compliant:"Compliant"};function Te(n,t){let{fields:e,place:s}=kt.models.Scenario,i=xt(n)?An(s,n,Object.keys(
 e)):Vt("",n,"table");if(i)throw new I(i);let o=[],r=Object.keys(e).map(c=>{let m=Object.hasOwn(n,c)?n[c]:kt.default[c];return[c,zn(c,m,t,o)]}),a=Object.fromEntries(
-r),l=o.length?On(o):es(tt(a),a,t);if(l)throw new I(l);return a}function zn(n,t,e,s){if(n==="duration")return Pn(kt.models.Scenario.fields[n],t,n,s);let[i]=n==="\
-contact"?[Rn(t,"model",Uo,n,s,"rigid")]:kt.sections[n],o=i&&Sn(i,t,n,s),r=o&&Bo[n](o.values,o.given,e);return r&&s.push(r),o?.values}var Se=(n,t)=>Te(Do(n),t),ns=(n,t,e)=>Te(
+r),l=o.length?On(o):ss(tt(a),a,t);if(l)throw new I(l);return a}function zn(n,t,e,s){if(n==="duration")return Pn(kt.models.Scenario.fields[n],t,n,s);let[i]=n==="\
+contact"?[Rn(t,"model",Uo,n,s,"rigid")]:kt.sections[n],o=i&&Sn(i,t,n,s),r=o&&Bo[n](o.values,o.given,e);return r&&s.push(r),o?.values}var Se=(n,t)=>Te(Do(n),t),is=(n,t,e)=>Te(
 Go(n,t,e),e);function Go(n,t,e){return Oo(n,$t(n),t,(s,i)=>{let o=[],r=zn(s,i,e,o);if(o.length)throw new I(On(o));return r})}function Wo(n,t,e){let s=[];try{let i=Go(
 n,t,e),r=[...new Set([...t.keys()].map(a=>a.split(".")[0]))].map(a=>[a,zn(a,i[a],e,s)]);return s.length?null:Object.fromEntries(r)}catch(i){if(i instanceof I)return null;
 throw i}}var Ee=(n,t)=>Object.fromEntries(t.filter(e=>n[e]!==null).map(e=>[e,n[e]===1/0?"inf":n[e]])),Bn=n=>Object.keys(kt.models[n].fields);function $t({duration:n,
@@ -885,8 +885,8 @@ duration:n,hoop:qh(t),plane:Ee(e,Bn("Plane").filter(l=>!o.includes(l)&&!r(l))),s
 function qh(n){if(n.parts){let e=n.parts.map(s=>Ee(s,Bn(kt.parts[s.shape])));return{radius:n.radius,parts:e}}let t=n.load_fraction===null?["eccentricity","inert\
 ia_ratio"]:["load_fraction"];return Ee(n,["radius","mass",...t])}function Un(n,t){if(n==="hoop"||n==="plane")return kt.default[n];let{fields:e}=kt.models[n==="s\
 tart"?"Start":t==="compliant"?"Compliant":"Rigid"];return Object.fromEntries(Object.entries(e).map(([s,i])=>[s,i.default??void 0]))}function Ae(n){let t={};for(let[
-e,s]of Object.entries($t(n))){if(ss(s,kt.default[e]))continue;let i=xt(s)?Un(e,s.model):{},o=Object.entries(s).filter(([r,a])=>r==="model"||!ss(i[r],a));t[e]=xt(
-s)&&o.length?Object.fromEntries(o):s}return jn(t)}var ss=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var Bh=8,{quantities:Ko}=E.map;async function Gn(n,{x:t,y:e},s,i){let[o,r]=[Me(t),Me(e)],a=(...f)=>Wo(n,new Map(f),s),l=zh(n,t.path,e.path),c=l&&o.map(f=>a([t.path,
+e,s]of Object.entries($t(n))){if(ns(s,kt.default[e]))continue;let i=xt(s)?Un(e,s.model):{},o=Object.entries(s).filter(([r,a])=>r==="model"||!ns(i[r],a));t[e]=xt(
+s)&&o.length?Object.fromEntries(o):s}return jn(t)}var ns=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var Bh=8,{quantities:Ko}=E.map;async function Gn(n,{x:t,y:e},s,i){let[o,r]=[Me(t),Me(e)],a=(...f)=>Wo(n,new Map(f),s),l=zh(n,t.path,e.path),c=l&&o.map(f=>a([t.path,
 f])),m=l&&r.map(f=>a([e.path,f])),h=o.length*r.length,p=new Float64Array(ge.length*h),d=performance.now();for(let f=0;f<h;f++){let g=f%o.length,_=(f-g)/o.length;
 g===0&&performance.now()-d>Bh&&(await new Promise(k=>setTimeout(k)),i?.throwIfAborted(),d=performance.now());let b=c?c[g]:a([e.path,r[_]],[t.path,o[g]]),y=m?m[_]:
 b;if(!b||!y)continue;let w=tt({...n,...b,...y});for(let k=0;k<ge.length;k++)p[k*h+f]=ge[k](w)}return{count:h,rows:p}}function zh({start:n},t,e){let s=[t,e].map(
@@ -897,11 +897,11 @@ let s=t?[...t].sort((r,a)=>r.length-a.length||(r<a?-1:1)):e,i=t?.map(r=>s.indexO
 kind==="whole"?String(t):Mn(t)}function Vo(n,t,e){if(Array.isArray(e)){let r=a=>Object.entries(a).map(([l,c])=>`${l} = ${Yo(l,c)}`);return[`${t} = [`,...e.map(a=>`\
   { ${r(a).join(", ")} },`),"]"].join(`
 `)}let s=`${t} = ${Yo(t,e)}`,o=(Pe.sections[n]??["Scenario"]).map(r=>Pe.models[r].fields).find(r=>t in r)[t].unit;return o===""||o==="1"?s:`${s.padEnd(Gh)} # ${o}`}
-var Yo=(n,t)=>t==="inf"?"inf":Qo(n,t);function is(n){let{duration:t,...e}=$t(n),s=[Vo("","duration",t)];for(let[i,o]of Object.entries(e))s.push("",`[${i}]`,...Object.
+var Yo=(n,t)=>t==="inf"?"inf":Qo(n,t);function os(n){let{duration:t,...e}=$t(n),s=[Vo("","duration",t)];for(let[i,o]of Object.entries(e))s.push("",`[${i}]`,...Object.
 entries(o).map(([r,a])=>Vo(i,r,a)));return`${s.join(`
 `)}
 `}var Wh={hoop:"Hoop",plane:"Plane",start:"Start"},Kh=["load_fraction","mu"];function Vn(n){let{duration:t,contact:e,...s}=$t(n),i=Object.entries(s).map(([o,r])=>Xo(
-o,r));return ss(e,Pe.default.contact)||i.push(`contact=${Xo("contact",e)}`),i.splice(3,0,`duration=${Mn(t)}`),`import hophoop as hh
+o,r));return ns(e,Pe.default.contact)||i.push(`contact=${Xo("contact",e)}`),i.splice(3,0,`duration=${Mn(t)}`),`import hophoop as hh
 
 motion = hh.simulate(
 ${i.map(o=>`    ${o},
@@ -914,39 +914,39 @@ r=Object.entries(e).filter(([l,c])=>Kh.includes(l)||o[l]!==c),a=t?[`parts=[${t.m
 shape:n,...t})=>`hh.${Pe.parts[n]}(${Object.entries(t).map(Zo).join(", ")})`,Zo=([n,t])=>`${n}=${t==="inf"?'float("inf")':Qo(n,t)}`;Ht();var{letters:er,modes:Xn,summed_up:Yh}=E.words,Xh=400,[,Yn,tr,Jh,Qh]=Xn,Zh="⁰¹²³⁴⁵⁶⁷⁸⁹";function sr(n,t){let{omega:e,to:s}=n[t];return e===0&&(s===
 "S"||s==="K")&&t+1<n.length}var Jn=n=>[...n.keys()].filter(t=>sr(n,t)),Qn=(n,t)=>.5*(n[t].t+n[t+1].t);function Zn(n,t=Xh){let e=[],s=0,i=ir(n.events);for(let[o,
 r]of n.events.entries()){let a=i.get(o);if(a===0||r.kind==="end")continue;let l=a===void 0?ec(n,o,r):{key:"story.more_bounces",values:{count:a}};if(e.length>=t){
-s++;continue}e.push({t:r.t,event:o,mode:er[Xn.indexOf(os(n,o))],text:l})}return s&&e.push({...e[e.length-1],text:{key:"story.left_out",values:{count:s}}}),e}var nr=n=>n.
+s++;continue}e.push({t:r.t,event:o,mode:er[Xn.indexOf(rs(n,o))],text:l})}return s&&e.push({...e[e.length-1],text:{key:"story.left_out",values:{count:s}}}),e}var nr=n=>n.
 kind==="impact"&&n.to==="H"&&n.collision!==!1;function ir(n,t=3,e=6){let s=new Map,i=[];for(let o=0;o<=n.length;o++){let r=n[o];if(r&&(nr(r)||i.length&&r.kind===
 "apex")){i.push(o);continue}let a=i.filter(l=>n[l].kind==="impact");if(a.length>=e){for(let l of i.slice(i.indexOf(a[t])))s.set(l,0);s.set(a[t],a.length-t)}i=[]}
 return s}function ti(n,t=6){let e=[],s=0,i=ir(n.events,1);for(let[r,a]of n.events.entries()){let l=i.get(r);if(l!==void 0){l&&e.push({key:"summary.more_times",values:{
-what:e.pop()??"",count:l}});continue}if(a.kind==="start"||!e.length){e.push(`verb.${os(n,r)}`);continue}let c=tc(n,r,a);c&&(s++,s<=t&&e.push({key:c,values:{where:re(
+what:e.pop()??"",count:l}});continue}if(a.kind==="start"||!e.length){e.push(`verb.${rs(n,r)}`);continue}let c=tc(n,r,a);c&&(s++,s<=t&&e.push({key:c,values:{where:re(
 a.angle)}}))}s>t&&e.push({key:"summary.more_changes",values:{count:s-t}});let o=`status.${n.status}`;return n.status==="completed"?{key:"summary.whole",values:{
 phrases:at(e)}}:{key:"summary.with_ending",values:{phrases:at(e),ending:o}}}function tc(n,t,e){return e.collision===!1?"summary.without_collision":nr(e)?"summar\
-y.bounces":["slip_start","slip_reversal"].includes(e.kind)||or(e)?`summary.${os(n,t)}`:Yh.includes(e.kind)?`summary.${e.kind}`:""}function ec(n,t,e){let s=os(n,
+y.bounces":["slip_start","slip_reversal"].includes(e.kind)||or(e)?`summary.${rs(n,t)}`:Yh.includes(e.kind)?`summary.${e.kind}`:""}function ec(n,t,e){let s=rs(n,
 t),i={where:re(e.angle),verb:`verb.${s}`};return{key:`story.${sc(n.events,t,s,i)}`,values:i}}function sc(n,t,e,s){let i=n[t],{kind:o}=i;return o==="start"&&(s.speed=
 Yt(i.vx),e===Jh||e===Qh)?`start_${e}`:o==="slip_start"&&e===Yn?"slip_start_spin":o==="takeoff"?nc(n,t,s):o==="impact"?(s.speed=Yt(i.before.vy===null?null:Math.abs(
 i.before.vy)),i.collision===!1?"impact_without_collision":i.to==="H"?"impact_bounce":o):o==="turn"&&or(i)?"turn_in_slip":(o==="apex"&&(s.gap=rr(i.height)),o==="\
 kane_gain"&&(s.gain=Yt(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}function nc(n,t,e){let{t:s}=n[t],i=0;for(let o=t;o<n.length;o++)if(i=Math.max(i,n[o].
 height),!(o===t||n[o].kind!=="impact")){for(let r=o+1;r<n.length&&n[r].t<=n[o].t;r++)i=Math.max(i,n[r].height);if(!i)break;return e.top=rr(i),e.time=Yt(n[o].t-s),
-"takeoff_and_landing"}return"takeoff"}function os(n,t){let e=n.events[t];return ic(e.to,sr(n.events,t)?n.omega(t):e.omega)}function ic(n,t){return n==="S"?t>0?Yn:
+"takeoff_and_landing"}return"takeoff"}function rs(n,t){let e=n.events[t];return ic(e.to,sr(n.events,t)?n.omega(t):e.omega)}function ic(n,t){return n==="S"?t>0?Yn:
 tr:n==="K"?t<0?Yn:tr:Xn[er.indexOf(n)]}var or=n=>n.kind==="turn"&&(n.to==="S"||n.to==="K"),re=n=>`${En(n*(180/Math.PI),1)}°`.replaceAll("-","−");function rr(n){
 return n>=.995?`${Yt(n)} m`:n>=.00995?`${Yt(n*100)} cm`:`${Yt(n*1e3)} mm`}function Yt(n){if(n===null||Number.isNaN(n))return"?";let[t,e]=lt(n,3).split("e"),s=e===
-void 0?"":`·10${oc(Number(e))}`;return`${t}${s}`.replaceAll("-","−")}var oc=n=>[...String(n)].map(t=>t==="-"?"⁻":Zh[Number(t)]).join("");var ar=2e3;function rs(n,{status:t,sequence:e,fingerprint:s,events:i,final:o,energy:r}){let{schema:a,setup:l}=E,c=$t(n);return{schema:a,version:l.version,scenario:c,
-status:t,sequence:e,fingerprint:s,events:i,final:o,energy:r}}function as(n,t,e,s){let i={events:t.events,status:t.status,omega:e};return{...rs(n,t),events:t.events.
+void 0?"":`·10${oc(Number(e))}`;return`${t}${s}`.replaceAll("-","−")}var oc=n=>[...String(n)].map(t=>t==="-"?"⁻":Zh[Number(t)]).join("");var ar=2e3;function as(n,{status:t,sequence:e,fingerprint:s,events:i,final:o,energy:r}){let{schema:a,setup:l}=E,c=$t(n);return{schema:a,version:l.version,scenario:c,
+status:t,sequence:e,fingerprint:s,events:i,final:o,energy:r}}function ls(n,t,e,s){let i={events:t.events,status:t.status,omega:e};return{...as(n,t),events:t.events.
 slice(0,ar),query:Ae(n),duration:t.duration,values:rc(n),automatic:ac(n,s),massless:n.hoop.inertia_ratio===0,summary:ti(i),story:Zn(i),shortened:t.events.length>
 ar}}function rc({hoop:n,plane:t,start:e}){let s={hoop:n,plane:t,start:{...vt(e,n.radius),speed:e.speed}},i=E.shown.map(o=>{let[r,a]=o.split("."),l=s[r][a];return[
 o,l===1/0?"inf":l]});return Object.fromEntries(i)}function ac(n,t){if(n.contact.model==="rigid")return{};let{stiffness:e,slip_speed:s}=t.chosen(tt(n)),{restitution:i}=n.
-plane;return{"contact.stiffness":e,"contact.slip_speed":s,"contact.restitution":i}}var{rate:lc,variables:ei}=E.table,{letters:hc}=E.words,si=(n,t)=>JSON.stringify(rs(n,t),null,1);function ni(n){let t=Math.min(Math.max(Math.floor(n*lc)+1,2),E.limits.
+plane;return{"contact.stiffness":e,"contact.slip_speed":s,"contact.restitution":i}}var{rate:lc,variables:ei}=E.table,{letters:hc}=E.words,si=(n,t)=>JSON.stringify(as(n,t),null,1);function ni(n){let t=Math.min(Math.max(Math.floor(n*lc)+1,2),E.limits.
 samples),e=n/(t-1);return Float64Array.from({length:t},(s,i)=>i===t-1?n:i*e)}function ii(n,t){let e=Object.keys(ei),s=e.map(l=>ei[l]==="1"?l:`${l} [${ei[l]}]`),
 {kinetic:i,potential:o}=t,r={...t,total:Float64Array.from(i,(l,c)=>l+o[c])},a=[["t [s]",...s].join(",")];for(let[l,c]of n.entries()){let m=e.map(h=>h==="mode"?hc[r.
 mode[l]]:Lt(r[h][l]));a.push([Lt(c),...m].join(","))}return`${a.join(`\r
 `)}\r
-`}var{limits:ls}=E;function it({scenario:n,query:t,changes:e=[]},s){let o=n!==void 0&&t===void 0?Te(n,s):Se(t??"",s),r=new Map;for(let[a,l]of e)ke([...r.keys(),a])&&
-(o=ns(o,r,s),r=new Map),r.set(a,l);return r.size?ns(o,r,s):o}function oi({scenario:n,query:t,changes:e=[],...s},i){if(e.length>ls.changes)throw new st(G("too_ma\
-ny_changes",{pairs:e.length,most:ls.changes}));let{x:o,y:r}=s;if(o&&o.path===r.path)throw new I(G("equal_axes",{path:o.path}));let a=o?o.cells*r.cells:0;if(a>ls.
-cells)throw new st(G("too_many_cells",{cells:a,most:ls.cells}));return{...s,checked:it({scenario:n,query:t,changes:e},i)}}var cc=new Set(Object.keys(E.scenario.models.Scenario.fields)),mc=40,hs=n=>new URLSearchParams(`&${n}`).keys().next().value??"",lr=n=>!hs(n).includes(".")&&!cc.
-has(hs(n));function ri(n,t){let e=n.replace(/^\?/,"").split("&").filter(Boolean),s=e.filter(l=>!lr(l)),i=e.filter(lr).map(hs),o=l=>{try{return Ct(it({query:l.join(
+`}var{limits:hs}=E;function it({scenario:n,query:t,changes:e=[]},s){let o=n!==void 0&&t===void 0?Te(n,s):Se(t??"",s),r=new Map;for(let[a,l]of e)ke([...r.keys(),a])&&
+(o=is(o,r,s),r=new Map),r.set(a,l);return r.size?is(o,r,s):o}function oi({scenario:n,query:t,changes:e=[],...s},i){if(e.length>hs.changes)throw new st(G("too_ma\
+ny_changes",{pairs:e.length,most:hs.changes}));let{x:o,y:r}=s;if(o&&o.path===r.path)throw new I(G("equal_axes",{path:o.path}));let a=o?o.cells*r.cells:0;if(a>hs.
+cells)throw new st(G("too_many_cells",{cells:a,most:hs.cells}));return{...s,checked:it({scenario:n,query:t,changes:e},i)}}var cc=new Set(Object.keys(E.scenario.models.Scenario.fields)),mc=40,cs=n=>new URLSearchParams(`&${n}`).keys().next().value??"",lr=n=>!cs(n).includes(".")&&!cc.
+has(cs(n));function ri(n,t){let e=n.replace(/^\?/,"").split("&").filter(Boolean),s=e.filter(l=>!lr(l)),i=e.filter(lr).map(cs),o=l=>{try{return Ct(it({query:l.join(
 "&")},t)),null}catch(c){if(c instanceof I)return c;throw c}},r=o(s);return{query:(r?uc(s,l=>!o(l)):s).join("&"),foreign:[...new Set(i)],error:r}}function uc(n,t){
-if(n.length>mc)return[];let e=new Map;for(let i of n){let o=hs(i).split(".")[0];e.set(o,[...e.get(o)??[],i])}let s=[];for(let i of e.values()){let o=[...s,...pc(
+if(n.length>mc)return[];let e=new Map;for(let i of n){let o=cs(i).split(".")[0];e.set(o,[...e.get(o)??[],i])}let s=[];for(let i of e.values()){let o=[...s,...pc(
 i,t)];t(o)&&(s=o)}return s}function pc(n,t){let e=(...i)=>n.filter((o,r)=>!i.includes(r));return[n,...n.map((i,o)=>e(o)),...n.flatMap((i,o)=>n.map((r,a)=>e(o,a)))].
 find(t)??[]}var dc=["hoop.eccentricity","plane.slope"],fc={...Object.fromEntries(Object.entries(E.map.rates).map(([n,t])=>[n,()=>({[t]:1})])),"hoop.radius":gc,"hoop.mass":({
 hoop:n})=>n.parts?null:{mass:1},"hoop.load_fraction":({hoop:{load_fraction:n}})=>n===null?null:{eccentricity:1,inertia_ratio:-2*n},"plane.mu":({plane:{mu:n}})=>n===
@@ -976,16 +976,16 @@ NaN);s>=0&&(e.time=s);let i=t.get("show");i!==null&&(e.options=Object.fromEntrie
 c,m,h,p,d,f,g]=t.get("map")?.split(",")??[],_=[h,p,f,g].map(Number);g!==void 0&&_.every(Number.isFinite)&&_[0]<_[1]&&_[2]<_[3]&&(e.map={what:c,x:[m,_[0],_[1]],y:[
 d,_[2],_[3]]});let b=t.get("fingerprint")?.toLowerCase().split(",");return b&&(e.fingerprints=b.map(y=>Lc.test(y)?y:"")),e}function _r(n,t){let e=(n??"").split(
 ",").map(Number);return n&&e.length===t&&e.every(Number.isFinite)?e:null}var fi=()=>{let n=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
-search.slice(1),...n===null?[]:[n]]},us=class{constructor(t,e,s){this.motions=t;this.notice=e;this.link=s;this.number=history.state?.number??0;this.held=!1;this.
+search.slice(1),...n===null?[]:[n]]},ps=class{constructor(t,e,s){this.motions=t;this.notice=e;this.link=s;this.number=history.state?.number??0;this.held=!1;this.
 soon=ut(()=>this.write("same"),Cc),this.listen=()=>this.arrived(),addEventListener("popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(t){
 let{motions:e}=this;if(!e.lanes.length||!e.history.holds(e.queries())||this.held&&(t==="same"||t==="travelled"))return;let s=this.link();t==="step"||this.held?history.
 pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s),this.held=!1}read(t){let{notice:e}=this,{backend:s}=this.motions,i=t.map(
 l=>s.readable?.(l)??{query:l,foreign:[],error:null}),o=i.find(l=>l.error)?.error,r=i.flatMap(l=>l.foreign);this.held=!!o;let a=()=>{o?e.fail(o,"shell.the_rest_o\
 f_the"):r.length&&e.say({key:"shell.ignored_in_the_link",values:{names:at(r)}})};return{links:i.map(l=>l.query),said:a}}travel(t){return new Promise(e=>{let s=()=>e();
 addEventListener("popstate",s,{once:!0}),setTimeout(s,300),history.go(t)})}async arrived(){let t=history.state?.number??0,{links:e,said:s}=this.read(fi());JSON.
-stringify(e)===JSON.stringify(this.motions.queries())?this.number=t:await this.motions.arrive(e)?(this.number=t,s()):t!==this.number&&history.go(this.number-t)}};S();Dt();N();var Fe=[.05,.1,.25,.5,1,2,4],ps=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,ds=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
-playing=!1;this.loop=!ps();this.once=!1;this.pointed=null;this.last=null;this.listeners=new Set}changed(){for(let t of this.listeners)t(this)}run({to:t=this.time,
-once:e=!1}={}){ps()?this.seek(t):(this.play(!0),this.once=e)}seek(t){this.time=x(t,0,this.duration),this.changed()}point(t){this.pointed=t,this.changed()}play(t=!this.
+stringify(e)===JSON.stringify(this.motions.queries())?this.number=t:await this.motions.arrive(e)?(this.number=t,s()):t!==this.number&&history.go(this.number-t)}};S();Dt();N();var Fe=[.05,.1,.25,.5,1,2,4],ds=()=>matchMedia("(prefers-reduced-motion: reduce)").matches,fs=class{constructor(){this.time=0;this.duration=1;this.speed=1;this.
+playing=!1;this.loop=!ds();this.once=!1;this.pointed=null;this.last=null;this.listeners=new Set}changed(){for(let t of this.listeners)t(this)}run({to:t=this.time,
+once:e=!1}={}){ds()?this.seek(t):(this.play(!0),this.once=e)}seek(t){this.time=x(t,0,this.duration),this.changed()}point(t){this.pointed=t,this.changed()}play(t=!this.
 playing){this.playing=t,this.once=!1,this.last=null,t&&this.time>=this.duration&&(this.time=0),this.changed()}faster(t){let e=Fe.indexOf(this.speed);this.speed=
 Fe[x(e+t,0,Fe.length-1)],this.changed()}tick(t){if(!this.playing)return!1;let e=this.last===null?0:Math.min(t-this.last,100)/1e3;return this.last=t,this.time+=e*
 this.speed,this.time>=this.duration&&(this.loop&&!this.once&&this.duration>0?this.time%=this.duration:(this.time=this.once?0:this.duration,this.playing=!1,this.
@@ -1005,10 +1005,10 @@ this.typing=!1,this.input.value=this.shown,this.accept()}show(t){this.shown=gt(t
 nt_mass",keys:["mass","at"]},rod:{label:"parts.rod",keys:["mass","length","at"]}},Fc={mass:["parts.mass","kg"],inner_radius:["parts.inner_radius","m"],outer_radius:[
 "parts.outer_radius","m"],radius:["parts.radius","m"],at:["parts.distance_from_centre","m"],length:["parts.length","m"]},Ic=(n,t,e)=>({ring:{shape:n,mass:e,inner_radius:.95*
 t,outer_radius:t},disk:{shape:n,mass:e,radius:.1*t,at:.8*t},point_mass:{shape:n,mass:e,at:t},rod:{shape:n,mass:e,length:.5*t,at:.5*t}})[n];function xr(n){let t=n["\
-hoop.radius"],e=n["hoop.mass"],s=Math.min(Math.max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:fs(e*(1-s)),inner_radius:fs(.98*t),outer_radius:t},
-{shape:"point_mass",mass:fs(e*s),at:t}]}var fs=n=>Number(n.toPrecision(6)),gs=class{constructor(t){this.onchange=t;this.list=u("div",{class:"parts"});this.element=
+hoop.radius"],e=n["hoop.mass"],s=Math.min(Math.max(n["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:gs(e*(1-s)),inner_radius:gs(.98*t),outer_radius:t},
+{shape:"point_mass",mass:gs(e*s),at:t}]}var gs=n=>Number(n.toPrecision(6)),_s=class{constructor(t){this.onchange=t;this.list=u("div",{class:"parts"});this.element=
 u("div",{},this.list,u("select",{"aria-label":"parts.add_a_part",onchange:e=>{let s=e.target.value;e.target.value="",s&&this.send([...this.parts,Ic(s,this.radius,
-fs(.2*this.mass))])}},u("option",{value:""},"parts.add_a_part_2"),Object.entries(vr).map(([e,{label:s}])=>u("option",{value:e},s))))}send(t){this.onchange([["ho\
+gs(.2*this.mass))])}},u("option",{value:""},"parts.add_a_part_2"),Object.entries(vr).map(([e,{label:s}])=>u("option",{value:e},s))))}send(t){this.onchange([["ho\
 op.parts",t]])}show(t,e,s){let i=JSON.stringify(t);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=t;return}Object.assign(
 this,{text:i,parts:t,radius:e,mass:s}),this.list.replaceChildren(...t.map((o,r)=>this.row(o,r)))}row(t,e){let{label:s,keys:i}=vr[t.shape];return u("fieldset",{class:"\
 part"},u("legend",{},s,this.parts.length>1&&u("button",{type:"button",class:"quiet","aria-label":{key:"parts.remove_part_number_what",values:{number:e+1,what:s}},
@@ -1027,8 +1027,8 @@ entry.show("");return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?gi:1);thi
 entry.input.placeholder=s?"":P("controls.auto_value",{value:M(o,2)}),this.entry.input.title=s?j(String(o),this.info.unit):"";let r=x(this.info.logarithmic?Math.
 log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-r)>1e-6&&(this.range.value=String(r)),this.say(o)}};function $c(n,t){let e=u("select",{"dat\
 a-path":n.path,onchange:()=>t([[n.path,e.value]],!0)},n.options.map(([i,o])=>u("option",{value:i},o)));return{element:u("label",{class:"choice",title:n.help},u(
-"span",{},n.label),e),select:e,path:n.path}}var _s=class{constructor(t,e){this.sliders=new Map;this.onchange=(s,i=!0)=>e(s,i);for(let s of Object.values(t.groups))
-for(let i of s)this.sliders.set(i.path,new _i(i,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,$c(s,this.onchange)])),this.parts=new gs(this.onchange),
+"span",{},n.label),e),select:e,path:n.path}}var bs=class{constructor(t,e){this.sliders=new Map;this.onchange=(s,i=!0)=>e(s,i);for(let s of Object.values(t.groups))
+for(let i of s)this.sliders.set(i.path,new _i(i,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,$c(s,this.onchange)])),this.parts=new _s(this.onchange),
 this.gravities=t.gravities,this.element=u("div",{class:"controls"},this.hoop(),this.plane(),this.start(),this.contact())}at(t){let e=this.sliders.get(t)??this.choices.
 get(t);if(!e)throw new Error(`There is no control of ${t}.`);return e.element}of(t,e={}){return[...this.sliders.keys(),...this.choices.keys()].filter(s=>s.startsWith(
 `${t}.`)).flatMap(s=>[...e[s]??[],this.at(s)])}select(t,e,s){let i=u("select",{onchange:()=>s(i.value)},e.map(([o,r])=>u("option",{value:o},r)));return{select:i,
@@ -1072,7 +1072,7 @@ if(t)return{points:0,text:t};if(Math.abs(Math.abs(n.scenario.start.angle??0)-Mat
 lane.mu_kinetic"]>1.5||n.values["plane.mu_static"]>1.5)return{points:0,text:"challenge.friction_must_be_at"};let e=Mr(n)[0];if(!e)return{points:0,text:"challeng\
 e.it_does_not_hop"};let s=n.phases.filter(({from:o})=>o<e.t);if(s.some(({mode:o})=>o==="K"))return{points:0,text:"challenge.it_skids_before_it"};if(s[0]?.mode!==
 "R")return{points:0,text:"challenge.it_must_start_rolling"};let i=n.events.find(({kind:o,t:r})=>o==="apex"&&r>e.t);return i?{points:Er(i.height,qc),text:"challe\
-nge.it_rises_by_height",values:{height:jt(i.height)}}:{points:0,text:"challenge.it_does_not_hop"}}}],wi=n=>n>=95?3:n>=75?2:n>=40?1:0;Dt();O();var Tr="hophoop-best-",zc=n=>"★".repeat(wi(n))+"☆".repeat(3-wi(n)),bs=class{constructor({film:t,load:e,ahead:s}){this.goal=null;this.solved=new Set;
+nge.it_rises_by_height",values:{height:jt(i.height)}}:{points:0,text:"challenge.it_does_not_hop"}}}],wi=n=>n>=95?3:n>=75?2:n>=40?1:0;Dt();O();var Tr="hophoop-best-",zc=n=>"★".repeat(wi(n))+"☆".repeat(3-wi(n)),ys=class{constructor({film:t,load:e,ahead:s}){this.goal=null;this.solved=new Set;
 this.solutions=new Set;Object.assign(this,{film:t,load:e,ahead:s}),this.tabs=new Map(yi.map(i=>[i.key,u("button",{type:"button","aria-pressed":"false",onclick:()=>this.
 choose(i)},i.title)])),this.text=u("p",{}),this.meter=u("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"100","aria-label":"challenge.score"}),this.result=
 u("p",{class:"challenge-result",role:"status"}),this.kept=u("p",{class:"hint"}),this.element=u("section",{class:"challenges card","aria-label":"menu.challenges",
@@ -1085,23 +1085,23 @@ L(this.text,t.text),this.changed()}begin(){this.goal&&(this.solved.delete(this.g
 add(t.key),await this.load(t.best),this.solutions.add(this.film().query))}changed(){let{goal:t}=this;if(!t)return;let{points:e,text:s,values:i={}}=t.score(this.
 film()),o=!this.solved.has(t.key)&&!this.solutions.has(this.film().query);this.meter.value=e;let a={key:o?"challenge.stars_points_points_what":"challenge.stars_\
 points_points_shown",values:{stars:zc(e),count:e,what:{key:s,values:i}}};this.result.textContent!==U(a)&&L(this.result,a);let l=Number(ct(Tr+t.key)??0),c=o&&!this.
-ahead()?Math.max(l,e):l;c>l&&mt(Tr+t.key,String(c)),L(this.kept,{key:"challenge.your_best_points_points",values:{count:c}})}};S();S();N();var Sr=.09,Uc=.03,vi=Math.PI/180,ys=Math.PI/4,Ar=2*Math.PI,Ie=n=>n-Ar*Math.round(n/Ar);function ws(n,t){let e=n.at(t),s=t===0;return{angle:Ie(e.angle),height:Math.
+ahead()?Math.max(l,e):l;c>l&&mt(Tr+t.key,String(c)),L(this.kept,{key:"challenge.your_best_points_points",values:{count:c}})}};S();S();N();var Sr=.09,Uc=.03,vi=Math.PI/180,ws=Math.PI/4,Ar=2*Math.PI,Ie=n=>n-Ar*Math.round(n/Ar);function vs(n,t){let e=n.at(t),s=t===0;return{angle:Ie(e.angle),height:Math.
 max(e.height,0),vx:s?e.vx:0,vy:s?e.vy:0,omega:s?e.omega:0,slope:n.slope}}var Pr=n=>2*Math.sqrt(Math.max(n.gravity,1)*n.radius),qt=n=>Number(n.toFixed(4))+0;function Lr(n,t,e){
 if(n==="plane")return[["plane.slope",qt(t.slope)]];if(t.height>0)return[["start.angle",qt(t.angle)],["start.height",qt(t.height)],["start.vx",qt(t.vx)],["start.\
 vy",qt(t.vy)],["start.omega",qt(t.omega)]];let s=n==="load"?t.omega*e.radius:t.vx;return[["start.angle",qt(t.angle)],["start.speed",qt(s)]]}var He=class{constructor(t,e,s,i,o){
-this.grip=t;this.film=e;this.view=i;this.turned=0;this.trail=[];this.moved=0;this.before=ws(e,s),this.held={...this.before,vx:0,vy:0,omega:0};let r=e.at(s);this.
+this.grip=t;this.film=e;this.view=i;this.turned=0;this.trail=[];this.moved=0;this.before=vs(e,s),this.held={...this.before,vx:0,vy:0,omega:0};let r=e.at(s);this.
 center=[r.x,e.radius+r.height],this.foot=i.point(r.x,0),this.from=this.read(o)}read(t){let[e,s]=this.view.unpoint(t.clientX,t.clientY),i=this.grip==="plane"?Math.
 atan2(t.clientY-this.foot[1],t.clientX-this.foot[0]):Math.atan2(e-this.center[0],s-this.center[1]);return{x:t.clientX,y:t.clientY,along:e,away:s,turn:i}}move(t,e){
-let s=this.read(t),{radius:i}=this.film;if(this.turned+=Ie(s.turn-this.from.turn-this.turned),this.grip==="plane"){let o=x(this.before.slope+this.turned,-ys,ys);
+let s=this.read(t),{radius:i}=this.film;if(this.turned+=Ie(s.turn-this.from.turn-this.turned),this.grip==="plane"){let o=x(this.before.slope+this.turned,-ws,ws);
 this.held.slope=Math.abs(o)<vi?0:o}else if(this.grip==="load")this.held.angle=Ie(this.before.angle+this.turned);else{let o=this.before.height+s.away-this.from.away;
 this.held.height=o<Uc*i?0:o;let r=s.along-this.from.along;this.held.angle=Ie(this.before.angle+(this.held.height>0?0:r/i)),this.moved=s.x-this.from.x}for(this.trail.
 push({t:e/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<e/1e3-Sr;)this.trail.shift();return this.held}release(t){let{held:e,
 trail:s,film:i}=this,o=s.at(-1),r=s[0],a=o&&r?o.t-r.t:0,l=!o||a<.012||t/1e3-o.t>Sr,c=Pr(i);return l||this.grip==="plane"||(this.grip==="load"?e.omega=x((o.turned-
 r.turned)/a,-c/i.radius,c/i.radius):(e.vx=x((o.along-r.along)/a,-c,c),e.vy=e.height>0?x((o.away-r.away)/a,-c,c):0)),e}};function Cr(n,t,e,s,i){let o={ArrowLeft:-1,
 ArrowRight:1}[t]??0,r={ArrowDown:-1,ArrowUp:1}[t]??0;if(!o&&!r)return null;let a=e?.2:1;if(n==="load"){let h=Ie(s.angle+(o||r)*5*vi*a);return{...s,angle:h}}if(n===
-"plane"){let h=x(s.slope+(o||-r)*vi*a,-ys,ys);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=Pr(i),c=x(s.height+r*.05*a*i.radius,0,4*i.radius),m=x(s.vx+o*.1*a,-l,
-l);return{...s,height:c<1e-9?0:c,vx:m}}N();Ot();O();var Gc=700,vs=44,Wc=[["plane","hand.slope_of_the_plane","hand.tilt_the_plane_drag"],["hoop","hand.the_hoop_height_and","hand.lift_roll_or_throw"],[
-"load","hand.angle_of_the_load","hand.turn_the_load_drag"]],xs=class{constructor(t){this.lab=t;this.pull=null;this.held=null;this.before=null;this.hint=u("div",
+"plane"){let h=x(s.slope+(o||-r)*vi*a,-ws,ws);return{...s,slope:Math.abs(h)<1e-9?0:h}}let l=Pr(i),c=x(s.height+r*.05*a*i.radius,0,4*i.radius),m=x(s.vx+o*.1*a,-l,
+l);return{...s,height:c<1e-9?0:c,vx:m}}N();Ot();O();var Gc=700,xs=44,Wc=[["plane","hand.slope_of_the_plane","hand.tilt_the_plane_drag"],["hoop","hand.the_hoop_height_and","hand.lift_roll_or_throw"],[
+"load","hand.angle_of_the_load","hand.turn_the_load_drag"]],ks=class{constructor(t){this.lab=t;this.pull=null;this.held=null;this.before=null;this.hint=u("div",
 {class:"grip-hint","aria-hidden":"true",hidden:!0},"hand.drag_the_load");this.places=new Map(Wc.map(([o,r,a])=>[o,this.place(o,r,a)])),this.tip=u("output",{class:"\
 grip-tip","aria-hidden":"true",hidden:!0}),this.element=u("div",{class:"grips",role:"group","aria-label":"hand.the_hoop_in_your"},[...this.places.values()],this.
 tip,this.hint);let{flat:e,plane:s}=t.stage;e.grab=o=>this.take(o),s.addEventListener("pointermove",o=>this.hover(o)),s.addEventListener("pointerleave",()=>this.
@@ -1109,11 +1109,11 @@ hover(null));let i=o=>this.pull&&o.cancelable&&o.preventDefault();s.addEventList
 Pull=He}place(t,e,s){return u("div",{class:`grip grip-${t}`,role:"slider",tabindex:"0","aria-label":e,"aria-valuenow":"0",title:s,onkeydown:i=>this.key(t,i),onblur:()=>this.
 held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:t}=this,e=this.view(),s=!!e&&!t.stage.options.three;if(this.
 element.hidden=!s,!s)return;this.element.classList.toggle("running",t.clock.playing);let{pose:i,film:o,scale:r}=e,a=o.radius,l=e.point(i.x,a+i.height),c=e.point(
-i.x+a*Math.sin(i.angle),a+i.height+a*Math.cos(i.angle)),m=this.onPlane(e),h=x(1.1*a*r,vs,190),p=[["plane",m,vs],["hoop",l,h],["load",c,vs]];for(let[d,[f,g],_]of p){
+i.x+a*Math.sin(i.angle),a+i.height+a*Math.cos(i.angle)),m=this.onPlane(e),h=x(1.1*a*r,xs,190),p=[["plane",m,xs],["hoop",l,h],["load",c,xs]];for(let[d,[f,g],_]of p){
 let b=this.places.get(d);b.style.transform=`translate(${f-_/2}px, ${e.top+g-_/2}px)`,b.style.width=b.style.height=`${_}px`,b.hidden=f<0||g<0||f>e.width||g>e.height}
-if(!this.hint.hidden){let[d,f]=p[2][1];this.hint.style.transform=`translate(${x(d,70,e.width-70)}px, ${e.top+Math.max(f-vs,18)}px) translate(-50%, -50%)`}t.clock.
+if(!this.hint.hidden){let[d,f]=p[2][1];this.hint.style.transform=`translate(${x(d,70,e.width-70)}px, ${e.top+Math.max(f-xs,18)}px) translate(-50%, -50%)`}t.clock.
 playing||this.tell(o)}onPlane(t){let e=t.point(t.pose.x,0),i=(Math.min(e[0]+Math.max(1.9*t.film.radius*t.scale,90),t.width-30)-e[0])/(t.scale*Math.max(t.cosine,
-.2));return t.point(t.pose.x+i,0)}tell(t){let e=this.pull?.held??this.held??ws(t,this.lab.clock.time),s={load:K(e.angle),hoop:P("hand.gap_height_speed_speed",{height:jt(
+.2));return t.point(t.pose.x+i,0)}tell(t){let e=this.pull?.held??this.held??vs(t,this.lab.clock.time),s={load:K(e.angle),hoop:P("hand.gap_height_speed_speed",{height:jt(
 e.height),speed:M(e.vx,3)}),plane:K(e.slope)},i={load:e.angle*(180/Math.PI),hoop:e.height,plane:e.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*t.radius],plane:[
 -45,45]};for(let[r,a]of this.places)a.getAttribute("aria-valuetext")!==s[r]&&(a.setAttribute("aria-valuetext",s[r]),a.setAttribute("aria-valuenow",String(Number(
 i[r].toPrecision(4)))),a.setAttribute("aria-valuemin",String(o[r][0])),a.setAttribute("aria-valuemax",String(Number(o[r][1].toPrecision(4)))))}under(t){if(this.
@@ -1126,14 +1126,14 @@ this.comeBack(h)},g=new AbortController,_=b=>{b.key==="Escape"&&(b.stopPropagati
 signal}),J(o,t,b=>{if(!d){if(i.pinched()){f(),p&&this.back();return}!p&&Math.hypot(b.clientX-t.clientX,b.clientY-t.clientY)<3||(p||(i.fixed=a.scale,this.hold(),
 this.begin()),p=!0,m.move(c(b),b.timeStamp),i.shift=[h[0]+m.moved,h[1]],this.change(e,m.held,!1),this.show(e,m.held))}},(b,y)=>{d||(f(),p&&(y?(this.change(e,m.release(
 b.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return;let{lab:s}=this;if(e.key==="Escape"&&this.held)this.back();else if(e.
-key==="Enter")this.chosen(!0);else{this.held??=ws(s.film(),s.clock.time);let i=Cr(t,e.key,e.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.
+key==="Enter")this.chosen(!0);else{this.held??=vs(s.film(),s.clock.time);let i=Cr(t,e.key,e.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.
 hold(),this.begin()),this.held=i,this.change(t==="load"?"hoop":t,i,!1),this.show(t,i),this.settle()}e.preventDefault(),e.stopPropagation()}hold(){this.lab.clock.
 play(!1),this.before=this.lab.film().query}begin(){let{lab:t}=this;t.stage.options.ahead=!0,t.clock.seek(0),t.mark("holding",!0)}change(t,e,s){this.lab.motions.
 change(Lr(t,e,this.lab.film()),s)}show(t,e){let s={load:`θ = ${K(e.angle)}`,hoop:e.height>0?`y = ${jt(e.height)}`:`θ = ${K(e.angle)}`,plane:`β = ${K(e.slope)}`};
 L(this.tip,e.vx&&this.held?`${s[t]}, v = ${M(e.vx,3)} m/s`:s[t]),this.tip.hidden=!1}chosen(t){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.
 end(t)}end(t){let{lab:e}=this;this.held=null,this.before=null,this.tip.hidden=!0,e.stage.options.ahead=!1,e.mark("holding",!1),t&&e.clock.seek(0),t&&e.clock.run(),
 e.request()}async back(){let{lab:t,before:e}=this;if(this.end(!1),e===null)return;let s=t.motions.lanes[t.motions.active];for(s.pending=null;s.busy;)await new Promise(
-i=>requestAnimationFrame(i));try{t.motions.replace(await t.backend.film({query:e}))}catch(i){t.notice.fail(i)}}comeBack(t){let{flat:e}=this.lab.stage,s=ps(),i=()=>{
+i=>requestAnimationFrame(i));try{t.motions.replace(await t.backend.film({query:e}))}catch(i){t.notice.fail(i)}}comeBack(t){let{flat:e}=this.lab.stage,s=ds(),i=()=>{
 if(this.pull)return;let o=e.shift[0]-t[0];e.shift=Math.abs(o)<1||s?[...t]:[t[0]+.82*o,t[1]],this.lab.request(),e.shift[0]!==t[0]&&requestAnimationFrame(i)};i()}};var Kc={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
@@ -1145,14 +1145,14 @@ http://www.w3.org/2000/svg",e=document.createElementNS(t,"svg");e.setAttribute("
 e.value=It(),t(new Error("language.not_loaded"))}}},Object.entries(ie).map(([s,i])=>u("option",{value:s,lang:s},document.createTextNode(i))));return e.value=It(),
 e}var Nt=n=>`event.${n}`,Or=n=>n.kind==="takeoff"||n.to==="H"&&n.from!=="H"&&n.kind!=="impact";N();O();var Vc=new Set(v.passing),Yc=3,Xc=1e-10;function Jc(n){let t=[],e=-1,s=-1;for(let[i,{kind:o,from:r,to:a,t:l,height:c}]of n.entries())e>=0&&o==="apex"&&(s<
 0||c>n[s].height)&&(s=i),!Vc.has(o)&&(e>=0&&r==="H"&&l>n[e].t&&(t.push({begin:e,top:s,end:o==="end"?-1:i}),e=s=-1),a==="H"&&o!=="end"&&([e,s]=[i,-1]));return t}
-var ks=class{constructor(t,e,s){let{larger:i=null,smaller:o=null,count:r=0}=e??{};this.events=t.events,this.count=Math.min(r,t.events.length),this.radius=t.radius,
+var Ms=class{constructor(t,e,s){let{larger:i=null,smaller:o=null,count:r=0}=e??{};this.events=t.events,this.count=Math.min(r,t.events.length),this.radius=t.radius,
 this.side=i??o,this.step=i?s:-s,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||Qc(i,o))}rate(t,e){return this.side?this.side.rates[t*v.changes.length+_o[e]]:
 Number.NaN}of(t,e){return this.step*this.rate(t,e)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return Jc(this.events.slice(
 0,this.count)).map(({begin:t,top:e,end:s})=>{let i=o=>s<0?Number.NaN:this.step*(this.rate(s,o)-this.rate(t,o));return{begin:t,end:s,height:this.of(e<0?t:e,"heig\
 ht"),distance:i("x"),duration:i("t")}})}};function Qc(n,t){return n!==t&&(n?.rates.some((e,s)=>Number.isFinite(e)!==Number.isFinite(t?.rates[s]))??!1)}function Fr(n,t){
 let e=Math.abs(n);if(t==="°")return j(M(e*180/Math.PI,3),"°");let s=e<.0995,i=e<9995e-8,[o,r]=s?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return t==="m/s"?j(M(e,3),t):j(M(
-o*e,3),`${r}${t}`)}var Ms=(n,t)=>Math.abs(n)>Xc*Math.max(t,.001);function Ir(n,t){return Number.isFinite(n)?Ms(n,1)?`${n>0?"+":"−"}${Fr(n,t)}`:"0":"–"}function ki(n){
-let t=n.filter(([e])=>Number.isFinite(e)&&Ms(e,1)).map(([e,s,i,o])=>({key:e>0?i:o,values:{amount:Fr(e,s)}}));return t.length?at(t):null}var Nr=["m","sensitivity\
+o*e,3),`${r}${t}`)}var Es=(n,t)=>Math.abs(n)>Xc*Math.max(t,.001);function Ir(n,t){return Number.isFinite(n)?Es(n,1)?`${n>0?"+":"−"}${Fr(n,t)}`:"0":"–"}function ki(n){
+let t=n.filter(([e])=>Number.isFinite(e)&&Es(e,1)).map(([e,s,i,o])=>({key:e>0?i:o,values:{amount:Fr(e,s)}}));return t.length?at(t):null}var Nr=["m","sensitivity\
 .amount_further_to_the","sensitivity.amount_further_to_the_left"],Zc=["s","sensitivity.amount_later","sensitivity.amount_earlier"];function Hr(n){let{events:t,count:e}=n,
 s=[],i=n.hops();for(let[a,{begin:l,end:c,height:m,distance:h,duration:p}]of i.slice(0,Yc).entries()){let d=c>=0&&t[c].x<t[l].x?-h:h,f=ki([[m,"m","sensitivity.am\
 ount_higher","sensitivity.amount_lower"],[d,"m","sensitivity.amount_longer","sensitivity.amount_shorter"],[p,"s","sensitivity.amount_more_in_the","sensitivity.a\
@@ -1160,14 +1160,14 @@ mount_less_in_the"],[n.of(l,"t"),"s","sensitivity.begins_amount_later","sensitiv
 list",values:{number:a+1,list:f}}:{key:"sensitivity.the_hop_list",values:{list:f}})}let o=i.length?-1:t.findIndex(({kind:a},l)=>l<e&&a!=="start"&&a!=="end");if(o>=
 0){let a=ki([[n.of(o,"t"),...Zc],[n.of(o,"x"),...Nr]]);a&&s.push({key:"sensitivity.the_first_event_what",values:{what:Nt(t[o].kind),list:a}})}let r=e-1;if(r>0&&
 t[r].kind==="end"){let a=Math.sign(t[r].vx)*n.of(r,"vx"),l=ki([[n.of(r,"x"),...Nr],[a,"m/s","sensitivity.amount_faster","sensitivity.amount_slower"]]);l&&s.push(
-{key:"sensitivity.at_the_end_after",values:{time:M(t[r].t,4),list:l}})}return s}S();N();var Xt=E.words.signs,Es=Object.keys(Xt);function $r(n,t=11){let s=[...n.filter(({kind:o})=>o in Xt)].sort((o,r)=>Es.indexOf(o.kind)-Es.indexOf(r.kind)||o.x-r.x),
-i=[];for(let{kind:o,x:r}of s){let a=Es.indexOf(o)<Es.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-r)<t);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
+{key:"sensitivity.at_the_end_after",values:{time:M(t[r].t,4),list:l}})}return s}S();N();var Xt=E.words.signs,Ts=Object.keys(Xt);function $r(n,t=11){let s=[...n.filter(({kind:o})=>o in Xt)].sort((o,r)=>Ts.indexOf(o.kind)-Ts.indexOf(r.kind)||o.x-r.x),
+i=[];for(let{kind:o,x:r}of s){let a=Ts.indexOf(o)<Ts.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-r)<t);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.
 x-(l[0].x+t))<t-1e-9)?l[0].mark!==Xt[o]&&i.push({mark:Xt[o],x:l[0].x+t,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:Xt[o],x:r,rare:a,hidden:0})}return i.sort(
 (o,r)=>o.x-r.x).map(({mark:o,x:r})=>({mark:o,x:r}))}function Dr(n,t,e){let s=[],i=new Map,o=-1,r=(l,c,m)=>{let h=s.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-
 c)<1e-6?h.wide+=m:s.push({mode:l,from:c,wide:m})},a=()=>{i.size&&r([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:m}of n){let[h,
 p]=[Math.max(t(c),0),Math.min(t(m),e)];if(p>h)for(let d=h;d<p-1e-9;){if((Math.floor(d+1e-9)!==o||!i.size)&&(a(),o=Math.floor(d+1e-9),p-d>=1&&Math.abs(d-o)<1e-6)){
 let g=Math.floor(p-d+1e-9);r(l,o,g),d=o+g;continue}let f=Math.min(p,o+1);i.set(l,(i.get(l)??0)+f-d),d=f}}return a(),s}var jr=.7,qr=34,tm=3,em=400,sm=8,Mi=13;function Br(n){let{events:t,count:e}=n;return t.slice(0,Math.min(e,em)).map(({kind:s,x:i,height:o},r)=>({kind:s,x:i,y:o,dx:n.
-of(r,"x"),dy:n.of(r,"height")}))}function zr(n,t,e){let s=n.map(({dx:a,dy:l})=>Math.hypot(a,l)).filter(a=>Number.isFinite(a)&&Ms(a,t)).sort((a,l)=>a-l);if(!s.length)
+of(r,"x"),dy:n.of(r,"height")}))}function zr(n,t,e){let s=n.map(({dx:a,dy:l})=>Math.hypot(a,l)).filter(a=>Number.isFinite(a)&&Es(a,t)).sort((a,l)=>a-l);if(!s.length)
 return 0;let i=Math.max(jr*t,qr/e)/s[Math.floor(s.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),r=i/o;return(r>=5?5:r>=2?2:1)*o}function Ur(n,t,e){
 let s=[],i=tm*Math.max(jr*n.film.radius,qr/n.scale);for(let{kind:o,x:r,y:a,dx:l,dy:c}of t){let m=Number.isFinite(l)&&Number.isFinite(c),h=m?e*Math.hypot(l,c):0,
 p=h>i?i/h:1,d=m?[p*e*l,p*e*c]:[0,0],f=n.point(r,a),g=n.point(r+d[0],a+d[1]);if(Math.max(f[0],g[0])<-20||Math.min(f[0],g[0])>n.width+20)continue;let[_,b]=[Math.min(
@@ -1178,7 +1178,7 @@ n.lineCap="round",i&&(n.lineWidth=g>3?3:1,n.beginPath(),n.moveTo(e[0],e[1]),n.li
 n.moveTo(l[0],l[1]),n.lineTo(s[0]-m*p,s[1]-h*p),n.stroke(),n.setLineDash([]),n.beginPath(),n.arc(l[0],l[1],g>3?5.5:3.5,0,2*Math.PI),n.fill(),!(c<1)&&(n.lineWidth=
 g>3?4:1,n.beginPath(),n.moveTo(s[0],s[1]),n.lineTo(s[0]-m*p-h*p*.55,s[1]-h*p+m*p*.55),n.lineTo(s[0]-m*p+h*p*.55,s[1]-h*p-m*p*.55),n.closePath(),n.stroke(),n.fill());
 n.lineCap="butt";let d=o?a:"?";d&&(n.font=`600 ${11*t.px}px ${t.font}`,n.textAlign="center",n.lineWidth=3,n.strokeStyle=t.paper,n.fillStyle=t.ink,n.strokeText(d,
-l[0],l[1]-7),n.fillText(d,l[0],l[1]-7))}O();var Gr=Math.PI/180,im=100,Wr="plane.mu",om=/^(contact\.|duration$)/,rm=200,Ei=n=>`reason.${n}`,Ts=class{constructor(t){this.lab=t;this.on=!1;this.path=Wr;this.
+l[0],l[1]-7),n.fillText(d,l[0],l[1]-7))}O();var Gr=Math.PI/180,im=100,Wr="plane.mu",om=/^(contact\.|duration$)/,rm=200,Ei=n=>`reason.${n}`,Ss=class{constructor(t){this.lab=t;this.on=!1;this.path=Wr;this.
 changes=null;this.arrows=[];this.factor=0;this.three=!1;this.asked=null;this.known="";this.paths="";this.speak=!1;this.later=ut(()=>this.fetch(),im),this.switch=
 u("button",{type:"button",class:"switch",title:"sensitivity.what_a_little_more","aria-pressed":"false",onclick:()=>this.turn()},"sensitivity.arrows"),this.picked=
 u("select",{onchange:()=>this.pick(this.picked.value)}),this.step=u("span",{class:"more-step"}),this.take=u("button",{type:"button",onclick:()=>this.apply()},"s\
@@ -1199,7 +1199,7 @@ let t=this.offered();t.some(({path:s})=>s===this.path)||(this.path=t.find(({path
 this.paths){this.paths=e;let s=({path:i,label:o,symbol:r})=>u("option",{value:i},o," ",r);this.picked.replaceChildren(...t.map(s))}this.picked.value=this.path}forget(){
 this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){if(!this.on)return;let{lab:t,path:e}=this,s=t.film(),i=this.parameter();this.asked?.
 abort(),this.asked=new AbortController;let{signal:o}=this.asked;if(this.known=`${e} ${s.query}`,!i||!Number.isFinite(i.value))return this.refuse("sensitivity.it\
-_is_infinite_there");try{let r=await t.backend.changes(s.scenario,e,o);if(o.aborted||t.film()!==s)return;if(!r)return this.refuse(Ei("edge"));this.changes=new ks(
+_is_infinite_there");try{let r=await t.backend.changes(s.scenario,e,o);if(o.aborted||t.film()!==s)return;if(!r)return this.refuse(Ei("edge"));this.changes=new Ms(
 s,r,i.step),this.arrows=Br(this.changes),this.factor=0,this.tell()}catch(r){r.name!=="AbortError"&&!o.aborted&&this.refuse(et(r))}t.request()}refuse(t){this.forget(),
 this.take.disabled=!0;for(let e of[this.step,this.said,this.body])e.replaceChildren();this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,L(this.reason,
 t),this.speak&&this.lab.story.say(t),this.speak=!1,this.lab.request()}tell(){let{changes:t}=this,e=this.parameter();if(!t||!e)return;let{info:s,value:i}=e,o=c=>j(
@@ -1213,13 +1213,13 @@ s.reason)}}}return!o&&!r?"":{key:"sensitivity.to_one_side_only",values:{reason:E
 a[0]==="−"?"▼ ":"";return u("td",{"data-rate":String(r)},l&&u("span",{"aria-hidden":"true"},l),a)},s=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.
 body.replaceChildren(...t.events.slice(0,Math.min(t.count,rm)).map(({kind:i,t:o},r)=>u("tr",{onclick:()=>this.lab.clock.seek(o)},u("th",{scope:"row"},Nt(i),u("s\
 mall",{},` ${M(o,4)} s`)),s.map(([a,l])=>e(t.of(r,a),l,t.rate(r,a))))))}apply(){let t=this.parameter();if(!t||!this.changes)return;let e=Number((t.value+this.changes.
-step).toPrecision(12));this.lab.motions.change([[this.path,e]],!0)}};var Ss=class{constructor(t,e){this.root=t;this.show=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
+step).toPrecision(12));this.lab.motions.change([[this.path,e]],!0)}};var As=class{constructor(t,e){this.root=t;this.show=e;this.full=!1;this.on=!1;this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener(
 "fullscreenchange",this.left),this.onchange=()=>{}}async turn(t=!this.on){let{root:e}=this;if(this.on=t,e.classList.toggle("presenting",t),this.onchange(),this.
 show(),!t){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await e.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};N();var Kr=.22,Vr=.03;function Yr(n,t){let e=n.at(t),s=n.mass*(n.gravity||9.81),i=e.mode==="H"||!(e.normal_force>0)?0:e.normal_force/s,o=i/(1+i),r=e.mode==="S"||
 e.mode==="K",a=Math.abs(e.slip)/Math.sqrt((n.gravity||9.81)*n.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:r?o*x(.15+a,0,1):0}}function Xr(n,t,e){let s=Math.
 sqrt(2*(n.gravity||9.81)*n.radius);return n.events.filter(({kind:i,t:o,before:r})=>i==="impact"&&r&&o>t&&o<=e).map(({before:i})=>x(Math.abs(i.vy)/s,.02,1))}function am(n){
-let t=n.createBuffer(1,n.sampleRate,n.sampleRate),e=t.getChannelData(0),s=1;for(let i=0;i<e.length;i++)s=s*16807%2147483647,e[i]=2*s/2147483647-1;return t}var As=class{constructor(){
+let t=n.createBuffer(1,n.sampleRate,n.sampleRate),e=t.getChannelData(0),s=1;for(let i=0;i<e.length;i++)s=s*16807%2147483647,e[i]=2*s/2147483647-1;return t}var Ps=class{constructor(){
 this.context=null;this.on=!1;this.last=0}static{this.heard=Yr}static{this.knocks=Xr}start(){let t=new AudioContext,e=t.createOscillator();e.type="triangle";let s=t.
 createBufferSource();s.buffer=am(t),s.loop=!0;let i=t.createBiquadFilter();i.type="bandpass",i.frequency.value=1800,i.Q.value=.6;let[o,r]=[t.createGain(),t.createGain()];
 o.gain.value=r.gain.value=0,e.connect(o).connect(t.destination),s.connect(i).connect(r).connect(t.destination),e.start(),s.start(),this.context=t,Object.assign(
@@ -1243,7 +1243,7 @@ name:"diagram.lost_to_friction",symbol:"W_f",unit:"J",values:nt("friction_loss")
 "normal_loss")},rolling_resistance:{name:"diagram.lost_to_rolling_resistance",symbol:"W_r",unit:"J",values:nt("rolling_resistance")}},Jr=({name:n,symbol:t})=>[n,
 " ",t];O();var lm=["time","angle","x","vx","spin","normal_force","friction_force"],hm=[1,.5,.2,.1,.05,.02,.01],Si=601;function Qr(n,t,e){let s=Math.min(Math.floor(n.duration/
 e+1e-9)+1,Si),i=[];for(let o=0;o<s;o++){let r=Number((o*e).toPrecision(12));i.push({time:r,mode:n.at(r).mode,values:t.map(a=>cm(n,a,r))})}return i}function cm(n,t,e){
-return V[t].values(n.moment(e))[0]}var Ps=class{constructor({film:t,clock:e,names:s}){this.rows=[];this.columns=[...lm];this.source=t,this.clock=e,this.names=s,
+return V[t].values(n.moment(e))[0]}var Ls=class{constructor({film:t,clock:e,names:s}){this.rows=[];this.columns=[...lm];this.source=t,this.clock=e,this.names=s,
 this.step=u("select",{onchange:()=>this.fill()},hm.map(i=>u("option",{value:String(i)},`${i} s`))),this.step.value="0.1",this.picks=u("div",{class:"table-picks"},
 Object.entries(V).filter(([i])=>i!=="time").map(([i,{name:o}])=>this.pick(i,o))),this.caption=u("caption",{}),this.head=u("thead",{}),this.body=u("tbody",{}),this.
 element=u("section",{class:"table","aria-label":"table.table_of_the_motion",hidden:!0},u("header",{},u("h2",{},"table.table"),u("label",{class:"table-step"},u("\
@@ -1328,39 +1328,39 @@ h.arc(...Ci(i),12,0,2*Math.PI),h.stroke(),g(i,p,7)),g(e,s?f:d,9)},l=m=>{i===null
 "aria-valuetext",`${Math.round(e)}°`),a(),t())},c=m=>{let h=o.getBoundingClientRect(),[p,d]=[m.clientX-h.left-h.width/2,m.clientY-h.top-h.height/2];l(Math.atan2(
 p,-d)*180/Math.PI)};return r.addEventListener("pointerdown",m=>{m.preventDefault(),r.focus({preventScroll:!0}),c(m),J(r,m,c)}),r.addEventListener("keydown",m=>{
 let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,PageUp:45}[m.key];h!==void 0&&(m.preventDefault(),m.stopPropagation(),l(e+(m.shiftKey?h/5:h)))}),
-requestAnimationFrame(a),{element:r,redraw:a,made:()=>s,judge:m=>(i=Oi(m),a(),xm(e,i))}}var De=9,[St,Ls,Qt,Ri]=[34,12,12,26];function ia({label:n,unit:t,most:e},s){
+requestAnimationFrame(a),{element:r,redraw:a,made:()=>s,judge:m=>(i=Oi(m),a(),xm(e,i))}}var De=9,[St,Cs,Qt,Ri]=[34,12,12,26];function ia({label:n,unit:t,most:e},s){
 let i=Array(De).fill(e/4),o=!1,r=null,a=u("canvas",{class:"sketch-canvas"}),l=i.map((y,w)=>u("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":{
 key:"visit.what_with_the_load",values:{what:n,angle:`${45*w}°`}},"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(e),onkeydown:k=>{let T={
 ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[k.key];T&&(k.preventDefault(),k.stopPropagation(),g(w,i[w]+T*e/(k.shiftKey?100:20)))}})),c=u("div",{class:"gue\
-ss sketch",role:"group","aria-label":"visit.draw_the_curve_pull"},a,l),m=()=>a.getBoundingClientRect(),h={width:0,height:0,px:1},p=y=>St+y/(De-1)*(h.width-St-Ls),
+ss sketch",role:"group","aria-label":"visit.draw_the_curve_pull"},a,l),m=()=>a.getBoundingClientRect(),h={width:0,height:0,px:1},p=y=>St+y/(De-1)*(h.width-St-Cs),
 d=y=>Qt+(1-y/e)*(h.height-Qt-Ri),f=()=>{let y=getComputedStyle(c),w=Number.parseFloat(y.getPropertyValue("font-size"))/14||1,{context:k,width:T,height:C}=Y(a,w);
 h={width:T,height:C,px:w};let R=A=>y.getPropertyValue(A).trim();k.clearRect(0,0,T,C),k.strokeStyle=R("--line"),k.fillStyle=R("--soft"),k.font="11px system-ui, s\
 ans-serif";for(let A=0;A<De;A+=2)k.textAlign="center",k.fillText(`${45*A}°`,p(A),C-8),k.strokeRect(p(A),Qt,0,C-Qt-Ri);for(let A of[0,e/2,e])k.textAlign="right",
-k.fillText(String(A),St-6,d(A)+4),k.strokeRect(St,d(A),T-St-Ls,0);k.textAlign="left",k.fillText(t,St+4,Qt+10);let q=(A,$,B)=>{k.strokeStyle=$,k.lineWidth=2.5,k.
-setLineDash(B),k.beginPath(),A.forEach((ft,Wt)=>{let Ye=St+Wt/(A.length-1)*(T-St-Ls);Wt?k.lineTo(Ye,d(x(ft,0,e))):k.moveTo(Ye,d(x(ft,0,e)))}),k.stroke(),k.setLineDash(
+k.fillText(String(A),St-6,d(A)+4),k.strokeRect(St,d(A),T-St-Cs,0);k.textAlign="left",k.fillText(t,St+4,Qt+10);let q=(A,$,B)=>{k.strokeStyle=$,k.lineWidth=2.5,k.
+setLineDash(B),k.beginPath(),A.forEach((ft,Wt)=>{let Xe=St+Wt/(A.length-1)*(T-St-Cs);Wt?k.lineTo(Xe,d(x(ft,0,e))):k.moveTo(Xe,d(x(ft,0,e)))}),k.stroke(),k.setLineDash(
 [])};q(i,R("--accent"),[6,4]),r&&q(r,R("--ink"),[]),l.forEach((A,$)=>{A.style.transform=`translate(${w*p($)}px, ${w*d(i[$])}px)`})},g=(y,w)=>{r||(i[y]=x(w,0,e),
 o=!0,l[y].setAttribute("aria-valuenow",i[y].toPrecision(3)),l[y].setAttribute("aria-valuetext",`${i[y].toPrecision(2)} ${t}`),f(),s())},_=null,b=y=>{let w=m(),[
-k,T]=[y.clientX-w.left,y.clientY-w.top].map(B=>B/h.px),C=x((k-St)/(h.width-St-Ls),0,1),R=Math.round(C*(De-1)),q=e*(1-(T-Qt)/(h.height-Qt-Ri)),A=_??R,$=i[A];for(let B=Math.
+k,T]=[y.clientX-w.left,y.clientY-w.top].map(B=>B/h.px),C=x((k-St)/(h.width-St-Cs),0,1),R=Math.round(C*(De-1)),q=e*(1-(T-Qt)/(h.height-Qt-Ri)),A=_??R,$=i[A];for(let B=Math.
 min(A,R);B<=Math.max(A,R);B++)g(B,A===R?q:$+(q-$)*(B-A)/(R-A));_=R};c.addEventListener("pointerdown",y=>{y.preventDefault(),_=null,b(y),J(c,y,b)});for(let[y,w]of l.
 entries())w.setAttribute("aria-valuenow",i[y].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>o,judge:y=>{r=y,f();let w=(y.length-1)/
-(De-1);return km(i,i.map((k,T)=>y[Math.round(T*w)]))}}}var Rs=2*Math.PI,ot=(n,t)=>n.events.find(e=>e.kind===t),Cs=n=>K(n-Rs*Math.floor(n/Rs));function Em(n,t,e=72){let{angle:s}=n.columns,i=n.columns[t],o=[],r=0;for(let a=0;a<=
-e;a++){let l=n.columns.angle[0]+Rs*a/e;for(;r+1<n.length&&s[r+1]<l;)r+=1;let c=Math.min(r+1,n.length-1),m=s[c]>s[r]?Math.min((l-s[r])/(s[c]-s[r]),1):0;o.push(i[r]+
+(De-1);return km(i,i.map((k,T)=>y[Math.round(T*w)]))}}}var Os=2*Math.PI,ot=(n,t)=>n.events.find(e=>e.kind===t),Rs=n=>K(n-Os*Math.floor(n/Os));function Em(n,t,e=72){let{angle:s}=n.columns,i=n.columns[t],o=[],r=0;for(let a=0;a<=
+e;a++){let l=n.columns.angle[0]+Os*a/e;for(;r+1<n.length&&s[r+1]<l;)r+=1;let c=Math.min(r+1,n.length-1),m=s[c]>s[r]?Math.min((l-s[r])/(s[c]-s[r]),1):0;o.push(i[r]+
 m*(i[c]-i[r]))}return o}var Tm=(n,t)=>n.t[n.columns.angle.findIndex(e=>e>=t)]??n.duration,Sm={R:"roll",S:"spin",K:"skid",H:"bounce"},Zt=[{key:"littlewood",title:"\
 visit.littlewoods_question",text:"visit.a_hoop_without_mass",question:"visit.what_do_you_think",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:n=>qe(
 [["roll","visit.it_rolls_on"],["hop","visit.it_hops_the_hoop"],["skim","visit.the_weight_falls_freely"]],n),until:([n])=>{let[t,e]=[ot(n,"skim"),ot(n,"impact")];
 return t?t.t+.7*((e?.t??n.duration)-t.t):n.duration},answer:([n])=>{let t=ot(n,"skim")??ot(n,"takeoff");return{truth:t?.kind==="skim"?"skim":t?"hop":"roll",text:"\
-visit.at_angle_there_is",values:{angle:Cs(t?.angle??0)}}},why:"visit.littlewood_said_that_the"},{key:"speed",title:"visit.a_ring_with_mass",text:"visit.now_a_qu\
+visit.at_angle_there_is",values:{angle:Rs(t?.angle??0)}}},why:"visit.littlewood_said_that_the"},{key:"speed",title:"visit.a_ring_with_mass",text:"visit.now_a_qu\
 arter_of",question:"visit.draw_how_fast_the",queries:["start.speed=0.1&duration=8"],guess:n=>ia({label:"visit.speed_of_the_centre",unit:"m/s",most:10},n),until:([
-n])=>Tm(n,Rs),answer:([n])=>{let t=Em(n,"vx");return{truth:t,text:"visit.with_the_load_at",values:{speed:M(Math.max(...t),2)}}},why:"visit.the_lowest_point_of"},
+n])=>Tm(n,Os),answer:([n])=>{let t=Em(n,"vx");return{truth:t,text:"visit.with_the_load_at",values:{speed:M(Math.max(...t),2)}}},why:"visit.the_lowest_point_of"},
 {key:"slip",title:"visit.why_it_slips",text:"visit.a_harder_push_2",question:"visit.where_is_the_load",queries:["start.speed=2.8"],guess:n=>Ni("visit.angle_of_t\
 he_load",n),until:([n])=>ot(n,"slip_start")?.t??n.duration,answer:([n])=>{let t=ot(n,"slip_start"),e=n.at(t.t).normal_force/(n.mass*n.gravity);return{truth:t.angle*
-180/Math.PI,text:"visit.it_begins_to_slip",values:{angle:Cs(t.angle),share:`${M(100*e,2)} %`}}},why:"visit.the_load_on_its"},{key:"hop",title:"visit.the_hop",text:"\
+180/Math.PI,text:"visit.it_begins_to_slip",values:{angle:Rs(t.angle),share:`${M(100*e,2)} %`}}},why:"visit.the_load_on_its"},{key:"hop",title:"visit.the_hop",text:"\
 visit.a_little_faster_3",question:"visit.where_is_the_load_when",queries:[""],guess:n=>Ni("visit.angle_of_the_load_where",n),until:([n])=>ot(n,"takeoff")?.t??n.
-duration,answer:([n])=>{let t=ot(n,"takeoff"),e=n.at(t.t-1e-6);return{truth:t.angle*180/Math.PI,text:"visit.it_takes_off_at",values:{angle:Cs(t.angle),slip:M(Math.
+duration,answer:([n])=>{let t=ot(n,"takeoff"),e=n.at(t.t-1e-6);return{truth:t.angle*180/Math.PI,text:"visit.it_takes_off_at",values:{angle:Rs(t.angle),slip:M(Math.
 abs(e.slip),3)}}},why:"visit.a_rolling_hoop_would"},{key:"landing",title:"visit.the_landing",text:"visit.the_hoop_is_in",question:"visit.what_does_it_do",queries:[
 ""],guess:n=>qe([["roll","visit.it_rolls_at_once"],["skid","visit.it_skids_the_rim"],["spin","visit.it_spins_the_rim"],["bounce","visit.it_bounces"]],n),until:([
 n])=>ot(n,"impact")?.t??n.duration,answer:([n])=>{let[t,e]=[ot(n,"takeoff"),ot(n,"impact")],s=n.events.find(i=>i.kind==="apex");return{truth:Sm[n.at((e?.t??0)+1e-6).
-mode],text:"visit.it_was_in_the",values:{time:M((e?.t??0)-(t?.t??0),3),height:M(100*(s?.height??0),3),angle:Cs(e?.angle??0)}}},why:"visit.an_impact_takes_no"},{
+mode],text:"visit.it_was_in_the",values:{time:M((e?.t??0)-(t?.t??0),3),height:M(100*(s?.height??0),3),angle:Rs(e?.angle??0)}}},why:"visit.an_impact_takes_no"},{
 key:"friction",title:"visit.more_friction_more_hop",text:"visit.three_hoops_get_the",question:"visit.which_of_them_hops",queries:["plane.mu=0.05","plane.mu=0.2",
 ""],guess:n=>qe([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],n),until:n=>.3+Math.max(0,...n.map(t=>ot(t,"impact")?.t??0)),answer:n=>{let t=n.map(o=>Math.
 max(0,...o.events.map(({kind:r,height:a})=>r==="apex"?a:0))),[e,s,i]=t.map(o=>M(100*o,3));return{truth:String(t.indexOf(Math.max(...t))),text:"visit.they_rise_b\
@@ -1368,7 +1368,7 @@ y_low",values:{low:e,middle:s,high:i}}},why:"visit.on_ice_nothing_drives"},{key:
 question:"visit.what_do_they_say",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plane.mu=1.2&plane.painleve=impact&start.angle=-\
 0.7&start.vx=8&start.omega=5&duration=3"],guess:n=>qe([["flight","visit.it_flies_off"],["impact","visit.an_impact_stops_the"],["both","visit.both_agree_with_the"]],
 n),until:n=>Math.min(.8,...n.map(t=>t.duration)),answer:n=>({truth:n.every(t=>ot(t,"painleve_indeterminate"))?"both":"flight",text:"visit.hoop_a_and_hoop"}),why:"\
-visit.painleve_found_this_in"},{key:"yours",title:"visit.your_turn",text:"visit.take_the_hoop_turn",question:"",queries:[""]}];O();var oa="hophoop-visit",Os=class{constructor(t,e){this.lab=t;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;
+visit.painleve_found_this_in"},{key:"yours",title:"visit.your_turn",text:"visit.take_the_hoop_turn",question:"",queries:[""]}];O();var oa="hophoop-visit",Ns=class{constructor(t,e){this.lab=t;this.step=null;this.guess=null;this.films=[];this.points=new Map;this.running=!1;this.stop=null;
 this.loop=null;this.asked=0;this.onchallenges=e,this.body=u("div",{class:"visit-body"}),this.said=u("div",{class:"visit-answer",role:"status"}),this.element=u("\
 section",{class:"visit card","aria-label":"menu.guided_visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){
 ct(oa)||(this.element.hidden=!1,L(this.said,""),this.body.replaceChildren(u("div",{class:"buttons offer"},u("p",{},u("b",{},"visit.new_here")," ","visit.eight_s\
@@ -1395,9 +1395,9 @@ truth:s,text:i,values:o={}}=t.answer(this.films),r=e.judge(s);this.points.set(t.
 "b",{},r?{key:"visit.points_of_100_points",values:{points:r}}:"visit.not_so")," ",{key:i,values:o}),u("p",{},t.why??"")),this.veil(),this.next.classList.add("ma\
 in"),this.lab.show(),this.said.scrollIntoView({block:"nearest"})}total(){let t=[...this.points.values()].reduce((e,s)=>e+s,0);this.said.replaceChildren(u("p",{},
 {key:"visit.you_have_sum_of",values:{sum:t,most:100*this.points.size}}))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&
-this.veil()}};O();var ra=60,Ns=class{constructor(t){this.lab=t;this.sound=new As;let e=()=>t.film(),s=o=>t.load(o);this.grips=new xs(t),this.present=new Ss(t.root,()=>t.show()),
-this.challenges=new bs({film:e,load:s,ahead:()=>t.stage.options.ahead}),this.visit=new Os(t,()=>this.challenges.open()),this.table=new Ps({film:e,clock:t.clock,
-names:()=>t.theme.colors.mode_names}),this.more=new Ts(t),this.teach=sa(s,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.makeMenu();let i=()=>{
+this.veil()}};O();var ra=60,Fs=class{constructor(t){this.lab=t;this.sound=new Ps;let e=()=>t.film(),s=o=>t.load(o);this.grips=new ks(t),this.present=new As(t.root,()=>t.show()),
+this.challenges=new ys({film:e,load:s,ahead:()=>t.stage.options.ahead}),this.visit=new Ns(t,()=>this.challenges.open()),this.table=new Ls({film:e,clock:t.clock,
+names:()=>t.theme.colors.mode_names}),this.more=new Ss(t),this.teach=sa(s,()=>this.visit.start()),this.tools=this.makeTools(),this.menu=this.makeMenu();let i=()=>{
 this.spoken(),pi(t.root),t.show()};this.languages=xi(i,o=>t.notice.fail(o)),this.spoken()}makeTools(){let{clock:t}=this.lab,e=(s,i,o)=>u("button",{type:"button",
 title:i,"aria-label":i,"aria-pressed":"false",onclick:o},Q(s));return this.loop=e("loop","menu.repeat",()=>{t.loop=!t.loop,this.mark()}),this.slow=e("slow","men\
 u.slow_motion_a_tenth",()=>{t.speed=t.speed===.1?1:.1,t.changed(),this.mark()}),this.loud=e("sound","menu.sound_of_the_contact",()=>{this.sound.turn(!this.sound.
@@ -1413,7 +1413,7 @@ return;let e=this.visit.guessing?[]:t.motions.films().map(i=>this.nameOf(i)),s=[
 ab_play_with")}nameOf({query:t,summary:e}){let s=this.lab.known.find(o=>o.query===t);if(s)return P(s.title);let[i]=U(e).split(/(?<=[.。])(?!\d)/u);return i.length<=
 ra?i.replace(/[.。]$/u,""):`${i.slice(0,ra).replace(/[,，][^,，]*$/u,"")} …`}frame(){let{lab:t}=this;this.grips.draw(),this.sound.follow(t.film(),t.clock),
 this.table.cursor(t.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
-this.challenges.changed(),this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};S();var Be=(n,t,e)=>u("button",{type:"button",title:t,"aria-label":t,onclick:e},n),Fs=class{constructor(t,e,s,i){this.fresh=!1;let o=new Map;for(let a of t)o.set(a.
+this.challenges.changed(),this.visit.changed(),this.titled()}close(){this.sound.close(),this.present.close()}};S();var Be=(n,t,e)=>u("button",{type:"button",title:t,"aria-label":t,onclick:e},n),Is=class{constructor(t,e,s,i){this.fresh=!1;let o=new Map;for(let a of t)o.set(a.
 group,[...o.get(a.group)??[],a]);this.presets=u("select",{class:"presets","aria-label":"header.examples",onchange:()=>{let a=t.find(({key:l})=>l===this.presets.
 value);this.fresh=a!==void 0,a&&i.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},u("option",{value:""},"header.examples_2"),[...o].map(([
 a,l])=>u("optgroup",{label:a},l.map(({key:c,title:m})=>u("option",{value:c},m))))),this.undo=Be(Q("undo"),"header.undo_z",i.undo),this.redo=Be(Q("redo"),"header\
@@ -1421,22 +1421,22 @@ a,l])=>u("optgroup",{label:a},l.map(({key:c,title:m})=>u("option",{value:c},m)))
 compare),this.compare.classList.add("full"),this.right=u("div",{class:"buttons right"},e,Be(Q("theme"),"header.dark_or_light_d",i.theme),Be("?","header.keys_and\
 _help",i.help)),this.element=u("header",{class:"top"},u("h1",{},u("span",{class:"logo","aria-hidden":"true"}),u("span",{},"hophoop",u("span",{class:"long"}," ",
 "header.lab"))),this.presets,u("div",{class:"buttons"},this.undo,this.redo,this.compare,s),this.right)}show(t,e){this.undo.disabled=!t.past.length,this.redo.disabled=
-!t.future.length,this.compare.setAttribute("aria-pressed",String(e))}};var Am=["pointerdown","wheel"],Is=class{constructor(t,e){this.clock=t;this.hint=e;this.touches=new AbortController}begin(t){let{signal:e}=this.touches,s=()=>this.
+!t.future.length,this.compare.setAttribute("aria-pressed",String(e))}};var Am=["pointerdown","wheel"],Hs=class{constructor(t,e){this.clock=t;this.hint=e;this.touches=new AbortController}begin(t){let{signal:e}=this.touches,s=()=>this.
 end();for(let i of Am)t.addEventListener(i,s,{signal:e,capture:!0,passive:!0});addEventListener("keydown",s,{signal:e,capture:!0}),this.hint.hidden=!1,this.clock.
 run({once:!0})}end(){this.hint.hidden=!0,this.touches.abort()}};S();Dt();var aa="hophoop-view",Pm=new Set(["start.speed","hoop.load_fraction","plane.mu","duration"]),la=({query:n})=>[...new URLSearchParams(n).keys()].some(t=>!Pm.
-has(t)),Hs=class{constructor(t,e,s){this.root=t;this.hosted=e;this.changed=s;this.simple=!1;this.button=u("button",{type:"button",class:"view",hidden:!e,onclick:()=>this.
+has(t)),$s=class{constructor(t,e,s){this.root=t;this.hosted=e;this.changed=s;this.simple=!1;this.button=u("button",{type:"button",class:"view",hidden:!e,onclick:()=>this.
 choose()}),this.more=u("p",{class:"hint beyond",hidden:!0},"shell.this_motion_has_other"," ",u("button",{type:"button",class:"link",onclick:()=>this.choose()},"\
 shell.show_everything"))}get everything(){return ct(aa)==="everything"}open(t,{map:e,more:s,fingerprints:i}){let o=t.length>1||e||s||i?.some(Boolean)||t.some(la);
 this.turn(this.hosted&&!this.everything&&!o)}choose(){this.turn(!this.simple),mt(aa,this.simple?"simple":"everything"),this.changed(),this.button.focus({preventScroll:!0})}turn(t){
 this.simple=t,this.root.classList.toggle("simple",t),L(this.button,t?"shell.everything":"shell.simple_view");for(let e of this.root.querySelectorAll("details.gr\
-oup"))t?(e.dataset.open=String(e.open),e.open=!0):e.dataset.open&&(e.open=e.dataset.open==="true")}show(t){this.more.hidden=!this.simple||!t.some(la)}};S();var $s=class{constructor(t){this.tabs=["hoops.hoop_a","hoops.hoop_b"].map((e,s)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>t(s)},e)),this.
+oup"))t?(e.dataset.open=String(e.open),e.open=!0):e.dataset.open&&(e.open=e.dataset.open==="true")}show(t){this.more.hidden=!this.simple||!t.some(la)}};S();var Ds=class{constructor(t){this.tabs=["hoops.hoop_a","hoops.hoop_b"].map((e,s)=>u("button",{type:"button","aria-pressed":"false",onclick:()=>t(s)},e)),this.
 bar=u("div",{class:"tabs",role:"group","aria-label":"hoops.which_hoop_the_controls",hidden:!0},this.tabs),this.text=u("p",{class:"preset-text"}),this.element=u(
 "div",{class:"lanes"},this.bar,this.text)}show(t,e){this.bar.hidden=t<2;for(let[s,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(s===e))}};S();Dt();var ha="hophoop-single-keys",Lm=(n,t)=>({" ":()=>n.clock.play(),ArrowLeft:()=>t?n.transport.jump(-1):n.transport.nudge(-1),ArrowRight:()=>t?n.transport.
 jump(1):n.transport.nudge(1),Home:()=>n.clock.seek(0),End:()=>n.clock.seek(n.clock.duration),h:()=>n.transport.jump(1,"takeoff"),l:()=>n.transport.jump(1,"impac\
 t"),"[":()=>n.clock.faster(-1),"]":()=>n.clock.faster(1),t:()=>n.toggle("traces"),f:()=>n.toggle("forces"),c:()=>n.toggle("speed"),a:()=>n.extras.more.turn(),w:()=>n.
 toggle("whole"),3:()=>n.toggle("three"),"+":()=>n.stage.zoom(1.25),"=":()=>n.stage.zoom(1.25),"-":()=>n.stage.zoom(.8),0:()=>n.stage.zoom(0),z:()=>n.travel(-1),
 y:()=>n.travel(1),d:()=>n.theme.toggle(),p:()=>n.share.code(),"?":()=>n.help.showModal()});function Cm(n,t){let e=t.key.toLowerCase();t.altKey||!(e==="z"||e==="\
-y")||(t.preventDefault(),n.travel(e==="y"||t.shiftKey?1:-1))}function Rm(n){let t=n.share.menu;t.open&&(t.open=!1,t.querySelector("summary")?.focus())}var Ds=class{constructor(t){
+y")||(t.preventDefault(),n.travel(e==="y"||t.shiftKey?1:-1))}function Rm(n){let t=n.share.menu;t.open&&(t.open=!1,t.querySelector("summary")?.focus())}var js=class{constructor(t){
 this.on=!t||ct(ha)!=="off";let e=u("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=e.checked,t&&mt(ha,this.on?"on":"off")}});this.element=u("labe\
 l",{class:"check"},e,"keys.single_keys_letters_digits")}};function Om(n,t){let e=t.target;if(n.root.querySelector("dialog[open]"))return;if(t.key==="Escape"){Rm(
 n);return}if(e.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(t.ctrlKey||t.metaKey){Cm(n,t);return}if(t.altKey||e.matches?.("select")&&
@@ -1457,7 +1457,7 @@ t),n.strokeStyle=a?t.line:t.soft,n.fillStyle=t.soft,n.lineWidth=1,a||n.strokeRec
 at:h,text:p,strong:d}of r.marks)a&&(n.globalAlpha=d?1:.55,da(n,[e,Math.round(h)+.5],[m,Math.round(h)+.5]),n.globalAlpha=1),n.fillText(p,e-6,h);n.textBaseline="a\
 lphabetic",n.textAlign="center";for(let{at:h,text:p}of o.marks)da(n,[h,c],[h,c+4]),n.fillText(p,h,c+15);l?n.fillText(o.name,e+.5*i.width,c+30):(n.textAlign="rig\
 ht",n.fillText(o.name,m,c+27)),n.translate(11,s+.5*i.height),n.rotate(-Math.PI/2),n.textAlign="center",n.fillText(r.name,0,0),n.restore()}function da(n,t,e){n.beginPath(),
-n.moveTo(...t),n.lineTo(...e),n.stroke()}var fa=(n,t)=>t?`${P(n)} [${t}]`:P(n);N();O();var Fi=62,Fm=20,Im=10,ga=40,_a=12,Ue=10,Hm=36,ba=Math.PI/180,Pt=["x","y"],js=class{constructor(t){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(
+n.moveTo(...t),n.lineTo(...e),n.stroke()}var fa=(n,t)=>t?`${P(n)} [${t}]`:P(n);N();O();var Fi=62,Fm=20,Im=10,ga=40,_a=12,Ue=10,Hm=36,ba=Math.PI/180,Pt=["x","y"],qs=class{constructor(t){this.paths={x:"start.speed",y:"plane.mu"};this.known=new Map(
 t.map(e=>[e.path,e])),this.windows={x:this.whole("x"),y:this.whole("y")},this.left=Fi}info(t){return this.known.get(this.paths[t])}whole(t){return[...this.info(
 t).range]}home(){for(let t of Pt)this.windows[t]=this.whole(t)}choose(t,e){let s=t==="x"?"y":"x";this.paths[s]===e&&(this.paths[s]=this.paths[t]),this.paths[t]=
 e,this.home()}asked(t,e){let[s,i]=this.windows[t];return{path:this.paths[t],from:s,to:i,cells:e}}bounds(t){let{range:e,allowed:s}=this.info(t),i=2*(e[1]-e[0]);return[
@@ -1502,8 +1502,8 @@ sort((a,l)=>l[1]-a[1]);return[...r.slice(0,10).map(([a])=>{let{color:l,text:c}=i
 r.length>10?u("span",{},{key:"map.and_count_more",values:{count:r.length-10}}):"",i.some(({name:a})=>n.what==="sequence"&&/[SK]/.test(a))?u("span",{class:"hint"},
 "map.spin_and_skid"):""]}function Aa(n,t){for(let{header:e,values:s}of[...n].reverse()){let{x:i,y:o,classes:r}=e,a=Math.floor((t.x-i.from)/(i.to-i.from)*i.cells),
 l=Math.floor((t.y-o.from)/(o.to-o.from)*o.cells);if(a<0||l<0||a>=i.cells||l>=o.cells)continue;let c=s[l*i.cells+a];if(r)return U(r[c]?.text??"map.not_allowed");
-let[m,h]=Ma(e);return Number.isFinite(c)?j(M(c*m,4),h):P("map.none")}return"…"}O();var Pa=[[24,16],[72,48],[216,144]],Bs=class{constructor(t,e,{take:s,say:i,changed:o}){this.backend=t;this.pointed=null;this.what="sequence";this.layers=[];this.
-seen=!1;this.onmotion=s,this.say=i,this.changed=o;let r=e.controls.map_axes;this.axes=new js(r),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
+let[m,h]=Ma(e);return Number.isFinite(c)?j(M(c*m,4),h):P("map.none")}return"…"}O();var Pa=[[24,16],[72,48],[216,144]],zs=class{constructor(t,e,{take:s,say:i,changed:o}){this.backend=t;this.pointed=null;this.what="sequence";this.layers=[];this.
+seen=!1;this.onmotion=s,this.say=i,this.changed=o;let r=e.controls.map_axes;this.axes=new qs(r),this.canvas=u("canvas",{class:"plot-canvas"}),this.tip=u("div",{
 class:"tip",hidden:!0}),this.body=u("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"map.map_of_motions_arrow"},this.canvas,this.tip),this.
 keys=u("div",{class:"map-keys"}),this.state=u("span",{class:"hint"});let a=l=>{let c=u("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},r.map(({path:m,
 label:h})=>u("option",{value:m},h)));return c};this.selects={x:a("x"),y:a("y")},this.quantity=u("select",{"aria-label":"map.what_the_map_shows",onchange:()=>{this.
@@ -1511,7 +1511,7 @@ what=this.quantity.value,this.refresh()}},e.map_quantities.map(([l,c])=>u("optio
 _motions"},u("div",{class:"map-head"},u("h2",{},"map.map"),u("label",{},"map.of",this.quantity),u("label",{},"map.across",this.selects.x),u("label",{},"map.up",
 this.selects.y),u("span",{class:"buttons"},u("button",{type:"button","aria-label":"map.zoom_into_the_map",onclick:()=>this.zoom(.5,this.aim())},"+"),u("button",
 {type:"button","aria-label":"map.zoom_out_of_the",onclick:()=>this.zoom(2,this.aim())},"−"),u("button",{type:"button",onclick:()=>this.home()},"map.whole_map")),
-this.state),this.body,this.keys,u("p",{class:"hint"},qs()?"map.click_to_take_that":"map.click_to_take_that_motion")),xa(this),this.soon=ut(()=>this.refresh(),140),
+this.state),this.body,this.keys,u("p",{class:"hint"},Bs()?"map.click_to_take_that":"map.click_to_take_that_motion")),xa(this),this.soon=ut(()=>this.refresh(),140),
 this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){
 this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let t of Pt)this.selects[t].value=this.axes.paths[t]}setAxis(t,e){this.axes.choose(t,e),this.syncSelects(),
 this.refresh()}home(){this.axes.home(),this.refresh()}key_of(t){let e=structuredClone(t);for(let s of Object.values(this.axes.paths)){let[i,o]=s.split(".");e[i]&&
@@ -1530,14 +1530,14 @@ x.map(p=>o.x(p)),[m,h]=a.y.map(p=>o.y(p));e.drawImage(a.picture,l,h,c-l,m-h)}let
 Ii(e,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",t.paper),e.restore(),o.draw(e,t)}aim(){let t=Ne(this.body)&&this.pointed||this.here(),{windows:e}=this.axes;
 return t&&Pt.every(i=>t[i]>=e[i][0]&&t[i]<=e[i][1])?t:void 0}here(){let t=s=>{let[i,o]=s.split(".");return this.film.values[s]??this.film.scenario[i]?.[o]},e={x:t(
 this.axes.paths.x),y:t(this.axes.paths.y)};return typeof e.x=="number"&&typeof e.y=="number"?e:null}said(t){return`${this.axes.said(t)}: ${Aa(this.layers,t)}`}take(t){
-this.onmotion([[this.axes.paths.x,t.x],[this.axes.paths.y,t.y]])}zoom(t,e){this.tip.hidden=!0,this.axes.zoom(t,e)&&(this.redraw(),this.soon())}};var zs=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(t,e="",s=performance.now()){let i=this.now;if(this.now=t,i===
+this.onmotion([[this.axes.paths.x,t.x],[this.axes.paths.y,t.y]])}zoom(t,e){this.tip.hidden=!0,this.axes.zoom(t,e)&&(this.redraw(),this.soon())}};var Us=class{constructor(){this.past=[];this.future=[];this.now=null;this.what="";this.when=-1/0}note(t,e="",s=performance.now()){let i=this.now;if(this.now=t,i===
 null||Ge(i,t))return"same";let o=e!==""&&e===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=e,this.when=s,this.future=[],o?"again":(this.past.push(
 i),this.past.length>500&&this.past.shift(),"step")}touch(t,e){t===this.what&&e-this.when<1e3&&(this.when=e)}written(){return JSON.stringify({past:this.past.slice(
 -100),now:this.now,future:this.future.slice(-100)})}restore(t){if(!t||!this.now)return;let{past:e,now:s,future:i}=JSON.parse(t);s&&Ge(s,this.now)&&Object.assign(
 this,{past:e,future:i})}holds(t){return this.now!==null&&Ge(this.now,t)}next(t){return(t<0?this.past:this.future).at(-1)??null}step(t){let[e,s]=t<0?[this.past,this.
 future]:[this.future,this.past],i=e.pop();!i||!this.now||(s.push(this.now),this.now=i,this.what="")}arrive(t){if(!(this.now&&Ge(this.now,t))){for(let e of[-1,1]){
 let s=e<0?this.past:this.future,i=s.length-s.findLastIndex(o=>Ge(o,t));if(!(i>s.length)){for(let o=0;o<i;o++)this.step(e);return}}Object.assign(this,{past:[],future:[],
-now:t,what:""})}}},Ge=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var Ym=1e-6,Us=class{constructor(t,e){this.backend=t;this.listener=e;this.history=new zs;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(t=this.active){
+now:t,what:""})}}},Ge=(n,t)=>JSON.stringify(n)===JSON.stringify(t);var Ym=1e-6,Gs=class{constructor(t,e){this.backend=t;this.listener=e;this.history=new Us;this.lanes=[];this.active=0;this.going=Promise.resolve()}film(t=this.active){
 return this.lanes[t].film}films(){return this.lanes.map(t=>t.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([t])=>t))}name(){return this.
 lanes.length>1?"AB"[this.active]:""}filmOf(t){let e=new Jt(t);return(t.exact||t.samples?null:this.backend.exact(e.scenario))?.then(i=>{Object.assign(e,i,{latest:null}),
 this.listener.refined()}).catch(()=>{}),e}set(t){this.lanes=t.map(e=>({film:this.filmOf(e)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(t){
@@ -1554,11 +1554,11 @@ e),this.history.step(t),await this.listener.travelled(t),this.listener.shown(),t
 load(t),this.history.arrive(this.queries()),this.listener.shown(),this.listener.noted("travelled")})}inTurn(t){return this.going=this.going.then(t).then(()=>!0,
 e=>(this.listener.failed(e),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.
 active,1),this.active=0),this.listener.shown(),this.note()}choose(t){this.active=t,this.listener.shown(),this.listener.noted("same")}link(t=""){let s=[this.lanes.
-length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",t].filter(Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};S();O();var Xm=6e3,Gs=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});
+length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",t].filter(Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};S();O();var Xm=6e3,Ws=class{constructor(){this.message=u("p",{class:"message",role:"alert",hidden:!0});this.toast=u("div",{class:"toast",role:"status",hidden:!0});
 this.timer=0}fail(t,e=""){let s=et(t);this.message.replaceChildren(...[s,...e?[" ",e]:[]].map(Oe)),this.message.hidden=!1,this.seen()||this.say(s,this.message.isConnected)}seen(){
 let{top:t,bottom:e,height:s}=this.message.getBoundingClientRect();return this.message.isConnected&&s>0&&t>=0&&e<=innerHeight}clear(){this.message.hidden=!0}say(t,e=!1){
 this.toast.setAttribute("role",e?"presentation":"status"),L(this.toast,t),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=
-!0},Xm)}};ht();S();N();ht();S();N();N();O();var D=52,Ws=10,F=8,Ks=30;function La(n,t){if(!n.length)return[0,1];let e=Float64Array.from(n).sort(),[s,i]=[e[0],e[e.length-1]],[o,r]=[e[Math.floor(.02*e.length)],
+!0},Xm)}};ht();S();N();ht();S();N();N();O();var D=52,We=10,F=8,Ks=30;function La(n,t){if(!n.length)return[0,1];let e=Float64Array.from(n).sort(),[s,i]=[e[0],e[e.length-1]],[o,r]=[e[Math.floor(.02*e.length)],
 e[Math.ceil(.98*e.length)-1]],a=Math.max(r-o,1e-12);i>r+4*a&&(i=r+.6*a),s<o-4*a&&(s=o-.6*a),s=Math.min(s,0),i=Math.max(i,0),t&&([s,i]=[-Math.max(-s,i),Math.max(
 -s,i)]);let l=.06*(i-s)||1;return[s<0?s-l:s,i+l]}function Ca(n,t){let{look:e,box:s,heights:i,range:o}=t,r=Math.max(s.height/28,4);for(;_t(i[0],i[1],r).length<3&&
 r<12;)r+=1;let a=X(i[1]-i[0],r),l=s.width/70,c=X(o[1]-o[0],l),{name:m,unit:h}=V[t.shared.axis];ce(n,e,{left:D,top:F,box:s},{up:{marks:_t(i[0],i[1],r).map(p=>({at:t.
@@ -1575,7 +1575,7 @@ o,`${r%2?"transparent":n??"var(--ink)"} ${s-o}px ${s}px`));e.style.height="2.5px
 join(", ")})`}return e}Bt();var Xs=class{constructor(t,e,s){this.backend=t;this.clock=e;this.colors=s;this.canvas=u("canvas",{class:"plot-canvas"});this.over=u("canvas",{class:"plot-c\
 anvas plot-over"});this.keys=u("div",{class:"plot-keys"});this.hatched=u("span",{hidden:!0},"phase.hatched"," ");this.asked="";this.body=u("div",{class:"plot-bo\
 dy",role:"figure",tabindex:"0","aria-label":"phase.plane_of_angle_and"},this.canvas,this.over),this.element=u("section",{class:"phase"},u("header",{},u("h3",{},
-"phase.plane_of_theta_and"),this.keys),this.body,u("p",{class:"hint"},"phase.colours"," ",this.hatched,qs()?"phase.click_to_go_there":"phase.click_to_go_there_o\
+"phase.plane_of_theta_and"),this.keys),this.body,u("p",{class:"hint"},"phase.colours"," ",this.hatched,Bs()?"phase.click_to_go_there":"phase.click_to_go_there_o\
 nce")),this.body.addEventListener("pointerdown",i=>this.seek(i)),this.pinched=dt(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(o?this.point(o):this.middle(),1/
 i),home:()=>this.home(),keys:!0}),this.range=[0,2*Math.PI],this.soon=ut(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),i=JSON.stringify([t.hoop,t.plane,
 s]);if(i!==this.asked){let o=await this.painted(t,[0,2*Math.PI,-s,s],e);this.asked=i,this.pictures=[o],this.redraw()}this.window&&await this.sharpen()}async sharpen(){
@@ -1593,7 +1593,7 @@ return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return th
 this.films=t,this.active=e,this.look=s,this.reached=this.findReach(),this.forwards=t.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=t.some(i=>i.columns.omega.
 some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return D+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){
 return F+(1-(t-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:t,look:e}=this,{context:s,width:i,height:o}=Y(
-this.canvas,e.px);if(this.box={width:i-D-Ws,height:o-F-Ks},s.clearRect(0,0,i,o),s.save(),s.beginPath(),s.rect(D,F,this.box.width,this.box.height),s.clip(),this.
+this.canvas,e.px);if(this.box={width:i-D-We,height:o-F-Ks},s.clearRect(0,0,i,o),s.save(),s.beginPath(),s.rect(D,F,this.box.width,this.box.height),s.clip(),this.
 pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:l}of this.pictures){let[c,m,h,p]=l,d=[this.x(c),this.y(p),this.x(m)-this.x(c),this.y(h)-this.y(p)];
 s.fillStyle=e.panel,s.fillRect(d[0],d[1],d[2],d[3]),s.globalAlpha=.35,s.drawImage(a,d[0],d[1],d[2],d[3]),s.globalAlpha=1}let{paradox:r}=this.pictures[0];Oa(s,this,
 r),this.hatched.hidden=!r.some(a=>a!==0)}for(let[r,a]of this.films.entries())this.way(s,a,r);if(s.restore(),Na(s,this),this.keyed!==e.dark){this.keyed=e.dark;let r=Object.
@@ -1618,7 +1618,7 @@ plot-keys"}),this.body=u("div",{class:"plot-body",tabindex:"0",role:"figure","ar
 films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(t){return V[this.shared.axis].values(
 t)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.duration),1e-9)];let[t,e]=[1/0,-1/0];for(let s of this.films)for(let i of this.
 abscissa(s))i<t&&(t=i),i>e&&(e=i);return e>t?[t,e]:[t-1,e+1]}take(t,e,s){this.films=t,this.active=e,this.look=s,this.range=this.shared.range??this.fullRange(),this.
-legend(this.shades(t[e],e),s.dark)}draw(t){let{films:e,active:s}=this,{context:i,width:o,height:r}=Y(this.canvas,this.look.px);this.box={width:o-D-Ws,height:r-F-
+legend(this.shades(t[e],e),s.dark)}draw(t){let{films:e,active:s}=this,{context:i,width:o,height:r}=Y(this.canvas,this.look.px);this.box={width:o-D-We,height:r-F-
 Ks},i.clearRect(0,0,o,r);let a=e.flatMap((c,m)=>this.shades(c,m).map((h,p)=>({...h,film:c,lane:m,number:p})).filter((h,p,d)=>this.compares(h,m,d.length)));this.
 heights=this.limits??this.findHeights(a),this.shared.axis==="time"&&this.bands(i,e[s],t),Ca(i,this),i.save(),i.beginPath(),i.rect(D,F,this.box.width,this.box.height),
 i.clip();for(let c of a)this.curve(i,c);let l=e.map((c,m)=>a.find(h=>h.lane===m));if(e.length>1)for(let c of l)c&&this.letter(i,c);this.cut&&this.tell(i,P("plot\
@@ -1646,14 +1646,14 @@ e.beginPath(),e.moveTo(c,F),e.lineTo(c,F+this.box.height),e.stroke()),this.shade
 a===this.active&&this.values?.[p]&&(this.values[p].textContent=M(f,l.sure?3:2));let g=this.y(f);!m||!(g>=F-1&&g<=F+this.box.height+1)||(e.fillStyle=h.color??this.
 look.ink,e.beginPath(),e.arc(c,g,3.2,0,2*Math.PI),e.fill())})});let{pointed:o}=this.shared.clock;if(o!==null&&this.shared.axis==="time"&&(e.strokeStyle=this.look.
 ink,e.setLineDash([4,3]),e.strokeRect(this.x(o),F,0,this.box.height),e.setLineDash([])),this.picked){let[r,a]=this.picked;e.fillStyle=Ce("#0072B2",.2),e.fillRect(
-Math.min(r,a),F,Math.abs(a-r),this.box.height)}}valueAt(t){let e=this.body.getBoundingClientRect(),s=x(((t.clientX-e.left)/this.look.px-D)/this.box.width,0,1);return this.
-range[0]+s*(this.range[1]-this.range[0])}press(t){if(!this.films)return;let e=this.body.getBoundingClientRect(),s=(t.clientX-e.left)/this.look.px,i=this.valueAt(
-t),o=this.pinched(),r=a=>{if(o||=this.pinched(),o)return;let l=(a.clientX-e.left)/this.look.px;this.picked=t.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,t.
-pointerType!=="mouse"&&this.seek(this.valueAt(a)),this.cursor(this.shared.clock.time)};J(this.body,t,r,(a,l)=>{let c=this.valueAt(a),{picked:m}=this;this.picked=
-null,m&&l?this.zoomTo(i<c?[i,c]:[c,i]):m?this.cursor(this.shared.clock.time):l&&!o&&this.seek(t.pointerType==="mouse"?i:c)})}seek(t){if(this.shared.axis==="time")
-return this.onseek(t);let e=this.films[this.active],s=this.abscissa(e),i=0;for(let o=0;o<s.length;o++)Math.abs(s[o]-t)<Math.abs(s[i]-t)&&(i=o);return this.onseek(
-e.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){let s=this.fullRange(),i=Math.max(t-(t-this.range[0])*e,s[0]),o=Math.min(t+(this.range[1]-
-t)*e,s[1]);this.zoomTo(i<=s[0]&&o>=s[1]?null:[i,o])}zoomTo(t){this.shared.range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};var $i=n=>Object.entries(V).map(([t,e])=>u("option",{value:t},n(e)));function Ha(n){let t="height",e=new me({key:"own",title:"diagram.your_choice",unit:"",curves:o=>[
+Math.min(r,a),F,Math.abs(a-r),this.box.height)}}valueAt(t){let e=this.body.getBoundingClientRect(),{px:s}=this.look,i=x(((t.clientX-e.left)/s-D)/(e.width/s-D-We),
+0,1);return this.range[0]+i*(this.range[1]-this.range[0])}press(t){if(!this.films)return;let e=this.body.getBoundingClientRect(),s=(t.clientX-e.left)/this.look.
+px,i=this.valueAt(t),o=this.pinched(),r=a=>{if(o||=this.pinched(),o)return;let l=(a.clientX-e.left)/this.look.px;this.picked=t.pointerType==="mouse"&&Math.abs(l-
+s)>5?[s,l]:null,t.pointerType!=="mouse"&&this.seek(this.valueAt(a)),this.cursor(this.shared.clock.time)};J(this.body,t,r,(a,l)=>{let c=this.valueAt(a),{picked:m}=this;
+this.picked=null,m&&l?this.zoomTo(i<c?[i,c]:[c,i]):m?this.cursor(this.shared.clock.time):l&&!o&&this.seek(t.pointerType==="mouse"?i:c)})}seek(t){if(this.shared.
+axis==="time")return this.onseek(t);let e=this.films[this.active],s=this.abscissa(e),i=0;for(let o=0;o<s.length;o++)Math.abs(s[o]-t)<Math.abs(s[i]-t)&&(i=o);return this.
+onseek(e.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){let s=this.fullRange(),i=Math.max(t-(t-this.range[0])*e,s[0]),o=Math.min(t+(this.
+range[1]-t)*e,s[1]);this.zoomTo(i<=s[0]&&o>=s[1]?null:[i,o])}zoomTo(t){this.shared.range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};var $i=n=>Object.entries(V).map(([t,e])=>u("option",{value:t},n(e)));function Ha(n){let t="height",e=new me({key:"own",title:"diagram.your_choice",unit:"",curves:o=>[
 {name:V[t].name,values:V[t].values(o)}]},n),s=()=>{let{symbol:o,unit:r}=V[t];e.unit=r?`${o} [${r}]`:o},i=u("select",{"aria-label":"diagram.what_your_diagram_sho\
 ws",onchange:()=>{t=i.value,s(),n.changed()}},$i(Jr));return i.value=t,s(),e.element.querySelector("h3")?.after(i),e}function Zm(n){return[{key:"velocities",title:"diagram.velocities",unit:"diagram.velocity_m_s",curves:t=>[{name:"diagram.v_centre",color:n.center_speed,values:t.
 columns.vx},{name:"R θ̇",color:n.rotation_speed,dash:"dash",values:t.derived("spin",({omega:e})=>Float64Array.from(e,s=>s*t.radius))}]},{key:"energies",title:"\
@@ -1730,7 +1730,7 @@ t":"right",e.lineWidth=3,e.strokeStyle=i.paper;let f=`${M(t.x-this.focus[0],3)} 
 pose:e,context:s,look:i,colors:o,scale:r}=this,a=t.radius,l=x(.07*a*r,2,14),c=a-.5*l/r,m=[e.x,a+e.height],h=(_,b=c)=>this.point(m[0]+b*Math.sin(_),m[1]+b*Math.cos(
 _));if(s.lineCap="butt",i.dark&&(s.strokeStyle=i.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(m[0],m[1]),c*r,0,2*Math.PI),s.stroke()),this.options.speed){
 let _=this.common.speed;s.lineWidth=l;let b=2*Math.PI/ul;for(let y=0;y<ul;y++){let w=e.angle+y*b,k=Math.hypot(e.vx+a*e.omega*Math.cos(w+.5*b),e.vy-a*e.omega*Math.
-sin(w+.5*b));s.strokeStyle=ms[x(Math.round(255*k/_)||0,0,255)],s.beginPath(),s.moveTo(...h(w-.04*b)),s.lineTo(...h(w+1.04*b)),s.stroke()}}else s.strokeStyle=o.modes[e.
+sin(w+.5*b));s.strokeStyle=us[x(Math.round(255*k/_)||0,0,255)],s.beginPath(),s.moveTo(...h(w-.04*b)),s.lineTo(...h(w+1.04*b)),s.stroke()}}else s.strokeStyle=o.modes[e.
 mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(m[0],m[1]),c*r,0,2*Math.PI),s.stroke();s.strokeStyle=i.soft,s.lineWidth=1,s.beginPath(),s.moveTo(...this.point(
 m[0],m[1])),s.lineTo(...h(e.angle)),s.stroke();let p=(_,b,y,w)=>{s.beginPath(),s.arc(..._,b,0,2*Math.PI),s.fillStyle=y,s.fill(),s.lineWidth=1.5,s.strokeStyle=w,
 s.stroke()};p(this.point(m[0],m[1]),2.5,i.soft,i.soft);let d=t.scenario.hoop.parts;d?this.parts(d,m):p(h(e.angle),x(.1*a*r,4,16),i.ink,i.paper);let f=t.eccentricity*
@@ -1760,7 +1760,7 @@ lane===p&&d.ghost(h.at(this.pointed.time)),this.over(d,p),i.length>1&&(d.mark("A
 t.textAlign="left",t.fillText("AB"[p],12,c-12)),t.restore(),p>0&&(t.fillStyle=a.line,t.fillRect(0,p*c-.5,e,1)),d})}};O();var ru=["player.hoop","table.mode","column.time","column.angle","v","R θ̇","player.gap"],ln=class{constructor(t,e){this.colors=t;this.onview=e;this.options=
 {traces:!0,forces:!0,speed:!0,whole:!1,three:!1,ahead:!1};this.plane=u("canvas",{class:"stage-canvas"});this.space=u("canvas",{class:"stage-canvas",hidden:!0});
 this.flat=new an(this.plane,this.onview);this.deep=null;this.outputs=ru.map(i=>({name:u("dt",{},i),value:u("dd",{})})),this.outputs[1].value.className="mode",this.
-fastest=u("span",{}),this.legend=u("div",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${ms.filter((i,o)=>o%15===0).join(
+fastest=u("span",{}),this.legend=u("div",{class:"legend","aria-hidden":"true"},u("i",{style:`background: linear-gradient(90deg, ${us.filter((i,o)=>o%15===0).join(
 ",")})`}),u("span",{},"0"),u("span",{},"player.rim_speed"),this.fastest);let s=(i,o)=>u("span",{},u("i",{class:"dot",style:`background:${i}`}),o);this.order=u("\
 span",{hidden:!0},"player.a_in_front_b"),this.element=u("div",{class:"stage",role:"figure","aria-label":"player.the_hoop",tabindex:"0"},this.plane,this.space,u(
 "dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(({name:i,value:o})=>[i,o])),this.legend,u("div",{class:"stage-keys","aria-hidden":"true"},s("va\
@@ -1842,15 +1842,15 @@ t>i+1e-9):s.findLast(({event:m})=>m.t<i-1e-9);if(!o&&e&&(o=s[0]),!o){e&&this.say
 return}this.clock.seek(o.event.t);let{event:r,lane:a}=o,c={key:"player.what_at_angle_time",values:{what:Nt(r.kind),angle:K(r.angle),time:M(r.t,4)}};this.tell(this.
 films().length>1?[["hoops.hoop_a","hoops.hoop_b"][a],": ",c]:c)}};O();var fl="hophoop-steps",de=class{constructor(t,e,s,{hosted:i=!1,panels:o=null,onmotion:r=()=>{}}={}){this.root=t;this.backend=e;this.requested=!1;this.surrounding=
 !1;this.taken=null;this.afterFrame=null;this.asked=null;this.frames=0;this.latencies=[];this.hosted=i,this.onmotion=r,ua(t,i);let{colors:a}=s;this.known=s.presets,
-this.sameness=new Qs(s.presets),this.clock=new ds,this.motions=new Us(e,{shown:m=>this.changed(m),refined:()=>this.request(),settled:()=>this.story.announce(this.
-films()),noted:m=>this.noted(m),travelled:async m=>this.address?.travel(m),failed:(m,h)=>this.failed(m,h)}),this.notice=new Gs,this.address=i?new us(this.motions,
+this.sameness=new Qs(s.presets),this.clock=new fs,this.motions=new Gs(e,{shown:m=>this.changed(m),refined:()=>this.request(),settled:()=>this.story.announce(this.
+films()),noted:m=>this.noted(m),travelled:async m=>this.address?.travel(m),failed:(m,h)=>this.failed(m,h)}),this.notice=new Ws,this.address=i?new ps(this.motions,
 this.notice,()=>this.link()):null,this.theme=new mn(t,a,i,()=>this.show()),this.stage=new ln(a,()=>{this.request(),this.address?.soon()}),this.transport=new pn(
 this.clock,()=>this.films(),m=>this.toggle(m),m=>this.notice.say(m),m=>this.story.say(m)),this.timeline=new un(this.clock),this.story=new hn(this.clock),this.theory=
-new cn,this.plots=new Js(this.clock,a),this.phase=new Xs(e,this.clock,a),this.map=new Bs(e,s,{take:m=>{this.clock.time=0,this.motions.change(m,!0)},say:m=>this.
-story.say(m),changed:()=>this.address?.soon()}),this.controls=new _s(s.controls,(m,h)=>this.motions.change(m,h)),this.share=new on(this),this.singleKeys=new Ds(
-i),this.about=Zr(s.version,i),this.help=ta(this.about,a,this.singleKeys.element),this.view=new Hs(t,i,()=>this.show()),this.hoops=new $s(m=>this.motions.choose(
-m)),this.header=new Fs(s.presets,this.share.menu,this.view.button,{take:m=>this.take(m),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.
-compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.extras=new Ns(this),this.opening=new Is(this.clock,this.extras.grips.hint);let{player:l,
+new cn,this.plots=new Js(this.clock,a),this.phase=new Xs(e,this.clock,a),this.map=new zs(e,s,{take:m=>{this.clock.time=0,this.motions.change(m,!0)},say:m=>this.
+story.say(m),changed:()=>this.address?.soon()}),this.controls=new bs(s.controls,(m,h)=>this.motions.change(m,h)),this.share=new on(this),this.singleKeys=new js(
+i),this.about=Zr(s.version,i),this.help=ta(this.about,a,this.singleKeys.element),this.view=new $s(t,i,()=>this.show()),this.hoops=new Ds(m=>this.motions.choose(
+m)),this.header=new Is(s.presets,this.share.menu,this.view.button,{take:m=>this.take(m),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.
+compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.extras=new Fs(this),this.opening=new Hs(this.clock,this.extras.grips.hint);let{player:l,
 sticky:c}=pa(this,o);this.player=l,this.sticky=c,i&&!location.search&&!location.hash&&this.extras.visit.offer(),this.later=ut(()=>this.fetchTheory(),120),this.frame=
 this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=ca(this,i),this.sizes=new ResizeObserver(
 ()=>this.show())}async open(t,e={}){await this.motions.load(t),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),this.sameness.expect(this.films(),
@@ -1879,17 +1879,17 @@ this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.d
 this.request())}async fetchTheory(){let{scenario:t}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked;try{this.theory.draw(
 await this.backend.theory(t,e),this.motions.name()),await this.phase.fetch(t,e)}catch(s){s.name!=="AbortError"&&this.theory.draw([{label:"–",text:et(s)}])}}async toggle(t){
 let{options:e}=this.stage;if(t!=="three")e[t]=!e[t];else try{await this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(et(s))}this.transport.show(e),
-this.address?.soon(),this.request()}};var mu={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ke(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
+this.address?.soon(),this.request()}};var mu={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Ve(n){let t=n instanceof DataView||ArrayBuffer.isView(n)?n:new DataView(n),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
 4,4+s))),o={};for(let{name:r,type:a,shape:l,place:c}of i.arrays){let m=l.reduce((h,p)=>h*p,1);o[r]=new mu[a](e.buffer,e.byteOffset+4+s+c,m)}return{header:i,arrays:o}}O();var uu=4,pu="backend.the_server_does_not",dn=class{constructor(t){this.base=t}async motion(t,e){let s={method:"POST",headers:{"Content-Type":"application/js\
-on"},body:JSON.stringify(t),signal:e};return Ke(await(await this.answered(new URL("lab/motion",this.base),s)).arrayBuffer())}async file(t,e){return(await this.answered(
+on"},body:JSON.stringify(t),signal:e};return Ve(await(await this.answered(new URL("lab/motion",this.base),s)).arrayBuffer())}async file(t,e){return(await this.answered(
 new URL(`api/v1/files/${t}?${e}`,this.base))).blob()}async answered(t,e){for(let s=uu;;s--){let i=await fetch(t,e).catch(r=>{throw r.name==="AbortError"?r:new Error(
 pu)});if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>0)||s<=1){let{detail:r}=await i.json().catch(()=>({}));throw i.status===
 503?new rt({key:"server.busy",values:{count:o}}):i.status===413?new Error("server.too_much"):i.status===500?new Error("server.failed"):r?new Error(r):new rt({key:"\
 backend.the_server_answered_status",values:{status:i.status}})}await new Promise(r=>setTimeout(r,1e3*Math.min(o,10))),e?.signal?.throwIfAborted()}}},du=2e4,fu=3e5,
 fn=class{constructor(t){this.model=t;this.waiting=new Map;this.number=0;this.view=Math.random().toString(36).slice(2);this.listen=(e,s)=>this.answered(e,s),t.on(
 "msg:custom",this.listen)}answered(t,e){let s=t?.view===this.view&&this.waiting.get(t.number);s&&(clearTimeout(s.timer),this.waiting.delete(t.number),t.error?s.
-reject(new Error(t.error)):s.resolve(Ke(e[0])))}ask(t,e,s){let i=++this.number;return new Promise((o,r)=>{let a=setTimeout(()=>{this.waiting.delete(i),r(new Error(
+reject(new Error(t.error)):s.resolve(Ve(e[0])))}ask(t,e,s){let i=++this.number;return new Promise((o,r)=>{let a=setTimeout(()=>{this.waiting.delete(i),r(new Error(
 "backend.the_notebooks_kernel_does"))},t==="file"?fu:du);this.waiting.set(i,{resolve:o,reject:r,timer:a}),s?.addEventListener("abort",()=>{clearTimeout(a),this.
 waiting.delete(i),r(new DOMException("superseded","AbortError"))}),this.model.send({view:this.view,number:i,call:t,body:e})})}motion(t,e){return this.ask("motio\
 n",t,e)}async file(t,e){let{arrays:s}=await this.ask("file",{query:e,name:t});return new Blob([s.content])}async derivatives(){return(await this.ask("derivative\
@@ -1996,7 +1996,7 @@ fromEntries(["vx","vy","omega"].map(i=>[i,ao(n[z[`before_${i}`]])])),s.impulse={
 s.kind));return t.slice(0,-1).map((s,i)=>t[i+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var lo=1e4,Bu="kernel.the_part_of_the",ho=256;function Ol(n){let t=URL.createObjectURL(new Blob([n],{type:"text/javascript"}));return()=>new Worker(t,{type:"mod\
 ule"})}async function Nl(n){let t=await fetch(n);if(!t.ok)throw new rt({key:"kernel.not_loaded",values:{status:t.status}});return t.headers.get("Content-Type")===
 "application/wasm"?WebAssembly.compileStreaming(t):WebAssembly.compile(await t.arrayBuffer())}async function Fl(n){let t=new Blob([n]).stream().pipeThrough(new DecompressionStream(
-"gzip"));return WebAssembly.compile(await new Response(t).arrayBuffer())}var Ve=class n{constructor(t,e,s){this.start=e;this.derivatives=s;this.rates=null;this.
+"gzip"));return WebAssembly.compile(await new Response(t).arrayBuffer())}var Ye=class n{constructor(t,e,s){this.start=e;this.derivatives=s;this.rates=null;this.
 mechanics=new yn(t),this.motions=new fe(e,t,2,lo);let i=navigator.hardwareConcurrency||2;this.maps=new fe(e,t,Math.max(1,Math.min(i-1,8)),lo)}static async load(t){
 let e=await Nl(new URL(`hophoop.wasm?${v.module}`,t)),s=()=>Nl(new URL(`hophoop-derivatives.wasm?${v.derivatives}`,t)),i=new URL(`kernel.js?${v.module}`,t);return i.
 origin===globalThis.location?.origin?new n(e,()=>new Worker(i,{type:"module"}),s):new n(e,Ol(await(await fetch(i)).text()),s)}static async unpack(t,e,s){return new n(
@@ -2011,30 +2011,30 @@ this.maps.close(),this.rates?.then(t=>t.close()).catch(()=>{})}};var zu=360,Uu=2
 tion.gif"],wn=class{constructor(t,e,{base:s=null,python:i=null}={}){this.kernel=t;this.mechanics=e;this.base=s,this.python=i,this.shares=s!==null,this.files=[...Object.
 keys(co),...i?Gu:[]]}async film(t,e){e?.throwIfAborted();let s=it(t,this.mechanics),i=tt(Ct(s)),{python:o}=this,{motion:r,columns:a,pieces:l}=this.kernel.film?await this.
 kernel.film(i,e):{motion:await this.kernel.motion(i,e),columns:await this.kernel.columns(i,e),pieces:null},{doubt:c}=r;if(c!==null&&o){let d=Ae(s),f=async g=>(await o.
-motion({query:d,window:g})).arrays;return{...this.shown(await o.motion({query:d},e),s),samples:f}}let m=await this.turning(i,r,e),h=as(s,r,m,this.mechanics),p=this.
+motion({query:d,window:g})).arrays;return{...this.shown(await o.motion({query:d},e),s),samples:f}}let m=await this.turning(i,r,e),h=ls(s,r,m,this.mechanics),p=this.
 mechanics.instant?.bind(this.mechanics);return{header:c===null?h:{...h,doubt:In(c)},arrays:a,exact:p&&l?d=>p(i,l,d):void 0}}async exact(t){let{exact:e,samples:s}=await this.
-film({scenario:t});return{exact:e,samples:s}}readable(t){return ri(t,this.mechanics)}shown({header:t,arrays:e},s=Se(t.query,this.mechanics)){return{header:as(s,
+film({scenario:t});return{exact:e,samples:s}}readable(t){return ri(t,this.mechanics)}shown({header:t,arrays:e},s=Se(t.query,this.mechanics)){return{header:ls(s,
 t,o=>t.turning[o],this.mechanics),arrays:e}}async samples(t,e,s){let i=it({scenario:t},this.mechanics);return this.kernel.columns(tt(Ct(i)),s,e)}async turning(t,{
 events:e},s){let i=Jn(e);if(!i.length)return()=>0;let o=Float64Array.from(i,a=>Qn(e,a)),{omega:r}=await this.kernel.samples(t,o,s);return a=>r[i.indexOf(a)]}code(t){
-let e=it({scenario:t},this.mechanics);return{python:Vn(e),toml:is(e)}}async theory(t,e){e?.throwIfAborted();let s=it({scenario:t},this.mechanics);return hi(s,await this.
+let e=it({scenario:t},this.mechanics);return{python:Vn(e),toml:os(e)}}async theory(t,e){e?.throwIfAborted();let s=it({scenario:t},this.mechanics);return hi(s,await this.
 kernel.thresholds(tt(s),e))}async regions(t,e,s){s?.throwIfAborted();let i=tt(it({scenario:t},this.mechanics));return this.kernel.regions(i,e,zu,Uu,s)}async changes(t,e,s){
 if(!this.kernel.changes)throw new TypeError("This kernel has no derivatives.");let i=Ct(it({scenario:t},this.mechanics)),o=tt(i);if(o.contact)throw new I(G("com\
 pliant_changes"));let r=ai(i,e);if(!r)return null;let{rates:a,smaller:l,larger:c}=r,m=await this.kernel.changes(o,a,s);return{count:m.count,smaller:l?m.smaller:
 null,larger:c?m.larger:null}}async map(t,e){e?.throwIfAborted();let{checked:s,x:i,y:o,what:r}=oi(t,this.mechanics),a=$n(s,{x:i,y:o,what:r}),l=await Gn(a,{x:i,y:o},
 this.mechanics,e);return Kn({x:i,y:o,what:r},await this.kernel.map(l,r,Wn(r),e))}async file(t,e){if(!(t in co)){if(this.python&&/\.(mp4|gif)$/.test(t)&&Hn(it({query:e},
 this.mechanics)),this.python)return this.python.file(t,e);throw new I({key:"save.needs_python",values:{name:t}})}return new Blob([await this.fileText(t,e)],{type:co[t]})}async fileText(t,e){
-let s=it({query:e},this.mechanics);if(t==="motion.toml")return is(s);let i=Ct(s),o=tt(i),r=await this.kernel.motion(o);if(r.doubt!==null&&this.python)return(await this.
+let s=it({query:e},this.mechanics);if(t==="motion.toml")return os(s);let i=Ct(s),o=tt(i),r=await this.kernel.motion(o);if(r.doubt!==null&&this.python)return(await this.
 python.file(t,e)).text();if(t==="motion.json")return si(i,r);let a=ni(r.duration);return ii(a,await this.kernel.samples(o,a))}link(t,e){return this.base&&`${new URL(
 t?`?${t}`:"",this.base)}${e}`}};async function Il(n,t){let e=await n.catch(s=>{throw typeof WebAssembly=="object"&&!(s instanceof WebAssembly.CompileError)?s:new Error("page.this_needs_a_brows\
-er")});return new wn(e,e.mechanics,t)}function mo(n,t,e){return Il(Ve.load(n),{base:e,python:t&&new dn(t)})}function Hl(n,t){let e=Ve.unpack(n.get("module"),n.get(
-"worker"),()=>t.derivatives());return Il(e,{python:t})}function $l(n){navigator.serviceWorker?.register(n).catch(()=>{})}O();S();O();var Dl=new URL("./",import.meta.url);function ql(n){return Xe(async t=>{let e=await fetch(new URL(`words.${t}.json?8b07b5a1b58cd5cd0a8237518072a035`,
+er")});return new wn(e,e.mechanics,t)}function mo(n,t,e){return Il(Ye.load(n),{base:e,python:t&&new dn(t)})}function Hl(n,t){let e=Ye.unpack(n.get("module"),n.get(
+"worker"),()=>t.derivatives());return Il(e,{python:t})}function $l(n){navigator.serviceWorker?.register(n).catch(()=>{})}O();S();O();var Dl=new URL("./",import.meta.url);function ql(n){return Je(async t=>{let e=await fetch(new URL(`words.${t}.json?ffed6a535371fa98a0ae1f5c8a376399`,
 n));if(!e.ok)throw new Error(`words.${t}.json: ${e.status}`);return e.json()}),oe(ui()).catch(()=>{})}function Wu(n){let t=async()=>{let s=new Blob([n]).stream().
-pipeThrough(new DecompressionStream("gzip"));return new Response(s).json()},e;return Xe(async s=>(e??=t(),(await e)[s])),oe(ui()).catch(()=>{})}async function Ku(n){
+pipeThrough(new DecompressionStream("gzip"));return new Response(s).json()},e;return Je(async s=>(e??=t(),(await e)[s])),oe(ui()).catch(()=>{})}async function Ku(n){
 let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=document.querySelector("meta[name=hophoop-site]"),s,i=ql(Dl);try{s=await mo(Dl,e?null:t,t)}catch(m){await i,
 L(n,et(m));return}await i,e&&$l(e.getAttribute("content")??"");let o=new de(n,s,E.setup,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let r=wr(location.
 hash),a=o.address,{links:l,said:c}=a.read(fi());try{await o.open(l,r),c()}catch(m){a.held=!0,await o.open([""]),o.notice.fail(m)}}async function _w(n,t,e,s){let i=ql(
 t),o=await mo(t,null,new URL("../",t));await i;let r=new de(n,o,E.setup,{panels:s});return await r.open([e]),r}async function Vu({model:n,el:t}){let e=document.
 createElement("div");t.append(e);let s=Wu(n.get("words")),i=new fn(n),o;try{o=await Hl(n,i),await s}catch(c){return await s,L(e,et(c)),()=>i.close()}let r=()=>o.
-shown(Ke(n.get("film"))),a=new de(e,o,E.setup,{panels:n.get("panels"),onmotion:c=>{n.get("query")!==c&&(n.set("query",c),n.save_changes())}});a.motions.set([r()]),
+shown(Ve(n.get("film"))),a=new de(e,o,E.setup,{panels:n.get("panels"),onmotion:c=>{n.get("query")!==c&&(n.set("query",c),n.save_changes())}});a.motions.set([r()]),
 a.begin();let l=()=>a.motions.replace(r());return n.on("change:film",l),()=>{n.off("change:film",l),i.close(),a.close()}}var jl=document.getElementById("hophoop\
 -lab");jl&&Ku(jl);var bw={render:Vu};export{It as current,bw as default,xi as languageMenu,_w as mount,Et as name,pi as repeat,L as say,ql as speakFrom,P as t};
