@@ -51,7 +51,7 @@ for (const { entry, file, format, apart = true } of TARGETS) {
     format,
     bundle: true,
     minify: true,
-    lineLimit: 160,
+    lineLimit: 1000,
     target: "es2022",
     charset: "utf8",
     legalComments: "none",

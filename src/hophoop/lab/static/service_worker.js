@@ -1,5 +1,2 @@
-/* Built from web/site/service_worker.ts by esbuild 0.28.2; sources ffed6a535371fa98a0ae1f5c8a376399 */
-var o=self,s="hophoop-{version}",a=["{files}"];o.addEventListener("install",i=>{let e=caches.open(s).then(n=>n.addAll(a));i.waitUntil(e.then(()=>o.skipWaiting()))});
-o.addEventListener("activate",i=>{let e=caches.keys().then(n=>n.filter(t=>t.startsWith("hophoop-")&&t!==s)).then(n=>Promise.all(n.map(t=>caches.delete(t))));i.waitUntil(
-e.then(()=>o.clients.claim()))});o.addEventListener("fetch",i=>{let{request:e}=i;if(e.method!=="GET"||new URL(e.url).origin!==o.location.origin)return;let n=caches.
-open(s).then(t=>t.match(e,{ignoreSearch:!0}));i.respondWith(n.then(t=>t??fetch(e)))});
+/* Built from web/site/service_worker.ts by esbuild 0.28.2; sources a6ccefdfd5b104de3d37a72087f4b8a2 */
+var o=self,s="hophoop-{version}",a=["{files}"];o.addEventListener("install",i=>{let e=caches.open(s).then(n=>n.addAll(a));i.waitUntil(e.then(()=>o.skipWaiting()))});o.addEventListener("activate",i=>{let e=caches.keys().then(n=>n.filter(t=>t.startsWith("hophoop-")&&t!==s)).then(n=>Promise.all(n.map(t=>caches.delete(t))));i.waitUntil(e.then(()=>o.clients.claim()))});o.addEventListener("fetch",i=>{let{request:e}=i;if(e.method!=="GET"||new URL(e.url).origin!==o.location.origin)return;let n=caches.open(s).then(t=>t.match(e,{ignoreSearch:!0}));i.respondWith(n.then(t=>t??fetch(e)))});
