@@ -138,7 +138,7 @@ def test_the_step_does_what_was_told(visit):
         ("", "plane.restitution", REASONS[Reason.PLASTIC]),
         ("hoop.load_fraction=0.75&plane.restitution=1&duration=2", "plane.restitution", EDGE),
         ("contact.model=compliant", "plane.mu", "rigid contact model"),
-        ("plane.mu=inf", "plane.mu", "there is no more of it"),
+        ("plane.mu=inf", "plane.mu", "infinite and cannot increase"),
         ("", "plane.rolling_resistance", EDGE),
     ],
 )
@@ -185,7 +185,7 @@ def test_arrows_lead_to_where_it_would_be(visit):
     assert [landing["dx"], apex["dy"]] == (0.01 * result.derivatives[:, 0]).tolist()
     assert landing["dy"] == pytest.approx(0.0, abs=1e-12)
     factor = page.evaluate("hophoopLab.extras.more.factor")
-    assert f"{factor:g} times as long" in page.locator(".more > .hint").inner_text().replace(",", "")
+    assert f"{factor:g} times enlarged" in page.locator(".more > .hint").inner_text().replace(",", "")
     # they are seen: the picture is another without them
     shot = "() => document.querySelector('.stage-canvas').toDataURL()"
     page.evaluate("hophoopLab.toggle('whole')")
