@@ -148,7 +148,7 @@ def test_challenges_are_scored_from_the_motion(visit):
         page.evaluate("hophoopLab.motions.change([['hoop.mass', 2]], true)")
         wait_for(page, "lab.film().mass === 2 && !lab.surrounding")
         assert page.locator(".challenges .hint").inner_text() == before
-        page.get_by_role("button", name="Begin again").click()
+        page.get_by_role("button", name="Start again").click()
         wait_for(page, "lab.film().mass === 1 && !lab.surrounding")
         assert "not counted" not in page.locator(".challenge-result").inner_text()
         # neither does the way back make it one
