@@ -204,7 +204,7 @@ export class MotionMap {
     const { signal } = this.asked;
     const base = this.film.scenario;
     // maps know rigid contact only
-    const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "choice.contact.model.rigid"]];
+    const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
     this.computing = true;
     // the coarse layers stay below as long as they show the same quantity of the same motion
     const kind = `${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;
