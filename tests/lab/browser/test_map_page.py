@@ -48,4 +48,4 @@ def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     page = visit("?contact.model=compliant&duration=0.5")
     page.locator(".map-body").scroll_into_view_if_needed()
     wait_for(page, "lab.map.level === 3")
-    assert page.locator(".map-head .hint").inner_text() == "31104 motions, with rigid contact"
+    assert page.locator(".map-head .hint").inner_text() == "31104 motions with rigid contact"
