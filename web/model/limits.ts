@@ -1,4 +1,4 @@
-// What one answer of the page may cost, as lab/limits.py and lab/motion_map.py have it: refused before anything is computed.
+// What one answer of the page may cost, as lab/api/limits.py and lab/api/motion_map.py have it: refused before anything is computed.
 
 import { holds, InputError, TooMuch } from "./check.ts";
 import { stateOf } from "./given.ts";

@@ -1,4 +1,4 @@
-// What theory says about the hoop of a scenario, as the page lists it: the page's side of lab/thresholds.py.
+// What theory says about the hoop of a scenario, as the page lists it.
 
 import { tables } from "./tables.ts";
 import { general } from "./text.ts";

@@ -1,4 +1,4 @@
-// A motion told in words, from its events: the page's side of lab/words.py, with the same sentences.
+// A motion in words, from its events.
 
 import { tables } from "./tables.ts";
 import { listed } from "../words/texts.ts";
