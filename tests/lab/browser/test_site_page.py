@@ -10,9 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.lab.site import export as site
-from lab_page_tools import wait_for
-
-PATIENCE = 30_000
+from lab_page_tools import PATIENCE, wait_for
 
 
 @pytest.fixture(scope="module")
