@@ -270,8 +270,9 @@ def test_a_missing_extra_answers_501(monkeypatch, client):
     assert reply.status_code == 501
     sentence = "hophoop_needs_this is not installed; it comes with the extra 'plots': pip install 'hophoop[plots]'."
     assert reply.json() == {"detail": sentence, "extra": "plots"}
-    error = pytest.raises(MissingExtra, need, "hophoop_needs_this", "plots").value
-    assert pickle.loads(pickle.dumps(error)).extra == "plots"  # from the process that computes
+    with pytest.raises(MissingExtra) as raised:
+        need("hophoop_needs_this", "plots")
+    assert pickle.loads(pickle.dumps(raised.value)).extra == "plots"  # from the process that computes
 
 
 @pytest.mark.parametrize("error", [ValueError("could not be broadcast"), TypeError("no"), ImportError("no such name")])
