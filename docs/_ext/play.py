@@ -53,7 +53,7 @@ def visit_live(writer: Any, node: live) -> None:
     query, page = escape(node["query"]), writer.builder.current_docname
     lab, script = (address(writer.builder, page, file) for file in (f"{FOLDER}/index.html?{query}", ELEMENT))
     writer.body.append(
-        f'<div class="live on-paper-not"><hophoop-motion loading="lazy" scenario="{query}"></hophoop-motion>'
+        f'<div class="live on-paper-not"><hophoop-motion loading="lazy" panels="player" scenario="{query}"></hophoop-motion>'
         f'<script type="module" src="{script}"></script>\n'
     )
     writer.context.append(f'<p><a href="{lab}">Change this motion in the lab</a></p></div>\n')
