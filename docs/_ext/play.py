@@ -1,7 +1,7 @@
 """The lab itself next to the pages: it computes in the visitor's browser, so that "play" needs no server.
 
-Every page leads to it, and a page shows one motion of it with the directive ``motion``. Its argument is the query of a link of the
-lab, its content the caption.
+Every page leads to it, and a page shows one of its motions with the directive ``motion``. The argument is the query of a link
+of the lab, the content is the caption.
 """
 
 from __future__ import annotations
