@@ -45,6 +45,7 @@ _HOMES: dict[str, str | None] = {
     "precise": None,
     "prove": None,
     "engines": None,
+    "gaits": None,
     "animate": None,
     "jax": None,
     "show": "lab.widget",
@@ -59,6 +60,7 @@ if TYPE_CHECKING:
     from hophoop import cite as cite
     from hophoop import claims as claims
     from hophoop import engines as engines
+    from hophoop import gaits as gaits
     from hophoop import io as io
     from hophoop import jax as jax
     from hophoop import maps as maps
