@@ -320,6 +320,7 @@ class Motion(Protocol):
 
     scenario: Scenario
     version: str
+    until: str | None
 
     @property
     def status(self) -> MotionStatus:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -45,6 +46,7 @@ class Trajectory:
         segments: np.ndarray,
         version: str,
         doubt: float | None = None,
+        until: str | None = None,
     ) -> None:
         self.scenario = scenario
         self.version = version
@@ -52,6 +54,7 @@ class Trajectory:
         self._events = events
         self._segments = segments
         self._doubt = doubt
+        self.until = until
 
     # --- events ------------------------------------------------------------------------------------
 
@@ -59,6 +62,14 @@ class Trajectory:
     def status(self) -> MotionStatus:
         """How the motion ended: completed, at_rest, jammed, undetermined or event_limit."""
         return MOTION_STATUSES[self._status]
+
+    @property
+    def ending(self) -> str:
+        """What ended the motion: 'duration', what `until` asked for, such as 'landings:2', or else its status."""
+        if self.status != MotionStatus.COMPLETED:
+            return str(self.status)
+        stopped = self.until is not None and self.duration < self.scenario.duration
+        return self.until if stopped and self.until else "duration"
 
     @property
     def ok(self) -> bool:
@@ -268,7 +279,8 @@ class Trajectory:
         if self._doubt is None:  # for a loaded motion
             from hophoop.derivatives.results.propagation import doubtful_from
 
-            self._doubt = doubtful_from(self)
+            doubt = doubtful_from(self)
+            self._doubt = doubt if doubt <= self._events["t"][-1] else math.inf
         return self._doubt
 
     def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
@@ -359,6 +371,7 @@ class Trajectory:
             "version": self.version,
             "scenario": self.scenario.to_dict(),
             "status": self.status,
+            **({} if self.until is None else {"ending": self.ending}),
             "sequence": self.sequence,
             "fingerprint": self.fingerprint,
             "events": [event.to_dict() for event in self.events],
