@@ -92,16 +92,38 @@ def _simulated_until(scenario: Scenario, until: Until) -> RigidMotion:
 
 
 def _simulated(scenario: Scenario, decides: bool = True) -> RigidMotion:
+    if scenario.start.mode is not None:
+        return _continued(scenario, decides)
     outcome, tables, script = _ran(scenario, NO_SCRIPT)
     doubt = math.inf if math.isnan(outcome.doubt) else outcome.doubt
     if decides and not (math.isnan(outcome.doubt_until) or outcome.panels_used):
         outcome, tables, script = _decided(scenario, outcome, tables)
+    return _finished(scenario, (outcome, tables, script), doubt)
+
+
+def _finished(scenario: Scenario, found: tuple[Outcome, Tables, np.ndarray], doubt: float) -> RigidMotion:
+    """Return a motion from the tables of the kernel and the script that it was given."""
+    outcome, tables, script = found
     events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
     if len(script) > 1:
         segments = np.concatenate((segments_of_script(scenario.to_body(), script), segments))
     if not len(segments):
         segments = _held(events)
     return RigidMotion(outcome.status, events, segments, doubt)
+
+
+def _continued(scenario: Scenario, decides: bool) -> RigidMotion:
+    """Compute a motion that goes on from another one; if a doubt is to be decided, in extended precision from the state."""
+    from hophoop.simulation.restart import continued
+
+    found = continued(scenario)
+    segments = found.segments if len(found.segments) else _held(found.events)
+    motion = RigidMotion(found.status, found.events, segments, math.inf if math.isnan(found.doubt) else found.doubt)
+    if decides and not math.isnan(found.doubt_until):
+        script = Decisions(scenario).script(found.doubt_until)
+        if script is not None:
+            return _finished(scenario, _ran(scenario, script), motion.doubt)
+    return motion
 
 
 def _ran(scenario: Scenario, script: np.ndarray) -> tuple[Outcome, Tables, np.ndarray]:
