@@ -10,7 +10,7 @@ PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parent / "r
 # Conditions to wait for: nothing is under way and the diagrams are those of the motion; all that opens with the page is there.
 SETTLED = "!lab.motions.lanes.some((lane) => lane.busy || lane.pending) && !lab.surrounding && !lab.requested"
 SHOWN = f"lab.theory.list.children.length > 0 && {SETTLED}"
-PATIENCE = 30_000  # milliseconds
+PATIENCE = 120_000  # milliseconds, on a machine with other work
 
 
 def expect(locator):

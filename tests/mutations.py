@@ -62,7 +62,7 @@ ROOMS = {
         ("tests/derivatives",),
         sample=300,
     ),
-    "scenario": Room(("scenario/*.py",), ("tests/scenario",), False),
+    "scenario": Room(("scenario/*.py", "kernel/records/refusal.py"), ("tests/scenario",), False),
     "io": Room(
         ("io.py", "results/save.py", "_support/files.py", "_support/checksum.py"),
         ("tests/test_io.py", "tests/files/test_reading.py", "tests/files/test_written_whole.py"),

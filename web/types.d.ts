@@ -139,7 +139,7 @@ interface Box {
 
 interface MapClass {
   name: string;
-  text: string;
+  text: Said;
   color: string;
 }
 
@@ -161,6 +161,13 @@ interface MapLayer {
   y: number[];
   low: number;
   high: number;
+  shapes?: MapShapes;
+}
+
+// Areas of the classes of a map, and lines between them, [x, y, x, y]: in cells from its lower left corner.
+interface MapShapes {
+  areas: Map<number, Path2D>;
+  lines: number[][];
 }
 
 interface Curve {

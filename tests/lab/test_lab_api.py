@@ -1,6 +1,7 @@
 """The lab's programming interface: results, errors in one sentence, limits, caching, no file but its own."""
 
 import json
+import pickle
 from concurrent.futures import Future
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
 
 import hophoop as hh  # noqa: E402
-from hophoop._support.extras import MissingExtra  # noqa: E402
+from hophoop._support.extras import MissingExtra, need  # noqa: E402
 from hophoop.lab.api import calls, packing  # noqa: E402
 from hophoop.lab.api.limits import USUAL  # noqa: E402
 from hophoop.lab.server import app, routes  # noqa: E402
@@ -260,12 +261,18 @@ def test_every_default_and_word_in_the_document_is_accepted(client):
 
 def test_a_missing_extra_answers_501(monkeypatch, client):
     def missing(request, limits):
-        raise MissingExtra("matplotlib is not installed; it comes with the extra 'plots'.")
+        need("hophoop_needs_this", "plots")
 
     call = calls.CALLS["theory"]
     monkeypatch.setitem(calls.CALLS, "theory", call._replace(answer=missing))
     application = routes.create_app(pool=Pool(USUAL, Here))
-    assert asking(application).post("/api/v1/theory", json={"duration": 3}).status_code == 501
+    reply = asking(application).post("/api/v1/theory", json={"duration": 3})
+    assert reply.status_code == 501
+    sentence = "hophoop_needs_this is not installed; it comes with the extra 'plots': pip install 'hophoop[plots]'."
+    assert reply.json() == {"detail": sentence, "extra": "plots"}
+    with pytest.raises(MissingExtra) as raised:
+        need("hophoop_needs_this", "plots")
+    assert pickle.loads(pickle.dumps(raised.value)).extra == "plots"  # from the process that computes
 
 
 @pytest.mark.parametrize("error", [ValueError("could not be broadcast"), TypeError("no"), ImportError("no such name")])

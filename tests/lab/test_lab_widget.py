@@ -59,7 +59,8 @@ def test_the_widget_says_what_is_wrong(widget):
     before = widget.motion
     body = {"scenario": {}, "changes": [["hoop.mass", -1]]}
     widget._answer(widget, {"view": "a", "number": 4, "call": "motion", "body": body}, [])
-    assert widget.sent[0][0]["error"] == "hoop.mass = -1 must be greater than 0."
+    refused = {"status": 422, "detail": "hoop.mass = -1 must be greater than 0."}
+    assert widget.sent[0][0] == {"view": "a", "number": 4, **refused}
     assert widget.motion is before
 
 
@@ -77,4 +78,4 @@ def test_the_widget_shows_a_defect_in_the_notebook(widget, monkeypatch):
     monkeypatch.setattr("hophoop.lab.api.calls.answer", broken)
     with pytest.raises(ValueError, match="broadcast"):
         widget._answer(widget, {"view": "a", "number": 5, "call": "file", "body": {"name": "motion.csv"}}, [])
-    assert widget.sent == [({"view": "a", "number": 5, "error": "server.failed"}, None)]
+    assert widget.sent == [({"view": "a", "number": 5, "status": 500}, None)]

@@ -8,41 +8,59 @@ import { sectionsWith } from "./scenario.ts";
 import { tables } from "./tables.ts";
 
 const BREATH = 8; // milliseconds after which the page may do something else
+const ROW = 64; // cells between two looks at the clock
 const { quantities } = tables.map;
 
+type Axes = { x: Axis; y: Axis };
+type Pair = [x: number, y: number];
+
+/** Every cell as the kernel takes it, row by row. */
+export function cellsOf(base: Checked, { x, y }: Axes, mechanics: Mechanics, signal?: AbortSignal) {
+  const [across, upwards] = [middles(x), middles(y)];
+  const places = upwards.flatMap((high) => across.map((wide): Pair => [wide, high]));
+  return cellsAt(base, { x, y }, places, mechanics, signal);
+}
+
 /**
- * Every cell as the kernel takes it, which leaves out those that break a rule; where a value is not allowed by
- * itself, a cell is all zeros. The page breathes in between.
+ * The motions at places of a map as the kernel takes them, which leaves out those that break a rule; where a value is
+ * not allowed by itself, a cell is all zeros. The page breathes in between.
  */
-export async function cellsOf(
+export async function cellsAt(
   base: Checked,
-  { x, y }: { x: Axis; y: Axis },
+  { x, y }: Axes,
+  places: Pair[],
   mechanics: Mechanics,
   signal?: AbortSignal,
 ): Promise<MapCells> {
-  const [across, upwards] = [middles(x), middles(y)];
   const withs = (...pairs: [string, number][]) => sectionsWith(base, new Map(pairs), mechanics);
   const apart = independent(base, x.path, y.path);
-  const wide = apart && across.map((value) => withs([x.path, value]));
-  const high = apart && upwards.map((value) => withs([y.path, value]));
-  const count = across.length * upwards.length;
+  const wide = remembered((value) => withs([x.path, value]));
+  const high = remembered((value) => withs([y.path, value]));
+  const count = places.length;
   const rows = new Float64Array(READ.length * count);
   let began = performance.now();
-  for (let place = 0; place < count; place++) {
-    const i = place % across.length;
-    const k = (place - i) / across.length;
-    if (i === 0 && performance.now() - began > BREATH) {
+  for (const [place, [across, upwards]] of places.entries()) {
+    if (place % ROW === 0 && performance.now() - began > BREATH) {
       await new Promise((resolve) => setTimeout(resolve));
       signal?.throwIfAborted();
       began = performance.now();
     }
-    const one = wide ? wide[i] : withs([y.path, upwards[k]], [x.path, across[i]]);
-    const other = high ? high[k] : one;
+    const one = apart ? wide(across) : withs([y.path, upwards], [x.path, across]);
+    const other = apart ? high(upwards) : one;
     if (!one || !other) continue;
     const numbers = given({ ...base, ...one, ...other });
     for (let field = 0; field < READ.length; field++) rows[field * count + place] = READ[field](numbers);
   }
   return { count, rows };
+}
+
+/** Each value's answer, found once. */
+function remembered<T>(find: (value: number) => T) {
+  const known = new Map<number, T>();
+  return (value: number) => {
+    if (!known.has(value)) known.set(value, find(value));
+    return known.get(value) as T;
+  };
 }
 
 /** Whether the values of two axes are checked apart: in sections of their own, of which none takes from the other. */
@@ -58,16 +76,28 @@ function independent({ start }: Checked, one: string, other: string) {
 export const spanOf = (what: string): string => quantities[what].span;
 
 /** A map as the page shows it. */
-export function mapReply({ x, y, what }: { x: Axis; y: Axis; what: string }, found: MapValues) {
+export function mapReply({ x, y, what }: Axes & { what: string }, found: MapValues) {
   const { unit, words } = quantities[what];
   const label = `quantity.${what}`;
   const { values, names } = ordered(found, unit === "" ? words : null);
-  const classOf = (name: string) => ({
-    name,
-    text: classText(name, what),
-    color: classColor(name, what),
+  const classes = unit === "" ? names.map((name) => classOf(name, what)) : null;
+  return { header: { x, y, what, label, unit, classes }, arrays: { values } };
+}
+
+const classOf = (name: string, what: string): MapClass => ({
+  name,
+  text: classText(name, what),
+  color: classColor(name, what),
+});
+
+/** The class at each place by its place in a table, which grows where a class is not in it; −1 without a motion. */
+export function codesOf({ values, sequences }: MapValues, what: string, classes: MapClass[]) {
+  const names = sequences ?? quantities[what].words;
+  const codes = names.map((name: string) => {
+    const known = classes.findIndex((one) => one.name === name);
+    return known < 0 ? classes.push(classOf(name, what)) - 1 : known;
   });
-  return { header: { x, y, what, label, unit, classes: unit === "" ? names.map(classOf) : null }, arrays: { values } };
+  return Array.from(values, (code) => codes[code] ?? -1);
 }
 
 /**

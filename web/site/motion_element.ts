@@ -1,14 +1,32 @@
 // <hophoop-motion scenario="plane.mu=0.5&start.speed=2.8" panels="controls plots">: a live hoop in any page.
 //
-// One tag and one script. Everything is computed in the visitor's browser; nothing is sent anywhere.
+// One tag and one script. Everything is computed in the visitor's browser; nothing is sent anywhere. With loading="lazy" it begins
+// when a visitor comes near it, as pictures do.
 
 const here = new URL("./", import.meta.url);
 let count = 0;
+
+/** When an element is about to be seen. */
+function seen(element: Element) {
+  return new Promise<void>((resolve) => {
+    const near = new IntersectionObserver(
+      ([entry]) => {
+        if (!entry.isIntersecting) return;
+        near.disconnect();
+        resolve();
+      },
+      { rootMargin: "200px" },
+    );
+    near.observe(element);
+  });
+}
 
 class HophoopMotion extends HTMLElement {
   static observedAttributes = ["scenario"];
 
   lab: any = null;
+  root: HTMLElement | null = null;
+  starting = false;
   number: number;
 
   constructor() {
@@ -17,6 +35,7 @@ class HophoopMotion extends HTMLElement {
   }
 
   async connectedCallback() {
+    if (this.getAttribute("loading") === "lazy") await seen(this);
     if (this.shadowRoot) return;
     const shadow = this.attachShadow({ mode: "open" });
     const style = document.createElement("link");
@@ -24,17 +43,23 @@ class HophoopMotion extends HTMLElement {
     style.href = new URL("lab.css", here).href;
     const frame = document.createElement("style");
     frame.textContent = ":host { display: block; min-height: 18rem; } :host([hidden]) { display: none; }";
-    const root = document.createElement("div");
-    root.textContent = "The hoop is loading …";
-    shadow.append(style, frame, root);
+    this.root = document.createElement("div");
+    shadow.append(style, frame, this.root);
+    this.start(this.root);
+  }
+
+  /** What is wrong with the scenario is said in the place of the hoop. */
+  async start(root: HTMLElement) {
+    this.starting = true;
+    root.textContent = "…";
     try {
       const { mount } = await import(new URL("lab.js", here).href);
-      root.textContent = "";
       this.lab = await mount(root, here, this.scenario, this.panels);
-      this.dispatchEvent(new Event("ready"));
+      if (this.lab) this.dispatchEvent(new Event("ready"));
     } catch (error) {
-      root.textContent = (error as Error).message;
+      root.textContent = (error as Error).message; // of the browser: the page's words are in the script that is missing
     }
+    this.starting = false;
   }
 
   disconnectedCallback() {
@@ -42,7 +67,14 @@ class HophoopMotion extends HTMLElement {
   }
 
   attributeChangedCallback(_: string, before: string | null, now: string | null) {
-    if (this.lab && before !== now) this.lab.open([now ?? ""]);
+    if (before === now || !this.root || this.starting) return;
+    const { lab } = this;
+    if (!lab) this.start(this.root);
+    else
+      lab.open([now ?? ""]).then(
+        () => lab.notice.clear(),
+        (error: Error) => lab.notice.fail(error),
+      );
   }
 
   get scenario() {

@@ -7,7 +7,9 @@ from typing import Any
 
 
 class MissingExtra(ImportError):
-    """A module of an extra is not installed; the message names the extra."""
+    """A module of an extra is not installed; the message names the extra, and so does `extra`."""
+
+    extra = ""
 
 
 def need(module: str, extra: str) -> Any:
@@ -37,7 +39,9 @@ def need(module: str, extra: str) -> Any:
         # A broken installation, in which a dependency of the module is missing, must not be hidden.
         if error.name is not None and error.name.partition(".")[0] != top:
             raise
-        raise MissingExtra(
+        missing = MissingExtra(
             f"{top} is not installed; it comes with the extra '{extra}': pip install 'hophoop[{extra}]'.",
             name=module,
-        ) from None
+        )
+        missing.extra = extra
+        raise missing from None

@@ -61,6 +61,7 @@ def _widget_class() -> Any:
     anywidget = need("anywidget", "lab")
     traitlets = need("traitlets", "lab")
     from hophoop.lab.api import calls
+    from hophoop.lab.api.refusals import refusal
     from hophoop.lab.site import export
 
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
@@ -128,10 +129,11 @@ def _widget_class() -> Any:
                 else:
                     answered = calls.answer(request)
             except (InputError, MissingExtra) as error:
-                self.send({**reply, "error": str(error)})
+                status, body = refusal(error)
+                self.send({**reply, "status": status, **body})
                 return
             except Exception:
-                self.send({**reply, "error": "server.failed"})  # a key of the page's words
+                self.send({**reply, "status": 500})
                 raise
             self.send(reply, [answered.packed()])
 

@@ -9,6 +9,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
+from lab_page_tools import PATIENCE
 from slow_page import delaying
 
 DELAYS = os.environ.get("HOPHOOP_PAGE_DELAYS", "")  # a seed: every page of these tests is delayed at random
@@ -75,7 +76,7 @@ def visit(browser, address, request):
         context = browser.new_context(**options)
         contexts.append(context)
         page = context.new_page()
-        page.set_default_timeout(30_000)
+        page.set_default_timeout(PATIENCE)
         if seed:  # a slower processor, for this page alone
             context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
         if seed:

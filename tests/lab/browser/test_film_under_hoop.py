@@ -14,6 +14,7 @@ import hophoop as hh
 from film_maker import Film, article_like, make, project
 from hophoop.fitting import backdrop
 from hophoop.tracking import Hints
+from lab_page_tools import PATIENCE
 
 FILM = Film(size=(480, 272), frames=60, scale=200.0, origin=(90.0, 240.0), rate=120.0, roll_deg=3.0, marker_size=0.05)
 RADIUS = 0.3
@@ -69,7 +70,7 @@ def served(filmed):
 
 def test_the_film_lies_under_the_hoop(browser, served, filmed, tmp_path):
     page = browser.new_context(viewport={"width": 1440, "height": 900}).new_page()
-    page.set_default_timeout(30_000)
+    page.set_default_timeout(PATIENCE)
     troubles = []
     page.on("pageerror", lambda error: troubles.append(str(error)))
     page.on("console", lambda said: said.type == "error" and troubles.append(said.text))

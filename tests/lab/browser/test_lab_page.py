@@ -35,6 +35,7 @@ def test_a_slider_makes_it_hop_and_undo_takes_it_back(visit):
     wait_for(page, "lab.film().sequence.includes('H')")
 
 
+@also_delayed
 def test_exact_entry_and_a_sentence_for_what_is_not_allowed(visit):
     page = visit(expected=["422"])
     exact = page.get_by_label("Speed, exact value in m/s", exact=True)
@@ -50,6 +51,82 @@ def test_exact_entry_and_a_sentence_for_what_is_not_allowed(visit):
     mass.press("Enter")
     wait_for(page, "lab.film().mass === 2")
     assert page.locator(".control .error:visible").count() == 0
+
+
+@also_delayed
+def test_a_sentence_stays_until_its_field_changes(visit):
+    """Whatever is drawn again or answered meanwhile."""
+    page = visit()
+    wait_for(page, SHOWN)
+    wrong = page.locator(".control .error:visible")
+    mass = page.get_by_label("Mass, exact value in kg", exact=True)
+
+    def refused():
+        mass.fill("-1")
+        mass.press("Enter")
+        expect(wrong).to_have_count(1)
+
+    def still():
+        assert wrong.all_inner_texts() == ["Mass = −1 kg must be from 1·10⁻¹² to 1·10¹² kg."]
+        assert mass.input_value() == "-1"
+
+    refused()
+    page.evaluate("hophoopLab.show()")  # as after another size of the window
+    still()
+    slider = page.locator("input[data-path='start.speed']")
+    slider.fill("2.5")  # an answer that comes later
+    wait_for(page, f"lab.film().values['start.speed'] === 2.5 && {SETTLED}")
+    still()
+    mass.press("Escape")
+    assert mass.input_value() == "1"
+    assert wrong.count() == 0
+    refused()
+    page.locator("input[data-path='hoop.mass']").evaluate("slider => slider.dispatchEvent(new Event('input'))")
+    expect(wrong).to_have_count(0)  # whatever the slider says holds
+    refused()
+    page.keyboard.press("Escape")
+    refused()
+    page.evaluate("hophoopLab.travel(-1)")  # another motion, and its fields
+    expect(wrong).to_have_count(0)
+    assert mass.input_value() == "1"
+
+
+@also_delayed
+def test_the_sentence_of_a_rule_goes_with_the_next_motion(visit):
+    page = visit("?plane.mu_static=0.5&plane.mu_kinetic=0.4", expected=["422"])
+    wait_for(page, SHOWN)
+    wrong = page.locator(".control .error:visible")
+    kinetic = page.get_by_label("Kinetic friction, exact value", exact=True)
+    kinetic.fill("0.6")
+    kinetic.press("Enter")
+    expect(wrong).to_have_count(1)
+    page.evaluate("hophoopLab.show()")
+    assert wrong.count() == 1
+    assert kinetic.input_value() == "0.6"
+    page.locator("input[data-path='plane.mu_static']").fill("0.7")
+    expect(wrong).to_have_count(0)
+    assert kinetic.input_value() == "0.4"
+
+
+@also_delayed
+def test_the_sentence_of_a_part_stays(visit):
+    page = visit()
+    wait_for(page, SHOWN)
+    page.evaluate("hophoopLab.controls.way.select.closest('details').open = true")
+    page.get_by_label("Defined by").select_option("parts")
+    fields = page.locator(".part input")
+    expect(fields).to_have_count(5)
+    fields.nth(0).fill("heavy")
+    fields.nth(0).press("Enter")
+    wrong = page.locator(".parts .error:visible")
+    expect(wrong).to_have_count(1)
+    fields.nth(3).fill("0.4")
+    fields.nth(3).press("Enter")
+    page.locator("input[data-path='start.speed']").fill("2.5")
+    wait_for(page, f"lab.film().values['start.speed'] === 2.5 && {SETTLED}")
+    assert wrong.count() == 1
+    assert fields.nth(0).input_value() == "heavy"
+    assert page.evaluate("hophoopLab.film().scenario.hoop.parts[1].mass") == 0.4
 
 
 @also_delayed

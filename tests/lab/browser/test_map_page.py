@@ -1,9 +1,14 @@
 """The map on the page: a click takes its motion, and it waits for its kernel."""
 
+import math
+from collections import defaultdict
+
+import numpy as np
 import pytest
 
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
+import hophoop as hh  # noqa: E402
 from hophoop.vocabulary.classes import class_text  # noqa: E402
 from lab_page_tools import colors_on, picture, wait_for  # noqa: E402
 
@@ -49,3 +54,47 @@ def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     page.locator(".map-body").scroll_into_view_if_needed()
     wait_for(page, "lab.map.level === 3")
     assert page.locator(".map-head .hint").inner_text() == "31104 motions with rigid contact"
+
+
+SIDES = 24  # that are compared
+
+
+def test_the_boundaries_of_the_map_are_those_of_the_library(visit):
+    """Lines cross the sides of cells where the library's own bisection finds the change, to a thousandth of a cell."""
+    page = visit()
+    page.locator(".map-body").scroll_into_view_if_needed()
+    wait_for(page, "lab.map.layers.at(-1)?.shapes")
+    header, lines = page.evaluate("(({ header, shapes }) => [header, shapes.lines])(hophoopLab.map.layers.at(-1))")
+    x, y = header["x"], header["y"]
+    size = (x["to"] - x["from"]) / x["cells"], (y["to"] - y["from"]) / y["cells"]
+    ranges = {"start.speed": (x["from"], x["to"]), "plane.mu": (y["from"], y["to"])}
+    # on sides between the middles of cells, one over the other
+    cuts = defaultdict(list)
+    for u, v, *_ in lines:
+        if u % 1 == 0.5 and v % 1 != 0.5 and 1 < v < y["cells"] - 1:
+            cuts[u, math.floor(v - 0.5) + 0.5].append(v)
+    assert len(cuts) > 100
+    for u, low in sorted(cuts)[:: len(cuts) // SIDES]:
+        across = x["from"] + u * size[0]
+        one, other = ((across, y["from"] + end * size[1]) for end in (low, low + 1))
+        found = hh.maps.boundary(None, ranges, one, other, most=1)
+        (mu,) = found.y[np.abs(found.x - across) < 1e-12]
+        assert min(abs((mu - y["from"]) / size[1] - v) for v in cuts[u, low]) < 1e-3, (u, low, found.classes)
+
+
+def test_the_speed_of_the_immediate_hop_is_a_straight_line_of_the_map(visit):
+    page = visit()
+    page.locator(".map-body").scroll_into_view_if_needed()
+    wait_for(page, "lab.map.layers.at(-1)?.shapes")
+    header, lines = page.evaluate("(({ header, shapes }) => [header, shapes.lines])(hophoopLab.map.layers.at(-1))")
+    x, y = header["x"], header["y"]
+    hop = hh.theory.immediate_hop_speed(hh.Scenario().hoop)
+    place = (hop - x["from"]) / (x["to"] - x["from"]) * x["cells"]
+    across = {v: u for u, v, *_ in lines if v % 1 == 0.5 and abs(u - place) < 0.5}
+    assert len(across) == y["cells"]
+    assert max(abs(u - place) for u in across.values()) < 1e-3
+    # and what is said there is what is drawn, on both sides of it
+    said = "value => hophoopLab.map.said({ x: value, y: 1.2 })"
+    before, after = (page.evaluate(said, hop + shift).rpartition(": ")[2] for shift in (-1e-4, 1e-4))
+    assert before != "flight"
+    assert after == "flight"

@@ -114,12 +114,12 @@ def test_every_number_shown_in_play_is_right(visit):
     page.evaluate(
         f"""() => {{
           globalThis.seen = [];
-          hophoopLab.afterFrame = () => {{ if (seen.length < 60) seen.push(({READ})()); }};
+          hophoopLab.afterFrame = () => {{ if (seen.length < 30) seen.push(({READ})()); }};
           hophoopLab.clock.seek(4.2);
           hophoopLab.clock.play(true);
         }}"""
     )
-    page.wait_for_function("() => seen.length === 60")
+    page.wait_for_function("() => seen.length === 30")
     motion = hh.simulate(hh.Scenario())
     assert [line for shown in page.evaluate("seen") for line in wrong(shown, motion)] == []
 

@@ -11,6 +11,7 @@ import hophoop as hh
 from film_maker import Film, article_like, make
 from hophoop.lab.server.pick import pick
 from hophoop.tracking import Hints
+from lab_page_tools import PATIENCE
 
 FILM = Film(size=(320, 192), scale=130.0, origin=(60.0, 170.0), frames=12, marker_size=0.06)
 MIDDLE, RIM = np.array([60.0, 131.0]), 39.0
@@ -42,7 +43,7 @@ def asked(browser, film):
         context = browser.new_context(**options)
         contexts.append(context)
         page = context.new_page()
-        page.set_default_timeout(30_000)
+        page.set_default_timeout(PATIENCE)
         troubles = []
         page.on("pageerror", lambda error: troubles.append(str(error)))
         page.goto(found["address"])

@@ -10,9 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.lab.site import export as site
-from lab_page_tools import wait_for
-
-PATIENCE = 30_000
+from lab_page_tools import PATIENCE, wait_for
 
 
 @pytest.fixture(scope="module")
@@ -87,6 +85,55 @@ def test_one_tag_and_one_script_show_a_hoop(browser, address):
     page.wait_for_function(f"() => {element}.lab.film().sequence.includes('H')", timeout=PATIENCE)
     assert page.evaluate(f"{element}.shadowRoot.querySelector('canvas').width") > 100
     assert errors == []
+    context.close()
+
+
+def test_a_hoop_in_another_page_says_what_is_wrong_in_the_visitors_language(browser, address, site_folder):
+    (site_folder / "wrong.html").write_text(
+        '<!doctype html><html lang="de"><meta charset="utf-8"><title>Wrong</title><link rel="icon" href="data:,">'
+        '<script type="module" src="static/hophoop-motion.js"></script>'
+        '<body><hophoop-motion scenario="plane.mu=-1" panels="controls"></hophoop-motion></body></html>',
+        encoding="utf-8",
+    )
+    context = browser.new_context(locale="de-DE")
+    page = context.new_page()
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(f"{address}wrong.html")
+    element = page.locator("hophoop-motion")
+    sentence = "plane.mu = -1 muss mindestens 0 sein (inf ist erlaubt)."
+    page.wait_for_function(f"() => document.querySelector('hophoop-motion').root?.innerText === '{sentence}'", timeout=PATIENCE)
+    element.evaluate("element => element.setAttribute('scenario', 'plane.mu=0.4')")
+    page.wait_for_function("() => document.querySelector('hophoop-motion').lab?.film()", timeout=PATIENCE)
+    element.evaluate("element => element.setAttribute('scenario', 'plane.mu=-2')")
+    page.locator("hophoop-motion .message").wait_for(timeout=PATIENCE)
+    assert element.evaluate("element => element.lab.film().scenario.plane.mu") == 0.4  # the last that was right
+    assert page.locator("hophoop-motion .message").inner_text() == sentence.replace("-1", "-2")
+    element.evaluate("element => element.setAttribute('scenario', 'plane.mu=0.5')")
+    page.locator("hophoop-motion .message").wait_for(state="hidden", timeout=PATIENCE)
+    assert errors == []
+    context.close()
+
+
+LAZY = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Notes</title><body><p style="height: 300vh">Text</p>
+<hophoop-motion loading="lazy" panels="player" scenario="start.speed=3.1"></hophoop-motion>
+<script type="module" src="static/hophoop-motion.js"></script>"""
+
+
+def test_in_a_text_it_starts_where_a_reader_comes_near_and_shows_the_player_alone(browser, address, site_folder):
+    (site_folder / "notes.html").write_text(LAZY, encoding="utf-8")
+    context = browser.new_context()
+    page = context.new_page()
+    asked = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(f"{address}notes.html")
+    page.wait_for_function("() => customElements.get('hophoop-motion')", timeout=PATIENCE)
+    page.wait_for_timeout(300)
+    assert not any(url.endswith((".wasm", "lab.js")) for url in asked)
+    page.locator("hophoop-motion").scroll_into_view_if_needed()
+    page.wait_for_function("() => document.querySelector('hophoop-motion').lab?.film()", timeout=PATIENCE)
+    shown = {name: page.locator(f"hophoop-motion {name}").is_visible() for name in (".stage", ".play", ".top", ".words")}
+    assert shown == {".stage": True, ".play": True, ".top": False, ".words": False}
     context.close()
 
 

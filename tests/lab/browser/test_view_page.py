@@ -141,7 +141,7 @@ def test_everything_is_remembered_and_there_is_a_way_back(visit, storage):
     ],
 )
 def test_a_link_opens_what_it_holds(visit, link, simple):
-    page = visit(link, simple=True)
+    page = visit(link, simple=True, reduced_motion="reduce")  # not waiting for the end of a first run
     wait_for(page, SETTLED)
     assert is_simple(page) == simple
     # it was the link's wish, not the visitor's
@@ -150,7 +150,7 @@ def test_a_link_opens_what_it_holds(visit, link, simple):
 
 def test_a_phone_shows_hoop_play_and_three_sliders_without_scrolling(visit):
     for locale in ("en", "de", "fr", "es"):
-        page = visit(simple=True, locale=locale, **PHONE)
+        page = visit(simple=True, locale=locale, reduced_motion="reduce", **PHONE)
         wait_for(page, SETTLED)
         assert page.evaluate("document.documentElement.scrollWidth") == 390
         paths = [f"input[data-path='{path}']" for path in ("start.speed", "hoop.load_fraction", "plane.mu")]

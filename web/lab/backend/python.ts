@@ -6,6 +6,25 @@ import { Refused } from "../words/words.ts";
 
 const TRIES = 4; // of a server that says it is busy
 const GONE = "backend.the_server_does_not";
+const NO_MATCH = "server.no_match";
+/** What is said of an answer that is none, by its status. */
+const REFUSALS: Record<number, string> = {
+  403: "server.not_from_here",
+  404: NO_MATCH,
+  408: "server.late",
+  413: "server.too_much",
+  414: "server.long_address",
+  415: NO_MATCH,
+  422: NO_MATCH,
+  500: "server.failed",
+  501: "server.missing_extra",
+  503: "server.busy",
+};
+
+function refused(status: number, values: Values) {
+  const key = REFUSALS[status] ?? "backend.the_server_answered_status";
+  return new Refused({ key, values: { status, ...values } });
+}
 
 export class Server implements Python {
   constructor(readonly base: URL) {}
@@ -33,13 +52,8 @@ export class Server implements Python {
       if (response.ok) return response;
       const again = Number(response.headers.get("Retry-After"));
       if (response.status !== 503 || !(again > 0) || left <= 1) {
-        const { detail } = await response.json().catch(() => ({}));
-        if (response.status === 503) throw new Refused({ key: "server.busy", values: { count: again } });
-        if (response.status === 413) throw new Error("server.too_much");
-        if (response.status === 500) throw new Error("server.failed");
-        throw detail
-          ? new Error(detail)
-          : new Refused({ key: "backend.the_server_answered_status", values: { status: response.status } });
+        const { extra = "" } = await response.json().catch(() => ({}));
+        throw refused(response.status, { extra, count: again || 1 });
       }
       await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
       asked?.signal?.throwIfAborted();
@@ -77,7 +91,7 @@ export class NotebookKernel implements Python {
     if (!waits) return;
     clearTimeout(waits.timer);
     this.waiting.delete(message.number);
-    if (message.error) waits.reject(new Error(message.error));
+    if (message.status) waits.reject(refused(message.status, { extra: message.extra ?? "" }));
     else waits.resolve(unpack(buffers[0]));
   }
 

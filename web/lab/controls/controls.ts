@@ -75,6 +75,7 @@ class Slider {
     const place = Number(this.range.value);
     const value = this.info.logarithmic ? Number((10 ** place).toPrecision(3)) : place;
     this.entry.typing = false;
+    this.entry.accept();
     this.entry.show(String(value));
     this.say(value);
     this.send(value, commit);
@@ -126,6 +127,7 @@ export class Controls {
   apart: HTMLInputElement;
   derived: HTMLElement;
   film: Film;
+  broken: Entry | null = null; // a rule between fields, by the value of this one
 
   sliders: Map<string, Slider> = new Map();
   onchange: (changes: Change[], commit?: boolean) => void;
@@ -257,7 +259,14 @@ export class Controls {
     const slider = changes.length === 1 ? this.sliders.get(changes[0][0]) : undefined;
     if (!slider?.element.checkVisibility()) return false;
     slider.entry.refuse(sentence);
+    this.broken = slider.entry;
     return true;
+  }
+
+  /** Take back what was said of values that were refused: they belong to another motion. */
+  accept() {
+    for (const { entry } of this.sliders.values()) entry.accept();
+    for (const entry of this.parts.entries.values()) entry.accept();
   }
 
   /**
@@ -269,6 +278,10 @@ export class Controls {
 
   /** `waiting`: paths that have a newer value already, which must not be written over. */
   show(film: Film, waiting: Set<string> = new Set()) {
+    if (film !== this.film) {
+      this.broken?.accept();
+      this.broken = null;
+    }
     this.film = film;
     this.showChoices(film, waiting);
     const sections: Record<string, any> = film.scenario;

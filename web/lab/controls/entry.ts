@@ -123,9 +123,10 @@ export class Entry {
     this.accept();
   }
 
-  /** `text`: what is so now; what a hand is typing stays. */
+  /** `text`: the present value. What a hand is typing stays, and what was refused while the value is the same. */
   show(text: string) {
+    const before = this.shown;
     this.shown = local(text);
-    if (!this.typing) this.restore();
+    if (!this.typing && !(this.refused() && this.shown === before)) this.restore();
   }
 }

@@ -40,33 +40,31 @@ export function partsLike(values: Record<string, any>): Part[] {
 const round = (value: number) => Number(value.toPrecision(6));
 
 export class Parts {
-  parts: Part[];
-  text: string;
+  parts: Part[] = [];
+  shapes = "";
+  entries: Map<string, Entry> = new Map();
   radius: number;
   mass: number;
 
   list = h("div", { class: "parts" });
+  more: HTMLSelectElement;
   element: HTMLDivElement;
 
   constructor(public onchange: (changes: Change[], commit?: boolean) => void) {
-    this.element = h(
-      "div",
-      {},
-      this.list,
-      h(
-        "select",
-        {
-          "aria-label": "parts.add_a_part",
-          onchange: (event: any) => {
-            const shape = event.target.value;
-            event.target.value = "";
-            if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
-          },
+    this.more = h(
+      "select",
+      {
+        "aria-label": "parts.add_a_part",
+        onchange: () => {
+          const shape = this.more.value as Part["shape"] | "";
+          this.more.value = "";
+          if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
         },
-        h("option", { value: "" }, "parts.add_a_part_2"),
-        Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
-      ),
+      },
+      h("option", { value: "" }, "parts.add_a_part_2"),
+      Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
     );
+    this.element = h("div", {}, this.list, this.more);
   }
 
   send(parts: Part[]) {
@@ -74,13 +72,18 @@ export class Parts {
   }
 
   show(parts: Part[], radius: number, mass: number) {
-    const text = JSON.stringify(parts);
-    if (text === this.text || this.list.contains((this.list.getRootNode() as Document | ShadowRoot).activeElement)) {
-      this.parts = parts;
-      return;
+    const shapes = parts.map(({ shape }) => shape).join();
+    Object.assign(this, { parts, radius, mass });
+    if (shapes !== this.shapes) {
+      const held = this.list.matches(":focus-within");
+      this.shapes = shapes;
+      this.entries.clear();
+      this.list.replaceChildren(...parts.map((part, i) => this.row(part, i)));
+      if (held) this.more.focus(); // what had the focus is gone
     }
-    Object.assign(this, { text, parts, radius, mass });
-    this.list.replaceChildren(...parts.map((part, i) => this.row(part, i)));
+    for (const [i, part] of parts.entries()) {
+      for (const key of SHAPES[part.shape].keys) this.entries.get(`${i}.${key}`)?.show(String(part[key] ?? 0));
+    }
   }
 
   row(part: Part, i: number) {
@@ -104,16 +107,16 @@ export class Parts {
             "×",
           ),
       ),
-      keys.map((key) => this.field(part, i, key)),
+      keys.map((key) => this.field(i, key)),
     );
   }
 
-  field(part: Part, i: number, key: string) {
+  field(i: number, key: string) {
     const [label, unit] = LABELS[key];
     const entry = new Entry({ label, unit }, (value) =>
       this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: value } : one))),
     );
-    entry.show(String(part[key] ?? 0));
+    this.entries.set(`${i}.${key}`, entry);
     return h("div", {}, h("label", {}, label, ` [${unit}]`, entry.input), entry.error);
   }
 }

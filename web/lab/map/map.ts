@@ -2,11 +2,12 @@
 
 import { fitted, focused, h, once, say } from "../common/dom.ts";
 import { axisFont } from "../common/axes.ts";
+import { boundariesOf } from "./boundaries.ts";
 import { AXES, cross, MapAxes } from "./map_axes.ts";
 import { takeHands } from "./map_hands.ts";
 import { otherStart } from "./map_words.ts";
 import { byFingers } from "../common/zoom.ts";
-import { layerOf, legendOf, stacked, textAt } from "./map_layers.ts";
+import { layerOf, legendOf, paint, shapesOf, stacked, textAt } from "./map_layers.ts";
 import { saidOf } from "../words/words.ts";
 
 const LEVELS = [
@@ -212,7 +213,7 @@ export class MotionMap {
     this.kind = kind;
     this.redraw();
     try {
-      for (const [x, y] of LEVELS) {
+      for (const [level, [x, y]] of LEVELS.entries()) {
         say(this.state, { key: "map.computing_count_motions", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
@@ -225,13 +226,29 @@ export class MotionMap {
         const done = { key, values: { count: x * y } };
         say(this.state, other ? [done, "; ", other] : done);
         this.redraw();
+        this.level = level + 1;
+        if (this.level === LEVELS.length) await this.outline(body, reply, signal);
       }
-      this.level = LEVELS.length;
     } catch (error) {
       if ((error as Error).name === "AbortError") return;
       say(this.state, saidOf(error));
     }
     this.computing = false;
+  }
+
+  /** The finest layer with exact boundaries between its classes. */
+  async outline(asked: Parameters<Backend["map"]>[0], reply: Reply, signal: AbortSignal) {
+    const { values, header } = this.layers[this.layers.length - 1];
+    const { classes, x, y } = header;
+    if (!classes) return;
+    const value = ({ from, to, cells }: MapHeader["x"], place: number) => from + (place / cells) * (to - from);
+    const found = await boundariesOf(values, [x.cells, y.cells], (places) => {
+      const pairs = places.map(([across, up]): [number, number] => [value(x, across), value(y, up)]);
+      return this.backend.classesAt(asked, pairs, classes, signal);
+    });
+    if (!found) return;
+    this.layers[this.layers.length - 1] = { ...layerOf(reply, false), shapes: shapesOf(found) };
+    this.redraw();
   }
 
   redraw() {
@@ -245,11 +262,7 @@ export class MotionMap {
     this.axes.clip(context);
     context.imageSmoothingEnabled = false;
     const { axes } = this;
-    for (const layer of this.layers) {
-      const [x0, x1] = layer.x.map((value) => axes.x(value));
-      const [y0, y1] = layer.y.map((value) => axes.y(value));
-      context.drawImage(layer.picture, x0, y1, x1 - x0, y0 - y1);
-    }
+    for (const layer of this.layers) paint(context, layer, axes, look);
     const here = this.here();
     if (here) cross(context, axes.x(here.x), axes.y(here.y), look.ink, look.paper);
     if (this.pointed && focused(this.body)) {

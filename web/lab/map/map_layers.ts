@@ -4,6 +4,8 @@ import { parsed, SPEED_COLORS } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { clamp, show, withUnit } from "../common/numbers.ts";
 import { spoken, t } from "../words/words.ts";
+import type { Boundaries } from "./boundaries.ts";
+import type { MapAxes } from "./map_axes.ts";
 
 const DEGREE = Math.PI / 180;
 const MOST = 12; // layers that are kept
@@ -27,8 +29,8 @@ function limits({ classes, what }: MapHeader, values: Float32Array) {
   return [FROM_ZERO.includes(what) ? Math.min(low, 0) : low, high];
 }
 
-/** A reply as a picture of one pixel a cell. */
-export function layerOf(reply: Reply): MapLayer {
+/** A reply as a picture of one pixel a cell. `edges`: darker cells where a class ends. */
+export function layerOf(reply: Reply, edges = true): MapLayer {
   const { values }: { values: Float32Array } = reply.arrays as any;
   const header = reply.header as MapHeader;
   const { x, y, classes } = header;
@@ -42,6 +44,7 @@ export function layerOf(reply: Reply): MapLayer {
       if (!Number.isFinite(value)) continue;
       // a class ends where a neighbour is another: a darker edge tells pale ones apart
       const edge =
+        edges &&
         palette &&
         ((column + 1 < x.cells && values[row * x.cells + column + 1] !== value) ||
           (row + 1 < y.cells && values[(row + 1) * x.cells + column] !== value));
@@ -54,6 +57,48 @@ export function layerOf(reply: Reply): MapLayer {
   const picture = h("canvas", { width: x.cells, height: y.cells });
   pen(picture).putImageData(image, 0, 0);
   return { picture, header, values, x: [x.from, x.to], y: [y.from, y.to], low, high };
+}
+
+/** Exact boundaries, to be drawn at any size. */
+export function shapesOf({ areas, lines }: Boundaries): MapShapes {
+  const area = (polygons: number[][]) => {
+    const path = new Path2D();
+    for (const polygon of polygons) {
+      path.moveTo(polygon[0], polygon[1]);
+      for (let k = 2; k < polygon.length; k += 2) path.lineTo(polygon[k], polygon[k + 1]);
+      path.closePath();
+    }
+    return path;
+  };
+  return { areas: new Map([...areas].map(([code, polygons]) => [code, area(polygons)])), lines };
+}
+
+/** One layer on a canvas. */
+export function paint(
+  context: CanvasRenderingContext2D,
+  { picture, header, shapes, ...layer }: MapLayer,
+  axes: MapAxes,
+  look: Look,
+) {
+  const [x0, x1] = layer.x.map((value) => axes.x(value));
+  const [y0, y1] = layer.y.map((value) => axes.y(value));
+  context.drawImage(picture, x0, y1, x1 - x0, y0 - y1);
+  if (!shapes) return;
+  const place = new DOMMatrix([(x1 - x0) / header.x.cells, 0, 0, (y1 - y0) / header.y.cells, x0, y0]);
+  for (const [code, area] of shapes.areas) {
+    const path = new Path2D();
+    path.addPath(area, place);
+    context.fillStyle = header.classes?.[code]?.color ?? look.paper;
+    context.fill(path);
+  }
+  context.beginPath();
+  for (const [from, low, to, high] of shapes.lines) {
+    context.moveTo(place.e + place.a * from, place.f + place.d * low);
+    context.lineTo(place.e + place.a * to, place.f + place.d * high);
+  }
+  context.strokeStyle = look.ink;
+  context.lineWidth = 0.8;
+  context.stroke();
 }
 
 /** A layer over others, without those that it covers whole. */
@@ -98,12 +143,14 @@ export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement 
 
 /** What a place holds, in words: by the finest layer that covers it. */
 export function textAt(layers: MapLayer[], place: Place) {
-  for (const { header, values } of [...layers].reverse()) {
+  for (const { header, values, shapes, picture } of [...layers].reverse()) {
     const { x, y, classes } = header;
-    const column = Math.floor(((place.x - x.from) / (x.to - x.from)) * x.cells);
-    const row = Math.floor(((place.y - y.from) / (y.to - y.from)) * y.cells);
+    const across = ((place.x - x.from) / (x.to - x.from)) * x.cells;
+    const up = ((place.y - y.from) / (y.to - y.from)) * y.cells;
+    const [column, row] = [Math.floor(across), Math.floor(up)];
     if (column < 0 || row < 0 || column >= x.cells || row >= y.cells) continue;
-    const value = values[row * x.cells + column];
+    const area = [...(shapes?.areas ?? [])].find(([, path]) => pen(picture).isPointInPath(path, across, up));
+    const value = area ? area[0] : values[row * x.cells + column];
     if (classes) return spoken(classes[value]?.text ?? "map.not_allowed");
     const [scale, unit] = units(header);
     return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("map.none");

@@ -210,6 +210,7 @@ export class Lab {
 
   changed(since: number | null = null) {
     this.notice.clear();
+    if (since === null) this.controls.accept();
     this.show(since);
   }
 

@@ -65,14 +65,25 @@ async function startPage(root: HTMLElement) {
   }
 }
 
-/** A live hoop in any page, for <hophoop-motion>. `folder`: of the script and the module. */
+/**
+ * A live hoop in any page, for <hophoop-motion>; null where it cannot start, which is said in its place. `folder`: of
+ * the script and the module.
+ */
 export async function mount(root: HTMLElement, folder: URL, query: string, panels: string[]) {
   const words = speakFrom(folder);
-  const backend = await backendOf(folder, null, new URL("../", folder));
-  await words;
-  const lab = new Lab(root, backend, tables.setup, { panels });
-  await lab.open([query]);
-  return lab;
+  let lab: Lab | null = null;
+  try {
+    const backend = await backendOf(folder, null, new URL("../", folder));
+    await words;
+    lab = new Lab(root, backend, tables.setup, { panels });
+    await lab.open([query]);
+    return lab;
+  } catch (error) {
+    await words;
+    lab?.close();
+    say(root, saidOf(error));
+    return null;
+  }
 }
 
 /** anywidget: the motion travels with the notebook, so that it plays without a kernel as well. */

@@ -75,6 +75,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     for (const menu of [lab.share.menu, extras.menu]) if (!menu.contains(target as Node)) menu.open = false;
   });
   root.classList.toggle("no-controls", !want("controls"));
+  root.classList.toggle("alone", panels?.includes("player") ?? false);
   return { player, sticky };
 }
 

@@ -125,6 +125,7 @@ class Error(BaseModel):
     """An error."""
 
     detail: str = Field(description="One sentence: what is wrong and what is allowed")
+    extra: str | None = Field(None, description="The extra of hophoop to install, with status 501")
 
 
 class Health(BaseModel):

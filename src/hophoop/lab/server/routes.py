@@ -25,7 +25,8 @@ from hophoop._support.errors import json_words, shortened
 from hophoop._support.extras import MissingExtra
 from hophoop._version import __version__
 from hophoop.lab.api import calls, files, replies, requests
-from hophoop.lab.api.limits import USUAL, Limits, TooBusy, TooMuch
+from hophoop.lab.api.limits import USUAL, Limits, TooBusy
+from hophoop.lab.api.refusals import refusal
 from hophoop.lab.server import page
 from hophoop.lab.server.guard import HEAD, Guard
 from hophoop.lab.server.pool import FILM, HEAVY, Pool, while_connected
@@ -83,8 +84,10 @@ def create_app(
     app.state.pool = computing
 
     @app.exception_handler(InputError)
-    async def _bad_input(request: Request, error: InputError) -> JSONResponse:
-        return JSONResponse({"detail": str(error)}, 413 if isinstance(error, TooMuch) else 422)
+    @app.exception_handler(MissingExtra)
+    async def _refused(request: Request, error: InputError | MissingExtra) -> JSONResponse:
+        status, body = refusal(error)
+        return JSONResponse(body, status)
 
     @app.exception_handler(RequestValidationError)
     async def _not_valid(request: Request, error: RequestValidationError) -> JSONResponse:
@@ -96,10 +99,6 @@ def create_app(
     @app.exception_handler(TooBusy)
     async def _busy(request: Request, error: TooBusy) -> JSONResponse:
         return JSONResponse({"detail": str(error)}, 503, headers={"Retry-After": str(error.seconds)})
-
-    @app.exception_handler(MissingExtra)
-    async def _missing(request: Request, error: MissingExtra) -> JSONResponse:
-        return JSONResponse({"detail": str(error)}, 501)
 
     app.add_middleware(GZipMiddleware, minimum_size=PACK, compresslevel=6)
     app.add_middleware(Guard, names=names)  # the outermost: it also answers HEAD

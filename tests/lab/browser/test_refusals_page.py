@@ -1,0 +1,41 @@
+"""What the page says where its server gives no answer: in the language of the page, whatever the server says."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+LOCALES = {"en": "en-GB", "de": "de-DE", "es": "es-MX", "fr": "fr-CA", "zh": "zh-TW"}
+WORDS = Path(__file__).parents[3] / "web" / "words"
+REFUSALS = {
+    403: "server.not_from_here",
+    404: "server.no_match",
+    408: "server.late",
+    413: "server.too_much",
+    414: "server.long_address",
+    415: "server.no_match",
+    422: "server.no_match",
+    500: "server.failed",
+    501: "server.missing_extra",
+    502: "backend.the_server_answered_status",
+    503: "server.busy",
+}
+
+
+@pytest.mark.parametrize("code", LOCALES)
+def test_refusals_of_the_server_are_said_in_the_language_of_the_page(visit, code):
+    page = visit(locale=LOCALES[code], expected=["Failed to load resource"])
+    status = 0
+
+    def refuse(route):
+        body = {"detail": "This is English.", **({"extra": "files"} if status == 501 else {})}
+        route.fulfill(status=status, json=body)
+
+    page.route("**/api/v1/files/**", refuse)
+    own = json.loads((WORDS / f"{code}.json").read_text(encoding="utf-8"))
+    for status, key in REFUSALS.items():
+        page.evaluate("hophoopLab.notice.clear()")
+        page.evaluate("hophoopLab.share.download('motion.nc').catch((error) => hophoopLab.notice.fail(error))")
+        text = own[key] if isinstance(own[key], str) else own[key].get("one", own[key]["other"])
+        expected = text.replace("{status}", str(status)).replace("{extra}", "files").replace("{count}", "1")
+        assert page.locator(".message").inner_text() == expected, status
