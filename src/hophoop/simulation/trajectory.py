@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from importlib import import_module
@@ -291,8 +290,7 @@ class Trajectory:
         if self._doubt is None:  # for a loaded motion
             from hophoop.derivatives.results.propagation import doubtful_from
 
-            doubt = doubtful_from(self)
-            self._doubt = doubt if doubt <= self._events["t"][-1] else math.inf
+            self._doubt = doubtful_from(self)
         return self._doubt
 
     def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
