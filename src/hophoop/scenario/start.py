@@ -104,7 +104,7 @@ class Start(Frozen):
     omega: Rate | None = field_of("start.omega")
     slip: Annotated[Number, inside("start.vx")] | None = quantity(None, "Slip velocity", "m/s")
     mode: Literal["R", "S", "K", "H"] | None = quantity(None, "Phase in which the motion goes on", "")
-    exact: Exact | None = quantity(None, "Start of the phase that the state belongs to", "")
+    exact: Exact | None = quantity(None, "Start of the phase that the state belongs to, in kernel units", "1")
 
     @model_validator(mode="after")
     def _complete(self) -> Start:
