@@ -84,7 +84,7 @@ class Start(Frozen):
         least 0 in K.
     exact : tuple of float, optional
         Written by `Start.of`: the start of the phase that the state belongs to, in full precision. It counts as long as it
-        leads to this state within rounding.
+        leads to this state within rounding [1].
 
     Raises
     ------
