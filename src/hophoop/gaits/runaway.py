@@ -1,10 +1,10 @@
 """Whether fast motion down a slope grows, and the slope from which the hoop runs away.
 
-Fast motion has no scale of its own. If all velocities are v times as large, a contact lasts 1/v times as long and gravity changes
-nothing in it; a flight lasts v times as long and ends many revolutions later, at an angle that is as good as random. So only the
-ratios of the velocities matter, and one passage is: a flight, in which the centre of gravity gains 2 ẏ tan β along the plane and
-returns with −ẏ; then a contact without gravity, from a random angle. The mean of the logarithm by which the speed grows decides:
-where it is negative, every motion is bounded.
+Fast motion has no scale of its own. If all velocities are c times as large, a contact lasts 1/c times as long and gravity
+changes nothing in it; a flight lasts c times as long and ends many revolutions later, at an angle that is as good as random. So
+only the ratios of the velocities matter, and one passage is: a flight, in which the centre of gravity gains 2 ẏ tan β along the
+plane and returns with −ẏ; then a contact without gravity, from a random angle. The mean of the logarithm by which the speed
+grows decides: where it is negative, every motion is bounded.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ FALL = 3.5  # height of the centre of gravity from which a fall is followed [R];
 BATCHES = 50
 MOST_WAIT = 1e7  # of a hoop that hardly leaves the plane, in units of R over its speed
 SEARCH = 2_000  # flights of each slope of the search
-SLOPES, SPREAD = 8, 0.02  # number of slopes around the critical one, and how far they extend, relative to it
+SLOPES, SPREAD = 8, 0.03  # number of slopes around the critical one, and how far they extend, relative to it
 
 
 class Growth(NamedTuple):
@@ -53,8 +53,8 @@ class Runaway(NamedTuple):
     steepness : float
         Growth of the rate with the slope [1/rad].
     chi_square : float
-        Of a straight line through the rates of eight slopes, with six degrees of freedom; the error is enlarged where it exceeds
-        six [1].
+        Of a parabola through the rates of eight slopes, with five degrees of freedom; the error is enlarged where it exceeds
+        five [1].
     flights : int
         In all.
     """
@@ -86,8 +86,8 @@ def growth(hoop: Hoop, plane: Plane, flights: int = 20_000, *, seed: int = 1) ->
     Raises
     ------
     ValueError
-        If the hoop has no mass in its rim, there is no friction or no limit to it, a number is out of range, or a contact without
-        gravity has no answer.
+        If the hoop has no mass in its rim, there is no friction or no limit to it, a number is out of range, or a contact
+        without gravity has no answer.
 
     Examples
     --------
@@ -143,16 +143,15 @@ def runaway(
         found.append(growth(hoop, _tilted(plane, slope), flights // SLOPES, seed=seed + 1 + k))
         if progress is not None:
             progress((k + 1) / SLOPES)
-    # a straight line through the rates, in units of their errors
-    errors = np.array([one.error for one in found])
-    matrix = np.stack([np.ones(SLOPES), slopes - middle], axis=1) / errors[:, None]
-    rates = np.array([one.rate for one in found]) / errors
-    covariance = np.linalg.inv(matrix.T @ matrix)
-    level, steepness = covariance @ matrix.T @ rates
-    chi_square = float(np.sum((rates - matrix @ [level, steepness]) ** 2))
-    way = np.array([-1.0 / steepness, level / steepness**2])
-    error = math.sqrt(way @ covariance @ way * max(1.0, chi_square / (SLOPES - 2)))
-    return Runaway(float(middle - level / steepness), error, float(steepness), chi_square, sum(one.flights for one in found))
+    rates, errors = (np.array([getattr(one, name) for one in found]) for name in ("rate", "error"))
+    away = slopes - middle
+    parabola, covariance = np.polyfit(away, rates, 2, w=1.0 / errors, cov="unscaled")
+    chi_square = float(np.sum(((rates - np.polyval(parabola, away)) / errors) ** 2))
+    root = min((one.real for one in np.roots(parabola)), key=abs)
+    steepness = float(np.polyval(np.polyder(parabola), root))
+    powers = np.array([root * root, root, 1.0])
+    error = math.sqrt(powers @ covariance @ powers * max(1.0, chi_square / (SLOPES - 3))) / abs(steepness)
+    return Runaway(float(middle + root), error, steepness, chi_square, sum(one.flights for one in found))
 
 
 def passage(hoop: Hoop, plane: Plane, velocities: tuple[float, float, float], angle: float) -> tuple[float, float, float]:
@@ -212,7 +211,8 @@ def _logarithms(hoop: Hoop, plane: Plane, flights: int, seed: int) -> np.ndarray
         found = passage(hoop, plane, velocities, float(angle))
         ratio = _speed(hoop, found) / _speed(hoop, velocities)
         logarithms[k] = math.log(ratio)
-        velocities = tuple(one / _speed(hoop, found) for one in found)
+        along, away, omega = (one / _speed(hoop, found) for one in found)
+        velocities = along, away, omega
     return logarithms[settling:]
 
 
@@ -244,6 +244,8 @@ def _check(hoop: Hoop, plane: Plane, flights: int) -> None:
     if hoop.massless:
         raise InputError.of_field("hoop.inertia_ratio", 0.0, "above 0: a hoop without mass in its rim has no flights")
     if not 0.0 < plane.mu_kinetic <= plane.mu_static < math.inf:
-        raise InputError.of_field("plane.mu_kinetic", plane.mu_kinetic, "above 0 and finite: else nothing limits or drives the hoop")
+        raise InputError.of_field(
+            "plane.mu_kinetic", plane.mu_kinetic, "above 0 and finite: else nothing limits or drives the hoop"
+        )
     if not (isinstance(flights, int) and flights >= 1000):
         raise InputError.of_field("flights", flights, "at least 1000 for each slope")
