@@ -4,6 +4,7 @@
 import { calm } from "./clock.ts";
 import { h, once, say } from "../common/dom.ts";
 import { changesFor, keyed, Pull, taken, type Grip, type Held } from "./grab.ts";
+import { clearPlace } from "./clear.ts";
 import { clamp, degrees, length, show } from "../common/numbers.ts";
 import { follow } from "../common/pointer.ts";
 import { t } from "../words/words.ts";
@@ -12,6 +13,7 @@ import type { Scene } from "./scene2d.ts";
 
 const REST = 700; // milliseconds after the last key until the start counts as chosen
 const SMALL = 44; // pixels, the least that a finger hits
+const LOAD = 16; // pixels about the middle of the load that are not covered
 
 /** What the hand moves, and what shows it. */
 type Hands = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "film" | "request" | "mark">;
@@ -100,11 +102,28 @@ export class Grips {
       place.style.width = place.style.height = `${size}px`;
       place.hidden = x < 0 || y < 0 || x > view.width || y > view.height;
     }
-    if (!this.hint.hidden) {
-      const [x, y] = spots[2][1];
-      this.hint.style.transform = `translate(${clamp(x, 70, view.width - 70)}px, ${view.top + Math.max(y - SMALL, 18)}px) translate(-50%, -50%)`;
-    }
+    if (!this.hint.hidden) this.placeHint(load[0], view.top + load[1]);
     if (!lab.clock.playing) this.tell(film);
+  }
+
+  /** Above the load, clear of the load itself and of the numbers on the picture. */
+  placeHint(x: number, y: number) {
+    const { element, readout, legend } = this.lab.stage;
+    const origin = element.getBoundingClientRect();
+    const edges = (one: HTMLElement) => {
+      const { left, right, top, bottom } = one.getBoundingClientRect();
+      return {
+        left: left - origin.left,
+        right: right - origin.left,
+        top: top - origin.top,
+        bottom: bottom - origin.top,
+      };
+    };
+    const shown = [readout, legend].filter((one) => one.checkVisibility()).map(edges);
+    const taken = [...shown, { left: x - LOAD, right: x + LOAD, top: y - LOAD, bottom: y + LOAD }];
+    const size = this.hint.getBoundingClientRect();
+    const [left, top] = clearPlace([x, y - SMALL], size, edges(element), taken);
+    this.hint.style.transform = `translate(${left}px, ${top}px) translate(-50%, -50%)`;
   }
 
   onPlane(view: Scene) {

@@ -21,6 +21,7 @@ export class Stage {
   outputs: { name: HTMLElement; value: HTMLElement }[];
   fastest: HTMLSpanElement;
   legend: HTMLDivElement;
+  readout: HTMLDListElement;
   order: HTMLSpanElement;
   element: HTMLDivElement;
 
@@ -40,6 +41,11 @@ export class Stage {
       h("span", {}, "player.rim_speed"),
       this.fastest,
     );
+    this.readout = h(
+      "dl",
+      { class: "readout", "aria-hidden": "true" },
+      this.outputs.flatMap(({ name, value }) => [name, value]),
+    );
     const dot: (color: string, words: string) => HTMLElement = (color, words) =>
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
     this.order = h("span", { hidden: true }, "player.a_in_front_b");
@@ -48,11 +54,7 @@ export class Stage {
       { class: "stage", role: "figure", "aria-label": "player.the_hoop", tabindex: "0" },
       this.plane,
       this.space,
-      h(
-        "dl",
-        { class: "readout", "aria-hidden": "true" },
-        this.outputs.flatMap(({ name, value }) => [name, value]),
-      ),
+      this.readout,
       this.legend,
       h(
         "div",

@@ -1,6 +1,7 @@
 // Share and save: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
 import { h, saveBlob, say } from "../common/dom.ts";
+import { icon } from "../common/icons.ts";
 import { record } from "../player/recording.ts";
 import { png, svg } from "../player/pictures.ts";
 import type { Lab } from "./lab.ts";
@@ -26,9 +27,9 @@ export class Share {
       { class: "menu" },
       h(
         "summary",
-        { class: "button" },
+        { class: "button", "aria-label": "save.share_and_save" },
         h("span", { class: "long" }, "save.share_and_save"),
-        h("span", { class: "short" }, "save.share"),
+        h("span", { class: "short" }, icon("share")),
       ),
       h(
         "div",

@@ -1,6 +1,6 @@
 // The simple view, with which visitors begin: the hoop, three sliders, one diagram. Or everything, which is remembered.
 
-import { h, say } from "../common/dom.ts";
+import { h } from "../common/dom.ts";
 import type { Shown } from "./address.ts";
 import { recall, remember } from "./memory.ts";
 
@@ -54,7 +54,10 @@ export class View {
   turn(simple: boolean) {
     this.simple = simple;
     this.root.classList.toggle("simple", simple);
-    say(this.button, simple ? "shell.everything" : "shell.simple_view");
+    this.button.replaceChildren(
+      h("span", { class: "long" }, simple ? "shell.everything" : "shell.simple_view"),
+      h("span", { class: "short" }, simple ? "shell.everything" : "shell.simple"),
+    );
     // a slider in a closed group would not be seen
     for (const group of this.root.querySelectorAll<HTMLDetailsElement>("details.group")) {
       if (simple) {
