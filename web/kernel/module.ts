@@ -340,7 +340,11 @@ function rowOf(part: WholePart) {
 
 const LOSSES = ["friction", "impact_normal", "impact_tangential", "rolling_resistance"];
 const ENERGIES = ["kinetic", "potential", ...LOSSES, "residual"];
-const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
+const STATE = ["x", "height", "angle", "vx", "vy", "omega"] as const;
+// the words of the format by their codes; layout.json has them from the same tables as the types
+const KINDS = layout.kinds as EventKind[];
+const LETTERS = [...layout.letters] as ModeLetter[];
+const STATUSES = layout.statuses as MotionStatus[];
 
 /** As Trajectory.to_dict has it. */
 function told({ given, head, rows, count, duration }: Computed): ComputedMotion {
@@ -352,36 +356,42 @@ function told({ given, head, rows, count, duration }: Computed): ComputedMotion 
   );
   const doubt = finite(head[HEAD.doubt_from]);
   return {
-    status: layout.statuses[head[HEAD.status]],
+    status: STATUSES[head[HEAD.status]],
     sequence: sequenceOf(events),
     fingerprint: doubt === null ? fingerprintOf(rows, count) : null,
     duration,
     events,
-    final: { t: last.t, mode: last.to, ...Object.fromEntries(STATE.map((name) => [name, last[name]])) },
+    final: { t: last.t, mode: last.to, ...stateOf((name) => last[name]) },
     energy,
     doubt,
   };
 }
 
-function eventOf(row: Float64Array): any {
-  const kind = layout.kinds[row[EVENT.kind]];
+type State = Pick<MotionEvent, (typeof STATE)[number]>;
+
+const stateOf = (at: (name: keyof State) => number) =>
+  Object.fromEntries(STATE.map((name) => [name, at(name)])) as State;
+
+function eventOf(row: Float64Array): MotionEvent {
+  const kind = KINDS[row[EVENT.kind]];
   const from = row[EVENT.from_mode];
-  const event: Record<string, any> = {
+  const before = (name: keyof Velocities) => finite(row[EVENT[`before_${name}`]]);
+  const event: MotionEvent = {
     t: row[EVENT.t],
     kind,
-    from: from < 0 ? null : layout.letters[from],
-    to: layout.letters[row[EVENT.to_mode]],
+    from: from < 0 ? null : LETTERS[from],
+    to: LETTERS[row[EVENT.to_mode]],
+    ...stateOf((name) => row[EVENT[name]]),
+    before: { vx: before("vx"), vy: before("vy"), omega: before("omega") },
+    impulse: { normal: row[EVENT.impulse_normal], tangential: row[EVENT.impulse_tangential] },
   };
-  for (const name of STATE) event[name] = finite(row[EVENT[name]]);
-  event.before = Object.fromEntries(["vx", "vy", "omega"].map((name) => [name, finite(row[EVENT[`before_${name}`]])]));
-  event.impulse = { normal: row[EVENT.impulse_normal], tangential: row[EVENT.impulse_tangential] };
   if (row[EVENT.collision] === 0) event.collision = false;
   if (kind === "kane_gain") event.gain = row[EVENT.gain];
   if (row[EVENT.stable] >= 0) event.stable = row[EVENT.stable] === 1;
   return event;
 }
 
-function sequenceOf(events: any[]) {
+function sequenceOf(events: MotionEvent[]) {
   const marks = events.filter((event, k) => k === events.length - 1 || !PASSING.has(event.kind));
   const letters = marks.slice(0, -1).map((event, k) => (marks[k + 1].t > event.t ? event.to : ""));
   return letters.join("") || (events.at(-1)?.to ?? "");

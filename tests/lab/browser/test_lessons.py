@@ -292,7 +292,7 @@ def test_everyone_can_use_it(visit, where):
         "two hoops": "(hophoopLab.share.menu.querySelector('summary').click(), hophoopLab.motions.compare())",
         "a refusal": "hophoopLab.controls.refuse([['start.speed', 1]], 'motion.copied')",
         "real parts, and arrows": (
-            "(hophoopLab.motions.change([['hoop.parts', [{ shape: 'ring', mass: 1, inner_radius: 0.9, outer_radius: 1 }]]], true),"
+            "(hophoopLab.motions.change([['hoop.parts', [{ shape: 'disk', mass: 1, radius: 1, at: 0 }]]], true),"
             " extras.more.turn(true))"
         ),
         "in space": "hophoopLab.toggle('three')",

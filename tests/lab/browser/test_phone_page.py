@@ -19,7 +19,8 @@ ROWS = """() => new Set([...document.querySelectorAll(".top :is(button, select, 
 # at which times the hint covers numbers or the legend, or leaves the picture
 COVERED = """() => {
   const { clock } = hophoopLab;
-  const [hint, readout, legend, stage] = [".grip-hint", ".readout", ".legend", ".stage"].map((one) => document.querySelector(one));
+  const find = (name) => document.querySelector(name);
+  const [hint, readout, legend, stage] = [".grip-hint", ".readout", ".legend", ".stage"].map(find);
   const found = [];
   clock.play(false);
   for (let k = 0; k <= 240; k++) {

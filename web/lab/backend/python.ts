@@ -95,7 +95,7 @@ export class NotebookKernel implements Python {
     else waits.resolve(unpack(buffers[0]));
   }
 
-  ask(call: "motion" | "file" | "derivatives", body: object, signal?: AbortSignal): Promise<Reply> {
+  ask(call: "motion" | "file" | "derivatives", body: object, signal?: AbortSignal): Promise<Reply<any>> {
     const number = ++this.number;
     return new Promise((resolve, reject) => {
       // a saved notebook plays without a kernel, but its kernel makes no files

@@ -237,7 +237,7 @@ export class MotionMap {
   }
 
   /** The finest layer with exact boundaries between its classes. */
-  async outline(asked: Parameters<Backend["map"]>[0], reply: Reply, signal: AbortSignal) {
+  async outline(asked: Parameters<Backend["map"]>[0], reply: Reply<MapHeader>, signal: AbortSignal) {
     const { values, header } = this.layers[this.layers.length - 1];
     const { classes, x, y } = header;
     if (!classes) return;

@@ -23,7 +23,7 @@ export class Film {
   scenario: Scenario;
   query: string;
   duration: number;
-  status: string;
+  status: MotionStatus;
   sequence: string;
   fingerprint: string | null;
   events: MotionEvent[];
