@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+import hophoop as hh
 from page_tools import COLUMNS, faults, toctree_pages, visible, wide_lines, wrong_installs
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -44,6 +45,25 @@ def test_a_name_of_a_folded_box_is_missed():
     text = "```pycon\n>>> a = 1\n```\n\n:::{dropdown} Look\n\n```pycon\n>>> b = 2\n```\n:::\n\n```pycon\n>>> a + b\n3\n```\n"
     assert faults(text) == []
     assert "NameError" in "".join(faults(visible(text)))
+
+
+LIVE = {
+    f"{page.stem}: {query}": query
+    for page in sorted(DOCS.rglob("*.md"))
+    for query in re.findall(r"^:::\{motion\} (\S+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+}
+
+
+@pytest.mark.parametrize("query", LIVE.values(), ids=LIVE)
+def test_a_live_motion_is_computed_to_its_end(query):
+    assert hh.simulate(hh.Scenario.from_query(query)).status == "completed"
+
+
+def test_the_first_pages_have_live_motions():
+    """One in the first hop, and one in each box of 'Why does it hop?' that is opened after a prediction."""
+    first, why = ((DOCS / "learn" / f"{name}.md").read_text(encoding="utf-8") for name in ("first-hop", "why"))
+    assert first.count(":::{motion}") == 1
+    assert why.count(":::{motion}") == why.count("{dropdown} Look") == 7
 
 
 EVERY = [page.values[0] for page in PAGES]

@@ -1,9 +1,25 @@
 // <hophoop-motion scenario="plane.mu=0.5&start.speed=2.8" panels="controls plots">: a live hoop in any page.
 //
-// One tag and one script. Everything is computed in the visitor's browser; nothing is sent anywhere.
+// One tag and one script. Everything is computed in the visitor's browser; nothing is sent anywhere. With loading="lazy" it begins
+// when a visitor comes near it, as pictures do.
 
 const here = new URL("./", import.meta.url);
 let count = 0;
+
+/** When an element is about to be seen. */
+function seen(element: Element) {
+  return new Promise<void>((resolve) => {
+    const near = new IntersectionObserver(
+      ([entry]) => {
+        if (!entry.isIntersecting) return;
+        near.disconnect();
+        resolve();
+      },
+      { rootMargin: "200px" },
+    );
+    near.observe(element);
+  });
+}
 
 class HophoopMotion extends HTMLElement {
   static observedAttributes = ["scenario"];
@@ -18,7 +34,8 @@ class HophoopMotion extends HTMLElement {
     this.number = ++count;
   }
 
-  connectedCallback() {
+  async connectedCallback() {
+    if (this.getAttribute("loading") === "lazy") await seen(this);
     if (this.shadowRoot) return;
     const shadow = this.attachShadow({ mode: "open" });
     const style = document.createElement("link");

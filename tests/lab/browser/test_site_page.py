@@ -115,6 +115,28 @@ def test_a_hoop_in_another_page_says_what_is_wrong_in_the_visitors_language(brow
     context.close()
 
 
+LAZY = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Notes</title><body><p style="height: 300vh">Text</p>
+<hophoop-motion loading="lazy" panels="player" scenario="start.speed=3.1"></hophoop-motion>
+<script type="module" src="static/hophoop-motion.js"></script>"""
+
+
+def test_in_a_text_it_starts_where_a_reader_comes_near_and_shows_the_player_alone(browser, address, site_folder):
+    (site_folder / "notes.html").write_text(LAZY, encoding="utf-8")
+    context = browser.new_context()
+    page = context.new_page()
+    asked = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(f"{address}notes.html")
+    page.wait_for_function("() => customElements.get('hophoop-motion')", timeout=PATIENCE)
+    page.wait_for_timeout(300)
+    assert not any(url.endswith((".wasm", "lab.js")) for url in asked)
+    page.locator("hophoop-motion").scroll_into_view_if_needed()
+    page.wait_for_function("() => document.querySelector('hophoop-motion').lab?.film()", timeout=PATIENCE)
+    shown = {name: page.locator(f"hophoop-motion {name}").is_visible() for name in (".stage", ".play", ".top", ".words")}
+    assert shown == {".stage": True, ".play": True, ".top": False, ".words": False}
+    context.close()
+
+
 def test_the_embed_page_makes_the_tag_and_the_code(browser, address):
     context = browser.new_context()
     page = context.new_page()

@@ -65,6 +65,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
       h("div", { class: "columns" }, want("controls") && side, middle, why),
     ),
     notice.toast,
+    lab.computing.element,
     lab.share.dialog,
     lab.help,
     lab.about,
@@ -75,6 +76,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     for (const menu of [lab.share.menu, extras.menu]) if (!menu.contains(target as Node)) menu.open = false;
   });
   root.classList.toggle("no-controls", !want("controls"));
+  root.classList.toggle("alone", panels?.includes("player") ?? false);
   return { player, sticky };
 }
 
