@@ -13,6 +13,7 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
   ...children: any[]
 ): HTMLElementTagNameMap[Tag] {
   const element = document.createElement(tag);
+  if (tag === "button") element.setAttribute("type", "button");
   const properties = element as unknown as Record<string, any>;
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === null || value === false) continue;

@@ -99,7 +99,6 @@ export class Parts {
           h(
             "button",
             {
-              type: "button",
               class: "quiet",
               "aria-label": { key: "parts.remove_part_number_what", values: { number: i + 1, what: label } },
               onclick: () => this.send(this.parts.filter((_, k) => k !== i)),

@@ -40,12 +40,7 @@ export class PhasePlane {
   ) {
     this.body = h(
       "div",
-      {
-        class: "plot-body",
-        role: "figure",
-        tabindex: "0",
-        "aria-label": "phase.plane_of_angle_and",
-      },
+      { class: "plot-body", role: "figure", tabindex: "0", "aria-label": "phase.plane_of_angle_and" },
       this.canvas,
       this.over,
     );
@@ -108,11 +103,7 @@ export class PhasePlane {
     const { modes, paradox } = await this.backend.regions(scenario, window, signal);
     // an answer may be on its way already when it is given up
     signal?.throwIfAborted();
-    return {
-      window,
-      paradox,
-      picture: pictureOf(modes, paradox.length / 2, this.colors.modes),
-    };
+    return { window, paradox, picture: pictureOf(modes, paradox.length / 2, this.colors.modes) };
   }
 
   reach() {

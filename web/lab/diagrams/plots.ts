@@ -117,11 +117,7 @@ export class Plots {
       },
       optionsOf(({ name }) => ({ key: "diagram.over_quantity", values: { quantity: name } })),
     );
-    this.back = h(
-      "button",
-      { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) },
-      "diagram.whole_motion",
-    );
+    this.back = h("button", { hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "diagram.whole_motion");
     this.hint = h("span", { class: "hint" });
     this.element = h(
       "div",
@@ -137,15 +133,7 @@ export class Plots {
     this.look = look;
     const hands = matchMedia("(hover: none)").matches ? "diagram.slide_to_go_there" : "diagram.click_to_go_there";
     const two = films.length > 1;
-    say(
-      this.hint,
-      two
-        ? {
-            key: "diagram.a_blue_b_ochre",
-            values: { hoop: "AB"[active], hands },
-          }
-        : hands,
-    );
+    say(this.hint, two ? { key: "diagram.a_blue_b_ochre", values: { hoop: "AB"[active], hands } } : hands);
     this.redraw();
   }
 

@@ -71,8 +71,8 @@ export class Table {
         {},
         h("h2", {}, "table.table"),
         h("label", { class: "table-step" }, h("span", {}, "table.every"), this.step),
-        h("button", { type: "button", onclick: () => this.save() }, "table.save_as_csv"),
-        h("button", { type: "button", onclick: () => this.open(false) }, "table.close"),
+        h("button", { onclick: () => this.save() }, "table.save_as_csv"),
+        h("button", { onclick: () => this.open(false) }, "table.close"),
       ),
       h("details", { class: "table-columns" }, h("summary", {}, "table.columns"), this.picks),
       h(

@@ -64,12 +64,7 @@ export class MotionMap {
     this.tip = h("div", { class: "tip", hidden: true });
     this.body = h(
       "div",
-      {
-        class: "map-body",
-        tabindex: "0",
-        role: "application",
-        "aria-label": "map.map_of_motions_arrow",
-      },
+      { class: "map-body", tabindex: "0", role: "application", "aria-label": "map.map_of_motions_arrow" },
       this.canvas,
       this.tip,
     );
@@ -108,17 +103,9 @@ export class MotionMap {
         h(
           "span",
           { class: "buttons" },
-          h(
-            "button",
-            { type: "button", "aria-label": "map.zoom_into_the_map", onclick: () => this.zoom(0.5, this.aim()) },
-            "+",
-          ),
-          h(
-            "button",
-            { type: "button", "aria-label": "map.zoom_out_of_the", onclick: () => this.zoom(2, this.aim()) },
-            "−",
-          ),
-          h("button", { type: "button", onclick: () => this.home() }, "map.whole_map"),
+          h("button", { "aria-label": "map.zoom_into_the_map", onclick: () => this.zoom(0.5, this.aim()) }, "+"),
+          h("button", { "aria-label": "map.zoom_out_of_the", onclick: () => this.zoom(2, this.aim()) }, "−"),
+          h("button", { onclick: () => this.home() }, "map.whole_map"),
         ),
         this.state,
       ),

@@ -10,7 +10,7 @@ export class Hoops {
 
   constructor(choose: (lane: number) => void) {
     this.tabs = ["hoops.hoop_a", "hoops.hoop_b"].map((name, i) =>
-      h("button", { type: "button", "aria-pressed": "false", onclick: () => choose(i) }, name),
+      h("button", { "aria-pressed": "false", onclick: () => choose(i) }, name),
     );
     this.bar = h(
       "div",

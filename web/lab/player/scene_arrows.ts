@@ -15,13 +15,9 @@ export type Arrow = { kind: string; x: number; y: number; dx: number; dy: number
 
 export function arrowsOf(changes: Changes): Arrow[] {
   const { events, count } = changes;
-  return events.slice(0, Math.min(count, COUNT)).map(({ kind, x, height }, k) => ({
-    kind,
-    x,
-    y: height,
-    dx: changes.of(k, "x"),
-    dy: changes.of(k, "height"),
-  }));
+  return events
+    .slice(0, Math.min(count, COUNT))
+    .map(({ kind, x, height }, k) => ({ kind, x, y: height, dx: changes.of(k, "x"), dy: changes.of(k, "height") }));
 }
 
 /**

@@ -74,7 +74,6 @@ export class Story {
         h(
           "button",
           {
-            type: "button",
             onclick: () => this.clock.seek(sentence.t),
             onpointerenter: () => this.clock.point(sentence.t),
             onpointerleave: () => this.clock.point(null),
@@ -133,7 +132,7 @@ export class Story {
 function fingerprintOf(fingerprint: string | null) {
   if (!fingerprint) return [h("span", {}, "motion.no_fingerprint_this_motion")];
   const code = h("code", {}, document.createTextNode(fingerprint));
-  const copy = h("button", { type: "button" }, "motion.copy");
+  const copy = h("button", {}, "motion.copy");
   copy.onclick = async () => {
     try {
       await navigator.clipboard.writeText(fingerprint);

@@ -18,7 +18,7 @@ const SWITCHES: [keyof StageOptions, string, string][] = [
 ];
 
 const button = (label: Node | string, title: string, action: () => void) =>
-  h("button", { type: "button", title, "aria-label": title, onclick: action }, label);
+  h("button", { title, "aria-label": title, onclick: action }, label);
 
 const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
 
@@ -55,7 +55,7 @@ export class Transport {
     this.switches = new Map(
       SWITCHES.map(([name, label, title]) => [
         name,
-        h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label),
+        h("button", { class: "switch", title, onclick: () => toggle(name) }, label),
       ]),
     );
     this.row = h("div", { class: "buttons switches" }, [...this.switches.values()]);

@@ -53,18 +53,12 @@ export class More {
     this.later = once(() => this.fetch(), WAIT);
     this.switch = h(
       "button",
-      {
-        type: "button",
-        class: "switch",
-        title: "sensitivity.what_a_little_more",
-        "aria-pressed": "false",
-        onclick: () => this.turn(),
-      },
+      { class: "switch", title: "sensitivity.what_a_little_more", "aria-pressed": "false", onclick: () => this.turn() },
       "sensitivity.arrows",
     );
     this.picked = h("select", { onchange: () => this.pick(this.picked.value) });
     this.step = h("span", { class: "more-step" });
-    this.take = h("button", { type: "button", onclick: () => this.apply() }, "sensitivity.do_it");
+    this.take = h("button", { onclick: () => this.apply() }, "sensitivity.do_it");
     this.said = h("ul", { class: "more-said" });
     this.reason = h("p", { class: "more-reason", hidden: true });
     this.scale = h("p", { class: "hint" });
@@ -105,7 +99,7 @@ export class More {
         "header",
         {},
         h("h2", {}, "sensitivity.what_a_little_more_would"),
-        h("button", { type: "button", onclick: () => this.turn(false) }, "table.close"),
+        h("button", { onclick: () => this.turn(false) }, "table.close"),
       ),
       h(
         "div",
@@ -279,10 +273,7 @@ export class More {
     const { three } = this.lab.stage.options;
     const drawn = three
       ? "sensitivity.the_arrows_are_drawn"
-      : {
-          key: "sensitivity.the_arrows_in_the",
-          values: { factor: show(this.factor, 3) },
-        };
+      : { key: "sensitivity.the_arrows_in_the", values: { factor: show(this.factor, 3) } };
     say(this.scale, three || this.factor ? drawn : "");
   }
 

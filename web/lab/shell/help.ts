@@ -75,7 +75,7 @@ export function aboutDialog(version: string, hosted: boolean) {
       row("keys.documentation", base ? link(base, "keys.the_documentation") : "keys.docs_index_md_in"),
       row("keys.commands", h("code", {}, document.createTextNode("hophoop --help"))),
     ),
-    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
+    h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
   );
   return dialog;
 }
@@ -91,8 +91,8 @@ export function helpDialog(about: HTMLDialogElement, colors: Colors, keys: HTMLE
     table("keys.marks_on_the_bar", MARKED),
     table("keys.keys", KEYS),
     keys,
-    h("button", { type: "button", class: "link", onclick: () => about.showModal() }, "menu.about_hophoop"),
-    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
+    h("button", { class: "link", onclick: () => about.showModal() }, "menu.about_hophoop"),
+    h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
   );
   return dialog;
 }

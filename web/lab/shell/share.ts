@@ -50,7 +50,6 @@ export class Share {
     return h(
       "button",
       {
-        type: "button",
         onclick: async () => {
           this.menu.open = false;
           try {
@@ -102,7 +101,7 @@ export class Share {
     const blocks = [];
     for (let i = 0; i < pairs.length; i += 2) {
       const text = pairs[i + 1];
-      const copy = h("button", { type: "button" }, "motion.copy");
+      const copy = h("button", {}, "motion.copy");
       copy.onclick = async () => {
         await navigator.clipboard?.writeText(text).catch(() => {});
         say(copy, "motion.copied");
@@ -114,7 +113,7 @@ export class Share {
     }
     this.dialog.replaceChildren(
       ...blocks,
-      h("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, "table.close"),
+      h("button", { class: "close", onclick: () => this.dialog.close() }, "table.close"),
     );
     this.dialog.showModal();
   }

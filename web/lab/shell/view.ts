@@ -23,13 +23,13 @@ export class View {
     readonly hosted: boolean,
     readonly changed: () => void,
   ) {
-    this.button = h("button", { type: "button", class: "view", hidden: !hosted, onclick: () => this.choose() });
+    this.button = h("button", { class: "view", hidden: !hosted, onclick: () => this.choose() });
     this.more = h(
       "p",
       { class: "hint beyond", hidden: true },
       "shell.this_motion_has_other",
       " ",
-      h("button", { type: "button", class: "link", onclick: () => this.choose() }, "shell.show_everything"),
+      h("button", { class: "link", onclick: () => this.choose() }, "shell.show_everything"),
     );
   }
 

@@ -31,7 +31,7 @@ export class Challenges {
     this.tabs = new Map(
       GOALS.map((goal) => [
         goal.key,
-        h("button", { type: "button", "aria-pressed": "false", onclick: () => this.choose(goal) }, goal.title),
+        h("button", { "aria-pressed": "false", onclick: () => this.choose(goal) }, goal.title),
       ]),
     );
     this.text = h("p", {});
@@ -54,12 +54,7 @@ export class Challenges {
         h("h2", {}, "menu.challenges"),
         h(
           "button",
-          {
-            type: "button",
-            class: "quiet",
-            "aria-label": "challenge.leave_the_challenges",
-            onclick: () => this.close(),
-          },
+          { class: "quiet", "aria-label": "challenge.leave_the_challenges", onclick: () => this.close() },
           "×",
         ),
       ),
@@ -71,8 +66,8 @@ export class Challenges {
       h(
         "div",
         { class: "buttons" },
-        h("button", { type: "button", onclick: () => this.begin() }, "challenge.begin_again"),
-        h("button", { type: "button", onclick: () => this.solve() }, "challenge.show_a_best_one"),
+        h("button", { onclick: () => this.begin() }, "challenge.begin_again"),
+        h("button", { onclick: () => this.solve() }, "challenge.show_a_best_one"),
       ),
     );
   }

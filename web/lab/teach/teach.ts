@@ -45,7 +45,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     load(query);
   };
   const motion = (query: string, words = "teach.show") =>
-    h("button", { type: "button", class: "link", onclick: () => go(query) }, words);
+    h("button", { class: "link", onclick: () => go(query) }, words);
   const base = docs();
   const pages = base && [
     ["teach/index.html", "teach.teaching_with_the_hoop"],
@@ -146,8 +146,8 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
       "header",
       {},
       h("h2", {}, "menu.for_teachers"),
-      h("button", { type: "button", onclick: () => print() }, "teach.print"),
-      h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
+      h("button", { onclick: () => print() }, "teach.print"),
+      h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
     ),
     h(
       "p",
@@ -157,7 +157,6 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
       h(
         "button",
         {
-          type: "button",
           class: "link",
           onclick: () => {
             dialog.close();

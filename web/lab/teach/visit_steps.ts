@@ -88,11 +88,7 @@ export const STEPS: Step[] = [
     until: ([film]) => timeAt(film, WHOLE),
     answer: ([film]) => {
       const speeds = overTurn(film, "vx");
-      return {
-        truth: speeds,
-        text: "visit.with_the_load_at",
-        values: { speed: show(Math.max(...speeds), 2) },
-      };
+      return { truth: speeds, text: "visit.with_the_load_at", values: { speed: show(Math.max(...speeds), 2) } };
     },
     why: "visit.the_lowest_point_of",
   },
@@ -220,11 +216,5 @@ export const STEPS: Step[] = [
     }),
     why: "visit.painleve_found_this_in",
   },
-  {
-    key: "yours",
-    title: "visit.your_turn",
-    text: "visit.take_the_hoop_turn",
-    question: "",
-    queries: [""],
-  },
+  { key: "yours", title: "visit.your_turn", text: "visit.take_the_hoop_turn", question: "", queries: [""] },
 ];
