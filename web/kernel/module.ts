@@ -21,17 +21,14 @@ export class HoopModule implements Mechanics {
   turn = 0;
   exports: any;
   memory: Memory;
-  mostEvents: number;
-  mostSegments: number;
-  mostRows: number;
+  mostEvents: number = FIRST_EVENTS;
+  mostSegments: number = FIRST_SEGMENTS;
+  mostRows: number = FIRST_ROWS;
 
   constructor(compiled: WebAssembly.Module) {
     this.exports = new WebAssembly.Instance(compiled, {}).exports as any;
     this.exports._initialize?.();
     this.memory = new Memory(this.exports);
-    this.mostEvents = FIRST_EVENTS;
-    this.mostSegments = FIRST_SEGMENTS;
-    this.mostRows = FIRST_ROWS;
   }
 
   call(name: string, ...values: number[]) {

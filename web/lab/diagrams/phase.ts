@@ -27,45 +27,40 @@ export class PhasePlane {
   keys = h("div", { class: "plot-keys" });
   hatched = h("span", { hidden: true }, "phase.hatched", " ");
   asked = "";
-  body: HTMLDivElement;
-  element: HTMLElement;
-  pinched: () => boolean;
-  range: number[];
-  soon: () => void;
+  body = h(
+    "div",
+    { class: "plot-body", role: "figure", tabindex: "0", "aria-label": "phase.plane_of_angle_and" },
+    this.canvas,
+    this.over,
+  );
+  element = h(
+    "section",
+    { class: "phase" },
+    h("header", {}, h("h3", {}, "phase.plane_of_theta_and"), this.keys),
+    this.body,
+    h(
+      "p",
+      { class: "hint" },
+      "phase.colours",
+      " ",
+      this.hatched,
+      byFingers() ? "phase.click_to_go_there" : "phase.click_to_go_there_once",
+    ),
+  );
+  pinched = zoomable(this.body, {
+    zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
+    home: () => this.home(),
+    keys: true,
+  });
+  range: number[] = [0, 2 * Math.PI];
+  soon = once(() => this.sharpen(), 140);
 
   constructor(
     readonly backend: Backend,
     public clock: Clock,
     public colors: Colors,
   ) {
-    this.body = h(
-      "div",
-      { class: "plot-body", role: "figure", tabindex: "0", "aria-label": "phase.plane_of_angle_and" },
-      this.canvas,
-      this.over,
-    );
-    this.element = h(
-      "section",
-      { class: "phase" },
-      h("header", {}, h("h3", {}, "phase.plane_of_theta_and"), this.keys),
-      this.body,
-      h(
-        "p",
-        { class: "hint" },
-        "phase.colours",
-        " ",
-        this.hatched,
-        byFingers() ? "phase.click_to_go_there" : "phase.click_to_go_there_once",
-      ),
-    );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
-    this.pinched = zoomable(this.body, {
-      zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
-      home: () => this.home(),
-      keys: true,
-    });
-    this.range = [0, 2 * Math.PI];
-    this.soon = once(() => this.sharpen(), 140);
   }
 
   /** The regions belong to hoop and plane alone: they are asked for when those change, or the reach grows. */

@@ -32,13 +32,13 @@ export class Plot {
   curves: (film: Film) => Curve[];
   limits: [number, number] | undefined;
   symmetric: boolean;
-  canvas: HTMLCanvasElement;
-  over: HTMLCanvasElement;
-  keys: HTMLDivElement;
   body: HTMLDivElement;
   element: HTMLElement;
   pinched: () => boolean;
-  onseek: (time: number) => void;
+  canvas = h("canvas", { class: "plot-canvas" });
+  over = h("canvas", { class: "plot-canvas plot-over" });
+  keys = h("div", { class: "plot-keys" });
+  onseek: (time: number) => void = () => {};
 
   /** `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots. */
   constructor(
@@ -51,9 +51,6 @@ export class Plot {
     this.curves = curves;
     this.limits = limits;
     this.symmetric = symmetric;
-    this.canvas = h("canvas", { class: "plot-canvas" });
-    this.over = h("canvas", { class: "plot-canvas plot-over" });
-    this.keys = h("div", { class: "plot-keys" });
     this.body = h(
       "div",
       { class: "plot-body", tabindex: "0", role: "figure", "aria-label": title },
@@ -72,7 +69,6 @@ export class Plot {
       home: () => this.zoomTo(null),
       keys: true,
     });
-    this.onseek = () => {};
   }
 
   abscissa(film: Film) {

@@ -35,16 +35,24 @@ export class MotionMap {
   say: (text: string) => void;
   changed: () => void;
   axes: MapAxes;
-  canvas: HTMLCanvasElement;
-  tip: HTMLDivElement;
-  body: HTMLDivElement;
-  keys: HTMLDivElement;
-  state: HTMLSpanElement;
   selects: { x: HTMLSelectElement; y: HTMLSelectElement };
   quantity: HTMLSelectElement;
   element: HTMLElement;
-  soon: () => void;
-  watch: IntersectionObserver;
+  canvas = h("canvas", { class: "plot-canvas" });
+  tip = h("div", { class: "tip", hidden: true });
+  body = h(
+    "div",
+    { class: "map-body", tabindex: "0", role: "application", "aria-label": "map.map_of_motions_arrow" },
+    this.canvas,
+    this.tip,
+  );
+  keys = h("div", { class: "map-keys" });
+  state = h("span", { class: "hint" });
+  soon = once(() => this.refresh(), 140);
+  watch = new IntersectionObserver(([entry]) => {
+    this.seen = entry.isIntersecting;
+    if (this.seen && this.stale) this.refresh();
+  });
 
   /**
    * `rest.take`: what a click on a motion does; `rest.say`: for a screen reader; `rest.changed`: another part of it
@@ -60,16 +68,6 @@ export class MotionMap {
     this.changed = changed;
     const axes = setup.controls.map_axes;
     this.axes = new MapAxes(axes);
-    this.canvas = h("canvas", { class: "plot-canvas" });
-    this.tip = h("div", { class: "tip", hidden: true });
-    this.body = h(
-      "div",
-      { class: "map-body", tabindex: "0", role: "application", "aria-label": "map.map_of_motions_arrow" },
-      this.canvas,
-      this.tip,
-    );
-    this.keys = h("div", { class: "map-keys" });
-    this.state = h("span", { class: "hint" });
     const pick: (name: AxisName) => HTMLSelectElement = (name) => {
       const select = h(
         "select",
@@ -114,11 +112,6 @@ export class MotionMap {
       h("p", { class: "hint" }, byFingers() ? "map.click_to_take_that" : "map.click_to_take_that_motion"),
     );
     takeHands(this);
-    this.soon = once(() => this.refresh(), 140);
-    this.watch = new IntersectionObserver(([entry]) => {
-      this.seen = entry.isIntersecting;
-      if (this.seen && this.stale) this.refresh();
-    });
     this.watch.observe(this.body);
     this.syncSelects();
   }

@@ -9,11 +9,11 @@ export class Scene {
   top = 0; // of the hoop's part of the picture, in pixels
 
   pose: Pose;
-  cosine: number;
-  sine: number;
   scale: number;
   focus: number[];
   place: number[];
+  cosine: number = Math.cos(this.film.slope);
+  sine: number = Math.sin(this.film.slope);
 
   constructor(
     readonly context: CanvasRenderingContext2D,
@@ -32,8 +32,6 @@ export class Scene {
     const R = film.radius;
     const { left, right } = film.extent;
     const { top } = common;
-    this.cosine = Math.cos(film.slope);
-    this.sine = Math.sin(film.slope);
     const room = 2 * common.radius + Math.min(top, 6 * common.radius);
     const close = Math.min((0.66 * height) / room, (0.36 * width) / common.radius);
     if (options.whole) {

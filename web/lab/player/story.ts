@@ -20,20 +20,18 @@ export class Story {
   compared = h("span", {});
   fingerprint = h("p", { class: "hint fingerprint" }, this.signature, this.compared);
   live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
-  element: HTMLElement;
+  element = h(
+    "section",
+    { class: "story", "aria-label": "motion.the_motion_in_words" },
+    this.heading,
+    this.summary,
+    this.doubt,
+    this.list,
+    this.fingerprint,
+    this.live,
+  );
 
-  constructor(public clock: Clock) {
-    this.element = h(
-      "section",
-      { class: "story", "aria-label": "motion.the_motion_in_words" },
-      this.heading,
-      this.summary,
-      this.doubt,
-      this.list,
-      this.fingerprint,
-      this.live,
-    );
-  }
+  constructor(public clock: Clock) {}
 
   /**
    * The list is that of the chosen hoop, the sentences above it are those of both. `comparisons`: of its fingerprint

@@ -18,31 +18,29 @@ export class Timeline {
   window: number[] | null = null;
   canvas = h("canvas", { class: "timeline-canvas" });
   tip = h("div", { class: "tip", hidden: true });
-  element: HTMLDivElement;
-  pinched: () => boolean;
+  element = h(
+    "div",
+    {
+      class: "timeline",
+      role: "slider",
+      tabindex: "0",
+      "aria-label": "player.time",
+      "aria-valuemin": "0",
+      "aria-orientation": "horizontal",
+    },
+    this.canvas,
+    this.tip,
+  );
+  pinched = zoomable(this.element, {
+    zoom: (factor, at) => this.zoom(1 / factor, at ? this.timeAt(at) : this.clock.time),
+    home: () => this.zoom(Infinity, 0),
+    keys: true,
+  });
 
   constructor(public clock: Clock) {
-    this.element = h(
-      "div",
-      {
-        class: "timeline",
-        role: "slider",
-        tabindex: "0",
-        "aria-label": "player.time",
-        "aria-valuemin": "0",
-        "aria-orientation": "horizontal",
-      },
-      this.canvas,
-      this.tip,
-    );
     this.element.addEventListener("pointerdown", (event) => this.scrub(event));
     this.element.addEventListener("pointermove", (event) => this.hover(event));
     this.element.addEventListener("pointerleave", () => (this.tip.hidden = true));
-    this.pinched = zoomable(this.element, {
-      zoom: (factor, at) => this.zoom(1 / factor, at ? this.timeAt(at) : this.clock.time),
-      home: () => this.zoom(Infinity, 0),
-      keys: true,
-    });
   }
 
   // The times at both ends of the bar.

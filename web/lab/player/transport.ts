@@ -25,11 +25,20 @@ const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-h
 export class Transport {
   titled = "";
 
-  playButton: HTMLButtonElement;
-  speeds: HTMLSelectElement;
   switches: Map<keyof StageOptions, HTMLButtonElement>;
   row: HTMLDivElement; // of the switches
   element: HTMLDivElement;
+  playButton: HTMLButtonElement = button(icon("play"), "player.play_space", () => this.clock.play());
+  speeds = h(
+    "select",
+    {
+      "aria-label": "player.speed_of_the_film",
+      onchange: () => {
+        this.clock.speed = Number(this.speeds.value);
+      },
+    },
+    SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
+  );
 
   /** `say`: what is seen; `tell`: what a screen reader says. */
   constructor(
@@ -39,18 +48,7 @@ export class Transport {
     readonly say: (text: string) => void,
     readonly tell: (said: Said) => void,
   ) {
-    this.playButton = button(icon("play"), "player.play_space", () => clock.play());
     this.playButton.classList.add("play");
-    this.speeds = h(
-      "select",
-      {
-        "aria-label": "player.speed_of_the_film",
-        onchange: () => {
-          clock.speed = Number(this.speeds.value);
-        },
-      },
-      SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
-    );
     this.speeds.value = "1";
     this.switches = new Map(
       SWITCHES.map(([name, label, title]) => [

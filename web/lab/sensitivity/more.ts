@@ -36,83 +36,71 @@ export class More {
   paths = "";
   /** Whether a screen reader is told what comes. */
   speak = false;
-
-  later: () => void;
-  switch: HTMLButtonElement;
-  picked: HTMLSelectElement;
-  step: HTMLSpanElement;
-  take: HTMLButtonElement;
-  said: HTMLUListElement;
-  reason: HTMLParagraphElement;
-  scale: HTMLParagraphElement;
-  body: HTMLTableSectionElement;
-  rows: HTMLDetailsElement;
-  element: HTMLElement;
-
-  constructor(readonly lab: Asked) {
-    this.later = once(() => this.fetch(), WAIT);
-    this.switch = h(
-      "button",
-      { class: "switch", title: "sensitivity.what_a_little_more", "aria-pressed": "false", onclick: () => this.turn() },
-      "sensitivity.arrows",
-    );
-    this.picked = h("select", { onchange: () => this.pick(this.picked.value) });
-    this.step = h("span", { class: "more-step" });
-    this.take = h("button", { onclick: () => this.apply() }, "sensitivity.do_it");
-    this.said = h("ul", { class: "more-said" });
-    this.reason = h("p", { class: "more-reason", hidden: true });
-    this.scale = h("p", { class: "hint" });
-    this.body = h("tbody", {});
-    this.rows = h(
-      "details",
-      { class: "more-events" },
-      h("summary", {}, "sensitivity.every_event_by_this"),
+  later = once(() => this.fetch(), WAIT);
+  switch = h(
+    "button",
+    { class: "switch", title: "sensitivity.what_a_little_more", "aria-pressed": "false", onclick: () => this.turn() },
+    "sensitivity.arrows",
+  );
+  picked = h("select", { onchange: () => this.pick(this.picked.value) });
+  step = h("span", { class: "more-step" });
+  take = h("button", { onclick: () => this.apply() }, "sensitivity.do_it");
+  said = h("ul", { class: "more-said" });
+  reason = h("p", { class: "more-reason", hidden: true });
+  scale = h("p", { class: "hint" });
+  body = h("tbody", {});
+  rows = h(
+    "details",
+    { class: "more-events" },
+    h("summary", {}, "sensitivity.every_event_by_this"),
+    h(
+      "div",
+      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.what_changes_at_every" },
       h(
-        "div",
-        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.what_changes_at_every" },
+        "table",
+        {},
         h(
-          "table",
+          "thead",
           {},
           h(
-            "thead",
+            "tr",
             {},
-            h(
-              "tr",
-              {},
-              [
-                "sensitivity.event",
-                "column.time",
-                "sensitivity.place",
-                "sensitivity.height",
-                "sensitivity.load_angle",
-              ].map((name) => h("th", { scope: "col" }, name)),
-            ),
+            [
+              "sensitivity.event",
+              "column.time",
+              "sensitivity.place",
+              "sensitivity.height",
+              "sensitivity.load_angle",
+            ].map((name) => h("th", { scope: "col" }, name)),
           ),
-          this.body,
         ),
+        this.body,
       ),
-    );
-    this.element = h(
-      "section",
-      { class: "table more", "aria-label": "sensitivity.what_a_little_more_would", hidden: true },
-      h(
-        "header",
-        {},
-        h("h2", {}, "sensitivity.what_a_little_more_would"),
-        h("button", { onclick: () => this.turn(false) }, "table.close"),
-      ),
-      h(
-        "div",
-        { class: "more-asked" },
-        h("label", {}, h("span", {}, "sensitivity.a_little_more"), this.picked),
-        this.step,
-        this.take,
-      ),
-      this.said,
-      this.reason,
-      this.rows,
-      this.scale,
-    );
+    ),
+  );
+  element = h(
+    "section",
+    { class: "table more", "aria-label": "sensitivity.what_a_little_more_would", hidden: true },
+    h(
+      "header",
+      {},
+      h("h2", {}, "sensitivity.what_a_little_more_would"),
+      h("button", { onclick: () => this.turn(false) }, "table.close"),
+    ),
+    h(
+      "div",
+      { class: "more-asked" },
+      h("label", {}, h("span", {}, "sensitivity.a_little_more"), this.picked),
+      this.step,
+      this.take,
+    ),
+    this.said,
+    this.reason,
+    this.rows,
+    this.scale,
+  );
+
+  constructor(readonly lab: Asked) {
     lab.stage.flat.over = (scene, lane) => {
       const guessing = lab.marked("guessing"); // what comes is to be guessed
       if (!this.on || guessing || lane !== lab.motions.active) return;

@@ -17,34 +17,31 @@ const FILES = [
 ];
 
 export class Share {
-  menu: HTMLDetailsElement;
-  dialog: HTMLDialogElement;
+  menu = h(
+    "details",
+    { class: "menu" },
+    h(
+      "summary",
+      { class: "button" },
+      h("span", { class: "long" }, "save.share_and_save"),
+      h("span", { class: "short" }, "save.share"),
+    ),
+    h(
+      "div",
+      { class: "menu-body" },
+      this.lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
+      FILES.filter(([name]) => this.lab.backend.files.includes(name)).map(([name, label]) =>
+        this.item(label, () => this.download(name)),
+      ),
+      this.item("save.save_a_picture_png", () => this.picture("png", png)),
+      this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
+      this.item("save.record_one_run_as", () => this.record()),
+      this.item("save.show_the_python_code", () => this.code()),
+    ),
+  );
+  dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
 
-  constructor(readonly lab: Kept) {
-    this.menu = h(
-      "details",
-      { class: "menu" },
-      h(
-        "summary",
-        { class: "button" },
-        h("span", { class: "long" }, "save.share_and_save"),
-        h("span", { class: "short" }, "save.share"),
-      ),
-      h(
-        "div",
-        { class: "menu-body" },
-        lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
-        FILES.filter(([name]) => lab.backend.files.includes(name)).map(([name, label]) =>
-          this.item(label, () => this.download(name)),
-        ),
-        this.item("save.save_a_picture_png", () => this.picture("png", png)),
-        this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
-        this.item("save.record_one_run_as", () => this.record()),
-        this.item("save.show_the_python_code", () => this.code()),
-      ),
-    );
-    this.dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
-  }
+  constructor(readonly lab: Kept) {}
 
   item(label: string, action: () => void) {
     return h(

@@ -37,23 +37,20 @@ export class Visit {
   asked = 0;
 
   onchallenges: () => void;
-  body: HTMLDivElement;
-  said: HTMLDivElement;
-  element: HTMLElement;
+  body = h("div", { class: "visit-body" });
+  said = h("div", { class: "visit-answer", role: "status" });
+  element = h(
+    "section",
+    { class: "visit card", "aria-label": "menu.guided_visit", hidden: true },
+    this.body,
+    this.said,
+  );
 
   constructor(
     readonly lab: Guided,
     challenges: () => void,
   ) {
     this.onchallenges = challenges;
-    this.body = h("div", { class: "visit-body" });
-    this.said = h("div", { class: "visit-answer", role: "status" });
-    this.element = h(
-      "section",
-      { class: "visit card", "aria-label": "menu.guided_visit", hidden: true },
-      this.body,
-      this.said,
-    );
   }
 
   /** Whether the visitor still guesses: then nothing may tell what will happen. */
