@@ -1,5 +1,6 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
+import { disc, ring } from "../common/paint.ts";
 import { hoopInk } from "../common/colors.ts";
 import { drawnAs, strokeThrough } from "./crowd.ts";
 import { fitted, h, once } from "../common/dom.ts";
@@ -277,19 +278,15 @@ export class PhasePlane {
       context.strokeStyle = this.look.ink;
       context.lineWidth = 1.5;
       for (const radius of [6, 10]) {
-        context.beginPath();
-        context.arc(x, y, radius, 0, 2 * Math.PI);
-        context.stroke();
+        ring(context, [x, y], radius);
       }
     }
     this.films.forEach((film, lane) => {
       const pose = film.at(time);
       const [x, y] = this.spot(pose);
       if (!(x >= LEFT && x <= LEFT + this.box.width && y >= TOP && y <= TOP + this.box.height)) return;
-      context.beginPath();
-      context.arc(x, y, lane ? 4 : 5.5, 0, 2 * Math.PI);
       context.fillStyle = this.colors.modes[pose.mode];
-      context.fill();
+      disc(context, [x, y], lane ? 4 : 5.5);
       context.lineWidth = 2;
       context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
       context.stroke();

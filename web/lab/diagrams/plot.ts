@@ -1,5 +1,6 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
+import { disc, haloed, stroke } from "../common/paint.ts";
 import { axisFont } from "../common/axes.ts";
 import { faded, hoopInk, readable } from "../common/colors.ts";
 import { type Crowd, drawnAs, strokeThrough } from "./crowd.ts";
@@ -227,22 +228,14 @@ export class Plot {
     const [x, y] = [this.x(across[i]), clamp(this.y(values[i]) - 8, TOP + 10, TOP + this.box.height - 4)];
     context.font = `700 12px ${this.look.font}`;
     context.textAlign = "center";
-    context.lineWidth = 4;
-    context.strokeStyle = this.look.panel;
-    context.strokeText("AB"[lane], x, y);
-    context.fillStyle = color ?? this.look.ink;
-    context.fillText("AB"[lane], x, y);
+    haloed(context, "AB"[lane], [x, y], color ?? this.look.ink, this.look.panel);
   }
 
   /** A word at the top of the axis. */
   tell(context: CanvasRenderingContext2D, text: string) {
     context.font = axisFont(this.look);
     context.textAlign = "left";
-    context.lineWidth = 4;
-    context.strokeStyle = this.look.panel;
-    context.strokeText(text, LEFT + 6, TOP + 11);
-    context.fillStyle = this.look.ink;
-    context.fillText(text, LEFT + 6, TOP + 11);
+    haloed(context, text, [LEFT + 6, TOP + 11], this.look.ink, this.look.panel);
   }
 
   legend(curves: Curve[], dark: boolean) {
@@ -287,10 +280,7 @@ export class Plot {
       if (inside) {
         context.strokeStyle = this.look.soft;
         context.lineWidth = 1;
-        context.beginPath();
-        context.moveTo(x, TOP);
-        context.lineTo(x, TOP + this.box.height);
-        context.stroke();
+        stroke(context, [x, TOP], [x, TOP + this.box.height]);
       }
       this.shades(now, lane).forEach((curve, k, all) => {
         if (!this.compares(curve, lane, all.length)) return;
@@ -299,9 +289,7 @@ export class Plot {
         const y = this.y(value);
         if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
         context.fillStyle = curve.color ?? this.look.ink;
-        context.beginPath();
-        context.arc(x, y, 3.2, 0, 2 * Math.PI);
-        context.fill();
+        disc(context, [x, y], 3.2);
       });
     });
     const { pointed } = this.shared.clock;

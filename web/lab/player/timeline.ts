@@ -1,5 +1,6 @@
 // The bar of time: modes as coloured stretches, events as marks, the hand that scrubs; it zooms as all pictures do.
 
+import { fill } from "../common/paint.ts";
 import { hoopInk, writing } from "../common/colors.ts";
 import { fitted, h } from "../common/dom.ts";
 import { eventWord } from "./events.ts";
@@ -173,11 +174,7 @@ export class Timeline {
     const now = clamp(place(this.clock.time), 1, width - 1);
     context.fillStyle = look.ink;
     context.fillRect(now - 1, above - 4, 2, height - above - 9);
-    context.beginPath();
-    context.moveTo(x - 6, above - 10);
-    context.lineTo(x + 6, above - 10);
-    context.lineTo(now, above - 1);
-    context.fill();
+    fill(context, [x - 6, above - 10], [x + 6, above - 10], [now, above - 1]);
     this.tell(films, colors);
   }
 
