@@ -27,12 +27,11 @@ export class Plot {
   named: string;
   values: HTMLElement[];
 
-  key: string;
-  title: string;
-  unit: string;
-  curves: (film: Film) => Curve[];
-  limits: [number, number] | undefined;
-  symmetric: boolean;
+  key: PlotDefinition["key"];
+  title: PlotDefinition["title"];
+  unit: PlotDefinition["unit"];
+  curves: PlotDefinition["curves"];
+  limits: PlotDefinition["limits"];
   body: HTMLDivElement;
   element: HTMLElement;
   pinched: () => boolean;
@@ -43,15 +42,10 @@ export class Plot {
 
   /** `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots. */
   constructor(
-    { key, title, unit, curves, limits, symmetric = false }: PlotDefinition,
+    definition: PlotDefinition,
     public shared: PlotShared,
   ) {
-    this.key = key;
-    this.title = title;
-    this.unit = unit;
-    this.curves = curves;
-    this.limits = limits;
-    this.symmetric = symmetric;
+    const { key, title } = Object.assign(this, definition);
     this.body = h(
       "div",
       { class: "plot-body", tabindex: "0", role: "figure", "aria-label": title },
@@ -163,7 +157,7 @@ export class Plot {
           seen.push(values[i]);
       }
     }
-    const heights = heightsOf(seen, this.symmetric);
+    const heights = heightsOf(seen);
     const [low, high] = seen.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], heights);
     this.cut = low < heights[0] || high > heights[1] ? { low: show(low, 3), high: show(high, 3) } : null;
     return heights;
