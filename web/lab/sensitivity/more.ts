@@ -1,7 +1,7 @@
 // What a little more of a parameter would do: arrows in the picture, and what changes in words and numbers.
 
 import { Changes, sentences, signed } from "./changes.ts";
-import { h, once, say } from "../common/dom.ts";
+import { h, headed, once, say } from "../common/dom.ts";
 import { eventWord } from "../player/events.ts";
 import { show, withUnit } from "../common/numbers.ts";
 import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
@@ -59,21 +59,7 @@ export class More {
       h(
         "table",
         {},
-        h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            [
-              "sensitivity.event",
-              "column.time",
-              "sensitivity.place",
-              "sensitivity.height",
-              "sensitivity.load_angle",
-            ].map((name) => h("th", { scope: "col" }, name)),
-          ),
-        ),
+        headed("sensitivity.event", "column.time", "sensitivity.place", "sensitivity.height", "sensitivity.load_angle"),
         this.body,
       ),
     ),

@@ -1,6 +1,6 @@
 // Keys and help.
 
-import { h } from "../common/dom.ts";
+import { h, rowOf } from "../common/dom.ts";
 
 const KEYS = [
   ["keys.space", "keys.play_pause"],
@@ -43,14 +43,7 @@ const table = (title: string, rows: string[][], mark: (letter: string) => HTMLEl
     "table",
     {},
     h("caption", {}, title),
-    rows.map(([key, ...words]) =>
-      h(
-        "tr",
-        {},
-        h("th", { scope: "row" }, mark(key), key),
-        words.map((word) => h("td", {}, word)),
-      ),
-    ),
+    rows.map(([key, ...words]) => rowOf([mark(key), key], ...words)),
   );
 
 /** Where the documentation is, if the page was told. */
