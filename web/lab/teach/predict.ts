@@ -31,11 +31,11 @@ export function curvePoints(guess: number[], truth: number[]) {
 
 let count = 0;
 
-/** `options`: key and words; `open`: whether every answer is right. */
-export function choices(options: [string, string][], onguess: () => void, open = false): Guess {
+/** `options`: words by key. */
+export function choices(options: Record<string, string>, onguess: () => void): Guess {
   const name = `hh-guess-${++count}`;
   let chosen = "";
-  const rows = options.map(([key, words]) => {
+  const rows = Object.entries(options).map(([key, words]) => {
     const radio = h("input", {
       type: "radio",
       name,
@@ -57,11 +57,11 @@ export function choices(options: [string, string][], onguess: () => void, open =
     judge: (truth) => {
       for (const { key, radio, row } of rows) {
         radio.disabled = true;
-        const right = open || key === truth;
+        const right = key === truth;
         if (right) row.append(h("b", { class: "guess-right" }, "✓"));
         row.classList.toggle("right", right);
       }
-      return open || chosen === truth ? 100 : 0;
+      return chosen === truth ? 100 : 0;
     },
   };
 }
