@@ -174,21 +174,10 @@ def test_the_table_says_of_every_work_what_was_read():
     assert all(re.match(r"not|title|abstract|in full", read) for _, read in rows)
 
 
-def commands():
-    return sorted({line.removeprefix("$ ") for line in PAGE.split("\n") if line.startswith("$ hophoop run ")})
-
-
-@pytest.mark.parametrize("command", commands())
-def test_a_command_of_a_page_runs(command):
-    done = CliRunner().invoke(app, command.split()[1:])
-    assert done.exit_code == 0, done.stderr
-    assert done.stdout.strip()
-
-
 def test_a_wrong_table_is_made_right():
     text = f"# A\n<!-- claims: Kane1984 -->\n| old |\n{END}\nrest"
     once = fill_tables(text)
-    assert "257/448" in once
+    assert "**0.573661 J**. | agrees" in once  # our reasons only where we differ
     assert "old" not in once
     assert once.endswith(f"\n{END}\nrest")
     assert fill_tables(once) == once

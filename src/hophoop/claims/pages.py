@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from hophoop.claims.claim import Claim, with_unit
+from hophoop.claims.claim import AGREES, Claim, with_unit
 from hophoop.claims.literature import registry
 
 END = "<!-- end of claims -->"
@@ -30,7 +30,8 @@ def table(works: Iterable[str]) -> str:
 
 def _row(claim: Claim) -> str:
     ours = f"{claim.quantity} **{with_unit(claim.ours, claim.unit)}**"
-    return f"| {claim.claim} | {claim.theirs} | {ours}. {claim.why} | {claim.verdict} |"
+    why = "" if claim.verdict == AGREES else f" {claim.why}"
+    return f"| {claim.claim} | {claim.theirs} | {ours}.{why} | {claim.verdict} |"
 
 
 def fill_tables(text: str) -> str:
