@@ -41,6 +41,7 @@ extensions = [
     "matplotlib.sphinxext.plot_directive",
     "generated",
     "slides",
+    "paper",
     "play",
     "gallery",
     "sphinx_gallery.gen_gallery",

@@ -387,6 +387,7 @@ interface MapValues {
 
 // The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
 interface Kernel {
+  limit?: number; // milliseconds that an answer may take
   /** A motion and its columns at once. */
   film?(
     given: Given,

@@ -23,6 +23,7 @@ FILES = (STATIC / "slides.css", STATIC / "slides.js", FONTS / "hoop-math.woff2")
 SIZE = (960, 440)
 HOOP, PLANE = hh.Hoop.ideal(load_fraction=0.75, radius=0.4), hh.Plane(mu=1.0)  # the worksheet's
 HOPS, ROLLS = 2.0, 1.25  # speeds that hop and that only roll [m/s]
+DOWN_AND_UP = [math.radians(100), math.radians(260)]
 ENERGY = r"\gamma m g\cdot 2R=(1-\gamma)\,m\,v^2"
 NORMAL = r"N=m\left(g-\gamma\,\frac{v_0^2}{R}\right)"
 AT_ONCE, CIRCLE, CONE = r"v_0=\sqrt{gR/\gamma}", r"\gamma R", r"\mu N"
@@ -61,6 +62,11 @@ def formula(latex: str) -> str:
     return f'<div class="formula">{mathml(latex, display=True)}</div>'
 
 
+def answer(words: str) -> str:
+    """What is shown on demand, and not on paper."""
+    return f"<details><summary>Answer</summary><p>{words}</p></details>"
+
+
 def m(latex: str) -> str:
     """In a sentence."""
     return mathml(latex, display=False)
@@ -74,21 +80,25 @@ def slides() -> list[str]:
     takeoff = motion(HOPS, 1.0).find("takeoff")[0]
     rolled = float(rolling_speed(takeoff.angle, HOOP, v0=HOPS))
     forces = rolling_forces(math.radians(260), HOOP, v0=ROLLS)
+    ways = ["forwards" if force > 0 else "backwards" for force in rolling_forces(DOWN_AND_UP, HOOP, v0=ROLLS).friction]
+    hop = " and ".join(f"{mu:g}" for speed, mu in FILMS["friction"] if "H" in motion(speed, mu).sequence)
     return [
         f"<h1>The hoop that hops</h1>{film('hop', 'A loaded hoop starts to roll')}"
         "<p class='quiet'>A ring with a heavy load on its rim. Three quarters of all mass is in the load.</p>",
         "<h2>Predict</h2><p class='ask'>You push the hoop. Where is the load when the hoop leaves the floor?</p>"
         "<ol type='A'><li>At the top</li><li>On the way down</li><li>At the bottom</li><li>On the way up</li></ol>"
-        "<p class='quiet'>Vote. Write down one reason.</p>",
+        f"<p class='quiet'>Vote. Write down one reason.</p>{answer(f'At {math.degrees(takeoff.angle):.0f}°, on the way up.')}",
         f"<h2>First slowly: it only rolls</h2>{film('roll', 'The hoop rolls; arrows show the forces')}"
-        "<p class='ask'>Which way does friction point on the way down, and on the way up?</p>",
+        "<p class='ask'>Which way does friction point on the way down, and on the way up?</p>"
+        f"{answer(f'Down: {ways[0]}. Up: {ways[1]}, and so it brakes the rotation.')}",
         "<h2>Who has the energy?</h2><p>When the load is at the bottom, it is at rest: it is the point that touches the floor. "
         f"The ring has all the energy.</p>{formula(ENERGY)}"
         f"<p>The centre moves at {bottom:.2f} m/s. A stone that falls as far has {stone:.2f} m/s.</p>",
         "<h2>What would lift it?</h2><p>At the top the centre of gravity moves on a circle of radius "
         f"{m(CIRCLE)}. The floor carries what is left of the weight:</p>{formula(NORMAL)}"
         f"<p>It is zero at {m(AT_ONCE)} = {speeds.immediate_hop:.2f} m/s, for a hoop of 0.4 m radius.</p>"
-        "<p class='ask'>So slower hoops stay on the floor?</p>",
+        "<p class='ask'>So slower hoops stay on the floor?</p>"
+        f"{answer(f'No: from {speeds.first_hop:.2f} m/s on they hop, because they slip first.')}",
         f"<h2>At {HOPS:g} m/s, four times slower</h2>{film('slow', 'The hoop takes off before the load is at the top')}"
         f"<p>It takes off at {math.degrees(takeoff.angle):.1f}°, before the load is at the top.</p>",
         "<h2>Three speeds</h2><table><tr><th>from</th><th>the hoop</th></tr>"
@@ -103,7 +113,8 @@ def slides() -> list[str]:
         "<li>The load comes up fast and lifts the hoop.</li></ol>",
         "<h2>More friction, more hop?</h2>"
         "<p class='ask'>The same push at 1.7 m/s on ice, on a smooth and on a rough floor. Which hops?</p>"
-        f"{film('friction', 'Three hoops at the same speed on floors of different friction')}",
+        f"{film('friction', 'Three hoops at the same speed on floors of different friction')}"
+        f"{answer(f'With μ = {hop}: there is a best friction in between.')}",
         "<h2>Your turn</h2><ul><li>Worksheet, A1 to A9</li><li>The lab: <code>hophoop lab</code></li>"
         "<li>Build one: a bicycle rim, steel plates, cable ties</li></ul>"
         "<p class='quiet'>Computed with hophoop, after H. Sönnerlind, The physics of a hopping hoop (2023).</p>",

@@ -20,7 +20,7 @@ for (const slide of slides) seen.observe(slide);
 
 addEventListener("keydown", (event) => {
   const way = { ArrowRight: 1, ArrowDown: 1, PageDown: 1, " ": 1, ArrowLeft: -1, ArrowUp: -1, PageUp: -1 }[event.key];
-  if (!way || event.target instanceof HTMLVideoElement) return;
+  if (!way || ["VIDEO", "SUMMARY"].includes(event.target.tagName)) return;
   event.preventDefault();
   slides[Math.min(Math.max(shown + way, 0), slides.length - 1)].scrollIntoView();
 });

@@ -322,3 +322,17 @@ def test_every_file_of_the_page_is_used():
         "index.html", "pick.html", "tables.json", "backdrop.js", "service_worker.js", "widget.js",
         *(f"words.{code}.json" for code in export.languages()), *export.STATIC, *export.PAGES,
     }  # fmt: skip
+
+
+def test_a_long_motion_is_sampled_where_its_speed_is_extreme():
+    motion = hh.simulate(hh.Scenario(duration=60.0))
+    found = motion_columns(motion)
+    coarse = motion.at(np.linspace(0.0, motion.duration, 6001))
+    fine = motion.at(np.linspace(57.0, 60.0, 60_001))
+    late = found["t"] > 57.0
+    steady = coarse.t > 57.0
+    exact = fine.vx.max()
+    assert found["vx"][late].max() == pytest.approx(exact, rel=1e-5)
+    assert found["vx"][late].max() >= coarse.vx[steady].max()
+    bottoms = np.mod(found["angle"][late], 2.0 * np.pi) - np.pi
+    assert np.abs(bottoms).min() < 1e-3 < np.abs(np.mod(coarse.angle[steady], 2.0 * np.pi) - np.pi).min()

@@ -67,6 +67,7 @@ def same_columns(found: dict[str, list[Any]], arrays: dict[str, np.ndarray], bod
 def test_films_are_those_of_python_and_told_alike_whoever_computes_them():
     bodies = [*BODIES, {"query": "plane.rolling_resistance=0.02&plane.mu=0.4"}]
     bodies += [{"query": preset.scenario.to_query()} for preset in presets.presets()]
+    bodies += [{"query": "duration=60"}]  # sampled coarsely, and where the load passes top and bottom
     bodies += [{"changes": [["contact.model", "compliant"], ["contact.stiffness", 1e5]], "query": "duration=0.5"}]
     films = [answer["value"] for answer in answers("film", bodies)]
     results = []

@@ -2,6 +2,7 @@
 
 import io
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -77,6 +78,7 @@ def test_every_drawing_beside_the_pages_has_colours_for_dark_ones(site):
     assert [name for name in plain if "strobe" not in name and name != "learn-real-hoop-2.svg"] == []
 
 
+MEDIA = 16  # MSO_SHAPE_TYPE of a film
 PAPER = 718  # A4 less its margins, in pixels
 STICKS_OUT = """() => [...document.querySelectorAll('article *, section *')].filter(
   element => element.getClientRects().length && element.getBoundingClientRect().right > innerWidth + 0.5
@@ -93,6 +95,41 @@ def test_pages_for_teaching_fit_on_paper(browser, address, name):
     page.evaluate("document.querySelectorAll('details').forEach(box => { box.open = true; })")
     assert all(box.is_visible() for box in page.locator("details").all())
     assert page.evaluate(STICKS_OUT) == []
+    page.close()
+
+
+def test_slides_and_worksheet_are_there_to_hand_out(site):
+    pptx = pytest.importorskip("pptx", reason="the extra 'docs' is not installed")
+    folder = site / "teach"
+    shown = pptx.Presentation(str(folder / "slides" / "slides.pptx"))
+    media = [[shape for shape in slide.shapes if shape.shape_type == MEDIA] for slide in shown.slides]
+    page = (folder / "slides" / "index.html").read_text(encoding="utf-8")
+    assert len(media) == page.count("<section>") == 10
+    assert sum(map(len, media)) == page.count("<video") == 4
+    notes = [slide.notes_slide.notes_text_frame.text for slide in shown.slides]
+    assert "On the way up" in notes[1]
+    assert "m(g−γ" in notes[4]
+    for name, sheets in (("slides/slides.pdf", 10), ("worksheet.pdf", 3)):
+        assert len(re.findall(rb"/Type /Page\b", (folder / name).read_bytes())) == sheets, name
+
+
+@pytest.mark.parametrize("width", [1280, 1920])
+def test_each_slide_fits_on_the_screen(browser, address, width):
+    page = browser.new_page(viewport={"width": width, "height": width * 9 // 16})
+    page.goto(f"{address}teach/slides/index.html")
+    page.wait_for_function("() => [...document.querySelectorAll('video')].every(film => film.readyState)")
+    heights = page.evaluate("[...document.querySelectorAll('section')].map(slide => slide.scrollHeight)")
+    page.close()
+    assert set(heights) == {width * 9 // 16}
+
+
+def test_an_answer_of_a_slide_is_shown_on_demand(browser, address):
+    page = browser.new_page()
+    page.goto(f"{address}teach/slides/index.html")
+    box = page.locator("section:nth-of-type(2) details")
+    assert not box.locator("p").is_visible()
+    box.locator("summary").press(" ")
+    assert box.locator("p").inner_text() == "At 312°, on the way up."
     page.close()
 
 

@@ -42,13 +42,31 @@ export function columnsOf(module: HoopModule, computed: Computed, window?: [numb
     if (mark >= begin && mark <= end) marks.add(mark);
   }
   for (const mark of marks) places.add(mark);
-  const times = Float64Array.from(places).sort();
+  let times = Float64Array.from(places).sort();
+  if (steps === MOST) {
+    for (const time of passes(times, module.states(computed, times, false))) places.add(time);
+    times = Float64Array.from(places).sort();
+  }
   const sides = Float64Array.from(marks)
     .filter((time) => time > 0)
     .sort();
   const after = module.states(computed, times, false);
   const before = module.states(computed, sides, true);
   return joined(times, after, sides, before);
+}
+
+/** About when the load passes the top or the bottom, where speeds and forces are extreme. */
+function passes(times: Float64Array, states: Float64Array) {
+  const width = layout.samples.length;
+  const angle = (k: number) => states[k * width + SAMPLE.angle];
+  const half = (k: number) => Math.floor(angle(k) / Math.PI);
+  const found: number[] = [];
+  for (let k = 0; k + 1 < times.length; k++) {
+    if (half(k) === half(k + 1)) continue;
+    const share = (Math.max(half(k), half(k + 1)) * Math.PI - angle(k)) / (angle(k + 1) - angle(k));
+    found.push(times[k] + share * (times[k + 1] - times[k]));
+  }
+  return found;
 }
 
 export function joined(times: Float64Array, after: Float64Array, sides: Float64Array, before: Float64Array) {

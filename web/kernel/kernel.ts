@@ -27,6 +27,7 @@ async function unpacked(packed: ArrayBufferView<ArrayBuffer>): Promise<WebAssemb
 }
 
 export class WorkerKernel implements Kernel {
+  limit = LIMIT;
   rates: Promise<Crew> | null = null;
   mechanics: HoopModule;
   motions: Crew;

@@ -9,6 +9,7 @@ import { sequencesOf } from "./sequences.ts";
 const FIRST_EVENTS = 256;
 const FIRST_SEGMENTS = 2048;
 const FIRST_ROWS = 4096;
+const ROWS = 256; // per second of a compliant motion, as most need: too few make it run twice
 const MOST_STEPS = 200_000; // of a compliant motion: some seconds, and 100 MB
 const BUFFER = layout.statuses.indexOf("buffer");
 const KEPT = 2; // motions whose states can be asked for by turns
@@ -51,9 +52,10 @@ export class HoopModule implements Mechanics {
       else this.computeRigid(given, table, heads);
       const head = memory.floats(heads, layout.heads.length).slice();
       const count = head[HEAD.events];
+      const more = count === this.mostEvents && count < given.max_events;
+      if (more) this.mostEvents *= 4;
       if (head[HEAD.status] === BUFFER) this.makeRoom(given, head[HEAD.segments]);
-      else if (count === this.mostEvents && count < given.max_events) this.mostEvents *= 4;
-      else {
+      else if (!more) {
         const rows = memory.floats(table, count * width).slice();
         return { given, head, rows, count, duration: head[HEAD.duration], segments: head[HEAD.segments] };
       }
@@ -70,6 +72,8 @@ export class HoopModule implements Mechanics {
 
   computeCompliant(given: Given, contact: GivenContact, table: number, heads: number) {
     const { memory } = this;
+    const guess = Math.min(FIRST_ROWS + ROWS * given.duration, MOST_STEPS);
+    this.mostRows = Math.max(this.mostRows, Math.ceil(guess));
     const cell = memory.put("cell", cellOf(given));
     const numbers = memory.put("contact", contactOf(contact));
     const events = memory.room("events", layout.event_bytes * this.mostEvents);

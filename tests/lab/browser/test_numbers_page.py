@@ -136,3 +136,30 @@ def test_a_diagram_says_that_its_axis_is_cut(visit):
     assert most > heights[1]
     assert float(cut["high"].replace(" ", "").replace("\u202f", "")) == pytest.approx(most, rel=0.01)
     picture(page, "cut")
+
+
+DRAWN = """(key) => {
+  const lab = hophoopLab;
+  const plot = lab.plots.plots.find((one) => one.key === key);
+  const said = [];
+  const pen = CanvasRenderingContext2D.prototype;
+  const { fillText } = pen;
+  pen.fillText = function (text, ...place) { said.push(text); fillText.call(this, text, ...place); };
+  plot.draw(lab.theme.colors);
+  pen.fillText = fillText;
+  // how much of the box is as dark as a line
+  const { data, width, height } = plot.canvas.getContext("2d").getImageData(0, 0, plot.canvas.width, plot.canvas.height);
+  const brown = data.filter((_, i) => i % 4 === 0 && data[i] > 100 && data[i] < 170 && data[i + 2] < 60).length;
+  return [said.includes("band: range; line: mean"), brown / (width * height)];
+}"""
+
+
+def test_a_diagram_of_a_long_motion_is_a_band_with_a_line(visit):
+    shares = {}
+    for query in ("", "?duration=60", "?duration=600"):
+        page = visit(query)
+        wait_for(page, "lab.plots.plots.at(-2).heights && lab.plots.films.length === 1")
+        told, shares[query] = page.evaluate(DRAWN, "utilization")
+        assert told == (query == "?duration=600")
+        picture(page, f"diagrams{query[1:]}", full_page=True)
+    assert all(0.002 < share < 0.45 for share in shares.values()), shares

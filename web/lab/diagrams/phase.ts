@@ -1,6 +1,7 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
 import { hoopInk } from "../common/colors.ts";
+import { drawnAs, strokeThrough } from "./crowd.ts";
 import { fitted, h, once } from "../common/dom.ts";
 import { clamp, niceStep } from "../common/numbers.ts";
 import { axes, hatch, pictureOf } from "./phase_picture.ts";
@@ -244,31 +245,34 @@ export class PhasePlane {
   }
 
   way(context: CanvasRenderingContext2D, film: Film, lane: number) {
-    const { angle, omega, mode } = film.columns;
+    const { angle, omega } = film.columns;
     const turn = 2 * Math.PI;
-    context.lineWidth = lane ? 1.2 : 1.8;
+    const [xs, ys]: number[][] = [[], []];
+    const go = (th: number, rate: number) => {
+      xs.push(this.x(th));
+      ys.push(this.y(rate));
+    };
+    let last = Number.NaN;
+    for (let i = 0; i < film.length; i++) {
+      const lap = Math.floor(angle[i] / turn);
+      if (lap !== last && Number.isFinite(lap + last)) {
+        // leave on one side, come back on the other
+        const out = lap > last ? turn : 0;
+        go(out, omega[i]);
+        go(Number.NaN, omega[i]);
+        go(turn - out, omega[i]);
+      }
+      go(angle[i] - lap * turn, omega[i]);
+      last = Number.isFinite(omega[i]) ? lap : Number.NaN;
+    }
+    const { broad, band } = drawnAs(xs, ys, new DOMRect(LEFT, TOP, this.box.width, this.box.height));
+    context.lineWidth = lane ? Math.min(broad, 1.2) : broad;
     context.setLineDash(lane ? [4, 3] : []);
     context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
-    context.beginPath();
-    let last = null;
-    for (let i = 0; i < film.length; i++) {
-      if (!Number.isFinite(omega[i])) {
-        last = null;
-        continue;
-      }
-      const lap = Math.floor(angle[i] / turn);
-      const th = angle[i] - lap * turn;
-      if (last === null) context.moveTo(this.x(th), this.y(omega[i]));
-      else if (lap !== last.lap) {
-        // leave on one side, come back on the other
-        const out = lap > last.lap ? turn : 0;
-        context.lineTo(this.x(out), this.y(omega[i]));
-        context.moveTo(this.x(turn - out), this.y(omega[i]));
-        context.lineTo(this.x(th), this.y(omega[i]));
-      } else context.lineTo(this.x(th), this.y(omega[i]));
-      last = { lap, mode: mode[i] };
-    }
-    context.stroke();
+    // where turns lie one over the other, all of them in a light tone
+    context.globalAlpha = band ? 0.35 : 1;
+    strokeThrough(context, xs, ys);
+    context.globalAlpha = 1;
     context.setLineDash([]);
   }
 

@@ -2,7 +2,7 @@
 
 import { axisFont } from "../common/axes.ts";
 import { faded, hoopInk, readable } from "../common/colors.ts";
-import { crowded, crowdsOf } from "./crowd.ts";
+import { type Crowd, drawnAs, strokeThrough } from "./crowd.ts";
 import { fitted, h } from "../common/dom.ts";
 import { clamp, show } from "../common/numbers.ts";
 import { BOTTOM, grid, heightsOf, LEFT, RIGHT, TOP } from "./plot_axes.ts";
@@ -118,10 +118,11 @@ export class Plot {
     context.beginPath();
     context.rect(LEFT, TOP, this.box.width, this.box.height);
     context.clip();
-    for (const curve of drawn) this.curve(context, curve);
+    const banded = drawn.map((curve) => this.curve(context, curve)).some(Boolean);
     const first = films.map((_, lane) => drawn.find((curve) => curve.lane === lane));
     if (films.length > 1) for (const curve of first) if (curve) this.letter(context, curve);
-    if (this.cut) this.tell(context, t("plot.cut", this.cut));
+    const told = [this.cut && t("plot.cut", this.cut), banded && t("plot.band")].filter(Boolean);
+    this.tell(context, told.join("; "));
     context.restore();
     this.describe(drawn);
   }
@@ -192,25 +193,33 @@ export class Plot {
       }
     }
     context.strokeStyle = context.fillStyle = color ?? this.look.ink;
-    context.lineWidth = 1.8;
+    const { broad, band } = drawnAs(xs, ys, new DOMRect(LEFT, TOP, this.box.width, this.box.height));
+    if (band) this.band(context, band);
+    context.lineWidth = broad;
     context.setLineDash(DASHES[dash ?? "solid"]);
-    const crowds = crowdsOf(xs, ys);
-    const many = crowded(crowds);
-    const places: ([number, number] | null)[] = many
-      ? crowds.map((crowd) => crowd && [crowd.x + 0.5, crowd.middle])
-      : xs.map((x, i) => (Number.isFinite(x + ys[i]) ? [x, ys[i]] : null));
-    if (many) {
-      context.globalAlpha = 0.28;
-      for (const crowd of crowds) if (crowd) context.fillRect(crowd.x, crowd.low, 1, crowd.high - crowd.low);
-      context.globalAlpha = 1;
-    }
-    context.beginPath();
-    for (const [i, place] of places.entries()) {
-      if (place && places[i - 1]) context.lineTo(...place);
-      else if (place) context.moveTo(...place);
-    }
-    context.stroke();
+    if (band) {
+      strokeThrough(
+        context,
+        band.map((_, x) => x + 0.5),
+        band.map((crowd) => crowd?.mean ?? Number.NaN),
+      );
+    } else strokeThrough(context, xs, ys);
     context.setLineDash([]);
+    return band !== null;
+  }
+
+  /** A range in a light tone, with its ends. */
+  band(context: CanvasRenderingContext2D, band: (Crowd | null)[]) {
+    context.globalAlpha = 0.22;
+    for (const crowd of band) if (crowd) context.fillRect(crowd.x, crowd.low, 1, crowd.high - crowd.low);
+    context.globalAlpha = 0.7;
+    context.lineWidth = 0.8;
+    const places = band.map((_, x) => x + 0.5);
+    for (const end of ["low", "high"] as const) {
+      const ends = band.map((crowd) => crowd?.[end] ?? Number.NaN);
+      strokeThrough(context, places, ends);
+    }
+    context.globalAlpha = 1;
   }
 
   /** Which of two hoops a curve is of. */

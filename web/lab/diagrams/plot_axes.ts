@@ -25,9 +25,12 @@ export function heightsOf(values: number[], symmetric: boolean) {
     sorted[Math.floor(0.02 * sorted.length)],
     sorted[Math.ceil(0.98 * sorted.length) - 1],
   ];
-  const usual = Math.max(almostHigh - almostLow, 1e-12);
-  if (high > almostHigh + 4 * usual) high = almostHigh + 0.6 * usual;
-  if (low < almostLow - 4 * usual) low = almostLow - 0.6 * usual;
+  const usual = almostHigh - almostLow;
+  // what almost always is zero is of interest where it is not
+  if (usual > 1e-6 * (high - low)) {
+    if (high > almostHigh + 4 * usual) high = almostHigh + 0.6 * usual;
+    if (low < almostLow - 4 * usual) low = almostLow - 0.6 * usual;
+  }
   low = Math.min(low, 0);
   high = Math.max(high, 0);
   if (symmetric) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];

@@ -301,7 +301,7 @@ export class Grips {
     // what is under way must not come after it
     while (lane.busy) await new Promise((resolve) => requestAnimationFrame(resolve));
     try {
-      lab.motions.replace(await lab.backend.film({ query: before }));
+      lab.motions.replace(await lab.motions.ask({ query: before }));
     } catch (error) {
       lab.notice.fail(error as Error);
     }

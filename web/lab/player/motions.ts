@@ -1,7 +1,9 @@
 // The one or two motions that are shown, what is being changed in them, and the steps back and forth.
 
 import { Film } from "./film.ts";
+import { Stopped, type Computing } from "../shell/computing.ts";
 import { History } from "../shell/history.ts";
+import type { Asked } from "../backend/backend.ts";
 
 const INSTANT = 1e-6; // seconds: of a window that is asked for its first moment only
 
@@ -37,8 +39,14 @@ export class Motions {
 
   constructor(
     readonly backend: Backend,
+    readonly computing: Computing,
     readonly listener: Listener,
   ) {}
+
+  /** A motion, which the visitor may give up where it takes long. */
+  ask(asked: Asked) {
+    return this.computing.during((signal) => this.backend.film(asked, signal));
+  }
 
   film(lane = this.active) {
     return this.lanes[lane].film;
@@ -77,7 +85,7 @@ export class Motions {
   }
 
   async load(queries: string[]) {
-    this.set(await Promise.all(queries.map((query) => this.backend.film({ query }))));
+    this.set(await Promise.all(queries.map((query) => this.ask({ query }))));
   }
 
   /** Each move of a slider; `commit` when the hand lets go. */
@@ -104,9 +112,10 @@ export class Motions {
     lane.since = null;
     lane.busy = true;
     try {
-      lane.film = new Film(await this.backend.film({ scenario: lane.film.scenario, changes }));
+      lane.film = new Film(await this.ask({ scenario: lane.film.scenario, changes }));
       if (this.lanes.includes(lane)) this.listener.shown(since);
     } catch (error) {
+      if (error instanceof Stopped) lane.pending = null;
       if (this.lanes.includes(lane)) this.listener.failed(error as Error, changes);
     } finally {
       lane.busy = false;

@@ -2,6 +2,7 @@
 
 import { recallForTab, rememberForTab } from "./memory.ts";
 import { Address, written, type Shown } from "./address.ts";
+import { Computing } from "./computing.ts";
 import { Clock } from "../player/clock.ts";
 import { Controls } from "../controls/controls.ts";
 import { once, say } from "../common/dom.ts";
@@ -54,6 +55,7 @@ export class Lab {
   clock: Clock;
   motions: Motions;
   notice: Notice;
+  computing: Computing;
   theme: Theme;
   stage: Stage;
   transport: Transport;
@@ -92,7 +94,8 @@ export class Lab {
     this.known = setup.presets;
     this.sameness = new Sameness(setup.presets);
     this.clock = new Clock();
-    this.motions = new Motions(backend, {
+    this.computing = new Computing(backend.kernel.limit);
+    this.motions = new Motions(backend, this.computing, {
       shown: (since) => this.changed(since),
       refined: () => this.request(),
       settled: () => this.story.announce(this.films()),
@@ -162,7 +165,8 @@ export class Lab {
 
   /** The first motions, by their links. `shown`: what else the link says. */
   async open(queries: string[], shown: Shown = {}) {
-    await this.motions.load(queries);
+    this.root.dataset.opening = "true";
+    await this.motions.load(queries).finally(() => delete this.root.dataset.opening);
     this.clock.duration = Math.max(...this.films().map((film) => film.duration));
     this.sameness.expect(this.films(), shown.fingerprints ?? []);
     this.view.open(this.films(), shown);
@@ -190,6 +194,7 @@ export class Lab {
     this.asked?.abort();
     this.extras.close();
     this.opening.end();
+    this.computing.stop();
     this.map.close();
     this.theme.close();
     this.address?.close();
@@ -263,7 +268,7 @@ export class Lab {
   async take(preset: Preset) {
     this.taken = preset;
     try {
-      const reply = await this.backend.film({ query: preset.query });
+      const reply = await this.motions.ask({ query: preset.query });
       if (this.taken !== preset) return; // another was chosen meanwhile
       this.clock.time = 0;
       this.motions.replace(reply);
@@ -276,7 +281,7 @@ export class Lab {
   /** Show the motion of a link from its start, at rest. */
   async load(query: string) {
     try {
-      const reply = await this.backend.film({ query });
+      const reply = await this.motions.ask({ query });
       this.clock.play(false);
       this.clock.time = 0;
       this.motions.replace(reply);

@@ -65,6 +65,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
       h("div", { class: "columns" }, want("controls") && side, middle, why),
     ),
     notice.toast,
+    lab.computing.element,
     lab.share.dialog,
     lab.help,
     lab.about,

@@ -108,7 +108,7 @@ export class Visit {
     this.element.hidden = false;
     lab.mark("visiting", number < STEPS.length - 1);
     try {
-      const replies = await Promise.all(step.queries.map((query) => lab.backend.film({ query })));
+      const replies = await Promise.all(step.queries.map((query) => lab.motions.ask({ query })));
       if (asked !== this.asked) return;
       this.films = replies.map((reply) => new Film(reply));
       lab.motions.active = 0;

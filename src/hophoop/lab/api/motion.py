@@ -30,7 +30,7 @@ def columns(
     rate : float, default 150
         Samples per second of motion [1/s].
     most : int, default 6000
-        Maximum number of samples between events [1].
+        Maximum number of steady samples [1]; if it limits them, there is one more where the load passes the top or the bottom.
     window : (float, float), optional
         Start and end; the whole motion by default [s].
 
@@ -47,6 +47,8 @@ def columns(
     marks = np.unique(np.minimum([event.t for event in motion.events], duration))
     marks = marks[(marks >= begin) & (marks <= end)]
     times = np.union1d(steady, marks)
+    if count == most:
+        times = np.union1d(times, passes(times, motion.at(times).angle))
     after = motion.at(times)
     before = motion.at(marks[marks > 0.0], side="left")
     order = np.argsort(np.concatenate([before.t, times]), kind="stable")
@@ -63,6 +65,28 @@ def columns(
     letters = np.concatenate([before.mode, after.mode])[order]
     joined["mode"] = codes_of(mode_words(letters, coming_rotation(joined["omega"])))
     return joined
+
+
+def passes(times: Floats, angle: Floats) -> Floats:
+    """Return about when the load passes the top or the bottom, where speeds and forces are extreme.
+
+    Parameters
+    ----------
+    times : ndarray, shape (n,)
+        Increasing times [s].
+    angle : ndarray, shape (n,)
+        The angle θ of the load at these times [rad].
+
+    Returns
+    -------
+    passes : ndarray
+        At most one time between two of `times` [s].
+    """
+    half = np.floor(angle / np.pi)
+    at = np.flatnonzero(half[1:] != half[:-1])
+    low, high = angle[at], angle[at + 1]
+    share = (np.maximum(half[at], half[at + 1]) * np.pi - low) / (high - low)
+    return np.asarray(times[at] + share * (times[at + 1] - times[at]))
 
 
 def codes_of(words: np.ndarray) -> Floats:
