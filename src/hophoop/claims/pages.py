@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from hophoop.claims.claim import AGREES, Claim, with_unit
+from hophoop.article.verdicts import AGREES
+from hophoop.claims.claim import Claim, with_unit
 from hophoop.claims.literature import registry
 
 END = "<!-- end of claims -->"
