@@ -37,7 +37,7 @@ HOOPS = (0.75, *(k / 50 for k in range(1, 50)), 0.95, 0.99, 0.995, 0.999)
 FINEST = 0.75  # the article's hoop is looked at more closely
 CHECKED = 1e-9  # narrower classes are checked in 40 digits, in parts of the window
 WIDTHS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-14)
-LEAST_SHARE = 1e-3  # of the window: classes that the table lists
+LEAST_SHARE = 5e-3  # of the window: classes that the table lists
 
 
 def class_in_digits(gamma: float, mu: float, speed: float, digits: int = 40) -> tuple[str, str]:
