@@ -59,6 +59,9 @@ interface CheckedStart {
   vx: number;
   vy: number;
   omega: number | null;
+  slip: number | null;
+  mode: "R" | "S" | "K" | "H" | null;
+  exact: number[] | null;
 }
 
 interface RigidContact {

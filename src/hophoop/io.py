@@ -106,6 +106,7 @@ def _load(file: Path, kind: str) -> Trajectory:
             _completed(_unpacked(groups["events"])),
             _counted(_completed(_unpacked(groups["segments"]))),
             str(attributes["version"]),
+            until=attributes.get("until"),
         )
     except (KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
         if version != __version__ and isinstance(error, InputError):
@@ -121,7 +122,7 @@ def _load(file: Path, kind: str) -> Trajectory:
 
 def _check_reproduced(motion: Trajectory, file: Path) -> None:
     """Refuse a motion that this machine does not compute to the same bits."""
-    now = simulate(motion.scenario).fingerprint
+    now = simulate(motion.scenario, until=motion.until).fingerprint
     if now != motion.fingerprint:
         raise InputError(
             f"{file} was written by hophoop {motion.version} with the fingerprint {motion.fingerprint}; "

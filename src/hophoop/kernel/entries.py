@@ -65,6 +65,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     "motions": {
         "hophoop.kernel.rigid.run.run": (Body, State, float, float, int, EVENTS, SEGMENTS, Scratch, EVENTS),
         "hophoop.kernel.rigid.run.run_cell": (Tables, EVENTS),
+        "hophoop.kernel.rigid.continued.continue_motion": (Body, float, float, EVENTS, SEGMENTS, Scratch, EVENTS),
         "hophoop.maps.grid.kernel.evaluate_block": (
             TABLE, int, int, MapRequest, EVENTS, MapResults,
         ),

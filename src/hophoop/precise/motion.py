@@ -238,7 +238,12 @@ class Run:
     def begin(self) -> None:
         """The start, with the impact of a hoop that starts into the plane."""
         state = self.state
-        if state.y > 0 or state.vn != 0:
+        if self.problem.mode is not None:
+            self.write(Event.START, None, self.problem.mode)
+            self.enter(self.problem.mode)
+            if state.vt == 0 and self.mode in (Mode.SPIN, Mode.SKID):  # it has just left the cone
+                self.slip_zeros = 2 if self.problem.mu_s == self.problem.mu_k else 1
+        elif state.y > 0 or state.vn != 0:
             self.write(Event.START, Mode.FLIGHT, Mode.FLIGHT)
             if self.problem.massless:
                 raise Stopped(Status.UNDETERMINED)

@@ -12,6 +12,7 @@ from mpmath import MPContext
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
 from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.modes import MODE_LETTERS
 
 Number = Any  # an mpf of the context of a run
 
@@ -40,6 +41,7 @@ class Problem:
     omega: Fraction
     duration: Fraction
     max_events: int
+    mode: int | None = None  # of the start, if it is given
 
     @classmethod
     def of(cls, scenario: Scenario) -> Problem:
@@ -55,7 +57,7 @@ class Problem:
             slip, omega = Fraction(0), Fraction(start.speed) / radius
         else:
             omega = Fraction(start.omega or 0.0)
-            slip = Fraction(start.vx) - radius * omega
+            slip = Fraction(start.vx) - radius * omega if start.slip is None else Fraction(start.slip)
         return cls(
             radius=radius,
             mass=mass,
@@ -77,6 +79,7 @@ class Problem:
             omega=omega,
             duration=Fraction(scenario.duration),
             max_events=scenario.contact.max_events,
+            mode=None if start.mode is None else MODE_LETTERS.index(start.mode),
         )
 
     @property

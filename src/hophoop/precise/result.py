@@ -99,6 +99,8 @@ class PreciseMotion:
         Energies at the end, all that was lost on the way, and the residual that does not add up [J].
     version : str
         Of hophoop.
+    ending : str
+        What ended the motion: 'duration', what ``until`` asked for, such as 'landings:2', or else its status.
     """
 
     scenario: Scenario
@@ -108,6 +110,7 @@ class PreciseMotion:
     events: tuple[PreciseEvent, ...]
     energy: dict[str, Decimal]
     version: str
+    ending: str = "duration"
 
     @property
     def ok(self) -> bool:
@@ -325,11 +328,33 @@ def simulate_precisely(scenario: Scenario, digits: int, version: str) -> Precise
     ValueError
         If digits is not a whole number in its range, or the contact is compliant.
     """
-    solution = solve(scenario, digits)
+    return motion_of(scenario, solve(scenario, digits), digits, version)
+
+
+def motion_of(scenario: Scenario, solution: Solution, digits: int, version: str, ending: str | None = None) -> PreciseMotion:
+    """A solution in SI units.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    solution : Solution
+    digits : int
+        [1].
+    version : str
+        Of hophoop.
+    ending : str, optional
+        What ended the motion; by default its duration or its status.
+
+    Returns
+    -------
+    motion : PreciseMotion
+    """
     units = Units(solution.body, digits)
     events = tuple(_event(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True))
     energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
     status = MOTION_STATUSES[solution.status]
     kinds, modes = [record.kind for record in solution.records], [record.after_mode for record in solution.records]
     sequence = sequence_of(kinds, modes, [record.state.t for record in solution.records])
-    return PreciseMotion(scenario, digits, status, sequence, events, energy, version)
+    if ending is None:
+        ending = "duration" if status == MotionStatus.COMPLETED else str(status)
+    return PreciseMotion(scenario, digits, status, sequence, events, energy, version, ending)

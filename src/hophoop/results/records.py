@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast, overload
 
@@ -15,13 +15,15 @@ from hophoop.kernel.physics.friction import utilizations
 from hophoop.results.event_table import text_table
 from hophoop.results.units import Units
 from hophoop.scenario import Plane, Scenario
-from hophoop.vocabulary.events import EventKind
-from hophoop.vocabulary.modes import ModeLetter
+from hophoop.vocabulary.events import EVENT_KINDS, EventKind
+from hophoop.vocabulary.modes import MODE_LETTERS, ModeLetter
+from hophoop.vocabulary.quantities import EVENT_NUMBERS, held_by
 from hophoop.vocabulary.statuses import MotionStatus
 
 Side = Literal["left", "right"]
 Numbers = TypeVar("Numbers", float, NDArray[np.float64])
 Letters = TypeVar("Letters", ModeLetter, NDArray[np.str_])
+Record = TypeVar("Record")
 
 
 @dataclass(frozen=True)
@@ -118,6 +120,10 @@ class EventRecord:
     gain: float
     stable: bool | None
 
+    def restart(self) -> dict[str, Any]:
+        """Return slip, mode and exact of the start that goes on from here, for `Start.of`."""
+        return _restart(self)
+
     def state_to_dict(self) -> dict[str, float | None]:
         """Return the state just after the event for JSON.
 
@@ -155,6 +161,37 @@ class EventRecord:
 
 
 _STATE = ("x", "height", "angle", "vx", "vy", "omega")
+
+Restart: TypeAlias = Callable[[], dict[str, Any]]
+_ORIGIN = "_origin"
+
+
+def with_origin(record: Record, origin: Restart) -> Record:
+    """Attach to an event or sample what returns slip, mode and exact of the start that goes on from it."""
+    object.__setattr__(record, _ORIGIN, origin)
+    return record
+
+
+def _restart(record: Any) -> dict[str, Any]:
+    origin: Restart | None = getattr(record, _ORIGIN, None)
+    return {} if origin is None else origin()
+
+
+def event_record(row: np.void, unit: Units, t: float) -> EventRecord:
+    """Return a row of the kernel's events as a record, with its time `t` in seconds."""
+    value = {name: float(row[name]) * unit.of(name) for name in EVENT_NUMBERS if name != "t"}
+    before = Velocity(**{name: float(row[f"before_{name}"]) * unit.of(name) for name in held_by("Velocity")})
+    before_mode = int(row["before_mode"])
+    return EventRecord(
+        t=t,
+        kind=EVENT_KINDS[row["kind"]],
+        from_mode=MODE_LETTERS[before_mode] if before_mode >= 0 else None,
+        to_mode=MODE_LETTERS[row["after_mode"]],
+        before=before,
+        collision=None if row["collision"] < 0 else bool(row["collision"]),
+        stable=None if row["stable"] < 0 else bool(row["stable"]),
+        **value,
+    )
 
 
 class Events(tuple[EventRecord, ...]):
@@ -236,6 +273,10 @@ class Sample(Generic[Numbers, Letters]):
     rolling_resistance: Numbers
     spring: Numbers
     damping: Numbers
+
+    def restart(self) -> dict[str, Any]:
+        """Return slip, mode and exact of the start that goes on from here, for `Start.of`."""
+        return _restart(self)
 
     @property
     def total(self) -> Numbers:
@@ -320,6 +361,7 @@ class Motion(Protocol):
 
     scenario: Scenario
     version: str
+    until: str | None
 
     @property
     def status(self) -> MotionStatus:

@@ -278,6 +278,7 @@ def _attributes(motion: Motion) -> dict[str, str]:
         "status": motion.status,
         "sequence": motion.sequence,
         FINGERPRINT: motion.fingerprint,
+        **({} if motion.until is None else {"until": motion.until}),
     }
 
 

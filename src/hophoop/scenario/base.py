@@ -154,3 +154,10 @@ Count = Annotated[int, BeforeValidator(_whole)]
 def quantity(default: Any, description: str, unit: str = "1", **limits: Any) -> Any:
     """Return a pydantic field with its meaning and unit ("1" for a pure number, "" for a word)."""
     return Field(default, description=description, json_schema_extra={"unit": unit}, **limits)
+
+
+def alone(section: str, way: str, given: Iterable[str]) -> None:
+    """Refuse keys that are given together with the one that says it all."""
+    for other in given:
+        if other != way:
+            raise refuse(say("together", section=section, other=other, way=way))

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator
 
-from hophoop.scenario.models import Hoop, Plane, Start
+from hophoop.scenario.models import Hoop, Plane
 from hophoop.scenario.scenario import Scenario
+from hophoop.scenario.start import Start
 
 
 def describe(scenario: Scenario, without: Collection[str] = ()) -> str:

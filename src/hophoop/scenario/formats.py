@@ -84,7 +84,7 @@ def toml_text(data: Mapping[str, Any], units: Mapping[str, str]) -> str:
             continue
         lines += ["", f"[{section}]"]
         for key, value in table.items():
-            if isinstance(value, list):
+            if isinstance(value, list) and value and isinstance(value[0], Mapping):
                 inner = [", ".join(f"{name} = {_toml_value(one)}" for name, one in item.items()) for item in value]
                 lines += [f"{key} = [", *(f"  {{ {text} }}," for text in inner), "]"]
             else:
@@ -105,7 +105,7 @@ def _toml_value(value: Any) -> str:
     if value == "inf":
         return "inf"
     # A JSON string without control characters is a TOML string as well.
-    return json.dumps(value) if isinstance(value, str) else repr(value)
+    return json.dumps(value) if isinstance(value, str) else repr(value)  # a list of numbers too
 
 
 def query_text(data: Mapping[str, Any]) -> str:
@@ -151,9 +151,10 @@ def read_query(query: str) -> dict[str, Any]:
         if steps[-1] in node:
             raise InputError(say("given_twice", path=path))
         node[steps[-1]] = _query_number(text)
-    hoop = data.get("hoop")
-    if isinstance(hoop, dict) and isinstance(hoop.get("parts"), dict):
-        hoop["parts"] = _numbered(hoop["parts"])
+    for section, key in (("hoop", "parts"), ("start", "exact")):
+        table = data.get(section)
+        if isinstance(table, dict) and isinstance(table.get(key), dict):
+            table[key] = _numbered(table[key], f"{section}.{key}")
     return data
 
 
@@ -164,9 +165,9 @@ def _query_number(text: str) -> Any:
         return text
 
 
-def _numbered(parts: Mapping[str, Any]) -> list[Any]:
+def _numbered(parts: Mapping[str, Any], path: str) -> list[Any]:
     names = [str(index) for index in range(len(parts))]
     for name in parts:
         if name not in names:
-            raise InputError(say("parts_out_of_order", name=name))
+            raise InputError(say("parts_out_of_order", name=name).replace("hoop.parts", path))
     return [parts[name] for name in names]

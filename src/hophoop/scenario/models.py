@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from types import SimpleNamespace
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Tag, model_validator
 
@@ -19,6 +19,7 @@ from hophoop.scenario.base import (
     NonNegative,
     Number,
     Positive,
+    alone,
     quantity,
     refuse,
 )
@@ -32,11 +33,6 @@ Radius = Annotated[Positive, inside("hoop.radius"), schema_of("hoop.radius")]
 Mass = Annotated[Positive, inside("hoop.mass"), schema_of("hoop.mass")]
 InertiaRatio = Annotated[NonNegative, inside("hoop.inertia_ratio"), schema_of("hoop.inertia_ratio")]
 Gravity = Annotated[NonNegative, inside("plane.gravity"), schema_of("plane.gravity")]
-Height = Annotated[NonNegative, inside("start.height"), schema_of("start.height")]
-Place = Annotated[Number, inside("start.x"), schema_of("start.x")]
-Angle = Annotated[Number, inside("start.angle"), schema_of("start.angle")]
-Speed = Annotated[Number, inside("start.speed"), schema_of("start.speed")]
-Rate = Annotated[Number, inside("start.omega"), schema_of("start.omega")]
 Stiffness = Annotated[Positive, inside("contact.stiffness"), schema_of("contact.stiffness")]
 Damping = Annotated[NonNegative, inside("contact.damping", ""), schema_of("contact.damping")]
 SlipSpeed = Annotated[Positive, inside("contact.slip_speed"), schema_of("contact.slip_speed")]
@@ -94,11 +90,11 @@ class Hoop(Frozen):
         if self.parts is not None:
             if not self.parts:
                 raise refuse(say("no_parts"))
-            _alone("hoop", "parts", [*given, *({"mass"} & fields)])
+            alone("hoop", "parts", [*given, *({"mass"} & fields)])
             mass, eccentricity, inertia_ratio = combine(self.radius, self.parts)
             self._settle(mass=mass, eccentricity=eccentricity, inertia_ratio=inertia_ratio)
         elif self.load_fraction is not None or not given:
-            _alone("hoop", "load_fraction", given)
+            alone("hoop", "load_fraction", given)
             gamma = 0.75 if self.load_fraction is None else self.load_fraction
             # a product, since 1 − γ² loses half its digits near γ = 1
             self._settle(load_fraction=gamma, eccentricity=gamma, inertia_ratio=ideal_inertia(gamma))
@@ -191,12 +187,6 @@ class Hoop(Frozen):
 _HOOP_WAYS = ("load_fraction", "eccentricity", "inertia_ratio")
 
 
-def _alone(section: str, way: str, given: Sequence[str]) -> None:
-    for other in given:
-        if other != way:
-            raise refuse(say("together", section=section, other=other, way=way))
-
-
 class Plane(Frozen):
     """The plane of the motion: gravity, slope, friction and impacts.
 
@@ -241,7 +231,7 @@ class Plane(Frozen):
     def _complete(self) -> Plane:
         # derived values were not given: pydantic runs this again when a plane becomes part of a scenario
         if self.mu is not None and "mu" in self.model_fields_set:
-            _alone("plane", "mu", [name for name in _FRICTIONS if name in self.model_fields_set])
+            alone("plane", "mu", [name for name in _FRICTIONS if name in self.model_fields_set])
             self._settle(mu_static=self.mu, mu_kinetic=self.mu)
         elif self.mu_static == self.mu_kinetic:
             self._settle(mu=self.mu_static)
@@ -259,133 +249,6 @@ class Plane(Frozen):
 
 _FRICTIONS = ("mu_static", "mu_kinetic")
 LEFT_OUT = {row.path.removeprefix("plane."): row.default for row in TABLE if row.left_out}
-
-
-class StartState(NamedTuple):
-    """Position and velocities of a hoop at one instant.
-
-    Attributes
-    ----------
-    x, height : float
-        Position of the centre along the plane, and gap between rim and plane [m].
-    angle : float
-        θ [rad].
-    vx, vy : float
-        Velocity of the centre along the plane and away from it [m/s].
-    omega : float
-        Angular velocity [rad/s].
-    slip : float
-        Slip velocity [m/s], stored because a rolling start has exactly 0, not v − R (v/R).
-    """
-
-    x: float
-    height: float
-    angle: float
-    vx: float
-    vy: float
-    omega: float
-    slip: float
-
-
-class Start(Frozen):
-    """Position and velocity of the hoop at the start.
-
-    Either a rolling start, with `speed`, or any state; `Start()` is at rest with the load at the top.
-
-    Parameters
-    ----------
-    x : float, default 0
-        Position of the centre along the plane [m].
-    height : float, default 0
-        Gap between rim and plane, at least 0 [m].
-    angle : float, default 0
-        θ, from the plane's outward normal to the line C→G, clockwise [rad].
-    speed : float, optional
-        Velocity of the centre of a hoop that rolls [m/s]; its slip velocity is exactly zero.
-    vx : float, default 0
-        Velocity of the centre along the plane [m/s].
-    vy : float, default 0
-        Velocity of the centre away from the plane [m/s].
-    omega : float, default 0
-        Angular velocity θ̇ [rad/s]; None in a rolling start, where it is speed over the hoop's radius.
-
-    Raises
-    ------
-    ValueError
-        If height is negative, a number is not finite, or speed is given together with a height or velocity.
-    """
-
-    place: ClassVar[str] = "start."
-
-    x: Place = field_of("start.x")
-    height: Height = field_of("start.height")
-    angle: Angle = field_of("start.angle")
-    speed: Speed | None = field_of("start.speed")
-    vx: Speed = field_of("start.vx")
-    vy: Speed = field_of("start.vy")
-    omega: Rate | None = field_of("start.omega")
-
-    @model_validator(mode="after")
-    def _complete(self) -> Start:
-        if self.speed is not None:
-            _alone("start", "speed", [name for name in _FREE if name in self.model_fields_set])
-            self._settle(vx=self.speed, omega=None)
-        elif self.omega is None:
-            raise refuse(say("no_omega"))
-        return self
-
-    def _written(self) -> Iterable[str]:
-        if self.speed is not None:
-            return ("x", "angle", "speed")
-        return ("x", "height", "angle", "vx", "vy", "omega")
-
-    @classmethod
-    def rolling(cls, speed: float, angle: float = 0.0, x: float = 0.0) -> Start:
-        """A start in contact, without slip.
-
-        Parameters
-        ----------
-        speed : float
-            Velocity of the centre along +x [m/s].
-        angle : float, default 0
-            θ [rad].
-        x : float, default 0
-            Position of the centre along the plane [m].
-
-        Returns
-        -------
-        start : Start
-
-        Raises
-        ------
-        ValueError
-            If a number is not finite.
-        """
-        return cls(speed=speed, angle=angle, x=x)
-
-    def state(self, hoop: Hoop) -> StartState:
-        """The start as numbers, for a given hoop.
-
-        Parameters
-        ----------
-        hoop : Hoop
-            Its radius turns a rolling speed into an angular velocity.
-
-        Returns
-        -------
-        state : StartState
-            x, height [m], angle [rad], vx, vy [m/s], omega [rad/s], slip [m/s]; the slip velocity of a
-            rolling start is exactly 0.
-        """
-        if self.speed is not None:
-            omega, slip = self.speed / hoop.radius, 0.0
-        else:
-            omega = self.omega if self.omega is not None else 0.0
-            slip = self.vx - hoop.radius * omega
-        return StartState(self.x, self.height, self.angle, self.vx, self.vy, omega, slip)
-
-
-_FREE = ("height", "vx", "vy", "omega")
 
 
 class Rigid(Frozen):

@@ -9,9 +9,10 @@ from pydantic import ValidationError
 
 from hophoop._support.errors import InputError
 from hophoop.scenario.base import Frozen
-from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start
+from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
 from hophoop.scenario.sentences import input_error
+from hophoop.scenario.start import Start
 from hophoop.scenario.texts import say
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
 _PARTS = (Ring, Disk, PointMass, Rod)
 _Model = TypeVar("_Model", bound=Frozen)
 
+_ONWARD = ("slip", "mode", "exact")  # of a start that goes on from another motion
+
 # Keys that a path replaces, where a quantity can be given in several ways.
 ENDS: dict[str, Sequence[str]] = {
     "hoop.load_fraction": ("eccentricity", "inertia_ratio", "parts"),
@@ -35,11 +38,11 @@ ENDS: dict[str, Sequence[str]] = {
     "plane.mu": ("mu_static", "mu_kinetic"),
     "plane.mu_static": ("mu",),
     "plane.mu_kinetic": ("mu",),
-    "start.speed": ("height", "vx", "vy", "omega"),
-    "start.height": ("speed",),
-    "start.vx": ("speed",),
-    "start.vy": ("speed",),
-    "start.omega": ("speed",),
+    "start.speed": ("height", "vx", "vy", "omega", *_ONWARD),
+    "start.height": ("speed", "mode", "exact"),
+    "start.vx": ("speed", *_ONWARD),
+    "start.vy": ("speed", "mode", "exact"),
+    "start.omega": ("speed", *_ONWARD),
     "contact.damping": ("restitution",),
     "contact.restitution": ("damping",),
 }

@@ -17,15 +17,18 @@ from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.layout import CELL, CONTACT, DURATION
 from hophoop.kernel.records.refusal import refusal
-from hophoop.scenario.base import Frozen, Positive
+from hophoop.scenario.base import Frozen, Positive, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
-from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
+from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid
 from hophoop.scenario.paths import parameter, paths, with_replaced
 from hophoop.scenario.ranges import field_of, inside, schema_of
 from hophoop.scenario.rules import refused
 from hophoop.scenario.sentences import input_error
+from hophoop.scenario.start import Start
 from hophoop.vocabulary.laws import LAWS
 from hophoop.vocabulary.parameters import TABLE, section_of
+
+ROUNDED = 1e-9  # of the velocities: within it the slip velocity of a start agrees with the others
 
 
 class Scenario(Frozen):
@@ -73,7 +76,18 @@ class Scenario(Frozen):
         code, number = refusal(cell, contact_of(self.contact))
         if code:
             raise refused(code, self, number)
+        if self.start.slip is not None:
+            self._check_slip(self.start.slip)
         return self
+
+    def _check_slip(self, slip: float) -> None:
+        """Refuse a slip velocity that is not vx − R omega within rounding, and the massless hoop, whose start is in contact."""
+        start = self.start
+        rim = self.hoop.radius * (start.omega or 0.0)
+        if not abs(slip - (start.vx - rim)) <= ROUNDED * (abs(slip) + abs(start.vx) + abs(rim)):
+            raise refuse(
+                f"start.slip = {slip!r} must be start.vx - hoop.radius start.omega = {start.vx - rim!r} within rounding."
+            )
 
     @classmethod
     def load(cls, path: str | Path) -> Scenario:

@@ -12,6 +12,7 @@ from hophoop._version import __version__
 from hophoop.scenario import Compliant, Hoop, InputError, Plane, Rigid, Scenario, Start
 from hophoop.simulation.rigid import simulate_rigid
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.simulation.until import Until, read_until
 
 if TYPE_CHECKING:
     from hophoop.derivatives.results.sensitivity import Sensitivity
@@ -24,11 +25,13 @@ CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
 
 
 @overload
-def simulate(scenario: Scenario, /, *, progress: Progress | None = ...) -> Trajectory: ...
+def simulate(scenario: Scenario, /, *, until: str | None = ..., progress: Progress | None = ...) -> Trajectory: ...
 
 
 @overload
-def simulate(scenario: Scenario, /, *, digits: int, progress: Progress | None = ...) -> PreciseMotion: ...
+def simulate(
+    scenario: Scenario, /, *, digits: int, until: str | None = ..., progress: Progress | None = ...
+) -> PreciseMotion: ...
 
 
 @overload
@@ -39,6 +42,7 @@ def simulate(
     duration: float | None = ...,
     contact: Rigid | Compliant | None = ...,
     *,
+    until: str | None = ...,
     progress: Progress | None = ...,
 ) -> Trajectory: ...
 
@@ -52,6 +56,7 @@ def simulate(
     contact: Rigid | Compliant | None = ...,
     *,
     digits: int,
+    until: str | None = ...,
     progress: Progress | None = ...,
 ) -> PreciseMotion: ...
 
@@ -64,6 +69,7 @@ def simulate(
     contact: Rigid | Compliant | None = None,
     *,
     digits: int | None = None,
+    until: str | None = None,
     progress: Progress | None = None,
 ) -> Trajectory | PreciseMotion:
     """Compute a motion.
@@ -84,6 +90,10 @@ def simulate(
     digits : int, optional
         Solve with this many digits, 15 to 1000, by a method independent of the kernel's; the given doubles count as exact.
         Takes a few tenths of a second [1].
+    until : str, optional
+        What ends the motion before its duration: ``revolutions:N`` (θ has changed by so many revolutions), ``landings:N``
+        (just after the N-th landing), ``angle:RADIANS`` (θ next passes this angle, in any revolution), ``takeoff`` or
+        ``reversal``. Rigid contact only; `Trajectory.ending` says what ended the motion.
     progress : callable, optional
         Called with the computed fraction, 0 to 1: about ten times a second in compliant contact, and at the end.
 
@@ -95,8 +105,8 @@ def simulate(
     Raises
     ------
     ValueError
-        If the duration is not positive, the parts contradict each other, a scenario is given together with a part, or digits is
-        out of range or given with a compliant contact.
+        If the duration is not positive, the parts contradict each other, a scenario is given together with a part, until is
+        unknown, digits is out of range, or digits or until is given with a compliant contact.
 
     Examples
     --------
@@ -122,15 +132,29 @@ def simulate(
             duration=6.0 if duration is None else duration,
             contact=Rigid() if contact is None else contact,
         )
-    motion = _simulate(scenario, progress) if digits is None else _simulate_precisely(scenario, digits)
+    if digits is None:
+        motion: Trajectory | PreciseMotion = _simulate(scenario, until, progress)
+    else:
+        motion = _simulate_precisely(scenario, digits, until)
     if progress is not None:
         progress(1.0)
     return motion
 
 
-def _simulate_precisely(scenario: Scenario, digits: int) -> PreciseMotion:
-    motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, __version__)
+def _simulate_precisely(scenario: Scenario, digits: int, until: str | None) -> PreciseMotion:
+    precise = import_module("hophoop.precise")
+    if until is None:
+        motion: PreciseMotion = precise.simulate_precisely(scenario, digits, __version__)
+    else:
+        end = _asked(scenario, until)
+        motion = import_module("hophoop.simulation.precise_until").simulate_precisely_until(scenario, digits, until, end)
     return motion
+
+
+def _asked(scenario: Scenario, until: str) -> Until:
+    if isinstance(scenario.contact, Compliant):
+        raise InputError(f"until = {until!r} needs rigid contact: a compliant motion ends at its duration.", field="until")
+    return read_until(until)
 
 
 def _refuse_parts(**parts: Any) -> None:
@@ -144,8 +168,9 @@ def _refuse_parts(**parts: Any) -> None:
     raise InputError(f"{what} part of the scenario and cannot be given as well: simulate {how} instead.")
 
 
-def _simulate(scenario: Scenario, progress: Progress | None) -> Trajectory:
+def _simulate(scenario: Scenario, until: str | None, progress: Progress | None) -> Trajectory:
     doubt = None
+    end = None if until is None else _asked(scenario, until)
     if isinstance(scenario.contact, Compliant):
         from hophoop.simulation.compliant import simulate_compliant
 
@@ -154,8 +179,8 @@ def _simulate(scenario: Scenario, progress: Progress | None) -> Trajectory:
         else:
             status, events, segments = compute_reporting(lambda share: simulate_compliant(scenario, share), progress)
     else:
-        status, events, segments, doubt = simulate_rigid(scenario)
-    motion = Trajectory(scenario, status, events, segments, __version__, doubt)
+        status, events, segments, doubt = simulate_rigid(scenario, end)
+    motion = Trajectory(scenario, status, events, segments, __version__, doubt, until)
     if CHECKED:
         import_module("hophoop.simulation.invariants").check(motion)
     return motion

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,12 +14,22 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support.fingerprint import STATE, fingerprint
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.kernel.physics.energy import energies_after
-from hophoop.results.records import ArraySample, EventErrors, EventRecord, Events, Ledger, Sample, ScalarSample, Side, Velocity
+from hophoop.results.records import (
+    ArraySample,
+    EventErrors,
+    Events,
+    Ledger,
+    Sample,
+    ScalarSample,
+    Side,
+    event_record,
+    with_origin,
+)
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.events import EVENT_KINDS, sequence_of
+from hophoop.vocabulary.events import sequence_of
 from hophoop.vocabulary.modes import MODE_LETTERS
-from hophoop.vocabulary.quantities import EVENT_NUMBERS, LOSSES, held_by
+from hophoop.vocabulary.quantities import LOSSES
 from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
 from hophoop.vocabulary.words import plain
 
@@ -45,6 +56,7 @@ class Trajectory:
         segments: np.ndarray,
         version: str,
         doubt: float | None = None,
+        until: str | None = None,
     ) -> None:
         self.scenario = scenario
         self.version = version
@@ -52,6 +64,7 @@ class Trajectory:
         self._events = events
         self._segments = segments
         self._doubt = doubt
+        self.until = until
 
     # --- events ------------------------------------------------------------------------------------
 
@@ -59,6 +72,13 @@ class Trajectory:
     def status(self) -> MotionStatus:
         """How the motion ended: completed, at_rest, jammed, undetermined or event_limit."""
         return MOTION_STATUSES[self._status]
+
+    @property
+    def ending(self) -> str:
+        """What ended the motion: 'duration', what `until` asked for, such as 'landings:2', or else its status."""
+        if self.status != MotionStatus.COMPLETED:
+            return str(self.status)
+        return self.until if self.until is not None and self.duration < self.scenario.duration else "duration"
 
     @property
     def ok(self) -> bool:
@@ -73,7 +93,8 @@ class Trajectory:
     @cached_property
     def events(self) -> Events:
         """All events in order: a tuple of `EventRecord`, printed as a table."""
-        return Events(self._event_record(row) for row in self._events)
+        found = (event_record(row, self.units, self._seconds(float(row["t"]))) for row in self._events)
+        return Events(with_origin(event, partial(_restart, "at_event", self, index)) for index, event in enumerate(found))
 
     def find(self, kind: str) -> Events:
         """Return the events of one kind.
@@ -182,7 +203,8 @@ class Trajectory:
             values.pop(name, None)
         if "spring" not in values:
             values["spring"], values["damping"] = (0.0 if times.ndim == 0 else np.zeros(times.shape) for _ in range(2))
-        return Sample(**values)
+        sample = Sample(**values)
+        return sample if times.ndim else with_origin(sample, partial(_restart, "at_time", self, float(times), side))
 
     def times(self, n: int = 1000) -> Floats:
         """Return equally spaced times over the motion, both ends included.
@@ -217,7 +239,7 @@ class Trajectory:
         """
         from hophoop.simulation.event_errors import event_errors
 
-        return event_errors(self)
+        return event_errors(self._from_state())
 
     @cached_property
     def ledger(self) -> Ledger:
@@ -303,7 +325,7 @@ class Trajectory:
         """
         from hophoop.derivatives.results.sensitivity import sensitivity_of
 
-        return sensitivity_of(self, of, wrt)
+        return sensitivity_of(self._from_state(), of, wrt)
 
     def uncertainty(
         self, spread: Mapping[str, float], correlations: Mapping[tuple[str, str], float] | None = None
@@ -337,7 +359,7 @@ class Trajectory:
         """
         from hophoop.derivatives.results.uncertainty import uncertainty_of
 
-        return uncertainty_of(self, spread, correlations)
+        return uncertainty_of(self._from_state(), spread, correlations)
 
     # --- export ------------------------------------------------------------------------------------
 
@@ -359,6 +381,7 @@ class Trajectory:
             "version": self.version,
             "scenario": self.scenario.to_dict(),
             "status": self.status,
+            **({} if self.until is None else {"ending": self.ending}),
             "sequence": self.sequence,
             "fingerprint": self.fingerprint,
             "events": [event.to_dict() for event in self.events],
@@ -458,27 +481,19 @@ class Trajectory:
         kinetic, potential = energies_after(self.scenario.to_body(), row)
         return float(kinetic) * self.units.energy, float(potential) * self.units.energy
 
+    def _from_state(self) -> Trajectory:
+        """Return the motion, computed from the state of its start if that goes on from another motion."""
+        return self if self.scenario.start.exact is None else cast("Trajectory", _restart("from_state", self))
+
     def _stored(self, t: float, left: bool) -> dict[str, float]:
         """Return the energies of the state at a time in kernel units."""
         (raw,) = self._sample(np.array([t]), left).tolist()
         return {name: value * self.units.energy for name, value in zip(self._model.COLUMNS, raw, strict=True)}
 
-    def _event_record(self, row: np.void) -> EventRecord:
-        unit = self.units
-        value = {name: float(row[name]) * unit.of(name) for name in EVENT_NUMBERS if name != "t"}
-        before = Velocity(**{name: float(row[f"before_{name}"]) * unit.of(name) for name in held_by("Velocity")})
-        before_mode = int(row["before_mode"])
-        return EventRecord(
-            t=self._seconds(float(row["t"])),
-            kind=EVENT_KINDS[row["kind"]],
-            from_mode=MODE_LETTERS[before_mode] if before_mode >= 0 else None,
-            to_mode=MODE_LETTERS[row["after_mode"]],
-            before=before,
-            collision=None if row["collision"] < 0 else bool(row["collision"]),
-            stable=None if row["stable"] < 0 else bool(row["stable"]),
-            **value,
-        )
-
 
 _INTERNAL = ("theta", "theta_low")  # columns that a sample does not contain
 _LETTERS = np.array(list(MODE_LETTERS))
+
+
+def _restart(name: str, *given: Any) -> Any:
+    return getattr(import_module("hophoop.simulation.restart"), name)(*given)

@@ -278,7 +278,8 @@ def doubtful_from(motion: Motion) -> float:
         scenario.to_body(), start, scenario.duration / second, math.nan, 0, events, np.empty(0, SEGMENT), scratch,
         np.empty(0, EVENT),
     )  # fmt: skip
-    return math.inf if math.isnan(scratch.doubt[0]) else float(scratch.doubt[0])
+    doubt = float(scratch.doubt[0])
+    return doubt if doubt <= motion.tables["events"]["t"][-1] else math.inf
 
 
 def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool = False) -> TangentSolution:

@@ -88,6 +88,28 @@ def can_follow(before, after, t_end):
     return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # False for nan
 
 
+@inline
+def follow(body, phase, limits, log, scratch):
+    """Go from phase to phase until the motion ends; return what `run` does."""
+    while phase.status == GOING and has_room(log):
+        count_panel(log)
+        events_before, segments_before = log.counts[EVENTS], log.counts[SEGMENTS]
+        after = step(body, phase, limits, log, scratch)
+        if not can_follow(phase.state, after.state, limits.t_end):
+            log.counts[EVENTS], log.counts[SEGMENTS] = events_before, segments_before
+            break
+        phase = after
+    if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also if the panels are used up: END is at the state reached
+        last = log.events[log.counts[EVENTS] - 1]["after_mode"]
+        write_plain_event(log, END, last, last, phase.state)
+    count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else log.events.shape[0]
+    if log.counts[SEGMENTS] < 0:
+        return BUFFER, count, log.segments.shape[0]
+    if log.counts[EVENTS] < 0:
+        return EVENT_LIMIT, count, log.counts[SEGMENTS]
+    return phase.status if phase.status != GOING else EVENT_LIMIT, count, log.counts[SEGMENTS]
+
+
 def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
     """Compute a motion up to the final time, an end by the physics, or a limit.
 
@@ -124,23 +146,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
         phase = repeat(body, script, log, scratch)
     else:
         phase = begin(body, start, log, scratch)
-    while phase.status == GOING and has_room(log):
-        count_panel(log)
-        events_before, segments_before = log.counts[EVENTS], log.counts[SEGMENTS]
-        after = step(body, phase, limits, log, scratch)
-        if not can_follow(phase.state, after.state, t_end):
-            log.counts[EVENTS], log.counts[SEGMENTS] = events_before, segments_before
-            break
-        phase = after
-    if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also if the panels are used up: END is at the state reached
-        last = events[log.counts[EVENTS] - 1]["after_mode"]
-        write_plain_event(log, END, last, last, phase.state)
-    count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else events.shape[0]
-    if log.counts[SEGMENTS] < 0:
-        return BUFFER, count, segments.shape[0]
-    if log.counts[EVENTS] < 0:
-        return EVENT_LIMIT, count, log.counts[SEGMENTS]
-    return phase.status if phase.status != GOING else EVENT_LIMIT, count, log.counts[SEGMENTS]
+    return follow(body, phase, limits, log, scratch)
 
 
 def run_cell(tables, script):

@@ -14,6 +14,7 @@ from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.maps.grid import kernel
 from hophoop.scenario import InputError
 from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.spans import number_after
 from hophoop.vocabulary.statuses import MOTION_STATUSES
 
 NOT_ALLOWED = "not_allowed"
@@ -195,12 +196,8 @@ def make_span(name: str) -> Span:
         return Span(name, math.nan, STOP_AT_TURN, True)
     if name == "duration":
         return Span(name, math.nan, 0, True)
-    word, _, number = str(name).partition(":")
-    try:
-        turns = float(number) if word == "revolutions" else math.nan
-    except ValueError:
-        turns = math.nan
-    if not 0.0 < turns < math.inf:
+    turns = number_after("revolutions", name)
+    if not turns > 0.0:
         raise InputError.of_field("span", name, f"one of {', '.join(SPANS)}, with N above 0")
     return Span(name, 2.0 * math.pi * turns, 0, True)
 

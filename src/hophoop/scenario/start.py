@@ -1,0 +1,223 @@
+"""The start of a motion: rolling, any state, or a state of another motion that goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+
+from pydantic import Field, model_validator
+
+from hophoop._support.errors import InputError
+from hophoop.scenario.base import Frozen, NonNegative, Number, alone, quantity, refuse
+from hophoop.scenario.models import Hoop
+from hophoop.scenario.ranges import field_of, inside, schema_of
+from hophoop.scenario.texts import say
+
+PHASE_START = (
+    "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
+    "friction", "impact_normal", "impact_tangential", "rolling_resistance", "kind", "after_mode",
+)  # fmt: skip
+"""Columns of the event that starts a phase, in kernel units."""
+EXACT = len(PHASE_START) + 4
+"""Numbers in `Start.exact`: these columns, v_n after the last landing before, the time of the state with its low-order half,
+and the number of events after the phase's start that the state is after."""
+
+Height = Annotated[NonNegative, inside("start.height"), schema_of("start.height")]
+Place = Annotated[Number, inside("start.x"), schema_of("start.x")]
+Angle = Annotated[Number, inside("start.angle"), schema_of("start.angle")]
+Speed = Annotated[Number, inside("start.speed"), schema_of("start.speed")]
+Rate = Annotated[Number, inside("start.omega"), schema_of("start.omega")]
+Exact = Annotated[tuple[float, ...], Field(min_length=EXACT, max_length=EXACT)]
+
+
+class StartState(NamedTuple):
+    """Position and velocities of a hoop at one instant.
+
+    Attributes
+    ----------
+    x, height : float
+        Position of the centre along the plane, and gap between rim and plane [m].
+    angle : float
+        θ [rad].
+    vx, vy : float
+        Velocity of the centre along the plane and away from it [m/s].
+    omega : float
+        Angular velocity [rad/s].
+    slip : float
+        Slip velocity [m/s], stored because a rolling start has exactly 0, not v − R (v/R).
+    """
+
+    x: float
+    height: float
+    angle: float
+    vx: float
+    vy: float
+    omega: float
+    slip: float
+
+
+class Start(Frozen):
+    """Position and velocity of the hoop at the start.
+
+    Either a rolling start, with `speed`, or any state; `Start()` is at rest with the load at the top.
+
+    Parameters
+    ----------
+    x : float, default 0
+        Position of the centre along the plane [m].
+    height : float, default 0
+        Gap between rim and plane, at least 0 [m].
+    angle : float, default 0
+        θ, from the plane's outward normal to the line C→G, clockwise [rad].
+    speed : float, optional
+        Velocity of the centre of a hoop that rolls [m/s]; its slip velocity is exactly zero.
+    vx : float, default 0
+        Velocity of the centre along the plane [m/s].
+    vy : float, default 0
+        Velocity of the centre away from the plane [m/s].
+    omega : float, default 0
+        Angular velocity θ̇ [rad/s]; None in a rolling start, where it is speed over the hoop's radius.
+    slip : float, optional
+        Slip velocity v_t, which vx − R omega gives only to rounding [m/s].
+    mode : {'R', 'S', 'K', 'H'}, optional
+        Phase in which the motion goes on; by default it follows from the state. It needs slip: 0 in R, at most 0 in S, at
+        least 0 in K.
+    exact : tuple of float, optional
+        Written by `Start.of`: the start of the phase that the state belongs to, in full precision. It counts as long as it
+        leads to this state within rounding [1].
+
+    Raises
+    ------
+    ValueError
+        If height is negative, a number is not finite, speed is given together with a height or velocity, or mode and slip
+        contradict each other.
+    """
+
+    place: ClassVar[str] = "start."
+
+    x: Place = field_of("start.x")
+    height: Height = field_of("start.height")
+    angle: Angle = field_of("start.angle")
+    speed: Speed | None = field_of("start.speed")
+    vx: Speed = field_of("start.vx")
+    vy: Speed = field_of("start.vy")
+    omega: Rate | None = field_of("start.omega")
+    slip: Annotated[Number, inside("start.vx")] | None = quantity(None, "Slip velocity", "m/s")
+    mode: Literal["R", "S", "K", "H"] | None = quantity(None, "Phase in which the motion goes on", "")
+    exact: Exact | None = quantity(None, "Start of the phase that the state belongs to, in kernel units", "1")
+
+    @model_validator(mode="after")
+    def _complete(self) -> Start:
+        self._check_mode()
+        if self.speed is not None:
+            alone("start", "speed", [name for name in (*_FREE, "slip", "mode", "exact") if name in self.model_fields_set])
+            self._settle(vx=self.speed, omega=None)
+        elif self.omega is None:
+            raise refuse(say("no_omega"))
+        return self
+
+    def _written(self) -> Iterable[str]:
+        if self.speed is not None:
+            return ("x", "angle", "speed")
+        return ("x", "height", "angle", "vx", "vy", "omega", "slip", "mode", "exact")
+
+    def _check_mode(self) -> None:
+        """Refuse a mode that the state cannot have."""
+        mode, slip = self.mode, self.slip
+        if mode is None:
+            if self.exact is not None:
+                raise refuse("start.exact needs start.mode and start.slip: Start.of writes all three.")
+            return
+        if slip is None:
+            raise refuse(f"start.mode = {mode!r} needs start.slip, the slip velocity.")
+        if mode != "H" and (self.height != 0.0 or self.vy != 0.0):
+            raise refuse(f"start.mode = {mode!r} needs start.height = 0 and start.vy = 0.")
+        if (mode == "R" and slip != 0.0) or (mode == "S" and slip > 0.0) or (mode == "K" and slip < 0.0):
+            raise refuse(f"start.slip = {slip!r} must be {_SLIPS[mode]} with start.mode = {mode!r}.")
+
+    @classmethod
+    def rolling(cls, speed: float, angle: float = 0.0, x: float = 0.0) -> Start:
+        """A start in contact, without slip.
+
+        Parameters
+        ----------
+        speed : float
+            Velocity of the centre along +x [m/s].
+        angle : float, default 0
+            θ [rad].
+        x : float, default 0
+            Position of the centre along the plane [m].
+
+        Returns
+        -------
+        start : Start
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite.
+        """
+        return cls(speed=speed, angle=angle, x=x)
+
+    @classmethod
+    def of(cls, state: Any) -> Start:
+        """A start that goes on from a state of a motion, with its own slip velocity and mode.
+
+        Parameters
+        ----------
+        state : Sample or EventRecord
+            At one time, as `Trajectory.at` and `Trajectory.events` return it.
+
+        Returns
+        -------
+        start : Start
+            Of a rigid motion of the same hoop on the same plane it gives the bits of the motion that was not interrupted; its
+            time and losses start from 0.
+
+        Raises
+        ------
+        ValueError
+            If the state is that of many times, of a massless hoop that skims the plane, or not finite.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> scenario = hh.Scenario()
+        >>> motion = hh.simulate(scenario)
+        >>> onward = hh.simulate(scenario.replace("start", hh.Start.of(motion.at(1.0))).replace("duration", 5.0))
+        >>> onward.events[-1].angle == motion.events[-1].angle
+        True
+        """
+        if getattr(state.t, "ndim", 0):
+            raise InputError("A start is the state at one time: take motion.at(t) with a single t.", field="start")
+        if getattr(state, "mode", getattr(state, "to_mode", None)) == "M":
+            raise InputError("A start cannot skim the plane: mode 'M' depends on the strike that ends it.", field="start")
+        found = getattr(state, "restart", None)
+        given: dict[str, Any] = {name: float(getattr(state, name)) for name in ("x", "angle", *_FREE)}
+        given["height"] = max(given["height"], 0.0)  # a compliant rim is below the plane
+        return cls(**given, **(found() if found is not None else {}))
+
+    def state(self, hoop: Hoop) -> StartState:
+        """The start as numbers, for a given hoop.
+
+        Parameters
+        ----------
+        hoop : Hoop
+            Its radius turns a rolling speed into an angular velocity.
+
+        Returns
+        -------
+        state : StartState
+            x, height [m], angle [rad], vx, vy [m/s], omega [rad/s], slip [m/s]; the slip velocity of a
+            rolling start is exactly 0.
+        """
+        if self.speed is not None:
+            omega, slip = self.speed / hoop.radius, 0.0
+        else:
+            omega = self.omega if self.omega is not None else 0.0
+            slip = self.vx - hoop.radius * omega if self.slip is None else self.slip
+        return StartState(self.x, self.height, self.angle, self.vx, self.vy, omega, slip)
+
+
+_FREE = ("height", "vx", "vy", "omega")
+_SLIPS = {"R": "0", "S": "at most 0", "K": "at least 0"}
