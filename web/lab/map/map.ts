@@ -2,7 +2,7 @@
 
 import { fitted, focused, h, once, say } from "../common/dom.ts";
 import { axisFont } from "../common/axes.ts";
-import { boundariesOf } from "./boundaries.ts";
+import { boundaries } from "../common/later.ts";
 import { AXES, cross, MapAxes } from "./map_axes.ts";
 import { takeHands } from "./map_hands.ts";
 import { otherStart } from "./map_words.ts";
@@ -222,7 +222,8 @@ export class MotionMap {
     const { classes, x, y } = header;
     if (!classes) return;
     const value = ({ from, to, cells }: MapHeader["x"], place: number) => from + (place / cells) * (to - from);
-    const found = await boundariesOf(values, [x.cells, y.cells], (places) => {
+    const part = await boundaries().catch(() => null); // without a network the cells do
+    const found = await part?.boundariesOf(values, [x.cells, y.cells], (places) => {
       const pairs = places.map(([across, up]): [number, number] => [value(x, across), value(y, up)]);
       return this.backend.classesAt(asked, pairs, classes, signal);
     });
