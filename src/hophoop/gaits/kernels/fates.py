@@ -23,9 +23,10 @@ from hophoop.gaits.kernels.layout import (
     VY,
 )
 from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import TWO_PI
+from hophoop.kernel.numerics.double_double import PI, TWO_PI
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.vocabulary.fates import FATE_CODES, Fate
 
@@ -39,6 +40,7 @@ LONGEST_PERIOD = 64
 SAME, NEAR, NOISE = 1e-10, 1e-7, 1e-13  # differences of two passages of a gait: now, one period ago, and rounding
 FASTEST = 1e3  # √(g/R): a hoop that rotates faster runs away
 QUIET_SWINGS = 4  # turning points, each nearer than the last one on its side, after which a hoop rocks for ever
+ANGLES, HOLDS = 64, 0.999  # of half a revolution at which rolling is looked at, and the share of friction that it may use
 BELOW = 1e-12  # m g R: by which the energy is below that of the load at the top
 
 # What is remembered of a motion: the turning points of this phase of rolling, the last turning points forward and backward, the
@@ -78,7 +80,7 @@ def fate_at_turn(body, mode, angle, memory):
     nearer = angle <= memory[side] if forward else angle >= memory[side]
     memory[side] = angle
     memory[SWINGS] = memory[SWINGS] + 1.0 if nearer else 0.0
-    if body.eps == 0.0 or body.gn == 0.0:
+    if body.eps == 0.0 or abs(body.gt) >= body.mu_s * body.gn:  # steeper than friction holds: it slides on
         return OPEN
     if (memory[ROLLING_TURNS] >= 2.0 and body.resist == 0.0) or memory[SWINGS] >= QUIET_SWINGS:
         return ROCKS if body.resist == 0.0 else RESTS
@@ -145,6 +147,20 @@ def period_of(numbers, words, k, section):
 
 
 @apart
+def rolls_slowly(body):
+    """Return True if a hoop on the level that only just gets over the top does so without slip."""
+    for k in range(1, ANGLES):
+        th = PI * k / ANGLES
+        s, c = sine_cosine(th, 0.0)
+        height = load_height(s, c)
+        u = 2.0 * body.eps * body.gn * (1.0 - c) / inertia_at_height(body, height)
+        friction, normal = rolling_forces(body, s, c, u, 0.0)
+        if not abs(friction) <= HOLDS * body.mu_s * normal:
+            return False
+    return True
+
+
+@apart
 def fate_at_passage(body, numbers, words, k, section):
     """Return (fate, period) after passage k; the period is 0 except in a gait."""
     length = numbers.shape[0]
@@ -165,7 +181,13 @@ def fate_at_passage(body, numbers, words, k, section):
         if k >= 2 and revolved and body.resist == 0.0 and last[HOPS] + before[HOPS] == 0.0:
             first = numbers[(k - 2) % length]
             fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
-            if last[MODE] == ROLL and before[MODE] == ROLL and first[MODE] == ROLL and 0.0 < falls < fell:
+            if (
+                last[MODE] == ROLL
+                and before[MODE] == ROLL
+                and first[MODE] == ROLL
+                and 0.0 < falls < fell
+                and rolls_slowly(body)
+            ):
                 return SLIPS_EVER_LESS, 0
         return OPEN, 0
     if body.eps == 0.0 and rolled and way * (om - before[OMEGA]) > 0.0:

@@ -69,6 +69,8 @@ COMPLETED, AT_REST, JAMMED, UNDETERMINED_STATUS, EVENT_LIMIT = (
 )
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
 
+ROUNDING = 4e-15  # rad per revolution: within it a start is on the section, and not about to pass it
+
 # What is remembered since the last passage: the present phase's letter and start, letters, hops.
 LETTER, SINCE, COUNT, JUMPS = range(MEMORY, MEMORY + 4)
 SIZE = MEMORY + 4
@@ -85,9 +87,10 @@ def cell_of(state):
     """Return the revolution, from bottom to bottom, that the hoop is in or about to enter."""
     cell = state.turns + math.floor((state.th + PI) / TWO_PI)
     limits = limits_in_cell(0.0, cell, True)
-    if state.om > 0.0 and angle_left(limits, state, 1.0) <= 0.0:
+    rounding = ROUNDING * (1.0 + abs(state.turns))
+    if state.om > 0.0 and angle_left(limits, state, 1.0) <= rounding:
         return cell + 1.0
-    if state.om < 0.0 and angle_left(limits, state, -1.0) <= 0.0:
+    if state.om < 0.0 and angle_left(limits, state, -1.0) <= rounding:
         return cell - 1.0
     return cell
 
