@@ -2,7 +2,7 @@
 
     python benchmarks/gaits.py [--revolutions 20000] [--motions 20000]
 
-Times are those of the process (CPU seconds). SciPy integrates rolling alone, with an event at the bottom: less than the map does.
+Times are those of the process (CPU seconds). SciPy integrates rolling alone, with an event at the bottom.
 """
 
 from __future__ import annotations

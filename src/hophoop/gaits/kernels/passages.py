@@ -182,7 +182,7 @@ def first_phase(body, start, bounce, log, scratch, script):
 
 
 @apart
-def fate_without_passages(body, phase, passages):
+def fate_without_passages(body, phase, revolutions):
     """Return the fate of a motion that passes its section no more."""
     status = phase.status
     if status == AT_REST:
@@ -192,7 +192,7 @@ def fate_without_passages(body, phase, passages):
     if status == UNDETERMINED_STATUS:
         return UNDETERMINED
     if abs(body.gt) > body.mu_s * body.gn:  # friction cannot hold it: it gets faster and faster
-        return RUNS_AWAY if passages > 1 else SLIDES_AWAY
+        return RUNS_AWAY if revolutions > 2.0 else SLIDES_AWAY
     return UNDECIDED
 
 
@@ -264,7 +264,7 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
     if status == GOING and not (passages >= request.most or (request.stops and fate != OPEN)):
         status = EVENT_LIMIT
     if fate == OPEN:
-        fate = fate_without_passages(body, phase, passages)
+        fate = fate_without_passages(body, phase, abs(phase.state.turns - start.turns))
     scratch.counts[PANEL_LIMIT] = limit
     return status, passages, fate, period
 
