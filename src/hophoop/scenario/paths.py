@@ -95,7 +95,7 @@ def parameter(path: str) -> ParameterInfo:
 
 
 def paths() -> list[str]:
-    """Return the paths of all numbers and words in a scenario, except those of a hoop's parts.
+    """Return the paths of all numbers and words in a scenario, without a hoop's parts and a start that goes on.
 
     Returns
     -------
@@ -105,7 +105,8 @@ def paths() -> list[str]:
     found = ["duration"]
     for section, models in _SECTIONS.items():
         for model in models:
-            found += [path for name in model.model_fields if (path := f"{section}.{name}") not in found]
+            names = [name for name in model.model_fields if name not in _ONWARD]
+            found += [path for name in names if (path := f"{section}.{name}") not in found]
     return found
 
 
