@@ -171,7 +171,6 @@ interface PlotDefinition {
   unit: string;
   curves: (film: Film) => Curve[];
   limits?: [number, number];
-  symmetric?: boolean;
 }
 
 // What all diagrams have in common.

@@ -21,17 +21,14 @@ export class HoopModule implements Mechanics {
   turn = 0;
   exports: any;
   memory: Memory;
-  mostEvents: number;
-  mostSegments: number;
-  mostRows: number;
+  mostEvents: number = FIRST_EVENTS;
+  mostSegments: number = FIRST_SEGMENTS;
+  mostRows: number = FIRST_ROWS;
 
   constructor(compiled: WebAssembly.Module) {
     this.exports = new WebAssembly.Instance(compiled, {}).exports as any;
     this.exports._initialize?.();
     this.memory = new Memory(this.exports);
-    this.mostEvents = FIRST_EVENTS;
-    this.mostSegments = FIRST_SEGMENTS;
-    this.mostRows = FIRST_ROWS;
   }
 
   call(name: string, ...values: number[]) {
@@ -150,46 +147,21 @@ export class HoopModule implements Mechanics {
    * Rows of `layout.samples` of the motion that was computed last. `left`: just before an event; `place`: of its
    * pieces, where they are others than those computed last.
    */
-  states(computed: Pick<Computed, "given" | "segments">, times: Float64Array, left: boolean, place?: number) {
-    return this.rows("samples", layout.samples.length, computed, times, left, place);
-  }
-
-  /**
-   * What decides about the mode at times of a motion with rigid contact, a column for each of `layout.margins`.
-   * `left`: just before an event.
-   */
-  margins(given: Given, times: Float64Array, left = false): Record<string, Float64Array> {
-    if (given.contact) throw new TypeError("A compliant contact has no such rules.");
-    const width = layout.margins.length;
-    const rows = this.rows("margins", width, this.compute(given), times, left);
-    return Object.fromEntries(
-      layout.margins.map((name, place) => [name, Float64Array.from(times, (_, k) => rows[k * width + place])]),
-    );
-  }
-
-  /**
-   * Rows of an entry that tells of times of the motion that was computed last. `left`: just before an event; `place`:
-   * of its pieces.
-   */
-  rows(
-    name: string,
-    width: number,
-    computed: Pick<Computed, "given" | "segments">,
+  states(
+    { given, segments }: Pick<Computed, "given" | "segments">,
     times: Float64Array,
     left: boolean,
     place?: number,
   ) {
     const { memory } = this;
-    const size = times.length * width;
+    const size = times.length * layout.samples.length;
     const when = memory.put("times", times);
     const out = memory.room("states", 8 * Math.max(size, 1));
     const cell = memory.room("cell", 8);
-    const ask = [computed.segments, when, times.length, Number(left), out];
-    if (computed.given.contact) {
+    const ask = [segments, when, times.length, Number(left), out];
+    if (given.contact) {
       this.call("compliant_samples", cell, memory.room("contact", 8), place ?? memory.room("rows", 8), ...ask);
-    } else {
-      this.call(name, cell, place ?? memory.room("segments", 8), ...ask);
-    }
+    } else this.call("samples", cell, place ?? memory.room("segments", 8), ...ask);
     return memory.floats(out, size).slice();
   }
 

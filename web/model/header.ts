@@ -36,7 +36,6 @@ export function headerOf(
     values: valuesOf(checked),
     // what is chosen by itself where the scenario leaves it open
     automatic: automatic(checked, mechanics),
-    massless: checked.hoop.inertia_ratio === 0,
     summary: summary(told),
     story: story(told),
     shortened: motion.events.length > MOST_EVENTS,

@@ -79,10 +79,9 @@ export class NotebookKernel implements Python {
   number = 0;
   // several views of one widget share its messages; each answers to its own
   view = Math.random().toString(36).slice(2);
-  listen: (message: any, buffers: any[]) => void;
+  listen: (message: any, buffers: any[]) => void = (message: any, buffers: any[]) => this.answered(message, buffers);
 
   constructor(readonly model: Model) {
-    this.listen = (message: any, buffers: any[]) => this.answered(message, buffers);
     model.on("msg:custom", this.listen);
   }
 

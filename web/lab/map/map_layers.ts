@@ -87,7 +87,7 @@ export function paint(
   for (const [code, area] of shapes.areas) {
     const path = new Path2D();
     path.addPath(area, place);
-    context.fillStyle = header.classes?.[code]?.color ?? look.paper;
+    context.fillStyle = header.classes?.[code]?.color ?? look.panel;
     context.fill(path);
   }
   context.beginPath();

@@ -25,15 +25,19 @@ export class Film {
   duration: number;
   status: MotionStatus;
   sequence: string;
+  /** hash of the bits of all events; null where this page does not decide them */
   fingerprint: string | null;
   events: MotionEvent[];
   values: Record<string, any>;
   automatic: Record<string, number>;
+  /** what happens, in one sentence */
   summary: Said;
   story: Sentence[];
   shortened: boolean;
+  /** that more digits would have to decide what comes, if they would */
   doubt: Said;
   columns: Record<string, Column>;
+  /** the state at any time; without it, states between samples are interpolated */
   exact: Reply["exact"];
   samples: ((window: [number, number]) => Promise<Record<string, Column>>) | undefined;
   t: Float64Array;
@@ -47,25 +51,8 @@ export class Film {
   extent: { left: number; right: number; top: number; speed: number };
 
   constructor(reply: Reply) {
-    const { header } = reply;
-    this.scenario = header.scenario;
-    this.query = header.query;
-    this.duration = header.duration;
-    this.status = header.status;
-    this.sequence = header.sequence;
-    /** hash of the bits of all events; null where this page does not decide them. */
-    this.fingerprint = header.fingerprint ?? null;
-    this.events = header.events;
-    this.values = header.values;
-    this.automatic = header.automatic;
-    /** what happens, in one sentence. */
-    this.summary = header.summary;
-    this.story = header.story;
-    this.shortened = header.shortened;
-    /** that more digits would have to decide what comes, if they would. */
-    this.doubt = header.doubt ?? "";
+    Object.assign(this, { fingerprint: null, doubt: "" }, reply.header);
     this.columns = reply.arrays;
-    /** the state at any time; without it, states between samples are interpolated. */
     this.exact = reply.exact;
     this.samples = reply.samples;
     this.t = reply.arrays.t;

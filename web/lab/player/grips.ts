@@ -32,23 +32,20 @@ export class Grips {
   /** The motion before the hand came, for Escape. */
   before: string | null = null;
 
-  places: Map<Grip, HTMLElement>;
-  tip: HTMLOutputElement;
   /** What a first visitor is told. */
   hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "hand.drag_the_load");
-  element: HTMLDivElement;
-  settle: () => void;
+  places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
+  tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
+  element = h(
+    "div",
+    { class: "grips", role: "group", "aria-label": "hand.the_hoop_in_your" },
+    [...this.places.values()],
+    this.tip,
+    this.hint,
+  );
+  settle = once(() => this.chosen(false), REST);
 
   constructor(readonly lab: Hands) {
-    this.places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
-    this.tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
-    this.element = h(
-      "div",
-      { class: "grips", role: "group", "aria-label": "hand.the_hoop_in_your" },
-      [...this.places.values()],
-      this.tip,
-      this.hint,
-    );
     const { flat, plane } = lab.stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
     flat.grab = (event) => this.take(event);
@@ -56,7 +53,6 @@ export class Grips {
     plane.addEventListener("pointerleave", () => this.hover(null));
     const still = (event: TouchEvent) => this.pull && event.cancelable && event.preventDefault();
     plane.addEventListener("touchmove", still, { passive: false });
-    this.settle = once(() => this.chosen(false), REST);
   }
 
   place(grip: Grip, label: string, title: string) {

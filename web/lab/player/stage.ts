@@ -18,20 +18,37 @@ export class Stage {
   space = h("canvas", { class: "stage-canvas", hidden: true });
   flat = new Stage2D(this.plane, this.onview);
   deep: Stage3D | null = null; // made when it is first asked for
+<<<<<<< HEAD
   outputs: { name: HTMLElement; value: HTMLElement }[];
   fastest: HTMLSpanElement;
   legend: HTMLDivElement;
   readout: HTMLDListElement;
   order: HTMLSpanElement;
+=======
+>>>>>>> main
   element: HTMLDivElement;
+  outputs: { name: HTMLElement; value: HTMLElement }[] = OUTPUTS.map((name) => ({
+    name: h("dt", {}, name),
+    value: h("dd", {}),
+  }));
+  fastest = h("span", {});
+  legend = h(
+    "div",
+    { class: "legend", "aria-hidden": "true" },
+    h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
+    h("span", {}, "0"),
+    h("span", {}, "player.rim_speed"),
+    this.fastest,
+  );
+  order = h("span", { hidden: true }, "player.a_in_front_b");
 
   /** `onview`: what to do when it is seen from elsewhere. */
   constructor(
     public colors: Colors,
     readonly onview: () => void,
   ) {
-    this.outputs = OUTPUTS.map((name) => ({ name: h("dt", {}, name), value: h("dd", {}) }));
     this.outputs[1].value.className = "mode";
+<<<<<<< HEAD
     this.fastest = h("span", {});
     this.legend = h(
       "div",
@@ -46,9 +63,10 @@ export class Stage {
       { class: "readout", "aria-hidden": "true" },
       this.outputs.flatMap(({ name, value }) => [name, value]),
     );
+=======
+>>>>>>> main
     const dot: (color: string, words: string) => HTMLElement = (color, words) =>
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
-    this.order = h("span", { hidden: true }, "player.a_in_front_b");
     this.element = h(
       "div",
       { class: "stage", role: "figure", "aria-label": "player.the_hoop", tabindex: "0" },

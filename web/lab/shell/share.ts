@@ -18,9 +18,31 @@ const FILES = [
 ];
 
 export class Share {
-  menu: HTMLDetailsElement;
-  dialog: HTMLDialogElement;
+  menu = h(
+    "details",
+    { class: "menu" },
+    h(
+      "summary",
+      { class: "button" },
+      h("span", { class: "long" }, "save.share_and_save"),
+      h("span", { class: "short" }, "save.share"),
+    ),
+    h(
+      "div",
+      { class: "menu-body" },
+      this.lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
+      FILES.filter(([name]) => this.lab.backend.files.includes(name)).map(([name, label]) =>
+        this.item(label, () => this.download(name)),
+      ),
+      this.item("save.save_a_picture_png", () => this.picture("png", png)),
+      this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
+      this.item("save.record_one_run_as", () => this.record()),
+      this.item("save.show_the_python_code", () => this.code()),
+    ),
+  );
+  dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
 
+<<<<<<< HEAD
   constructor(readonly lab: Kept) {
     this.menu = h(
       "details",
@@ -46,12 +68,14 @@ export class Share {
     );
     this.dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
   }
+=======
+  constructor(readonly lab: Kept) {}
+>>>>>>> main
 
   item(label: string, action: () => void) {
     return h(
       "button",
       {
-        type: "button",
         onclick: async () => {
           this.menu.open = false;
           try {
@@ -103,7 +127,7 @@ export class Share {
     const blocks = [];
     for (let i = 0; i < pairs.length; i += 2) {
       const text = pairs[i + 1];
-      const copy = h("button", { type: "button" }, "motion.copy");
+      const copy = h("button", {}, "motion.copy");
       copy.onclick = async () => {
         await navigator.clipboard?.writeText(text).catch(() => {});
         say(copy, "motion.copied");
@@ -115,7 +139,7 @@ export class Share {
     }
     this.dialog.replaceChildren(
       ...blocks,
-      h("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, "table.close"),
+      h("button", { class: "close", onclick: () => this.dialog.close() }, "table.close"),
     );
     this.dialog.showModal();
   }

@@ -13,25 +13,22 @@ const beyond = ({ query }: Film) => [...new URLSearchParams(query).keys()].some(
 export class View {
   simple = false;
   /** Goes from one view to the other. */
-  button: HTMLButtonElement;
   /** Says that not all that matters is seen. */
-  more: HTMLElement;
+  button = h("button", { class: "view", hidden: !this.hosted, onclick: () => this.choose() });
+  more = h(
+    "p",
+    { class: "hint beyond", hidden: true },
+    "shell.this_motion_has_other",
+    " ",
+    h("button", { class: "link", onclick: () => this.choose() }, "shell.show_everything"),
+  );
 
   /** `hosted`: whether the lab owns the page; embedded hoops show what their page asks for. */
   constructor(
     readonly root: HTMLElement,
     readonly hosted: boolean,
     readonly changed: () => void,
-  ) {
-    this.button = h("button", { type: "button", class: "view", hidden: !hosted, onclick: () => this.choose() });
-    this.more = h(
-      "p",
-      { class: "hint beyond", hidden: true },
-      "shell.this_motion_has_other",
-      " ",
-      h("button", { type: "button", class: "link", onclick: () => this.choose() }, "shell.show_everything"),
-    );
-  }
+  ) {}
 
   /** Whether the visitor has asked for everything before. */
   get everything() {
