@@ -18,14 +18,6 @@ export class Stage {
   space = h("canvas", { class: "stage-canvas", hidden: true });
   flat = new Stage2D(this.plane, this.onview);
   deep: Stage3D | null = null; // made when it is first asked for
-<<<<<<< HEAD
-  outputs: { name: HTMLElement; value: HTMLElement }[];
-  fastest: HTMLSpanElement;
-  legend: HTMLDivElement;
-  readout: HTMLDListElement;
-  order: HTMLSpanElement;
-=======
->>>>>>> main
   element: HTMLDivElement;
   outputs: { name: HTMLElement; value: HTMLElement }[] = OUTPUTS.map((name) => ({
     name: h("dt", {}, name),
@@ -40,6 +32,11 @@ export class Stage {
     h("span", {}, "player.rim_speed"),
     this.fastest,
   );
+  readout = h(
+    "dl",
+    { class: "readout", "aria-hidden": "true" },
+    this.outputs.flatMap(({ name, value }) => [name, value]),
+  );
   order = h("span", { hidden: true }, "player.a_in_front_b");
 
   /** `onview`: what to do when it is seen from elsewhere. */
@@ -48,23 +45,6 @@ export class Stage {
     readonly onview: () => void,
   ) {
     this.outputs[1].value.className = "mode";
-<<<<<<< HEAD
-    this.fastest = h("span", {});
-    this.legend = h(
-      "div",
-      { class: "legend", "aria-hidden": "true" },
-      h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
-      h("span", {}, "0"),
-      h("span", {}, "player.rim_speed"),
-      this.fastest,
-    );
-    this.readout = h(
-      "dl",
-      { class: "readout", "aria-hidden": "true" },
-      this.outputs.flatMap(({ name, value }) => [name, value]),
-    );
-=======
->>>>>>> main
     const dot: (color: string, words: string) => HTMLElement = (color, words) =>
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
     this.element = h(

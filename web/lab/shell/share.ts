@@ -23,9 +23,9 @@ export class Share {
     { class: "menu" },
     h(
       "summary",
-      { class: "button" },
+      { class: "button", "aria-label": "save.share_and_save" },
       h("span", { class: "long" }, "save.share_and_save"),
-      h("span", { class: "short" }, "save.share"),
+      h("span", { class: "short" }, icon("share")),
     ),
     h(
       "div",
@@ -42,35 +42,7 @@ export class Share {
   );
   dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
 
-<<<<<<< HEAD
-  constructor(readonly lab: Kept) {
-    this.menu = h(
-      "details",
-      { class: "menu" },
-      h(
-        "summary",
-        { class: "button", "aria-label": "save.share_and_save" },
-        h("span", { class: "long" }, "save.share_and_save"),
-        h("span", { class: "short" }, icon("share")),
-      ),
-      h(
-        "div",
-        { class: "menu-body" },
-        lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
-        FILES.filter(([name]) => lab.backend.files.includes(name)).map(([name, label]) =>
-          this.item(label, () => this.download(name)),
-        ),
-        this.item("save.save_a_picture_png", () => this.picture("png", png)),
-        this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
-        this.item("save.record_one_run_as", () => this.record()),
-        this.item("save.show_the_python_code", () => this.code()),
-      ),
-    );
-    this.dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
-  }
-=======
   constructor(readonly lab: Kept) {}
->>>>>>> main
 
   item(label: string, action: () => void) {
     return h(
