@@ -156,3 +156,182 @@ interface Setup {
   presets: Preset[];
   colors: Colors;
 }
+
+interface RangeTable {
+  least: number;
+  most: number;
+  unit?: string;
+  also?: (number | "inf")[];
+}
+
+interface FieldTable {
+  kind: "number" | "friction" | "whole" | "word" | "parts" | "section";
+  unit: string;
+  nullable?: boolean;
+  required?: boolean;
+  default?: any;
+  limits?: [string, number][];
+  range?: RangeTable;
+  options?: string[];
+}
+
+interface ModelTable {
+  place: string;
+  fields: Record<string, FieldTable>;
+}
+
+interface RuleTable {
+  sentence: string;
+  values: Record<string, string>;
+  known: Record<string, any>;
+  number: string;
+}
+
+interface ScenarioTable {
+  sections: Record<string, string[]>;
+  models: Record<string, ModelTable>;
+  parts: Record<string, string>;
+  ends: Record<string, string[]>;
+  left_out: Record<string, any>;
+  rules: (RuleTable | null)[];
+  touch: number;
+  default: Record<string, any>;
+}
+
+interface WordsTable {
+  letters: string;
+  modes: string[];
+  summed_up: EventKind[];
+  signs: Record<string, string>;
+  least_speed: number;
+}
+
+interface ClassesTable {
+  codes: Record<string, Record<string, string>>;
+  families: Record<string, string>;
+  massless: Record<string, string>;
+  hops: string;
+  rolls: string;
+  other: string;
+}
+
+interface MapQuantityTable {
+  span: string;
+  unit: string;
+  words: string[];
+}
+
+interface MapTable {
+  events: number;
+  flight_turns: number;
+  allowed: Record<string, RangeTable>;
+  rates: Record<string, string>;
+  quantities: Record<string, MapQuantityTable>;
+}
+
+interface LimitsTable {
+  duration: number;
+  events: number;
+  parts: number;
+  samples: number;
+  cells: number;
+  turns: number;
+  map_turns: number;
+  steps: number;
+  changes: number;
+  film: number;
+}
+
+interface SamplesTable {
+  rate: number;
+  variables: Record<string, string>;
+}
+
+interface Tables {
+  setup: Setup;
+  fingerprints: Record<string, string | null>;
+  schema: string;
+  scenario: ScenarioTable;
+  texts: Record<string, string>;
+  words: WordsTable;
+  classes: ClassesTable;
+  map: MapTable;
+  lab: Record<string, string>;
+  limits: LimitsTable;
+  table: SamplesTable;
+  shown: string[];
+}
+
+type EventKind =
+  | "start"
+  | "slip_start"
+  | "stick"
+  | "slip_reversal"
+  | "takeoff"
+  | "impact"
+  | "turn"
+  | "apex"
+  | "bounce_limit"
+  | "painleve_inconsistent"
+  | "painleve_indeterminate"
+  | "jam"
+  | "kane_gain"
+  | "skim"
+  | "rest"
+  | "end";
+
+type ModeLetter = "R" | "S" | "K" | "H" | "M";
+
+type MotionStatus = "completed" | "at_rest" | "jammed" | "undetermined" | "event_limit";
+
+interface Velocities {
+  vx: number | null;
+  vy: number | null;
+  omega: number | null;
+}
+
+interface Impulse {
+  normal: number | null;
+  tangential: number | null;
+}
+
+interface MotionEvent {
+  t: number;
+  x: number;
+  height: number;
+  angle: number;
+  vx: number;
+  vy: number;
+  omega: number;
+  kind: EventKind;
+  from: ModeLetter | null;
+  to: ModeLetter;
+  before: Velocities;
+  impulse: Impulse;
+  collision?: boolean;
+  gain?: number | null;
+  stable?: boolean | null;
+}
+
+interface FinalState {
+  t: number;
+  x: number;
+  height: number;
+  angle: number;
+  vx: number;
+  vy: number;
+  omega: number;
+  mode: ModeLetter;
+}
+
+interface SentMotion {
+  status: MotionStatus;
+  sequence: string;
+  fingerprint: string;
+  events: MotionEvent[];
+  final: FinalState;
+  energy: Record<string, number>;
+  query: string;
+  duration: number;
+  turning: Record<string, number>;
+}

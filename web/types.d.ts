@@ -52,13 +52,6 @@ interface Scenario {
   contact: Record<string, any>;
 }
 
-interface MotionEvent {
-  t: number;
-  kind: string;
-  angle: number;
-  [key: string]: any;
-}
-
 interface Sentence {
   t: number;
   event: number;
@@ -89,8 +82,12 @@ interface Pose {
 
 type Column = Float64Array | Float32Array | Uint8Array;
 
-interface Reply {
-  header: any;
+/** What the player knows of a motion besides its frames. */
+type FilmHeader = ReturnType<typeof import("./model/header.ts").headerOf> & { doubt?: Said };
+type MapHeader = ReturnType<typeof import("./model/cells.ts").mapReply>["header"];
+
+interface Reply<Header = FilmHeader> {
+  header: Header;
   arrays: Record<string, any>;
   /** Of a film: its columns at one time, where the page can compute them at once. */
   exact?(time: number): Record<string, Column>;
@@ -105,7 +102,7 @@ type Backend = import("./lab/backend/backend.ts").Backend;
 // What needs Python: a server, or the kernel of a notebook.
 interface Python {
   /** Results and columns of a motion in as many digits as it needs; of a window of time, the columns. */
-  motion(body: { query: string; window?: [number, number] }, signal?: AbortSignal): Promise<Reply>;
+  motion(body: { query: string; window?: [number, number] }, signal?: AbortSignal): Promise<Reply<SentMotion>>;
   file(name: string, query: string): Promise<Blob>;
 }
 
@@ -143,15 +140,6 @@ interface MapClass {
   color: string;
 }
 
-interface MapHeader {
-  x: { path: string; from: number; to: number; cells: number };
-  y: { path: string; from: number; to: number; cells: number };
-  what: string;
-  label: string;
-  unit: string;
-  classes: MapClass[] | null;
-}
-
 // A computed part of a map; a finer one lies over a coarser one.
 interface MapLayer {
   picture: HTMLCanvasElement;
@@ -183,7 +171,6 @@ interface PlotDefinition {
   unit: string;
   curves: (film: Film) => Curve[];
   limits?: [number, number];
-  symmetric?: boolean;
 }
 
 // What all diagrams have in common.
@@ -343,14 +330,8 @@ interface Mechanics {
   chosen(given: Given): Record<string, number>;
 }
 
-interface ComputedMotion {
-  status: string;
-  sequence: string;
+interface ComputedMotion extends Omit<SentMotion, "query" | "turning" | "fingerprint"> {
   fingerprint: string | null; // Trajectory.fingerprint; null where doubles do not decide the motion
-  duration: number; // Trajectory.duration [s]
-  events: MotionEvent[]; // as Trajectory.to_dict()["events"]; null where not finite
-  final: Record<string, any>; // as in to_dict()
-  energy: Record<string, number>; // as in to_dict()
   doubt: number | null; // from when on doubles do not decide what comes, null where they do [s]
 }
 

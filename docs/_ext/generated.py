@@ -23,6 +23,7 @@ from hophoop.cli._options import OPTIONS
 from hophoop.maps.grid.quantities import QUANTITIES
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.base import Frozen
+from hophoop.scenario.paths import ONWARD
 from hophoop.scenario.ranges import RANGES
 from hophoop.vocabulary.parameters import Range
 
@@ -141,6 +142,8 @@ def _keys(place: str, models: tuple[type[Frozen], ...]) -> str:
     rows = []
     for model in models:
         for name, field in model.model_fields.items():
+            if name in ONWARD:  # written by Start.of, not by people
+                continue
             if isinstance(field.default_factory, object) and field.default_factory is not None:
                 continue  # a section of its own
             extra = field.json_schema_extra

@@ -27,6 +27,7 @@ _HOMES: dict[str, str | None] = {
     "Trajectory": "simulation.trajectory",
     "design": "optimal_design",
     "phases": "simulation.phases",
+    "passages": "gaits",
     "load": "io",
     "track": "tracking",
     "read_track": "tracking",
@@ -41,11 +42,11 @@ _HOMES: dict[str, str | None] = {
     "article": None,
     "claims": None,
     "maps": None,
+    "gaits": None,
     "plots": None,
     "precise": None,
     "prove": None,
     "engines": None,
-    "gaits": None,
     "animate": None,
     "jax": None,
     "show": "lab.widget",
@@ -72,6 +73,7 @@ if TYPE_CHECKING:
     from hophoop.fitting import fit as fit
     from hophoop.fitting import load_fit as load_fit
     from hophoop.fitting import plan as plan
+    from hophoop.gaits import passages as passages
     from hophoop.io import load as load
     from hophoop.lab.widget import show as show
     from hophoop.optimal_design import design as design

@@ -69,3 +69,45 @@ def test_errors_that_cannot_be_told_are_refused_before_anything_is_written(tmp_p
     assert refused.exit_code == 2
     assert "--errors needs rigid contact" in refused.stderr
     assert not list(tmp_path.iterdir())
+
+
+LOSSES = re.compile(
+    r"kinetic (?P<kinetic>\S+) J, potential (?P<potential>\S+) J; "
+    r"lost: to friction (?P<friction>\S+) J \(in slip (?P<slip>\S+) J, in impacts (?P<along>\S+) J\), "
+    r"in (?P<where>impacts, normal part|the damper) (?P<normal>\S+) J"
+    r"(, to rolling resistance (?P<rolling>\S+) J)?; residual \S+ J"
+)
+
+
+@pytest.mark.parametrize(
+    ("query", "where"),
+    [
+        ("", "impacts, normal part"),
+        ("plane.rolling_resistance=0.01", "impacts, normal part"),
+        ("contact.model=compliant&duration=1.5", "the damper"),
+    ],
+)
+def test_what_is_lost_to_friction_is_what_the_page_says(query, where, tmp_path):
+    """Slip, and impacts along the plane; the sum of all losses is what kinetic and potential energy lack."""
+    scenario = hh.Scenario.from_query(query)
+    scenario.save(tmp_path / "scenario.toml")
+    result = run("run", tmp_path / "scenario.toml")
+    assert result.exit_code == 0
+    found = LOSSES.search(" ".join(result.output.split()))
+    assert found["where"] == where
+    motion = hh.simulate(scenario)
+    ledger = motion.ledger
+    shown = {name: float(found[name]) for name in ("kinetic", "potential", "friction", "slip", "along", "normal")}
+    near = {"rel": 1e-5}
+    assert shown["friction"] == pytest.approx(shown["slip"] + shown["along"], **near)
+    # the diagram of the page draws the same column of the samples
+    assert shown["friction"] == pytest.approx(motion.at(motion.duration).friction_loss, **near)
+    assert shown["slip"] == pytest.approx(ledger.friction, **near)
+    assert (found["rolling"] is not None) == (scenario.plane.rolling_resistance > 0.0)
+    rolling = float(found["rolling"] or 0.0)
+    start = motion.at(0.0)
+    lost = shown["friction"] + shown["normal"] + rolling
+    held = shown["kinetic"] + shown["potential"]
+    stored = motion.at(motion.duration).spring
+    assert held + lost + stored == pytest.approx(start.kinetic + start.potential, rel=1e-5)
+    assert (shown["along"] > 0.1) == (where != "the damper")

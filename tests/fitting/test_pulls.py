@@ -1,4 +1,4 @@
-"""Errors over uncertainties of fits to many simulated films; run as a program it prints the table of docs/film.md."""
+"""Errors over uncertainties of fits to many simulated films; run as a program it prints the numbers of docs/film.md."""
 
 from itertools import product
 

@@ -1,6 +1,6 @@
 """From a rendered film to parameters: the truth within the uncertainties that are told.
 
-Run as a program it prints the table of docs/film.md.
+Run as a program it prints the numbers of docs/film.md.
 """
 
 import dataclasses

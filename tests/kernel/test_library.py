@@ -221,6 +221,13 @@ found = sweep(hh.Scenario(), axes, ["time", "distance"])
 take(found["time"], found["distance"])
 soft = hh.simulate(hh.Scenario(duration=0.5, contact=hh.Compliant()))
 take(soft.at(soft.times(50)).omega, soft.at(soft.times(50)).normal_force)
+onward = hh.simulate(hh.Scenario(start=hh.Start.of(motion.at(1.2)), duration=0.8))
+take([event.omega for event in onward.events])
+slope = hh.Scenario(plane=hh.Plane(slope=0.05), hoop=hh.Hoop.ideal(0.5))
+for section in ("bottom", "landing"):
+    rows = hh.passages(slope, 5, section=section)
+    take(rows.numbers, rows.packed, rows.derivative(1).matrix)
+take(hh.gaits.fates([slope, hh.Scenario()], 4).passages)
 assert "numba" not in sys.modules
 print(digest.hexdigest(), *sorted(names))
 """

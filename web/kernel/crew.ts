@@ -86,13 +86,7 @@ export class Crew {
     const hand = await this.hand();
     const stop = () => hand.stop(new DOMException("superseded", "AbortError"));
     const timer = setTimeout(
-      () =>
-        hand.stop(
-          new TooLong({
-            key: "kernel.stopped",
-            values: { time: this.limit / 1000 },
-          }),
-        ),
+      () => hand.stop(new TooLong({ key: "kernel.stopped", values: { time: this.limit / 1000 } })),
       this.limit,
     );
     try {

@@ -21,17 +21,14 @@ export class HoopModule implements Mechanics {
   turn = 0;
   exports: any;
   memory: Memory;
-  mostEvents: number;
-  mostSegments: number;
-  mostRows: number;
+  mostEvents: number = FIRST_EVENTS;
+  mostSegments: number = FIRST_SEGMENTS;
+  mostRows: number = FIRST_ROWS;
 
   constructor(compiled: WebAssembly.Module) {
     this.exports = new WebAssembly.Instance(compiled, {}).exports as any;
     this.exports._initialize?.();
     this.memory = new Memory(this.exports);
-    this.mostEvents = FIRST_EVENTS;
-    this.mostSegments = FIRST_SEGMENTS;
-    this.mostRows = FIRST_ROWS;
   }
 
   call(name: string, ...values: number[]) {
@@ -150,46 +147,21 @@ export class HoopModule implements Mechanics {
    * Rows of `layout.samples` of the motion that was computed last. `left`: just before an event; `place`: of its
    * pieces, where they are others than those computed last.
    */
-  states(computed: Pick<Computed, "given" | "segments">, times: Float64Array, left: boolean, place?: number) {
-    return this.rows("samples", layout.samples.length, computed, times, left, place);
-  }
-
-  /**
-   * What decides about the mode at times of a motion with rigid contact, a column for each of `layout.margins`.
-   * `left`: just before an event.
-   */
-  margins(given: Given, times: Float64Array, left = false): Record<string, Float64Array> {
-    if (given.contact) throw new TypeError("A compliant contact has no such rules.");
-    const width = layout.margins.length;
-    const rows = this.rows("margins", width, this.compute(given), times, left);
-    return Object.fromEntries(
-      layout.margins.map((name, place) => [name, Float64Array.from(times, (_, k) => rows[k * width + place])]),
-    );
-  }
-
-  /**
-   * Rows of an entry that tells of times of the motion that was computed last. `left`: just before an event; `place`:
-   * of its pieces.
-   */
-  rows(
-    name: string,
-    width: number,
-    computed: Pick<Computed, "given" | "segments">,
+  states(
+    { given, segments }: Pick<Computed, "given" | "segments">,
     times: Float64Array,
     left: boolean,
     place?: number,
   ) {
     const { memory } = this;
-    const size = times.length * width;
+    const size = times.length * layout.samples.length;
     const when = memory.put("times", times);
     const out = memory.room("states", 8 * Math.max(size, 1));
     const cell = memory.room("cell", 8);
-    const ask = [computed.segments, when, times.length, Number(left), out];
-    if (computed.given.contact) {
+    const ask = [segments, when, times.length, Number(left), out];
+    if (given.contact) {
       this.call("compliant_samples", cell, memory.room("contact", 8), place ?? memory.room("rows", 8), ...ask);
-    } else {
-      this.call(name, cell, place ?? memory.room("segments", 8), ...ask);
-    }
+    } else this.call("samples", cell, place ?? memory.room("segments", 8), ...ask);
     return memory.floats(out, size).slice();
   }
 
@@ -344,7 +316,11 @@ function rowOf(part: WholePart) {
 
 const LOSSES = ["friction", "impact_normal", "impact_tangential", "rolling_resistance"];
 const ENERGIES = ["kinetic", "potential", ...LOSSES, "residual"];
-const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
+const STATE = ["x", "height", "angle", "vx", "vy", "omega"] as const;
+// the words of the format by their codes; layout.json has them from the same tables as the types
+const KINDS = layout.kinds as EventKind[];
+const LETTERS = [...layout.letters] as ModeLetter[];
+const STATUSES = layout.statuses as MotionStatus[];
 
 /** As Trajectory.to_dict has it. */
 function told({ given, head, rows, count, duration }: Computed): ComputedMotion {
@@ -356,36 +332,42 @@ function told({ given, head, rows, count, duration }: Computed): ComputedMotion 
   );
   const doubt = finite(head[HEAD.doubt_from]);
   return {
-    status: layout.statuses[head[HEAD.status]],
+    status: STATUSES[head[HEAD.status]],
     sequence: sequenceOf(events),
     fingerprint: doubt === null ? fingerprintOf(rows, count) : null,
     duration,
     events,
-    final: { t: last.t, mode: last.to, ...Object.fromEntries(STATE.map((name) => [name, last[name]])) },
+    final: { t: last.t, mode: last.to, ...stateOf((name) => last[name]) },
     energy,
     doubt,
   };
 }
 
-function eventOf(row: Float64Array): any {
-  const kind = layout.kinds[row[EVENT.kind]];
+type State = Pick<MotionEvent, (typeof STATE)[number]>;
+
+const stateOf = (at: (name: keyof State) => number) =>
+  Object.fromEntries(STATE.map((name) => [name, at(name)])) as State;
+
+function eventOf(row: Float64Array): MotionEvent {
+  const kind = KINDS[row[EVENT.kind]];
   const from = row[EVENT.from_mode];
-  const event: Record<string, any> = {
+  const before = (name: keyof Velocities) => finite(row[EVENT[`before_${name}`]]);
+  const event: MotionEvent = {
     t: row[EVENT.t],
     kind,
-    from: from < 0 ? null : layout.letters[from],
-    to: layout.letters[row[EVENT.to_mode]],
+    from: from < 0 ? null : LETTERS[from],
+    to: LETTERS[row[EVENT.to_mode]],
+    ...stateOf((name) => row[EVENT[name]]),
+    before: { vx: before("vx"), vy: before("vy"), omega: before("omega") },
+    impulse: { normal: row[EVENT.impulse_normal], tangential: row[EVENT.impulse_tangential] },
   };
-  for (const name of STATE) event[name] = finite(row[EVENT[name]]);
-  event.before = Object.fromEntries(["vx", "vy", "omega"].map((name) => [name, finite(row[EVENT[`before_${name}`]])]));
-  event.impulse = { normal: row[EVENT.impulse_normal], tangential: row[EVENT.impulse_tangential] };
   if (row[EVENT.collision] === 0) event.collision = false;
   if (kind === "kane_gain") event.gain = row[EVENT.gain];
   if (row[EVENT.stable] >= 0) event.stable = row[EVENT.stable] === 1;
   return event;
 }
 
-function sequenceOf(events: any[]) {
+function sequenceOf(events: MotionEvent[]) {
   const marks = events.filter((event, k) => k === events.length - 1 || !PASSING.has(event.kind));
   const letters = marks.slice(0, -1).map((event, k) => (marks[k + 1].t > event.t ? event.to : ""));
   return letters.join("") || (events.at(-1)?.to ?? "");

@@ -41,7 +41,7 @@ export function readFields(
   if (said) return null;
   const before = found.length;
   const values: Record<string, any> = {};
-  for (const [name, field] of Object.entries<any>(fields)) {
+  for (const [name, field] of Object.entries(fields)) {
     if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
     else if (field.required) found.push(say("missing", { path: `${path}.${name}` }));
     else values[name] = number(field.default);
@@ -72,7 +72,7 @@ function distance(one: string, other: string) {
   return row[other.length];
 }
 
-export function readValue(field: any, value: any, path: string, found: Phrase[]): any {
+export function readValue(field: FieldTable, value: any, path: string, found: Phrase[]): any {
   if (value === null && field.nullable) return null;
   if (field.kind === "parts") return readParts(value, path, found);
   const given = field.kind === "friction" && value === "inf" ? Infinity : value;
@@ -88,22 +88,20 @@ const LIMITS: Record<string, (value: number, limit: number) => boolean> = {
 };
 
 /** Returns the sentence of what is allowed. */
-function refusal(field: any, value: any): [name: string, values?: any] | null {
-  const { kind, options, limits = [], range } = field;
+function refusal(field: FieldTable, value: any): [name: string, values?: any] | null {
+  const { kind, options = [], limits = [], range } = field;
   if (kind === "word") return options.includes(value) ? null : ["literal_error", { expected: oneOf(options) }];
   if (typeof value !== "number") return ["number"];
   if (kind === "friction" && !(value >= 0)) return ["friction"];
   if (kind === "whole" && !Number.isInteger(value)) return ["whole"];
   if (kind !== "friction" && !Number.isFinite(value)) return ["finite_number"];
-  const passed = limits.find(([name, limit]: [string, number]) => !LIMITS[name](value, limit));
+  const passed = limits.find(([name, limit]) => !LIMITS[name](value, limit));
   if (passed) return [passed[0], { limit: passed[1] }];
   return range && !holds(range, value) ? ["range", { words: rangeText(range) }] : null;
 }
 
-export type Range = { least: number; most: number; unit?: string; also?: any[] };
-
 /** A range in words. */
-export function rangeText({ least, most, unit = "", also = [] }: Range): Phrase {
+export function rangeText({ least, most, unit = "", also = [] }: RangeTable): Phrase {
   const name = `${also.includes(0) ? "zero_or_" : ""}from_to${also.includes("inf") ? "_or_inf" : ""}`;
   return { key: `range.${name}`, values: { least: general(least), most: `${general(most)}${unit && ` ${unit}`}` } };
 }
@@ -115,7 +113,7 @@ function oneOf(words: string[]): Said {
   return { key: "list.or", values: { some: listed(quoted.slice(0, -1)), last: quoted[quoted.length - 1] } };
 }
 
-export const holds = ({ least, most, also = [] }: Range, value: number) =>
+export const holds = ({ least, most, also = [] }: RangeTable, value: number) =>
   (least <= value && value <= most) || also.some((one) => number(one) === value);
 
 function readParts(value: any, path: string, found: Phrase[]) {

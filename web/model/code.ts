@@ -7,8 +7,8 @@ import { floatText } from "./text.ts";
 const { scenario: knowledge } = tables;
 const COMMENT = 30; // column of a unit
 /** Of all fields by name: their units and kinds do not depend on the model. */
-const FIELDS: Record<string, any> = {};
-for (const { fields } of Object.values<any>(knowledge.models)) Object.assign(FIELDS, fields);
+const FIELDS: Record<string, FieldTable> = {};
+for (const { fields } of Object.values(knowledge.models)) Object.assign(FIELDS, fields);
 
 function valueText(key: string, value: any) {
   if (typeof value === "string") return JSON.stringify(value);
@@ -21,8 +21,8 @@ function tomlLine(section: string, key: string, value: any) {
     return [`${key} = [`, ...value.map((part) => `  { ${pairs(part).join(", ")} },`), "]"].join("\n");
   }
   const line = `${key} = ${tomlValue(key, value)}`;
-  const fields = (knowledge.sections[section] ?? ["Scenario"]).map((name: string) => knowledge.models[name].fields);
-  const unit = fields.find((one: any) => key in one)[key].unit;
+  const fields = (knowledge.sections[section] ?? ["Scenario"]).map((name) => knowledge.models[name].fields);
+  const unit = fields.find((one) => key in one)?.[key].unit ?? "";
   return unit === "" || unit === "1" ? line : `${line.padEnd(COMMENT)} # ${unit}`;
 }
 

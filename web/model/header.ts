@@ -11,7 +11,10 @@ const MOST_EVENTS = 2000;
  * The motion as the JSON of the file format, as Python's `Trajectory.to_dict`, but without a fingerprint where
  * doubles do not decide. `checked`: that it was computed for.
  */
-export function resultOf(checked: Checked, { status, sequence, fingerprint, events, final, energy }: ComputedMotion) {
+export function resultOf(
+  checked: Checked,
+  { status, sequence, fingerprint, events, final, energy }: Omit<ComputedMotion, "doubt">,
+) {
   const { schema, setup } = tables;
   const scenario = toDict(checked);
   return { schema, version: setup.version, scenario, status, sequence, fingerprint, events, final, energy };
@@ -20,7 +23,7 @@ export function resultOf(checked: Checked, { status, sequence, fingerprint, even
 /** `checked`: what it is shown as; `omega`: how the hoop turns halfway from an event to the next. */
 export function headerOf(
   checked: Checked,
-  motion: ComputedMotion,
+  motion: Omit<ComputedMotion, "doubt">,
   omega: (number: number) => number,
   mechanics: Mechanics,
 ) {
@@ -33,7 +36,6 @@ export function headerOf(
     values: valuesOf(checked),
     // what is chosen by itself where the scenario leaves it open
     automatic: automatic(checked, mechanics),
-    massless: checked.hoop.inertia_ratio === 0,
     summary: summary(told),
     story: story(told),
     shortened: motion.events.length > MOST_EVENTS,

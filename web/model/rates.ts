@@ -13,9 +13,7 @@ const FIXED = ["hoop.eccentricity", "plane.slope"];
 
 /** What changes with a parameter; null where the scenario is not given by it, or it is infinite or can be no other. */
 const CHANGES: Record<string, (checked: Checked) => Rates | null> = {
-  ...Object.fromEntries(
-    Object.entries<string>(tables.map.rates).map(([path, column]) => [path, () => ({ [column]: 1 })]),
-  ),
+  ...Object.fromEntries(Object.entries(tables.map.rates).map(([path, column]) => [path, () => ({ [column]: 1 })])),
   "hoop.radius": ofRadius,
   "hoop.mass": ({ hoop }) => (hoop.parts ? null : { mass: 1 }),
   "hoop.load_fraction": ({ hoop: { load_fraction } }) =>

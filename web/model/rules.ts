@@ -4,9 +4,6 @@ import { rangeText, say } from "./check.ts";
 import { tables } from "./tables.ts";
 
 const { scenario } = tables;
-/** By the kernel's codes. */
-const RULES: (null | { sentence: string; values: Record<string, string>; known: any; number: string })[] =
-  scenario.rules;
 const WAYS = ["load_fraction", "eccentricity", "inertia_ratio"];
 const FRICTIONS = ["mu_static", "mu_kinetic"];
 const FREE = ["height", "vx", "vy", "omega"];
@@ -16,7 +13,7 @@ const ALONE = { mass: 1, inertia_ratio: 1, contact: null };
 /** The first rule that numbers break, in a sentence. `sections`: that the sentence may speak of. */
 export function broken(given: any, sections: any, mechanics: Mechanics): Phrase | null {
   const [code, number] = mechanics.refused(given);
-  const rule = RULES[code];
+  const rule = scenario.rules[code];
   if (!rule) return null;
   const values = Object.entries(rule.values).map(([name, path]) => {
     const [section, field] = path.split(".");

@@ -33,7 +33,7 @@ function readSection(name: string, data: any, mechanics: Mechanics, found: Phras
   if (name === "duration") return readValue(knowledge.models.Scenario.fields[name], data, name, found);
   const [model] =
     name === "contact" ? [modelOf(data, "model", CONTACTS, name, found, "rigid")] : knowledge.sections[name];
-  const read = model && readFields(model, data, name, found);
+  const read = model ? readFields(model, data, name, found) : null;
   const said = read && COMPLETE[name](read.values, read.given, mechanics);
   if (said) found.push(said);
   return read?.values;

@@ -10,7 +10,7 @@ const [, SPIN, SKID, FLIGHT, SKIM] = modes;
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /** A motion to be told: its events, how it ended, and how it turns at a time between them. */
-export type Told = { events: MotionEvent[]; status: string; omega: (number: number) => number };
+export type Told = { events: MotionEvent[]; status: MotionStatus; omega: (number: number) => number };
 
 /**
  * Whether the hoop slips but does not turn yet: the word for what follows is that of how it turns halfway to the next
@@ -127,7 +127,7 @@ function nameOf(events: MotionEvent[], number: number, word: string, values: Val
   }
   if (kind === "turn" && turnsInSlip(event)) return "turn_in_slip";
   if (kind === "apex") values.gap = length(event.height);
-  if (kind === "kane_gain") values.gain = inWords(event.gain);
+  if (kind === "kane_gain") values.gain = inWords(event.gain ?? null);
   return kind === "rest" && event.stable === false ? "rest_unstable" : kind;
 }
 

@@ -1,5 +1,22 @@
-"""What becomes of the hoop in the end."""
+"""Gaits: what becomes of a hoop in the end, the return map of its revolutions and the map's derivatives."""
 
+from hophoop.gaits.computing import Judgement, fates, passages
+from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.gaits.runaway import Growth, Runaway, growth, runaway
+from hophoop.gaits.section import SectionDerivative, derivative
+from hophoop.vocabulary.fates import Fate
 
-__all__ = ["growth", "Growth", "runaway", "Runaway"]
+__all__ = [
+    "passages",
+    "fates",
+    "derivative",
+    "Passages",
+    "SectionDerivative",
+    "Lyapunov",
+    "Judgement",
+    "Fate",
+    "growth",
+    "Growth",
+    "runaway",
+    "Runaway",
+]

@@ -58,6 +58,10 @@ FIELDS: dict[type, tuple[Array, ...]] = {
 }
 
 _THEORY = "hophoop.theory.kernels."
+_GAITS = "hophoop.gaits.kernels."
+REQUEST = Named(_GAITS + "layout.Request", (int, int, float, int, bool))
+CODED = Array(WHOLE, 2)
+BUFFERS = Named(_GAITS + "layout.Buffers", (TABLE, CODED, ROW, EVENTS, SEGMENTS))
 WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))
 
 # Each group is compiled by its own process, and only if one of its sources has changed.
@@ -91,6 +95,12 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.derivatives.pieces.required_friction.needs_on_panel": (Body, SEGMENTS, int, Scratch, ROW, ROW, ROW),
         "hophoop.derivatives.pieces.required_friction.peak_on_panel": (Body, SEGMENTS, int, float, float, Scratch),
         "hophoop.derivatives.pieces.required_friction.use_changes": (Body, float, float, float, TABLE, TABLE, ROW, ROW),
+    },
+    "gaits": {
+        _GAITS + "passages.follow_passages": (
+            Body, State, float, REQUEST, BUFFERS, Scratch, EVENTS,
+        ),
+        _GAITS + "cells.judge_cells": (TABLE, int, int, REQUEST, CODED),
     },
     "answers": {
         "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),

@@ -12,7 +12,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 from types import UnionType
-from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
+from typing import Annotated, Any, Final, Literal, Union, cast, get_args, get_origin
 
 from pydantic import AfterValidator, BeforeValidator
 from pydantic.fields import FieldInfo
@@ -26,6 +26,7 @@ from hophoop.lab.api.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
 from hophoop.lab.site import typescript
 from hophoop.lab.site.controls import GRAVITIES
 from hophoop.lab.site.presets import GROUPS, presets
+from hophoop.lab.site.sent import FieldKind, FieldTable, LimitsTable, RangeTable, RuleTable, ScenarioTable, Tables
 from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
@@ -39,7 +40,7 @@ from hophoop.scenario.rules import RULES, Rule
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, modes
-from hophoop.vocabulary.events import EVENTS, SIGNS
+from hophoop.vocabulary.events import EVENT_KINDS, EVENTS, SIGNS
 from hophoop.vocabulary.parameters import TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
@@ -49,14 +50,13 @@ from hophoop.vocabulary.words import plain
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
 
-_KINDS = {base._number: "number", base._friction: "friction", base._whole: "whole"}
+_KINDS: Final[dict[Any, FieldKind]] = {base._number: "number", base._friction: "friction", base._whole: "whole"}
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
 _LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
-_BOUNDS = ("duration", "events", "parts", "samples", "cells", "turns", "map_turns", "steps", "changes", "film")
 
 
-def tables() -> dict[str, Any]:
+def tables() -> Tables:
     """Return everything, ready for JSON.
 
     Returns
@@ -64,7 +64,7 @@ def tables() -> dict[str, Any]:
     tables : dict
         Infinity is the word "inf", as in a scenario file.
     """
-    found: dict[str, Any] = {
+    return {
         "setup": setup(),
         # of each preset, to compare with those of the page
         "fingerprints": {preset.key: _fingerprint(preset.scenario) for preset in presets()},
@@ -75,7 +75,7 @@ def tables() -> dict[str, Any]:
         "words": {
             "letters": "".join(modes.MODE_LETTERS),
             "modes": modes.MODE_WORDS,
-            "summed_up": [kind for kind, event in EVENTS.items() if event.summed_up],
+            "summed_up": [kind for kind in EVENT_KINDS if EVENTS[kind].summed_up],
             "signs": SIGNS,
             "least_speed": LEAST_SPEED,
         },
@@ -85,8 +85,8 @@ def tables() -> dict[str, Any]:
             "massless": classes.MASSLESS,
             "hops": classes.HOPS,
             "rolls": classes.ROLLS,
-        }
-        | {"other": colors.GRAY},
+            "other": colors.GRAY,
+        },
         "map": {
             "events": MAP_EVENTS,
             "flight_turns": FLIGHT_TURNS,
@@ -100,12 +100,11 @@ def tables() -> dict[str, Any]:
             },
         },
         "lab": {name: _places(said) for name, said in LAB.items()},
-        "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
+        "limits": cast("LimitsTable", {name: getattr(USUAL, name) for name in LimitsTable.__annotations__}),
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
         # sliders whose values may follow from the scenario instead of being in it
         "shown": [row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start")],
     }
-    return found
 
 
 def english() -> dict[str, str | dict[str, str]]:
@@ -150,7 +149,7 @@ def _fingerprint(scenario: Scenario) -> str | None:
     return motion.fingerprint if motion.doubt == math.inf else None
 
 
-def _scenario() -> dict[str, Any]:
+def _scenario() -> ScenarioTable:
     """Return the checks of a scenario: models with their fields and the constraints between them."""
     sections: dict[str, list[type[Frozen]]] = {
         "hoop": [Hoop],
@@ -173,14 +172,14 @@ def _scenario() -> dict[str, Any]:
     }
 
 
-def _fields(model: type[Frozen]) -> dict[str, dict[str, Any]]:
+def _fields(model: type[Frozen]) -> dict[str, FieldTable]:
     return {field.alias or name: _field(field) for name, field in model.model_fields.items()}
 
 
-def _field(field: FieldInfo) -> dict[str, Any]:
+def _field(field: FieldInfo) -> FieldTable:
     kind, metadata, nullable = _taken_apart(field.annotation, list(field.metadata))
     extra = field.json_schema_extra
-    made: dict[str, Any] = {"kind": "section", "unit": str(extra.get("unit", "1")) if isinstance(extra, dict) else ""}
+    made: FieldTable = {"kind": "section", "unit": str(extra.get("unit", "1")) if isinstance(extra, dict) else ""}
     if nullable:
         made["nullable"] = True
     if field.is_required():
@@ -193,12 +192,12 @@ def _field(field: FieldInfo) -> dict[str, Any]:
         elif isinstance(item, AfterValidator) and isinstance(inside := getattr(item.func, "__self__", None), Inside):
             made["range"] = _range(inside.allowed, inside.unit)
         else:
-            found = [[name, float(getattr(item, key))] for key, name in _LIMITS.items() if hasattr(item, key)]
+            found = [(name, float(getattr(item, key))) for key, name in _LIMITS.items() if hasattr(item, key)]
             if found:
                 made.setdefault("limits", []).extend(found)
     if get_origin(kind) is Literal:
         options = get_args(kind)
-        made.update(kind="word", options=options)
+        made["kind"], made["options"] = "word", options
     elif get_origin(kind) is tuple:
         made["kind"] = "parts"
     return made
@@ -225,20 +224,22 @@ def _places(template: str) -> str:
     return "".join(re.findall(r"\{[^}]*\}", template))
 
 
-def _rule(rule: Rule) -> dict[str, Any]:
+def _rule(rule: Rule) -> RuleTable:
     """Return a rule; a range in its sentence is given by its ends."""
     ranges = [*((RANGES[row.path], row.unit) for row in TABLE if row.path in RANGES), (RELATIVE_STIFFNESS, "")]
     ranges.append((RELATIVE_SLIP_SPEED, ""))
     spoken = {allowed.words(unit): _range(allowed, unit) for allowed, unit in ranges}
     known = {name: spoken.get(value, value) if name == "words" else value for name, value in rule.known.items()}
-    return dict(_written({**rule._asdict(), "known": known}))
+    return cast("RuleTable", _written({**rule._asdict(), "known": known}))
 
 
-def _range(allowed: Range, unit: str = "") -> dict[str, Any]:
-    made: dict[str, Any] = {"least": allowed.least, "most": allowed.most}
+def _range(allowed: Range, unit: str = "") -> RangeTable:
+    made: RangeTable = {"least": allowed.least, "most": allowed.most}
     if unit not in ("", "1"):
         made["unit"] = unit
-    return made | ({"also": _written(list(allowed.also))} if allowed.also else {})
+    if allowed.also:
+        made["also"] = _written(list(allowed.also))
+    return made
 
 
 def _written(value: Any) -> Any:

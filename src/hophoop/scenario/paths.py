@@ -27,7 +27,7 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
 _PARTS = (Ring, Disk, PointMass, Rod)
 _Model = TypeVar("_Model", bound=Frozen)
 
-_ONWARD = ("slip", "mode", "exact")  # of a start that goes on from another motion
+ONWARD = ("slip", "mode", "exact")  # of a start that goes on from another motion
 
 # Keys that a path replaces, where a quantity can be given in several ways.
 ENDS: dict[str, Sequence[str]] = {
@@ -38,11 +38,11 @@ ENDS: dict[str, Sequence[str]] = {
     "plane.mu": ("mu_static", "mu_kinetic"),
     "plane.mu_static": ("mu",),
     "plane.mu_kinetic": ("mu",),
-    "start.speed": ("height", "vx", "vy", "omega", *_ONWARD),
+    "start.speed": ("height", "vx", "vy", "omega", *ONWARD),
     "start.height": ("speed", "mode", "exact"),
-    "start.vx": ("speed", *_ONWARD),
+    "start.vx": ("speed", *ONWARD),
     "start.vy": ("speed", "mode", "exact"),
-    "start.omega": ("speed", *_ONWARD),
+    "start.omega": ("speed", *ONWARD),
     "contact.damping": ("restitution",),
     "contact.restitution": ("damping",),
 }
@@ -95,7 +95,7 @@ def parameter(path: str) -> ParameterInfo:
 
 
 def paths() -> list[str]:
-    """Return the paths of all numbers and words in a scenario, except those of a hoop's parts.
+    """Return the paths of all numbers and words in a scenario, without a hoop's parts and a start that goes on.
 
     Returns
     -------
@@ -105,7 +105,8 @@ def paths() -> list[str]:
     found = ["duration"]
     for section, models in _SECTIONS.items():
         for model in models:
-            found += [path for name in model.model_fields if (path := f"{section}.{name}") not in found]
+            names = [name for name in model.model_fields if name not in ONWARD]
+            found += [path for name in names if (path := f"{section}.{name}") not in found]
     return found
 
 

@@ -166,12 +166,22 @@ def continued(scenario: Scenario) -> Continued:
         begin = _state_at(scenario, found, int(passed), (t, t_low))
         if begin is not None and _agree(scenario, begin):
             return _onward(scenario, found, begin, int(passed), (t, t_low))
-    first = _row_of_start(scenario)
+    first = row_of_start(scenario)
     return _onward(scenario, _run(scenario, first, 0.0, 0.0), first, 0, (0.0, 0.0))
 
 
-def _row_of_start(scenario: Scenario) -> np.ndarray:
-    """Return the state of a start as a START event, in its mode."""
+def row_of_start(scenario: Scenario) -> np.ndarray:
+    """Return the state of a start with a mode as a START event.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    row : ndarray of records.EVENT, shape (1,)
+        In kernel units [1].
+    """
     cells = np.array(cell_of(scenario), float).reshape(-1, 1)
     state = start_of(cells, 0, second_of(cells, 0))
     row = np.zeros(1, EVENT)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.numerics.double_double import TWO_PI
-from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.body import PASSING, Event, Mode
 from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.scenario import InputError
 from hophoop.vocabulary.spans import number_after
@@ -17,7 +17,7 @@ from hophoop.vocabulary.spans import number_after
 UNTILS = ("revolutions:N", "landings:N", "angle:RADIANS", "takeoff", "reversal")
 FLIGHT = int(Mode.FLIGHT)
 IMPACT, TURN, END, BOUNCE_LIMIT = int(Event.IMPACT), int(Event.TURN), int(Event.END), int(Event.BOUNCE_LIMIT)
-APEX, KANE_GAIN, REST = int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)
+KANE_GAIN = int(Event.KANE_GAIN)
 ROUNDS = 80  # of the search for a passage; most need 4
 
 
@@ -93,8 +93,14 @@ def is_met(until: Until, kind: int, after_mode: int, height: float, vy: float, c
         return kind == BOUNCE_LIMIT or (kind == IMPACT and collision == 1)
     if until.word == "reversal":
         return kind == TURN
-    passing = kind in (TURN, APEX, KANE_GAIN, REST, END)
-    return until.word == "takeoff" and not passing and after_mode == FLIGHT and height == 0.0 and not vy < 0.0
+    return (
+        until.word == "takeoff"
+        and kind not in PASSING
+        and kind != END
+        and after_mode == FLIGHT
+        and height == 0.0
+        and not vy < 0.0
+    )
 
 
 def first_met(until: Until, events: np.ndarray) -> int | None:

@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.vocabulary.modes import mode_word
-from lab_page_tools import wait_for
+from lab_page_tools import SHOWN, wait_for
 
 
 @pytest.fixture(scope="module")
@@ -265,17 +265,37 @@ def test_a_class_sees_the_player_alone(visit):
     assert page.locator(".teach").is_hidden()
 
 
-def test_everyone_can_use_it(visit):
+WHERE = {
+    "dark": {"color_scheme": "dark"},
+    "phone": {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True, "device_scale_factor": 1},
+    "forced colours": {"forced_colors": "active"},
+}
+
+
+@pytest.mark.parametrize("where", WHERE)
+def test_everyone_can_use_it(visit, where):
     axe = os.environ.get("HOPHOOP_AXE", "")
     if not axe:
         pytest.skip("HOPHOOP_AXE does not name axe-core's axe.min.js (npm install axe-core)")
-    page = visit("#", color_scheme="dark")
+    page = visit("#", **WHERE[where])
+    wait_for(page, SHOWN)
     opened = {
         "sketch": "extras.visit.go(1)",
         "circle": "extras.visit.go(3)",
         "challenges and table": "(extras.visit.leave(), extras.challenges.open(), extras.table.open(true))",
         "presentation": "extras.present.turn(true)",
         "teachers": "(extras.present.turn(false), extras.teach.showModal())",
+        "help": "(extras.teach.close(), hophoopLab.help.showModal())",
+        "about": "(hophoopLab.help.close(), hophoopLab.about.showModal())",
+        "code": "(hophoopLab.about.close(), hophoopLab.share.code())",
+        "menu": "(hophoopLab.share.dialog.close(), hophoopLab.share.menu.querySelector('summary').click())",
+        "two hoops": "(hophoopLab.share.menu.querySelector('summary').click(), hophoopLab.motions.compare())",
+        "a refusal": "hophoopLab.controls.refuse([['start.speed', 1]], 'motion.copied')",
+        "real parts, and arrows": (
+            "(hophoopLab.motions.change([['hoop.parts', [{ shape: 'disk', mass: 1, radius: 1, at: 0 }]]], true),"
+            " extras.more.turn(true))"
+        ),
+        "in space": "hophoopLab.toggle('three')",
     }
     # evaluated, not put into the page: a policy that allows nothing foreign stays in force
     page.evaluate(Path(axe).read_text(encoding="utf-8"))

@@ -75,7 +75,10 @@ export class Backend {
   }
 
   /** A motion that Python has computed, for the player. `checked`: that it was computed for. */
-  shown({ header: motion, arrays }: Reply, checked: Checked = model.fromQuery(motion.query, this.mechanics)): Reply {
+  shown(
+    { header: motion, arrays }: Reply<SentMotion>,
+    checked: Checked = model.fromQuery(motion.query, this.mechanics),
+  ): Reply {
     const omega = (number: number) => motion.turning[number];
     return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays };
   }
@@ -129,7 +132,7 @@ export class Backend {
   }
 
   /** A map over two parameters. */
-  async map(asked: Asked & { x: any; y: any; what: string }, signal?: AbortSignal): Promise<Reply> {
+  async map(asked: Asked & { x: any; y: any; what: string }, signal?: AbortSignal): Promise<Reply<MapHeader>> {
     signal?.throwIfAborted();
     const { checked, x, y, what } = model.requested(asked, this.mechanics);
     const base = model.withinMap(checked, { x, y, what });

@@ -79,10 +79,9 @@ export class NotebookKernel implements Python {
   number = 0;
   // several views of one widget share its messages; each answers to its own
   view = Math.random().toString(36).slice(2);
-  listen: (message: any, buffers: any[]) => void;
+  listen: (message: any, buffers: any[]) => void = (message: any, buffers: any[]) => this.answered(message, buffers);
 
   constructor(readonly model: Model) {
-    this.listen = (message: any, buffers: any[]) => this.answered(message, buffers);
     model.on("msg:custom", this.listen);
   }
 
@@ -95,7 +94,7 @@ export class NotebookKernel implements Python {
     else waits.resolve(unpack(buffers[0]));
   }
 
-  ask(call: "motion" | "file" | "derivatives", body: object, signal?: AbortSignal): Promise<Reply> {
+  ask(call: "motion" | "file" | "derivatives", body: object, signal?: AbortSignal): Promise<Reply<any>> {
     const number = ++this.number;
     return new Promise((resolve, reject) => {
       // a saved notebook plays without a kernel, but its kernel makes no files

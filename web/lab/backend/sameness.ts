@@ -3,10 +3,7 @@
 import { tables } from "../../model/tables.ts";
 
 const SAME = { python: "fingerprint.same_bits_as_in", link: "fingerprint.same_bits_as_where" };
-const OTHER = {
-  python: "fingerprint.the_bits_differ_own",
-  link: "fingerprint.the_bits_differ_own_here",
-};
+const OTHER = { python: "fingerprint.the_bits_differ_own", link: "fingerprint.the_bits_differ_own_here" };
 
 export type Comparison = { same: boolean; text: Said };
 

@@ -1,5 +1,6 @@
 // The axes of all pictures with numbers: marks and names across and upwards, in a frame or with lines across.
 
+import { stroke } from "./paint.ts";
 import { t } from "../words/words.ts";
 
 /** Where the picture is on its canvas, in pixels. */
@@ -57,13 +58,6 @@ export function drawAxes(
   context.textAlign = "center";
   context.fillText(up.name, 0, 0);
   context.restore();
-}
-
-function stroke(context: CanvasRenderingContext2D, from: [number, number], to: [number, number]) {
-  context.beginPath();
-  context.moveTo(...from);
-  context.lineTo(...to);
-  context.stroke();
 }
 
 /** A name with its unit, in the visitor's language. */

@@ -13,6 +13,7 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
   ...children: any[]
 ): HTMLElementTagNameMap[Tag] {
   const element = document.createElement(tag);
+  if (tag === "button") element.setAttribute("type", "button");
   const properties = element as unknown as Record<string, any>;
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === null || value === false) continue;
@@ -28,6 +29,14 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
   }
   return element;
 }
+
+/** The names of columns. */
+export const headed = (...names: Said[]) =>
+  h("thead", {}, h("tr", {}, ...names.map((name) => h("th", { scope: "col" }, [name]))));
+
+/** A row of a table with what it is called. */
+export const rowOf = (called: any, ...cells: any[]) =>
+  h("tr", {}, h("th", { scope: "row" }, called), ...cells.map((cell) => h("td", {}, cell)));
 
 /** Put other words into an element; they change with the language. */
 export function say(element: Element, said: Said) {

@@ -8,6 +8,9 @@ export const space = (): Promise<typeof import("../player/stage3d.ts")> =>
 export const lines = (): Promise<typeof import("../player/svg.ts")> =>
   APART ? import(beside("svg.js")) : import("../player/svg.ts");
 
+export const boundaries = (): Promise<typeof import("../map/boundaries.ts")> =>
+  APART ? import(beside("boundaries.js")) : import("../map/boundaries.ts");
+
 /** What has been asked for, or that there is no network to bring it. */
 export const fetched = <Part>(part: Promise<Part>) =>
   part.catch(() => {

@@ -163,11 +163,11 @@ export class Controls {
       .flatMap((path) => [...(before[path] ?? []), this.at(path)]);
   }
 
-  select(label: string, options: [string, string][], onchange: (value: string) => void) {
+  select(label: string, options: Record<string, string>, onchange: (value: string) => void) {
     const select = h(
       "select",
       { onchange: () => onchange(select.value) },
-      options.map(([value, text]) => h("option", { value }, text)),
+      Object.entries(options).map(([value, text]) => h("option", { value }, text)),
     );
     return { select, element: h("label", { class: "choice" }, h("span", {}, label), select) };
   }
@@ -181,11 +181,11 @@ export class Controls {
   hoop() {
     this.way = this.select(
       "controls.given_by",
-      [
-        ["load_fraction", "controls.load_fraction_gamma"],
-        ["eccentricity", "controls.epsilon_and_kappa"],
-        ["parts", "controls.real_parts"],
-      ],
+      {
+        load_fraction: "controls.load_fraction_gamma",
+        eccentricity: "controls.epsilon_and_kappa",
+        parts: "controls.real_parts",
+      },
       (way) => {
         const { values } = this.film;
         if (way === "parts") this.onchange([["hoop.parts", partsLike(values)]]);
@@ -215,7 +215,7 @@ export class Controls {
     });
     this.gravity = this.select(
       "controls.where",
-      [...this.gravities.map(([name]) => [name, name] as [string, string]), ["", "controls.elsewhere"]],
+      { ...Object.fromEntries(this.gravities.map(([name]) => [name, name])), "": "controls.elsewhere" },
       (name: string) => {
         const found = this.gravities.find(([known]) => known === name);
         if (found) this.onchange([["plane.gravity", found[1]]]);
@@ -229,10 +229,7 @@ export class Controls {
   start() {
     this.kind = this.select(
       "controls.starts",
-      [
-        ["rolling", "controls.rolling"],
-        ["free", "controls.in_any_state"],
-      ],
+      { rolling: "controls.rolling", free: "controls.in_any_state" },
       (kind: string) => {
         const { values } = this.film;
         if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
@@ -243,15 +240,8 @@ export class Controls {
   }
 
   contact() {
-    return this.group(
-      "controls.contact",
-      this.at("contact.model"),
-      this.at("contact.law"),
-      this.at("contact.friction"),
-      this.at("contact.stiffness"),
-      this.at("contact.slip_speed"),
-      this.at("contact.restitution"),
-    );
+    const names = ["model", "law", "friction", "stiffness", "slip_speed", "restitution"];
+    return this.group("controls.contact", ...names.map((name) => this.at(`contact.${name}`)));
   }
 
   /** A change that was refused is said at its field, if it is one that is seen. */

@@ -59,32 +59,30 @@ export class Entry {
   shown = "";
   typing = false;
   error = h("p", { class: "error", role: "alert", id: `hh-error-${++count}`, hidden: true });
-  input: HTMLInputElement;
+  input = h("input", {
+    type: "text",
+    inputmode: "decimal",
+    autocomplete: "off",
+    spellcheck: "false",
+    class: "exact",
+    "aria-label": this.info.name,
+    oninput: () => {
+      this.typing = true;
+      this.accept();
+    },
+    onchange: () => this.typed(),
+    onblur: () => this.typing && this.typed(),
+    onkeydown: (event: KeyboardEvent) => {
+      if (event.key !== "Escape" || !(this.typing || this.refused())) return;
+      event.stopPropagation();
+      this.restore();
+    },
+  });
 
   constructor(
     readonly info: FieldInfo,
     readonly onvalue: (value: number) => void,
-  ) {
-    this.input = h("input", {
-      type: "text",
-      inputmode: "decimal",
-      autocomplete: "off",
-      spellcheck: "false",
-      class: "exact",
-      "aria-label": info.name,
-      oninput: () => {
-        this.typing = true;
-        this.accept();
-      },
-      onchange: () => this.typed(),
-      onblur: () => this.typing && this.typed(),
-      onkeydown: (event: KeyboardEvent) => {
-        if (event.key !== "Escape" || !(this.typing || this.refused())) return;
-        event.stopPropagation();
-        this.restore();
-      },
-    });
-  }
+  ) {}
 
   refused() {
     return this.input.getAttribute("aria-invalid") === "true";

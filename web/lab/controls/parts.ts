@@ -47,25 +47,22 @@ export class Parts {
   mass: number;
 
   list = h("div", { class: "parts" });
-  more: HTMLSelectElement;
-  element: HTMLDivElement;
-
-  constructor(public onchange: (changes: Change[], commit?: boolean) => void) {
-    this.more = h(
-      "select",
-      {
-        "aria-label": "parts.add_a_part",
-        onchange: () => {
-          const shape = this.more.value as Part["shape"] | "";
-          this.more.value = "";
-          if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
-        },
+  more = h(
+    "select",
+    {
+      "aria-label": "parts.add_a_part",
+      onchange: () => {
+        const shape = this.more.value as Part["shape"] | "";
+        this.more.value = "";
+        if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
       },
-      h("option", { value: "" }, "parts.add_a_part_2"),
-      Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
-    );
-    this.element = h("div", {}, this.list, this.more);
-  }
+    },
+    h("option", { value: "" }, "parts.add_a_part_2"),
+    Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
+  );
+  element = h("div", {}, this.list, this.more);
+
+  constructor(public onchange: (changes: Change[], commit?: boolean) => void) {}
 
   send(parts: Part[]) {
     this.onchange([["hoop.parts", parts]]);
@@ -99,7 +96,6 @@ export class Parts {
           h(
             "button",
             {
-              type: "button",
               class: "quiet",
               "aria-label": { key: "parts.remove_part_number_what", values: { number: i + 1, what: label } },
               onclick: () => this.send(this.parts.filter((_, k) => k !== i)),

@@ -1,5 +1,6 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
+import { disc, ring } from "../common/paint.ts";
 import { hoopInk } from "../common/colors.ts";
 import { drawnAs, strokeThrough } from "./crowd.ts";
 import { fitted, h, once } from "../common/dom.ts";
@@ -27,50 +28,40 @@ export class PhasePlane {
   keys = h("div", { class: "plot-keys" });
   hatched = h("span", { hidden: true }, "phase.hatched", " ");
   asked = "";
-  body: HTMLDivElement;
-  element: HTMLElement;
-  pinched: () => boolean;
-  range: number[];
-  soon: () => void;
+  body = h(
+    "div",
+    { class: "plot-body", role: "figure", tabindex: "0", "aria-label": "phase.plane_of_angle_and" },
+    this.canvas,
+    this.over,
+  );
+  element = h(
+    "section",
+    { class: "phase" },
+    h("header", {}, h("h3", {}, "phase.plane_of_theta_and"), this.keys),
+    this.body,
+    h(
+      "p",
+      { class: "hint" },
+      "phase.colours",
+      " ",
+      this.hatched,
+      byFingers() ? "phase.click_to_go_there" : "phase.click_to_go_there_once",
+    ),
+  );
+  pinched = zoomable(this.body, {
+    zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
+    home: () => this.home(),
+    keys: true,
+  });
+  range: number[] = [0, 2 * Math.PI];
+  soon = once(() => this.sharpen(), 140);
 
   constructor(
     readonly backend: Backend,
     public clock: Clock,
     public colors: Colors,
   ) {
-    this.body = h(
-      "div",
-      {
-        class: "plot-body",
-        role: "figure",
-        tabindex: "0",
-        "aria-label": "phase.plane_of_angle_and",
-      },
-      this.canvas,
-      this.over,
-    );
-    this.element = h(
-      "section",
-      { class: "phase" },
-      h("header", {}, h("h3", {}, "phase.plane_of_theta_and"), this.keys),
-      this.body,
-      h(
-        "p",
-        { class: "hint" },
-        "phase.colours",
-        " ",
-        this.hatched,
-        byFingers() ? "phase.click_to_go_there" : "phase.click_to_go_there_once",
-      ),
-    );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
-    this.pinched = zoomable(this.body, {
-      zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
-      home: () => this.home(),
-      keys: true,
-    });
-    this.range = [0, 2 * Math.PI];
-    this.soon = once(() => this.sharpen(), 140);
   }
 
   /** The regions belong to hoop and plane alone: they are asked for when those change, or the reach grows. */
@@ -108,11 +99,7 @@ export class PhasePlane {
     const { modes, paradox } = await this.backend.regions(scenario, window, signal);
     // an answer may be on its way already when it is given up
     signal?.throwIfAborted();
-    return {
-      window,
-      paradox,
-      picture: pictureOf(modes, paradox.length / 2, this.colors.modes),
-    };
+    return { window, paradox, picture: pictureOf(modes, paradox.length / 2, this.colors.modes) };
   }
 
   reach() {
@@ -291,19 +278,15 @@ export class PhasePlane {
       context.strokeStyle = this.look.ink;
       context.lineWidth = 1.5;
       for (const radius of [6, 10]) {
-        context.beginPath();
-        context.arc(x, y, radius, 0, 2 * Math.PI);
-        context.stroke();
+        ring(context, [x, y], radius);
       }
     }
     this.films.forEach((film, lane) => {
       const pose = film.at(time);
       const [x, y] = this.spot(pose);
       if (!(x >= LEFT && x <= LEFT + this.box.width && y >= TOP && y <= TOP + this.box.height)) return;
-      context.beginPath();
-      context.arc(x, y, lane ? 4 : 5.5, 0, 2 * Math.PI);
       context.fillStyle = this.colors.modes[pose.mode];
-      context.fill();
+      disc(context, [x, y], lane ? 4 : 5.5);
       context.lineWidth = 2;
       context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
       context.stroke();

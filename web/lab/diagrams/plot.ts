@@ -1,5 +1,6 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
+import { disc, haloed, stroke } from "../common/paint.ts";
 import { axisFont } from "../common/axes.ts";
 import { faded, hoopInk, readable } from "../common/colors.ts";
 import { type Crowd, drawnAs, strokeThrough } from "./crowd.ts";
@@ -26,34 +27,25 @@ export class Plot {
   named: string;
   values: HTMLElement[];
 
-  key: string;
-  title: string;
-  unit: string;
-  curves: (film: Film) => Curve[];
-  limits: [number, number] | undefined;
-  symmetric: boolean;
-  canvas: HTMLCanvasElement;
-  over: HTMLCanvasElement;
-  keys: HTMLDivElement;
+  key: PlotDefinition["key"];
+  title: PlotDefinition["title"];
+  unit: PlotDefinition["unit"];
+  curves: PlotDefinition["curves"];
+  limits: PlotDefinition["limits"];
   body: HTMLDivElement;
   element: HTMLElement;
   pinched: () => boolean;
-  onseek: (time: number) => void;
+  canvas = h("canvas", { class: "plot-canvas" });
+  over = h("canvas", { class: "plot-canvas plot-over" });
+  keys = h("div", { class: "plot-keys" });
+  onseek: (time: number) => void = () => {};
 
   /** `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots. */
   constructor(
-    { key, title, unit, curves, limits, symmetric = false }: PlotDefinition,
+    definition: PlotDefinition,
     public shared: PlotShared,
   ) {
-    this.key = key;
-    this.title = title;
-    this.unit = unit;
-    this.curves = curves;
-    this.limits = limits;
-    this.symmetric = symmetric;
-    this.canvas = h("canvas", { class: "plot-canvas" });
-    this.over = h("canvas", { class: "plot-canvas plot-over" });
-    this.keys = h("div", { class: "plot-keys" });
+    const { key, title } = Object.assign(this, definition);
     this.body = h(
       "div",
       { class: "plot-body", tabindex: "0", role: "figure", "aria-label": title },
@@ -72,7 +64,6 @@ export class Plot {
       home: () => this.zoomTo(null),
       keys: true,
     });
-    this.onseek = () => {};
   }
 
   abscissa(film: Film) {
@@ -166,7 +157,7 @@ export class Plot {
           seen.push(values[i]);
       }
     }
-    const heights = heightsOf(seen, this.symmetric);
+    const heights = heightsOf(seen);
     const [low, high] = seen.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], heights);
     this.cut = low < heights[0] || high > heights[1] ? { low: show(low, 3), high: show(high, 3) } : null;
     return heights;
@@ -231,22 +222,14 @@ export class Plot {
     const [x, y] = [this.x(across[i]), clamp(this.y(values[i]) - 8, TOP + 10, TOP + this.box.height - 4)];
     context.font = `700 12px ${this.look.font}`;
     context.textAlign = "center";
-    context.lineWidth = 4;
-    context.strokeStyle = this.look.panel;
-    context.strokeText("AB"[lane], x, y);
-    context.fillStyle = color ?? this.look.ink;
-    context.fillText("AB"[lane], x, y);
+    haloed(context, "AB"[lane], [x, y], color ?? this.look.ink, this.look.panel);
   }
 
   /** A word at the top of the axis. */
   tell(context: CanvasRenderingContext2D, text: string) {
     context.font = axisFont(this.look);
     context.textAlign = "left";
-    context.lineWidth = 4;
-    context.strokeStyle = this.look.panel;
-    context.strokeText(text, LEFT + 6, TOP + 11);
-    context.fillStyle = this.look.ink;
-    context.fillText(text, LEFT + 6, TOP + 11);
+    haloed(context, text, [LEFT + 6, TOP + 11], this.look.ink, this.look.panel);
   }
 
   legend(curves: Curve[], dark: boolean) {
@@ -291,10 +274,7 @@ export class Plot {
       if (inside) {
         context.strokeStyle = this.look.soft;
         context.lineWidth = 1;
-        context.beginPath();
-        context.moveTo(x, TOP);
-        context.lineTo(x, TOP + this.box.height);
-        context.stroke();
+        stroke(context, [x, TOP], [x, TOP + this.box.height]);
       }
       this.shades(now, lane).forEach((curve, k, all) => {
         if (!this.compares(curve, lane, all.length)) return;
@@ -303,9 +283,7 @@ export class Plot {
         const y = this.y(value);
         if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
         context.fillStyle = curve.color ?? this.look.ink;
-        context.beginPath();
-        context.arc(x, y, 3.2, 0, 2 * Math.PI);
-        context.fill();
+        disc(context, [x, y], 3.2);
       });
     });
     const { pointed } = this.shared.clock;

@@ -12,11 +12,8 @@ export const RIGHT = 10;
 export const TOP = 8;
 export const BOTTOM = 30;
 
-/**
- * From where to where an axis upwards goes for values. `values`: finite ones; `symmetric`: whether zero is in the
- * middle.
- */
-export function heightsOf(values: number[], symmetric: boolean) {
+/** From where to where an axis upwards goes for finite values. */
+export function heightsOf(values: number[]) {
   if (!values.length) return [0, 1];
   const sorted = Float64Array.from(values).sort();
   let [low, high] = [sorted[0], sorted[sorted.length - 1]];
@@ -33,7 +30,6 @@ export function heightsOf(values: number[], symmetric: boolean) {
   }
   low = Math.min(low, 0);
   high = Math.max(high, 0);
-  if (symmetric) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
   const margin = 0.06 * (high - low) || 1;
   return [low < 0 ? low - margin : low, high + margin];
 }

@@ -80,23 +80,23 @@ export class Plots {
   active: number;
   look: Look;
 
-  shared: { axis: string; range: null; clock: Clock; changed: () => void };
-  plots: Plot[];
-  seen: Map<HTMLElement, boolean>;
+  shared = { axis: "time", range: null, clock: this.clock, changed: () => this.redraw() };
   axis: HTMLSelectElement;
-  back: HTMLButtonElement;
-  hint: HTMLSpanElement;
   element: HTMLDivElement;
+  plots: Plot[] = [
+    ...definitions(this.colors).map((definition) => new Plot(definition, this.shared)),
+    ownPlot(this.shared),
+  ];
+  // curves that are scrolled away wait until they are seen; not so the legends, whose room moves what is below
+  seen = new Map(this.plots.map((plot) => [plot.element, true]));
+  back = h("button", { hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "diagram.whole_motion");
+  hint = h("span", { class: "hint" });
 
   constructor(
-    clock: Clock,
-    public colors: Colors,
+    readonly clock: Clock,
+    readonly colors: Colors,
   ) {
-    this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
-    this.plots = [...definitions(colors).map((definition) => new Plot(definition, this.shared)), ownPlot(this.shared)];
     for (const plot of this.plots) plot.onseek = (time: number) => clock.seek(time);
-    // curves that are scrolled away wait until they are seen; not so the legends, whose room moves what is below
-    this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
     const watch = new IntersectionObserver(
       (entries) => {
         for (const { target, isIntersecting } of entries) this.seen.set(target as HTMLElement, isIntersecting);
@@ -117,12 +117,6 @@ export class Plots {
       },
       optionsOf(({ name }) => ({ key: "diagram.over_quantity", values: { quantity: name } })),
     );
-    this.back = h(
-      "button",
-      { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) },
-      "diagram.whole_motion",
-    );
-    this.hint = h("span", { class: "hint" });
     this.element = h(
       "div",
       { class: "plots" },
@@ -137,15 +131,7 @@ export class Plots {
     this.look = look;
     const hands = matchMedia("(hover: none)").matches ? "diagram.slide_to_go_there" : "diagram.click_to_go_there";
     const two = films.length > 1;
-    say(
-      this.hint,
-      two
-        ? {
-            key: "diagram.a_blue_b_ochre",
-            values: { hoop: "AB"[active], hands },
-          }
-        : hands,
-    );
+    say(this.hint, two ? { key: "diagram.a_blue_b_ochre", values: { hoop: "AB"[active], hands } } : hands);
     this.redraw();
   }
 

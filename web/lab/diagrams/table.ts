@@ -31,56 +31,50 @@ export class Table {
   now: HTMLElement | undefined;
 
   columns = [...FIRST];
-  step: HTMLSelectElement;
-  picks: HTMLDivElement;
-  caption: HTMLTableCaptionElement;
-  head: HTMLTableSectionElement;
-  body: HTMLTableSectionElement;
-  element: HTMLElement;
 
   readonly source: () => Film;
   readonly clock: Clock;
   readonly names: () => Record<string, string>;
+  step = h(
+    "select",
+    { onchange: () => this.fill() },
+    STEPS.map((step) => h("option", { value: String(step) }, `${step} s`)),
+  );
+  picks = h(
+    "div",
+    { class: "table-picks" },
+    Object.entries(QUANTITIES)
+      .filter(([key]) => key !== "time")
+      .map(([key, { name }]) => this.pick(key, name)),
+  );
+  caption = h("caption", {});
+  head = h("thead", {});
+  body = h("tbody", {});
+  element = h(
+    "section",
+    { class: "table", "aria-label": "table.table_of_the_motion", hidden: true },
+    h(
+      "header",
+      {},
+      h("h2", {}, "table.table"),
+      h("label", { class: "table-step" }, h("span", {}, "table.every"), this.step),
+      h("button", { onclick: () => this.save() }, "table.save_as_csv"),
+      h("button", { onclick: () => this.open(false) }, "table.close"),
+    ),
+    h("details", { class: "table-columns" }, h("summary", {}, "table.columns"), this.picks),
+    h(
+      "div",
+      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "table.table_of_the_motion_rows" },
+      h("table", {}, this.caption, this.head, this.body),
+    ),
+  );
 
   /** `names`: of the modes. */
   constructor({ film, clock, names }: { film: () => Film; clock: Clock; names: () => Record<string, string> }) {
     this.source = film;
     this.clock = clock;
     this.names = names;
-    this.step = h(
-      "select",
-      { onchange: () => this.fill() },
-      STEPS.map((step) => h("option", { value: String(step) }, `${step} s`)),
-    );
     this.step.value = "0.1";
-    this.picks = h(
-      "div",
-      { class: "table-picks" },
-      Object.entries(QUANTITIES)
-        .filter(([key]) => key !== "time")
-        .map(([key, { name }]) => this.pick(key, name)),
-    );
-    this.caption = h("caption", {});
-    this.head = h("thead", {});
-    this.body = h("tbody", {});
-    this.element = h(
-      "section",
-      { class: "table", "aria-label": "table.table_of_the_motion", hidden: true },
-      h(
-        "header",
-        {},
-        h("h2", {}, "table.table"),
-        h("label", { class: "table-step" }, h("span", {}, "table.every"), this.step),
-        h("button", { type: "button", onclick: () => this.save() }, "table.save_as_csv"),
-        h("button", { type: "button", onclick: () => this.open(false) }, "table.close"),
-      ),
-      h("details", { class: "table-columns" }, h("summary", {}, "table.columns"), this.picks),
-      h(
-        "div",
-        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "table.table_of_the_motion_rows" },
-        h("table", {}, this.caption, this.head, this.body),
-      ),
-    );
   }
 
   pick(key: string, name: string) {

@@ -2,7 +2,7 @@
 
 import { fitted, focused, h, once, say } from "../common/dom.ts";
 import { axisFont } from "../common/axes.ts";
-import { boundariesOf } from "./boundaries.ts";
+import { boundaries } from "../common/later.ts";
 import { AXES, cross, MapAxes } from "./map_axes.ts";
 import { takeHands } from "./map_hands.ts";
 import { otherStart } from "./map_words.ts";
@@ -35,16 +35,24 @@ export class MotionMap {
   say: (text: string) => void;
   changed: () => void;
   axes: MapAxes;
-  canvas: HTMLCanvasElement;
-  tip: HTMLDivElement;
-  body: HTMLDivElement;
-  keys: HTMLDivElement;
-  state: HTMLSpanElement;
   selects: { x: HTMLSelectElement; y: HTMLSelectElement };
   quantity: HTMLSelectElement;
   element: HTMLElement;
-  soon: () => void;
-  watch: IntersectionObserver;
+  canvas = h("canvas", { class: "plot-canvas" });
+  tip = h("div", { class: "tip", hidden: true });
+  body = h(
+    "div",
+    { class: "map-body", tabindex: "0", role: "application", "aria-label": "map.map_of_motions_arrow" },
+    this.canvas,
+    this.tip,
+  );
+  keys = h("div", { class: "map-keys" });
+  state = h("span", { class: "hint" });
+  soon = once(() => this.refresh(), 140);
+  watch = new IntersectionObserver(([entry]) => {
+    this.seen = entry.isIntersecting;
+    if (this.seen && this.stale) this.refresh();
+  });
 
   /**
    * `rest.take`: what a click on a motion does; `rest.say`: for a screen reader; `rest.changed`: another part of it
@@ -60,21 +68,6 @@ export class MotionMap {
     this.changed = changed;
     const axes = setup.controls.map_axes;
     this.axes = new MapAxes(axes);
-    this.canvas = h("canvas", { class: "plot-canvas" });
-    this.tip = h("div", { class: "tip", hidden: true });
-    this.body = h(
-      "div",
-      {
-        class: "map-body",
-        tabindex: "0",
-        role: "application",
-        "aria-label": "map.map_of_motions_arrow",
-      },
-      this.canvas,
-      this.tip,
-    );
-    this.keys = h("div", { class: "map-keys" });
-    this.state = h("span", { class: "hint" });
     const pick: (name: AxisName) => HTMLSelectElement = (name) => {
       const select = h(
         "select",
@@ -108,17 +101,9 @@ export class MotionMap {
         h(
           "span",
           { class: "buttons" },
-          h(
-            "button",
-            { type: "button", "aria-label": "map.zoom_into_the_map", onclick: () => this.zoom(0.5, this.aim()) },
-            "+",
-          ),
-          h(
-            "button",
-            { type: "button", "aria-label": "map.zoom_out_of_the", onclick: () => this.zoom(2, this.aim()) },
-            "−",
-          ),
-          h("button", { type: "button", onclick: () => this.home() }, "map.whole_map"),
+          h("button", { "aria-label": "map.zoom_into_the_map", onclick: () => this.zoom(0.5, this.aim()) }, "+"),
+          h("button", { "aria-label": "map.zoom_out_of_the", onclick: () => this.zoom(2, this.aim()) }, "−"),
+          h("button", { onclick: () => this.home() }, "map.whole_map"),
         ),
         this.state,
       ),
@@ -127,11 +112,6 @@ export class MotionMap {
       h("p", { class: "hint" }, byFingers() ? "map.click_to_take_that" : "map.click_to_take_that_motion"),
     );
     takeHands(this);
-    this.soon = once(() => this.refresh(), 140);
-    this.watch = new IntersectionObserver(([entry]) => {
-      this.seen = entry.isIntersecting;
-      if (this.seen && this.stale) this.refresh();
-    });
     this.watch.observe(this.body);
     this.syncSelects();
   }
@@ -237,12 +217,13 @@ export class MotionMap {
   }
 
   /** The finest layer with exact boundaries between its classes. */
-  async outline(asked: Parameters<Backend["map"]>[0], reply: Reply, signal: AbortSignal) {
+  async outline(asked: Parameters<Backend["map"]>[0], reply: Reply<MapHeader>, signal: AbortSignal) {
     const { values, header } = this.layers[this.layers.length - 1];
     const { classes, x, y } = header;
     if (!classes) return;
     const value = ({ from, to, cells }: MapHeader["x"], place: number) => from + (place / cells) * (to - from);
-    const found = await boundariesOf(values, [x.cells, y.cells], (places) => {
+    const part = await boundaries().catch(() => null); // without a network the cells do
+    const found = await part?.boundariesOf(values, [x.cells, y.cells], (places) => {
       const pairs = places.map(([across, up]): [number, number] => [value(x, across), value(y, up)]);
       return this.backend.classesAt(asked, pairs, classes, signal);
     });

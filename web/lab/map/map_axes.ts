@@ -18,15 +18,11 @@ export class MapAxes {
   box: Box;
 
   paths: Record<AxisName, string> = { x: "start.speed", y: "plane.mu" };
-  known: Map<string, AxisInfo>;
-  windows: Record<AxisName, number[]>;
-  left: number;
+  known = new Map(this.all.map((axis) => [axis.path, axis]));
+  windows: Record<AxisName, number[]> = { x: this.whole("x"), y: this.whole("y") };
+  left: number = LEFT;
 
-  constructor(axes: AxisInfo[]) {
-    this.known = new Map(axes.map((axis) => [axis.path, axis]));
-    this.windows = { x: this.whole("x"), y: this.whole("y") };
-    this.left = LEFT;
-  }
+  constructor(readonly all: AxisInfo[]) {}
 
   /** What is known of the parameter on an axis. */
   info(name: AxisName) {

@@ -30,9 +30,8 @@ function limits({ classes, what }: MapHeader, values: Float32Array) {
 }
 
 /** A reply as a picture of one pixel a cell. `edges`: darker cells where a class ends. */
-export function layerOf(reply: Reply, edges = true): MapLayer {
-  const { values }: { values: Float32Array } = reply.arrays as any;
-  const header = reply.header as MapHeader;
+export function layerOf({ header, arrays }: Reply<MapHeader>, edges = true): MapLayer {
+  const values: Float32Array = arrays.values;
   const { x, y, classes } = header;
   const image = new ImageData(x.cells, y.cells);
   const [low, high] = limits(header, values);
@@ -88,7 +87,7 @@ export function paint(
   for (const [code, area] of shapes.areas) {
     const path = new Path2D();
     path.addPath(area, place);
-    context.fillStyle = header.classes?.[code]?.color ?? look.paper;
+    context.fillStyle = header.classes?.[code]?.color ?? look.panel;
     context.fill(path);
   }
   context.beginPath();

@@ -23,17 +23,21 @@ export class Film {
   scenario: Scenario;
   query: string;
   duration: number;
-  status: string;
+  status: MotionStatus;
   sequence: string;
+  /** hash of the bits of all events; null where this page does not decide them */
   fingerprint: string | null;
   events: MotionEvent[];
   values: Record<string, any>;
   automatic: Record<string, number>;
+  /** what happens, in one sentence */
   summary: Said;
   story: Sentence[];
   shortened: boolean;
+  /** that more digits would have to decide what comes, if they would */
   doubt: Said;
   columns: Record<string, Column>;
+  /** the state at any time; without it, states between samples are interpolated */
   exact: Reply["exact"];
   samples: ((window: [number, number]) => Promise<Record<string, Column>>) | undefined;
   t: Float64Array;
@@ -47,25 +51,8 @@ export class Film {
   extent: { left: number; right: number; top: number; speed: number };
 
   constructor(reply: Reply) {
-    const { header } = reply;
-    this.scenario = header.scenario;
-    this.query = header.query;
-    this.duration = header.duration;
-    this.status = header.status;
-    this.sequence = header.sequence;
-    /** hash of the bits of all events; null where this page does not decide them. */
-    this.fingerprint = header.fingerprint ?? null;
-    this.events = header.events;
-    this.values = header.values;
-    this.automatic = header.automatic;
-    /** what happens, in one sentence. */
-    this.summary = header.summary;
-    this.story = header.story;
-    this.shortened = header.shortened;
-    /** that more digits would have to decide what comes, if they would. */
-    this.doubt = header.doubt ?? "";
+    Object.assign(this, { fingerprint: null, doubt: "" }, reply.header);
     this.columns = reply.arrays;
-    /** the state at any time; without it, states between samples are interpolated. */
     this.exact = reply.exact;
     this.samples = reply.samples;
     this.t = reply.arrays.t;
@@ -204,15 +191,39 @@ export class Film {
     const j = Math.min(i + 1, this.length - 1);
     const span = this.t[j] - this.t[i];
     const share = span > 0 ? (now - this.t[i]) / span : 0;
+    const weights = this.weights(now, i, j);
     const columns: Record<string, number[]> = {};
     for (const [name, column] of Object.entries(this.columns)) {
       const a = column[i];
       const b = column[j];
       const rate = this.columns[RATES[name]];
       if (name === "mode" || !Number.isFinite(b)) columns[name] = [a];
-      else columns[name] = [rate ? hermite(a, b, rate[i] * span, rate[j] * span, share) : a + (b - a) * share];
+      else if (rate) columns[name] = [hermite(a, b, rate[i] * span, rate[j] * span, share)];
+      else columns[name] = [this.weighed(name, weights)];
     }
     return Object.assign(this.with({ ...columns, t: [now] }), { sure: false });
+  }
+
+  /** Of a cubic through four samples about a time, none of them beyond an event: their numbers and their weights. */
+  weights(now: number, i: number, j: number): [number, number][] {
+    const { t } = this;
+    let [first, last] = [i, j];
+    while (first > 0 && i - first < 3 && t[first - 1] < t[first]) first--;
+    while (last < this.length - 1 && last - j < 3 && t[last] < t[last + 1]) last++;
+    const from = Math.max(first, Math.min(i - 1, last - 3));
+    const places = Array.from({ length: Math.min(from + 3, last) - from + 1 }, (_, k) => from + k);
+    return places.map((k) => [
+      k,
+      places.reduce((product, other) => (other === k ? product : (product * (now - t[other])) / (t[k] - t[other])), 1),
+    ]);
+  }
+
+  weighed(name: string, weights: [number, number][]) {
+    const column = this.columns[name];
+    if (name !== "utilization") return weights.reduce((sum, [k, weight]) => sum + weight * column[k], 0);
+    // where friction changes its sign, its size has a kink
+    const { friction_force } = this.columns;
+    return Math.abs(weights.reduce((sum, [k, weight]) => sum + weight * Math.sign(friction_force[k]) * column[k], 0));
   }
 
   at(time: number): Pose {

@@ -4,6 +4,7 @@
 import { calm } from "./clock.ts";
 import { h, once, say } from "../common/dom.ts";
 import { changesFor, keyed, Pull, taken, type Grip, type Held } from "./grab.ts";
+import { clearPlace } from "./clear.ts";
 import { clamp, degrees, length, show } from "../common/numbers.ts";
 import { follow } from "../common/pointer.ts";
 import { t } from "../words/words.ts";
@@ -12,6 +13,7 @@ import type { Scene } from "./scene2d.ts";
 
 const REST = 700; // milliseconds after the last key until the start counts as chosen
 const SMALL = 44; // pixels, the least that a finger hits
+const LOAD = 16; // pixels about the middle of the load that are not covered
 
 /** What the hand moves, and what shows it. */
 type Hands = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "film" | "request" | "mark">;
@@ -30,23 +32,20 @@ export class Grips {
   /** The motion before the hand came, for Escape. */
   before: string | null = null;
 
-  places: Map<Grip, HTMLElement>;
-  tip: HTMLOutputElement;
   /** What a first visitor is told. */
   hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "hand.drag_the_load");
-  element: HTMLDivElement;
-  settle: () => void;
+  places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
+  tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
+  element = h(
+    "div",
+    { class: "grips", role: "group", "aria-label": "hand.the_hoop_in_your" },
+    [...this.places.values()],
+    this.tip,
+    this.hint,
+  );
+  settle = once(() => this.chosen(false), REST);
 
   constructor(readonly lab: Hands) {
-    this.places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
-    this.tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
-    this.element = h(
-      "div",
-      { class: "grips", role: "group", "aria-label": "hand.the_hoop_in_your" },
-      [...this.places.values()],
-      this.tip,
-      this.hint,
-    );
     const { flat, plane } = lab.stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
     flat.grab = (event) => this.take(event);
@@ -54,7 +53,6 @@ export class Grips {
     plane.addEventListener("pointerleave", () => this.hover(null));
     const still = (event: TouchEvent) => this.pull && event.cancelable && event.preventDefault();
     plane.addEventListener("touchmove", still, { passive: false });
-    this.settle = once(() => this.chosen(false), REST);
   }
 
   place(grip: Grip, label: string, title: string) {
@@ -100,11 +98,28 @@ export class Grips {
       place.style.width = place.style.height = `${size}px`;
       place.hidden = x < 0 || y < 0 || x > view.width || y > view.height;
     }
-    if (!this.hint.hidden) {
-      const [x, y] = spots[2][1];
-      this.hint.style.transform = `translate(${clamp(x, 70, view.width - 70)}px, ${view.top + Math.max(y - SMALL, 18)}px) translate(-50%, -50%)`;
-    }
+    if (!this.hint.hidden) this.placeHint(load[0], view.top + load[1]);
     if (!lab.clock.playing) this.tell(film);
+  }
+
+  /** Above the load, clear of the load itself and of the numbers on the picture. */
+  placeHint(x: number, y: number) {
+    const { element, readout, legend } = this.lab.stage;
+    const origin = element.getBoundingClientRect();
+    const edges = (one: HTMLElement) => {
+      const { left, right, top, bottom } = one.getBoundingClientRect();
+      return {
+        left: left - origin.left,
+        right: right - origin.left,
+        top: top - origin.top,
+        bottom: bottom - origin.top,
+      };
+    };
+    const shown = [readout, legend].filter((one) => one.checkVisibility()).map(edges);
+    const taken = [...shown, { left: x - LOAD, right: x + LOAD, top: y - LOAD, bottom: y + LOAD }];
+    const size = this.hint.getBoundingClientRect();
+    const [left, top] = clearPlace([x, y - SMALL], size, edges(element), taken);
+    this.hint.style.transform = `translate(${left}px, ${top}px) translate(-50%, -50%)`;
   }
 
   onPlane(view: Scene) {

@@ -5,19 +5,18 @@ import { h } from "../common/dom.ts";
 export class Hoops {
   tabs: HTMLButtonElement[];
   bar: HTMLDivElement;
-  text: HTMLParagraphElement;
   element: HTMLDivElement;
+  text = h("p", { class: "preset-text" });
 
   constructor(choose: (lane: number) => void) {
     this.tabs = ["hoops.hoop_a", "hoops.hoop_b"].map((name, i) =>
-      h("button", { type: "button", "aria-pressed": "false", onclick: () => choose(i) }, name),
+      h("button", { "aria-pressed": "false", onclick: () => choose(i) }, name),
     );
     this.bar = h(
       "div",
       { class: "tabs", role: "group", "aria-label": "hoops.which_hoop_the_controls", hidden: true },
       this.tabs,
     );
-    this.text = h("p", { class: "preset-text" });
     this.element = h("div", { class: "lanes" }, this.bar, this.text);
   }
 

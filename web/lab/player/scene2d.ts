@@ -1,5 +1,6 @@
 // One hoop on its plane, drawn on a canvas or whatever takes the same strokes.
 
+import { disc, fill, ring, stroke } from "../common/paint.ts";
 import { SPEED_TEXTS } from "../common/colors.ts";
 import { clamp, niceStep, show, tickText } from "../common/numbers.ts";
 
@@ -9,11 +10,11 @@ export class Scene {
   top = 0; // of the hoop's part of the picture, in pixels
 
   pose: Pose;
-  cosine: number;
-  sine: number;
   scale: number;
   focus: number[];
   place: number[];
+  cosine: number = Math.cos(this.film.slope);
+  sine: number = Math.sin(this.film.slope);
 
   constructor(
     readonly context: CanvasRenderingContext2D,
@@ -32,8 +33,6 @@ export class Scene {
     const R = film.radius;
     const { left, right } = film.extent;
     const { top } = common;
-    this.cosine = Math.cos(film.slope);
-    this.sine = Math.sin(film.slope);
     const room = 2 * common.radius + Math.min(top, 6 * common.radius);
     const close = Math.min((0.66 * height) / room, (0.36 * width) / common.radius);
     if (options.whole) {
@@ -81,18 +80,10 @@ export class Scene {
     const [x1, y1] = this.point(this.focus[0] + reach, 0);
     const down = [-this.sine * 4000, this.cosine * 4000];
     context.fillStyle = look.ground;
-    context.beginPath();
-    context.moveTo(x0, y0);
-    context.lineTo(x1, y1);
-    context.lineTo(x1 + down[0], y1 + down[1]);
-    context.lineTo(x0 + down[0], y0 + down[1]);
-    context.fill();
+    fill(context, [x0, y0], [x1, y1], [x1 + down[0], y1 + down[1]], [x0 + down[0], y0 + down[1]]);
     context.strokeStyle = look.soft;
     context.lineWidth = 1.5;
-    context.beginPath();
-    context.moveTo(x0, y0);
-    context.lineTo(x1, y1);
-    context.stroke();
+    stroke(context, [x0, y0], [x1, y1]);
     const step = niceStep(width / this.scale, width / (90 * look.px));
     context.fillStyle = look.soft;
     context.font = `${11 * look.px}px ${look.font}`;
@@ -103,10 +94,7 @@ export class Scene {
     for (let k = low; k <= high; k++) {
       const [x, y] = this.point(k * step, 0);
       if (x < -40 || x > width + 40) continue;
-      context.beginPath();
-      context.moveTo(x, y);
-      context.lineTo(x - 6 * this.sine, y + 6 * this.cosine);
-      context.stroke();
+      stroke(context, [x, y], [x - 6 * this.sine, y + 6 * this.cosine]);
       context.fillText(
         `${tickText(k * step, step)} m`,
         x - 18 * look.px * this.sine,
@@ -162,9 +150,7 @@ export class Scene {
     const [x, y] = this.point(pose.x, film.radius + pose.height);
     context.strokeStyle = color;
     context.lineWidth = 3;
-    context.beginPath();
-    context.arc(x, y, Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2), 0, 2 * Math.PI);
-    context.stroke();
+    ring(context, [x, y], Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2));
     context.fillStyle = color;
     context.font = `700 ${17 * this.look.px}px ${this.look.font}`;
     context.textAlign = "center";
@@ -188,10 +174,8 @@ export class Scene {
       context.lineTo(...load);
       context.stroke();
       context.setLineDash([]);
-      context.beginPath();
-      context.arc(...load, clamp(0.1 * radius, 4, 16), 0, 2 * Math.PI);
       context.fillStyle = look.paper;
-      context.fill();
+      disc(context, load, clamp(0.1 * radius, 4, 16));
       context.stroke();
       return;
     }
@@ -224,9 +208,7 @@ export class Scene {
       // the slow end of the colours is dark as well
       context.strokeStyle = look.soft;
       context.lineWidth = width + 2;
-      context.beginPath();
-      context.arc(...this.point(center[0], center[1]), inner * scale, 0, 2 * Math.PI);
-      context.stroke();
+      ring(context, this.point(center[0], center[1]), inner * scale);
     }
     if (this.options.speed) {
       const most = this.common.speed;
@@ -239,29 +221,19 @@ export class Scene {
           pose.vy - R * pose.omega * Math.sin(phi + 0.5 * step),
         );
         context.strokeStyle = SPEED_TEXTS[clamp(Math.round((255 * speed) / most) || 0, 0, 255)];
-        context.beginPath();
-        context.moveTo(...(rim(phi - 0.04 * step) as [number, number]));
-        context.lineTo(...(rim(phi + 1.04 * step) as [number, number]));
-        context.stroke();
+        stroke(context, rim(phi - 0.04 * step), rim(phi + 1.04 * step));
       }
     } else {
       context.strokeStyle = colors.modes[pose.mode];
       context.lineWidth = width;
-      context.beginPath();
-      context.arc(...this.point(center[0], center[1]), inner * scale, 0, 2 * Math.PI);
-      context.stroke();
+      ring(context, this.point(center[0], center[1]), inner * scale);
     }
     context.strokeStyle = look.soft;
     context.lineWidth = 1;
-    context.beginPath();
-    context.moveTo(...this.point(center[0], center[1]));
-    context.lineTo(...(rim(pose.angle) as [number, number]));
-    context.stroke();
+    stroke(context, this.point(center[0], center[1]), rim(pose.angle));
     const dot: (place: number[], radius: number, fill: string, edge: string) => void = (place, radius, fill, edge) => {
-      context.beginPath();
-      context.arc(...(place as [number, number]), radius, 0, 2 * Math.PI);
       context.fillStyle = fill;
-      context.fill();
+      disc(context, place, radius);
       context.lineWidth = 1.5;
       context.strokeStyle = edge;
       context.stroke();
@@ -348,23 +320,21 @@ export class Scene {
     const ux = (to[0] - from[0]) / length;
     const uy = (to[1] - from[1]) / length;
     const head = Math.min(11, length);
-    for (const [stroke, width] of [
+    for (const [ink, width] of [
       [look.paper, 6],
       [color, 3],
     ] as [string, number][]) {
-      context.strokeStyle = stroke;
-      context.fillStyle = stroke;
+      context.strokeStyle = ink;
+      context.fillStyle = ink;
       context.lineWidth = width;
-      context.beginPath();
-      context.moveTo(...(from as [number, number]));
-      context.lineTo(to[0] - ux * head, to[1] - uy * head);
-      context.stroke();
+      stroke(context, from, [to[0] - ux * head, to[1] - uy * head]);
     }
-    context.beginPath();
-    context.moveTo(...(to as [number, number]));
-    context.lineTo(to[0] - ux * head - uy * head * 0.5, to[1] - uy * head + ux * head * 0.5);
-    context.lineTo(to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5);
-    context.fill();
+    fill(
+      context,
+      to,
+      [to[0] - ux * head - uy * head * 0.5, to[1] - uy * head + ux * head * 0.5],
+      [to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5],
+    );
     if (cut) {
       const [x, y] = [from[0] + 0.55 * ux * length, from[1] + 0.55 * uy * length];
       context.strokeStyle = look.paper;

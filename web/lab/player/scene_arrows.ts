@@ -1,5 +1,6 @@
 // Arrows in the picture: from where the rim touches, or comes closest, at each event to where it would with a little more.
 
+import { disc, haloed, stroke } from "../common/paint.ts";
 import { counts, type Changes } from "../sensitivity/changes.ts";
 import { MARKS } from "./marks.ts";
 import type { Scene } from "./scene2d.ts";
@@ -15,13 +16,9 @@ export type Arrow = { kind: string; x: number; y: number; dx: number; dy: number
 
 export function arrowsOf(changes: Changes): Arrow[] {
   const { events, count } = changes;
-  return events.slice(0, Math.min(count, COUNT)).map(({ kind, x, height }, k) => ({
-    kind,
-    x,
-    y: height,
-    dx: changes.of(k, "x"),
-    dy: changes.of(k, "height"),
-  }));
+  return events
+    .slice(0, Math.min(count, COUNT))
+    .map(({ kind, x, height }, k) => ({ kind, x, y: height, dx: changes.of(k, "x"), dy: changes.of(k, "height") }));
 }
 
 /**
@@ -59,12 +56,12 @@ export function drawArrows(scene: Scene, arrows: Arrow[], factor: number) {
     if (from[1] - base > ROWS * ROW) continue;
     taken.push({ low, high, base });
     const lift = base - from[1];
-    stroke(scene, from, [to[0], to[1] + lift], lift, { known, broken: cut < 1, mark: MARKS[kind] ?? "" });
+    change(scene, from, [to[0], to[1] + lift], lift, { known, broken: cut < 1, mark: MARKS[kind] ?? "" });
   }
 }
 
 /** `lift`: how far it is moved up, in pixels. */
-function stroke(
+function change(
   { context, look }: Scene,
   from: number[],
   to: number[],
@@ -84,21 +81,13 @@ function stroke(
     context.lineCap = "round";
     if (lift) {
       context.lineWidth = wide > 3 ? 3 : 1;
-      context.beginPath();
-      context.moveTo(from[0], from[1]);
-      context.lineTo(begin[0], begin[1]);
-      context.stroke();
+      stroke(context, from, begin);
     }
     context.lineWidth = wide;
     context.setLineDash(broken ? [5, 6] : []);
-    context.beginPath();
-    context.moveTo(begin[0], begin[1]);
-    context.lineTo(to[0] - ux * head, to[1] - uy * head);
-    context.stroke();
+    stroke(context, begin, [to[0] - ux * head, to[1] - uy * head]);
     context.setLineDash([]);
-    context.beginPath();
-    context.arc(begin[0], begin[1], wide > 3 ? 5.5 : 3.5, 0, 2 * Math.PI);
-    context.fill();
+    disc(context, begin, wide > 3 ? 5.5 : 3.5);
     if (length < 1) continue;
     context.lineWidth = wide > 3 ? 4 : 1;
     context.beginPath();
@@ -114,9 +103,5 @@ function stroke(
   if (!label) return;
   context.font = `600 ${11 * look.px}px ${look.font}`;
   context.textAlign = "center";
-  context.lineWidth = 3;
-  context.strokeStyle = look.paper;
-  context.fillStyle = look.ink;
-  context.strokeText(label, begin[0], begin[1] - 7);
-  context.fillText(label, begin[0], begin[1] - 7);
+  haloed(context, label, [begin[0], begin[1] - 7], look.ink, look.paper);
 }

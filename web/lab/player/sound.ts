@@ -22,8 +22,8 @@ export function heard(film: Film, time: number): { tone: number; pitch: number; 
 export function knocks(film: Film, from: number, to: number) {
   const scale = Math.sqrt(2 * (film.gravity || 9.81) * film.radius);
   return film.events
-    .filter(({ kind, t, before }) => kind === "impact" && before && t > from && t <= to)
-    .map(({ before }) => clamp(Math.abs(before.vy) / scale, 0.02, 1));
+    .filter(({ kind, t }) => kind === "impact" && t > from && t <= to)
+    .map(({ before }) => clamp(Math.abs(before.vy ?? 0) / scale, 0.02, 1));
 }
 
 function noise(context: AudioContext) {

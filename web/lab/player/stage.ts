@@ -18,41 +18,41 @@ export class Stage {
   space = h("canvas", { class: "stage-canvas", hidden: true });
   flat = new Stage2D(this.plane, this.onview);
   deep: Stage3D | null = null; // made when it is first asked for
-  outputs: { name: HTMLElement; value: HTMLElement }[];
-  fastest: HTMLSpanElement;
-  legend: HTMLDivElement;
-  order: HTMLSpanElement;
   element: HTMLDivElement;
+  outputs: { name: HTMLElement; value: HTMLElement }[] = OUTPUTS.map((name) => ({
+    name: h("dt", {}, name),
+    value: h("dd", {}),
+  }));
+  fastest = h("span", {});
+  legend = h(
+    "div",
+    { class: "legend", "aria-hidden": "true" },
+    h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
+    h("span", {}, "0"),
+    h("span", {}, "player.rim_speed"),
+    this.fastest,
+  );
+  readout = h(
+    "dl",
+    { class: "readout", "aria-hidden": "true" },
+    this.outputs.flatMap(({ name, value }) => [name, value]),
+  );
+  order = h("span", { hidden: true }, "player.a_in_front_b");
 
   /** `onview`: what to do when it is seen from elsewhere. */
   constructor(
     public colors: Colors,
     readonly onview: () => void,
   ) {
-    this.outputs = OUTPUTS.map((name) => ({ name: h("dt", {}, name), value: h("dd", {}) }));
     this.outputs[1].value.className = "mode";
-    this.fastest = h("span", {});
-    this.legend = h(
-      "div",
-      { class: "legend", "aria-hidden": "true" },
-      h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
-      h("span", {}, "0"),
-      h("span", {}, "player.rim_speed"),
-      this.fastest,
-    );
     const dot: (color: string, words: string) => HTMLElement = (color, words) =>
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
-    this.order = h("span", { hidden: true }, "player.a_in_front_b");
     this.element = h(
       "div",
       { class: "stage", role: "figure", "aria-label": "player.the_hoop", tabindex: "0" },
       this.plane,
       this.space,
-      h(
-        "dl",
-        { class: "readout", "aria-hidden": "true" },
-        this.outputs.flatMap(({ name, value }) => [name, value]),
-      ),
+      this.readout,
       this.legend,
       h(
         "div",

@@ -14,27 +14,24 @@ export class Stage2D {
   views: Scene[] = [];
   /** The scale while the hoop is held: it must not slip out of the hand. */
   fixed: number | null = null;
-  grab: (event: PointerEvent) => boolean;
-  over: (scene: Scene, lane: number) => void;
-  pinched: () => boolean;
 
   /** A moment of one hoop that is pointed at. */
   pointed: { time: number; lane: number } | null = null;
+  /** Takes what is under the pointer, if there is anything to take. */
+  grab: (event: PointerEvent) => boolean = () => false;
+  /** What is drawn over a hoop's picture. */
+  over: (scene: Scene, lane: number) => void = () => {};
+  pinched = zoomable(this.canvas, {
+    zoom: (factor) => this.zoomBy(factor),
+    home: () => this.reset(),
+    chosen: () => this.canvas.parentElement,
+  });
 
   constructor(
     public canvas: HTMLCanvasElement,
     readonly onview: () => void,
   ) {
-    /** Takes what is under the pointer, if there is anything to take. */
-    this.grab = () => false;
-    /** What is drawn over a hoop's picture. */
-    this.over = () => {};
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
-    this.pinched = zoomable(canvas, {
-      zoom: (factor) => this.zoomBy(factor),
-      home: () => this.reset(),
-      chosen: () => canvas.parentElement,
-    });
   }
 
   reset() {

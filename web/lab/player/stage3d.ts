@@ -37,18 +37,17 @@ export class Stage3D {
   before = 0;
   focus = 0;
   reach = 1;
-  pinched: () => boolean;
+  pinched = zoomable(this.canvas, {
+    zoom: (factor) => this.zoomBy(factor),
+    home: () => this.zoomBy(0),
+    chosen: () => this.canvas.parentElement,
+  });
 
   constructor(
     public canvas: HTMLCanvasElement,
     readonly onview: () => void,
   ) {
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
-    this.pinched = zoomable(canvas, {
-      zoom: (factor) => this.zoomBy(factor),
-      home: () => this.zoomBy(0),
-      chosen: () => canvas.parentElement,
-    });
   }
 
   zoomBy(factor: number) {

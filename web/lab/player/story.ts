@@ -20,20 +20,18 @@ export class Story {
   compared = h("span", {});
   fingerprint = h("p", { class: "hint fingerprint" }, this.signature, this.compared);
   live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
-  element: HTMLElement;
+  element = h(
+    "section",
+    { class: "story", "aria-label": "motion.the_motion_in_words" },
+    this.heading,
+    this.summary,
+    this.doubt,
+    this.list,
+    this.fingerprint,
+    this.live,
+  );
 
-  constructor(public clock: Clock) {
-    this.element = h(
-      "section",
-      { class: "story", "aria-label": "motion.the_motion_in_words" },
-      this.heading,
-      this.summary,
-      this.doubt,
-      this.list,
-      this.fingerprint,
-      this.live,
-    );
-  }
+  constructor(public clock: Clock) {}
 
   /**
    * The list is that of the chosen hoop, the sentences above it are those of both. `comparisons`: of its fingerprint
@@ -74,7 +72,6 @@ export class Story {
         h(
           "button",
           {
-            type: "button",
             onclick: () => this.clock.seek(sentence.t),
             onpointerenter: () => this.clock.point(sentence.t),
             onpointerleave: () => this.clock.point(null),
@@ -133,7 +130,7 @@ export class Story {
 function fingerprintOf(fingerprint: string | null) {
   if (!fingerprint) return [h("span", {}, "motion.no_fingerprint_this_motion")];
   const code = h("code", {}, document.createTextNode(fingerprint));
-  const copy = h("button", { type: "button" }, "motion.copy");
+  const copy = h("button", {}, "motion.copy");
   copy.onclick = async () => {
     try {
       await navigator.clipboard.writeText(fingerprint);

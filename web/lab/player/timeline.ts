@@ -1,5 +1,6 @@
 // The bar of time: modes as coloured stretches, events as marks, the hand that scrubs; it zooms as all pictures do.
 
+import { fill } from "../common/paint.ts";
 import { hoopInk, writing } from "../common/colors.ts";
 import { fitted, h } from "../common/dom.ts";
 import { eventWord } from "./events.ts";
@@ -18,31 +19,29 @@ export class Timeline {
   window: number[] | null = null;
   canvas = h("canvas", { class: "timeline-canvas" });
   tip = h("div", { class: "tip", hidden: true });
-  element: HTMLDivElement;
-  pinched: () => boolean;
+  element = h(
+    "div",
+    {
+      class: "timeline",
+      role: "slider",
+      tabindex: "0",
+      "aria-label": "player.time",
+      "aria-valuemin": "0",
+      "aria-orientation": "horizontal",
+    },
+    this.canvas,
+    this.tip,
+  );
+  pinched = zoomable(this.element, {
+    zoom: (factor, at) => this.zoom(1 / factor, at ? this.timeAt(at) : this.clock.time),
+    home: () => this.zoom(Infinity, 0),
+    keys: true,
+  });
 
   constructor(public clock: Clock) {
-    this.element = h(
-      "div",
-      {
-        class: "timeline",
-        role: "slider",
-        tabindex: "0",
-        "aria-label": "player.time",
-        "aria-valuemin": "0",
-        "aria-orientation": "horizontal",
-      },
-      this.canvas,
-      this.tip,
-    );
     this.element.addEventListener("pointerdown", (event) => this.scrub(event));
     this.element.addEventListener("pointermove", (event) => this.hover(event));
     this.element.addEventListener("pointerleave", () => (this.tip.hidden = true));
-    this.pinched = zoomable(this.element, {
-      zoom: (factor, at) => this.zoom(1 / factor, at ? this.timeAt(at) : this.clock.time),
-      home: () => this.zoom(Infinity, 0),
-      keys: true,
-    });
   }
 
   // The times at both ends of the bar.
@@ -175,11 +174,7 @@ export class Timeline {
     const now = clamp(place(this.clock.time), 1, width - 1);
     context.fillStyle = look.ink;
     context.fillRect(now - 1, above - 4, 2, height - above - 9);
-    context.beginPath();
-    context.moveTo(x - 6, above - 10);
-    context.lineTo(x + 6, above - 10);
-    context.lineTo(now, above - 1);
-    context.fill();
+    fill(context, [x - 6, above - 10], [x + 6, above - 10], [now, above - 1]);
     this.tell(films, colors);
   }
 

@@ -18,18 +18,27 @@ const SWITCHES: [keyof StageOptions, string, string][] = [
 ];
 
 const button = (label: Node | string, title: string, action: () => void) =>
-  h("button", { type: "button", title, "aria-label": title, onclick: action }, label);
+  h("button", { title, "aria-label": title, onclick: action }, label);
 
 const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
 
 export class Transport {
   titled = "";
 
-  playButton: HTMLButtonElement;
-  speeds: HTMLSelectElement;
   switches: Map<keyof StageOptions, HTMLButtonElement>;
   row: HTMLDivElement; // of the switches
   element: HTMLDivElement;
+  playButton: HTMLButtonElement = button(icon("play"), "player.play_space", () => this.clock.play());
+  speeds = h(
+    "select",
+    {
+      "aria-label": "player.speed_of_the_film",
+      onchange: () => {
+        this.clock.speed = Number(this.speeds.value);
+      },
+    },
+    SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
+  );
 
   /** `say`: what is seen; `tell`: what a screen reader says. */
   constructor(
@@ -39,23 +48,12 @@ export class Transport {
     readonly say: (text: string) => void,
     readonly tell: (said: Said) => void,
   ) {
-    this.playButton = button(icon("play"), "player.play_space", () => clock.play());
     this.playButton.classList.add("play");
-    this.speeds = h(
-      "select",
-      {
-        "aria-label": "player.speed_of_the_film",
-        onchange: () => {
-          clock.speed = Number(this.speeds.value);
-        },
-      },
-      SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
-    );
     this.speeds.value = "1";
     this.switches = new Map(
       SWITCHES.map(([name, label, title]) => [
         name,
-        h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label),
+        h("button", { class: "switch", title, onclick: () => toggle(name) }, label),
       ]),
     );
     this.row = h("div", { class: "buttons switches" }, [...this.switches.values()]);

@@ -1,7 +1,7 @@
 // What a little more of a parameter would do: arrows in the picture, and what changes in words and numbers.
 
 import { Changes, sentences, signed } from "./changes.ts";
-import { h, once, say } from "../common/dom.ts";
+import { h, headed, once, say } from "../common/dom.ts";
 import { eventWord } from "../player/events.ts";
 import { show, withUnit } from "../common/numbers.ts";
 import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
@@ -36,89 +36,57 @@ export class More {
   paths = "";
   /** Whether a screen reader is told what comes. */
   speak = false;
-
-  later: () => void;
-  switch: HTMLButtonElement;
-  picked: HTMLSelectElement;
-  step: HTMLSpanElement;
-  take: HTMLButtonElement;
-  said: HTMLUListElement;
-  reason: HTMLParagraphElement;
-  scale: HTMLParagraphElement;
-  body: HTMLTableSectionElement;
-  rows: HTMLDetailsElement;
-  element: HTMLElement;
+  later = once(() => this.fetch(), WAIT);
+  switch = h(
+    "button",
+    { class: "switch", title: "sensitivity.what_a_little_more", "aria-pressed": "false", onclick: () => this.turn() },
+    "sensitivity.arrows",
+  );
+  picked = h("select", { onchange: () => this.pick(this.picked.value) });
+  step = h("span", { class: "more-step" });
+  take = h("button", { onclick: () => this.apply() }, "sensitivity.do_it");
+  said = h("ul", { class: "more-said" });
+  reason = h("p", { class: "more-reason", hidden: true });
+  scale = h("p", { class: "hint" });
+  body = h("tbody", {});
+  rows = h(
+    "details",
+    { class: "more-events" },
+    h("summary", {}, "sensitivity.every_event_by_this"),
+    h(
+      "div",
+      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.what_changes_at_every" },
+      h(
+        "table",
+        {},
+        headed("sensitivity.event", "column.time", "sensitivity.place", "sensitivity.height", "sensitivity.load_angle"),
+        this.body,
+      ),
+    ),
+  );
+  element = h(
+    "section",
+    { class: "table more", "aria-label": "sensitivity.what_a_little_more_would", hidden: true },
+    h(
+      "header",
+      {},
+      h("h2", {}, "sensitivity.what_a_little_more_would"),
+      h("button", { onclick: () => this.turn(false) }, "table.close"),
+    ),
+    h(
+      "div",
+      { class: "more-asked" },
+      h("label", {}, h("span", {}, "sensitivity.a_little_more"), this.picked),
+      this.step,
+      this.take,
+    ),
+    this.said,
+    this.reason,
+    this.rows,
+    this.scale,
+  );
 
   constructor(readonly lab: Asked) {
-    this.later = once(() => this.fetch(), WAIT);
-    this.switch = h(
-      "button",
-      {
-        type: "button",
-        class: "switch",
-        title: "sensitivity.what_a_little_more",
-        "aria-pressed": "false",
-        onclick: () => this.turn(),
-      },
-      "sensitivity.arrows",
-    );
-    this.picked = h("select", { onchange: () => this.pick(this.picked.value) });
-    this.step = h("span", { class: "more-step" });
-    this.take = h("button", { type: "button", onclick: () => this.apply() }, "sensitivity.do_it");
-    this.said = h("ul", { class: "more-said" });
-    this.reason = h("p", { class: "more-reason", hidden: true });
-    this.scale = h("p", { class: "hint" });
-    this.body = h("tbody", {});
-    this.rows = h(
-      "details",
-      { class: "more-events" },
-      h("summary", {}, "sensitivity.every_event_by_this"),
-      h(
-        "div",
-        { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.what_changes_at_every" },
-        h(
-          "table",
-          {},
-          h(
-            "thead",
-            {},
-            h(
-              "tr",
-              {},
-              [
-                "sensitivity.event",
-                "column.time",
-                "sensitivity.place",
-                "sensitivity.height",
-                "sensitivity.load_angle",
-              ].map((name) => h("th", { scope: "col" }, name)),
-            ),
-          ),
-          this.body,
-        ),
-      ),
-    );
-    this.element = h(
-      "section",
-      { class: "table more", "aria-label": "sensitivity.what_a_little_more_would", hidden: true },
-      h(
-        "header",
-        {},
-        h("h2", {}, "sensitivity.what_a_little_more_would"),
-        h("button", { type: "button", onclick: () => this.turn(false) }, "table.close"),
-      ),
-      h(
-        "div",
-        { class: "more-asked" },
-        h("label", {}, h("span", {}, "sensitivity.a_little_more"), this.picked),
-        this.step,
-        this.take,
-      ),
-      this.said,
-      this.reason,
-      this.rows,
-      this.scale,
-    );
     lab.stage.flat.over = (scene, lane) => {
       const guessing = lab.marked("guessing"); // what comes is to be guessed
       if (!this.on || guessing || lane !== lab.motions.active) return;
@@ -279,10 +247,7 @@ export class More {
     const { three } = this.lab.stage.options;
     const drawn = three
       ? "sensitivity.the_arrows_are_drawn"
-      : {
-          key: "sensitivity.the_arrows_in_the",
-          values: { factor: show(this.factor, 3) },
-        };
+      : { key: "sensitivity.the_arrows_in_the", values: { factor: show(this.factor, 3) } };
     say(this.scale, three || this.factor ? drawn : "");
   }
 

@@ -88,8 +88,8 @@ export const queries = () => {
 export class Address {
   number: number = history.state?.number ?? 0; // of the step, also after a reload
   held = false; // the address is wrong: it stays, to be corrected, until another motion is a step
-  soon: () => void;
-  listen: () => Promise<void>;
+  soon = once(() => this.write("same"), WAIT);
+  listen: () => Promise<void> = () => this.arrived();
 
   /** `link`: to what is shown. */
   constructor(
@@ -97,8 +97,6 @@ export class Address {
     readonly notice: Notice,
     readonly link: () => string | null,
   ) {
-    this.soon = once(() => this.write("same"), WAIT);
-    this.listen = () => this.arrived();
     addEventListener("popstate", this.listen);
   }
 

@@ -65,7 +65,7 @@ export class Extras {
   makeTools() {
     const { clock } = this.lab;
     const toggle = (name: any, title: string, action: () => void) =>
-      h("button", { type: "button", title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
+      h("button", { title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
     this.loop = toggle("loop", "menu.repeat", () => {
       clock.loop = !clock.loop;
       this.mark();
@@ -98,7 +98,6 @@ export class Extras {
       h(
         "button",
         {
-          type: "button",
           onclick: () => {
             menu.open = false;
             action();

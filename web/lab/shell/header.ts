@@ -5,7 +5,7 @@ import { icon } from "../common/icons.ts";
 import type { History } from "./history.ts";
 
 const button = (label: Node | string, title: string, onclick: () => void) =>
-  h("button", { type: "button", title, "aria-label": title, onclick }, label);
+  h("button", { title, "aria-label": title, onclick }, label);
 
 export interface Actions {
   take: (preset: Preset) => void;

@@ -1,6 +1,6 @@
 // Keys and help.
 
-import { h } from "../common/dom.ts";
+import { h, rowOf } from "../common/dom.ts";
 
 const KEYS = [
   ["keys.space", "keys.play_pause"],
@@ -43,14 +43,7 @@ const table = (title: string, rows: string[][], mark: (letter: string) => HTMLEl
     "table",
     {},
     h("caption", {}, title),
-    rows.map(([key, ...words]) =>
-      h(
-        "tr",
-        {},
-        h("th", { scope: "row" }, mark(key), key),
-        words.map((word) => h("td", {}, word)),
-      ),
-    ),
+    rows.map(([key, ...words]) => rowOf([mark(key), key], ...words)),
   );
 
 /** Where the documentation is, if the page was told. */
@@ -75,7 +68,7 @@ export function aboutDialog(version: string, hosted: boolean) {
       row("keys.documentation", base ? link(base, "keys.the_documentation") : "keys.docs_index_md_in"),
       row("keys.commands", h("code", {}, document.createTextNode("hophoop --help"))),
     ),
-    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
+    h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
   );
   return dialog;
 }
@@ -91,8 +84,8 @@ export function helpDialog(about: HTMLDialogElement, colors: Colors, keys: HTMLE
     table("keys.marks_on_the_bar", MARKED),
     table("keys.keys", KEYS),
     keys,
-    h("button", { type: "button", class: "link", onclick: () => about.showModal() }, "menu.about_hophoop"),
-    h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
+    h("button", { class: "link", onclick: () => about.showModal() }, "menu.about_hophoop"),
+    h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
   );
   return dialog;
 }

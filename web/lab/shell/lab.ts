@@ -49,27 +49,52 @@ export class Lab {
   latencies: number[] = [];
   hosted: boolean;
   onmotion: (query: string) => void;
-  known: Preset[];
-  sameness: Sameness;
+  known = this.setup.presets;
+  sameness = new Sameness(this.setup.presets);
   address: Address | null;
-  clock: Clock;
-  motions: Motions;
-  notice: Notice;
-  computing: Computing;
+  clock = new Clock();
+  notice = new Notice();
+  computing = new Computing(this.backend.kernel.limit);
+  motions = new Motions(this.backend, this.computing, {
+    shown: (since) => this.changed(since),
+    refined: () => this.request(),
+    settled: () => this.story.announce(this.films()),
+    noted: (step) => this.noted(step),
+    travelled: async (way) => this.address?.travel(way),
+    failed: (error, changes) => this.failed(error, changes),
+  });
   theme: Theme;
-  stage: Stage;
-  transport: Transport;
-  timeline: Timeline;
-  story: Story;
-  theory: Theory;
-  plots: Plots;
-  phase: PhasePlane;
-  map: MotionMap;
-  controls: Controls;
-  share: Share;
+  stage = new Stage(this.setup.colors, () => {
+    this.request();
+    this.address?.soon();
+  });
+  transport = new Transport(
+    this.clock,
+    () => this.films(),
+    (name) => this.toggle(name),
+    (text) => this.notice.say(text),
+    (text) => this.story.say(text),
+  );
+  timeline = new Timeline(this.clock);
+  story = new Story(this.clock);
+  theory = new Theory();
+  plots = new Plots(this.clock, this.setup.colors);
+  phase = new PhasePlane(this.backend, this.clock, this.setup.colors);
+  map = new MotionMap(this.backend, this.setup, {
+    take: (changes) => {
+      this.clock.time = 0;
+      this.motions.change(changes, true);
+    },
+    say: (text) => this.story.say(text),
+    changed: () => this.address?.soon(),
+  });
+  controls = new Controls(this.setup.controls, (changes: Change[], commit: boolean) =>
+    this.motions.change(changes, commit),
+  );
+  share = new Share(this);
   singleKeys: SingleKeys;
   help: HTMLDialogElement;
-  hoops: Hoops;
+  hoops = new Hoops((lane) => this.motions.choose(lane));
   header: Header;
   view: View;
   about: HTMLDialogElement;
@@ -77,68 +102,26 @@ export class Lab {
   player: HTMLElement;
   sticky: { edge: HTMLElement; close: () => void } | null;
   extras: Extras;
-  later: () => void;
   deaf: () => void;
-  sizes: ResizeObserver;
+  later = once(() => this.fetchTheory(), 120);
+  sizes = new ResizeObserver(() => this.show());
 
   constructor(
     readonly root: HTMLElement,
     readonly backend: Backend,
-    setup: Setup,
+    readonly setup: Setup,
     { hosted = false, panels = null, onmotion = () => {} }: Options = {},
   ) {
     this.hosted = hosted;
     this.onmotion = onmotion;
     prepareRoot(root, hosted);
     const { colors } = setup;
-    this.known = setup.presets;
-    this.sameness = new Sameness(setup.presets);
-    this.clock = new Clock();
-    this.computing = new Computing(backend.kernel.limit);
-    this.motions = new Motions(backend, this.computing, {
-      shown: (since) => this.changed(since),
-      refined: () => this.request(),
-      settled: () => this.story.announce(this.films()),
-      noted: (step) => this.noted(step),
-      travelled: async (way) => this.address?.travel(way),
-      failed: (error, changes) => this.failed(error, changes),
-    });
-    this.notice = new Notice();
     this.address = hosted ? new Address(this.motions, this.notice, () => this.link()) : null;
     this.theme = new Theme(root, colors, hosted, () => this.show());
-    this.stage = new Stage(colors, () => {
-      this.request();
-      this.address?.soon();
-    });
-    this.transport = new Transport(
-      this.clock,
-      () => this.films(),
-      (name) => this.toggle(name),
-      (text) => this.notice.say(text),
-      (text) => this.story.say(text),
-    );
-    this.timeline = new Timeline(this.clock);
-    this.story = new Story(this.clock);
-    this.theory = new Theory();
-    this.plots = new Plots(this.clock, colors);
-    this.phase = new PhasePlane(backend, this.clock, colors);
-    this.map = new MotionMap(backend, setup, {
-      take: (changes) => {
-        this.clock.time = 0;
-        this.motions.change(changes, true);
-      },
-      say: (text) => this.story.say(text),
-      changed: () => this.address?.soon(),
-    });
-    this.controls = new Controls(setup.controls, (changes: Change[], commit: boolean) =>
-      this.motions.change(changes, commit),
-    );
-    this.share = new Share(this);
     this.singleKeys = new SingleKeys(hosted);
     this.about = aboutDialog(setup.version, hosted);
     this.help = helpDialog(this.about, colors, this.singleKeys.element);
     this.view = new View(root, hosted, () => this.show());
-    this.hoops = new Hoops((lane) => this.motions.choose(lane));
     this.header = new Header(setup.presets, this.share.menu, this.view.button, {
       take: (preset) => this.take(preset),
       undo: () => this.travel(-1),
@@ -153,14 +136,12 @@ export class Lab {
     this.player = player;
     this.sticky = sticky;
     if (hosted && !location.search && !location.hash) this.extras.visit.offer();
-    this.later = once(() => this.fetchTheory(), 120);
     this.frame = this.frame.bind(this);
     this.clock.listeners.add(() => {
       this.request();
       if (!this.clock.playing) this.address?.soon();
     });
     this.deaf = listen(this, hosted);
-    this.sizes = new ResizeObserver(() => this.show());
   }
 
   /** The first motions, by their links. `shown`: what else the link says. */

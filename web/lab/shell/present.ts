@@ -3,18 +3,16 @@
 export class Present {
   full = false;
   on = false;
-  left: () => void;
-  onchange: () => void;
+  left: () => void = () => {
+    if (!document.fullscreenElement && this.full) this.turn(false);
+  };
+  onchange: () => void = () => {};
 
   constructor(
     readonly root: HTMLElement,
     readonly show: () => void,
   ) {
-    this.left = () => {
-      if (!document.fullscreenElement && this.full) this.turn(false);
-    };
     document.addEventListener("fullscreenchange", this.left);
-    this.onchange = () => {};
   }
 
   async turn(on: boolean = !this.on) {

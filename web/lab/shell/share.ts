@@ -1,6 +1,7 @@
 // Share and save: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
 import { h, saveBlob, say } from "../common/dom.ts";
+import { icon } from "../common/icons.ts";
 import { record } from "../player/recording.ts";
 import { png, svg } from "../player/pictures.ts";
 import type { Lab } from "./lab.ts";
@@ -17,40 +18,36 @@ const FILES = [
 ];
 
 export class Share {
-  menu: HTMLDetailsElement;
-  dialog: HTMLDialogElement;
+  menu = h(
+    "details",
+    { class: "menu" },
+    h(
+      "summary",
+      { class: "button", "aria-label": "save.share_and_save" },
+      h("span", { class: "long" }, "save.share_and_save"),
+      h("span", { class: "short" }, icon("share")),
+    ),
+    h(
+      "div",
+      { class: "menu-body" },
+      this.lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
+      FILES.filter(([name]) => this.lab.backend.files.includes(name)).map(([name, label]) =>
+        this.item(label, () => this.download(name)),
+      ),
+      this.item("save.save_a_picture_png", () => this.picture("png", png)),
+      this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
+      this.item("save.record_one_run_as", () => this.record()),
+      this.item("save.show_the_python_code", () => this.code()),
+    ),
+  );
+  dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
 
-  constructor(readonly lab: Kept) {
-    this.menu = h(
-      "details",
-      { class: "menu" },
-      h(
-        "summary",
-        { class: "button" },
-        h("span", { class: "long" }, "save.share_and_save"),
-        h("span", { class: "short" }, "save.share"),
-      ),
-      h(
-        "div",
-        { class: "menu-body" },
-        lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
-        FILES.filter(([name]) => lab.backend.files.includes(name)).map(([name, label]) =>
-          this.item(label, () => this.download(name)),
-        ),
-        this.item("save.save_a_picture_png", () => this.picture("png", png)),
-        this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
-        this.item("save.record_one_run_as", () => this.record()),
-        this.item("save.show_the_python_code", () => this.code()),
-      ),
-    );
-    this.dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
-  }
+  constructor(readonly lab: Kept) {}
 
   item(label: string, action: () => void) {
     return h(
       "button",
       {
-        type: "button",
         onclick: async () => {
           this.menu.open = false;
           try {
@@ -102,7 +99,7 @@ export class Share {
     const blocks = [];
     for (let i = 0; i < pairs.length; i += 2) {
       const text = pairs[i + 1];
-      const copy = h("button", { type: "button" }, "motion.copy");
+      const copy = h("button", {}, "motion.copy");
       copy.onclick = async () => {
         await navigator.clipboard?.writeText(text).catch(() => {});
         say(copy, "motion.copied");
@@ -114,7 +111,7 @@ export class Share {
     }
     this.dialog.replaceChildren(
       ...blocks,
-      h("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, "table.close"),
+      h("button", { class: "close", onclick: () => this.dialog.close() }, "table.close"),
     );
     this.dialog.showModal();
   }

@@ -12,21 +12,7 @@ export class Theme {
   media = matchMedia("(prefers-color-scheme: dark)");
   listen: () => void;
   look: Look;
-  inks: {
-    modes: Record<string, string>;
-    mode_names: Record<string, string>;
-    gravity_center: string;
-    airborne: string;
-    center_speed: string;
-    rotation_speed: string;
-    kinetic: string;
-    potential: string;
-    friction_loss: string;
-    impact_loss: string;
-    normal_force: string;
-    friction_force: string;
-    limit: string;
-  };
+  inks: Colors;
 
   /** `hosted`: whether the page is the lab's own. */
   constructor(

@@ -1,6 +1,6 @@
 // The simple view, with which visitors begin: the hoop, three sliders, one diagram. Or everything, which is remembered.
 
-import { h, say } from "../common/dom.ts";
+import { h } from "../common/dom.ts";
 import type { Shown } from "./address.ts";
 import { recall, remember } from "./memory.ts";
 
@@ -13,25 +13,22 @@ const beyond = ({ query }: Film) => [...new URLSearchParams(query).keys()].some(
 export class View {
   simple = false;
   /** Goes from one view to the other. */
-  button: HTMLButtonElement;
   /** Says that not all that matters is seen. */
-  more: HTMLElement;
+  button = h("button", { class: "view", hidden: !this.hosted, onclick: () => this.choose() });
+  more = h(
+    "p",
+    { class: "hint beyond", hidden: true },
+    "shell.this_motion_has_other",
+    " ",
+    h("button", { class: "link", onclick: () => this.choose() }, "shell.show_everything"),
+  );
 
   /** `hosted`: whether the lab owns the page; embedded hoops show what their page asks for. */
   constructor(
     readonly root: HTMLElement,
     readonly hosted: boolean,
     readonly changed: () => void,
-  ) {
-    this.button = h("button", { type: "button", class: "view", hidden: !hosted, onclick: () => this.choose() });
-    this.more = h(
-      "p",
-      { class: "hint beyond", hidden: true },
-      "shell.this_motion_has_other",
-      " ",
-      h("button", { type: "button", class: "link", onclick: () => this.choose() }, "shell.show_everything"),
-    );
-  }
+  ) {}
 
   /** Whether the visitor has asked for everything before. */
   get everything() {
@@ -54,7 +51,10 @@ export class View {
   turn(simple: boolean) {
     this.simple = simple;
     this.root.classList.toggle("simple", simple);
-    say(this.button, simple ? "shell.everything" : "shell.simple_view");
+    this.button.replaceChildren(
+      h("span", { class: "long" }, simple ? "shell.everything" : "shell.simple_view"),
+      h("span", { class: "short" }, simple ? "shell.everything" : "shell.simple"),
+    );
     // a slider in a closed group would not be seen
     for (const group of this.root.querySelectorAll<HTMLDetailsElement>("details.group")) {
       if (simple) {

@@ -14,67 +14,44 @@ export class Challenges {
   solved = new Set<string>(); // challenges whose solution is shown, until they are begun again
   solutions = new Set<string>(); // that were shown, by their links
 
-  tabs: Map<string, HTMLButtonElement>;
-  text: HTMLParagraphElement;
-  meter: HTMLMeterElement;
-  result: HTMLParagraphElement;
-  kept: HTMLParagraphElement;
-  element: HTMLElement;
-
   readonly film: () => Film;
   readonly load: (query: string) => Promise<void>;
   readonly ahead: () => boolean;
+  tabs = new Map(
+    GOALS.map((goal) => [
+      goal.key,
+      h("button", { "aria-pressed": "false", onclick: () => this.choose(goal) }, goal.title),
+    ]),
+  );
+  text = h("p", {});
+  meter = h("meter", { min: "0", max: "100", low: "40", high: "75", optimum: "100", "aria-label": "challenge.score" });
+  result = h("p", { class: "challenge-result", role: "status" });
+  kept = h("p", { class: "hint" });
+  element = h(
+    "section",
+    { class: "challenges card", "aria-label": "menu.challenges", hidden: true },
+    h(
+      "header",
+      {},
+      h("h2", {}, "menu.challenges"),
+      h("button", { class: "quiet", "aria-label": "challenge.leave_the_challenges", onclick: () => this.close() }, "×"),
+    ),
+    h("div", { class: "tabs", role: "group", "aria-label": "challenge.which_challenge" }, [...this.tabs.values()]),
+    this.text,
+    this.meter,
+    this.result,
+    this.kept,
+    h(
+      "div",
+      { class: "buttons" },
+      h("button", { onclick: () => this.begin() }, "challenge.begin_again"),
+      h("button", { onclick: () => this.solve() }, "challenge.show_a_best_one"),
+    ),
+  );
 
   /** `load`: shows the motion of a link; `ahead`: whether the hoop is in the hand. */
   constructor({ film, load, ahead }: Pick<Challenges, "film" | "load" | "ahead">) {
     Object.assign(this, { film, load, ahead });
-    this.tabs = new Map(
-      GOALS.map((goal) => [
-        goal.key,
-        h("button", { type: "button", "aria-pressed": "false", onclick: () => this.choose(goal) }, goal.title),
-      ]),
-    );
-    this.text = h("p", {});
-    this.meter = h("meter", {
-      min: "0",
-      max: "100",
-      low: "40",
-      high: "75",
-      optimum: "100",
-      "aria-label": "challenge.score",
-    });
-    this.result = h("p", { class: "challenge-result", role: "status" });
-    this.kept = h("p", { class: "hint" });
-    this.element = h(
-      "section",
-      { class: "challenges card", "aria-label": "menu.challenges", hidden: true },
-      h(
-        "header",
-        {},
-        h("h2", {}, "menu.challenges"),
-        h(
-          "button",
-          {
-            type: "button",
-            class: "quiet",
-            "aria-label": "challenge.leave_the_challenges",
-            onclick: () => this.close(),
-          },
-          "×",
-        ),
-      ),
-      h("div", { class: "tabs", role: "group", "aria-label": "challenge.which_challenge" }, [...this.tabs.values()]),
-      this.text,
-      this.meter,
-      this.result,
-      this.kept,
-      h(
-        "div",
-        { class: "buttons" },
-        h("button", { type: "button", onclick: () => this.begin() }, "challenge.begin_again"),
-        h("button", { type: "button", onclick: () => this.solve() }, "challenge.show_a_best_one"),
-      ),
-    );
   }
 
   open() {

@@ -1,5 +1,6 @@
 // What a visitor says before the motion is shown: one of several answers, a mark on a circle, or a curve.
 
+import { disc, ring, stroke } from "../common/paint.ts";
 import { fitted, h } from "../common/dom.ts";
 import { clamp } from "../common/numbers.ts";
 import { follow } from "../common/pointer.ts";
@@ -30,11 +31,11 @@ export function curvePoints(guess: number[], truth: number[]) {
 
 let count = 0;
 
-/** `options`: key and words; `open`: whether every answer is right. */
-export function choices(options: [string, string][], onguess: () => void, open = false): Guess {
+/** `options`: words by key. */
+export function choices(options: Record<string, string>, onguess: () => void): Guess {
   const name = `hh-guess-${++count}`;
   let chosen = "";
-  const rows = options.map(([key, words]) => {
+  const rows = Object.entries(options).map(([key, words]) => {
     const radio = h("input", {
       type: "radio",
       name,
@@ -56,11 +57,11 @@ export function choices(options: [string, string][], onguess: () => void, open =
     judge: (truth) => {
       for (const { key, radio, row } of rows) {
         radio.disabled = true;
-        const right = open || key === truth;
+        const right = key === truth;
         if (right) row.append(h("b", { class: "guess-right" }, "✓"));
         row.classList.toggle("right", right);
       }
-      return open || chosen === truth ? 100 : 0;
+      return chosen === truth ? 100 : 0;
     },
   };
 }
@@ -103,14 +104,9 @@ export function dial(label: string, onguess: () => void): Guess {
     context.strokeStyle = soft;
     context.fillStyle = soft;
     context.lineWidth = 1.5;
-    context.beginPath();
-    context.moveTo(8, SIZE / 2 + RADIUS);
-    context.lineTo(SIZE - 8, SIZE / 2 + RADIUS);
-    context.stroke();
+    stroke(context, [8, SIZE / 2 + RADIUS], [SIZE - 8, SIZE / 2 + RADIUS]);
     context.lineWidth = 4;
-    context.beginPath();
-    context.arc(SIZE / 2, SIZE / 2, RADIUS, 0, 2 * Math.PI);
-    context.stroke();
+    ring(context, [SIZE / 2, SIZE / 2], RADIUS);
     context.font = "11px system-ui, sans-serif";
     context.textAlign = "center";
     for (const mark of [0, 90, 180, 270]) {
@@ -119,16 +115,12 @@ export function dial(label: string, onguess: () => void): Guess {
     }
     const dot = (at: number, color: string, radius: number) => {
       context.fillStyle = color;
-      context.beginPath();
-      context.arc(...(onCircle(at) as [number, number]), radius, 0, 2 * Math.PI);
-      context.fill();
+      disc(context, onCircle(at), radius);
     };
     if (truth !== null) {
       context.strokeStyle = ink;
       context.lineWidth = 2;
-      context.beginPath();
-      context.arc(...(onCircle(truth) as [number, number]), 12, 0, 2 * Math.PI);
-      context.stroke();
+      ring(context, onCircle(truth), 12);
       dot(truth, ink, 7);
     }
     dot(angle, made ? accent : soft, 9);

@@ -1,6 +1,6 @@
 // For teachers: a lesson in brief, what students often think, and a worksheet to print, each with the motions it needs.
 
-import { h } from "../common/dom.ts";
+import { h, headed, rowOf } from "../common/dom.ts";
 import { docs } from "../shell/help.ts";
 
 const SHEET = "hoop.radius=0.4&duration=1.5&start.speed=";
@@ -45,7 +45,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     load(query);
   };
   const motion = (query: string, words = "teach.show") =>
-    h("button", { type: "button", class: "link", onclick: () => go(query) }, words);
+    h("button", { class: "link", onclick: () => go(query) }, words);
   const base = docs();
   const pages = base && [
     ["teach/index.html", "teach.teaching_with_the_hoop"],
@@ -57,47 +57,15 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     "table",
     {},
     h("caption", {}, "teach.a_lesson_of_45"),
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        ["teach.minute", "motion.what_happens", "teach.motion"].map((name) => h("th", { scope: "col" }, name)),
-      ),
-    ),
-    h(
-      "tbody",
-      {},
-      LESSON.map(([minute, what, query]) =>
-        h(
-          "tr",
-          {},
-          h("th", { scope: "row" }, minute),
-          h("td", {}, what),
-          h("td", {}, query === null ? "" : motion(query)),
-        ),
-      ),
-    ),
+    headed("teach.minute", "motion.what_happens", "teach.motion"),
+    h("tbody", {}, ...LESSON.map(([minute, what, query]) => rowOf(minute, what, query === null ? "" : motion(query)))),
   );
   const ideas = h(
     "table",
     {},
     h("caption", {}, "teach.what_students_often_think"),
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        ["teach.idea", "teach.what_is_right"].map((name) => h("th", { scope: "col" }, name)),
-      ),
-    ),
-    h(
-      "tbody",
-      {},
-      IDEAS.map(([idea, right]) => h("tr", {}, h("td", {}, idea), h("td", {}, right))),
-    ),
+    headed("teach.idea", "teach.what_is_right"),
+    h("tbody", {}, ...IDEAS.map(([idea, right]) => h("tr", {}, h("td", {}, idea), h("td", {}, right)))),
   );
   const sheet = h(
     "section",
@@ -112,31 +80,8 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     h(
       "table",
       { class: "sheet-table" },
-      h(
-        "thead",
-        {},
-        h(
-          "tr",
-          {},
-          ["v₀ [m/s]", "teach.phases", "teach.does_it_hop", "teach.at_which_angle"].map((name) =>
-            h("th", { scope: "col" }, name),
-          ),
-        ),
-      ),
-      h(
-        "tbody",
-        {},
-        SPEEDS.map((speed) =>
-          h(
-            "tr",
-            {},
-            h("th", { scope: "row" }, motion(`${SHEET}${Number(speed)}`, speed)),
-            h("td", {}),
-            h("td", {}),
-            h("td", {}),
-          ),
-        ),
-      ),
+      headed("v₀ [m/s]", "teach.phases", "teach.does_it_hop", "teach.at_which_angle"),
+      h("tbody", {}, ...SPEEDS.map((speed) => rowOf(motion(`${SHEET}${Number(speed)}`, speed), "", "", ""))),
     ),
   );
   const dialog = h(
@@ -146,8 +91,8 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
       "header",
       {},
       h("h2", {}, "menu.for_teachers"),
-      h("button", { type: "button", onclick: () => print() }, "teach.print"),
-      h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "table.close"),
+      h("button", { onclick: () => print() }, "teach.print"),
+      h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
     ),
     h(
       "p",
@@ -157,7 +102,6 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
       h(
         "button",
         {
-          type: "button",
           class: "link",
           onclick: () => {
             dialog.close();

@@ -37,23 +37,20 @@ export class Visit {
   asked = 0;
 
   onchallenges: () => void;
-  body: HTMLDivElement;
-  said: HTMLDivElement;
-  element: HTMLElement;
+  body = h("div", { class: "visit-body" });
+  said = h("div", { class: "visit-answer", role: "status" });
+  element = h(
+    "section",
+    { class: "visit card", "aria-label": "menu.guided_visit", hidden: true },
+    this.body,
+    this.said,
+  );
 
   constructor(
     readonly lab: Guided,
     challenges: () => void,
   ) {
     this.onchallenges = challenges;
-    this.body = h("div", { class: "visit-body" });
-    this.said = h("div", { class: "visit-answer", role: "status" });
-    this.element = h(
-      "section",
-      { class: "visit card", "aria-label": "menu.guided_visit", hidden: true },
-      this.body,
-      this.said,
-    );
   }
 
   /** Whether the visitor still guesses: then nothing may tell what will happen. */
@@ -71,8 +68,8 @@ export class Visit {
         "div",
         { class: "buttons offer" },
         h("p", {}, h("b", {}, "visit.new_here"), " ", "visit.eight_short_questions_guess"),
-        h("button", { type: "button", class: "main", onclick: () => this.start() }, "teach.start_the_visit"),
-        h("button", { type: "button", onclick: () => this.leave() }, "visit.not_now"),
+        h("button", { class: "main", onclick: () => this.start() }, "teach.start_the_visit"),
+        h("button", { onclick: () => this.leave() }, "visit.not_now"),
       ),
     );
   }
@@ -131,21 +128,17 @@ export class Visit {
 
   fill(number: number) {
     const step = STEPS[number];
-    this.play = h(
-      "button",
-      { type: "button", class: "main", disabled: Boolean(this.guess), onclick: () => this.show() },
-      "visit.play",
-    );
+    this.play = h("button", { class: "main", disabled: Boolean(this.guess), onclick: () => this.show() }, "visit.play");
     this.running = false;
     this.wait = h("span", { class: "hint visit-wait" }, "visit.first_say_what_you");
     this.skip = h(
       "button",
-      { type: "button", hidden: true, onclick: () => this.stop !== null && this.lab.clock.seek(this.stop) },
+      { hidden: true, onclick: () => this.stop !== null && this.lab.clock.seek(this.stop) },
       "visit.skip_to_the_answer",
     );
     const last = number === STEPS.length - 1;
     const heading = h("h2", { tabindex: "-1" }, step.title);
-    this.next = h("button", { type: "button", onclick: () => this.go(number + 1) }, "visit.next");
+    this.next = h("button", { onclick: () => this.go(number + 1) }, "visit.next");
     this.body.replaceChildren(
       h(
         "header",
@@ -156,11 +149,7 @@ export class Visit {
           { key: "visit.step_number_of_all", values: { number: number + 1, all: STEPS.length } },
         ),
         h("progress", { max: String(STEPS.length), value: String(number + 1), "aria-hidden": "true" }),
-        h(
-          "button",
-          { type: "button", class: "quiet", "aria-label": "visit.leave_the_visit", onclick: () => this.leave() },
-          "×",
-        ),
+        h("button", { class: "quiet", "aria-label": "visit.leave_the_visit", onclick: () => this.leave() }, "×"),
       ),
       heading,
       h("p", {}, step.text),
@@ -169,13 +158,11 @@ export class Visit {
       h(
         "div",
         { class: "buttons" },
-        number > 0 && h("button", { type: "button", onclick: () => this.go(number - 1) }, "visit.back"),
+        number > 0 && h("button", { onclick: () => this.go(number - 1) }, "visit.back"),
         this.guess && this.play,
         this.guess && this.skip,
-        last
-          ? h("button", { type: "button", class: "main", onclick: () => this.challenge() }, "menu.challenges")
-          : this.next,
-        last && h("button", { type: "button", onclick: () => this.leave() }, "visit.done"),
+        last ? h("button", { class: "main", onclick: () => this.challenge() }, "menu.challenges") : this.next,
+        last && h("button", { onclick: () => this.leave() }, "visit.done"),
         this.guess && this.wait,
       ),
     );

@@ -57,11 +57,7 @@ export const STEPS: Step[] = [
     queries: ["hoop.load_fraction=1&start.speed=0.1&duration=3"],
     guess: (onguess) =>
       choices(
-        [
-          ["roll", "visit.it_rolls_on"],
-          ["hop", "visit.it_hops_the_hoop"],
-          ["skim", "visit.the_weight_falls_freely"],
-        ],
+        { roll: "visit.it_rolls_on", hop: "visit.it_hops_the_hoop", skim: "visit.the_weight_falls_freely" },
         onguess,
       ),
     until: ([film]) => {
@@ -88,11 +84,7 @@ export const STEPS: Step[] = [
     until: ([film]) => timeAt(film, WHOLE),
     answer: ([film]) => {
       const speeds = overTurn(film, "vx");
-      return {
-        truth: speeds,
-        text: "visit.with_the_load_at",
-        values: { speed: show(Math.max(...speeds), 2) },
-      };
+      return { truth: speeds, text: "visit.with_the_load_at", values: { speed: show(Math.max(...speeds), 2) } };
     },
     why: "visit.the_lowest_point_of",
   },
@@ -142,12 +134,12 @@ export const STEPS: Step[] = [
     queries: [""],
     guess: (onguess) =>
       choices(
-        [
-          ["roll", "visit.it_rolls_at_once"],
-          ["skid", "visit.it_skids_the_rim"],
-          ["spin", "visit.it_spins_the_rim"],
-          ["bounce", "visit.it_bounces"],
-        ],
+        {
+          roll: "visit.it_rolls_at_once",
+          skid: "visit.it_skids_the_rim",
+          spin: "visit.it_spins_the_rim",
+          bounce: "visit.it_bounces",
+        },
         onguess,
       ),
     until: ([film]) => first(film, "impact")?.t ?? film.duration,
@@ -172,15 +164,7 @@ export const STEPS: Step[] = [
     text: "visit.three_hoops_get_the",
     question: "visit.which_of_them_hops",
     queries: ["plane.mu=0.05", "plane.mu=0.2", ""],
-    guess: (onguess) =>
-      choices(
-        [
-          ["0", "μ = 0.05"],
-          ["1", "μ = 0.2"],
-          ["2", "μ = 1.0"],
-        ],
-        onguess,
-      ),
+    guess: (onguess) => choices({ 0: "μ = 0.05", 1: "μ = 0.2", 2: "μ = 1.0" }, onguess),
     until: (films) => 0.3 + Math.max(0, ...films.map((film) => first(film, "impact")?.t ?? 0)),
     answer: (films) => {
       const heights = films.map((film) =>
@@ -206,11 +190,7 @@ export const STEPS: Step[] = [
     ],
     guess: (onguess) =>
       choices(
-        [
-          ["flight", "visit.it_flies_off"],
-          ["impact", "visit.an_impact_stops_the"],
-          ["both", "visit.both_agree_with_the"],
-        ],
+        { flight: "visit.it_flies_off", impact: "visit.an_impact_stops_the", both: "visit.both_agree_with_the" },
         onguess,
       ),
     until: (films) => Math.min(0.8, ...films.map((film) => film.duration)),
@@ -220,11 +200,5 @@ export const STEPS: Step[] = [
     }),
     why: "visit.painleve_found_this_in",
   },
-  {
-    key: "yours",
-    title: "visit.your_turn",
-    text: "visit.take_the_hoop_turn",
-    question: "",
-    queries: [""],
-  },
+  { key: "yours", title: "visit.your_turn", text: "visit.take_the_hoop_turn", question: "", queries: [""] },
 ];

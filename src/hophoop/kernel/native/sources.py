@@ -13,7 +13,7 @@ PACKAGE = Path(__file__).parents[2]
 # Packages that only contain kernels, single files of other packages, and files that control their compilation.
 ROOMS = (
     "kernel/numerics", "kernel/physics", "kernel/panels", "kernel/records", "kernel/rigid", "kernel/compliant",
-    "theory/kernels", "derivatives", "derivatives/events", "derivatives/pieces",
+    "theory/kernels", "gaits/kernels", "derivatives", "derivatives/events", "derivatives/pieces",
 )  # fmt: skip
 FILES = (
     "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/entries.py", "kernel/native/marks.py", "lab/wasm/nrt.c",

@@ -1,4 +1,4 @@
-"""Conserved quantity of a phase, relative to the nearest equilibrium (docs/model.md#beside-an-equilibrium).
+"""Conserved quantity of a phase, relative to the nearest equilibrium (docs/model.md#near-an-equilibrium).
 
 Rolling conserves D θ̇² + 2 V(θ). In slip the difference of θ̇² from the separatrix, the motion that comes to rest at the
 equilibrium, grows by a known factor. A hoop that passes the top at 1e-8 m/s has θ̇² = 1e-16 there, which rounding of the

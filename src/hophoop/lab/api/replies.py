@@ -9,6 +9,8 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from hophoop.vocabulary.events import EventKind
+from hophoop.vocabulary.modes import ModeLetter
 from hophoop.vocabulary.quantities import QUANTITIES
 from hophoop.vocabulary.statuses import MotionStatus
 
@@ -24,19 +26,19 @@ class MotionState(BaseModel):
 
     model_config = ConfigDict(extra="forbid", populate_by_name=True)
 
-    t: float | None = _number("t")
-    x: float | None = _number("x")
-    height: float | None = _number("height")
-    angle: float | None = _number("angle")
-    vx: float | None = _number("vx")
-    vy: float | None = _number("vy")
-    omega: float | None = _number("omega")
+    t: float = _number("t")
+    x: float = _number("x")
+    height: float = _number("height")
+    angle: float = _number("angle")
+    vx: float = _number("vx")
+    vy: float = _number("vy")
+    omega: float = _number("omega")
 
 
 class Final(MotionState):
     """State at the end."""
 
-    mode: str = Field(description="Letter of the mode")
+    mode: ModeLetter = Field(description="Letter of the mode")
 
 
 class Velocities(BaseModel):
@@ -57,9 +59,9 @@ class Impulse(BaseModel):
 class Event(MotionState):
     """An event with the state just after it."""
 
-    kind: str = Field(description="Kind of event, such as slip_start or takeoff")
-    from_mode: str | None = Field(alias="from", description="Letter of the mode before")
-    to_mode: str = Field(alias="to", description="Letter of the mode after")
+    kind: EventKind = Field(description="Kind of event")
+    from_mode: ModeLetter | None = Field(alias="from", description="Letter of the mode before")
+    to_mode: ModeLetter = Field(alias="to", description="Letter of the mode after")
     before: Velocities
     impulse: Impulse
     collision: bool = Field(True, description="False for an impact without collision")

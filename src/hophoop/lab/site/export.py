@@ -25,6 +25,7 @@ STATIC = (
     "lab.js",
     "stage3d.js",
     "svg.js",
+    "boundaries.js",
     "kernel.js",
     "motion_element.js",
     "embed.js",

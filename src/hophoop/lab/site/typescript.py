@@ -7,12 +7,18 @@ from __future__ import annotations
 
 import typing
 from collections.abc import Iterator, Mapping, Sequence
+from enum import Enum
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin, is_typeddict
+from typing import Annotated, Any, Final, Literal, NotRequired, Union, get_args, get_origin, is_typeddict
 
-from hophoop.lab.site import controls, setup
+from hophoop.lab.api import replies
+from hophoop.lab.site import controls, sent, setup
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Start
+from hophoop.scenario.base import Frozen
+from hophoop.vocabulary.events import EventKind
+from hophoop.vocabulary.modes import ModeLetter
+from hophoop.vocabulary.statuses import MotionStatus
 
 FILE: Final = Path(__file__).parents[4] / "web" / "generated.d.ts"
 
@@ -35,7 +41,28 @@ _NAMES: Final[dict[type, str]] = {
     setup.PresetInfo: "Preset",
     setup.Colors: "Colors",
     setup.Setup: "Setup",
+    sent.RangeTable: "RangeTable",
+    sent.FieldTable: "FieldTable",
+    sent.ModelTable: "ModelTable",
+    sent.RuleTable: "RuleTable",
+    sent.ScenarioTable: "ScenarioTable",
+    sent.WordsTable: "WordsTable",
+    sent.ClassesTable: "ClassesTable",
+    sent.MapQuantityTable: "MapQuantityTable",
+    sent.MapTable: "MapTable",
+    sent.LimitsTable: "LimitsTable",
+    sent.SamplesTable: "SamplesTable",
+    sent.Tables: "Tables",
+    EventKind: "EventKind",
+    ModeLetter: "ModeLetter",
+    MotionStatus: "MotionStatus",
+    replies.Velocities: "Velocities",
+    replies.Impulse: "Impulse",
+    replies.Event: "MotionEvent",
+    replies.Final: "FinalState",
+    sent.SentMotion: "SentMotion",
 }
+WIDTH: Final = 120  # of a line, as the page's formatter has it
 _PLAIN: Final = {str: "string", bool: "boolean", int: "number", float: "number", NoneType: "null", Any: "any"}
 
 
@@ -57,18 +84,25 @@ def text() -> str:
 
 
 def _interface(model: Any, name: str) -> str:
+    if issubclass(model, Enum):
+        words = _options([member.value for member in model])
+        line = f"type {name} = {words};"
+        return line if len(line) <= WIDTH else line.replace(" = ", " =\n  | ").replace('" | "', '"\n  | "')
     fields = dict(_dict_fields(model) if is_typeddict(model) else _model_fields(model))
     return "\n".join((f"interface {name} {{", *(f"  {key}: {kind};" for key, kind in fields.items()), "}"))
 
 
 def _dict_fields(model: Any) -> Iterator[tuple[str, str]]:
-    for key, kind in typing.get_type_hints(model).items():
-        yield key, _type(kind)
+    for key, kind in typing.get_type_hints(model, include_extras=True).items():
+        optional = get_origin(kind) is NotRequired
+        yield f"{key}?" if optional else key, _type(get_args(kind)[0] if optional else kind)
 
 
 def _model_fields(model: Any) -> Iterator[tuple[str, str]]:
+    sparse = not issubclass(model, Frozen)  # an answer leaves out what has its default
     for key, field in model.model_fields.items():
-        yield key, _type(field.annotation)
+        name = field.alias or key
+        yield f"{name}?" if sparse and not field.is_required() else name, _type(field.annotation)
 
 
 def _type(kind: Any) -> str:

@@ -1,0 +1,175 @@
+"""Passages and fates of scenarios, computed by the kernel."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.gaits.kernels.cells import judge_cells
+from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, SECTIONS, Buffers, Request
+from hophoop.gaits.kernels.passages import SIZE, follow_passages
+from hophoop.gaits.results import Passages
+from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.records.cells import second_of, start_of
+from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import State
+from hophoop.scenario import InputError, Scenario, cell_of
+from hophoop.simulation.exact_start import NO_SCRIPT
+from hophoop.simulation.restart import row_of_start
+from hophoop.vocabulary.fates import FATE_CODES, Fate
+
+MOST = 10_000_000  # passages
+FOREVER = 1e9  # √(R/g): a motion that takes longer from passage to passage is given up
+PANELS = 20_000  # the most between two passages
+
+
+class Judgement(NamedTuple):
+    """Fates of motions, one entry each.
+
+    Attributes
+    ----------
+    fates : tuple of Fate
+        'chaotic' is not among them, because it needs the Lyapunov exponent: such motions are undecided.
+    periods : ndarray of int, shape (n,)
+        Of gaits, in passages; else 0 [1].
+    hops : ndarray of int, shape (n,)
+        Of gaits in a period [1].
+    passages : ndarray of int, shape (n,)
+        Passages until the fate was decided [1].
+    """
+
+    fates: tuple[Fate, ...]
+    periods: NDArray[np.int64]
+    hops: NDArray[np.int64]
+    passages: NDArray[np.int64]
+
+
+def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom") -> Passages:
+    """Compute the passages of a section, revolution by revolution, and what becomes of the motion.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact; its duration does not count.
+    count : int, default 1000
+        The most passages, from 1 to 10 million [1].
+    section : {'bottom', 'landing'}, default 'bottom'
+        The load at the bottom (θ = π in any revolution) with the rim in contact, in either direction; or each landing, for
+        steep slopes and light loads, where the bottom is passed in flight.
+
+    Returns
+    -------
+    passages : Passages
+        Fewer than `count` if the motion ends, or passes its section no more.
+
+    Raises
+    ------
+    ValueError
+        If count or section is not allowed, the contact is compliant, or there is no gravity.
+
+    Examples
+    --------
+    >>> import math
+    >>> import hophoop as hh
+    >>> slope = hh.Scenario(plane=hh.Plane(slope=math.radians(3)), hoop=hh.Hoop.ideal(0.5))
+    >>> found = hh.passages(slope, 300)
+    >>> found.fate, found.period, found.word[-1]
+    ('gait', 1, 'RSHKR')
+    """
+    check(scenario, section)
+    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
+        raise InputError.of_field("count", count, f"a whole number from 1 to {MOST}")
+    buffers = Buffers(
+        np.empty((max(count, 3), len(COLUMNS))), np.zeros((max(count, 3), INTEGERS), np.int64), np.empty(SIZE),
+        np.empty(FEW_EVENTS, EVENT), np.empty(0, SEGMENT),
+    )  # fmt: skip
+    cells = np.array(cell_of(scenario), float).reshape(-1, 1)
+    begin = start_of(cells, 0, second_of(cells, 0))
+    mode = scenario.start.mode
+    script = NO_SCRIPT if mode is None else np.repeat(row_of_start(scenario), 2)
+    request = Request(SECTIONS.index(section), count, FOREVER, PANELS, False)
+    status, found, fate, period = compiled(follow_passages)(
+        scenario.to_body(), begin, 0.0, request, buffers, new_scratch(), script
+    )
+    name = "going" if status < 0 else Status(status).name.lower()
+    return Passages(
+        scenario, section, buffers.numbers[:found], buffers.words[:found], _as_row(begin), name, FATE_CODES[fate], period
+    )
+
+
+def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "bottom") -> Judgement:
+    """Judge what becomes of many motions, each only as far as it is decided.
+
+    Parameters
+    ----------
+    scenarios : sequence of Scenario
+        With rigid contact.
+    count : int, default 2000
+        The most passages of each [1].
+    section : {'bottom', 'landing'}, default 'bottom'
+        As in `passages`.
+
+    Returns
+    -------
+    judgement : Judgement
+
+    Raises
+    ------
+    ValueError
+        As `passages`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> fates([hh.Scenario(start=hh.Start.rolling(v)) for v in (0.5, 1.0, 3.1)]).fates
+    ('rolls ahead', 'rolls ahead', 'rocks')
+    """
+    for scenario in scenarios:
+        check(scenario, section)
+    cells = np.array([cell_of(scenario) for scenario in scenarios], float).reshape(len(scenarios), -1).T
+    codes = judged(np.ascontiguousarray(cells), Request(SECTIONS.index(section), count, FOREVER, PANELS, True))
+    columns = {name: codes[:, CODES.index(name)] for name in CODES}
+    decided = tuple(FATE_CODES[code] for code in columns["fate"])
+    return Judgement(decided, columns["period"], columns["hops"], columns["passages"])
+
+
+def judged(cells: NDArray[np.float64], request: Request) -> NDArray[np.int64]:
+    """Judge the cells of the kernel.
+
+    Parameters
+    ----------
+    cells : ndarray, shape (len(CELL), n)
+        [SI].
+    request : Request
+
+    Returns
+    -------
+    codes : ndarray of int, shape (n, len(CODES))
+        −1 in cells that are not allowed [1].
+    """
+    codes = np.zeros((cells.shape[1], len(CODES)), np.int64)
+    compiled(judge_cells)(cells, 0, cells.shape[1], request, codes)
+    return codes
+
+
+def check(scenario: Scenario, section: str) -> None:
+    """Refuse a scenario or section that has no passages."""
+    if section not in SECTIONS:
+        raise InputError.of_field("section", section, f"one of {', '.join(SECTIONS)}")
+    if scenario.contact.model != "rigid":
+        raise InputError("contact.model = 'compliant' must be 'rigid': passages of a section need exact events.")
+    if scenario.plane.gravity == 0.0:
+        raise InputError("plane.gravity = 0.0 must be above 0: without gravity no motion comes back to a section.")
+
+
+def _as_row(state: State) -> NDArray[np.float64]:
+    """Return a start as a row of passages."""
+    found = dict.fromkeys(COLUMNS, 0.0)
+    found |= {"x": state.x, "height": state.y, "turns": state.turns, "theta": state.th, "theta_low": state.th_low}
+    found |= {"slip": state.vt, "vy": state.vn, "omega": state.om}
+    return np.array([found[name] for name in COLUMNS])

@@ -1,0 +1,202 @@
+"""The fate of a motion: what physics decides for ever, long before the end of time (docs/gaits.md#fates).
+
+* On the level energy only falls. Below the potential energy of the load at the top the hoop never gets over it again.
+* Rolling loses nothing: a revolution without slip on the level, or a swing between two turning points, repeats for ever.
+* On the level without hops the loss of a revolution falls with the speed above the first slip, so that the slip never ends.
+* A section that is reached in the same state again, with differences that shrink, has a stable gait.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.gaits.kernels.layout import (
+    HEIGHT,
+    HOPS,
+    LANDING,
+    LETTERS,
+    MODE,
+    OMEGA,
+    SLIP,
+    THETA,
+    TURNS,
+    VY,
+)
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.double_double import PI, TWO_PI
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
+from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
+from hophoop.vocabulary.fates import FATE_CODES, Fate
+
+(
+    ROLLS_AHEAD, ROLLS_BACK, SLIPS_EVER_LESS, ROCKS, RESTS, SLIDES_AWAY, GAIT, CHAOTIC, RUNS_AWAY, JAM, UNDETERMINED, UNDECIDED,
+) = (FATE_CODES.index(fate) for fate in Fate)  # fmt: skip
+OPEN = -1  # not decided so far
+
+ROLL = int(Mode.ROLL)
+LONGEST_PERIOD = 64
+SAME, NEAR, NOISE = 1e-10, 1e-7, 1e-13  # differences of two passages of a gait: now, one period ago, and rounding
+FASTEST = 1e3  # √(g/R): a hoop that rotates faster runs away
+QUIET_SWINGS = 4  # turning points, each nearer than the last one on its side, after which a hoop rocks for ever
+ANGLES, HOLDS = 64, 0.999  # of half a revolution at which rolling is looked at, and the share of friction that it may use
+BELOW = 1e-12  # m g R: by which the energy is below that of the load at the top
+
+# What is remembered of a motion: the turning points of this phase of rolling, the last turning points forward and backward, the
+# last one, how many came nearer in succession, and the hops since.
+ROLLING_TURNS, FORWARD_TURN, BACKWARD_TURN, LAST_TURN, SWINGS = range(5)
+MEMORY = 5
+
+
+@apart
+def forget(memory, angle):
+    """Start to remember a motion from its first angle."""
+    memory[ROLLING_TURNS] = 0.0
+    memory[FORWARD_TURN] = math.inf
+    memory[BACKWARD_TURN] = -math.inf
+    memory[LAST_TURN] = angle
+    memory[SWINGS] = 0.0
+
+
+@apart
+def fate_at_start(body, state):
+    """Return the fate of a motion without friction that slides along the plane, else OPEN."""
+    if body.mu_s > 0.0 or body.gn == 0.0:
+        return OPEN
+    c = sine_cosine(state.th, state.th_low)[1]
+    drifts = state.vt + state.om * (1.0 + body.eps * c) != 0.0
+    return SLIDES_AWAY if body.gt != 0.0 or drifts else OPEN
+
+
+@apart
+def fate_at_turn(body, mode, angle, memory):
+    """Return the fate after a turning point in contact."""
+    if mode == ROLL:
+        memory[ROLLING_TURNS] += 1.0
+    forward = angle > memory[LAST_TURN]
+    memory[LAST_TURN] = angle
+    side = FORWARD_TURN if forward else BACKWARD_TURN
+    nearer = angle <= memory[side] if forward else angle >= memory[side]
+    memory[side] = angle
+    memory[SWINGS] = memory[SWINGS] + 1.0 if nearer else 0.0
+    if body.eps == 0.0 or abs(body.gt) >= body.mu_s * body.gn:  # steeper than friction holds: it slides on
+        return OPEN
+    if (memory[ROLLING_TURNS] >= 2.0 and body.resist == 0.0) or memory[SWINGS] >= QUIET_SWINGS:
+        return ROCKS if body.resist == 0.0 else RESTS
+    return OPEN
+
+
+@inline
+def is_below_top(body, state):
+    """Return True if a hoop on the level can never again have its load at the top."""
+    if body.gt != 0.0 or body.gn == 0.0 or body.eps == 0.0 or body.mu_s == 0.0:
+        return False
+    potential = potential_energy(body, 0.0, state.y, state.th)
+    return potential < 0.0 and potential + kinetic_energy(body, state.th, state.om, state.vt, state.vn, state.th_low) < -BELOW
+
+
+@apart
+def difference(numbers, one, other, section):
+    """Return the largest difference of two passages, relative to the speed of rotation."""
+    last, before = numbers[one], numbers[other]
+    worst = max(
+        abs(last[OMEGA] - before[OMEGA]),
+        abs(last[SLIP] - before[SLIP]),
+        abs(last[HEIGHT] - before[HEIGHT]),
+        abs(last[VY] - before[VY]),
+    )
+    if section == LANDING:
+        turned = last[THETA] - before[THETA]
+        turned -= TWO_PI * math.floor(turned / TWO_PI + 0.5)
+        worst = max(worst, abs(turned))
+    return worst / (1.0 + abs(last[OMEGA]))
+
+
+@apart
+def same_word(numbers, words, one, other):
+    """Return True if two passages have the same mode and word."""
+    same = numbers[one, MODE] == numbers[other, MODE] and numbers[one, LETTERS] == numbers[other, LETTERS]
+    return same and words[one, 0] == words[other, 0] and words[one, 1] == words[other, 1]
+
+
+@apart
+def period_of(numbers, words, k, section):
+    """Return the period of passage k, in passages, or 0: after it the same state and words came before, ever more exactly."""
+    length = numbers.shape[0]
+    row = k % length
+    for period in range(1, LONGEST_PERIOD + 1):
+        if 2 * period > k or 2 * period >= length:
+            return 0
+        before = (k - period) % length
+        if not same_word(numbers, words, row, before):
+            continue
+        now = difference(numbers, row, before, section)
+        if now > SAME:
+            continue
+        past = difference(numbers, before, (k - 2 * period) % length, section)
+        if past <= NEAR and now <= past + NOISE:
+            # a gait that is reached from alternating sides comes near two passages ago first
+            for part in range(1, period):
+                other = (k - part) % length
+                same = period % part == 0 and same_word(numbers, words, row, other)
+                if same and difference(numbers, row, other, section) <= NEAR:
+                    return part
+            return period
+    return 0
+
+
+@apart
+def rolls_slowly(body):
+    """Return True if a hoop on the level that only just gets over the top does so without slip."""
+    for k in range(1, ANGLES):
+        th = PI * k / ANGLES
+        s, c = sine_cosine(th, 0.0)
+        height = load_height(s, c)
+        u = 2.0 * body.eps * body.gn * (1.0 - c) / inertia_at_height(body, height)
+        friction, normal = rolling_forces(body, s, c, u, 0.0)
+        if not abs(friction) <= HOLDS * body.mu_s * normal:
+            return False
+    return True
+
+
+@apart
+def fate_at_passage(body, numbers, words, k, section):
+    """Return (fate, period) after passage k; the period is 0 except in a gait."""
+    length = numbers.shape[0]
+    last, before = numbers[k % length], numbers[(k - 1) % length]
+    om = last[OMEGA]
+    if abs(om) > FASTEST and body.gn > 0.0:
+        return RUNS_AWAY, 0
+    if k < 1:
+        return OPEN, 0
+    way = 1.0 if om > 0.0 else -1.0
+    revolved = way * ((last[TURNS] - before[TURNS]) * TWO_PI + (last[THETA] - before[THETA])) > 3.0
+    rolled = revolved and last[LETTERS] == 1.0 and last[MODE] == ROLL
+    if body.gt == 0.0:
+        if rolled and body.resist == 0.0:
+            return ROLLS_AHEAD if om > 0.0 else ROLLS_BACK, 0
+        if rolled and body.gn > 0.0:
+            return RESTS, 0
+        if k >= 2 and revolved and body.resist == 0.0 and last[HOPS] + before[HOPS] == 0.0:
+            first = numbers[(k - 2) % length]
+            fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
+            if (
+                last[MODE] == ROLL
+                and before[MODE] == ROLL
+                and first[MODE] == ROLL
+                and 0.0 < falls < fell
+                and rolls_slowly(body)
+            ):
+                return SLIPS_EVER_LESS, 0
+        return OPEN, 0
+    if body.eps == 0.0 and rolled and way * (om - before[OMEGA]) > 0.0:
+        return RUNS_AWAY, 0
+    period = period_of(numbers, words, k, section)
+    if period > 0:
+        past = numbers[(k - period) % length]
+        turned = (last[TURNS] - past[TURNS]) * TWO_PI + (last[THETA] - past[THETA])
+        if abs(turned) < 3.0:
+            return ROCKS, 0
+        return GAIT, period
+    return OPEN, 0

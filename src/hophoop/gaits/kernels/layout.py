@@ -1,0 +1,49 @@
+"""Rows of the passages of a section, and what is asked of a motion."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+# One row per passage, in kernel units; times, positions and losses count from the start.
+COLUMNS = (
+    "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
+    "friction", "impact_normal", "impact_tangential", "rolling_resistance", "mode", "bounce", "hops", "letters", "doubt",
+)  # fmt: skip
+(
+    T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA, THETA_LOW, SLIP, VY, OMEGA,
+    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, BOUNCE, HOPS, LETTERS, DOUBT,
+) = range(len(COLUMNS))  # fmt: skip
+
+# A word (the phases since the last passage) is packed into integers, three bits a letter, 21 letters each; 0 is no letter.
+INTEGERS, LETTERS_PER_INTEGER = 2, 21
+LONGEST = INTEGERS * LETTERS_PER_INTEGER - 1
+MORE = 7  # the letter that marks a longer word
+
+BOTTOM, LANDING = 0, 1
+SECTIONS = ("bottom", "landing")
+
+# Results of a cell of `judge_cells`.
+CODES = ("fate", "period", "hops", "passages", "status")
+
+
+class Request(NamedTuple):
+    """What is asked of a motion."""
+
+    section: int  # BOTTOM or LANDING
+    most: int  # passages
+    t_end: float  # time [√(R/g)]
+    panels: int  # maximum of panels between two passages
+    stops: bool  # True: ends as soon as the fate is decided
+
+
+class Buffers(NamedTuple):
+    """What a computation of passages fills and works in."""
+
+    numbers: Any  # shape (n, len(COLUMNS)): passage k is in row k modulo n
+    words: Any  # of int, shape (n, INTEGERS), likewise
+    memory: Any  # shape (passages.SIZE,)
+    events: Any  # of records.EVENT, shape (FEW_EVENTS,): those of one step
+    segments: Any  # of records.SEGMENT, length 0
+
+
+FEW_EVENTS = 32

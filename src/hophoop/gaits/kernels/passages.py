@@ -1,0 +1,277 @@
+"""Passages of a section, revolution by revolution, without segments."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.gaits.kernels.fates import (
+    JAM,
+    LONGEST_PERIOD,
+    MEMORY,
+    OPEN,
+    RESTS,
+    ROCKS,
+    ROLLING_TURNS,
+    RUNS_AWAY,
+    SLIDES_AWAY,
+    SWINGS,
+    UNDECIDED,
+    UNDETERMINED,
+    fate_at_passage,
+    fate_at_start,
+    fate_at_turn,
+    forget,
+    is_below_top,
+)
+from hophoop.gaits.kernels.layout import (
+    BOUNCE,
+    DOUBT,
+    FRICTION,
+    HEIGHT,
+    HOPS,
+    IMPACT_NORMAL,
+    IMPACT_TANGENTIAL,
+    INTEGERS,
+    LANDING,
+    LETTERS,
+    LETTERS_PER_INTEGER,
+    LONGEST,
+    MODE,
+    MORE,
+    OMEGA,
+    ROLLING_RESISTANCE,
+    SLIP,
+    T_LOW,
+    THETA,
+    THETA_LOW,
+    TURNS,
+    VY,
+    X_LOW,
+    T,
+    X,
+)
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.double_double import PI, TWO_PI
+from hophoop.kernel.physics.body import PASSING, Event, Mode, Status
+from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
+from hophoop.kernel.records.state import whole_angle
+from hophoop.kernel.records.writing import count_panel, has_room, new_log
+from hophoop.kernel.rigid.ending import Ending
+from hophoop.kernel.rigid.limits import Limits, angle_left
+from hophoop.kernel.rigid.phase import GOING, Phase
+from hophoop.kernel.rigid.run import begin, can_follow, step
+from hophoop.kernel.rigid.script import repeat
+
+ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+TURN = int(Event.TURN)
+COMPLETED, AT_REST, JAMMED, UNDETERMINED_STATUS, EVENT_LIMIT = (
+    int(status) for status in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED, Status.EVENT_LIMIT)
+)
+ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
+
+ROUNDING = 4e-15  # rad per revolution: within it a start is on the section, and not about to pass it
+
+# What is remembered since the last passage: the present phase's letter and start, letters, hops.
+LETTER, SINCE, COUNT, JUMPS = range(MEMORY, MEMORY + 4)
+SIZE = MEMORY + 4
+
+
+@inline
+def limits_in_cell(t_end, cell, bounded):
+    """Return limits half a revolution to either side of a load at the top, if the rim is bounded to them."""
+    return Limits(t_end, 0, PI if bounded else math.nan, 0.0, PI if bounded else 0.0, cell, 0.0, 0.0)
+
+
+@apart
+def cell_of(state):
+    """Return the revolution, from bottom to bottom, that the hoop is in or about to enter."""
+    cell = state.turns + math.floor((state.th + PI) / TWO_PI)
+    limits = limits_in_cell(0.0, cell, True)
+    rounding = ROUNDING * (1.0 + abs(state.turns))
+    if state.om > 0.0 and angle_left(limits, state, 1.0) <= rounding:
+        return cell + 1.0
+    if state.om < 0.0 and angle_left(limits, state, -1.0) <= rounding:
+        return cell - 1.0
+    return cell
+
+
+@apart
+def add_letter(words, row, memory, mode):
+    """Append a mode to the word of a passage."""
+    length = int(memory[COUNT])
+    if length > LONGEST:
+        return
+    letter = MORE if length == LONGEST else int(mode) + 1
+    place = length // LETTERS_PER_INTEGER
+    words[row, place] = words[row, place] + letter * (1 << (3 * (length % LETTERS_PER_INTEGER)))
+    memory[COUNT] = length + 1.0
+
+
+@apart
+def note_events(body, log, words, row, memory):
+    """Read the events of a step into word and hops of the passage to come; return the fate that they decide, or OPEN."""
+    fate = OPEN
+    for i in range(log.counts[EVENTS]):
+        event = log.events[i]
+        kind = event["kind"]
+        if kind == TURN and event["after_mode"] != FLIGHT:
+            found = fate_at_turn(body, event["after_mode"], event["angle"], memory)
+            if fate == OPEN:
+                fate = found
+        if kind in PASSING:
+            continue
+        memory[ROLLING_TURNS] = 0.0
+        if event["after_mode"] == FLIGHT:
+            memory[SWINGS] = 0.0
+            if event["height"] == 0.0 and not event["vy"] < 0.0:
+                memory[JUMPS] += 1.0
+        if event["t"] > memory[SINCE]:
+            add_letter(words, row, memory, memory[LETTER])
+        memory[LETTER] = event["after_mode"]
+        memory[SINCE] = event["t"]
+    log.counts[EVENTS] = 0
+    return fate
+
+
+@apart
+def write_passage(phase, numbers, words, row, memory, doubt):
+    """Write a row, and start the word of the next passage."""
+    state = phase.state
+    if state.t > memory[SINCE]:
+        add_letter(words, row, memory, memory[LETTER])
+    out = numbers[row]
+    out[T], out[T_LOW] = state.t, state.t_low
+    out[X], out[X_LOW] = state.x, state.x_low
+    out[HEIGHT] = state.y
+    out[TURNS], out[THETA], out[THETA_LOW] = state.turns, state.th, state.th_low
+    out[SLIP], out[VY], out[OMEGA] = state.vt, state.vn, state.om
+    out[FRICTION] = state.friction
+    out[IMPACT_NORMAL], out[IMPACT_TANGENTIAL] = state.impact_n, state.impact_t
+    out[ROLLING_RESISTANCE] = state.resisted
+    out[MODE] = phase.mode
+    out[BOUNCE] = phase.bounce
+    out[HOPS] = memory[JUMPS]
+    out[LETTERS] = memory[COUNT]
+    out[DOUBT] = doubt
+    memory[COUNT], memory[JUMPS], memory[SINCE] = 0.0, 0.0, state.t
+
+
+def clear_word(words, row):
+    """Empty a row of words."""
+    for i in range(INTEGERS):
+        words[row, i] = 0
+
+
+@inline
+def ends_at_section(before, phase, section):
+    """Return True if a step has reached the section."""
+    if section == LANDING:
+        return before == FLIGHT and phase.what == Ending.LANDING and phase.status == GOING
+    return phase.status == COMPLETED and phase.what == Ending.ANGLE_LIMIT
+
+
+@apart
+def first_phase(body, start, bounce, log, scratch, script):
+    """Return the first phase of a motion, or of one that goes on in the phase of a script's event."""
+    if script.shape[0] < 2:
+        return begin(body, start, log, scratch)
+    phase = repeat(body, script, log, scratch)
+    return Phase(
+        phase.mode, phase.state, phase.begins, phase.zeros, phase.opening, phase.level, bounce, phase.what, phase.status
+    )
+
+
+@apart
+def fate_without_passages(body, phase, revolutions):
+    """Return the fate of a motion that passes its section no more."""
+    status = phase.status
+    if status == AT_REST:
+        return RESTS
+    if status == JAMMED:
+        return JAM
+    if status == UNDETERMINED_STATUS:
+        return UNDETERMINED
+    if abs(body.gt) > body.mu_s * body.gn:  # friction cannot hold it: it gets faster and faster
+        return RUNS_AWAY if revolutions > 2.0 else SLIDES_AWAY
+    return UNDECIDED
+
+
+def follow_passages(body, start, bounce, request, buffers, scratch, script):
+    """Compute the passages of a section.
+
+    Parameters
+    ----------
+    body : Body
+    start : State
+    bounce : float
+        v_n after the last landing before a start with a script.
+    request : Request
+    buffers : Buffers
+        Its `numbers` and `words` are filled.
+    scratch : records.Scratch
+    script : ndarray of records.EVENT
+        Length 0, or the event that starts the first phase, twice.
+
+    Returns
+    -------
+    status, passages, fate, period : int
+        Status of the motion, GOING if it goes on; the fate's code, and the period of a gait in passages, else 0.
+    """
+    scratch.doubt[0] = math.nan
+    scratch.doubt[1] = math.nan
+    limit = scratch.counts[PANEL_LIMIT]
+    scratch.counts[PANEL_LIMIT] = request.panels
+    numbers, words, memory = buffers.numbers, buffers.words, buffers.memory
+    log = new_log(buffers.events, buffers.segments, scratch)
+    phase = first_phase(body, start, bounce, log, scratch, script)
+    log.counts[EVENTS] = 0
+    forget(memory, whole_angle(phase.state))
+    memory[COUNT], memory[JUMPS], memory[SINCE], memory[LETTER] = 0.0, 0.0, phase.state.t, phase.mode
+    fate, period = fate_at_start(body, phase.state), 0
+    cell, passages, row = cell_of(phase.state), 0, 0
+    clear_word(words, 0)
+    while phase.status == GOING and has_room(log) and passages < request.most and not (request.stops and fate != OPEN):
+        before = phase.mode
+        count_panel(log)
+        limits = limits_in_cell(request.t_end, cell, request.section != LANDING and before != FLIGHT and before != SKIM)
+        after = step(body, phase, limits, log, scratch)
+        if not can_follow(phase.state, after.state, request.t_end):
+            break
+        phase = after
+        found = note_events(body, log, words, row, memory)
+        if fate == OPEN and found == OPEN and is_below_top(body, phase.state):
+            found = ROCKS if body.resist == 0.0 else RESTS
+        if fate == OPEN:
+            fate = found
+        if not ends_at_section(before, phase, request.section):
+            if before in (FLIGHT, SKIM):
+                cell = cell_of(phase.state)
+            continue
+        write_passage(phase, numbers, words, row, memory, scratch.doubt[0])
+        if request.section != LANDING:
+            cell += 1.0 if phase.state.om > 0.0 else -1.0
+            phase = Phase(
+                phase.mode, phase.state, False, phase.zeros, phase.opening, phase.level, phase.bounce, Ending.CONTINUES, GOING
+            )
+        if fate == OPEN:
+            fate, period = fate_at_passage(body, numbers, words, passages, request.section)
+        passages += 1
+        if passages < request.most:
+            row = passages % numbers.shape[0]
+            clear_word(words, row)
+        log.counts[PANELS] = 0
+    status = phase.status
+    if status == GOING and not (passages >= request.most or (request.stops and fate != OPEN)):
+        status = EVENT_LIMIT
+    if fate == OPEN:
+        fate = fate_without_passages(body, phase, abs(phase.state.turns - start.turns))
+    scratch.counts[PANEL_LIMIT] = limit
+    return status, passages, fate, period
+
+
+def hops_in(numbers, passages, period):
+    """Return the hops in the last passages of a gait."""
+    hops = 0.0
+    for k in range(period):
+        hops += numbers[(passages - 1 - k) % numbers.shape[0], HOPS]
+    return int(hops)

@@ -1,0 +1,331 @@
+"""The passages of a section as a table in SI units, and what they say about the motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._support.extras import need
+from hophoop.gaits.kernels.layout import COLUMNS, LETTERS_PER_INTEGER, MORE
+from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW
+from hophoop.results.units import Units
+from hophoop.scenario import InputError, Scenario, Start
+from hophoop.vocabulary.fates import Fate
+from hophoop.vocabulary.modes import MODE_LETTERS
+
+if TYPE_CHECKING:
+    import xarray
+
+    from hophoop.gaits.section import SectionDerivative
+
+Floats = NDArray[np.float64]
+MORE_MARK = "+"
+ENOUGH = 500  # passages from which on a motion may be called chaotic
+SURE = 5.0  # standard errors by which its exponent must be above 0
+
+
+class Lyapunov(NamedTuple):
+    """Mean rate at which near motions separate.
+
+    Attributes
+    ----------
+    value : float
+        Mean of the logarithm of the growth per passage [1].
+    error : float
+        Its standard error, from the scatter of batches of successive passages [1].
+    passages : int
+        Passages that it is the mean of.
+    """
+
+    value: float
+    error: float
+    passages: int
+
+
+class _Variable(NamedTuple):
+    name: str
+    unit: str
+    meaning: str
+
+
+_VARIABLES = (
+    _Variable("t", "s", "Time of the passage"),
+    _Variable("x", "m", "Position of the centre along the plane"),
+    _Variable("height", "m", "Gap between rim and plane"),
+    _Variable("angle", "rad", "Angle from the plane's normal to the centre of gravity"),
+    _Variable("omega", "rad/s", "Angular velocity"),
+    _Variable("slip", "m/s", "Slip velocity of the lowest point"),
+    _Variable("vy", "m/s", "Velocity of the centre away from the plane"),
+    _Variable("hops", "1", "Hops since the last passage"),
+    _Variable("distance", "m", "Distance since the last passage"),
+    _Variable("friction", "J", "Energy lost to friction in slip since the last passage"),
+    _Variable("impact_normal", "J", "Energy lost in impacts, normal to the plane, since the last passage"),
+    _Variable("impact_tangential", "J", "Energy lost in impacts, along the plane, since the last passage"),
+    _Variable("rolling_resistance", "J", "Energy lost to rolling resistance since the last passage"),
+)
+
+
+@dataclass(frozen=True)
+class Passages:
+    """Passages of a section, one row each; made by `hophoop.passages`.
+
+    Attributes
+    ----------
+    scenario : Scenario
+    section : {'bottom', 'landing'}
+    numbers : ndarray, shape (n, len(COLUMNS))
+        The kernel's rows, in units of R, m and √(R/g) [1].
+    packed : ndarray of int, shape (n, 2)
+        The kernel's words [1].
+    first : ndarray, shape (len(COLUMNS),)
+        The start, likewise [1].
+    status : str
+        How the motion ended: 'going' if it goes on.
+    decided : Fate
+        The fate that physics decides, without the Lyapunov exponent.
+    period : int
+        Of a gait, in passages; else 0 [1].
+    """
+
+    scenario: Scenario
+    section: str
+    numbers: Floats
+    packed: NDArray[np.int64]
+    first: Floats
+    status: str
+    decided: Fate
+    period: int
+
+    def __len__(self) -> int:
+        return len(self.numbers)
+
+    # --- columns -----------------------------------------------------------------------------------
+
+    def _column(self, name: str) -> Floats:
+        found: Floats = self.numbers[:, COLUMNS.index(name)]
+        return found
+
+    def _si(self, name: str) -> Floats:
+        return self._column(name) * self._unit.of(name)
+
+    def _since(self, name: str) -> Floats:
+        """Return the change of a column since the last passage, for the first one since the start."""
+        column = np.concatenate((self.first[[COLUMNS.index(name)]], self._column(name)))
+        found: Floats = np.diff(column) * self._unit.of(name)
+        return found
+
+    @cached_property
+    def _unit(self) -> Units:
+        return Units.of_scenario(self.scenario)
+
+    @property
+    def t(self) -> Floats:
+        """Times since the start [s]."""
+        return self._si("t")
+
+    @property
+    def x(self) -> Floats:
+        """Positions of the centre along the plane [m]."""
+        return self._si("x")
+
+    @property
+    def height(self) -> Floats:
+        """Gaps between rim and plane [m]."""
+        return self._si("height")
+
+    @property
+    def angle(self) -> Floats:
+        """θ with all its revolutions [rad]."""
+        turns = self._column("turns")
+        return turns * TWO_PI + (self._column("theta") + (self._column("theta_low") + turns * TWO_PI_LOW))
+
+    @property
+    def omega(self) -> Floats:
+        """Angular velocities θ̇ [rad/s]."""
+        return self._si("omega")
+
+    @property
+    def slip(self) -> Floats:
+        """Slip velocities v_t [m/s]."""
+        return self._si("slip")
+
+    @property
+    def vy(self) -> Floats:
+        """Velocities of the centre away from the plane [m/s]."""
+        return self._si("vy")
+
+    @property
+    def hops(self) -> NDArray[np.int64]:
+        """Hops since the last passage [1]."""
+        return self._column("hops").astype(np.int64)
+
+    @property
+    def distance(self) -> Floats:
+        """Distances along the plane since the last passage [m]."""
+        return self._since("x")
+
+    @property
+    def doubt(self) -> float:
+        """Time from which double precision does not decide the motion; inf if it always does [s]."""
+        known = self._column("doubt")
+        known = known[np.isfinite(known)]
+        return float(known[0]) * self._unit.time if len(known) else np.inf
+
+    @cached_property
+    def mode(self) -> tuple[str, ...]:
+        """Letters of the modes at the passages."""
+        return tuple(MODE_LETTERS[int(code)] for code in self._column("mode"))
+
+    @cached_property
+    def word(self) -> tuple[str, ...]:
+        """Phases since the last passage, one letter each, such as 'RSHKR'; a very long word ends in '+'."""
+        known = {key: unpacked(key) for key in {tuple(row) for row in self.packed.tolist()}}
+        return tuple(known[tuple(row)] for row in self.packed.tolist())
+
+    def loss(self, name: str) -> Floats:
+        """Return what was lost since the last passage.
+
+        Parameters
+        ----------
+        name : {'friction', 'impact_normal', 'impact_tangential', 'rolling_resistance'}
+
+        Returns
+        -------
+        loss : ndarray, shape (n,)
+            [J].
+
+        Raises
+        ------
+        ValueError
+            If it is none of them.
+        """
+        known = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
+        if name not in known:
+            raise InputError.of_field("name", name, f"one of {', '.join(known)}")
+        return self._since(name)
+
+    def start(self, index: int) -> Start:
+        """Return the start that goes on from a passage.
+
+        Parameters
+        ----------
+        index : int
+            Of the passage; −1 for the last one.
+
+        Returns
+        -------
+        start : Start
+            With its slip velocity and mode.
+
+        Raises
+        ------
+        ValueError
+            If there is no such passage.
+        """
+        if not -len(self) <= index < len(self):
+            raise InputError.of_field("index", index, f"of one of {len(self)} passages")
+        omega, slip = float(self.omega[index]), float(self.slip[index])
+        vx = slip + self.scenario.hoop.radius * omega
+        place = {name: float(getattr(self, name)[index]) for name in ("x", "height", "angle", "vy")}
+        return Start(**place, vx=vx, omega=omega, slip=slip, mode=self.mode[index])
+
+    # --- what becomes of it ------------------------------------------------------------------------
+
+    @cached_property
+    def fate(self) -> Fate:
+        """What becomes of the motion in the end; 'undecided' if the run was too short to say."""
+        if self.decided != Fate.UNDECIDED or self.status != "going" or len(self) < ENOUGH or not self.scenario.plane.slope:
+            return self.decided
+        exponent = self.lyapunov
+        return Fate.CHAOTIC if exponent.value > SURE * exponent.error > 0.0 else Fate.UNDECIDED
+
+    @cached_property
+    def lyapunov(self) -> Lyapunov:
+        """Mean rate at which near motions separate, per passage, after the first tenth of the passages."""
+        from hophoop.gaits.section import lyapunov_of
+
+        return lyapunov_of(self)
+
+    def derivative(self, index: int, passages: int = 1) -> SectionDerivative:
+        """Return how later passages change with the state at a passage.
+
+        Parameters
+        ----------
+        index : int
+            Of the passage from which on.
+        passages : int, default 1
+            How many passages further [1].
+
+        Returns
+        -------
+        derivative : SectionDerivative
+
+        Raises
+        ------
+        ValueError
+            If there are no such passages.
+        """
+        from hophoop.gaits.section import derivative_over
+
+        return derivative_over(self, index, passages)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the passages as an xarray.Dataset, one entry per passage.
+
+        Returns
+        -------
+        dataset : xarray.Dataset
+            Every variable has units and long_name.
+
+        Raises
+        ------
+        ImportError
+            If xarray is missing.
+        """
+        xr = need("xarray", "maps")
+        variables: dict[str, Any] = {}
+        for name, unit, meaning in _VARIABLES:
+            lost = name.startswith("impact") or name in ("friction", "rolling_resistance")
+            values = self.loss(name) if lost else getattr(self, name)
+            variables[name] = ("passage", values, {"units": unit, "long_name": meaning})
+        for name, meaning in (("mode", "Mode at the passage"), ("word", "Phases since the last passage")):
+            variables[name] = ("passage", np.array(getattr(self, name), dtype=str), {"units": "1", "long_name": meaning})
+        attributes = {
+            "Conventions": "CF-1.11",
+            "title": f"Passages of a loaded hoop: {self.fate}",
+            "section": self.section,
+            "fate": str(self.fate),
+            "period": self.period,
+            "scenario": str(self.scenario.to_query()),
+        }
+        dataset: xarray.Dataset = xr.Dataset(variables, attrs=attributes)
+        return dataset
+
+    def __repr__(self) -> str:
+        fate = f"gait of period {self.period}" if self.decided == Fate.GAIT else str(self.decided)
+        words = ", ".join(self.word[-3:])
+        return f"<Passages: {len(self)} of section {self.section!r}, {fate}{'; last words ' + words if words else ''}>"
+
+
+def unpacked(key: tuple[int, ...]) -> str:
+    """Return a word that the kernel packed into integers.
+
+    Parameters
+    ----------
+    key : tuple of int
+
+    Returns
+    -------
+    word : str
+    """
+    letters = []
+    for integer in key:
+        for place in range(LETTERS_PER_INTEGER):
+            letter = (integer >> (3 * place)) & 7
+            if letter:
+                letters.append(MORE_MARK if letter == MORE else MODE_LETTERS[letter - 1])
+    return "".join(letters)

@@ -1,0 +1,110 @@
+"""Fates: decided early by physics, checked by following the motion much longer."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.vocabulary.fates import FATE_CODES, FATES, Fate
+
+
+def scenario(speed=3.1, angle=0.0, gamma=0.75, **plane):
+    """A rolling start, in units of R and g."""
+    plane = hh.Plane(gravity=1.0, **plane)
+    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=plane, start=hh.Start.rolling(speed, angle=angle))
+
+
+CRITICAL = float(hh.theory.first_slip_speed(hh.Hoop(), hh.Plane(gravity=1.0)))  # 0.652335 √(g R)
+THREE, FOUR, FIVE, TEN = (math.radians(degrees) for degrees in (3.0, 4.0, 5.0, 10.0))
+
+
+@pytest.mark.parametrize(
+    ("given", "fate"),
+    [
+        (scenario(0.999 * CRITICAL), Fate.ROLLS_AHEAD),
+        (scenario(-0.999 * CRITICAL), Fate.ROLLS_BACK),
+        (scenario(1.02 * CRITICAL), Fate.SLIPS_EVER_LESS),
+        (scenario(3.0, restitution=0.5), Fate.ROLLS_BACK),  # launched ahead, it comes back
+        (scenario(0.1, angle=2.0), Fate.ROCKS),
+        (scenario(0.0, angle=3.13, slope=0.02), Fate.ROCKS),  # small swings that do not pass θ = π
+        (scenario(1.0, rolling_resistance=0.01), Fate.RESTS),
+        (scenario(0.0), Fate.RESTS),
+        (scenario(1.0, mu=0.2, slope=0.5), Fate.SLIDES_AWAY),
+        (scenario(1.0, mu=0.0), Fate.SLIDES_AWAY),
+        (scenario(2.7, angle=math.pi, gamma=0.5, slope=THREE), Fate.GAIT),
+        (scenario(3.4, angle=math.pi, slope=FOUR), Fate.CHAOTIC),
+        (scenario(1.0, gamma=0.0, slope=FIVE), Fate.RUNS_AWAY),
+        (scenario(3.0, angle=math.pi, slope=TEN), Fate.ROCKS),  # hops itself to a standstill
+    ],
+)
+def test_fates(given, fate):
+    assert hh.passages(given, 2000).fate == fate
+
+
+def test_the_excess_over_the_first_slip_falls_as_the_law_says():
+    """On the level the excess falls as 1/(0.2662 n): it never reaches 0."""
+    found = hh.passages(scenario(1.05 * CRITICAL), 4000)
+    assert found.fate == "slips ever less"
+    bottom = math.sqrt((4 * 0.75 + 2 * 1.75 * CRITICAL**2) / (2 * 0.25))
+    excess = found.omega - bottom
+    assert (excess > 0.0).all()
+    assert 1.0 / excess[-1] - 1.0 / excess[-1001] == pytest.approx(266.2, rel=2e-3)
+    assert set(found.word[10:]) == {"RSRKR"}
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_early_fates_on_the_level_stay(restitution):
+    """The fate of random motions, decided within a few revolutions, is what they do 2000 units of time later."""
+    random = np.random.default_rng(35)
+    seen = set()
+    for _ in range(60):
+        given = scenario(float(random.uniform(0.01, 4.0)), mu=float(random.uniform(0.02, 2.0)), restitution=restitution)
+        fate = hh.gaits.fates([given]).fates[0]
+        motion = hh.simulate(given.replace("duration", 2000.0))
+        late = motion.at(np.linspace(1900.0, 2000.0, 400))
+        seen.add(fate)
+        if fate == "rolls ahead":
+            assert (late.omega > 0.0).all()
+            assert motion.at(2000.0).mode == "R"
+        elif fate == "rolls back":
+            assert (late.omega < 0.0).all()
+        elif fate == "slips ever less":
+            assert (late.omega > 0.0).all()
+            assert {"S", "K"} & set(late.mode)
+        else:
+            assert fate == "rocks"
+            assert np.ptp(late.angle) < 2.0 * math.pi
+    assert len(seen) >= 3
+
+
+def test_random_motions_all_have_a_fate():
+    """No motion hangs, whatever its slope, load, friction, restitution and rolling resistance."""
+    random = np.random.default_rng(5)
+    many = [
+        scenario(
+            float(random.uniform(-3.0, 4.0)),
+            gamma=float(random.uniform(0.05, 0.95)),
+            slope=float(random.uniform(0.0, 0.5)),
+            mu=float(random.uniform(0.05, 1.5)),
+            restitution=float(random.choice([0.0, 0.3, 0.6])),
+            rolling_resistance=float(random.choice([0.0, 0.02])),
+        )
+        for _ in range(200)
+    ]
+    judged = hh.gaits.fates(many, 300)
+    assert len(judged.fates) == len(many)
+    assert {"rocks", "gait", "undecided"} <= set(judged.fates)
+    assert all((period > 0) == (fate == "gait") for fate, period in zip(judged.fates, judged.periods.tolist(), strict=True))
+
+
+def test_a_short_run_is_undecided():
+    """Nothing is called chaotic for want of patience."""
+    assert hh.passages(scenario(3.4, angle=math.pi, slope=FOUR), 50).fate == "undecided"
+
+
+def test_every_fate_has_its_words():
+    assert set(FATES) == set(FATE_CODES) == set(Fate)
+    assert len({facts.sentence for facts in FATES.values()}) == len(FATES)

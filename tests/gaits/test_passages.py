@@ -1,0 +1,167 @@
+"""Passages of a section and the derivative of the return map, compared with single motions and 30 digits."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.gaits.results import unpacked
+from random_scenarios import draw, scenario_of
+
+# Slope in degrees, γ, θ̇ at the bottom and multiplier: from 30 digits, by Richardson differences.
+GAITS = [
+    (0.5, 0.75, 3.3143604633366742, 0.783248837804, "RSRKR"),
+    (1.0, 0.75, 3.4081869457017134, 0.610983567588, "RSRKR"),
+    (1.15, 0.75, 3.4296716668326048, 1.14297256056, "RSHRKR"),
+    (3.0, 0.5, 2.77150688780492, -0.768024, "RSHKR"),
+]
+
+
+def on_slope(degrees, gamma, omega, **plane):
+    """A hoop that rolls through the bottom, in units of R and g."""
+    plane = hh.Plane(slope=math.radians(degrees), gravity=1.0, **plane)
+    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=plane, start=hh.Start.rolling(omega, angle=math.pi))
+
+
+@pytest.mark.parametrize(("degrees", "gamma", "omega", "multiplier", "word"), GAITS)
+def test_known_gaits(degrees, gamma, omega, multiplier, word):
+    """The passage after one revolution is the same, and its derivative the multiplier."""
+    scenario = on_slope(degrees, gamma, omega)
+    found = hh.passages(scenario, 1)
+    assert found.omega[0] == pytest.approx(omega, abs=2e-14)
+    assert found.word == (word,)
+    derivative = hh.gaits.derivative(scenario)
+    assert derivative.rows == derivative.columns == ("omega",)
+    assert derivative.matrix[0, 0] == pytest.approx(multiplier, abs=1e-10 if multiplier > -0.7 else 1e-6)
+    assert derivative.multipliers == pytest.approx(derivative.matrix[0])
+    assert hh.gaits.derivative(scenario, 3).matrix[0, 0] == pytest.approx(derivative.matrix[0, 0] ** 3, rel=1e-9)
+
+
+def test_derivative_against_digits():
+    """Differences of motions in 30 digits, over a revolution with slip and a hop that is no gait."""
+    scenario = on_slope(3.0, 0.5, 2.7)
+
+    def passage(omega):
+        motion = hh.simulate(scenario.replace("start.speed", omega), until="revolutions:1", digits=30)
+        return motion.events[-1].omega
+
+    step = 2.0**-14
+    wide, narrow = (float(passage(2.7 + h) - passage(2.7 - h)) / (2 * h) for h in (step, 0.5 * step))
+    assert hh.gaits.derivative(scenario).matrix[0, 0] == pytest.approx((4 * narrow - wide) / 3, rel=1e-9)
+
+
+def test_sections_share_multipliers():
+    """At the landing the state has three numbers, of which only one direction does not vanish at once."""
+    found = hh.passages(on_slope(3.0, 0.5, 2.7), 300, section="landing")
+    derivative = found.derivative(290)
+    assert derivative.rows == derivative.columns == ("angle", "omega", "slip")
+    assert derivative.multipliers[0].real == pytest.approx(-0.768024, abs=1e-6)
+    assert abs(derivative.multipliers[1:]).max() < 1e-10
+
+
+def test_random_motions():
+    """Each row is a state of the motion that `simulate` gives, at the time and with the losses of the row."""
+    compared = hopped = 0
+    for index in range(60):
+        scenario = scenario_of(draw(37, index)[1], 2000)
+        if scenario.plane.gravity == 0.0 or scenario.hoop.inertia_ratio < 1e-6:  # nearly massless: θ̇ is unbounded at the bottom
+            continue
+        motion = hh.simulate(scenario)
+        if not motion.ok or motion.doubt < math.inf:
+            continue
+        for section in ("bottom", "landing"):
+            found = hh.passages(scenario, 12, section=section)
+            for k in range(len(found)):
+                if not found.t[k] < 0.5 * motion.duration:
+                    break
+                state = motion.at(found.t[k])
+                size = 1.0 + abs(state.omega) + abs(state.angle)
+                assert found.angle[k] == pytest.approx(state.angle, abs=1e-7 * size)
+                if section == "bottom":
+                    assert found.omega[k] == pytest.approx(state.omega, rel=1e-6, abs=1e-6 * size)
+                    assert math.cos(found.angle[k]) == pytest.approx(-1.0, abs=1e-12)
+                    assert found.mode[k] in "RSK"
+                assert found.x[k] == pytest.approx(state.x, rel=1e-6, abs=1e-6)
+                lost = sum(found.loss("friction")[: k + 1])
+                assert lost == pytest.approx(
+                    state.friction, rel=1e-5, abs=1e-6 * scenario.hoop.mass * 9.81 * scenario.hoop.radius
+                )
+                compared += 1
+                hopped += int(found.hops[k])
+    assert compared > 60
+    assert hopped > 20
+
+
+def test_word_and_hops_of_a_long_motion():
+    """Words are the phases of `simulate` between the passages, and every hop counts."""
+    scenario = on_slope(4.0, 0.75, 3.4).replace("duration", 80.0)
+    found, motion = hh.passages(scenario, 15), hh.simulate(scenario)
+    for k in range(1, len(found)):
+        a, b = found.t[k - 1], found.t[k]
+        inside = [e for e in motion.events if a < e.t < b and e.kind not in ("turn", "apex")]
+        assert found.word[k] == found.mode[k - 1] + "".join(e.to_mode for e in inside)
+        assert found.hops[k] == sum(e.kind == "takeoff" for e in inside)
+    assert found.distance.sum() == pytest.approx(found.x[-1], rel=1e-14)
+    table = found.to_xarray()
+    assert all({"units", "long_name"} <= set(variable.attrs) for variable in table.variables.values() if variable.dims)
+
+
+def test_a_start_from_a_passage():
+    """A motion goes on from a passage as the passages do."""
+    found = hh.passages(on_slope(3.0, 0.5, 2.7), 6)
+    again = hh.passages(found.scenario.replace("start", found.start(2)), 3)
+    np.testing.assert_allclose(again.omega, found.omega[3:], rtol=1e-13)
+    assert again.word == found.word[3:]
+
+
+def test_lyapunov():
+    """The logarithm of the multiplier on a gait; in chaos two starts agree within their errors."""
+    gait = hh.passages(on_slope(1.0, 0.75, 3.4), 200).lyapunov
+    assert gait.value == pytest.approx(math.log(0.610983567588), abs=1e-6)
+    one, other = (hh.passages(on_slope(4.0, 0.75, v), 1500) for v in (3.41, 3.44))
+    assert one.fate == other.fate == "chaotic"
+    apart = abs(one.lyapunov.value - other.lyapunov.value)
+    assert apart < 5.0 * math.hypot(one.lyapunov.error, other.lyapunov.error)
+    assert one.lyapunov.value == pytest.approx(0.575, abs=0.05)
+
+
+def test_words_are_unpacked():
+    """Three bits a letter, 21 letters an integer."""
+    assert unpacked((1 | (2 << 3), 4)) == "RSH"
+    assert unpacked((0, 7)) == "+"
+
+
+@pytest.mark.parametrize(
+    ("change", "given", "sentence"),
+    [
+        ({}, {"count": 0}, r"^count = 0 must be a whole number from 1 to 10000000\.$"),
+        ({}, {"section": "top"}, r"^section = 'top' must be one of bottom, landing\.$"),
+        ({"contact.model": "compliant"}, {}, r"^contact\.model = 'compliant' must be 'rigid'"),
+        ({"plane.gravity": 0.0}, {}, r"^plane\.gravity = 0\.0 must be above 0"),
+    ],
+)
+def test_refusals(change, given, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        hh.passages(on_slope(1.0, 0.75, 3.4).with_values(change), **given)
+
+
+def test_a_derivative_needs_the_section():
+    with pytest.raises(ValueError, match=r"^start\.angle must be pi"):
+        hh.gaits.derivative(hh.Scenario())
+    with pytest.raises(ValueError, match=r"passes its section no more"):
+        hh.gaits.derivative(on_slope(1.0, 0.75, 3.4).with_values({"plane.slope": 0.0, "start.speed": 0.0}))
+    found = hh.passages(on_slope(1.0, 0.75, 3.4), 3)
+    with pytest.raises(ValueError, match=r"must be among the 3 computed"):
+        found.derivative(2)
+
+
+def test_many_at_once_are_judged_as_one():
+    """The kernel's loop over cells gives the fates of single motions."""
+    scenarios = [on_slope(3.0, 0.5, 2.7), on_slope(0.0, 0.75, 0.5), on_slope(10.0, 0.75, 3.3)]
+    many = hh.gaits.fates(scenarios)
+    assert many.fates == tuple(hh.passages(scenario, 2000).decided for scenario in scenarios)
+    assert many.periods.tolist() == [1, 0, 0]
+    assert many.hops.tolist() == [1, 0, 0]

@@ -1,0 +1,41 @@
+// What pictures are drawn of: lines, areas, circles, and words that stand out from what is below them.
+
+type Pen = CanvasRenderingContext2D;
+
+function through(context: Pen, points: number[][]) {
+  context.beginPath();
+  for (const [x, y] of points) context.lineTo(x, y);
+}
+
+/** A line through points. */
+export function stroke(context: Pen, ...points: number[][]) {
+  through(context, points);
+  context.stroke();
+}
+
+/** An area between points. */
+export function fill(context: Pen, ...points: number[][]) {
+  through(context, points);
+  context.fill();
+}
+
+export function ring(context: Pen, [x, y]: number[], radius: number) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.stroke();
+}
+
+export function disc(context: Pen, [x, y]: number[], radius: number) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+}
+
+/** Words with a rim of the paper's colour. */
+export function haloed(context: Pen, text: string, [x, y]: number[], ink: string, paper: string) {
+  context.lineWidth = 4;
+  context.strokeStyle = paper;
+  context.strokeText(text, x, y);
+  context.fillStyle = ink;
+  context.fillText(text, x, y);
+}
