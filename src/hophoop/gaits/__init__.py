@@ -2,7 +2,21 @@
 
 from hophoop.gaits.computing import Judgement, fates, passages
 from hophoop.gaits.results import Lyapunov, Passages
+from hophoop.gaits.runaway import Growth, Runaway, growth, runaway
 from hophoop.gaits.section import SectionDerivative, derivative
 from hophoop.vocabulary.fates import Fate
 
-__all__ = ["passages", "fates", "derivative", "Passages", "SectionDerivative", "Lyapunov", "Judgement", "Fate"]
+__all__ = [
+    "passages",
+    "fates",
+    "derivative",
+    "Passages",
+    "SectionDerivative",
+    "Lyapunov",
+    "Judgement",
+    "Fate",
+    "growth",
+    "Growth",
+    "runaway",
+    "Runaway",
+]

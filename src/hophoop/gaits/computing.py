@@ -127,7 +127,7 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
     --------
     >>> import hophoop as hh
     >>> fates([hh.Scenario(start=hh.Start.rolling(v)) for v in (0.5, 1.0, 3.1)]).fates
-    ('rolls ahead', 'rolls ahead', 'rocks')
+    ('rolls ahead', 'rolls ahead', 'slips ever less')
     """
     for scenario in scenarios:
         check(scenario, section)
