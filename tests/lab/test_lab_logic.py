@@ -111,7 +111,7 @@ def test_a_flight_is_found_also_where_no_take_off_begins_it(js):
 
 
 def test_a_long_film_is_made_finer_where_one_looks(js):
-    """Of 600 s come 6,000 samples; between two of them a fast hoop turns by a radian, and lines between them say nothing."""
+    """Of 600 s come 6,000 samples; between two of them a fast hoop turns by a radian, too much for a cubic."""
     import numpy as np
 
     import hophoop as hh
@@ -136,8 +136,8 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
     before, wanted, after, pieces, outside = js("film.ts", code, header=header, whole=whole, part=columns, times=times)
     sample = motion.at(times)
     assert before[0] == [298.0, 306.0]
-    assert max(abs(np.array(before[1]) - sample.vx)) > 0.1  # what is seen without it
-    assert [vx for vx, _ in after] == pytest.approx(sample.vx.tolist(), abs=0.01)
+    assert max(abs(np.array(before[1]) - sample.vx)) > 0.01  # what is seen without it
+    assert [vx for vx, _ in after] == pytest.approx(sample.vx.tolist(), abs=1e-4)
     assert [angle for _, angle in after] == pytest.approx(sample.angle.tolist(), abs=1e-5)
     assert wanted[0] is None
     assert wanted[1] == [305.0, 317.0]
