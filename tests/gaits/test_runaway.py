@@ -121,12 +121,23 @@ def test_the_critical_slope_is_that_of_motions_with_their_flights(load, degrees,
         (hh.Hoop.ideal(1.0), hh.Plane(), 20_000, "hoop.inertia_ratio = 0.0 must be above 0"),
         (HOOP, hh.Plane(mu=0.0), 20_000, "plane.mu_kinetic = 0.0 must be above 0 and finite"),
         (HOOP, hh.Plane(mu=math.inf), 20_000, "plane.mu_kinetic = inf must be above 0 and finite"),
-        (HOOP, hh.Plane(), 400, "flights = 400 must be at least 1000"),
+        (HOOP, hh.Plane(), 400, "flights = 400 must be an integer from 1000 on"),
     ],
 )
 def test_bad_input(hoop, plane, flights, words):
     with pytest.raises(ValueError, match=words):
         hh.gaits.growth(hoop, plane, flights)
+
+
+def test_too_few_flights_are_named_as_they_were_given():
+    with pytest.raises(ValueError, match="flights = 4000 must be an integer from 8000 on"):
+        hh.gaits.runaway(HOOP, hh.Plane(), 4000)
+
+
+def test_a_hoop_of_little_load_runs_away_on_a_slope_of_little_steepness():
+    """As 45° γ, below any bound of the search."""
+    found = hh.gaits.runaway(hh.Hoop.ideal(1e-3), hh.Plane(), 8000)
+    assert found.slope == pytest.approx(0.25 * math.pi * 1e-3, rel=0.03)
 
 
 def test_progress_is_told():
