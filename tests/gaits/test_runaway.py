@@ -144,3 +144,12 @@ def test_progress_is_told():
     told = []
     hh.gaits.runaway(hh.Hoop.ideal(0.25), hh.Plane(), 8000, progress=told.append)
     assert told == [k / 8 for k in range(1, 9)]
+
+
+@pytest.mark.parametrize("away", [1e-4, 1e-8, 1e-12])
+def test_a_take_off_that_hardly_leaves_the_plane_is_a_flight_too(away):
+    """Its fall takes long, its contact does not; it loses ever less, and the hoop leaves the plane with √away."""
+    hoop, plane = hh.Hoop.ideal(0.05, radius=1.0, mass=1.0), without_gravity(hh.Plane(slope=0.04))
+    along, leaves, omega = passage(hoop, plane, (0.72, away, 0.69), 1.6)
+    assert (along, omega) == pytest.approx((0.72, 0.69), abs=2.0 * math.sqrt(away))
+    assert 0.0 < leaves < math.sqrt(away)

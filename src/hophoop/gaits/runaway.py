@@ -183,8 +183,11 @@ def passage(hoop: Hoop, plane: Plane, velocities: tuple[float, float, float], an
     eps = hoop.eccentricity
     along, away, omega = velocities
     along, away = along + 2.0 * away * math.tan(plane.slope), -away
+    height = min(FALL, 1.0 + eps + abs(away))  # the rim reaches the plane below 1 + ε
+    if height < FALL:
+        angle = math.remainder(angle + omega * (FALL - height) / abs(away), 2.0 * math.pi)
     start = Start(
-        height=FALL - eps * math.cos(angle) - 1.0,
+        height=height - eps * math.cos(angle) - 1.0,
         angle=angle,
         vx=along - eps * omega * math.cos(angle),
         vy=away + eps * omega * math.sin(angle),
