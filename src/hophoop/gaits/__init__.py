@@ -1,14 +1,23 @@
 """Gaits: what becomes of a hoop in the end, the return map of its revolutions and the map's derivatives."""
 
 from hophoop.gaits.computing import Judgement, fates, passages
+from hophoop.gaits.finding import find
+from hophoop.gaits.gait import Gait
 from hophoop.gaits.level import SlipDecay, slip_decay
 from hophoop.gaits.results import Lyapunov, Passages
+from hophoop.gaits.return_map import MapEnd, MapPiece, ReturnMap, return_map
 from hophoop.gaits.runaway import Growth, Runaway, growth, runaway
 from hophoop.gaits.section import SectionDerivative, derivative
 from hophoop.vocabulary.fates import Fate
 
 __all__ = [
     "passages",
+    "find",
+    "Gait",
+    "return_map",
+    "ReturnMap",
+    "MapPiece",
+    "MapEnd",
     "fates",
     "derivative",
     "Passages",

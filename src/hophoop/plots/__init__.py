@@ -8,6 +8,7 @@ from hophoop.plots.motion import contact_forces, energies, friction_utilization,
 from hophoop.plots.overview import overview
 from hophoop.plots.path import geometry, path
 from hophoop.plots.plane import phase_plane
+from hophoop.plots.return_map import return_map
 from hophoop.plots.strobe import strobe
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.classes import class_color
@@ -21,6 +22,7 @@ __all__ = [
     "path",
     "strobe",
     "phase_plane",
+    "return_map",
     "geometry",
     "motion_map",
     "class_color",

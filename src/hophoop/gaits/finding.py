@@ -1,0 +1,264 @@
+"""Search for periodic gaits: fixed points of the return map, and of its iterates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from hophoop.gaits.computing import check, passages
+from hophoop.gaits.gait import Gait, residual_of
+from hophoop.gaits.orbits import BottomMap
+from hophoop.gaits.pieces import crossings, pieces
+from hophoop.gaits.results import Passages
+from hophoop.gaits.section import coordinates, derivative
+from hophoop.kernel.physics.contact import inertia_at_height
+from hophoop.results.units import Units
+from hophoop.scenario import InputError, Scenario, Start
+from hophoop.vocabulary.fates import Fate
+from hophoop.vocabulary.modes import MODE_LETTERS
+
+Progress = Callable[[float], object]
+
+LONGEST = 64  # passages of a period
+FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits are looked for
+MOST_FAST = 100.0
+GRID, MOST_GRID = 2_000, 10_000  # values of θ̇ per passage of a period, and in all
+NEARBY = 0.1  # of `near`, to either side
+STARTS, PATIENCE = 48, 3_000  # motions that are left to settle, and their passages
+EXACT = 1e-9  # largest residual of a gait; those found have 1e-12 and less
+SAME = 1e-7  # relative difference of θ̇ within which two gaits are one
+DEPTH = 2  # halvings between pieces of the map
+STEPS = 12  # of Newton's method
+
+
+def find(
+    scenario: Scenario,
+    period: int = 1,
+    *,
+    near: float | None = None,
+    fastest: float | None = None,
+    section: str = "bottom",
+    progress: Progress | None = None,
+) -> tuple[Gait, ...]:
+    """Find periodic gaits, stable or not.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its hoop and plane count; with rigid contact, friction and a slope.
+    period : int, default 1
+        Passages after which the gait repeats itself, and not earlier, from 1 to 64 [1].
+    near : float, optional
+        θ̇ at the passage near which to look, to 10 % [rad/s].
+    fastest : float, optional
+        Without `near`, size of θ̇ up to which to look [rad/s]; by default 10 √(g/R), at landings 20 √(g/R).
+    section : {'bottom', 'landing'}, default 'bottom'
+        As in `hophoop.passages`. At the bottom in rolling the map has one dimension, and the search compares 2000 values of θ̇
+        and the ends of all pieces of the map that they meet: it finds stable and unstable gaits, except those on pieces
+        between two of the values. In slip and at landings it lets 48 motions settle, and so finds stable gaits.
+    progress : callable, optional
+        Called with the computed fraction, 0 to 1.
+
+    Returns
+    -------
+    gaits : tuple of Gait
+        The slowest first, or the nearest.
+
+    Raises
+    ------
+    ValueError
+        If the scenario has no gaits, an argument is not allowed, or the search finds none: it says how far it looked and the
+        nearest return.
+
+    Examples
+    --------
+    >>> import math
+    >>> import hophoop as hh
+    >>> slope = hh.Plane(slope=math.radians(3), gravity=1.0)
+    >>> gait = hh.gaits.find(hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=slope), near=2.8)[0]
+    >>> gait
+    <Gait: RSHKR, stable, multiplier -0.768024, 1.86137 m/s, 1 hop in 1 revolution>
+    """
+    _check(scenario, period, near, section)
+    base, nearest = scenario.replace("start", Start()), [math.inf]
+    low, high = _range(base, near, fastest, section)
+    bounds = (low, high)
+    found: list[Gait] = []
+    if section == "bottom":
+        count = GRID if near is not None else min(GRID * period, MOST_GRID)
+        found += _rolling(base, period, np.linspace(low, high, count), nearest, progress)
+    found += _settled(base, period, bounds, section)
+    if near is not None:
+        found = [gait for gait in found if abs(gait.state.omega / near - 1.0) <= NEARBY]
+    gaits = _told_apart(found)
+    if not gaits:
+        raise InputError(_nothing(base, period, bounds, section, nearest[0]))
+    target = near
+    gaits.sort(key=lambda gait: abs(gait.speed if target is None else gait.state.omega - target))
+    return tuple(gaits)
+
+
+def _check(scenario: Scenario, period: int, near: float | None, section: str) -> None:
+    check(scenario, section)
+    if isinstance(period, bool) or not isinstance(period, int) or not 1 <= period <= LONGEST:
+        raise InputError.of_field("period", period, f"an integer from 1 to {LONGEST}")
+    if scenario.plane.mu_static == 0.0:
+        raise InputError.of_field("plane.mu", 0.0, "above 0: without friction no hoop has a gait")
+    if scenario.plane.slope == 0.0:
+        allowed = "other than 0: on the level nothing makes up for what is lost, and rolling for ever is a fate, not a gait"
+        raise InputError.of_field("plane.slope", 0.0, allowed)
+    ahead = math.copysign(1.0, scenario.plane.slope)
+    if near is not None and not (math.isfinite(near) and near * ahead > 0.0):
+        raise InputError.of_field("near", near, "a θ̇ downhill, " + ("above 0" if ahead > 0.0 else "below 0"))
+
+
+def slowest_over_top(scenario: Scenario) -> float:
+    """Return θ̇ at the bottom of a hoop that would roll just over the top.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    omega : float
+        Lower bound of what a gait has at the bottom in rolling, from half of its energy [√(g/R)].
+    """
+    body = scenario.to_body()
+    return math.sqrt(2.0 * body.eps * body.gn / inertia_at_height(body, 0.0))
+
+
+def _range(scenario: Scenario, near: float | None, fastest: float | None, section: str) -> tuple[float, float]:
+    """Return the range of the size of θ̇ in which gaits are looked for [√(g/R)]."""
+    unit = Units.of_scenario(scenario).of("omega")
+    if near is not None:
+        return abs(near) / unit * (1.0 - NEARBY), abs(near) / unit * (1.0 + NEARBY)
+    low = slowest_over_top(scenario)
+    high = FASTEST[section] if fastest is None else fastest / unit
+    if not low < high < MOST_FAST:
+        allowed = f"above {low * unit:.4g}, with which it may get over the top, and below {MOST_FAST * unit:.4g}"
+        raise InputError.of_field("fastest", fastest, allowed)
+    return low, high
+
+
+def _rolling(
+    scenario: Scenario, period: int, sizes: np.ndarray, nearest: list[float], progress: Progress | None
+) -> Iterator[Gait]:
+    """Yield the gaits that roll through the bottom; note the smallest difference of a θ̇ from its image [rad/s]."""
+    image = BottomMap(scenario, period)
+    grid = sorted((math.copysign(1.0, scenario.plane.slope) * sizes).tolist())
+    for piece in pieces(image, grid, DEPTH, progress):
+        values = [(piece.low, piece.at_low), *piece.points, (piece.high, piece.at_high)]
+        nearest[0] = min(nearest[0], min(abs(after - omega) for omega, after in values) * image.unit)
+        for omega in crossings(image, piece):
+            gait = _from_bottom(scenario, omega * image.unit, period)
+            if gait is not None:
+                yield gait
+
+
+def _from_bottom(scenario: Scenario, omega: float, period: int) -> Gait | None:
+    start = Start(angle=math.pi, vx=scenario.hoop.radius * omega, omega=omega, slip=0.0, mode="R")
+    return _gait(scenario.replace("start", start), "bottom", period)
+
+
+def _gait(scenario: Scenario, section: str, period: int) -> Gait | None:
+    """Return the gait of a start, if it repeats itself after the period, downhill, and not earlier."""
+    found = passages(scenario, period, section=section)
+    if len(found) < period or residual_of(found) > EXACT:
+        return None
+    gait = Gait(scenario, section, period)
+    if gait.revolutions == 0:
+        return None
+    for part in range(1, period):
+        if period % part == 0 and residual_of(passages(scenario, part, section=section)) <= SAME:
+            return None
+    return gait
+
+
+def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[Gait]:
+    """Yield the gaits on which motions settle, if these slip at the bottom or the section is that of landings."""
+    speed = Units.of_scenario(scenario).of("omega") * scenario.hoop.radius
+    ahead = math.copysign(1.0, scenario.plane.slope)
+    for omega in np.geomspace(*bounds, STARTS):
+        tried = scenario.replace("start", Start.rolling(float(ahead * omega * speed), angle=math.pi))
+        found = passages(tried, PATIENCE, section=section)
+        if found.decided == Fate.GAIT and found.period == period and (section == "landing" or found.mode[-1] != "R"):
+            gait = _polished(found, period)
+            if gait is not None:
+                yield gait
+
+
+def _polished(found: Passages, period: int) -> Gait | None:
+    """Return the gait near the last passage, by Newton's method with the exact derivative."""
+    scenario = found.scenario.replace("start", _moved(found.start(len(found) - 1), {}, found.scenario))
+    best, least = scenario, math.inf
+    for _ in range(STEPS):
+        tried = passages(scenario, period, section=found.section)
+        if len(tried) < period:
+            break
+        residual = residual_of(tried)
+        if not residual < least:
+            break
+        best, least = scenario, residual
+        step = _step(tried, period)
+        if step is None:
+            break
+        scenario = scenario.replace("start", _moved(scenario.start, step, scenario))
+    return _gait(best, found.section, period)
+
+
+def _step(found: Passages, period: int) -> dict[str, float] | None:
+    """Return the changes of the start's coordinates in a step of Newton's method, in SI units."""
+    names = coordinates(found.section, MODE_LETTERS.index(found.mode[-1]))
+    change = derivative(found.scenario, period, section=found.section)
+    if change.rows != names or change.columns != names or not np.isfinite(change.matrix).all():
+        return None
+    first = found.scenario.start.state(found.scenario.hoop)
+    off = np.array([float(getattr(found, name)[-1]) - float(getattr(first, name)) for name in names])
+    if "angle" in names:
+        place = names.index("angle")
+        off[place] = math.remainder(off[place], 2.0 * math.pi)
+    try:
+        step = np.linalg.solve(np.eye(len(names)) - change.matrix, off)
+    except np.linalg.LinAlgError:
+        return None
+    return dict(zip(names, step.tolist(), strict=True))
+
+
+def _moved(start: Start, step: dict[str, float], scenario: Scenario) -> Start:
+    """Return a start with changed coordinates, in the revolution of θ = 0, at x = 0."""
+    state = start.state(scenario.hoop)
+    value = {name: float(getattr(state, name)) + step.get(name, 0.0) for name in ("angle", "omega", "slip", "vy")}
+    value["angle"] = value["angle"] - 2.0 * math.pi * math.floor(value["angle"] / (2.0 * math.pi))
+    if start.mode == "S":
+        value["slip"] = min(value["slip"], 0.0)
+    if start.mode == "K":
+        value["slip"] = max(value["slip"], 0.0)
+    vx = value["slip"] + scenario.hoop.radius * value["omega"]
+    return Start(height=0.0, vx=vx, mode=start.mode, **value)
+
+
+def _told_apart(found: list[Gait]) -> list[Gait]:
+    """Return each gait once, whichever of its passages it was found at."""
+    gaits: list[Gait] = []
+    for gait in found:
+        speed = gait.state.omega
+        if not any(
+            gait.period == other.period and np.any(np.abs(other.passages.omega / speed - 1.0) < SAME)
+            and abs(gait.speed / other.speed - 1.0) < SAME
+            for other in gaits
+        ):  # fmt: skip
+            gaits.append(gait)
+    return gaits
+
+
+def _nothing(scenario: Scenario, period: int, bounds: tuple[float, float], section: str, nearest: float) -> str:
+    low, high = (bound * Units.of_scenario(scenario).of("omega") for bound in bounds)
+    looked = f"No gait of period {period} was found with θ̇ from {low:.4g} to {high:.4g} rad/s"
+    if section == "landing":
+        return f"{looked} at landings: none of {STARTS} motions settled on one in {PATIENCE} passages."
+    if math.isinf(nearest):
+        return f"{looked} at the bottom: no motion passes it again in rolling."
+    return f"{looked} at the bottom: the nearest return was {nearest:.3g} rad/s off."

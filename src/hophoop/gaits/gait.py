@@ -1,0 +1,249 @@
+"""A gait: a motion that repeats itself after some passages of its section."""
+
+from __future__ import annotations
+
+import html
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.gaits.computing import passages
+from hophoop.gaits.digits import PreciseGait, precise_gait
+from hophoop.gaits.margins import GaitMargin, margins_of
+from hophoop.gaits.results import Passages
+from hophoop.gaits.section import SectionDerivative, coordinates, derivative
+from hophoop.results.units import Units
+from hophoop.scenario import InputError, Scenario
+from hophoop.scenario.start import StartState
+from hophoop.simulation.phases import PhaseRecord, phases
+from hophoop.simulation.simulate import simulate
+from hophoop.vocabulary.modes import MODE_LETTERS
+
+if TYPE_CHECKING:
+    from hophoop.simulation.trajectory import Trajectory
+
+LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
+MOST_PERIODS = 100_000
+
+
+@dataclass(frozen=True)
+class Gait:
+    """A periodic gait; made by `hophoop.gaits.find`.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        It starts on the gait, at a passage of the section, and lasts a period.
+    section : {'bottom', 'landing'}
+        As in `hophoop.passages`.
+    period : int
+        Passages after which the motion repeats itself [1].
+    """
+
+    scenario: Scenario
+    section: str
+    period: int
+
+    @cached_property
+    def passages(self) -> Passages:
+        """The passages of one period."""
+        return passages(self.scenario, self.period, section=self.section)
+
+    @property
+    def state(self) -> StartState:
+        """The state at the passage from which the gait starts, in SI units."""
+        return self.scenario.start.state(self.scenario.hoop)
+
+    @property
+    def word(self) -> tuple[str, ...]:
+        """Phases from passage to passage, such as ('RSHKR',)."""
+        return self.passages.word
+
+    @cached_property
+    def derivative(self) -> SectionDerivative:
+        """Derivative of the return map over the whole period."""
+        return derivative(self.scenario, self.period, section=self.section)
+
+    @property
+    def multipliers(self) -> NDArray[np.complex128]:
+        """Factors by which small differences change in a period, the largest first [1]."""
+        return self.derivative.multipliers
+
+    @property
+    def stable(self) -> bool:
+        """Whether small differences shrink, on both sides of a corner of the map."""
+        found = self.derivative
+        sides = np.concatenate([np.linalg.eigvals(side) for side in (found.matrix, found.backward) if np.isfinite(side).all()])
+        return len(sides) > 0 and bool((np.abs(sides) < 1.0).all())
+
+    @property
+    def time(self) -> float:
+        """Time of a period [s]."""
+        return float(self.passages.t[-1])
+
+    @property
+    def distance(self) -> float:
+        """Distance along the plane in a period [m]."""
+        return float(self.passages.x[-1]) - self.state.x
+
+    @property
+    def revolutions(self) -> int:
+        """Revolutions in a period."""
+        return round((float(self.passages.angle[-1]) - self.state.angle) / (2.0 * math.pi))
+
+    @property
+    def speed(self) -> float:
+        """Mean velocity of the centre along the plane [m/s]."""
+        return self.distance / self.time
+
+    @property
+    def hops(self) -> int:
+        """Hops in a period."""
+        return int(self.passages.hops.sum())
+
+    @cached_property
+    def hop_height(self) -> float:
+        """Height of the highest hop: gap between rim and plane [m]; 0 without hops."""
+        return max((event.height for event in self.motion().find("apex") if event.to_mode == "H"), default=0.0)
+
+    @cached_property
+    def losses(self) -> dict[str, float]:
+        """Energy lost in a period, by cause; the sum is what the slope gives [J]."""
+        return {name: float(self.passages.loss(name).sum()) for name in LOSSES}
+
+    @cached_property
+    def margins(self) -> tuple[GaitMargin, ...]:
+        """Distances from the boundaries of the word, the smallest first: which one a change of parameters may meet next."""
+        return margins_of(self.motion())
+
+    @property
+    def phases(self) -> Iterator[PhaseRecord]:
+        """Phases of a period with their margins, and why each ends: see `hophoop.phases`."""
+        return phases(self.scenario)
+
+    @property
+    def residual(self) -> float:
+        """Largest difference of the states a period apart, in units of R and √(g/R) relative to 1 + θ̇ [1]."""
+        return residual_of(self.passages)
+
+    def motion(self, periods: int = 1) -> Trajectory:
+        """Return the motion of some periods.
+
+        Parameters
+        ----------
+        periods : int, default 1
+            From 1 to 100,000.
+
+        Returns
+        -------
+        motion : Trajectory
+
+        Raises
+        ------
+        ValueError
+            If the number is not allowed.
+        """
+        if isinstance(periods, bool) or not isinstance(periods, int) or not 1 <= periods <= MOST_PERIODS:
+            raise InputError.of_field("periods", periods, f"an integer from 1 to {MOST_PERIODS}")
+        return simulate(self.scenario.replace("duration", periods * self.time))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all numbers as a dict for JSON, in SI units.
+
+        Returns
+        -------
+        numbers : dict
+        """
+        state = {name: float(value) for name, value in self.state._asdict().items()}
+        return {
+            "section": self.section,
+            "period": self.period,
+            "word": list(self.word),
+            "state": state,
+            "multipliers": [[float(one.real), float(one.imag)] for one in self.multipliers],
+            "stable": self.stable,
+            "time": self.time,
+            "distance": self.distance,
+            "speed": self.speed,
+            "revolutions": self.revolutions,
+            "hops": self.hops,
+            "hop_height": self.hop_height,
+            "losses": self.losses,
+            "margins": [margin._asdict() for margin in self.margins],
+            "scenario": self.scenario.to_dict(),
+        }
+
+    def digits(self, digits: int = 30) -> PreciseGait:
+        """Compute the gait in arbitrary precision, by a method independent of the kernel's.
+
+        Parameters
+        ----------
+        digits : int, default 30
+            From 16 to 40 where the section has one coordinate, to 25 otherwise [1].
+
+        Returns
+        -------
+        precise : PreciseGait
+
+        Raises
+        ------
+        ValueError
+            If digits is not allowed, or the motion in arbitrary precision does not come back to the section.
+        """
+        return precise_gait(self, digits)
+
+    def __repr__(self) -> str:
+        first = self.multipliers[0]
+        factor = f"{first.real:.6g}" if first.imag == 0.0 else f"{first:.6g}"
+        kind = "stable" if self.stable else "unstable"
+        return (
+            f"<Gait: {'·'.join(self.word)}, {kind}, multiplier {factor}, {self.speed:.6g} m/s, "
+            f"{_counted(self.hops, 'hop')} in {_counted(abs(self.revolutions), 'revolution')}>"
+        )
+
+    def _repr_html_(self) -> str:
+        """The gait in a notebook: its numbers, and a picture of one period."""
+        rows = {
+            "word": "·".join(self.word),
+            "multiplier": f"{self.multipliers[0]:.9g}",
+            "stable": "yes" if self.stable else "no",
+            "mean speed": f"{self.speed:.6g} m/s",
+            "time of a period": f"{self.time:.6g} s",
+            "hops": f"{self.hops} in {_counted(abs(self.revolutions), 'revolution')}, up to {self.hop_height:.4g} m",
+        }
+        cells = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows.items())
+        return f"<table>{cells}</table>{self.motion()._repr_html_()}"
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def residual_of(found: Passages) -> float:
+    """Return the largest difference of the last passage from the start, relative to units of R and √(g/R) times 1 + θ̇.
+
+    Parameters
+    ----------
+    found : Passages
+
+    Returns
+    -------
+    difference : float
+        inf if the modes differ [1].
+    """
+    start, unit = found.scenario.start, Units.of_scenario(found.scenario)
+    if start.mode != found.mode[-1]:
+        return math.inf
+    first = start.state(found.scenario.hoop)
+    worst = 0.0
+    for name in coordinates(found.section, MODE_LETTERS.index(found.mode[-1])):
+        off = float(getattr(found, name)[-1]) - float(getattr(first, name))
+        if name == "angle":
+            off = math.remainder(off, 2.0 * math.pi)
+        worst = max(worst, abs(off) / unit.of(name))
+    return worst / (1.0 + abs(first.omega) / unit.of("omega"))

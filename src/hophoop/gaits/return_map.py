@@ -1,0 +1,176 @@
+"""The return map of rolling at the bottom over a range of θ̇: its pieces, and what is between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.gaits.computing import check
+from hophoop.gaits.finding import FASTEST, slowest_over_top
+from hophoop.gaits.kernels.layout import INTEGERS
+from hophoop.gaits.orbits import BottomMap
+from hophoop.gaits.pieces import pieces
+from hophoop.gaits.results import unpacked
+from hophoop.scenario import InputError, Scenario, Start
+
+POINTS, DEPTH = 600, 8
+MOST_POINTS = 1_000_000
+CONTINUOUS = 1e-6  # √(g/R): the least difference of two pieces at their common end that is a jump
+
+
+class MapPiece(NamedTuple):
+    """A part of the map with the same phases throughout.
+
+    Attributes
+    ----------
+    omega, after : ndarray, shape (n,)
+        θ̇ at a passage and at the next one, from end to end of the piece; both ends to rounding [rad/s].
+    word : str
+        Phases between the passages.
+    """
+
+    omega: NDArray[np.float64]
+    after: NDArray[np.float64]
+    word: str
+
+
+class MapEnd(NamedTuple):
+    """An end that two pieces have in common.
+
+    Attributes
+    ----------
+    omega : float
+        [rad/s].
+    kind : {'corner', 'jump'}
+        Whether the map is continuous there.
+    before, after : str
+        The words on both sides.
+    """
+
+    omega: float
+    kind: str
+    before: str
+    after: str
+
+
+@dataclass(frozen=True)
+class ReturnMap:
+    """The map from θ̇ at a passage of the bottom to θ̇ at the next one; made by `hophoop.gaits.return_map`.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        Its hoop and plane count.
+    pieces : tuple of MapPiece
+        In the order of θ̇. Between them the hoop slips at the bottom, does not come back to it, or the pieces are narrower than
+        the distance of the points.
+    """
+
+    scenario: Scenario
+    pieces: tuple[MapPiece, ...]
+
+    @property
+    def ends(self) -> tuple[MapEnd, ...]:
+        """Corners and jumps of the map."""
+        unit = self._map.unit
+        found = []
+        for one, other in pairwise(self.pieces):
+            place = float(one.omega[-1])
+            if abs(float(other.omega[0]) - place) <= 4.0 * np.spacing(place):
+                kind = "corner" if abs(float(other.after[0] - one.after[-1])) < CONTINUOUS * unit else "jump"
+                found.append(MapEnd(place, kind, one.word, other.word))
+        return tuple(found)
+
+    def __call__(self, omega: float) -> float:
+        """Return θ̇ at the next passage.
+
+        Parameters
+        ----------
+        omega : float
+            At a passage in rolling [rad/s].
+
+        Returns
+        -------
+        after : float
+            nan if the hoop slips at the next passage, or there is none [rad/s].
+        """
+        return self._map(omega / self._map.unit).omega * self._map.unit
+
+    @cached_property
+    def _map(self) -> BottomMap:
+        return BottomMap(self.scenario)
+
+    def __repr__(self) -> str:
+        low, high = float(self.pieces[0].omega[0]), float(self.pieces[-1].omega[-1])
+        kinds = [end.kind for end in self.ends]
+        return (
+            f"<ReturnMap: {len(self.pieces)} pieces from {low:.6g} to {high:.6g} rad/s, "
+            f"{kinds.count('corner')} corners, {kinds.count('jump')} jumps>"
+        )
+
+
+def return_map(
+    scenario: Scenario,
+    low: float | None = None,
+    high: float | None = None,
+    points: int = POINTS,
+    *,
+    progress: Callable[[float], object] | None = None,
+) -> ReturnMap:
+    """Compute the return map of rolling with the load at the bottom.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its hoop and plane count; with rigid contact.
+    low, high : float, optional
+        Range of θ̇ [rad/s]. By default from what may get over the top up to 10 √(g/R), downhill.
+    points : int, default 600
+        Equally spaced θ̇ at which the map is computed, besides the ends of its pieces [1].
+    progress : callable, optional
+        Called with the computed fraction, 0 to 1.
+
+    Returns
+    -------
+    map : ReturnMap
+
+    Raises
+    ------
+    ValueError
+        If an argument is not allowed, or the map has no point in the range.
+
+    Examples
+    --------
+    >>> import math
+    >>> import hophoop as hh
+    >>> plane = hh.Plane(slope=math.radians(1), gravity=1.0)
+    >>> found = hh.gaits.return_map(hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=plane), 3.3, 3.5)
+    >>> [piece.word for piece in found.pieces], [end.kind for end in found.ends]
+    (['RSRKR', 'RSHSRKR', 'RSHRKR', 'RSHKR'], ['corner', 'corner', 'corner'])
+    """
+    check(scenario, "bottom")
+    image = BottomMap(scenario.replace("start", Start()))
+    ahead = -1.0 if scenario.plane.slope < 0.0 else 1.0
+    ends = sorted(ahead * size * image.unit for size in (slowest_over_top(scenario), FASTEST["bottom"]))
+    first, last = (ends[k] if given is None else given for k, given in enumerate((low, high)))
+    if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= MOST_POINTS:
+        raise InputError.of_field("points", points, f"an integer from 2 to {MOST_POINTS}")
+    if not (math.isfinite(first) and math.isfinite(last) and first < last):
+        raise InputError(f"low = {first!r} and high = {last!r} must be finite, and low below high.")
+    grid = (np.linspace(first, last, points) / image.unit).tolist()
+    found = []
+    for piece in pieces(image, grid, DEPTH, progress):
+        inside = [point for point in piece.points if piece.low < point[0] < piece.high]
+        values = np.array([(piece.low, piece.at_low), *inside, (piece.high, piece.at_high)]) * image.unit
+        key = tuple(np.frombuffer(piece.word[: 8 * INTEGERS], np.int64).tolist())
+        found.append(MapPiece(values[:, 0], values[:, 1], unpacked(key)))
+    if not found:
+        raise InputError(f"The hoop does not come back to the bottom in rolling with θ̇ from {first:.6g} to {last:.6g} rad/s.")
+    return ReturnMap(image.scenario, tuple(found))

@@ -1,0 +1,180 @@
+"""Gaits that the search finds, against motions in 30 digits, symmetries, energy, and compliant contact."""
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+
+UNIT = {"gravity": 1.0}
+
+
+def slope(degrees, gamma, **plane):
+    plane = hh.Plane(slope=math.radians(degrees), **{**UNIT, **plane})
+    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=plane)
+
+
+# Point and multiplier of gaits, from motions in 22 and 30 digits and Richardson's extrapolation of their differences.
+KNOWN = [
+    (0.5, 0.75, 1, ("RSRKR",), 3.3143604633366742, 0.783248837804),
+    (1.0, 0.75, 1, ("RSRKR",), 3.4081869457017134, 0.610983567588),
+    (1.15, 0.75, 1, ("RSHRKR",), 3.4296716668326048, 1.14297256056),
+    (2.0, 0.75, 3, ("RSRKR", "RSHKR", "RSHKR"), 3.3789362224409215, -4.6109692957),
+    (2.0, 0.5, 1, ("RSHKR",), 2.75842370787701, -0.472251954268),
+    (3.0, 0.5, 1, ("RSHKR",), 2.77150688780492, -0.768024180087),
+    (5.0, 0.25, 1, ("RSHR",), 3.03277936338688, 0.548110306670),
+]
+
+
+@pytest.mark.parametrize(("degrees", "gamma", "period", "word", "omega", "multiplier"), KNOWN)
+def test_gaits_of_the_bottom(degrees, gamma, period, word, omega, multiplier):
+    gait = hh.gaits.find(slope(degrees, gamma), period, near=omega)[0]
+    assert gait.word == word
+    assert gait.state.omega == pytest.approx(omega, rel=3e-15)
+    assert gait.multipliers.tolist() == [pytest.approx(multiplier, rel=2e-10)]
+    assert gait.stable == (abs(multiplier) < 1.0)
+    assert gait.residual < 1e-14
+
+
+@pytest.mark.parametrize(
+    ("gear", "speed", "multiplier"), [(1, 3.34154, 0.856540), (2, 5.65743, 0.673546), (5, 9.55279, 0.195231)]
+)
+def test_gears_are_the_same_at_the_bottom_and_at_landings(gear, speed, multiplier):
+    """One hop in 1, 2 and 5 revolutions; a multiplier does not depend on the section."""
+    omega = {1: 3.598, 2: 6.165, 5: 10.461}[gear]
+    at_bottom = [gait for gait in hh.gaits.find(slope(3, 0.15), near=omega) if gait.revolutions == gear and gait.stable]
+    at_landing = [gait for gait in hh.gaits.find(slope(3, 0.15), near=omega, section="landing") if gait.revolutions == gear]
+    for gait in (at_bottom[0], at_landing[0]):
+        assert gait.hops == 1
+        assert gait.speed == pytest.approx(speed, rel=2e-6)
+        assert abs(gait.multipliers[0]) == pytest.approx(multiplier, rel=2e-6)
+    assert at_landing[0].derivative.rows == ("angle", "omega")
+    assert abs(at_landing[0].multipliers[1]) < 1e-9  # what the landing forgets
+
+
+def test_twelve_gears_and_what_follows():
+    """The multiplier falls by nearly the same from gear to gear; beyond −1 the period doubles."""
+    found = hh.gaits.find(slope(3, 0.15), fastest=17.4)
+    gears = {gait.revolutions: gait.multipliers[0].real for gait in found if gait.word == ("RSHR",)}
+    assert sorted(gears) == list(range(1, 14))
+    assert [gear for gear, multiplier in gears.items() if abs(multiplier) < 1.0] == list(range(1, 13))
+    steps = -np.diff([gears[gear] for gear in range(6, 14)])
+    assert steps == pytest.approx(0.15845, abs=1e-4)
+
+
+@pytest.mark.parametrize("degrees", [1.0, 3.0])
+def test_the_slope_gives_what_is_lost(degrees):
+    gamma = 0.75 if degrees == 1.0 else 0.5
+    for gait in hh.gaits.find(slope(degrees, gamma), fastest=5.0):
+        gain = math.sin(gait.scenario.plane.slope) * gait.distance
+        assert sum(gait.losses.values()) == pytest.approx(gain, rel=1e-12)
+        assert gait.speed == pytest.approx(gait.distance / gait.motion().duration, rel=1e-14)
+
+
+def test_the_mirrored_hoop_has_the_mirrored_gait():
+    ahead, back = (hh.gaits.find(slope(sign * 3, 0.5), near=sign * 2.77)[0] for sign in (1, -1))
+    assert back.state.omega == pytest.approx(-ahead.state.omega, rel=1e-15)
+    assert back.revolutions == -1
+    assert back.word == ("RKHSR",)
+    assert back.multipliers[0] == pytest.approx(ahead.multipliers[0], rel=1e-12)
+
+
+def test_units():
+    unit = hh.gaits.find(slope(3, 0.5), near=2.77)[0]
+    plane = hh.Plane(slope=math.radians(3))
+    real = hh.gaits.find(hh.Scenario(hoop=hh.Hoop.ideal(0.5, radius=0.3, mass=2.0), plane=plane), near=16.0)[0]
+    rate = math.sqrt(plane.gravity / 0.3)
+    assert real.state.omega == pytest.approx(unit.state.omega * rate, rel=1e-14)
+    assert real.time == pytest.approx(unit.time / rate, rel=1e-14)
+    assert real.hop_height == pytest.approx(0.3 * unit.hop_height, rel=1e-12)
+    assert real.losses["friction"] == pytest.approx(2.0 * 0.3 * plane.gravity * unit.losses["friction"], rel=1e-12)
+
+
+def test_a_longer_period_is_not_a_shorter_one():
+    """All gaits of period 2 turn up once, whichever passage they start from, and none of period 1 is among them."""
+    found = hh.gaits.find(slope(1.18, 0.75), 2, near=3.46)
+    assert len(found) >= 1
+    for gait in found:
+        assert len(gait.word) == 2
+        assert abs(gait.passages.omega[0] - gait.passages.omega[1]) > 1e-4
+    assert any(gait.stable for gait in found)
+
+
+def test_margins_name_the_next_boundary():
+    """At 1.027551° the hop's landing just stops the slip, where the multiplier jumps."""
+    near = hh.gaits.find(slope(1.0275, 0.75), near=3.457)[0]
+    assert near.margins[0].boundary == "impact: slip just stops"
+    assert near.margins[0].value < 2e-4
+    beyond = hh.gaits.find(slope(1.0276, 0.75), near=3.457)[0]
+    assert (near.stable, beyond.stable) == (True, False)
+    assert [round(one.multipliers[0].real, 2) for one in (near, beyond)] == [-0.31, -1.35]
+
+
+def test_a_period_in_30_digits_comes_back():
+    gait = hh.gaits.find(slope(3, 0.5), near=2.77)[0]
+    motion = hh.simulate(gait.scenario.replace("duration", 10.0), digits=30, until="revolutions:1")
+    assert motion.sequence == "RSHKR"
+    off = float(motion.events[-1].omega) - gait.state.omega
+    assert abs(off) < 4e-15
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("degrees", "gamma", "period", "word", "omega", "multiplier"), KNOWN)
+def test_gaits_in_30_digits(degrees, gamma, period, word, omega, multiplier):
+    gait = hh.gaits.find(slope(degrees, gamma), period, near=omega)[0]
+    precise, more = gait.digits(28), gait.digits(34)
+    assert abs(precise.state["omega"] - more.state["omega"]) < 1e-26
+    assert float(precise.state["omega"]) == pytest.approx(gait.state.omega, rel=3e-15)
+    assert float(precise.multiplier) == pytest.approx(gait.multipliers[0].real, rel=1e-11)
+    assert float(precise.multiplier_error) < 1e-10
+
+
+def test_digits_at_landings():
+    gait = hh.gaits.find(slope(3, 0.15), near=3.58, section="landing")[0]
+    precise = gait.digits(22)
+    assert precise.state.keys() == {"angle", "omega"}
+    for name, value in precise.state.items():
+        assert float(value) == pytest.approx(getattr(gait.state, name), rel=1e-13)
+
+
+def test_compliant_contact_settles_on_the_same_gait():
+    gait = hh.gaits.find(slope(3, 0.5), near=2.77)[0]
+    start = hh.Start.rolling(2.7, angle=math.pi)
+    stiff = gait.scenario.replace("contact", hh.Compliant(stiffness=1e4)).replace("start", start).replace("duration", 60.0)
+    heights = [event.height for event in hh.simulate(stiff).find("apex") if event.height > 0.05]
+    assert len(heights) >= 15
+    assert np.array(heights[-5:]) == pytest.approx(gait.hop_height, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("scenario", "options", "message"),
+    [
+        (slope(0, 0.5), {}, "plane.slope = 0.0 must be other than 0"),
+        (slope(3, 0.5, mu=0.0), {}, "plane.mu = 0.0 must be above 0"),
+        (slope(3, 0.5).replace("contact", hh.Compliant()), {}, "contact.model"),
+        (slope(3, 0.5), {"period": 0}, "period = 0 must be an integer from 1 to 64"),
+        (slope(3, 0.5), {"period": 65}, "from 1 to 64"),
+        (slope(3, 0.5), {"near": -2.0}, "near = -2.0 must be a θ̇ downhill"),
+        (slope(3, 0.5), {"near": math.nan}, "near = nan must be"),
+        (slope(3, 0.5), {"fastest": 0.1}, "fastest = 0.1 must be above"),
+        (slope(3, 0.5), {"section": "top"}, "section = 'top' must be one of bottom, landing"),
+        (slope(3, 0.5), {"near": 2.0}, "No gait of period 1 was found with θ̇ from 1.8 to 2.2 rad/s .* nearest return"),
+        (slope(10, 0.75), {"section": "landing"}, "none of 48 motions settled"),
+    ],
+)
+def test_refusals(scenario, options, message):
+    with pytest.raises(ValueError, match=message):
+        hh.gaits.find(scenario, **options)
+
+
+def test_what_a_gait_shows():
+    gait = hh.gaits.find(slope(3, 0.5), near=2.77)[0]
+    assert repr(gait) == "<Gait: RSHKR, stable, multiplier -0.768024, 1.86137 m/s, 1 hop in 1 revolution>"
+    page = gait._repr_html_()
+    assert "RSHKR" in page
+    assert "<svg" in page
+    assert gait.to_dict()["word"] == ["RSHKR"]
+    assert gait.motion(3).sequence == "RSHKRSHKRSHKR"
+    with pytest.raises(ValueError, match="periods = 0 must be an integer"):
+        gait.motion(0)
