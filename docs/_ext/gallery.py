@@ -19,9 +19,9 @@ import hophoop as hh
 # From simple to hard, in each part of the gallery.
 ORDER = [
     *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
-    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain"),
+    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram"),
     *("sweep", "hop_height", "open_map", "points", "boundary", "borders", "logarithmic", "refine", "catalogue", "paradoxes"),
-    *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "player"),
+    *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "gears", "player"),
 ]
 SHOWN = ("hophoop.plots.", "hophoop.maps.", "hophoop.animate.")
 VIDEO = (

@@ -43,3 +43,34 @@ def test_bad_input_ends_with_one_sentence(arguments, message):
     assert found.exit_code == 2
     assert message in found.stderr
     assert len(found.stderr.strip().splitlines()) == 1
+
+
+DIAGRAM = ["diagram", "--axis", "plane.slope=0.01:0.02:3", "--gamma", "0.75", "--gravity", "1"]
+
+
+def test_a_diagram_is_written_and_drawn(tmp_path):
+    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    out, picture = tmp_path / "d.csv", tmp_path / "d.png"
+    found = run(*DIAGRAM, "--out", out, "--plot", picture)
+    assert found.exit_code == 0, found.stderr
+    assert "3 values of plane.slope" in found.stderr
+    assert out.read_text(encoding="utf-8").startswith("plane.slope,fate,word,period")
+    assert picture.stat().st_size > 5_000
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "--out or --plot must name a file"),
+        (["--out", "d.txt"], "--out = d.txt must end in .nc or .csv."),
+        (["--out", "d.csv", "--passages", "3"], "--passages = 3 must be an integer from 650"),
+        (["--out", "d.csv", "--axis", "plane.impact_law=newton,stronge"], "must have numbers"),
+        (["--out", "d.csv", "--axis", "plane.tilt=1:2:3"], "plane.tilt"),
+    ],
+)
+def test_bad_input_of_a_diagram(arguments, message, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = run(*DIAGRAM, *arguments)
+    assert found.exit_code == 2
+    assert message in found.stderr
+    assert not list(tmp_path.iterdir())

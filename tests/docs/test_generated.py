@@ -19,7 +19,10 @@ from page_tools import options
 sys.path.insert(0, str(Path(__file__).parents[2] / "docs" / "_ext"))
 generated = pytest.importorskip("generated", reason="the extra 'docs' is not installed")
 
-COMMANDS = ["run", "prove", "theory", "reproduce", "claims", "animate", "map", "track", "fit", "plan", "compare", "lab"]
+COMMANDS = [
+    *("run", "prove", "theory", "reproduce", "claims", "animate", "map", "gait", "diagram", "track", "fit", "plan"),
+    *("compare", "lab"),
+]
 
 
 def test_every_command_has_every_option():

@@ -22,7 +22,8 @@ from hophoop._support.stopping import Stopping, stop_on_signals
 
 # In the order of --help.
 COMMANDS = (
-    "run", "prove", "theory", "reproduce", "claims", "animate", "map", "gait", "track", "fit", "plan", "compare", "lab",
+    "run", "prove", "theory", "reproduce", "claims", "animate", "map", "gait", "diagram", "track", "fit", "plan", "compare",
+    "lab",
 )  # fmt: skip
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130

@@ -1,6 +1,7 @@
 """Gaits: what becomes of a hoop in the end, the return map of its revolutions and the map's derivatives."""
 
 from hophoop.gaits.computing import Judgement, fates, passages
+from hophoop.gaits.diagram import Attractor, Diagram, diagram
 from hophoop.gaits.finding import find
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.level import SlipDecay, slip_decay
@@ -14,6 +15,9 @@ __all__ = [
     "passages",
     "find",
     "Gait",
+    "diagram",
+    "Diagram",
+    "Attractor",
     "return_map",
     "ReturnMap",
     "MapPiece",

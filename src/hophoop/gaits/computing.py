@@ -49,7 +49,7 @@ class Judgement(NamedTuple):
     passages: NDArray[np.int64]
 
 
-def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom") -> Passages:
+def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", until_decided: bool = False) -> Passages:
     """Compute the passages of a section, revolution by revolution, and what becomes of the motion.
 
     Parameters
@@ -61,6 +61,8 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom") 
     section : {'bottom', 'landing'}, default 'bottom'
         The load at the bottom (θ = π in any revolution) with the rim in contact, in either direction; or each landing, for
         steep slopes and light loads, where the bottom is passed in flight.
+    until_decided : bool, default False
+        Stop as soon as the fate is decided.
 
     Returns
     -------
@@ -92,7 +94,7 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom") 
     begin = start_of(cells, 0, second_of(cells, 0))
     mode = scenario.start.mode
     script = NO_SCRIPT if mode is None else np.repeat(row_of_start(scenario), 2)
-    request = Request(SECTIONS.index(section), count, FOREVER, PANELS, False)
+    request = Request(SECTIONS.index(section), count, FOREVER, PANELS, until_decided)
     status, found, fate, period = compiled(follow_passages)(
         scenario.to_body(), begin, 0.0, request, buffers, new_scratch(), script
     )

@@ -1,0 +1,71 @@
+"""`hophoop diagram`: on what a hoop settles, over a parameter."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from hophoop.cli._options import with_scenario
+
+if TYPE_CHECKING:
+    from hophoop.gaits.diagram import Diagram
+
+STORES = (".nc", ".csv")
+
+
+@with_scenario
+def diagram(
+    scenario: Any,
+    file: Any,
+    axis: Annotated[str, typer.Option(help="path=first:last:count, path=first:last:count:log or path=a,b,c.")],
+    starts: Annotated[int, typer.Option(help="Starts for each value.")] = 5,
+    passages: Annotated[int, typer.Option(help="The most passages of each motion.")] = 1500,
+    section: Annotated[str, typer.Option(help="bottom (load at the bottom) or landing.")] = "bottom",
+    out: Annotated[Path | None, typer.Option(help="File of the attractors, ending in .nc or .csv.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the diagram: .png, .svg, .pdf or .jpg.")] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
+) -> None:
+    """Compute on what a hoop settles, over a parameter and from several starts; Ctrl-C keeps the values that are done."""
+    from hophoop._support.progress import bar
+    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
+    from hophoop.gaits.diagram import diagram as computed
+    from hophoop.maps.grid.axes import parse_axis
+    from hophoop.scenario import InputError
+
+    if out is None and plot is None:
+        raise InputError("--out or --plot must name a file for the diagram.")
+    for option, place, endings in (("--out", out, STORES), ("--plot", plot, PICTURES)):
+        if place is not None:
+            check_ending(option, place, endings)
+            check_folder(option, place)
+    check_apart([path for path in (out, plot) if path is not None], file)
+    with named_options({"count": f"--axis {axis}: count"}):
+        path, values = parse_axis(axis)
+    if values.dtype.kind != "f":
+        raise InputError(f"--axis {axis} must have numbers.")
+    with bar(path, quiet=quiet, share=True) as progress:
+        found = computed(scenario, path, values, starts, passages=passages, section=section, progress=progress)
+    _write(found, out, plot)
+    if not found.complete:
+        raise KeyboardInterrupt
+
+
+def _write(found: Diagram, out: Path | None, plot: Path | None) -> None:
+    from hophoop._support.files import replacing
+
+    if plot is not None:
+        from hophoop.plots.diagram import diagram as drawn
+
+        axes: Any = drawn(found)
+        with replacing(plot) as picture:
+            axes.figure.savefig(picture, dpi=150)
+    if out is not None:
+        with replacing(out) as place:
+            if out.suffix == ".nc":
+                found.to_xarray().to_netcdf(place, engine="netcdf4")
+            else:
+                place.write_text(found.to_csv(), encoding="utf-8")
+    names = " and ".join(str(path) for path in (out, plot) if path is not None)
+    typer.echo(f"{len(found.values)} values of {found.path} in {names}", err=True)

@@ -1,0 +1,323 @@
+"""Attractors over a parameter: on what a hoop settles, from several starts each."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop._support.extras import need
+from hophoop.gaits.computing import check, passages
+from hophoop.gaits.finding import FASTEST, slowest_over_top
+from hophoop.gaits.results import ENOUGH, SURE, Passages
+from hophoop.results.units import Units
+from hophoop.scenario import InputError, Scenario, Start
+from hophoop.vocabulary.fates import FATES, Fate
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+STARTS, PASSAGES, KEPT = 5, 1_500, 150
+MOST_VALUES, MOST_STARTS, MOST_PASSAGES = 100_000, 1_000, 1_000_000
+SAME_GAIT = 1e-6  # relative difference of mean speeds within which two gaits are one
+SAME_CHAOS = 0.05  # the same of two irregular motions
+
+
+class Attractor(NamedTuple):
+    """On what some starts settle.
+
+    Attributes
+    ----------
+    fate : Fate
+    period, hops : int
+        Passages of a gait's period and hops in it; else 0 [1].
+    word : tuple of str
+        Phases from passage to passage, of a gait's period; else empty.
+    speed : float
+        Mean velocity of the centre; nan without passages to take it from [m/s].
+    lyapunov : float
+        Exponent per passage of a motion that is no gait; nan otherwise [1].
+    omega : ndarray, shape (n,)
+        θ̇ at the passages after it has settled: a period of a gait, the last ones of a chaotic motion; else empty [rad/s].
+    starts : int
+        How many of the starts settle on it.
+    """
+
+    fate: Fate
+    period: int
+    hops: int
+    word: tuple[str, ...]
+    speed: float
+    lyapunov: float
+    omega: Floats
+    starts: int
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """Attractors over a parameter; made by `hophoop.gaits.diagram`.
+
+    Attributes
+    ----------
+    scenario : Scenario
+    path : str
+        Of the parameter.
+    values : ndarray, shape (n,)
+        [SI].
+    section : {'bottom', 'landing'}
+    attractors : tuple of tuple of Attractor, length n
+        Of each value, the one with the most starts first.
+    complete : bool
+        False if the computation was stopped: then the last values are missing.
+    """
+
+    scenario: Scenario
+    path: str
+    values: Floats
+    section: str
+    attractors: tuple[tuple[Attractor, ...], ...]
+    complete: bool = True
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the diagram as an xarray.Dataset over value, attractor and passage.
+
+        Returns
+        -------
+        dataset : xarray.Dataset
+            Every variable has units and long_name; what is missing is nan, 0 or an empty word.
+
+        Raises
+        ------
+        ImportError
+            If xarray is missing.
+        """
+        xr = need("xarray", "maps")
+        most = max((len(found) for found in self.attractors), default=0)
+        kept = max((len(one.omega) for found in self.attractors for one in found), default=0)
+        shape = (len(self.values), most)
+        numbers = {name: np.full(shape, math.nan) for name in ("speed", "lyapunov")}
+        counts = {name: np.zeros(shape, np.int64) for name in ("period", "hops", "starts")}
+        words = {name: np.full(shape, "", dtype=object) for name in ("fate", "word")}
+        omega = np.full((*shape, kept), math.nan)
+        for k, found in enumerate(self.attractors):
+            for n, one in enumerate(found):
+                for table in (numbers, counts):
+                    for name in table:
+                        table[name][k, n] = getattr(one, name)
+                words["fate"][k, n], words["word"][k, n] = str(one.fate), " ".join(one.word)
+                omega[k, n, : len(one.omega)] = one.omega
+        axes = (self.path, "attractor")
+        variables: dict[str, Any] = {}
+        for name, unit, meaning in _VARIABLES:
+            values = (numbers | counts | words)[name]
+            variables[name] = (axes, values.astype(str) if name in words else values, {"units": unit, "long_name": meaning})
+        about = {"units": "rad/s", "long_name": "Angular velocity at the passages"}
+        variables["omega"] = ((*axes, "passage"), omega, about)
+        attributes = {
+            "Conventions": "CF-1.11", "title": "Attractors of a loaded hoop", "section": self.section,
+            "complete": int(self.complete), "scenario": self.scenario.to_query(),
+        }  # fmt: skip
+        dataset: xarray.Dataset = xr.Dataset(variables, {self.path: self.values}, attributes)
+        return dataset
+
+    def to_csv(self) -> str:
+        """Return a table with one row per value and attractor.
+
+        Returns
+        -------
+        text : str
+            The words of the passages are joined by spaces; θ̇ at the passages is left out.
+        """
+        rows = io.StringIO()
+        writer = csv.writer(rows, lineterminator="\n")
+        names = [name for name, _, _ in _VARIABLES]
+        writer.writerow([self.path, *names])
+        for value, several in zip(self.values.tolist(), self.attractors, strict=True):
+            for one in several:
+                cells = [" ".join(one.word) if name == "word" else str(getattr(one, name)) for name in names]
+                writer.writerow([repr(value), *cells])
+        return rows.getvalue()
+
+    def __repr__(self) -> str:
+        known = {str(one.fate) for found in self.attractors for one in found}
+        several = sum(sum(FATES[one.fate].lasts for one in found) > 1 for found in self.attractors)
+        return f"<Diagram: {len(self.values)} values of {self.path}, {', '.join(sorted(known))}; several at {several} values>"
+
+
+_VARIABLES = (
+    ("fate", "1", "What becomes of the motion"),
+    ("word", "1", "Phases of a gait's period, passage by passage"),
+    ("period", "1", "Passages of a gait's period"),
+    ("hops", "1", "Hops in a gait's period"),
+    ("starts", "1", "Starts that settle on it"),
+    ("speed", "m/s", "Mean velocity of the centre along the plane"),
+    ("lyapunov", "1", "Lyapunov exponent per passage"),
+)
+
+
+def diagram(
+    scenario: Scenario,
+    path: str,
+    values: ArrayLike,
+    starts: int | Sequence[float] = STARTS,
+    *,
+    passages: int = PASSAGES,
+    section: str = "bottom",
+    progress: Callable[[float], object] | None = None,
+) -> Diagram:
+    """Compute on what a hoop settles, for each value of a parameter and from several starts.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its hoop and plane count, with rigid contact.
+    path : str
+        The parameter, such as 'plane.slope' or 'hoop.load_fraction'.
+    values : array_like, shape (n,)
+        Of the parameter, in the order in which they are computed [SI].
+    starts : int or sequence of float, default 5
+        How many θ̇ at the bottom, equally spaced from what just gets over the top to twice that; or these θ̇ [rad/s]. What was
+        settled on at the value before and at the value after are more starts: coexisting attractors are followed both ways.
+    passages : int, default 1500
+        The most passages of each motion, from 700 to a million; it ends earlier when its fate is decided [1].
+    section : {'bottom', 'landing'}, default 'bottom'
+        As in `hophoop.passages`.
+    progress : callable, optional
+        Called with the computed fraction, 0 to 1.
+
+    Returns
+    -------
+    diagram : Diagram
+        Stopped by Ctrl-C, it holds the values that are done.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not allowed.
+
+    Examples
+    --------
+    >>> import math
+    >>> import hophoop as hh
+    >>> base = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(gravity=1.0))
+    >>> found = hh.gaits.diagram(base, "plane.slope", [math.radians(one) for one in (1.0, 1.02, 1.1, 1.18)])
+    >>> [sorted((one.period, one.hops) for one in several if one.fate == "gait") for several in found.attractors]
+    [[(1, 0), (1, 1)], [(1, 0), (1, 1)], [(1, 0), (2, 2)], [(2, 2)]]
+    """
+    check(scenario, section)
+    places = np.array(values, float).reshape(-1)
+    _check(places, starts, passages)
+    known: list[list[Attractor]] = []
+    ends: list[list[Start]] = []
+    cases = [scenario.replace(path, value) for value in places.tolist()]
+    try:
+        for k, case in enumerate(cases):
+            known.append([])
+            before = ends[-1] if ends else []
+            ends.append(_settle(case, [*_starts(case, starts), *before], known[-1], passages, section))
+            if progress is not None:
+                progress((k + 1) / (2 * len(cases)))
+        for k in range(len(cases) - 2, -1, -1):
+            ends[k] += _settle(cases[k], ends[k + 1], known[k], passages, section)
+            if progress is not None:
+                progress(1.0 - (k + 1) / (2 * len(cases)))
+    except KeyboardInterrupt:
+        done = len(ends)
+        if done == 0:
+            raise
+        return Diagram(scenario, path, places[:done], section, _sorted(known[:done]), complete=False)
+    if progress is not None:
+        progress(1.0)
+    return Diagram(scenario, path, places, section, _sorted(known))
+
+
+def _sorted(known: list[list[Attractor]]) -> tuple[tuple[Attractor, ...], ...]:
+    return tuple(tuple(sorted(some, key=lambda one: -one.starts)) for some in known)
+
+
+def _check(places: Floats, starts: int | Sequence[float], count: int) -> None:
+    if not 1 <= len(places) <= MOST_VALUES or not np.isfinite(places).all():
+        raise InputError(f"values must be 1 to {MOST_VALUES} finite numbers.")
+    number = starts if isinstance(starts, int) else len(starts)
+    if isinstance(starts, bool) or not 1 <= number <= MOST_STARTS:
+        raise InputError.of_field("starts", starts, f"1 to {MOST_STARTS} starts")
+    if isinstance(count, bool) or not isinstance(count, int) or not ENOUGH + KEPT <= count <= MOST_PASSAGES:
+        raise InputError.of_field("passages", count, f"an integer from {ENOUGH + KEPT} to {MOST_PASSAGES}")
+
+
+def _starts(scenario: Scenario, starts: int | Sequence[float]) -> list[Start]:
+    unit = Units.of_scenario(scenario).of("omega")
+    if isinstance(starts, int):
+        ahead = -1.0 if scenario.plane.slope < 0.0 else 1.0
+        over = math.sqrt(2.0) * slowest_over_top(scenario)  # just over the top, on the level
+        low = over if over > 0.0 else 0.1 * FASTEST["bottom"]
+        rates = (ahead * unit * np.linspace(1.05 * low, 2.0 * low, starts)).tolist()
+    else:
+        rates = [float(rate) for rate in starts]
+    return [Start.rolling(rate * scenario.hoop.radius, angle=math.pi) for rate in rates]
+
+
+def _settle(scenario: Scenario, starts: list[Start], known: list[Attractor], count: int, section: str) -> list[Start]:
+    """Add to the known attractors those on which the starts settle; return one start on each new one that lasts."""
+    ends: list[Start] = []
+    for start in starts:
+        found = passages(scenario.replace("start", start), count, section=section, until_decided=True)
+        seen = _described(found)
+        place = next((k for k, one in enumerate(known) if _same(one, seen)), None)
+        if place is not None:
+            known[place] = known[place]._replace(starts=known[place].starts + 1)
+            continue
+        if seen.fate == Fate.UNDECIDED and len(found) >= ENOUGH:
+            seen = _judged(seen, found)
+        known.append(seen)
+        if len(found) and seen.fate in (Fate.GAIT, Fate.CHAOTIC, Fate.UNDECIDED):
+            ends.append(_normal(found.start(-1)))
+    return ends
+
+
+def _normal(start: Start) -> Start:
+    """Return a start near θ = 0 and x = 0, so that no digits are lost over many values."""
+    angle = start.angle - 2.0 * math.pi * round((start.angle - math.pi) / (2.0 * math.pi))
+    return start.model_copy(update={"x": 0.0, "angle": angle})
+
+
+def _described(found: Passages) -> Attractor:
+    """Return the attractor of a motion, without its Lyapunov exponent."""
+    fate, period = found.decided, found.period
+    if fate == Fate.GAIT:
+        last = slice(len(found) - period, len(found))
+        seconds = float(found.t[-1] - found.t[-1 - period])
+        speed = float(found.x[-1] - found.x[-1 - period]) / seconds
+        return Attractor(
+            fate, period, int(found.hops[last].sum()), found.word[last], speed, math.nan, found.omega[last].copy(), 1
+        )
+    if fate == Fate.UNDECIDED and len(found) > 2 * KEPT:
+        half = len(found) // 2
+        speed = float(found.x[-1] - found.x[half]) / float(found.t[-1] - found.t[half])
+        return Attractor(fate, 0, 0, (), speed, math.nan, found.omega[-KEPT:].copy(), 1)
+    return Attractor(fate, 0, 0, (), math.nan, math.nan, np.empty(0), 1)
+
+
+def _judged(seen: Attractor, found: Passages) -> Attractor:
+    """Return an undecided attractor with its Lyapunov exponent, which may make it chaotic."""
+    last = found.scenario.replace("start", _normal(found.start(-1)))
+    exponent = passages(last, ENOUGH + KEPT, section=found.section).lyapunov
+    chaotic = exponent.value > SURE * exponent.error > 0.0
+    return seen._replace(fate=Fate.CHAOTIC if chaotic else Fate.UNDECIDED, lyapunov=exponent.value)
+
+
+def _same(one: Attractor, other: Attractor) -> bool:
+    """Return True if two motions have settled on the same."""
+    irregular = (Fate.CHAOTIC, Fate.UNDECIDED)
+    if one.fate in irregular and other.fate in irregular:
+        return abs(one.speed / other.speed - 1.0) < SAME_CHAOS or (math.isnan(one.speed) and math.isnan(other.speed))
+    if one.fate != other.fate or one.period != other.period or one.hops != other.hops:
+        return False
+    return one.fate != Fate.GAIT or abs(one.speed / other.speed - 1.0) < SAME_GAIT

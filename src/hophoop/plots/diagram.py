@@ -1,0 +1,95 @@
+"""Attractors over a parameter: the bifurcation diagram of a hoop."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hophoop.gaits.diagram import Attractor, Diagram
+from hophoop.plots.style import finish, new_axes
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.fates import FATES, Fate
+from hophoop.vocabulary.labels import with_unit
+from hophoop.vocabulary.parameters import TABLE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+SIZE = (8.0, 4.2)
+KINDS = {  # colour and size of the dots
+    "gait without a hop": (colors.MODES["roll"], 1.6),
+    "gait with hops": (colors.MODES["flight"], 1.6),
+    "chaos": (colors.BLACK, 0.25),
+    "not decided": (colors.GRAY, 0.25),
+}
+
+
+def diagram(found: Diagram, ax: Axes | None = None, speed: bool = False) -> Axes:
+    """Draw θ̇ at the passages on which a hoop settles, over the parameter.
+
+    Where no start settles on a motion that goes on over the top, the ground is grey.
+
+    Parameters
+    ----------
+    found : Diagram
+    ax : matplotlib.axes.Axes, optional
+        New ones by default.
+    speed : bool, default False
+        Draw the mean velocity of the centre instead.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ImportError
+        If Matplotlib is missing.
+    """
+    ax = new_axes(ax, SIZE)
+    name = next((row for row in TABLE if row.path == found.path), None)
+    angular = name is not None and name.unit == "rad"
+    scale = math.degrees(1.0) if angular else 1.0
+    across = found.values * scale
+    points: dict[str, list[tuple[float, float]]] = {kind: [] for kind in KINDS}
+    for x, several in zip(across.tolist(), found.attractors, strict=True):
+        for one in several:
+            kind = _kind(one)
+            if kind is not None:
+                heights = [one.speed] if speed else one.omega.tolist()
+                points[kind] += [(x, height) for height in heights]
+    _shade_ends(ax, found, across)
+    for kind, (color, size) in KINDS.items():
+        if points[kind]:
+            x, y = np.array(points[kind]).T
+            ax.scatter(x, y, s=size, color=color, linewidths=0, rasterized=True)
+            ax.scatter([], [], s=20, color=color, linewidths=0, label=kind)
+    label = found.path if name is None else (name.figure or name.label)
+    unit = "°" if angular else ("" if name is None else name.unit)
+    ax.set_xlim(float(across.min()), float(across.max()))
+    up = "Mean speed (m/s)" if speed else r"$\dot\theta$ at the " + found.section + " (rad/s)"
+    finish(ax, with_unit(label, unit), up)
+    return ax
+
+
+def _kind(one: Attractor) -> str | None:
+    """Return the kind of an attractor that goes on over the top."""
+    if one.fate == Fate.GAIT:
+        return "gait with hops" if one.hops else "gait without a hop"
+    return {Fate.CHAOTIC: "chaos", Fate.UNDECIDED: "not decided"}.get(one.fate)
+
+
+def _shade_ends(ax: Axes, found: Diagram, across: np.ndarray) -> None:
+    """Tint the values at which no start settles on a motion that goes on."""
+    ended = np.array([all(_kind(one) is None for one in several) for several in found.attractors])
+    half = 0.5 * float(np.median(np.diff(across))) if len(across) > 1 else 0.5
+    changes = np.flatnonzero(np.diff(np.concatenate(([0], ended.astype(int), [0]))))
+    words = {str(one.fate) for several, over in zip(found.attractors, ended, strict=True) if over for one in several}
+    label = ", ".join(str(fate) for fate in FATES if str(fate) in words)
+    for low, high in zip(changes[::2].tolist(), (changes[1::2] - 1).tolist(), strict=True):
+        ax.axvspan(across[low] - half, across[high] + half, color=colors.GRAY, alpha=colors.SHADE, linewidth=0, label=label)
+        label = ""

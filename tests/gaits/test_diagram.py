@@ -1,0 +1,102 @@
+"""Attractors over a parameter, against gaits that are found otherwise."""
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.vocabulary.fates import Fate
+
+BASE = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(gravity=1.0))
+
+
+def over(degrees, **options):
+    return hh.gaits.diagram(BASE, "plane.slope", np.radians(degrees), **options)
+
+
+def test_attractors_are_stable_gaits_and_coexisting_ones_are_told_apart():
+    found = over([1.0, 1.02, 1.1, 1.18, 1.22])
+    for value, several in zip(found.values, found.attractors, strict=True):
+        lasting = [one for one in several if one.fate == Fate.GAIT]
+        known = {
+            round(gait.speed, 9): gait
+            for period in {one.period for one in lasting}
+            for gait in hh.gaits.find(BASE.replace("plane.slope", value), period, near=3.45)
+            if gait.stable
+        }
+        for one in lasting:
+            gait = next(gait for gait in known.values() if gait.speed == pytest.approx(one.speed, rel=1e-7))
+            assert sorted(gait.passages.omega) == pytest.approx(sorted(one.omega), rel=1e-7)
+            assert gait.hops == one.hops
+    kinds = [[(one.period, one.hops) for one in several if one.fate == Fate.GAIT] for several in found.attractors]
+    assert sorted(kinds[0]) == [(1, 0), (1, 1)]
+    assert [sorted(some) for some in kinds[2:]] == [[(1, 0), (2, 2)], [(2, 2)], [(4, 4)]]
+
+
+def test_chaos_and_standstill():
+    """At 4° chaos with an exponent of 0.575, at 10° every start rocks in the end, at 16° it goes on again."""
+    found = over([4.0, 10.0, 17.5])
+    chaos = next(one for one in found.attractors[0] if one.fate == Fate.CHAOTIC)
+    assert chaos.lyapunov == pytest.approx(0.575, abs=0.08)
+    assert {one.fate for one in found.attractors[1]} == {Fate.ROCKS}
+    assert any(one.fate in (Fate.CHAOTIC, Fate.GAIT) for one in found.attractors[2])
+
+
+def test_the_last_attractor_is_followed():
+    """With a single start that settles on the gait without a hop the other one is found, once it was met before."""
+    slow = over([1.0], starts=[3.41]).attractors[0]
+    assert [one.hops for one in slow] == [0]
+    both = hh.gaits.diagram(BASE, "plane.slope", np.radians([1.0, 1.02]), starts=[3.41, 3.455])
+    assert sorted(one.hops for one in both.attractors[0]) == [0, 1]
+
+
+def test_files(tmp_path):
+    pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
+    found = over([1.0, 4.0])
+    data = found.to_xarray()
+    assert data["omega"].attrs["units"] == "rad/s"
+    assert data["fate"].shape == data["speed"].shape
+    assert float(data["speed"][0, 0]) == found.attractors[0][0].speed
+    rows = found.to_csv().splitlines()
+    assert rows[0] == "plane.slope,fate,word,period,hops,starts,speed,lyapunov"
+    assert len(rows) == 1 + sum(len(several) for several in found.attractors)
+    assert "2 values of plane.slope" in repr(found)
+
+
+def test_the_picture():
+    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    found = over([1.0, 1.18, 4.0, 10.0])
+    ax = hh.plots.diagram(found)
+    drawn = np.concatenate([np.asarray(dots.get_offsets()) for dots in ax.collections])
+    expected = sum(len(one.omega) for several in found.attractors for one in several)
+    assert len(drawn) == expected
+    assert ax.get_xlabel() == "Slope β (°)"
+    names = {text.get_text() for text in ax.get_legend().get_texts()}
+    assert names >= {"gait without a hop", "gait with hops", "chaos", "rocks"}
+    assert "m/s" in hh.plots.diagram(found, speed=True).get_ylabel()
+
+
+def test_what_is_done_is_kept_when_it_is_stopped():
+    def stop(done):
+        if done > 0.3:
+            raise KeyboardInterrupt
+
+    found = hh.gaits.diagram(BASE, "plane.slope", np.radians([1.0, 2.0, 4.0]), progress=stop)
+    assert not found.complete
+    assert len(found.values) == len(found.attractors) == 2
+
+
+@pytest.mark.parametrize(
+    ("degrees", "options", "message"),
+    [
+        ([], {}, "values must be 1 to 100000 finite numbers"),
+        ([math.nan], {}, "finite numbers"),
+        ([1.0], {"starts": 0}, "starts = 0 must be 1 to 1000"),
+        ([1.0], {"passages": 10}, "passages = 10 must be an integer from 650"),
+        ([1.0], {"section": "top"}, "section = 'top'"),
+    ],
+)
+def test_refusals(degrees, options, message):
+    with pytest.raises(ValueError, match=message):
+        over(degrees, **options)
