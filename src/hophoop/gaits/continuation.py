@@ -182,7 +182,7 @@ class Follower:
     def towards(self, here: Point, one: Point, way: Pair, step: float) -> Point:
         """Return the point at which the smallest margin is 0, by a line through two points before it.
 
-        Within some 1e-7 of such a corner doubles do not decide the derivative.
+        Within about 1e-7 of such a corner doubles do not decide the derivative.
         """
         before = self.advance(here, way, step - BASELINE)
         if before is None:
