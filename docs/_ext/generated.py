@@ -20,7 +20,7 @@ from sphinx.application import Sphinx
 
 import hophoop.cli
 from hophoop.cli._options import OPTIONS
-from hophoop.maps.grid.quantities import QUANTITIES
+from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.paths import ONWARD
@@ -214,7 +214,7 @@ def quantities() -> str:
     """The quantities that a map can hold."""
     rows = [
         [f"`{name}`", quantity.meaning, "" if quantity.unit in ("", "1") else quantity.unit]
-        for name, quantity in QUANTITIES.items()
+        for name, quantity in {**QUANTITIES, **SETTLED}.items()
     ]
     return table(["quantity", "meaning", "unit"], rows)
 

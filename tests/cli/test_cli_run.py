@@ -426,3 +426,24 @@ def test_rolling_resistance_is_an_option_and_told():
     refused = run("run", "--gamma", 1.0, "--rolling-resistance", 0.02)
     assert refused.exit_code == 2
     assert "must be 0 for the massless hoop" in " ".join(refused.stderr.split())
+
+
+def test_until_ends_a_motion_earlier():
+    found = json.loads(run("run", *HOP, "--until", "takeoff", "--json").stdout)
+    assert found["ending"] == "takeoff"
+    assert found["events"][-1]["t"] == pytest.approx(1.045, abs=1e-3)
+    assert "ended by landings:1" in run("run", *HOP, "--until", "landings:1").stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--until", "supper"], "--until = 'supper' must be"),
+        (["--until", "takeoff", "--digits", "20"], "--until cannot be given together with --digits"),
+        (["--until", "takeoff", "--explain"], "--until cannot be given together with --explain"),
+    ],
+)
+def test_until_that_is_not_allowed(arguments, message):
+    found = run("run", *HOP, *arguments)
+    assert found.exit_code == 2
+    assert message in found.stderr

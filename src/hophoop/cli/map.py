@@ -10,9 +10,9 @@ from typer.core import TyperCommand
 
 
 def _quantity_names() -> list[str]:
-    from hophoop.maps.grid.quantities import QUANTITIES
+    from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
 
-    return list(QUANTITIES)
+    return [*QUANTITIES, *SETTLED]
 
 
 class MapCommand(TyperCommand):
@@ -26,14 +26,19 @@ class MapCommand(TyperCommand):
 
 
 def _quantity_list() -> str:
-    from hophoop.maps.grid.quantities import QUANTITIES
+    from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
 
     wide = max(len(name) for name in QUANTITIES) + 2
-    lines = [
-        f"  {name:{wide}}{quantity.meaning}" + ("" if quantity.unit in ("", "1") else f" ({quantity.unit})")
-        for name, quantity in QUANTITIES.items()
-    ]
-    return "\n".join(["Quantities", "", *lines, ""])
+    parts = {"Quantities": QUANTITIES, "Quantities of --span settled and settled:landing": SETTLED}
+    lines: list[str] = []
+    for title, table in parts.items():
+        lines += [title, ""]
+        lines += [
+            f"  {name:{wide}}{quantity.meaning}" + ("" if quantity.unit in ("", "1") else f" ({quantity.unit})")
+            for name, quantity in table.items()
+        ]
+        lines.append("")
+    return "\n".join(lines)
 
 
 COMMAND_CLASS = MapCommand
@@ -54,7 +59,7 @@ def map(
     ] = None,
     span: Annotated[
         str,
-        typer.Option(help="first_revolution, takeoff, reversal, duration or revolutions:N."),
+        typer.Option(help="first_revolution, takeoff, reversal, duration, revolutions:N, settled or settled:landing."),
     ] = "first_revolution",
     out: Annotated[Path | None, typer.Option(help="File of the map, ending in .zarr or .nc.")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Resume a map that was stopped.")] = False,

@@ -166,6 +166,15 @@ def run(
             show_default=False,
         ),
     ] = None,
+    until: Annotated[
+        str | None,
+        typer.Option(
+            "--until",
+            metavar="WORD",
+            help="End earlier: revolutions:N, landings:N, angle:RADIANS, takeoff or reversal.",
+            show_default=False,
+        ),
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
     digits: Annotated[
         int | None,
@@ -227,6 +236,7 @@ def run(
             "--errors": errors,
             "--sensitivity": sensitivity,
             "--check-fingerprint": check_fingerprint,
+            "--until": until,
         }
         for option, given in asked.items():
             if given and (check or option != "--json"):
@@ -235,9 +245,11 @@ def run(
 
         precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet, everything)
         return
+    if until is not None and explain:
+        raise InputError("--until cannot be given together with --explain.")
     shown = not quiet and json != "-"
     explained = _phases(scenario) if explain else None  # refuses a compliant contact before anything is computed
-    motion = _simulate(scenario, quiet)
+    motion = _simulate(scenario, quiet, until)
     with named_options({"of": "--sensitivity"}):
         derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
     more = {} if derived is None else {"sensitivity": derived.to_dict()}
@@ -246,6 +258,8 @@ def run(
     _write(motion, outputs, samples, more)
     if shown:
         _motion.print_motion(motion, everything)
+        if until is not None:
+            typer.echo(f"ended by {motion.ending}")
         if errors:
             _motion.print_errors(motion, _errors(motion), everything)
         if explained is not None:
@@ -280,7 +294,7 @@ def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     return phases(scenario)
 
 
-def _simulate(scenario: Scenario, quiet: bool) -> Trajectory:
+def _simulate(scenario: Scenario, quiet: bool, until: str | None) -> Trajectory:
     """Compute the motion; announce the work of a long one."""
     from hophoop._support.progress import bar
     from hophoop.cli import say
@@ -291,7 +305,7 @@ def _simulate(scenario: Scenario, quiet: bool) -> Trajectory:
     if ahead is not None and not quiet:
         say(ahead)
     with bar("motion", quiet=quiet, share=True) as progress:
-        return simulate(scenario, progress=progress)
+        return simulate(scenario, until=until, progress=progress)
 
 
 def _errors(motion: Trajectory) -> EventErrors:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.gaits.kernels.cells import judge_cells
-from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, SECTIONS, Buffers, Request
+from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, NUMBERS, SECTIONS, Buffers, Request
 from hophoop.gaits.kernels.passages import SIZE, follow_passages
 from hophoop.gaits.results import Passages
 from hophoop.kernel.native import compiled
@@ -34,7 +34,7 @@ class Judgement(NamedTuple):
     Attributes
     ----------
     fates : tuple of Fate
-        'chaotic' is not among them, because it needs the Lyapunov exponent: such motions are undecided.
+        'chaotic' only at the bottom in rolling, where a neighbour is followed over 600 more passages.
     periods : ndarray of int, shape (n,)
         Of gaits, in passages; else 0 [1].
     hops : ndarray of int, shape (n,)
@@ -134,13 +134,13 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
     for scenario in scenarios:
         check(scenario, section)
     cells = np.array([cell_of(scenario) for scenario in scenarios], float).reshape(len(scenarios), -1).T
-    codes = judged(np.ascontiguousarray(cells), Request(SECTIONS.index(section), count, FOREVER, PANELS, True))
+    codes, _ = judged(np.ascontiguousarray(cells), Request(SECTIONS.index(section), count, FOREVER, PANELS, True))
     columns = {name: codes[:, CODES.index(name)] for name in CODES}
     decided = tuple(FATE_CODES[code] for code in columns["fate"])
     return Judgement(decided, columns["period"], columns["hops"], columns["passages"])
 
 
-def judged(cells: NDArray[np.float64], request: Request) -> NDArray[np.int64]:
+def judged(cells: NDArray[np.float64], request: Request) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Judge the cells of the kernel.
 
     Parameters
@@ -153,10 +153,13 @@ def judged(cells: NDArray[np.float64], request: Request) -> NDArray[np.int64]:
     -------
     codes : ndarray of int, shape (n, len(CODES))
         −1 in cells that are not allowed [1].
+    numbers : ndarray, shape (n, len(NUMBERS))
+        nan where there is none [SI].
     """
-    codes = np.zeros((cells.shape[1], len(CODES)), np.int64)
-    compiled(judge_cells)(cells, 0, cells.shape[1], request, codes)
-    return codes
+    count = cells.shape[1]
+    codes, numbers = np.zeros((count, len(CODES)), np.int64), np.empty((count, len(NUMBERS)))
+    compiled(judge_cells)(cells, 0, count, request, codes, numbers)
+    return codes, numbers
 
 
 def check(scenario: Scenario, section: str) -> None:

@@ -100,7 +100,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         _GAITS + "passages.follow_passages": (
             Body, State, float, REQUEST, BUFFERS, Scratch, EVENTS,
         ),
-        _GAITS + "cells.judge_cells": (TABLE, int, int, REQUEST, CODED),
+        _GAITS + "cells.judge_cells": (TABLE, int, int, REQUEST, CODED, TABLE),
     },
     "answers": {
         "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),

@@ -8,7 +8,7 @@ from hophoop.maps.boundaries.refinement import Refined, refine
 from hophoop.maps.catalog import Entry, catalogue, catalogued
 from hophoop.maps.grid.axes import linear, logarithmic, scenario_at
 from hophoop.maps.grid.evaluate import points
-from hophoop.maps.grid.quantities import QUANTITIES, SPANS, Quantity, words_of
+from hophoop.maps.grid.quantities import QUANTITIES, SETTLED, SPANS, Quantity, words_of
 from hophoop.maps.grid.store import open_map
 from hophoop.maps.grid.sweeping import sweep
 from hophoop.maps.paradoxes import least_jam_speed, paradoxes
@@ -27,6 +27,7 @@ __all__ = [
     "logarithmic",
     "scenario_at",
     "QUANTITIES",
+    "SETTLED",
     "SPANS",
     "Quantity",
     "catalogue",

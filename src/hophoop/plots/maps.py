@@ -18,8 +18,9 @@ from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.style import ON_COLOR, SMALL, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.classes import class_color
+from hophoop.vocabulary.classes import SEQUENCE, class_color
 from hophoop.vocabulary.labels import PARAMETERS, with_unit
+from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:
     import xarray
@@ -114,7 +115,8 @@ def _title(dataset: Any, axes: Sequence[str]) -> str:
     if plan is None:
         return ""
     base = Scenario.from_dict(plan["scenario"])
-    return ", ".join([describe(base, without=axes), f"{base.duration:g} s"])
+    lasts = [] if plan["span"].startswith("settled") else [f"{base.duration:g} s"]
+    return ", ".join([describe(base, without=axes), *lasts])
 
 
 def _label(dataset: Any, name: str) -> str:
@@ -141,7 +143,9 @@ def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words
     counts = np.bincount(codes[codes >= 0].astype(int).reshape(-1), minlength=len(words))
     shares = counts / codes.size
     order = [int(k) for k in np.argsort(-shares, kind="stable") if counts[k]]
-    _legend(ax, [(words[k], paint[k], float(shares[k])) for k in order], most, bool((codes < 0).any()))
+    spaced = words if quantity == SEQUENCE else [plain(word) for word in words]
+    entries = [(spaced[k], paint[k], float(shares[k])) for k in order]
+    _legend(ax, entries, most, bool((codes < 0).any()))
 
 
 def _legend(ax: Axes, entries: list[tuple[str, str, float]], most: int, outside: bool) -> None:
@@ -174,7 +178,8 @@ def _percent(share: float) -> str:
 def _names(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str]) -> None:
     for k, word in enumerate(words):
         if np.mean(codes == k) >= LABELLED:
-            _name(ax, x, y, codes == k, word, class_color(word, quantity))
+            spaced = word if quantity == SEQUENCE else plain(word)
+            _name(ax, x, y, codes == k, spaced, class_color(word, quantity))
 
 
 def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: str) -> None:

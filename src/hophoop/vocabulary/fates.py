@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
+from hophoop.vocabulary import palette
 from hophoop.vocabulary.words import Word
 
 
@@ -36,19 +37,20 @@ class FateFacts(NamedTuple):
 
     sentence: str
     lasts: bool  # whether the hoop moves for ever
+    color: str
 
 
 FATES: Final[dict[str, FateFacts]] = {
-    Fate.ROLLS_AHEAD: FateFacts("It rolls ahead for ever, without slip.", True),
-    Fate.ROLLS_BACK: FateFacts("It rolls back for ever, without slip.", True),
-    Fate.SLIPS_EVER_LESS: FateFacts("It goes on for ever and slips in each revolution, ever less.", True),
-    Fate.ROCKS: FateFacts("It rocks to and fro and never gets over the top again.", True),
-    Fate.RESTS: FateFacts("It comes to rest.", False),
-    Fate.SLIDES_AWAY: FateFacts("It slides away: friction does not hold it.", True),
-    Fate.GAIT: FateFacts("It repeats itself after some passages of the section.", True),
-    Fate.CHAOTIC: FateFacts("It goes on and never repeats itself: near motions separate exponentially.", True),
-    Fate.RUNS_AWAY: FateFacts("It gets faster without bound.", True),
-    Fate.JAM: FateFacts("It jams: rigid-body mechanics has no motion beyond.", False),
-    Fate.UNDETERMINED: FateFacts("The model does not determine the motion beyond.", False),
-    Fate.UNDECIDED: FateFacts("The run was too short to say.", False),
+    Fate.ROLLS_AHEAD: FateFacts("It rolls ahead for ever, without slip.", True, palette.BLUE),
+    Fate.ROLLS_BACK: FateFacts("It rolls back for ever, without slip.", True, palette.SKY),
+    Fate.SLIPS_EVER_LESS: FateFacts("It goes on for ever and slips in each revolution, ever less.", True, palette.ORANGE),
+    Fate.ROCKS: FateFacts("It rocks to and fro and never gets over the top again.", True, palette.GREEN),
+    Fate.RESTS: FateFacts("It comes to rest.", False, palette.GRAY),
+    Fate.SLIDES_AWAY: FateFacts("It slides away: friction does not hold it.", True, palette.YELLOW),
+    Fate.GAIT: FateFacts("It repeats itself after some passages of the section.", True, palette.VERMILION),
+    Fate.CHAOTIC: FateFacts("It goes on and never repeats itself: near motions separate exponentially.", True, palette.BLACK),
+    Fate.RUNS_AWAY: FateFacts("It gets faster without bound.", True, palette.PURPLE),
+    Fate.JAM: FateFacts("It jams: rigid-body mechanics has no motion beyond.", False, "#332288"),
+    Fate.UNDETERMINED: FateFacts("The model does not determine the motion beyond.", False, "#9E9D24"),
+    Fate.UNDECIDED: FateFacts("The run was too short to say.", False, palette.LIGHT_GRAY),
 }

@@ -2,17 +2,55 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from hophoop.gaits.kernels.fates import OPEN
-from hophoop.gaits.kernels.layout import COLUMNS, FEW_EVENTS, INTEGERS, Buffers
-from hophoop.gaits.kernels.passages import ROWS, SIZE, follow_passages, hops_in
-from hophoop.kernel.records.cells import body_of, second_of, start_of
+from hophoop.gaits.kernels.fates import (
+    CHAOTIC,
+    GAIT,
+    OPEN,
+    RESTS,
+    ROCKS,
+    ROLLING_TURNS,
+    ROLLS_AHEAD,
+    ROLLS_BACK,
+    UNDECIDED,
+)
+from hophoop.gaits.kernels.layout import (
+    BOTTOM,
+    COLUMNS,
+    FEW_EVENTS,
+    FINAL_HOP_HEIGHT,
+    FINAL_LOSS,
+    HIGHEST,
+    INTEGERS,
+    LYAPUNOV,
+    MEAN_SPEED,
+    MODE,
+    NUMBERS,
+    OMEGA,
+    REVOLUTIONS,
+    Buffers,
+    Request,
+    T,
+    X,
+)
+from hophoop.gaits.kernels.passages import LOST, ROLL, ROWS, SIZE, TURNED, follow_passages, hops_in
+from hophoop.kernel.native import apart
+from hophoop.kernel.numerics.double_double import PI
+from hophoop.kernel.records.cells import body_of, scales_of, start_of
 from hophoop.kernel.records.layout import ALLOWED, EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.phase import GOING
+
+BATCHES, BATCH = 20, 30  # of passages over which neighbours of an undecided motion are followed
+NEIGHBOUR = 1e-7  # relative distance of a neighbour
+SURE = 5.0  # standard errors by which the exponent of a chaotic motion is above 0
 
 
-def judge_cells(cells, low, high, request, codes):
+def judge_cells(cells, low, high, request, codes, numbers):
     """Judge the cells from `low` to `high`.
 
     Parameters
@@ -23,6 +61,8 @@ def judge_cells(cells, low, high, request, codes):
     request : Request
     codes : ndarray of int, shape (n, len(CODES))
         Filled; −1 in a cell that is not allowed.
+    numbers : ndarray, shape (n, len(NUMBERS))
+        Filled; nan where there is none [SI].
     """
     buffers = Buffers(
         np.empty((ROWS, len(COLUMNS))), np.empty((ROWS, INTEGERS), np.int64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
@@ -31,14 +71,74 @@ def judge_cells(cells, low, high, request, codes):
     script = np.empty(0, EVENT)
     scratch = new_scratch()
     for k in range(low, high):
+        for i in range(len(NUMBERS)):
+            numbers[k, i] = math.nan
         if cells[ALLOWED, k] == 0.0:
             for i in range(codes.shape[1]):
                 codes[k, i] = OPEN
             continue
-        start = start_of(cells, k, second_of(cells, k))
-        status, passages, fate, period = follow_passages(body_of(cells, k), start, 0.0, request, buffers, scratch, script)
-        codes[k, 0] = fate
+        scales = scales_of(cells, k)
+        body, start = body_of(cells, k), start_of(cells, k, scales.time)
+        status, passages, fate, period = follow_passages(body, start, 0.0, request, buffers, scratch, script)
         codes[k, 1] = period
         codes[k, 2] = hops_in(buffers.numbers, passages, period)
         codes[k, 3] = passages
         codes[k, 4] = status
+        numbers[k, REVOLUTIONS] = abs(buffers.memory[TURNED])
+        write_numbers(buffers, fate, period, passages, scales, numbers, k)
+        row = buffers.numbers[(passages - 1) % ROWS]
+        if fate == UNDECIDED and status == GOING and request.section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
+            mean, error = follow_neighbours(body, row[OMEGA], request, buffers, scratch, script)
+            numbers[k, LYAPUNOV] = mean
+            if mean > SURE * error:
+                fate = CHAOTIC
+        codes[k, 0] = fate
+
+
+@apart
+def write_numbers(buffers, fate, period, passages, scales, numbers, k):
+    """Write the numbers of a decided motion."""
+    rows, memory = buffers.numbers, buffers.memory
+    last = rows[(passages - 1) % ROWS]
+    if fate in (RESTS, ROCKS):
+        numbers[k, MEAN_SPEED] = 0.0
+    if fate in (GAIT, ROLLS_AHEAD, ROLLS_BACK):
+        cycle = period if fate == GAIT else 1
+        before = rows[(passages - 1 - cycle) % ROWS]
+        numbers[k, MEAN_SPEED] = (last[X] - before[X]) / (last[T] - before[T]) * scales.speed
+    if fate == GAIT:
+        highest = 0.0
+        for i in range(period):
+            highest = max(highest, rows[(passages - 1 - i) % ROWS, HIGHEST])
+        numbers[k, FINAL_HOP_HEIGHT] = highest * scales.length
+    swings = fate == ROCKS and memory[ROLLING_TURNS] >= 2.0
+    if swings or fate in (ROLLS_AHEAD, ROLLS_BACK):
+        numbers[k, FINAL_LOSS] = memory[LOST] * scales.energy
+
+
+@apart
+def follow_neighbours(body, om, request, buffers, scratch, script):
+    """Return the mean growth of a small difference of θ̇ per passage in rolling, and its standard error; nan without one."""
+    one = Request(request.section, 1, request.t_end, request.panels, False)
+    total, squares = 0.0, 0.0
+    for _ in range(BATCHES):
+        batch = 0.0
+        for _ in range(BATCH):
+            near = om * (1.0 + NEIGHBOUR)
+            start = start_state(0.0, 0.0, PI, 0.0, 0.0, near)
+            _, found, _, _ = follow_passages(body, start, 0.0, one, buffers, scratch, script)
+            beyond = buffers.numbers[0, OMEGA]
+            start = start_state(0.0, 0.0, PI, 0.0, 0.0, om)
+            _, also, _, _ = follow_passages(body, start, 0.0, one, buffers, scratch, script)
+            if found == 0 or also == 0 or buffers.numbers[0, MODE] != ROLL:
+                return math.nan, math.nan
+            growth = abs((beyond - buffers.numbers[0, OMEGA]) / (near - om))
+            if not growth > 0.0:
+                return math.nan, math.nan
+            batch += math.log(growth)
+            om = buffers.numbers[0, OMEGA]
+        total += batch / BATCH
+        squares += (batch / BATCH) * (batch / BATCH)
+    mean = total / BATCHES
+    variance = max(squares / BATCHES - mean * mean, 0.0)
+    return mean, math.sqrt(variance / (BATCHES - 1))

@@ -8,10 +8,11 @@ from typing import Any, NamedTuple
 COLUMNS = (
     "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
     "friction", "impact_normal", "impact_tangential", "rolling_resistance", "mode", "bounce", "hops", "letters", "doubt",
+    "highest",
 )  # fmt: skip
 (
     T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA, THETA_LOW, SLIP, VY, OMEGA,
-    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, BOUNCE, HOPS, LETTERS, DOUBT,
+    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, BOUNCE, HOPS, LETTERS, DOUBT, HIGHEST,
 ) = range(len(COLUMNS))  # fmt: skip
 
 # A word (the phases since the last passage) is packed into integers, three bits a letter, 21 letters each; 0 is no letter.
@@ -22,8 +23,10 @@ MORE = 7  # the letter that marks a longer word
 BOTTOM, LANDING = 0, 1
 SECTIONS = ("bottom", "landing")
 
-# Results of a cell of `judge_cells`.
+# Results of a cell of `judge_cells`: integers, and numbers in SI units, nan where there is none.
 CODES = ("fate", "period", "hops", "passages", "status")
+NUMBERS = ("revolutions", "mean_speed", "final_hop_height", "lyapunov", "final_loss")
+REVOLUTIONS, MEAN_SPEED, FINAL_HOP_HEIGHT, LYAPUNOV, FINAL_LOSS = range(len(NUMBERS))
 
 
 class Request(NamedTuple):

@@ -28,6 +28,7 @@ from hophoop.gaits.kernels.layout import (
     DOUBT,
     FRICTION,
     HEIGHT,
+    HIGHEST,
     HOPS,
     IMPACT_NORMAL,
     IMPACT_TANGENTIAL,
@@ -63,7 +64,7 @@ from hophoop.kernel.rigid.run import begin, can_follow, step
 from hophoop.kernel.rigid.script import repeat
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
-TURN = int(Event.TURN)
+TURN, APEX = int(Event.TURN), int(Event.APEX)
 COMPLETED, AT_REST, JAMMED, UNDETERMINED_STATUS, EVENT_LIMIT = (
     int(status) for status in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED, Status.EVENT_LIMIT)
 )
@@ -71,9 +72,10 @@ ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is se
 
 ROUNDING = 4e-15  # rad per revolution: within it a start is on the section, and not about to pass it
 
-# What is remembered since the last passage: the present phase's letter and start, letters, hops.
-LETTER, SINCE, COUNT, JUMPS = range(MEMORY, MEMORY + 4)
-SIZE = MEMORY + 4
+# What is remembered since the last passage: the present phase's letter and start, letters, hops, the highest gap; and of the
+# motion's end, the energy lost and the revolutions.
+LETTER, SINCE, COUNT, JUMPS, GAP, LOST, TURNED = range(MEMORY, MEMORY + 7)
+SIZE = MEMORY + 7
 
 
 @inline
@@ -118,6 +120,8 @@ def note_events(body, log, words, row, memory):
             found = fate_at_turn(body, event["after_mode"], event["angle"], memory)
             if fate == OPEN:
                 fate = found
+        if kind == APEX:
+            memory[GAP] = max(memory[GAP], event["height"])
         if kind in PASSING:
             continue
         memory[ROLLING_TURNS] = 0.0
@@ -153,7 +157,8 @@ def write_passage(phase, numbers, words, row, memory, doubt):
     out[HOPS] = memory[JUMPS]
     out[LETTERS] = memory[COUNT]
     out[DOUBT] = doubt
-    memory[COUNT], memory[JUMPS], memory[SINCE] = 0.0, 0.0, state.t
+    out[HIGHEST] = memory[GAP]
+    memory[COUNT], memory[JUMPS], memory[GAP], memory[SINCE] = 0.0, 0.0, 0.0, state.t
 
 
 def clear_word(words, row):
@@ -226,7 +231,8 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
     phase = first_phase(body, start, bounce, log, scratch, script)
     log.counts[EVENTS] = 0
     forget(memory, whole_angle(phase.state))
-    memory[COUNT], memory[JUMPS], memory[SINCE], memory[LETTER] = 0.0, 0.0, phase.state.t, phase.mode
+    memory[COUNT], memory[JUMPS], memory[GAP] = 0.0, 0.0, 0.0
+    memory[SINCE], memory[LETTER] = phase.state.t, phase.mode
     fate, period = fate_at_start(body, phase.state), 0
     cell, passages, row = cell_of(phase.state), 0, 0
     clear_word(words, 0)
@@ -266,6 +272,9 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
     if fate == OPEN:
         fate = fate_without_passages(body, phase, abs(phase.state.turns - start.turns))
     scratch.counts[PANEL_LIMIT] = limit
+    state = phase.state
+    memory[LOST] = state.friction + state.impact_n + state.impact_t + state.resisted
+    memory[TURNED] = (state.turns - start.turns) + (state.th - start.th) / TWO_PI
     return status, passages, fate, period
 
 

@@ -33,12 +33,15 @@ from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.quantities import (
     Quantity,
     Span,
+    check_span,
     choose_quantities,
     distinct_rows,
     flags_of,
     make_span,
     unpack,
 )
+from hophoop.maps.grid.settled import SPANS as SETTLED_SPANS
+from hophoop.maps.grid.settled import check_settled, evaluate_settled
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.simulation.exact_start import LATEST, NO_SCRIPT, Decisions
 
@@ -109,7 +112,7 @@ class Plan(NamedTuple):
             base,
             tuple(axes),
             choose_quantities(data["quantities"]),
-            make_span(data["span"]),
+            make_span(data["span"], in_the_end=True),
             tuple(data["chunk"]),
             data["device"],
         )
@@ -158,7 +161,17 @@ def make_plan(
     made = make_axes(base, axes)
     shape = tuple(axis.values.size for axis in made)
     chunk = chunk_shape(shape, chunk_cells)
-    return Plan(base, made, choose_quantities(quantities), make_span(span), chunk, device)
+    chosen, part = choose_quantities(quantities), make_span(span, in_the_end=True)
+    _check_span(base, chosen, part, device)
+    return Plan(base, made, chosen, part, chunk, device)
+
+
+def _check_span(base: Scenario, quantities: Sequence[Quantity], span: Span, device: str) -> None:
+    check_span(quantities, span)
+    if span.name in SETTLED_SPANS:
+        check_settled(base)
+        if device == "gpu":
+            raise InputError.of_field("device", device, "cpu with span 'settled'")
 
 
 def run_cells(cells: NDArray[np.float64], span: Span, flags: int, device: str = "cpu") -> MapResults:
@@ -181,14 +194,17 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, device: str = 
     count = cells.shape[1]
     request = _request(span, flags)
     results = _empty_results(count)
-    if device == "serial":
+    if span.name in SETTLED_SPANS:
+        _on_all_cores(count, lambda low, high: evaluate_settled(cells, low, high, span.name, results))
+    elif device == "serial":
         compiled(kernel.evaluate_block)(cells, 0, count, request, NO_SCRIPT, results)
     elif device == "gpu":
         from hophoop.maps.grid import gpu
 
         gpu.evaluate(cells, request, results)
     else:
-        _on_all_cores(cells, request, results)
+        evaluate = compiled(kernel.evaluate_block)
+        _on_all_cores(count, lambda low, high: evaluate(cells, low, high, request, NO_SCRIPT, results))
     return results
 
 
@@ -237,10 +253,8 @@ def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> 
     return base
 
 
-def _on_all_cores(cells: NDArray[np.float64], request: MapRequest, results: MapResults) -> None:
+def _on_all_cores(count: int, evaluate: Callable[[int, int], None]) -> None:
     """Compute blocks of cells on all threads; results do not depend on the thread."""
-    count = cells.shape[1]
-    evaluate = compiled(kernel.evaluate_block)
     begins = iter(range(0, count, kernel.BLOCK))
     lock = threading.Lock()
 
@@ -251,7 +265,7 @@ def _on_all_cores(cells: NDArray[np.float64], request: MapRequest, results: MapR
             if low == count:
                 return
             high = min(low + kernel.BLOCK, count)
-            evaluate(cells, low, high, request, NO_SCRIPT, results)
+            evaluate(low, high)
 
     threads = min(_threads.get() or cores(), -(-count // kernel.BLOCK))
     if threads <= 1:
@@ -281,7 +295,8 @@ def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, MapRe
     cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
     flags = flags_of(plan.quantities)
     results = run_cells(cells, plan.span, flags, device)
-    decide(cells, plan.span, flags, results, lambda k: _scenario_at(plan.base, values, k))
+    if plan.span.name not in SETTLED_SPANS:
+        decide(cells, plan.span, flags, results, lambda k: _scenario_at(plan.base, values, k))
     return chunk, results
 
 
@@ -334,8 +349,11 @@ def points(
     device = "serial" if count <= kernel.BLOCK else "cpu"
     arranged = {path: flat[path] for path in ordered(list(flat))}
     cells = make_cells(base, arranged, count)
-    raw = run_cells(cells, make_span(span), flags_of(chosen), device)
-    decide(cells, make_span(span), flags_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
+    part = make_span(span, in_the_end=True)
+    _check_span(base, chosen, part, device)
+    raw = run_cells(cells, part, flags_of(chosen), device)
+    if part.name not in SETTLED_SPANS:
+        decide(cells, part, flags_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
     results = {}
     for quantity in chosen:
         if quantity.name == "sequence":

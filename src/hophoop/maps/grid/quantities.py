@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
-from hophoop.maps.grid import kernel
+from hophoop.maps.grid import kernel, settled
 from hophoop.scenario import InputError
 from hophoop.vocabulary.modes import MODE_LETTERS
 from hophoop.vocabulary.spans import number_after
@@ -35,6 +35,8 @@ class Quantity(NamedTuple):
         Meanings of the codes 0, 1, …; empty for a number, and for the sequence, whose table belongs to the map.
     column : int
         Column of the kernel's results.
+    settled : bool
+        Whether it belongs to the spans `settled`, or to the others.
     """
 
     name: str
@@ -42,6 +44,7 @@ class Quantity(NamedTuple):
     unit: str
     words: tuple[str, ...]
     column: int
+    settled: bool = False
 
     @property
     def is_code(self) -> bool:
@@ -97,6 +100,27 @@ QUANTITIES: Mapping[str, Quantity] = {
         _number("landing_loss", "Energy lost in the landing of the first hop", "J"),
     )
 }
+
+
+def _settled(name: str, meaning: str, unit: str) -> Quantity:
+    return Quantity(name, meaning, unit, (), settled.COLUMNS.index(name), True)
+
+
+SETTLED: Mapping[str, Quantity] = {
+    quantity.name: quantity
+    for quantity in (
+        Quantity("fate", "What becomes of the motion in the end", "", settled.WORDS, 0, True),
+        _settled("period", "Passages of the section in a period of the gait; 0 without one", "1"),
+        _settled("hops", "Hops in a period of the gait; 0 without one", "1"),
+        _settled("revolutions", "Revolutions until the fate is decided", "1"),
+        _settled("mean_speed", "Mean velocity of the centre in the end, of gaits, rolling, rocking and rest", "m/s"),
+        _settled("final_hop_height", "Maximum gap in a period of the gait", "m"),
+        _settled("lyapunov", "Lyapunov exponent per passage of a motion that finds no gait", "1"),
+        _settled("final_loss", "Energy lost until nothing more is lost, where that is decided", "J"),
+    )
+}
+"""Quantities of the spans `settled` and `settled:landing`."""
+
 # Former names of quantities, which scripts may still use; the map then has these names.
 FORMER = {"greatest_utilisation": "greatest_utilization"}
 _OF_FLIGHT = {"hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss", "takeoff_time",
@@ -123,13 +147,33 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
         names = [names]
     if not names:
         raise InputError(f"quantities must name at least one of {', '.join(QUANTITIES)}.")
+    every = {**QUANTITIES, **SETTLED}
     present = [FORMER.get(name, name) for name in names]
     for name, known in zip(names, present, strict=True):
-        if known not in QUANTITIES:
-            raise InputError.of_field("quantity", name, f"one of {', '.join(QUANTITIES)}")
+        if known not in every:
+            raise InputError.of_field("quantity", name, f"one of {', '.join(every)}")
     if len(set(present)) != len(names):
         raise InputError(f"quantities = {list(names)!r} must not name one twice.", field="quantities", value=list(names))
-    return tuple(QUANTITIES[known]._replace(name=name) for name, known in zip(names, present, strict=True))
+    return tuple(every[known]._replace(name=name) for name, known in zip(names, present, strict=True))
+
+
+def check_span(quantities: Sequence[Quantity], span: Span) -> None:
+    """Refuse quantities of another span.
+
+    Parameters
+    ----------
+    quantities : sequence of Quantity
+    span : Span
+
+    Raises
+    ------
+    ValueError
+        If one belongs to `settled` and the span does not, or the other way round.
+    """
+    for quantity in quantities:
+        if quantity.settled != (span.name in settled.SPANS):
+            fitting = "settled or settled:landing" if quantity.settled else ", ".join(SPANS)
+            raise InputError.of_field("span", span.name, f"{fitting} with quantity {quantity.name}")
 
 
 def flags_of(quantities: Sequence[Quantity]) -> int:
@@ -164,7 +208,7 @@ class Span(NamedTuple):
 SPANS = ("first_revolution", "takeoff", "reversal", "duration", "revolutions:N")
 
 
-def make_span(name: str) -> Span:
+def make_span(name: str, *, in_the_end: bool = False) -> Span:
     """Return a span by name.
 
     Parameters
@@ -172,7 +216,9 @@ def make_span(name: str) -> Span:
     name : str
         ``first_revolution`` (to a full turn, a reversal or take-off, whichever comes first, without a time
         limit); ``takeoff``, ``reversal`` or ``revolutions:N`` (to that, within the scenario's duration);
-        ``duration``.
+        ``duration``; ``settled`` and ``settled:landing`` (until the fate is decided, by passages of the bottom or landings).
+    in_the_end : bool, default False
+        Allow the last two.
 
     Returns
     -------
@@ -196,9 +242,12 @@ def make_span(name: str) -> Span:
         return Span(name, math.nan, STOP_AT_TURN, True)
     if name == "duration":
         return Span(name, math.nan, 0, True)
+    if in_the_end and name in settled.SPANS:
+        return Span(name, math.nan, 0, False)
     turns = number_after("revolutions", name)
     if not turns > 0.0:
-        raise InputError.of_field("span", name, f"one of {', '.join(SPANS)}, with N above 0")
+        known = [*SPANS, *(settled.SPANS if in_the_end else ())]
+        raise InputError.of_field("span", name, f"one of {', '.join(known)}, with N above 0")
     return Span(name, 2.0 * math.pi * turns, 0, True)
 
 

@@ -52,12 +52,13 @@ def sweep(
         At least two parameters by their path, such as ``{"plane.mu": …, "start.speed": …}``, each with its
         values [SI]. Cells whose values do not go together (such as μk above μs) are marked, not errors.
     quantities : sequence of str, default ('sequence',)
-        Names of `QUANTITIES`.
+        Names of `QUANTITIES`, or of `SETTLED` with the span ``settled``.
     span : str, default 'first_revolution'
         How much of each motion counts. ``first_revolution`` ends at a full turn, at θ̇ = 0 or at take-off,
         whichever comes first, without a time limit; ``takeoff``, ``reversal`` and ``revolutions:N`` end
         there, at the latest after the scenario's duration; ``duration`` ends after it. The first hop is always
-        computed up to its landing.
+        computed up to its landing. ``settled`` ends when it is decided what becomes of the motion, at the latest after 2000
+        passages of the bottom (``settled:landing``: landings); it has quantities of its own, such as fate.
     out : str or Path, optional
         Write to this file, ending in .zarr or .nc, chunk by chunk; else the map stays in memory.
     resume : bool, default False

@@ -1,0 +1,53 @@
+"""What becomes of the motions of a map in the end: quantities of the span `settled`."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.gaits.computing import FOREVER, PANELS
+from hophoop.gaits.kernels.cells import judge_cells
+from hophoop.gaits.kernels.layout import CODES, NUMBERS, SECTIONS, Request
+from hophoop.kernel.native import compiled
+from hophoop.kernel.records.layout import MapResults
+from hophoop.scenario import InputError, Scenario
+from hophoop.vocabulary.fates import FATE_CODES
+
+SPANS: Final = {"settled": "bottom", "settled:landing": "landing"}
+"""Spans of this kind, with the section at whose passages a motion is looked at."""
+
+WORDS: Final = tuple(str(fate).replace(" ", "_") for fate in FATE_CODES)
+COUNTS: Final = ("period", "hops")
+COLUMNS: Final = (*COUNTS, *NUMBERS)
+PASSAGES = 2_000  # after which a motion is undecided
+
+
+def check_settled(base: Scenario) -> None:
+    """Refuse a scenario without passages."""
+    if base.plane.gravity == 0.0:
+        raise InputError.of_field("plane.gravity", 0.0, "above 0 with span 'settled': without it no motion comes back")
+
+
+def evaluate_settled(cells: NDArray[np.float64], low: int, high: int, span: str, results: MapResults) -> None:
+    """Compute the cells from `low` to `high`.
+
+    Parameters
+    ----------
+    cells : ndarray, shape (len(CELL), n)
+        [SI].
+    low, high : int
+    span : str
+        One of `SPANS`.
+    results : MapResults
+        Numbers in the order of `COLUMNS`, and the code of the fate; filled.
+    """
+    request = Request(SECTIONS.index(SPANS[span]), PASSAGES, FOREVER, PANELS, True)
+    codes, numbers = np.zeros((high - low, len(CODES)), np.int64), np.empty((high - low, len(NUMBERS)))
+    compiled(judge_cells)(np.ascontiguousarray(cells[:, low:high]), 0, high - low, request, codes, numbers)
+    allowed = codes[:, CODES.index("fate")] >= 0
+    for column, name in enumerate(COUNTS):
+        results.numbers[low:high, column] = np.where(allowed, codes[:, CODES.index(name)], np.nan)
+    results.numbers[low:high, len(COUNTS) : len(COLUMNS)] = numbers
+    results.words[low:high, 0] = codes[:, CODES.index("fate")]
