@@ -268,8 +268,8 @@ def prove_chaos(
 
     Shown are, for every interval: from all of its θ̇, rolling with the load at the bottom, the hoop comes to the bottom again
     after one revolution, rolling, by events that depend continuously on θ̇; and its ends are taken to opposite sides beyond the
-    intervals that it covers. By the intermediate value theorem there is a motion for every sequence of coverings, and a gait for
-    every loop.
+    intervals that it covers. By the intermediate value theorem there is a motion for every sequence of coverings, and a
+    gait for every loop.
 
     Parameters
     ----------
