@@ -19,7 +19,7 @@ import hophoop as hh
 # From simple to hard, in each part of the gallery.
 ORDER = [
     *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
-    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram"),
+    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram", "branch"),
     *("sweep", "hop_height", "open_map", "points", "boundary", "borders", "logarithmic", "refine", "catalogue", "paradoxes"),
     *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "gears", "player"),
 ]

@@ -74,3 +74,33 @@ def test_bad_input_of_a_diagram(arguments, message, tmp_path, monkeypatch):
     assert found.exit_code == 2
     assert message in found.stderr
     assert not list(tmp_path.iterdir())
+
+
+FOLLOW = ["gait", "--slope-deg", "1", "--gamma", "0.75", "--gravity", "1", "--near", "3.41"]
+
+
+def test_a_branch_is_followed_and_drawn(tmp_path):
+    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    picture = tmp_path / "branch.png"
+    found = run(*FOLLOW, "--follow", "plane.slope=0.01:0.03", "--plot", picture)
+    assert found.exit_code == 0, found.stderr
+    assert "0.0203717918" in found.stdout
+    assert picture.stat().st_size > 5_000
+    branch = json.loads(run(*FOLLOW, "--follow", "plane.slope=0.01:0.03", "--json").stdout)["branch"]
+    assert branch["path"] == "plane.slope"
+    assert sum(one["kind"] == "fold" for one in branch["special"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--plot", "b.png"], "--plot needs --follow"),
+        (["--follow", "plane.slope"], "--follow = 'plane.slope' must be PATH=LOW:HIGH"),
+        (["--follow", "plane.slope=a:b"], "must be PATH=LOW:HIGH"),
+        (["--follow", "plane.slope=0.1:0.2"], "on both sides of plane.slope"),
+    ],
+)
+def test_what_cannot_be_followed(arguments, message):
+    found = run(*FOLLOW, *arguments)
+    assert found.exit_code == 2
+    assert message in found.stderr

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -11,7 +12,9 @@ from hophoop.cli._output import print_json
 from hophoop.cli._tables import print_table, table_of
 
 if TYPE_CHECKING:
+    from hophoop.gaits.branch import Branch
     from hophoop.gaits.gait import Gait
+    from hophoop.gaits.special import Special
 
 TITLES = ("word", "stable", "multiplier", "speed (m/s)", "hops", "revolutions", "hop (m)", "θ̇ (rad/s)", "next boundary")
 
@@ -24,23 +27,42 @@ def gait(
     fastest: Annotated[float | None, typer.Option(help="Look up to this θ̇ (rad/s).")] = None,
     section: Annotated[str, typer.Option(help="bottom (load at the bottom) or landing.")] = "bottom",
     digits: Annotated[int | None, typer.Option(help="Compute the first one again with so many digits.")] = None,
+    follow: Annotated[
+        str | None,
+        typer.Option(metavar="PATH=LOW:HIGH", help="Follow the first one over a parameter: print the branch's special points."),
+    ] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the branch: .png, .svg, .pdf or .jpg.")] = None,
     json: Annotated[bool, typer.Option("--json", help="Print JSON, in SI units and radians.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
-    """Find the periodic gaits of a hoop on a slope, stable or not, the slowest first."""
+    """Find the periodic gaits of a hoop on a slope, stable or not, the slowest first, and follow one over a parameter."""
     from hophoop._support.progress import bar
+    from hophoop.cli._output import PICTURES, check_ending, check_folder
     from hophoop.gaits.finding import find
+    from hophoop.scenario import InputError
 
+    if plot is not None:
+        if follow is None:
+            raise InputError("--plot needs --follow: it draws the branch.")
+        check_ending("--plot", plot, PICTURES)
+        check_folder("--plot", plot)
+    path, bounds = ("", (0.0, 0.0)) if follow is None else _range(follow)
     with bar("looking for gaits", quiet=quiet, share=True) as progress:
         found = find(scenario, period, near=near, fastest=fastest, section=section, progress=progress)
     precise = None if digits is None else found[0].digits(digits)
+    branch = None
+    if follow is not None:
+        with bar("following", quiet=quiet, share=True) as progress:
+            branch = found[0].follow(path, bounds, progress)
     if json:
         rows = [one.to_dict() for one in found]
         if precise is not None:
             rows[0]["digits"] = {name: str(value) for name, value in precise.state.items()} | {
                 "multiplier": None if precise.multiplier is None else str(precise.multiplier)
             }
-        print_json({"schema": "hophoop-gaits/1", "gaits": rows})
+        followed = {} if branch is None else {"branch": branch.to_dict()}
+        print_json({"schema": "hophoop-gaits/1", "gaits": rows} | followed)
+        _finish(branch, plot)
         return
     print_table(table_of(TITLES, map(_cells, found), right=TITLES[2:8], wrap=("word",)), 140)
     if precise is not None:
@@ -48,6 +70,42 @@ def gait(
             typer.echo(f"{name} = {value}")
         if precise.multiplier is not None:
             typer.echo(f"multiplier = {precise.multiplier} ± {precise.multiplier_error:.1e}")
+    if branch is not None:
+        rows_of = ([one.kind, f"{one.parameter:.12g}", f"{one.omega:.9g}", _factors(one), one.event] for one in branch.special)
+        titles = ("special point", path, "θ̇ (rad/s)", "multiplier", "boundary and words")
+        print_table(table_of(titles, rows_of, right=titles[1:4], wrap=titles[4:]), 140)
+    _finish(branch, plot)
+
+
+def _range(text: str) -> tuple[str, tuple[float, float]]:
+    """Return path and range of --follow."""
+    from hophoop.scenario import InputError
+
+    path, _, rest = text.partition("=")
+    low, colon, high = rest.partition(":")
+    try:
+        return path.strip(), (float(low), float(high if colon else ""))
+    except ValueError:
+        raise InputError.of_field("--follow", text, "PATH=LOW:HIGH, such as plane.slope=0.001:0.1") from None
+
+
+def _factors(one: Special) -> str:
+    return " to ".join(f"{factor:.6g}" for factor in one.multipliers)
+
+
+def _finish(branch: Branch | None, plot: Path | None) -> None:
+    """Draw the branch, and end with the status of a stop if it is not whole."""
+    if branch is None:
+        return
+    if plot is not None:
+        from hophoop._support.files import replacing
+        from hophoop.plots.branch import branch as drawn
+
+        axes: Any = drawn(branch)
+        with replacing(plot) as picture:
+            axes.figure.savefig(picture, dpi=150)
+    if not branch.complete:
+        raise KeyboardInterrupt
 
 
 def _cells(one: Gait) -> list[str]:

@@ -1,5 +1,6 @@
 """Gaits: what becomes of a hoop in the end, the return map of its revolutions and the map's derivatives."""
 
+from hophoop.gaits.branch import Branch
 from hophoop.gaits.computing import Judgement, fates, passages
 from hophoop.gaits.diagram import Attractor, Diagram, diagram
 from hophoop.gaits.finding import find
@@ -9,6 +10,7 @@ from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.gaits.return_map import MapEnd, MapPiece, ReturnMap, return_map
 from hophoop.gaits.runaway import Growth, Runaway, growth, runaway
 from hophoop.gaits.section import SectionDerivative, derivative
+from hophoop.gaits.special import Special
 from hophoop.vocabulary.fates import Fate
 
 __all__ = [
@@ -18,6 +20,8 @@ __all__ = [
     "diagram",
     "Diagram",
     "Attractor",
+    "Branch",
+    "Special",
     "return_map",
     "ReturnMap",
     "MapPiece",

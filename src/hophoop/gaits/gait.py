@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -25,6 +25,7 @@ from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary.modes import MODE_LETTERS
 
 if TYPE_CHECKING:
+    from hophoop.gaits.branch import Branch
     from hophoop.simulation.trajectory import Trajectory
 
 LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
@@ -151,6 +152,33 @@ class Gait:
         if isinstance(periods, bool) or not isinstance(periods, int) or not 1 <= periods <= MOST_PERIODS:
             raise InputError.of_field("periods", periods, f"an integer from 1 to {MOST_PERIODS}")
         return simulate(self.scenario.replace("duration", periods * self.time))
+
+    def follow(self, path: str, bounds: tuple[float, float], progress: Callable[[float], object] | None = None) -> Branch:
+        """Follow the gait over a parameter of hoop or plane, through folds and boundaries of its word.
+
+        Parameters
+        ----------
+        path : str
+            Of the parameter, such as 'plane.slope'.
+        bounds : (float, float)
+            Its range, around the gait's value [SI].
+        progress : callable, optional
+            Called with the computed share, 0 to 1.
+
+        Returns
+        -------
+        branch : Branch
+            Its gaits and special points. Stopped by Ctrl-C, it holds what is done.
+
+        Raises
+        ------
+        ValueError
+            If the section is not 'bottom', with rolling at each passage, the path is no parameter that can be followed, or
+            the range does not hold the gait's value.
+        """
+        from hophoop.gaits.branch import follow
+
+        return follow(self, path, bounds, progress)
 
     def to_dict(self) -> dict[str, Any]:
         """Return all numbers as a dict for JSON, in SI units.

@@ -21,12 +21,13 @@ class GaitMargin(NamedTuple):
     Attributes
     ----------
     boundary : str
-        What would change: 'slip starts', 'take-off', 'hop ends', 'impact: slip just stops' or 'turns back'.
+        What would change: 'slip starts', 'take-off', 'hop vanishes', 'phase vanishes', 'impact: slip just stops' or
+        'turns back'.
     t : float
         Where in the period [s].
     value : float
-        The share of friction that is left, N over the weight, the hop's height over R, slip or θ̇ over √(gR) or √(g/R), or the
-        share of the impulse's friction that is left: 0 at the boundary [1].
+        The share of friction that is left, N over the weight, the hop's height over R, the duration over √(R/g), slip or θ̇ over
+        √(gR) or √(g/R), or the share of the impulse's friction that is left: 0 at the boundary [1].
     """
 
     boundary: str
@@ -55,11 +56,13 @@ def margins_of(motion: Trajectory) -> tuple[GaitMargin, ...]:
     for one, other in pairwise(changes):
         if other.t <= one.t:
             continue
+        if one.to_mode != "H" and other.kind != "end" and one.kind != "start":
+            found.append(GaitMargin("phase vanishes", one.t, (other.t - one.t) * speed / hoop.radius))
         sample = motion.at(np.linspace(one.t, other.t, POINTS + 2)[1:-1])
         mode = one.to_mode
         if mode == "H":
             top = int(np.argmax(sample.height))
-            found.append(GaitMargin("hop ends", float(sample.t[top]), float(sample.height[top]) / hoop.radius))
+            found.append(GaitMargin("hop vanishes", float(sample.t[top]), float(sample.height[top]) / hoop.radius))
         elif mode == "R" and other.kind != "slip_start":
             used = np.abs(sample.friction_force) / (plane.mu_static * sample.normal_force)
             worst = int(np.argmax(used))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import OM, PARAMETERS, REASONS, STATE_ROWS, TH, VN, VT, Reason
+from hophoop.derivatives.parameters import directions_of
 from hophoop.derivatives.pieces.flight_and_rest import accelerations
 from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
 from hophoop.gaits.computing import check, passages
@@ -36,6 +37,8 @@ BEYOND = 1e-6  # relative time by which a passage to a landing is computed furth
 ON_SECTION = 1e-9  # rad: within it a start is on the section
 BATCHES = 20
 TRANSIENT = 0.1  # share of the passages that is left out of the Lyapunov exponent
+
+NO_CHANGES = np.zeros((PARAMETERS, 0))
 
 # Coordinates of the section: row of the derivatives, name and quantity.
 _ROWS = {"omega": OM, "slip": VT, "angle": TH, "vy": VN}
@@ -193,6 +196,42 @@ def _product(found: Passages, index: int, further: int, sign: float) -> tuple[Fl
     return matrix, rows, columns, reason
 
 
+def parameter_rates(found: Passages, path: str, sign: float = 1.0) -> tuple[float, float]:
+    """Return how θ̇ at the last passage changes with θ̇ at the start, and with a parameter, in rolling at the bottom.
+
+    Parameters
+    ----------
+    found : Passages
+        Of section 'bottom', in rolling at the start and at each passage.
+    path : str
+        Of the parameter; it must not change the units R and √(R/g).
+    sign : float, default 1
+        −1 for the rates towards smaller θ̇ and parameter.
+
+    Returns
+    -------
+    multiplier : float
+        [1].
+    rate : float
+        In √(g/R) per SI unit of the parameter. Both are nan where there is no derivative.
+
+    Raises
+    ------
+    ValueError
+        If the path is no parameter with derivatives, or one of the units.
+    """
+    directions = directions_of(found.scenario, [path])
+    if directions.units.any():
+        raise InputError.of_field("path", path, "a parameter other than hoop.radius, hoop.mass and plane.gravity")
+    multiplier, rate = 1.0, 0.0
+    for index in range(-1, len(found) - 1):
+        row = _step(found, index, sign, directions.parameter_tangents)[0]
+        if row.shape != (1, 2):
+            return math.nan, math.nan
+        multiplier, rate = float(row[0, 0]) * multiplier, float(row[0, 0]) * rate + float(row[0, 1])
+    return multiplier, rate
+
+
 def _row_of(found: Passages, index: int) -> Floats:
     return found.first if index < 0 else found.numbers[index]
 
@@ -218,8 +257,13 @@ def _mode_of(found: Passages, index: int) -> int:
     return MODE_LETTERS.index(found.word[0][0]) if len(found) and found.word[0] else 0
 
 
-def _step(found: Passages, index: int, sign: float) -> tuple[Floats, tuple[str, ...], tuple[str, ...], str]:
-    """Return (matrix in kernel units, its rows, its columns, why it does not exist) from a passage to the next one."""
+def _step(
+    found: Passages, index: int, sign: float, changes: Floats = NO_CHANGES
+) -> tuple[Floats, tuple[str, ...], tuple[str, ...], str]:
+    """Return (matrix in kernel units, its rows, its columns, why it does not exist) from a passage to the next one.
+
+    Behind the columns of the state, the matrix has one for each column of `changes` of the parameters.
+    """
     body, landing = found.scenario.to_body(), found.section == "landing"
     before, after = _row_of(found, index), found.numbers[index + 1]
     mode, last_mode = _mode_of(found, index), int(after[COLUMNS.index("mode")])
@@ -236,12 +280,14 @@ def _step(found: Passages, index: int, sign: float) -> tuple[Floats, tuple[str, 
         collided = (events["kind"] == BOUNCE_LIMIT) | ((events["kind"] == IMPACT) & (events["collision"] == 1))
         events = events[: int(np.flatnonzero(collided)[-1]) + 1]
     columns, rows = coordinates(found.section, mode), coordinates(found.section, last_mode)
-    tangents = np.zeros((STATE_ROWS, len(columns)))
+    width = len(columns) + changes.shape[1]
+    tangents, parameters = np.zeros((STATE_ROWS, width)), np.zeros((PARAMETERS, width))
     for place, name in enumerate(columns):
         tangents[_ROWS[name], place] = sign
-    solution = new_solution(len(events), len(segments), len(columns))
+    parameters[:, len(columns) :] = sign * changes
+    solution = new_solution(len(events), len(segments), width)
     known = KnownMotion(events, segments, float(events["t"][-1]), math.inf)
-    _propagate(body, known, np.zeros((PARAMETERS, len(columns))), tangents, False, solution, Workspace(scratch, _local()))
+    _propagate(body, known, parameters, tangents, False, solution, Workspace(scratch, _local()))
     last = sign * solution.at_events[-1]
     if not landing:
         state = state_of(events[-1])

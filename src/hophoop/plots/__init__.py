@@ -3,6 +3,7 @@
 Matplotlib is in the extra ``plots`` and loaded when a figure is drawn.
 """
 
+from hophoop.plots.branch import branch
 from hophoop.plots.diagram import diagram
 from hophoop.plots.maps import motion_map
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, gap, velocities
@@ -23,6 +24,7 @@ __all__ = [
     "path",
     "strobe",
     "phase_plane",
+    "branch",
     "diagram",
     "return_map",
     "geometry",

@@ -1,0 +1,195 @@
+"""Branches of gaits over a parameter, through folds and boundaries of the word, with their special points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._support.extras import need
+from hophoop.gaits.continuation import Follower, Point
+from hophoop.gaits.equation import GaitEquation, value_of
+from hophoop.gaits.gait import Gait
+from hophoop.gaits.special import Special
+from hophoop.scenario import InputError
+from hophoop.scenario.paths import parameter
+
+if TYPE_CHECKING:
+    import xarray
+
+Progress = Callable[[float], object]
+TENTH = 0.1
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A branch of gaits; made by `Gait.follow`.
+
+    Attributes
+    ----------
+    equation : GaitEquation
+    parameter : ndarray, shape (n,)
+        In the order along the branch [SI].
+    omega : ndarray, shape (n,)
+        θ̇ at the section [rad/s].
+    multiplier : ndarray, shape (n,)
+        [1].
+    word : tuple of tuple of str, length n
+    special : tuple of Special
+        In the order along the branch.
+    complete : bool
+        False if it was stopped.
+    """
+
+    equation: GaitEquation
+    parameter: NDArray[np.float64]
+    omega: NDArray[np.float64]
+    multiplier: NDArray[np.float64]
+    word: tuple[tuple[str, ...], ...]
+    special: tuple[Special, ...]
+    complete: bool = True
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where the gait is stable, shape (n,)."""
+        found: NDArray[np.bool_] = np.abs(self.multiplier) < 1.0
+        return found
+
+    @property
+    def hops(self) -> NDArray[np.int64]:
+        """Hops of a period, shape (n,)."""
+        return np.array([sum("H" in part for part in word) for word in self.word])
+
+    def gait(self, index: int) -> Gait:
+        """Return the gait of a point.
+
+        Parameters
+        ----------
+        index : int
+
+        Returns
+        -------
+        gait : Gait
+        """
+        one = self.equation
+        return one.gait(np.array([self.omega[index] / one.unit, self.parameter[index] / one.scale]))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all numbers as a dict for JSON, in SI units.
+
+        Returns
+        -------
+        numbers : dict
+        """
+        names = ("kind", "event", "parameter", "omega")
+        special = [
+            {name: getattr(one, name) for name in names} | {"multipliers": list(one.multipliers)} for one in self.special
+        ]
+        columns = {name: getattr(self, name).tolist() for name in ("parameter", "omega", "multiplier")}
+        words = [list(word) for word in self.word]
+        return {"path": self.equation.path, "period": self.equation.period, **columns, "word": words, "special": special}
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the branch as an xarray.Dataset over its points.
+
+        Returns
+        -------
+        dataset : xarray.Dataset
+
+        Raises
+        ------
+        ImportError
+            If xarray is missing.
+        """
+        xr = need("xarray", "maps")
+        about = parameter(self.equation.path)
+        variables: dict[str, Any] = {
+            "parameter": ("point", self.parameter, {"units": about.unit or "1", "long_name": about.description}),
+            "omega": ("point", self.omega, {"units": "rad/s", "long_name": "Angular velocity at the passage"}),
+            "multiplier": ("point", self.multiplier, {"units": "1", "long_name": "Multiplier of the period"}),
+            "word": ("point", np.array([" ".join(one) for one in self.word], dtype=str), {"long_name": "Phases"}),
+        }
+        dataset: xarray.Dataset = xr.Dataset(variables, attrs={"path": self.equation.path, "period": self.equation.period})
+        return dataset
+
+    def __repr__(self) -> str:
+        kinds = ", ".join(one.kind for one in self.special)
+        return (
+            f"<Branch: {len(self.parameter)} gaits over {self.equation.path} from {self.parameter.min():.6g} to "
+            f"{self.parameter.max():.6g}; {kinds}>"
+        )
+
+
+def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progress | None = None) -> Branch:
+    """Follow a gait over a parameter; `Gait.follow` calls this.
+
+    Parameters
+    ----------
+    gait : Gait
+        Of the section 'bottom', in rolling there.
+    path : str
+        Of the parameter.
+    bounds : (float, float)
+        Its range, around the gait's value [SI].
+    progress : callable, optional
+        Called with the share of the range that has been reached.
+
+    Returns
+    -------
+    branch : Branch
+        From its end below the gait to its end above it. Stopped by Ctrl-C, it holds what is done.
+
+    Raises
+    ------
+    ValueError
+        If the gait or the path cannot be followed, or the range does not hold the gait's value.
+    """
+    low, high = bounds
+    if gait.section != "bottom" or set(gait.passages.mode) != {"R"}:
+        raise InputError.of_field("section", gait.section, "bottom, with rolling at each passage, for a gait to be followed")
+    value = value_of(gait, path)
+    if not (math.isfinite(low) and math.isfinite(high) and low <= value <= high and low < high):
+        raise InputError(f"low = {low!r} and high = {high!r} must be finite and on both sides of {path} = {value!r}.")
+    equation = GaitEquation(gait.scenario, gait.period, path, TENTH * (high - low))
+    place = np.array([gait.state.omega / equation.unit, value / equation.scale])
+    found = equation.solve(place, np.array([0.0, 1.0]), float(place[1]))
+    if found is None:
+        raise InputError.of_field("path", path, "a parameter whose derivative exists at this gait")
+    first = Point(*found)
+    scaled = (low / equation.scale, high / equation.scale)
+    halves = [Follower(equation, first, scaled) for _ in range(2)]
+    complete = True
+    try:
+        for k, half in enumerate(halves):
+            sign = 1.0 if (first.values.tangent[1] > 0.0) == (k == 1) else -1.0
+            half.run(sign * first.values.tangent)
+            if progress is not None:
+                progress(0.5 * (k + 1))
+    except KeyboardInterrupt:
+        complete = False
+    back, ahead = halves
+    points = [*reversed(back.points), *ahead.points[1:]]
+    special = [_turned(one) for one in reversed(back.special)] + ahead.special
+    return Branch(
+        equation,
+        np.array([float(point.place[1]) * equation.scale for point in points]),
+        np.array([float(point.place[0]) * equation.unit for point in points]),
+        np.array([point.values.multiplier for point in points]),
+        tuple(point.values.word for point in points),
+        tuple(special),
+        complete,
+    )
+
+
+def _turned(special: Special) -> Special:
+    """Return a special point met in the other direction."""
+    event = special.event
+    if " | " in event:
+        boundary, _, words = event.rpartition(": ")
+        one, _, other = words.partition(" | ")
+        event = f"{boundary}: {other} | {one}"
+    return special._replace(multipliers=special.multipliers[::-1], event=event)

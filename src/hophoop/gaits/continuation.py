@@ -1,0 +1,230 @@
+"""Continuation of a gait along its branch, from step to step, with what is met on the way."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hophoop.gaits.equation import GaitEquation, Pair, Values
+from hophoop.gaits.special import BORDER, DOUBLING, END, FOLD, JOINS, LIMIT, TOP, Special
+
+LONGEST_STEP, SHORTEST_STEP = 0.02, 1e-9  # along the branch, in (θ̇ in √(g/R), parameter over a tenth of its range)
+MOST_POINTS = 4_000
+ROUNDS = 60  # of bisection
+BESIDE = 1e-9  # distance at which the pieces next to a boundary of the word are looked for
+CORNER, UNUSUAL = 0.05, 3.0  # change of the multiplier in a step, and relative to the step before, that may be a corner's
+UNKNOWN, BASELINE = 1e-5, 1e-4  # along the branch: around a corner, and of the line that is extended to it
+NEAR_TOP = 1e-3  # √(g/R): least θ̇ of a period that ends at the top
+JOINED = 1e-7  # √(g/R): within it θ̇ after a part of the period is the same
+
+
+class Point(NamedTuple):
+    place: Pair
+    values: Values
+
+
+class Follower:
+    """The points of one direction along a branch."""
+
+    def __init__(self, equation: GaitEquation, first: Point, bounds: tuple[float, float]) -> None:
+        self.equation, self.bounds = equation, bounds
+        self.points = [first]
+        self.special: list[Special] = []
+
+    def run(self, direction: Pair) -> None:
+        """Follow the branch until it ends or leaves the range."""
+        way, step = direction, LONGEST_STEP
+        while len(self.points) < MOST_POINTS:
+            here = self.points[-1]
+            ahead = self.advance(here, way, step)
+            if ahead is None or float(np.linalg.norm(ahead.place - here.place)) > 2.0 * step:
+                step *= 0.5
+                if step > SHORTEST_STEP:
+                    continue
+                beyond = self.pass_border(here, way, None)
+                if beyond is None:
+                    self.end(here)
+                    return
+                way, step = beyond, LONGEST_STEP / 8.0
+                continue
+            if not self.bounds[0] <= ahead.place[1] <= self.bounds[1]:
+                self.leave(here, ahead)
+                return
+            if ahead.values.apart < JOINED < here.values.apart:
+                self.join(here, way, step)
+                return
+            if ahead.values.key != here.values.key:
+                last, next_one = self.border(here, way, step)
+                beyond = self.pass_border(last, way, next_one)
+                if beyond is None:
+                    self.end(last)
+                    return
+                way, step = beyond, min(2.0 * step, LONGEST_STEP)
+                continue
+            self.interval(here, ahead, way, step)
+            self.points.append(ahead)
+            turned = ahead.values.tangent
+            way = turned if turned @ way > 0.0 else -turned
+            step = min(1.5 * step, LONGEST_STEP)
+
+    def advance(self, here: Point, way: Pair, step: float) -> Point | None:
+        """Return the solution a step further along a direction."""
+        guess = here.place + step * way
+        found = self.equation.solve(guess, way, float(way @ guess))
+        return None if found is None else Point(*found)
+
+    def border(self, here: Point, way: Pair, step: float) -> tuple[Point, Point | None]:
+        """Return the last point with the word of `here`, and the first one with another, to rounding."""
+        low, high = 0.0, step
+        last, first = here, None
+        for _ in range(ROUNDS):
+            middle = 0.5 * (low + high)
+            tried = self.advance(here, way, middle) if middle > 0.0 else None
+            if tried is not None and tried.values.key == here.values.key:
+                low, last = middle, tried
+            else:
+                high = middle
+                first = tried if tried is not None else first
+            if high - low < 1e-15:
+                break
+        return last, first
+
+    def pass_border(self, last: Point, way: Pair, beyond: Point | None) -> Pair | None:
+        """Add a border collision, and go on on its other side; return the direction, or None if nothing goes on there."""
+        new = beyond if beyond is not None else self.beside(last)
+        if new is None or new.values.key == last.values.key:
+            return None
+        for sign in (1.0, -1.0):
+            tangent = sign * new.values.tangent
+            if beyond is not None and sign < 0.0 and tangent @ way < 0.0 and self.goes_on(new, -tangent):
+                continue
+            if self.goes_on(new, tangent):
+                if last is not self.points[-1]:
+                    self.points.append(last)
+                factors = (last.values.multiplier, new.values.multiplier)
+                self.add(BORDER, last, factors, self.named(last, new))
+                self.points.append(new)
+                return tangent
+        return None
+
+    def named(self, one: Point, other: Point) -> str:
+        """Return the boundary between two points, the smallest margin of both, and their words."""
+        margins = [margin for point in (one, other) for margin in self.equation.gait(point.place).margins[:1]]
+        words = f"{'·'.join(one.values.word)} | {'·'.join(other.values.word)}"
+        return f"{min(margins, key=lambda margin: margin.value).boundary}: {words}"
+
+    def goes_on(self, new: Point, tangent: Pair) -> bool:
+        """Return True if the branch goes on with the word of a point in a direction."""
+        tried = self.advance(new, tangent, 1e-5)
+        return tried is not None and tried.values.key == new.values.key
+
+    def beside(self, last: Point) -> Point | None:
+        """Return a solution next to a point that has another word, where no step leads on."""
+        for shift in (np.array([1.0, 0.0]), np.array([-1.0, 0.0]), np.array([0.0, 1.0]), np.array([0.0, -1.0])):
+            for distance in (BESIDE, 1e2 * BESIDE, 1e4 * BESIDE):
+                place = last.place + distance * shift
+                values = self.equation(place)
+                if values is None or values.key == last.values.key:
+                    continue
+                found = self.equation.solve(place, values.tangent, float(values.tangent @ place))
+                if found is not None and found[1].key == values.key:
+                    return Point(*found)
+        return None
+
+    def join(self, here: Point, way: Pair, step: float) -> None:
+        """Add the point at which a gait becomes one of a part of its period."""
+        low, high, last = 0.0, step, here
+        for _ in range(ROUNDS):
+            middle = 0.5 * (low + high)
+            tried = self.advance(here, way, middle)
+            if tried is not None and tried.values.apart > JOINED:
+                low, last = middle, tried
+            else:
+                high = middle
+        if last is not self.points[-1]:
+            self.interval(here, last, way, low)
+            self.points.append(last)
+        self.add(JOINS, last, (last.values.multiplier,), "")
+
+    def interval(self, here: Point, ahead: Point, way: Pair, step: float) -> None:
+        """Add what is between two points of one word: a corner of the map, a fold or a period doubling."""
+        change = abs(ahead.values.multiplier - here.values.multiplier)
+        before = self.points[-2].values if len(self.points) > 1 else here.values
+        usual = abs(here.values.multiplier - before.multiplier) if before.key == here.values.key else 0.0
+        corner = self.corner(here, ahead, way, step) if change > max(CORNER, UNUSUAL * usual) else None
+        if corner is None:
+            self.between(here, ahead)
+            return
+        one, other = corner
+        self.between(here, one)
+        self.add(BORDER, one, (one.values.multiplier, other.values.multiplier), self.named(one, other))
+        self.points += [one, other]
+        self.between(other, ahead)
+
+    def corner(self, here: Point, ahead: Point, way: Pair, step: float) -> tuple[Point, Point] | None:
+        """Return the points on both sides of a corner of the map: there the multiplier jumps, but no word changes."""
+        middle = 0.5 * (here.values.multiplier + ahead.values.multiplier)
+        low, high, one, other = 0.0, step, here, ahead
+        for _ in range(ROUNDS):
+            half = 0.5 * (low + high)
+            tried = self.advance(one, way, half - low) or self.advance(other, way, half - high)
+            if tried is None or half in (low, high):
+                break
+            if (tried.values.multiplier - middle) * (here.values.multiplier - middle) > 0.0:
+                low, one = half, tried
+            else:
+                high, other = half, tried
+        left = abs(other.values.multiplier - one.values.multiplier)
+        jumps = left > 0.5 * abs(ahead.values.multiplier - here.values.multiplier) and high - low < UNKNOWN
+        return (self.towards(here, one, way, low), other) if jumps else None
+
+    def towards(self, here: Point, one: Point, way: Pair, step: float) -> Point:
+        """Return the point at which the smallest margin is 0, by a line through two points before it.
+
+        Within some 1e-7 of such a corner doubles do not decide the derivative.
+        """
+        before = self.advance(here, way, step - BASELINE)
+        if before is None:
+            return one
+        values = [self.equation.gait(point.place).margins[0].value for point in (before, one)]
+        if not 0.0 <= values[1] < values[0]:
+            return one
+        share = values[1] / (values[0] - values[1])
+        return one._replace(place=one.place + share * (one.place - before.place))
+
+    def between(self, here: Point, ahead: Point) -> None:
+        """Add a fold or period doubling between two points."""
+        for kind, critical in ((FOLD, 1.0), (DOUBLING, -1.0)):
+            one, other = here.values.multiplier - critical, ahead.values.multiplier - critical
+            if one * other < 0.0:
+                share = one / (one - other)
+                guess = here.place + share * (ahead.place - here.place)
+                found = self.equation.solve_with(guess, critical)
+                if found is not None:
+                    self.add(kind, Point(*found), (critical,), "")
+
+    def leave(self, here: Point, ahead: Point) -> None:
+        """Add the point at the limit of the range."""
+        limit = self.bounds[0] if ahead.place[1] < self.bounds[0] else self.bounds[1]
+        share = (limit - here.place[1]) / (ahead.place[1] - here.place[1])
+        guess = here.place + share * (ahead.place - here.place)
+        found = self.equation.solve(guess, np.array([0.0, 1.0]), limit)
+        if found is not None and found[1].key == here.values.key:
+            self.between(here, Point(*found))
+            self.points.append(Point(*found))
+        self.add(LIMIT, self.points[-1], (self.points[-1].values.multiplier,), "")
+
+    def end(self, last: Point) -> None:
+        """Add the end of a branch."""
+        if last is not self.points[-1]:
+            self.points.append(last)
+        gait = self.equation.gait(last.place)
+        slowest = next(margin.value for margin in gait.margins if margin.boundary == "turns back")
+        self.add(TOP if slowest < NEAR_TOP else END, last, (last.values.multiplier,), "")
+
+    def add(self, kind: str, point: Point, factors: tuple[float, ...], event: str) -> None:
+        one = self.equation
+        parameter, omega = float(point.place[1]) * one.scale, float(point.place[0]) * one.unit
+        special = Special(kind, event, parameter, omega, factors, one.gait(point.place), one)
+        self.special.append(special)

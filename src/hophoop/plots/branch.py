@@ -1,0 +1,86 @@
+"""Branches of gaits over a parameter, with their special points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hophoop.gaits.branch import Branch
+from hophoop.plots.diagram import KINDS
+from hophoop.plots.style import finish, new_axes
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.labels import with_unit
+from hophoop.vocabulary.parameters import TABLE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+MARKS = {
+    "fold": "o", "period doubling": "s", "border collision": "D", "joins a shorter period": "^", "top of the hill": "v",
+    "end": "x",
+}  # fmt: skip
+
+
+def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
+    """Draw θ̇ at the bottom over the parameter: stable gaits solid, unstable ones dashed, with marks at special points.
+
+    Parameters
+    ----------
+    found : Branch or sequence of Branch
+        Over one parameter.
+    ax : matplotlib.axes.Axes, optional
+        New ones by default.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ImportError
+        If Matplotlib is missing.
+    """
+    ax = new_axes(ax, (8.0, 4.2))
+    branches = [found] if isinstance(found, Branch) else list(found)
+    path = branches[0].equation.path
+    row = next((row for row in TABLE if row.path == path), None)
+    angular = row is not None and row.unit == "rad"
+    scale = math.degrees(1.0) if angular else 1.0
+    named: set[str] = set()
+    for one in branches:
+        _lines(ax, one, scale, named)
+    for kind, mark in MARKS.items():
+        special = [point for one in branches for point in one.special if point.kind == kind]
+        points = [(point.parameter * scale, point.omega) for point in special]
+        if points:
+            x, y = np.array(points).T
+            face = colors.BLACK if mark == "x" else "white"
+            ax.scatter(x, y, marker=mark, s=28, facecolor=face, edgecolor=colors.BLACK, linewidths=0.9, zorder=3, label=kind)
+    label = path if row is None else (row.figure or row.label)
+    unit = "°" if angular else ("" if row is None else row.unit)
+    finish(ax, with_unit(label, unit), r"$\dot\theta$ at the bottom (rad/s)")
+    return ax
+
+
+def _lines(ax: Axes, one: Branch, scale: float, named: set[str]) -> None:
+    """Draw the parts of a branch that have the same stability and colour."""
+    states = list(zip(one.stable.tolist(), (one.hops > 0).tolist(), strict=True))
+    begin = 0
+    for k in range(1, len(states) + 1):
+        if k < len(states) and states[k] == states[begin]:
+            continue
+        stable, hops = states[begin]
+        kind = "gait with hops" if hops else "gait without a hop"
+        name = kind + ("" if stable else ", unstable")
+        part = slice(begin, min(k + 1, len(states)))
+        ax.plot(
+            one.parameter[part] * scale, one.omega[part], color=KINDS[kind][0], linewidth=1.8 if stable else 1.2,
+            linestyle="-" if stable else (0, (3, 2)), label=None if name in named else name,
+        )  # fmt: skip
+        named.add(name)
+        begin = k

@@ -1,0 +1,190 @@
+"""Branches of gaits, their special points, doubled gaits and curves in two parameters."""
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.gaits.section import parameter_rates
+
+GOOD = {"rel": 1e-9}
+
+
+def scenario(degrees, gamma=0.75, **plane):
+    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(slope=math.radians(degrees), gravity=1.0, **plane))
+
+
+def first(degrees, near, period=1, **options):
+    return hh.gaits.find(scenario(degrees, **options), period, near=near)[0]
+
+
+@pytest.fixture(scope="module")
+def branch():
+    return first(1.0, 3.408).follow("plane.slope", (math.radians(0.1), math.radians(2.0)))
+
+
+def of_kind(found, kind):
+    return [special for special in found.special if special.kind == kind]
+
+
+CHANGES = {"plane.slope": 0.0523, "hoop.load_fraction": 0.5, "plane.mu": 0.9, "plane.rolling_resistance": 0.01}
+
+
+@pytest.mark.parametrize("path", CHANGES)
+def test_rates_of_the_map_by_parameters(path):
+    """Against central differences of the map, extrapolated."""
+    base = scenario(3.0, 0.5).replace("start", hh.Start.rolling(2.7, angle=math.pi))
+
+    def image(value):
+        return float(hh.passages(base.replace(path, value), 2).omega[-1])
+
+    value, steps = CHANGES[path], (2e-5, 1e-5)
+    wide, narrow = ((image(value + step) - image(value - step)) / (2 * step) for step in steps)
+    multiplier, rate = parameter_rates(hh.passages(base.replace(path, value), 2), path)
+    assert rate == pytest.approx((4 * narrow - wide) / 3, rel=1e-6)
+    start = base.replace(path, value)
+    assert multiplier == pytest.approx(hh.gaits.derivative(start, 2).matrix[0, 0], rel=1e-13)
+
+
+def test_every_point_of_a_branch_is_a_gait(branch):
+    assert len(branch.parameter) > 100
+    for k in range(0, len(branch.parameter), 25):
+        gait = branch.gait(k)
+        assert gait.residual < 1e-12
+        assert gait.word == branch.word[k]
+        assert gait.multipliers[0].real == pytest.approx(branch.multiplier[k], rel=1e-6)
+    assert branch.parameter.max() == pytest.approx(math.radians(2.0))
+    assert branch.parameter.min() == pytest.approx(math.radians(0.1))
+
+
+def test_folds(branch):
+    """The first one agrees with 30 digits: residual 3e-15, multiplier 1 + 6e-11."""
+    up, down = of_kind(branch, "fold")
+    assert math.degrees(up.parameter) == pytest.approx(1.167217696421, rel=1e-12)
+    assert up.omega == pytest.approx(3.425520325759, rel=1e-11)
+    assert math.degrees(down.parameter) == pytest.approx(0.91388709760, **GOOD)
+    slopes = branch.parameter
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(slopes))))
+    assert len(turns) >= 2
+
+
+def test_border_collisions_are_named(branch):
+    found = of_kind(branch, "border collision")
+    assert [special.event for special in found] == [
+        "hop vanishes: RSRKR | RSHSRKR",
+        "phase vanishes: RSHSRKR | RSHRKR",
+        "phase vanishes: RSHRKR | RSHKR",
+        "impact: slip just stops: RSHKR | RSHKR",
+    ]
+    hop, corner = found[0], found[-1]
+    assert hop.multipliers[0] == pytest.approx(hop.multipliers[1], rel=1e-5)  # a hop opens with τ³: no corner
+    assert math.degrees(corner.parameter) == pytest.approx(1.027551, abs=5e-7)
+    assert corner.multipliers == (pytest.approx(-0.31478, abs=1e-5), pytest.approx(-1.35050, abs=1e-5))
+
+
+def test_the_branch_is_the_same_from_another_of_its_gaits(branch):
+    other = first(1.0, 3.455).follow("plane.slope", (math.radians(0.1), math.radians(2.0)))
+    assert [one.kind for one in other.special] in (
+        [one.kind for one in branch.special],
+        [one.kind for one in reversed(branch.special)],
+    )
+    ours, theirs = (sorted(one.parameter for one in found.special) for found in (branch, other))
+    assert theirs == pytest.approx(ours, rel=1e-7)
+
+
+def test_doubled_gaits_are_followed(branch):
+    doubled = of_kind(branch, "border collision")[-1].switch()
+    assert doubled.period == 2
+    assert doubled.stable
+    second = doubled.follow("plane.slope", (math.radians(1.0), math.radians(1.3)))
+    (joins,) = of_kind(second, "joins a shorter period")
+    assert math.degrees(joins.parameter) == pytest.approx(1.027551, abs=2e-6)
+    (doubling,) = of_kind(second, "period doubling")
+    assert math.degrees(doubling.parameter) == pytest.approx(1.195297240190, rel=1e-11)
+    fourth = doubling.switch()
+    assert fourth.period == 4
+    (corner,) = of_kind(fourth.follow("plane.slope", (math.radians(1.19), math.radians(1.25))), "border collision")
+    assert math.degrees(corner.parameter) == pytest.approx(1.230999, abs=1e-6)
+    assert corner.multipliers[1] == pytest.approx(-5.08, abs=0.01)
+
+
+def test_the_top_of_the_hill():
+    gait = next(one for one in hh.gaits.find(scenario(15.2), 2, near=3.14) if one.stable)
+    found = gait.follow("plane.slope", (math.radians(15.0), math.radians(15.3)))
+    assert found.special[0].kind == "top of the hill"
+    assert math.degrees(found.special[0].parameter) == pytest.approx(15.085738, abs=1e-6)
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_folds_in_a_second_parameter(branch, number):
+    fold = of_kind(branch, "fold")[number]
+    curve = fold.follow("hoop.load_fraction", (0.72, 0.78), 6)
+    assert len(curve) == 7
+    for load, slope, omega in curve[[0, -1]]:
+        case = scenario(math.degrees(slope), float(load)).replace("start", hh.Start.rolling(omega, angle=math.pi))
+        assert hh.passages(case, 1).omega[0] == pytest.approx(omega, rel=1e-11)
+        assert hh.gaits.derivative(case).matrix[0, 0] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_mirror():
+    ahead = first(1.0, 3.408).follow("plane.slope", (math.radians(0.8), math.radians(1.3)))
+    back = hh.gaits.find(scenario(-1.0), near=-3.408)[0].follow("plane.slope", (math.radians(-1.3), math.radians(-0.8)))
+    one, other = of_kind(ahead, "fold"), of_kind(back, "fold")
+    assert sorted(fold.parameter for fold in one) == pytest.approx(sorted(-fold.parameter for fold in other), rel=1e-9)
+
+
+def test_files_and_pictures(branch):
+    pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
+    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    data = branch.to_xarray()
+    assert data["parameter"].attrs["units"] == "rad"
+    assert branch.to_dict()["special"][0]["kind"] == "limit of the range"
+    ax = hh.plots.branch(branch)
+    names = {text.get_text() for text in ax.get_legend().get_texts()}
+    assert {"fold", "border collision", "gait without a hop", "gait with hops", "gait with hops, unstable"} <= names
+    assert ax.get_xlabel() == "Slope β (°)"
+    assert "border collision, fold" in repr(branch)
+    assert repr(of_kind(branch, "fold")[0]).startswith("<fold at plane.slope = 0.02037179")
+
+
+@pytest.mark.long
+def test_the_fold_in_30_digits(branch):
+    """One period from the fold's θ̇ ± 2⁻²⁰: point and slope of the map."""
+    fold = of_kind(branch, "fold")[0]
+    image = []
+    step = 2.0**-20
+    for place in (fold.omega - step, fold.omega, fold.omega + step):
+        start = hh.Start(angle=math.pi, vx=place, omega=place, slip=0.0, mode="R")
+        case = fold.gait.scenario.replace("start", start).replace("duration", 10.0)
+        image.append(hh.simulate(case, digits=30, until="revolutions:1").events[-1].omega)
+    assert abs(float(image[1]) - fold.omega) < 2e-14
+    assert float(image[2] - image[0]) / (2 * step) == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("path", "bounds", "message"),
+    [
+        ("plane.slope", (0.1, 0.2), "must be finite and on both sides of plane.slope"),
+        ("plane.slope", (0.0, math.nan), "must be finite"),
+        ("start.speed", (0.0, 1.0), "path = 'start.speed' must be a parameter of hoop or plane"),
+        ("plane.tilt", (0.0, 1.0), "plane.tilt"),
+        ("plane.gravity", (0.5, 2.0), "other than hoop.radius, hoop.mass and plane.gravity"),
+    ],
+)
+def test_refusals(path, bounds, message):
+    with pytest.raises(ValueError, match=message):
+        first(1.0, 3.408).follow(path, bounds)
+
+
+def test_refusals_of_special_points(branch):
+    corner = of_kind(branch, "border collision")[-1]
+    with pytest.raises(ValueError, match="kind = 'border collision' must be one of fold, period doubling"):
+        corner.follow("hoop.load_fraction", (0.7, 0.8))
+    with pytest.raises(ValueError, match=r"path = 'plane\.slope' must be a parameter other than"):
+        of_kind(branch, "fold")[0].follow("plane.slope", (0.7, 0.8))
+    with pytest.raises(ValueError, match="No gait of period 2 was found near"):
+        of_kind(branch, "limit of the range")[0].switch()
+    landing = hh.gaits.find(scenario(3.0, 0.15), near=3.58, section="landing")[0]
+    with pytest.raises(ValueError, match="section = 'landing' must be bottom"):
+        landing.follow("plane.slope", (0.01, 0.1))
