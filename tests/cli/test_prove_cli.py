@@ -165,3 +165,53 @@ def test_what_is_refused(arguments, word):
     done = run(*arguments)
     assert done.exit_code == 2
     assert word in done.stderr
+
+
+def test_a_gait_is_proved_and_printed(tmp_path):
+    path = tmp_path / "gait.json"
+    done = run("--gamma", 0.5, "--slope-deg", 3, "--gravity", 1, "--gait", "2.7714:2.7716", "--out", path)
+    assert done.exit_code == 0
+    first, second, third = done.stdout.splitlines()
+    assert first == "proved      one gait, RSHKR, which attracts all from 2.7714 to 2.7716 rad/s"
+    assert "2.77150688780492" in second
+    assert "-0.76802418" in third
+    assert json.loads(path.read_text(encoding="utf-8"))["interval"] == [2.7714, 2.7716]
+
+
+@pytest.mark.slow
+def test_chaos_is_proved_and_printed():
+    done = run("--slope-deg", 4, "--chaos", "10.03:10.57", "--chaos", "10.745:11.031")
+    assert done.exit_code == 0
+    first, second, third = done.stdout.splitlines()
+    assert first == "proved      chaos, with a topological entropy of 0.481211 a revolution at least"
+    assert " ".join(second.split()) == "RSRKR 10.03 to 10.57 rad/s is taken over 10.745 to 11.031"
+    assert " ".join(third.split()) == ("RSHKR 10.745 to 11.031 rad/s is taken over 10.03 to 10.57 and 10.745 to 11.031")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--gait", "2.7716:2.7718"], "Not proved: the return map leads out of the interval"),
+        (["--chaos", "2.7:2.71", "--chaos", "2.8:2.81"], "Not proved: the coverings have no two different loops"),
+    ],
+)
+def test_what_is_not_proved_is_said(arguments, said):
+    done = run("--gamma", 0.5, "--slope-deg", 3, "--gravity", 1, *arguments)
+    assert done.exit_code == 1
+    assert done.stdout == ""
+    assert done.stderr.startswith(said)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--gait", "2.7"], "--gait 2.7 must be LOW:HIGH"),
+        (["--gait", "2.8:2.7"], "--gait = 2.8 to 2.7 rad/s must be a range"),
+        (["--chaos", "2.7:2.8"], "--chaos = 1 must be 2 to 100"),
+        (["--chaos", "2.7:2.8", "--gait", "2.7:2.8"], "--gait cannot be given together with --chaos"),
+    ],
+)
+def test_intervals_that_cannot_be_read(arguments, said):
+    done = run("--slope-deg", 3, *arguments)
+    assert done.exit_code == 2
+    assert said in done.stderr

@@ -1,4 +1,4 @@
-"""Boxes, thresholds and the article's statements of `hophoop prove`."""
+"""Boxes, thresholds, gaits, chaos and the article's statements of `hophoop prove`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hophoop.cli._output import print_json, write_json
 from hophoop.cli._tables import print_table, table_of
 
 if TYPE_CHECKING:
-    from hophoop.prove import ProvedMap, ProvedNumber, ProvedStatement
+    from hophoop.prove import ProvedChaos, ProvedGait, ProvedMap, ProvedNumber, ProvedStatement
 
 ALL = "all"
 
@@ -111,6 +111,66 @@ def _as_json(number: ProvedNumber) -> dict[str, str]:
         "middle": str(number.enclosure.middle),
         "radius": str(number.enclosure.radius),
     }
+
+
+def gait(scenario: Any, text: str, seconds: float | None, out: Path | None, json: bool) -> None:
+    """Prove a gait in an interval of θ̇; status 1 if it is not proved."""
+    from hophoop.cli._output import named_options
+    from hophoop.prove import prove_gait
+
+    low, high = _interval("--gait", text)
+    with named_options({"interval": "--gait"}):
+        found = prove_gait(scenario, low, high, seconds)
+    _give_map("hophoop-gait-proof/1", scenario, found, out, json)
+    if found.proved and not json:
+        typer.echo(
+            f"proved      one gait, {' or '.join(found.words)}, which attracts all from {low:g} to {high:g} rad/s\n"
+            f"θ̇           {found.omega} rad/s at the bottom\nmultiplier  {found.multiplier}"
+        )
+    _end_map(found)
+
+
+def chaos(scenario: Any, texts: Sequence[str], seconds: float | None, out: Path | None, json: bool) -> None:
+    """Prove chaos by intervals of θ̇ that cover each other; status 1 if it is not proved."""
+    from hophoop.cli._output import named_options
+    from hophoop.prove import prove_chaos
+
+    intervals = [_interval("--chaos", text) for text in texts]
+    with named_options({"intervals": "--chaos"}):
+        found = prove_chaos(scenario, intervals, seconds)
+    _give_map("hophoop-chaos-proof/1", scenario, found, out, json)
+    if found.proved and not json:
+        typer.echo(f"proved      chaos, with a topological entropy of {found.entropy} a revolution at least")
+        for k, words in enumerate(found.words):
+            covered = " and ".join("{:g} to {:g}".format(*intervals[j]) for i, j in found.coverings if i == k)
+            low, high = intervals[k]
+            typer.echo(f"{' or '.join(words):11} {low:g} to {high:g} rad/s is taken over {covered or 'none'}")
+    _end_map(found)
+
+
+def _interval(option: str, text: str) -> tuple[float, float]:
+    """Read an interval such as `3.1:3.2`."""
+    from hophoop.scenario import InputError
+
+    low, _, high = text.partition(":")
+    try:
+        return float(low), float(high)
+    except ValueError:
+        raise InputError(f"{option} {text} must be LOW:HIGH, such as 3.40:3.41.") from None
+
+
+def _give_map(schema: str, scenario: Any, found: ProvedGait | ProvedChaos, out: Path | None, json: bool) -> None:
+    from hophoop._version import __version__
+
+    _give({"schema": schema, "version": __version__, "scenario": scenario.to_dict(), **found.to_dict()}, out, json)
+
+
+def _end_map(found: ProvedGait | ProvedChaos) -> None:
+    from hophoop.cli import NO_ANSWER, say
+
+    if not found.proved:
+        say(f"Not proved: {found.why}.")
+        raise typer.Exit(NO_ANSWER)
 
 
 def statements(out: Path | None, json: bool) -> None:

@@ -1,6 +1,6 @@
 """`hophoop prove`: enclosures of every event and a certificate of the sequence; `--check` verifies a certificate.
 
-`--boxes`, `--thresholds` and `--article` prove something else.
+`--boxes`, `--thresholds`, `--gait`, `--chaos` and `--article` prove something else.
 """
 
 from __future__ import annotations
@@ -65,6 +65,26 @@ def prove(
             show_default=False,
         ),
     ] = None,
+    gait: Annotated[
+        str | None,
+        typer.Option(
+            "--gait",
+            metavar="LOW:HIGH",
+            help="Prove that one gait passes the bottom with θ̇ in this interval, rad/s, and attracts all motions that do.",
+            rich_help_panel=INSTEAD,
+            show_default=False,
+        ),
+    ] = None,
+    chaos: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--chaos",
+            metavar="LOW:HIGH",
+            help="Prove chaos: the return map takes intervals of θ̇ at the bottom, rad/s, over each other; given twice or more.",
+            rich_help_panel=INSTEAD,
+            show_default=False,
+        ),
+    ] = None,
     article: Annotated[
         bool,
         typer.Option("--article", help="Prove the article's inequalities and sequences.", rich_help_panel=INSTEAD),
@@ -80,13 +100,16 @@ def prove(
     from hophoop.prove import prove as proof_of
     from hophoop.scenario import InputError
 
-    kinds = {"--check": check is not None, "--boxes": bool(boxes), "--thresholds": thresholds is not None, "--article": article}
+    kinds = {
+        "--check": check is not None, "--boxes": bool(boxes), "--thresholds": thresholds is not None,
+        "--gait": gait is not None, "--chaos": bool(chaos), "--article": article,
+    }  # fmt: skip
     asked = [option for option, is_asked in kinds.items() if is_asked]
     if len(asked) > 1:
         raise InputError(f"{asked[0]} cannot be given together with {asked[1]}.")
     if depth is not None and not boxes:
         raise InputError("--depth needs --boxes: it limits the division of the window.")
-    if seconds is not None and asked and not boxes:
+    if seconds is not None and (check is not None or thresholds is not None or article):
         raise InputError(f"{asked[0]} cannot be given together with --seconds.")
     if check is not None:
         if file is not None or out is not None or json:
@@ -101,6 +124,12 @@ def prove(
         return
     if thresholds is not None:
         _proofs.thresholds(scenario, thresholds, digits, out, json)
+        return
+    if gait is not None:
+        _proofs.gait(scenario, gait, seconds, out, json)
+        return
+    if chaos:
+        _proofs.chaos(scenario, chaos, seconds, out, json)
         return
     if article:
         _proofs.statements(out, json)

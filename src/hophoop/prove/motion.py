@@ -9,7 +9,7 @@ from typing import Any
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise.impact import impact
 from hophoop.precise.problem import Problem
-from hophoop.prove._flint import Ball, Undecided, arb, sign
+from hophoop.prove._flint import Ball, Undecided, arb, pi, sign
 from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.phases.contact import Ended, Limits, roll, travel
 from hophoop.prove.phases.flight import Flight
@@ -32,7 +32,8 @@ from hophoop.prove.physics.mode_rule import (
 
 CLOSING = "1e-12"  # bounces are closed when their rest takes less than this part of the time so far
 GAIN_FLOOR = "1e-14"  # relative to the energy of an impact: less is no gain
-DURATION, REVOLUTION = "duration", "revolution"
+DURATION, REVOLUTION, PASSAGE = "duration", "revolution", "passage"
+LONGEST = 1000  # √(R/g), of a flight where no time ends it
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,8 @@ class Run:
     free : mapping of str to Ball, optional
         Balls in the place of parameters.
     until : str, optional
-        'duration', or 'revolution': the first of a whole turn, a turning point and a take-off.
+        'duration', or 'revolution': the first of a whole turn, a turning point and a take-off; or 'passage', which begins
+        with the load at the bottom and goes on through flights up to there after a turn, in contact, or a turning point.
     timed : bool, optional
         Whether times are wanted; a revolution can do without those of rolling.
     max_events : int, optional
@@ -83,6 +85,8 @@ class Run:
     def __post_init__(self) -> None:
         self.model = Model(self.problem, self.free, self.deadline)
         self.state = self.model.start()
+        if self.until == PASSAGE:
+            self.state = replace(self.state, th=pi())
         self.origin = self.state.th
         self.mode = int(Mode.FLIGHT)
         self.zeros = 0  # slip: known zeros of v_t at its start; flight: of the gap
@@ -262,6 +266,9 @@ class Run:
             return
         begin, longest = self.state, self.model.t_end - self.state.t
         flight = Flight(self.model, begin, self.zeros)
+        if self.until == PASSAGE:
+            self.pass_over(flight)
+            return
         if self.until == REVOLUTION:
             self.end(Status.COMPLETED, "takeoff")
             return
@@ -285,6 +292,14 @@ class Run:
         if tau is None:
             self.finish_flight(flight, longest)
             return
+        self.state = replace(flight.state(tau), y=arb(0))
+        self.land()
+
+    def pass_over(self, flight: Flight) -> None:
+        """A flight and its landing, for all motions of a box."""
+        tau = flight.landing(arb(LONGEST))
+        if tau is None:
+            raise Undecided(f"a flight takes longer than {LONGEST} √(R/g)")
         self.state = replace(flight.state(tau), y=arb(0))
         self.land()
 
@@ -313,7 +328,7 @@ class Run:
     def turn(self) -> None:
         """θ̇ = 0."""
         self.note(Event.TURN, self.mode, self.mode)
-        if self.until == REVOLUTION:
+        if self.until != DURATION:
             self.end(Status.COMPLETED, "reversal")
 
     def turned(self) -> None:
@@ -323,7 +338,7 @@ class Run:
         if was == mode == Mode.ROLL and held:
             return  # rest, which is the next phase
         paradox = was != Mode.ROLL and mode > Mode.SKIM
-        if not paradox or self.until == REVOLUTION:
+        if not paradox or self.until != DURATION:
             self.turn()
         if self.done:
             return

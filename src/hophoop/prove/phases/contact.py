@@ -107,7 +107,7 @@ def _roll_on(rolling: Rolling, limits: Limits) -> tuple[str, State, list[str] | 
     turns = 0
     while True:
         zeros = [0] * known + [1 if fresh and rolling.at_turn else 0]
-        rolled = rolling.first(turn.upper(), zeros, base, limits.left(base, way))
+        rolled = rolling.first(turn.upper(), zeros, base, limits.left(exact(base), way))
         ends = rolled.what == TURN
         if limits.timed:
             after = t + rolling.duration(base, rolled.th, fresh and rolling.at_turn, ends)

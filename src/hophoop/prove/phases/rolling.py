@@ -78,7 +78,10 @@ class Rolling:
             return [coefficients(series([0]) + one, terms) for one in found]
 
     def first(self, reach: Ball, zeros: Sequence[int], base: Ball | None = None, limit: Ball | None = None) -> Rolled:
-        """The first event within `reach` of the start (or of `base`, which was reached without one); `limit`: angle to go."""
+        """The first event within `reach` of the start (or of `base`, which was reached without one).
+
+        `limit` is the angle to go from the middle of that: `base` may vary over a box.
+        """
         origin = exact(self.begin.th if base is None else base)
         spread = (self.begin.th if base is None else base) - origin
 
