@@ -76,7 +76,8 @@ def test_presets_end_as_they_say(key, fate, revolutions):
     found = hh.passages(scenario, 1000)
     assert found.fate == fate
     if fate == "gait":
-        assert found.period == 1 and found.hops[-1] == 1
+        assert found.period == 1
+        assert found.hops[-1] == 1
         assert np.diff(found.angle)[-1] == pytest.approx(2.0 * np.pi * revolutions, abs=1e-9)
     assert len(hh.simulate(scenario).find("takeoff")) >= 1  # within what is shown
 
@@ -87,7 +88,8 @@ def test_the_gear_is_seen_at_once_and_a_slower_start_has_another():
     turned = np.diff([event.angle for event in takeoffs])
     assert turned == pytest.approx(4.0 * np.pi, abs=0.05)
     slower = hh.passages(scenario.replace("start.speed", 10.0), 1000)
-    assert slower.fate == "gait" and slower.hops[-1] == 1
+    assert slower.fate == "gait"
+    assert slower.hops[-1] == 1
     assert np.diff(slower.angle)[-1] == pytest.approx(2.0 * np.pi, abs=1e-9)
 
 
@@ -95,5 +97,6 @@ def test_the_hop_before_the_standstill_takes_the_energy():
     motion = hh.simulate(PRESETS["standstill"].scenario)
     (takeoff,) = motion.find("takeoff")
     turns = motion.find("turn")
-    assert len(turns) >= 3 and turns[0].t > takeoff.t
+    assert len(turns) >= 3
+    assert turns[0].t > takeoff.t
     assert motion.sequence.endswith("SHR")  # it rolls to and fro from the landing on
