@@ -390,8 +390,21 @@ interface Kernel {
   ): MaybeLater<{ modes: Uint8Array; paradox: Column }>;
   /** The rates of all events with one parameter, of which the cell has these rates. */
   changes?(given: Given, rates: Float64Array, signal?: AbortSignal): MaybeLater<MotionChanges>;
+  /** What becomes of a rigid motion in the end, after at most so many passages of the bottom. */
+  fate?(given: Given, most: number, signal?: AbortSignal): MaybeLater<Fate>;
   /** One quantity of each cell over a span of maps.quantities ("first_revolution", "takeoff", "duration"). */
   map(cells: MapCells, what: string, span: string, signal?: AbortSignal): MaybeLater<MapValues>;
+}
+
+// What becomes of a motion in the end; nan is what it has not [SI].
+interface Fate {
+  fate: string;
+  period: number;
+  hops: number;
+  passages: number;
+  mean_speed: number;
+  final_hop_height: number;
+  final_omega: number;
 }
 
 // Rates of events, rows of the module's `changes`: nan where there is no derivative; why, and from which event on.

@@ -87,13 +87,21 @@ export class WorkerKernel implements Kernel {
   }
 
   /** Its module is fetched when it is first asked for, and again where that failed. */
-  async changes(given: Given, rates: Float64Array, signal?: AbortSignal): Promise<MotionChanges> {
+  async apart(call: string, values: any[], signal?: AbortSignal) {
     this.rates ??= this.derivatives().then((compiled) => new Crew(this.start, compiled, 1, LIMIT));
     const crew = await this.rates.catch(() => {
       this.rates = null;
       throw new Error(UNLOADED);
     });
-    return crew.ask("changes", [given, rates], signal);
+    return crew.ask(call, values, signal);
+  }
+
+  changes(given: Given, rates: Float64Array, signal?: AbortSignal): Promise<MotionChanges> {
+    return this.apart("changes", [given, rates], signal);
+  }
+
+  fate(given: Given, most: number, signal?: AbortSignal): Promise<Fate> {
+    return this.apart("fate", [given, most], signal);
   }
 
   thresholds(given: Given, signal?: AbortSignal) {

@@ -198,6 +198,16 @@ export class HoopModule implements Mechanics {
     };
   }
 
+  /** What becomes of a rigid motion in the end, after at most so many passages of the bottom. */
+  fate(given: Given, most: number): Fate {
+    const { memory } = this;
+    const out = memory.room("fate", 8 * layout.fate.length);
+    this.call("fate", memory.put("cell", cellOf(given)), most, out);
+    const values = memory.floats(out, layout.fate.length);
+    const found = Object.fromEntries(layout.fate.map((name, k) => [name, values[k]]));
+    return { ...found, fate: layout.fates[found.fate] } as Fate;
+  }
+
   // --- theory ---------------------------------------------------------------------------------
 
   thresholds(given: Given): TheoryNumbers {

@@ -41,6 +41,7 @@ from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import classes, colors, modes
 from hophoop.vocabulary.events import EVENT_KINDS, EVENTS, SIGNS
+from hophoop.vocabulary.fates import FATES
 from hophoop.vocabulary.parameters import TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
@@ -121,6 +122,7 @@ def english() -> dict[str, str | dict[str, str]]:
         **{f"event.{kind}": event.label for kind, event in EVENTS.items()},
         **{f"status.{status}": facts.sentence for status, facts in STATUSES.items() if facts.sentence},
         **{f"class.{word}": plain(word) for what in MAP_QUANTITIES for word in classes.CODES.get(what, ())},
+        **{f"fate.{fate.replace(' ', '_')}": facts.sentence for fate, facts in FATES.items()},
         **{f"reason.{reason.name.lower()}": text for reason, text in REASONS.items()},
         "reason.edge": EDGE,
         "reason.sided": SIDED,

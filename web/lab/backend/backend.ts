@@ -4,6 +4,7 @@ import * as model from "../../model/index.ts";
 
 const REGION_COLUMNS = 360;
 const REGION_ROWS = 240;
+const PASSAGES = 2000; // of the bottom, after which a fate is not decided
 
 /** Files that need no Python. */
 const OWN_FILES: Record<string, string> = {
@@ -129,6 +130,13 @@ export class Backend {
     const { rates, smaller, larger } = found;
     const sides = await this.kernel.changes(given, rates, signal);
     return { count: sides.count, smaller: smaller ? sides.smaller : null, larger: larger ? sides.larger : null };
+  }
+
+  /** What becomes of the motion in the end. */
+  async fate(scenario: any, signal?: AbortSignal): Promise<Fate> {
+    const given = model.given(model.asked({ scenario }, this.mechanics));
+    if (given.contact || !given.gravity || !this.kernel.fate) throw new model.InputError({ key: "ending.needs" });
+    return this.kernel.fate(given, PASSAGES, signal);
   }
 
   /** A map over two parameters. */

@@ -6,6 +6,7 @@ import { Computing } from "./computing.ts";
 import { Clock } from "../player/clock.ts";
 import { Controls } from "../controls/controls.ts";
 import { once, say } from "../common/dom.ts";
+import { Ending } from "../player/ending.ts";
 import { Extras } from "./extras.ts";
 import { Header } from "./header.ts";
 import { aboutDialog, helpDialog } from "./help.ts";
@@ -77,6 +78,7 @@ export class Lab {
   );
   timeline = new Timeline(this.clock);
   story = new Story(this.clock);
+  ending = new Ending(this);
   theory = new Theory();
   plots = new Plots(this.clock, this.setup.colors);
   phase = new PhasePlane(this.backend, this.clock, this.setup.colors);
@@ -323,6 +325,7 @@ export class Lab {
     this.drawTime();
     this.map.mark(this.film(), look);
     this.stage.describe(films);
+    this.ending.changed();
     this.extras.changed();
     this.later();
   }

@@ -44,6 +44,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
     transport.element,
   );
   const sticky = hosted ? keepInSight(player, () => lab.request()) : null;
+  lab.story.element.append(lab.ending.element);
   const middle = h(
     "div",
     { class: "middle" },

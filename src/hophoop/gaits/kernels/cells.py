@@ -23,6 +23,7 @@ from hophoop.gaits.kernels.layout import (
     FEW_EVENTS,
     FINAL_HOP_HEIGHT,
     FINAL_LOSS,
+    FINAL_OMEGA,
     HIGHEST,
     INTEGERS,
     LYAPUNOV,
@@ -111,6 +112,8 @@ def write_numbers(buffers, fate, period, passages, scales, numbers, k):
         for i in range(period):
             highest = max(highest, rows[(passages - 1 - i) % ROWS, HIGHEST])
         numbers[k, FINAL_HOP_HEIGHT] = highest * scales.length
+        if last[MODE] == ROLL:
+            numbers[k, FINAL_OMEGA] = last[OMEGA] * scales.rate
     swings = fate == ROCKS and memory[ROLLING_TURNS] >= 2.0
     if swings or fate in (ROLLS_AHEAD, ROLLS_BACK):
         numbers[k, FINAL_LOSS] = memory[LOST] * scales.energy

@@ -25,8 +25,8 @@ SECTIONS = ("bottom", "landing")
 
 # Results of a cell of `judge_cells`: integers, and numbers in SI units, nan where there is none.
 CODES = ("fate", "period", "hops", "passages", "status")
-NUMBERS = ("revolutions", "mean_speed", "final_hop_height", "lyapunov", "final_loss")
-REVOLUTIONS, MEAN_SPEED, FINAL_HOP_HEIGHT, LYAPUNOV, FINAL_LOSS = range(len(NUMBERS))
+NUMBERS = ("revolutions", "mean_speed", "final_hop_height", "lyapunov", "final_loss", "final_omega")
+REVOLUTIONS, MEAN_SPEED, FINAL_HOP_HEIGHT, LYAPUNOV, FINAL_LOSS, FINAL_OMEGA = range(len(NUMBERS))
 
 
 class Request(NamedTuple):

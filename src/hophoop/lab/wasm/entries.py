@@ -7,7 +7,7 @@ from typing import Any
 from numba import from_dtype, types
 
 from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.lab.wasm import answers, compliant, derivatives, motions
+from hophoop.lab.wasm import answers, compliant, derivatives, fates, motions
 
 FLOATS, WORDS, KEYS = (types.CPointer(kind) for kind in (types.float64, types.int32, types.uint64))
 BYTES, SIGNS = types.CPointer(types.uint8), types.CPointer(types.int8)
@@ -39,11 +39,12 @@ ENTRIES: Entries = {
 }
 """Name → (kernel, Numba types of its arguments)."""
 
-# In a separate module, which a page loads when derivatives are needed.
+# In a separate module, which a page loads when derivatives or fates are needed.
 DERIVATIVE_ENTRIES: Entries = {
     "motion": MOTION,
     "changes": (
         derivatives.changes,
         (FLOATS, FLOATS, COUNT, NUMBER, EVENTS, COUNT, SEGMENTS, COUNT, NUMBER, FLOATS, FLOATS),
     ),
+    "fate": (fates.fate, (FLOATS, COUNT, FLOATS)),
 }

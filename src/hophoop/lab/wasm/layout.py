@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from hophoop.derivatives.layout import Reason
+from hophoop.gaits.kernels import layout as fates
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.physics.body import EVENT_NAMES, PASSING, ImpactLaw, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
@@ -13,6 +14,7 @@ from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, LETTERS_PER_INTEGER, MORE, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
+from hophoop.vocabulary.fates import FATE_CODES
 from hophoop.vocabulary.modes import MODE_LETTERS
 
 # Data of a motion besides its events: SI units, and counts.
@@ -45,6 +47,9 @@ CHANGE_COLUMNS = (
     "t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "rolling_resistance", "vx",
 )  # fmt: skip
 
+# What becomes of a motion in the end; from the separate module.
+FATE_COLUMNS = (*fates.CODES, *fates.NUMBERS)
+
 # Thresholds of theory; nan if one does not exist. Angles are from the outward normal, in rad.
 THRESHOLDS = (
     "first_slip_speed", "first_hop_speed", "immediate_hop_speed", "needed_friction", "needed_friction_angle",
@@ -72,6 +77,8 @@ def layout() -> dict[str, Any]:
         "samples": SAMPLE_COLUMNS,
         "margins": MARGINS,
         "changes": CHANGE_COLUMNS,
+        "fate": FATE_COLUMNS,
+        "fates": [name.replace(" ", "_") for name in FATE_CODES],
         "reasons": [reason.name.lower() for reason in Reason],
         "compliant": CONTACT,
         "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],

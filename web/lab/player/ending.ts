@@ -1,0 +1,71 @@
+// What becomes of the shown motion in the end: a sentence on request, and the gait that it settles on.
+
+import { h, say } from "../common/dom.ts";
+import { show } from "../common/numbers.ts";
+import { saidOf } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
+
+/** What is asked, and what shows the answer. */
+type Asked = Pick<Lab, "backend" | "film" | "motions" | "clock" | "story">;
+
+export class Ending {
+  asked: AbortController | null = null;
+  known: Fate | null = null;
+  of: any = null; // the scenario of the answer
+  answer = h("span", {});
+  ask = h("button", { onclick: () => this.fetch() }, "ending.ask");
+  gait = h("button", { hidden: true, onclick: () => this.take() }, "ending.show");
+  element = h("p", { class: "ending" }, this.ask, " ", this.answer, " ", this.gait);
+
+  constructor(readonly lab: Asked) {}
+
+  /** Another motion has another end. */
+  changed() {
+    if (this.lab.film().scenario === this.of) return;
+    this.asked?.abort();
+    this.of = this.known = null;
+    this.gait.hidden = true;
+    say(this.answer, "");
+  }
+
+  async fetch() {
+    this.asked?.abort();
+    this.asked = new AbortController();
+    const { scenario } = this.lab.film();
+    this.of = scenario;
+    say(this.answer, "ending.computing");
+    let said: Said;
+    try {
+      this.known = await this.lab.backend.fate(scenario, this.asked.signal);
+      said = textOf(this.known);
+    } catch (error) {
+      if ((error as Error).name === "AbortError") return;
+      said = saidOf(error);
+    }
+    say(this.answer, said);
+    this.gait.hidden = !Number.isFinite(this.known?.final_omega);
+    this.lab.story.say(said);
+  }
+
+  /** Start on the gait, with the load at the bottom. */
+  take() {
+    const { hoop } = this.lab.film().scenario;
+    const speed = (this.known as Fate).final_omega * hoop.radius;
+    this.lab.clock.time = 0;
+    this.lab.motions.change(
+      [
+        ["start.angle", Math.PI],
+        ["start.speed", speed],
+      ],
+      true,
+    );
+  }
+}
+
+function textOf({ fate, period, hops, passages, mean_speed }: Fate): Said {
+  const sentence = `fate.${fate}`;
+  if (fate === "gait")
+    return [sentence, " ", { key: "ending.gait_in", values: { period, hops, speed: show(mean_speed, 4) } }];
+  if (fate === "undecided") return [sentence, " ", { key: "ending.after", values: { count: passages } }];
+  return sentence;
+}
