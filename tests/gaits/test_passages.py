@@ -40,6 +40,27 @@ def test_known_gaits(degrees, gamma, omega, multiplier, word):
     assert hh.gaits.derivative(scenario, 3).matrix[0, 0] == pytest.approx(derivative.matrix[0, 0] ** 3, rel=1e-9)
 
 
+@pytest.mark.parametrize("degrees", [0.0, 10.0, -10.0, 0.5])
+@pytest.mark.parametrize("omega", [1.9, -1.9, 0.3])
+def test_rolling_to_and_fro_passes_the_bottom_as_fast(degrees, omega):
+    """Rolling loses nothing, whichever revolution θ is counted from."""
+    found = hh.passages(on_slope(degrees, 0.889, omega), 12)
+    assert found.word == ("R",) * 12
+    assert found.omega == pytest.approx([omega * (-1) ** (k + 1) for k in range(12)], abs=1e-12)
+    assert found.angle == pytest.approx([math.pi] * 12, abs=1e-12)
+
+
+@pytest.mark.parametrize("omega", [3.3, -3.3])
+def test_a_motion_that_turns_back_goes_on_as_without_passages(omega):
+    """Slip, then rolling to and fro through the bottom."""
+    scenario = on_slope(10.0, 0.75, omega)
+    found = hh.passages(scenario, 30)
+    motion = hh.simulate(scenario.replace("duration", float(found.t[-1]) + 1.0))
+    assert (found.omega > 0.0).any()
+    assert (found.omega < 0.0).any()
+    assert motion.at(found.t[:-1]).omega == pytest.approx(found.omega[:-1], abs=1e-9)
+
+
 def test_derivative_against_digits():
     """Differences of motions in 30 digits, over a revolution with slip and a hop that is no gait."""
     scenario = on_slope(3.0, 0.5, 2.7)

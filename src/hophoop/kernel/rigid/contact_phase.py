@@ -80,19 +80,24 @@ FINEST_PREDICTED = 24  # finest level for which the next one is predicted: beyon
 
 
 @apart
-def normalize_turns(body, state):
-    """Move one revolution from θ into `turns`."""
-    way = 1.0 if state.th > 0.0 else -1.0
-    th, low = add((state.th, state.th_low), (-way * TWO_PI, -way * TWO_PI_LOW))
-    after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + way, th, low)
+def with_turns(body, state, more):
+    """Count `more` revolutions in `turns` instead of in θ."""
+    th, low = add((state.th, state.th_low), (-more * TWO_PI, -more * TWO_PI_LOW))
+    after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + more, th, low)
     anchor = state.anchor
     if anchor.kind == SLIPPING and body.mu_k == 0.0:
         return after  # without friction the anchor is the same in every revolution
     if anchor.kind == ROLLING and anchor.bend > 0.0:  # of the next revolution, which is lower on a slope
-        excess = anchor.excess + 2.0 * way * TWO_PI * body.gt
+        excess = anchor.excess + 2.0 * more * TWO_PI * body.gt
         return with_anchor(after, Anchor(ROLLING, excess, anchor.base, anchor.base_low, anchor.bend))
-    base, base_low = add((anchor.base, anchor.base_low), (-way * TWO_PI, -way * TWO_PI_LOW))
+    base, base_low = add((anchor.base, anchor.base_low), (-more * TWO_PI, -more * TWO_PI_LOW))
     return with_anchor(after, Anchor(anchor.kind, anchor.excess, base, base_low, anchor.bend))
+
+
+@inline
+def normalize_turns(body, state):
+    """Move one revolution from θ into `turns`."""
+    return with_turns(body, state, 1.0 if state.th > 0.0 else -1.0)
 
 
 @apart
@@ -257,14 +262,17 @@ def fit_to_time(body, panel, totals, state, limits, scratch):
 
 
 @inline
-def snap_to_event(what, state, limits, way):
+def snap_to_event(body, what, state, limits, way):
     """Return the state with the quantity that defines its event exact: v_t = 0, the final time or the final angle."""
     if what == Ending.SLIP_END:
         return with_velocities(state, 0.0, state.vn, state.om)
     if what == Ending.TIME_LIMIT:
         return at_time(state, limits.t_end)
     if what == Ending.ANGLE_LIMIT:
-        return at_span(limits, state, way)
+        after = at_span(limits, state, way)
+        if after.turns != state.turns:  # a motion that goes on from there needs its anchor
+            after = with_anchor(after, with_turns(body, state, after.turns - state.turns).anchor)
+        return after
     return state
 
 
@@ -298,7 +306,7 @@ def advance_contact(body, phase, blind, limits, log, scratch):
         xi, what = earliest_event(body, panel, totals, state, begins, blind, phase.zeros, limits, scratch)
         if -1.0 < xi < 1.0:
             fill_inside(panel, scratch.work)
-        after = snap_to_event(what, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.way)
+        after = snap_to_event(body, what, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.way)
         if xi > -1.0:
             write_segment(log, phase.mode, panel, xi, 0.0, state, after.t)
             if after.anchor.kind == SLIPPING:
