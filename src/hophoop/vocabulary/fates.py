@@ -47,7 +47,7 @@ FATES: Final[dict[str, FateFacts]] = {
     Fate.ROCKS: FateFacts("It rocks to and fro and never gets over the top again.", True, palette.GREEN),
     Fate.RESTS: FateFacts("It comes to rest.", False, palette.GRAY),
     Fate.SLIDES_AWAY: FateFacts("It slides away: friction does not hold it.", True, palette.YELLOW),
-    Fate.GAIT: FateFacts("It repeats itself after some passages of the section.", True, palette.VERMILION),
+    Fate.GAIT: FateFacts("It settles on a gait: each period is like the last one.", True, palette.VERMILION),
     Fate.CHAOTIC: FateFacts("It goes on and never repeats itself: near motions separate exponentially.", True, palette.BLACK),
     Fate.RUNS_AWAY: FateFacts("It gets faster without bound.", True, palette.PURPLE),
     Fate.JAM: FateFacts("It jams: rigid-body mechanics has no motion beyond.", False, "#332288"),
