@@ -40,8 +40,8 @@ class TextStyle(NamedTuple):
 class Canvas:
     """A picture of fixed size. Points are in pixels from the lower left corner, widths in units.
 
-    One unit is a pixel of a picture of 1280 × 720. In smaller pictures it shrinks less than the picture, so that text stays
-    legible.
+    One unit is a pixel of a picture of 1280 × 720. In larger pictures it grows with them; in smaller pictures it shrinks less
+    than the picture, so that text stays legible.
     """
 
     def __init__(self, size: tuple[int, int], background: str) -> None:
@@ -53,7 +53,8 @@ class Canvas:
         self._font = need("matplotlib.font_manager", "plots").FontProperties
         self._bbox = need("matplotlib.transforms", "plots").Bbox
         self.size = size
-        self.unit = min(size[0] / 1280.0, size[1] / 720.0) ** 0.7
+        share = min(size[0] / 1280.0, size[1] / 720.0)
+        self.unit: float = max(share, share**0.7)
         # 72 points per inch: at this resolution a point is a unit, also in Matplotlib's widths
         self.figure = figure_module.Figure(
             figsize=(size[0] / (72.0 * self.unit), size[1] / (72.0 * self.unit)),

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from hophoop.animate.canvas import Canvas, Points, TextStyle
+from hophoop.animate.layout import FONT
 from hophoop.animate.themes import Theme
-from hophoop.plots.marks import clusters
+from hophoop.plots.marks import center_of_label, clusters
 from hophoop.results.poses import Floats, to_world
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.events import EVENTS, MARKS
@@ -18,7 +19,7 @@ KINDS = tuple(kind for kind, facts in EVENTS.items() if facts.filmed)
 FLASH = 0.5  # duration of the ring [s of film]
 SPREAD = 0.45  # its final radius, in radii of the hoop
 MOST = 400  # maximum number of marks, the last ones
-SIZE, FONT, LETTER = 5.0, 12.0, 7.4  # of marks and labels, and width of a letter [units]
+SIZE, LETTER = 5.0, 0.617 * FONT  # of marks, and width of a letter [units]
 
 ShownMark = tuple[str, Points]  # kind of an event, and its position in the picture [pixels]
 ToPixels = Callable[[Floats], Points | None]
@@ -103,7 +104,9 @@ def draw_event_marks(
     return [(one.kind, spot) for one, spot in seen]
 
 
-def label_event_marks(canvas: Canvas, theme: Theme, seen: Sequence[ShownMark], below: float) -> None:
+def label_event_marks(
+    canvas: Canvas, theme: Theme, seen: Sequence[ShownMark], below: float, across: tuple[float, float]
+) -> None:
     """Label the marks below the plane, those of all hoops in a view together, so that labels do not overlap.
 
     Parameters
@@ -114,15 +117,24 @@ def label_event_marks(canvas: Canvas, theme: Theme, seen: Sequence[ShownMark], b
         From `draw_event_marks` [pixels].
     below : float
         Distance of labels below the plane [pixels].
+    across : tuple of float
+        Left and width of the view, which labels do not leave [pixels].
     """
+    left, width = across
+    seen = [(kind, spot) for kind, spot in seen if left <= spot[0] <= left + width]
     if not seen:
         return
     u = canvas.unit
     ordered = sorted(seen, key=lambda pair: float(pair[1][0]))
-    across, up = (np.array([spot[k] for _, spot in ordered]) for k in (0, 1))
-    for group in clusters(list(across / u), [kind for kind, _ in ordered], np.inf, LETTER):
-        level = float(np.interp(group.middle * u, across, up))
-        canvas.text(group.middle * u, level - below, group.words, TextStyle(theme.ink, FONT, "center", vertical="center"))
+    places, up = np.array([spot[0] - left for _, spot in ordered]), np.array([spot[1] for _, spot in ordered])
+    for group in clusters(list(places / u), [kind for kind, _ in ordered], width / u, LETTER):
+        level = float(np.interp(group.middle * u, places, up))
+        canvas.text(
+            left + center_of_label(group, width / u) * u,
+            level - below,
+            group.words,
+            TextStyle(theme.ink, FONT, "center", vertical="center"),
+        )
 
 
 def _mark(canvas: Canvas, theme: Theme, kind: str, spot: Points, size: float) -> None:

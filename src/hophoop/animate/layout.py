@@ -9,12 +9,16 @@ from hophoop.animate.canvas import Canvas, Rectangle
 from hophoop.vocabulary.modes import PARTICIPLES
 
 MARGIN, GAP = 22.0, 26.0  # at the sides, and between texts and keys [units]
-BAR = (270.0, 54.0)  # of the key to colours [units]
-FORCES = (236.0, 54.0)  # of the key to arrows [units]
-FOOT = 30.0  # of a line at the bottom [units]
+BAR_WORDS, NORMAL, FRICTION = "speed of the ring's points, m/s", "normal force", "friction"  # of the keys
+KEYS, ARROW = 66.0, 124.0  # height of the keys to colours and arrows, and width of the longest arrow [units]
+FOOT = 34.0  # of a line at the bottom [units]
 MOST_HEAD = 0.42  # maximum height of the head over that of the picture
-COLUMNS = (140.0, 268.0, 396.0)  # offsets of time, angle and one more text from the mode [units]
-STATE_FONT, LABEL_FONT, KEY_FONT, PACE_FONT = 15.0, 16.0, 13.0, 14.0
+COLUMNS = (164.0, 296.0, 440.0)  # offsets of time, angle and one more text from the mode [units]
+FONT, MODE_FONT = 20.0, 22.0  # of all texts, and of the mode: 20 pixels at 1280 × 720
+MODE, TAGGED_MODE = 24.0, 34.0  # offsets of the mode from its mark, and from a letter [units]
+KEY_LINE = 33.0  # of a line and the gap to its text [units]
+ONE_HEAD, ROW_HEAD, ROW = 66.0, 42.0, 32.0  # heights of the texts of one motion, of a row for each, and of further rows [units]
+LABEL_BASE = 28.0  # of the parameters of one motion under the upper edge [units]
 
 
 @dataclass(frozen=True)
@@ -46,9 +50,9 @@ class Layout:
 def state_width(canvas: Canvas, extra: str) -> float:
     """Width of a line on a state: mode, time, angle and one more text [pixels]."""
     u = canvas.unit
-    words = max(canvas.text_width(word, 18.0, "bold") for word in PARTICIPLES.values()) + 22.0 * u
+    words = max(canvas.text_width(word, MODE_FONT, "bold") for word in PARTICIPLES.values()) + TAGGED_MODE * u
     column = COLUMNS[2 if extra else 1] * u
-    return float(max(words, column + canvas.text_width(extra or "θ = −1000.0°", STATE_FONT)))
+    return float(max(words, column + canvas.text_width(extra or "θ = −1000.0°", FONT)))
 
 
 def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool, keys: Sequence[str], pace: str) -> Layout:
@@ -76,7 +80,9 @@ def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool,
     wide, high = canvas.size
     left, right, top = MARGIN * u, wide - MARGIN * u, high - 8.0 * u
     broad = min(max(words, default=0.0), right - left)
-    blocks = [(BAR[0] * u, BAR[1] * u)] + ([(FORCES[0] * u, FORCES[1] * u)] if forces else [])
+    blocks = [(canvas.text_width(BAR_WORDS, FONT) + 18.0 * u, KEYS * u)]
+    if forces:
+        blocks.append((canvas.text_width(NORMAL, FONT) + (ARROW + 9.0) * u, KEYS * u))
     next_to = right - left - broad - GAP * u
     rows = _rows(blocks, next_to, right - left, height, MOST_HEAD * high - 8.0 * u)
     places: list[Rectangle | None] = [None, None]
@@ -123,8 +129,8 @@ def _foot(canvas: Canvas, keys: Sequence[str], pace: str) -> tuple[float, tuple[
     u = canvas.unit
     wide = canvas.size[0]
     left, right = 0.5 * MARGIN * u, wide - 0.5 * MARGIN * u
-    said = canvas.text_width(pace, PACE_FONT, "bold") if pace else 0.0
-    widths = [canvas.text_width(key, KEY_FONT) + 33.0 * u for key in keys]
+    said = canvas.text_width(pace, FONT, "bold") if pace else 0.0
+    widths = [canvas.text_width(key, FONT) + KEY_LINE * u for key in keys]
     total = sum(widths) + max(len(widths) - 1, 0) * 14.0 * u
     two = bool(pace) and total + said + 2.0 * MARGIN * u > wide
     level = FOOT * u if two else 0.0

@@ -11,13 +11,24 @@ import numpy as np
 from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle, TextStyle
 from hophoop.animate.event_marks import EventMark, ShownMark, draw_event_marks, event_marks, label_event_marks
 from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, end_word, extent, trace
-from hophoop.animate.layout import Layout, lay_out, state_width
+from hophoop.animate.layout import FONT, LABEL_BASE, ONE_HEAD, ROW, ROW_HEAD, Layout, lay_out, state_width
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.parts import LOAD, draw_parts
 from hophoop.animate.scaling import arrow, force_levels
 from hophoop.animate.themes import Theme, theme_of
-from hophoop.animate.views import BELOW, View, following_scale, following_view, grid, project, whole_path_scale, whole_path_view
+from hophoop.animate.views import (
+    BELOW,
+    View,
+    following_scale,
+    following_view,
+    grid,
+    labelled_scale,
+    labelled_view,
+    project,
+    whole_path_scale,
+    whole_path_view,
+)
 from hophoop.animate.words import (
     StateLine,
     draw_force_key,
@@ -42,10 +53,10 @@ TRACE_POINTS = 6000  # maximum, the last ones
 # Length of the arrow of the maximum force, in radii
 FORCE_LENGTH = 1.3
 RING = 0.05  # width in radii
-WORDS_BELOW = 0.42  # distance of labels below the plane, in radii of the hoop
+LABEL_STRIP = 54.0  # least height below the plane, for metres and events [units]
 FADE = 0.45  # opacity of all motions in one view except the first
 TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of motions in one view
-HEAD_LINE, VIEW_HEAD = 26.0, 58.0  # of further rows, and of the texts of a view [units]
+VIEW_HEAD = 68.0  # of the texts of a view [units]
 
 
 @dataclass
@@ -159,7 +170,9 @@ class Film2D:
             self._draw_hoop(actor, k)
             seen += self._draw_event_marks(actor, k)
             if not overlay or actor is self.actors[0]:
-                label_event_marks(canvas, self.theme, seen, WORDS_BELOW * actor.motion.scenario.hoop.radius * actor.view.scale)
+                _, below = self._label_depths(actor.motion.scenario.hoop.radius * actor.view.scale)
+                left, _, width, _ = actor.view.rectangle
+                label_event_marks(canvas, self.theme, seen, below, (left, width))
                 seen = []
             canvas.clip(None)
         for i, actor in enumerate(self.actors):
@@ -186,13 +199,13 @@ class Film2D:
         canvas, u = self.canvas, self.canvas.unit
         self._view_head = VIEW_HEAD * u if len(labels) > 1 and self.look.layout == "side" else 0.0
         if len(labels) == 1:
-            words = [canvas.text_width(labels[0], 16.0), state_width(canvas, "v = −10.00 m/s")]
-            high = 64.0 * u
+            words = [canvas.text_width(labels[0], FONT), state_width(canvas, "v = −10.00 m/s")]
+            high = ONE_HEAD * u
         elif self.look.layout == "side":
             words, high = [], 0.0
         else:
             words = [state_width(canvas, label) for label in labels]
-            high = (38.0 + HEAD_LINE * (len(labels) - 1)) * u
+            high = (ROW_HEAD + ROW * (len(labels) - 1)) * u
         keys = [word for _, word in self._keys]
         self.layout: Layout = lay_out(canvas, words, high, self.look.forces, keys, longest_pace(self.clock.rate))
         foot = self.layout.foot
@@ -240,17 +253,24 @@ class Film2D:
         return [self._view(*case, scale, self._places(case[-1], i)) for i, case in enumerate(cases)]
 
     def _scale(self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory) -> float:
-        if self.look.camera == "hold":
-            return whole_path_scale(rectangle, size, radius, motion.scenario.plane.slope)
-        return following_scale(rectangle, size, radius)
+        def scale_of(inner: Rectangle) -> float:
+            if self.look.camera == "hold":
+                return whole_path_scale(inner, size, radius, motion.scenario.plane.slope)
+            return following_scale(inner, size, radius)
+
+        return labelled_scale(scale_of, rectangle, radius, LABEL_STRIP * self.canvas.unit)
 
     def _view(
         self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory, scale: float, places: Floats
     ) -> View:
         slope = motion.scenario.plane.slope
-        if self.look.camera == "hold":
-            return whole_path_view(rectangle, size, radius, slope, scale)
-        return following_view(rectangle, size, radius, slope, scale, places, self.fps)
+
+        def view_of(inner: Rectangle) -> View:
+            if self.look.camera == "hold":
+                return whole_path_view(inner, size, radius, slope, scale)
+            return following_view(inner, size, radius, slope, scale, places, self.fps)
+
+        return labelled_view(view_of, rectangle, LABEL_STRIP * self.canvas.unit - BELOW * radius * scale)
 
     def _places(self, motion: Trajectory, i: int) -> Floats:
         return np.asarray(motion.at(self.clock.times[i]).x)
@@ -281,16 +301,25 @@ class Film2D:
         marks = np.arange(first, last + 1) * step
         tops = project(matrix, to_world(marks, np.zeros_like(marks), slope))
         ends = project(matrix, to_world(marks, np.full_like(marks, -0.09 * radius), slope))
-        below = project(matrix, to_world(marks, np.full_like(marks, -0.24 * radius), slope))
+        depth, events_depth = self._label_depths(radius * view.scale)
+        below = project(matrix, to_world(marks, np.full_like(marks, -depth / view.scale), slope))
         taken = np.array([one.along for one in actor.found if one.t <= actor.times[k]])
         for place, top, end, under in zip(marks, tops, ends, below, strict=True):
             if left - 40 < top[0] < left + width + 40:
                 canvas.line(np.array([top, end]), theme.muted, 1.2)
                 apart = float(np.min(np.abs(taken - place), initial=np.inf)) * view.scale
+                words = minus(f"{place:g} m")
+                half = 0.5 * canvas.text_width(words, FONT)
+                inside = left + half <= under[0] <= left + width - half
                 # not under the mark of an event
-                if BELOW * radius * view.scale > 24.0 * canvas.unit and apart > 26.0 * canvas.unit:
-                    style = TextStyle(theme.muted, 13.0, "center", vertical="center")
-                    canvas.text(under[0], under[1], minus(f"{place:g} m"), style)
+                if inside and events_depth > depth and apart > half + 9.0 * canvas.unit:
+                    canvas.text(under[0], under[1], words, TextStyle(theme.muted, FONT, "center", vertical="center"))
+
+    def _label_depths(self, radius: float) -> tuple[float, float]:
+        """Depths of the labels of metres and of events below the plane, for a radius in pixels [pixels]."""
+        u = self.canvas.unit
+        metres = max(0.24 * radius, 0.09 * radius + 13.0 * u)
+        return metres, max(0.42 * radius, metres + 21.0 * u)
 
     def _draw_hoop(self, actor: _Actor, k: int) -> None:
         poses, speeds, view, theme, canvas = actor.poses, actor.speeds, actor.view, self.theme, self.canvas
@@ -341,7 +370,7 @@ class Film2D:
         matrix = actor.view.matrix(k)
         size = actor.motion.scenario.hoop.radius * actor.view.scale
         now = float(actor.times[k]), float(self.clock.rate[k]), float(self.clock.still[k])
-        below = WORDS_BELOW * size
+        _, below = self._label_depths(size)
         return draw_event_marks(self.canvas, self.theme, actor.found, now, lambda place: project(matrix, place), size, below)
 
     def _blend(self, shades: Floats, alpha: float) -> Floats:
@@ -377,9 +406,9 @@ class Film2D:
         left, bottom, width, height = actor.view.rectangle
         several = len(self.actors) > 1
         if several and self.look.layout == "side":
-            place = left + 22.0 * u, bottom + height + 8.0 * u
+            place = left + 22.0 * u, bottom + height + 10.0 * u
         else:
-            place = 22.0 * u, self.look.size[1] - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
+            place = 22.0 * u, self.look.size[1] - ((ROW_HEAD - 10.0 if several else ONE_HEAD - 6.0) + ROW * row) * u
         i, overlay = k % BLOCK, several and self.look.layout == "overlay"
         line = StateLine(
             str(poses.words[i]),
@@ -396,10 +425,10 @@ class Film2D:
         """Draw the constant labels and keys."""
         canvas, theme, u = self.canvas, self.theme, self.canvas.unit
         if len(self.actors) == 1:
-            place = 22.0 * u, self.look.size[1] - 32.0 * u
+            place = 22.0 * u, self.look.size[1] - LABEL_BASE * u
             draw_label(canvas, theme, place, self.actors[0].label, self.layout.words[2])
         elif self.look.layout == "side":
             for actor in self.actors:
                 left, bottom, wide, high = actor.view.rectangle
-                draw_label(canvas, theme, (left + 22.0 * u, bottom + high + 36.0 * u), actor.label, wide - 30.0 * u)
+                draw_label(canvas, theme, (left + 22.0 * u, bottom + high + 42.0 * u), actor.label, wide - 30.0 * u)
         draw_keys(canvas, theme, self.layout, self.top_speed, self._keys)

@@ -8,7 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.animate.canvas import Bytes, Canvas, Rectangle
+from hophoop._support.extras import need
+from hophoop.animate.canvas import Bytes, Canvas, Rectangle, TextStyle
+from hophoop.animate.layout import FONT
 from hophoop.animate.themes import Theme
 from hophoop.plots.curves import curve
 from hophoop.results.poses import Floats, Poses
@@ -18,6 +20,11 @@ from hophoop.vocabulary import colors, labels
 
 # Opacity of the future part of a curve
 AHEAD = 0.28
+ROW, TIME_AXIS, GAP, RIGHT = 27.0, 56.0, 8.0, 32.0  # of titles, under an axis, between panels, on the right [units]
+KEY_LINE, KEY_GAP = 20.0, 16.0  # of a line's key, and between keys [units]
+
+
+_Words = tuple[float, str, str]  # left end [pixels], text, and colour of its line or nothing
 
 
 class Panels:
@@ -53,59 +60,89 @@ class Panels:
             return
         motion = motions[0]
         sample = curve(motion, start, end)
-        left, bottom, width, height = area
-        unit = canvas.unit
-        gap, margin = 14.0 * unit, 62.0 * unit
-        time_axis = 34.0 * unit
-        # only the lowest panel over time has the label
-        high = (height - time_axis * (1 + ("phase" in names)) - gap * (len(names) - 1)) / len(names)
-        y = bottom + height
-        for index, name in enumerate(names):
-            y -= high
-            last_over_time = name != "phase" and not any(other != "phase" for other in names[index + 1 :])
-            place = (
-                (left + margin) / canvas.size[0],
-                y / canvas.size[1],
-                (width - margin - 20.0 * unit) / canvas.size[0],
-                high / canvas.size[1],
-            )
-            axes = canvas.figure.add_axes(place)
-            self._style(axes)
+        for name in names:
+            axes = canvas.figure.add_axes((0.0, 0.0, 1.0, 1.0), label=name)
+            self._style(axes, most_ticks=4 if len(names) < 3 else 2)
             DRAWN[name](axes, motion, sample)
-            if name == "phase" or last_over_time:
-                y -= time_axis
-            elif name != "phase":
+            self._axes.append((name, axes))
+        titles = self._place(area)
+        self._paint()
+        for x, y, title in titles:
+            self._write(x, y, title)
+
+    def _place(self, area: Rectangle) -> list[tuple[float, float, list[_Words]]]:
+        """Place the axes under their titles; return the rows of the titles with their left ends and baselines [pixels]."""
+        canvas, unit = self._canvas, self._canvas.unit
+        left, bottom, width, height = area
+        names = [name for name, _ in self._axes]
+        margin = max(_margin(canvas, axes) for _, axes in self._axes)
+        inner = width - margin - RIGHT * unit
+        rows = [self._title(axes, inner) for _, axes in self._axes]
+        # only the lowest panel over time has the label
+        named = [name == "phase" or set(names[k + 1 :]) <= {"phase"} for k, name in enumerate(names)]
+        taken = TIME_AXIS * sum(named) + GAP * (len(names) - 1) + ROW * sum(map(len, rows))
+        high = max((height - taken * unit) / len(names), 4.0 * unit)
+        y, titles = bottom + height, []
+        for (_, axes), title, labelled in zip(self._axes, rows, named, strict=True):
+            for row in title:
+                y -= ROW * unit
+                titles.append((left + margin, y + 8.0 * unit, row))
+            y -= high
+            size = canvas.size
+            axes.set_position(((left + margin) / size[0], y / size[1], inner / size[0], high / size[1]))
+            if not labelled:
                 axes.tick_params(labelbottom=False)
                 axes.set_xlabel("")
-            self._axes.append((name, axes))
-            y -= gap
-        self._paint()
+            y -= (TIME_AXIS * labelled + GAP) * unit
+        return titles
 
-    def _style(self, axes: Any) -> None:
-        theme = self._theme
+    def _title(self, axes: Any, width: float) -> list[list[_Words]]:
+        """Return the rows of a panel's title: its quantity, and the keys of several lines."""
+        canvas, theme, unit = self._canvas, self._theme, self._canvas.unit
+        words = [(axes.get_ylabel(), "")]
+        axes.set_ylabel("")
+        lines = axes.get_lines()
+        if len(lines) > 1:
+            words += [(str(line.get_label()), theme.visible(line.get_color())) for line in lines]
+        rows: list[list[_Words]] = [[]]
+        x = 0.0
+        for text, color in words:
+            broad = canvas.text_width(text, FONT) + (KEY_LINE + 6.0) * unit * bool(color)
+            if x and x + broad > width:
+                rows.append([])
+                x = 0.0
+            rows[-1].append((x, text, color))
+            x += broad + KEY_GAP * unit
+        return rows
+
+    def _write(self, x: float, y: float, row: list[_Words]) -> None:
+        canvas, unit = self._canvas, self._canvas.unit
+        for start, text, color in row:
+            here = x + start
+            if color:
+                level = y + 7.0 * unit
+                canvas.line(np.array([[here, level], [here + KEY_LINE * unit, level]]), color, 3.0)
+                here += (KEY_LINE + 6.0) * unit
+            canvas.text(here, y, text, TextStyle(self._theme.ink, FONT))
+
+    def _style(self, axes: Any, most_ticks: int) -> None:
+        theme, ticker = self._theme, need("matplotlib.ticker", "plots")
+        for axis, most in ((axes.xaxis, 5), (axes.yaxis, most_ticks)):
+            axis.set_major_locator(ticker.MaxNLocator(most))
+            axis.set_major_formatter(ticker.FuncFormatter(_number))
         axes.set_facecolor(theme.background)
-        axes.tick_params(colors=theme.ink, labelsize=11)
+        axes.tick_params(colors=theme.ink, labelsize=FONT)
         for spine in axes.spines.values():
             spine.set_color(theme.muted)
         axes.grid(True, color=theme.muted, alpha=0.22, linewidth=0.8)
         axes.xaxis.label.set_color(theme.ink)
-        axes.yaxis.label.set_color(theme.ink)
 
     def _paint(self) -> None:
         canvas, theme = self._canvas, self._theme
         for _, axes in self._axes:
-            axes.xaxis.label.set_size(12)
-            axes.yaxis.label.set_size(12)
-            legend = axes.get_legend()
+            axes.xaxis.label.set_size(FONT)
             for line in axes.get_lines():
                 line.set_color(theme.visible(line.get_color()))
-            if legend is not None:
-                legend.get_frame().set_facecolor(theme.background)
-                legend.get_frame().set_edgecolor("none")
-                for words in legend.get_texts():
-                    words.set_color(theme.ink)
-                for handle in legend.legend_handles:
-                    handle.set_color(theme.visible(handle.get_color()))
         canvas.render()
         self._full: Bytes = canvas.pixels.copy()
         for _, axes in self._axes:
@@ -162,23 +199,16 @@ def _value(line: Any, t: float) -> float:
     return float(np.interp(t, x, y)) if len(x) > 1 else math.nan
 
 
-def _legend(axes: Any) -> int:
-    """Draw a legend with as many columns as fit; return its number of rows."""
-    _, names = axes.get_legend_handles_labels()
-    room = axes.get_position().width * axes.figure.get_size_inches()[0] * 72.0
-    widest = 7.0 * max(map(len, names)) + 36.0  # letters, handle and space [points]
-    columns = max(1, min(len(names), int(room / widest)))
-    axes.legend(
-        fontsize=11,
-        loc="upper left",
-        frameon=True,
-        framealpha=0.75,
-        ncols=columns,
-        borderpad=0.2,
-        handlelength=1.4,
-        columnspacing=1.0,
-    )
-    return math.ceil(len(names) / columns)
+def _number(value: float, _place: int | None = None) -> str:
+    """Text of a tick."""
+    return f"{value:g}".replace("-", "−")
+
+
+def _margin(canvas: Canvas, axes: Any) -> float:
+    """Width of the texts on the left of axes [pixels]."""
+    low, high = sorted(axes.get_ylim())
+    shown = [_number(value) for value in axes.get_yticks() if low <= value <= high]
+    return float(max((canvas.text_width(words, FONT) for words in shown), default=0.0)) + 16.0 * canvas.unit
 
 
 def _velocity(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
@@ -219,7 +249,8 @@ def _utilization(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
     axes.set_ylabel(labels.UTILIZATION)
     _over_time(axes, sample.t)
-    axes.set_ylim(0.0, 1.35)  # the key is above the line at 1
+    axes.set_ylim(0.0, 1.15)
+    axes.set_yticks([0.0, 0.5, 1.0])
 
 
 def _phase(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
@@ -232,8 +263,6 @@ def _phase(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
 def _over_time(axes: Any, times: Floats) -> None:
     axes.set_xlim(times[0], times[-1] if times[-1] > times[0] else times[0] + 1.0)
     axes.set_xlabel(labels.TIME)
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.16 * _legend(axes) * (high - low))
 
 
 DRAWN = {

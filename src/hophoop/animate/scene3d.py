@@ -15,7 +15,7 @@ from hophoop._support.extras import need
 from hophoop.animate.canvas import Bytes, Canvas
 from hophoop.animate.event_marks import EventMark, draw_event_marks, event_marks, label_event_marks
 from hophoop.animate.frames import Extent, Timing, Trace, clock, end_word, extent, follow, trace
-from hophoop.animate.layout import Layout, lay_out, state_width
+from hophoop.animate.layout import FONT, LABEL_BASE, ONE_HEAD, ROW, ROW_HEAD, Layout, lay_out, state_width
 from hophoop.animate.look import Look3D, labels_of
 from hophoop.animate.plane3d import plane_meshes
 from hophoop.animate.scaling import arrow, force_levels
@@ -58,7 +58,6 @@ from hophoop.vocabulary import colors
 SMOOTH = 4  # samples per pixel
 CALM = 0.6  # smoothing of the camera [s of film]
 ANGLE = 30.0  # of the view, from its lower to its upper edge [°]
-HEAD_LINE = 26.0  # of further rows of words [units]
 TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of several motions
 
 
@@ -419,9 +418,9 @@ class Film3D:
     def _lay_out(self, labels: Sequence[str]) -> Layout:
         canvas, u = self.canvas, self.canvas.unit
         if len(labels) == 1:
-            words, high = [canvas.text_width(labels[0], 16.0), state_width(canvas, "v = −10.00 m/s")], 64.0 * u
+            words, high = [canvas.text_width(labels[0], FONT), state_width(canvas, "v = −10.00 m/s")], ONE_HEAD * u
         else:
-            words, high = [state_width(canvas, label) for label in labels], (38.0 + HEAD_LINE * (len(labels) - 1)) * u
+            words, high = [state_width(canvas, label) for label in labels], (ROW_HEAD + ROW * (len(labels) - 1)) * u
         keys = [word for _, word in self._keys]
         return lay_out(canvas, words, high, self.look.forces, keys, longest_pace(self.clock.rate))
 
@@ -432,7 +431,7 @@ class Film3D:
         room = self.layout.words[2]
         metre = self._metre(k)
         if not several:
-            draw_label(canvas, theme, (22.0 * u, height - 32.0 * u), self.actors[0].label, room)
+            draw_label(canvas, theme, (22.0 * u, height - LABEL_BASE * u), self.actors[0].label, room)
         for row, actor in enumerate(self.actors):
             poses = actor.poses
             line = StateLine(
@@ -443,7 +442,7 @@ class Film3D:
                 end=end_word(actor.motion, float(poses.t[k]), k in (0, self.count - 1)),
                 tag=actor.tag,
             )
-            place = 22.0 * u, height - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
+            place = 22.0 * u, height - ((ROW_HEAD - 10.0 if several else ONE_HEAD - 6.0) + ROW * row) * u
             draw_state(canvas, theme, place, line, room)
             if actor.tag:
                 draw_tag(canvas, theme, self._display(actor.poses.center[k], actor.lane), actor.tag)
@@ -453,7 +452,7 @@ class Film3D:
             now = float(actor.poses.t[k]), float(self.clock.rate[k]), float(self.clock.still[k])
             spot_of = partial(self._visible_point, lane=near)
             seen = draw_event_marks(canvas, theme, actor.found, now, spot_of, self._radius * metre, 34.0 * u)
-            label_event_marks(canvas, theme, seen, 34.0 * u)
+            label_event_marks(canvas, theme, seen, 34.0 * u, (0.0, float(self.look.size[0])))
             canvas.clip(None)
         if self.look.forces:
             draw_force_key(canvas, theme, self.layout, self.newton(k) * metre, float(self.force_levels[k]))

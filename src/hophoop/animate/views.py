@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from hophoop.results.poses import Floats, to_world
 # Margins of a view in radii: below the plane, above a hoop on it, ahead and behind.
 BELOW, ABOVE, SIDE = 0.55, 0.4, 1.35
 LEAST_WIDTH = 3.4
+MOST_STRIP = 0.3  # of the height of a view, for labels below the plane
 # Inertia of the following camera [s of film]
 CALM = 0.45
 
@@ -69,6 +71,25 @@ def whole_path_view(rectangle: Rectangle, extent: Extent, radius: float, slope: 
     # spare height goes above the plane
     spare = height - scale * (most[1] - least[1])
     return View(rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height - 0.2 * spare))
+
+
+def labelled_scale(scale_of: Callable[[Rectangle], float], rectangle: Rectangle, radius: float, strip: float) -> float:
+    """Return the largest scale with at least `strip` pixels below the plane [pixels/m]."""
+    scale = scale_of(rectangle)
+    for _ in range(3):  # a smaller scale needs more pixels below the plane
+        scale = scale_of(_raised(rectangle, strip - BELOW * radius * scale))
+    return scale
+
+
+def labelled_view(view_of: Callable[[Rectangle], View], rectangle: Rectangle, room: float) -> View:
+    """Return a view that leaves `room` pixels more below the plane than its margin."""
+    return replace(view_of(_raised(rectangle, room)), rectangle=rectangle)
+
+
+def _raised(rectangle: Rectangle, room: float) -> Rectangle:
+    left, bottom, width, height = rectangle
+    room = min(max(room, 0.0), MOST_STRIP * height)
+    return left, bottom + room, width, height - room
 
 
 def _corners(extent: Extent, radius: float, slope: float) -> tuple[Floats, Floats]:

@@ -9,7 +9,19 @@ import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.animate.canvas import Canvas, Rectangle, TextStyle
-from hophoop.animate.layout import COLUMNS, KEY_FONT, LABEL_FONT, PACE_FONT, STATE_FONT, Layout
+from hophoop.animate.layout import (
+    ARROW,
+    BAR_WORDS,
+    COLUMNS,
+    FONT,
+    FRICTION,
+    KEY_LINE,
+    MODE,
+    MODE_FONT,
+    NORMAL,
+    TAGGED_MODE,
+    Layout,
+)
 from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
 from hophoop.results.poses import Floats, Poses
@@ -63,32 +75,33 @@ def draw_state(canvas: Canvas, theme: Theme, place: tuple[float, float], line: S
     """Write a line on the state of a motion from a point on [pixels]; texts wider than `room` pixels are dropped."""
     u = canvas.unit
     x, y = place
-    spot = np.array([x + 7.0 * u, y + 6.0 * u])
+    spot = np.array([x + (11.0 if line.tag else 8.0) * u, y + 8.0 * u])
+    before = (TAGGED_MODE if line.tag else MODE) * u
     if line.tag:
         draw_tag(canvas, theme, spot, line.tag, colors.mode_color(line.mode))
     else:
-        canvas.disc(spot, 7.0 * u, colors.mode_color(line.mode), theme.ink, 0.8)
+        canvas.disc(spot, 8.0 * u, colors.mode_color(line.mode), theme.ink, 0.8)
     said = line.end or PARTICIPLES[line.mode]
-    if 22.0 * u + canvas.text_width(said, 18.0, "bold") <= room:
-        canvas.text(x + 22.0 * u, y, said, TextStyle(theme.ink, 18.0, weight="bold"))
+    if before + canvas.text_width(said, MODE_FONT, "bold") <= room:
+        canvas.text(x + before, y, said, TextStyle(theme.ink, MODE_FONT, weight="bold"))
     turned = f"θ = {math.degrees(line.angle):.1f}°"
     for offset, words in zip(COLUMNS, (f"t = {line.t:.3f} s", turned, line.extra), strict=True):
-        shown = shorten(canvas, words, STATE_FONT, room - offset * u)
+        shown = shorten(canvas, words, FONT, room - offset * u)
         if not shown:
             break
-        canvas.text(x + offset * u, y, minus(shown), TextStyle(theme.ink, STATE_FONT))
+        canvas.text(x + offset * u, y, minus(shown), TextStyle(theme.ink, FONT))
 
 
 def draw_label(canvas: Canvas, theme: Theme, place: tuple[float, float], label: str, room: float) -> None:
     """Write a motion's label, shortened to a width [pixels]."""
-    canvas.text(*place, shorten(canvas, label, LABEL_FONT, room), TextStyle(theme.muted, LABEL_FONT))
+    canvas.text(*place, shorten(canvas, label, FONT, room), TextStyle(theme.muted, FONT))
 
 
 def draw_tag(canvas: Canvas, theme: Theme, spot: Floats, tag: str, fill: str = "") -> None:
     """Draw a letter in a disc, to distinguish hoops in one view."""
-    canvas.disc(spot, 9.5 * canvas.unit, fill or theme.background, theme.ink, 1.2)
+    canvas.disc(spot, 13.5 * canvas.unit, fill or theme.background, theme.ink, 1.2)
     ink = theme.ink if not fill else ("#FFFFFF" if colors.lightness(fill) < 0.5 else colors.BLACK)
-    canvas.text(float(spot[0]), float(spot[1]), tag, TextStyle(ink, 12.0, "center", "bold", "center"))
+    canvas.text(float(spot[0]), float(spot[1]), tag, TextStyle(ink, FONT, "center", "bold", "center"))
 
 
 def speed_words(poses: Poses, i: int) -> str:
@@ -126,8 +139,8 @@ def draw_pace(canvas: Canvas, theme: Theme, layout: Layout, rate: float) -> None
     if layout.pace is not None:
         x, y, room, _ = layout.pace
         words = pace_words(rate)
-        if canvas.text_width(words, PACE_FONT, "bold") <= room + 1.0:
-            canvas.text(x, y + 10.0 * canvas.unit, words, TextStyle(theme.ink, PACE_FONT, weight="bold"))
+        if canvas.text_width(words, FONT, "bold") <= room + 1.0:
+            canvas.text(x, y + 10.0 * canvas.unit, words, TextStyle(theme.ink, FONT, weight="bold"))
 
 
 def line_keys(traces: bool, airborne: bool) -> tuple[tuple[str, str], ...]:
@@ -156,25 +169,25 @@ def draw_keys(canvas: Canvas, theme: Theme, layout: Layout, top_speed: float, ke
     for (color, word), (x, y, _, height) in zip(keys, layout.lines, strict=False):
         level = y + 0.5 * height
         canvas.line(np.array([[x, level], [x + 26.0 * u, level]]), theme.visible(color), 3.0)
-        canvas.text(x + 33.0 * u, level, word, TextStyle(theme.ink, KEY_FONT, vertical="center"))
+        canvas.text(x + KEY_LINE * u, level, word, TextStyle(theme.ink, FONT, vertical="center"))
 
 
 def _draw_color_bar(canvas: Canvas, theme: Theme, top_speed: float, place: Rectangle) -> None:
     u = canvas.unit
     x, y, width, _ = place
-    x, width, height = x + 4.0 * u, width - 12.0 * u, 12.0 * u  # numbers extend beyond its ends
-    y += 22.0 * u
+    x, width, height = x + 10.0 * u, width - 28.0 * u, 12.0 * u  # numbers extend beyond its ends
+    y += 28.0 * u
     columns = round(width)
     shades = shades_of(np.linspace(0.0, 1.0, columns), 1.0)
     a, b = round(x), canvas.size[1] - round(y + height)
     canvas.pixels[b : b + max(round(height), 1), a : a + columns] = np.round(255 * shades)[None].astype(np.uint8)
     frame = np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]])
     canvas.polygon(frame, None, theme.ink, 0.8)
-    canvas.text(x, y + height + 7.0 * u, "speed of the ring's points, m/s", TextStyle(theme.ink, KEY_FONT))
+    canvas.text(x, y + height + 7.0 * u, BAR_WORDS, TextStyle(theme.ink, FONT))
     for value in np.arange(0.0, top_speed * (1.0 + 1e-9), nice(top_speed / 3.0)):
         spot = x + width * value / top_speed
         canvas.line(np.array([[spot, y], [spot, y - 4.0 * u]]), theme.ink, 0.8)
-        canvas.text(spot, y - 8.0 * u, f"{value:g}", TextStyle(theme.ink, 12.0, "center", vertical="top"))
+        canvas.text(spot, y - 8.0 * u, f"{value:g}", TextStyle(theme.ink, FONT, "center", vertical="top"))
 
 
 def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, most: float) -> None:
@@ -194,15 +207,15 @@ def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, 
         return
     u = canvas.unit
     left, bottom, width, _ = layout.forces
-    x, y = left + width - 124.0 * u, bottom + 28.0 * u
+    x, y = left + width - ARROW * u, bottom + 34.0 * u
     amount = nice(min(120.0 * u / newton, most))
-    kinds = ((colors.NORMAL_FORCE, "normal force"), (colors.FRICTION_FORCE, "friction"))
+    kinds = ((colors.NORMAL_FORCE, NORMAL), (colors.FRICTION_FORCE, FRICTION))
     for row, (color, words) in enumerate(kinds):
-        level = y - 20.0 * u * row
-        canvas.text(x - 8.0 * u, level, words, TextStyle(theme.ink, KEY_FONT, "right", vertical="center"))
+        level = y - 24.0 * u * row
+        canvas.text(x - 8.0 * u, level, words, TextStyle(theme.ink, FONT, "right", vertical="center"))
         tail = np.array([x, level])
         canvas.arrow(tail, tail + np.array([amount * newton, 0.0]), theme.visible(color), theme.background, 7.0)
-    canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, newtons(amount), TextStyle(theme.ink, 12.0, "center"))
+    canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, newtons(amount), TextStyle(theme.ink, FONT, "center"))
 
 
 _TRACE_KEY = (
