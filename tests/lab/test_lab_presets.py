@@ -65,3 +65,38 @@ def test_the_hoop_at_2_8_never_has_a_last_slip():
     assert begun[-1] > 58.0
     first, last = (abs(motion.at(np.linspace(t, t + 0.2, 60)).slip).max() for t in (begun[0], begun[-3]))
     assert 0.0 < last < 0.5 * first
+
+
+@pytest.mark.parametrize(
+    ("key", "fate", "revolutions"),
+    [("hops-for-ever", "gait", 1), ("gear", "gait", 2), ("chaos", "chaotic", 0), ("standstill", "rocks", 0)],
+)
+def test_presets_end_as_they_say(key, fate, revolutions):
+    scenario = PRESETS[key].scenario
+    found = hh.passages(scenario, 1000)
+    assert found.fate == fate
+    if fate == "gait":
+        assert found.period == 1
+        assert found.hops[-1] == 1
+        assert np.diff(found.angle)[-1] == pytest.approx(2.0 * np.pi * revolutions, abs=1e-9)
+    assert len(hh.simulate(scenario).find("takeoff")) >= 1  # within what is shown
+
+
+def test_the_gear_is_seen_at_once_and_a_slower_start_has_another():
+    scenario = PRESETS["gear"].scenario
+    takeoffs = hh.simulate(scenario).find("takeoff")
+    turned = np.diff([event.angle for event in takeoffs])
+    assert turned == pytest.approx(4.0 * np.pi, abs=0.05)
+    slower = hh.passages(scenario.replace("start.speed", 10.0), 1000)
+    assert slower.fate == "gait"
+    assert slower.hops[-1] == 1
+    assert np.diff(slower.angle)[-1] == pytest.approx(2.0 * np.pi, abs=1e-9)
+
+
+def test_the_hop_before_the_standstill_takes_the_energy():
+    motion = hh.simulate(PRESETS["standstill"].scenario)
+    (takeoff,) = motion.find("takeoff")
+    turns = motion.find("turn")
+    assert len(turns) >= 3
+    assert turns[0].t > takeoff.t
+    assert motion.sequence.endswith("SHR")  # it rolls to and fro from the landing on

@@ -230,7 +230,7 @@ def test_colours_of_classes_are_stable_and_apart():
     apart = np.abs(rgb[:, None] - rgb[None]).sum(axis=2) + 1000 * np.eye(len(names))
     assert apart.min() > 12
     for quantity, table in CODES.items():
-        assert set(table) <= set(maps.QUANTITIES[quantity].words)
+        assert set(table) <= set({**maps.QUANTITIES, **maps.SETTLED}[quantity].words)
 
 
 def test_bad_pictures(dataset):

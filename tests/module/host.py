@@ -19,7 +19,7 @@ from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.lab.wasm.entries import Entries
-from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
 
 
@@ -167,6 +167,15 @@ class Calls:
         for place in (more, out, why):
             self.free(place)
         return found, reasons, failed
+
+    def fate(self, cell: np.ndarray, most: int) -> dict[str, float]:
+        """What becomes of a motion, after at most so many passages of the bottom; by the module of derivatives."""
+        self.view(self.cell, len(CELL))[:] = cell
+        out = self.room(8 * len(FATE_COLUMNS))
+        self.call("fate", self.cell, most, out)
+        found = dict(zip(FATE_COLUMNS, self.view(out, len(FATE_COLUMNS)).tolist(), strict=True))
+        self.free(out)
+        return found
 
     def thresholds(self, cell: np.ndarray, speed: float) -> dict[str, float]:
         """What theory says."""

@@ -1,4 +1,4 @@
-"""Presets: motions worth starting from, such as the article's five, Littlewood's hoop, and each paradox of rigid contact."""
+"""Presets: motions worth starting from: the article's, Littlewood's hoop, the paradoxes of rigid contact, ends of motions."""
 
 from __future__ import annotations
 
@@ -32,12 +32,23 @@ class Preset(NamedTuple):
     scenario: Scenario
 
 
-ARTICLE, LITTLEWOOD, PARADOX, MORE = "article", "littlewood", "paradoxes", "more"
-GROUPS = {ARTICLE: "The article", LITTLEWOOD: "Littlewood's hoop", PARADOX: "Paradoxes", MORE: "More"}
+ARTICLE, LITTLEWOOD, PARADOX, ENDING, MORE = "article", "littlewood", "paradoxes", "ending", "more"
+GROUPS = {
+    ARTICLE: "The article",
+    LITTLEWOOD: "Littlewood's hoop",
+    PARADOX: "Paradoxes",
+    ENDING: "In the end",
+    MORE: "More",
+}
 
 
 def _rolling(speed: float, mu: float = 1.0, duration: float = 6.0, **hoop: float) -> Scenario:
     return Scenario(hoop=Hoop(**hoop), plane=Plane(mu=mu), start=Start.rolling(speed), duration=duration)
+
+
+def _downhill(speed: float, degrees: float, gamma: float, duration: float) -> Scenario:
+    plane = Plane(slope=math.radians(degrees))
+    return Scenario(hoop=Hoop.ideal(gamma), plane=plane, start=Start.rolling(speed), duration=duration)
 
 
 @cache
@@ -114,6 +125,26 @@ def presets() -> tuple[Preset, ...]:
                 start=Start(angle=1.45, vx=2.16, omega=-6.44, height=0.3),
                 duration=1.5,
             ),
+        ),
+        Preset(
+            "hops-for-ever", ENDING, "It hops for ever: 3°, γ = 0.5",
+            "It soon hops once in every revolution, always at the same place: a gait.",
+            _downhill(4.0, 3.0, 0.5, 10.0),
+        ),
+        Preset(
+            "gear", ENDING, "Second gear: 3°, γ = 0.15",
+            "One hop in two revolutions, for ever. A slower start settles in first gear: one hop in each.",
+            _downhill(16.5, 3.0, 0.15, 6.0),
+        ),
+        Preset(
+            "chaos", ENDING, "Chaos: 4°",
+            "It goes on for ever and never repeats itself: sometimes it hops, sometimes it does not.",
+            _downhill(2.0, 4.0, 0.75, 20.0),
+        ),
+        Preset(
+            "standstill", ENDING, "Stopped by a hop: 10°",
+            "The landing takes so much energy that the load never gets over the top again: the hoop rocks on the slope.",
+            _downhill(1.5, 10.0, 0.75, 12.0),
         ),
         Preset(
             "downhill", MORE, "Downhill",
