@@ -4,6 +4,7 @@ import math
 import re
 import runpy
 import sys
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -121,7 +122,7 @@ def test_the_figure_of_phases_joins_at_its_events(tmp_path, monkeypatch):
     monkeypatch.setitem(PAGES["draw_phases"].__globals__, "save", lambda figure, path: figures.append(figure))
     PAGES["draw_phases"](tmp_path / "a.svg")
     phases = [line.get_xydata() for line in figures[0].axes[0].lines if len(line.get_xydata()) > 2]
-    steps = [abs(after[0, 1] - before[-1, 1]) for before, after in zip(phases, phases[1:], strict=False)]
+    steps = [abs(after[0, 1] - before[-1, 1]) for before, after in pairwise(phases)]
     assert len(phases) == 6
     assert max(steps[:4]) < 0.2
     assert steps[4] > 2.0
