@@ -55,8 +55,19 @@ def main(folder: Path) -> None:
     figures.landing_against_restitution(np.linspace(0.0, 1.0, 11), ax=axes[2])
     keep(figure, folder / "compliant-landing.svg")
 
-    left, _ = figures.energy_balance()
-    keep(left.figure, folder / "compliant-energy.svg")
+    draw_energy(folder)
+
+
+def draw_energy(folder: Path) -> None:
+    """Energies of both models, narrow enough for their text to be read."""
+    figure, axes = plt.subplots(1, 2, figsize=(8.5, 4.4), layout="constrained", sharey=True)
+    figures.energy_balance(*axes)
+    for ax in axes:
+        title = ax.get_title(loc="left")
+        ax.set_title(title, loc="left", pad=38, fontsize=12)  # above the names of events
+        for words in ax.get_legend().get_texts():
+            words.set_fontsize(9)
+    keep(figure, folder / "compliant-energy.svg")
 
 
 def keep(figure: plt.Figure, path: Path) -> None:

@@ -76,7 +76,7 @@ def skimming(folder: Path) -> None:
 
 def limit(folder: Path) -> None:
     """First slip, stick, second slip and hop of γ = 1 − 10⁻ᵏ beside the massless loss of contact."""
-    figure, axes = plt.subplots(1, 2, figsize=(10.4, 4.2), layout="constrained")
+    figure, axes = plt.subplots(1, 2, figsize=(10.1, 4.2), layout="constrained")
     cases = ((1.0, 1.0, "o", colors.SERIES[1]), (1.0, 5.0, "s", colors.SERIES[2]), (3.0, 1.0, "^", colors.BLACK))
     for speed, mu, mark, color in cases:
         massless = math.degrees(roll(1.0, mu, speed).find("skim")[0].angle)

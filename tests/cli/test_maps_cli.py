@@ -46,6 +46,21 @@ def test_a_scenario_as_the_base(tmp_path):
     assert dataset.attrs["span"] == "takeoff"
 
 
+def test_what_becomes_of_motions(tmp_path):
+    out, picture = tmp_path / "map.zarr", tmp_path / "map.svg"
+    quantities = ["--quantity", "fate", "--quantity", "mean_speed"]
+    done = call(*AXES, *quantities, "--span", "settled", "--out", out, "--plot", picture, "--quiet")
+    assert done.exit_code == 0, done.output
+    dataset = maps.open_map(out).load()
+    words = maps.words_of(dataset["fate"])
+    found = dataset["fate"].sel({"plane.mu": 1.0, "start.speed": [0.1, 3.1, 5.0]}).values
+    assert [words[k] for k in found] == ["rolls_ahead", "slips_ever_less", "rocks"]
+    assert "rolls ahead" in picture.read_text(encoding="utf-8")
+    refused = call(*AXES, "--quantity", "fate", "--out", tmp_path / "b.zarr", "--quiet")
+    assert refused.exit_code == 2
+    assert "must be settled or settled:landing with quantity fate" in " ".join(refused.output.split())
+
+
 def test_without_a_terminal_only_the_result_is_reported(tmp_path):
     done = call(*AXES, "--out", tmp_path / "map.zarr")
     assert done.output == f"36 motions in {tmp_path / 'map.zarr'}\n"

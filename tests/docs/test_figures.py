@@ -4,6 +4,7 @@ import math
 import re
 import runpy
 import sys
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -66,8 +67,7 @@ def test_a_drawing_has_colours_for_dark_pages(path):
 
 
 PAGE_WIDTH = 736  # pixels of text
-# Drawings of which a part is smaller; their programs take minutes.
-SMALL = {"compliant-energy", "massless-limit", "painleve-starts"}
+SMALL = {"painleve-starts"}  # a part of it is smaller; its program takes minutes
 
 
 def text_sizes(svg):
@@ -94,3 +94,35 @@ def test_colours_of_classes_are_the_same_on_dark_pages():
     named = re.findall(r'<g id="on-color-legend-(\w+)">', text)
     assert named[:3] == ["R", "H", "RKRSR"]
     assert len(named) == 16
+
+
+PAGES = runpy.run_path(str(ROOT / "examples" / "page_figures.py"))
+
+
+def test_the_figures_of_pages_are_drawn_and_shown():
+    shown = "".join(page.read_text(encoding="utf-8") for page in (ROOT / "docs").rglob("*.md"))
+    for name in PAGES["FIGURES"]:
+        assert (ROOT / "docs" / "figures" / name).exists()
+        assert f"figures/{name})" in shown
+
+
+def test_the_figure_of_friction_has_the_largest_one_at_its_dot(tmp_path, monkeypatch):
+    figures = []
+    monkeypatch.setitem(PAGES["draw_required_friction"].__globals__, "save", lambda figure, path: figures.append(figure))
+    PAGES["draw_required_friction"](tmp_path / "a.svg")
+    curves = {line.get_label(): line.get_ydata() for line in figures[0].axes[0].lines}
+    assert np.nanmax(curves["0.1 m/s"]) == pytest.approx(0.378154, abs=1e-5)
+    assert np.nanmax(curves["2 m/s"]) == pytest.approx(0.957454, abs=1e-5)
+    assert np.nanmax(curves["2.5 m/s"]) > 1.0
+
+
+def test_the_figure_of_phases_joins_at_its_events(tmp_path, monkeypatch):
+    """The ends of a phase are near those of its neighbours, except at the landing."""
+    figures = []
+    monkeypatch.setitem(PAGES["draw_phases"].__globals__, "save", lambda figure, path: figures.append(figure))
+    PAGES["draw_phases"](tmp_path / "a.svg")
+    phases = [line.get_xydata() for line in figures[0].axes[0].lines if len(line.get_xydata()) > 2]
+    steps = [abs(after[0, 1] - before[-1, 1]) for before, after in pairwise(phases)]
+    assert len(phases) == 6
+    assert max(steps[:4]) < 0.2
+    assert steps[4] > 2.0

@@ -85,6 +85,32 @@ def test_landings():
     assert found["mean_speed"] == pytest.approx([3.34154, 5.65743], rel=2e-6)
 
 
+def test_sections_do_not_contradict_each_other():
+    """On slopes many motions turn back in rolling; what then goes on at the bottom does at landings."""
+    slopes, loads = np.meshgrid(np.radians(np.linspace(0.2, 20.0, 14)), np.linspace(0.3, 0.95, 14))
+    axes = {"plane.slope": slopes.ravel(), "hoop.load_fraction": loads.ravel()}
+    base = SLOPE.replace("start", hh.Start.rolling(3.0))
+    names = ["fate", "mean_speed"]
+    bottom, landing = (hh.maps.points(base, axes, names, span=span) for span in ("settled", "settled:landing"))
+    lasts, rocks = ({"gait", "chaotic", "runs_away"}, {"rocks"})
+    pairs = set(zip(bottom["fate"], landing["fate"], strict=True))
+    assert not any((one in lasts and other in rocks) or (one in rocks and other in lasts) for one, other in pairs)
+    both = (bottom["fate"] == "gait") & (landing["fate"] == "gait")
+    assert both.sum() > 40
+    assert bottom["mean_speed"][both] == pytest.approx(landing["mean_speed"][both], rel=1e-6)
+    assert ("rocks", "rocks") in pairs
+
+
+def test_workers_compute_the_same(tmp_path):
+    pytest.importorskip("distributed")
+    axes = {"plane.mu": np.linspace(0.1, 1.5, 12), "start.speed": np.linspace(0.1, 4.0, 15)}
+    names = ["fate", "final_loss"]
+    alone = swept(LEVEL, axes, names)
+    spread = swept(LEVEL, axes, names, out=tmp_path / "map.zarr", workers=1, chunk_cells=60)
+    for name in names:
+        assert np.array_equal(alone[name], spread[name], equal_nan=True)
+
+
 def test_colours_of_all_fates():
     assert set(CODES["fate"]) == {str(fate).replace(" ", "_") for fate in Fate}
     assert len(set(CODES["fate"].values())) == len(Fate)

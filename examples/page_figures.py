@@ -1,0 +1,162 @@
+"""Figures of the pages on formulas, method, proofs, films to track, and filming a hoop, from computed motions.
+
+Usage: python examples/page_figures.py [FOLDER]   (default: docs/figures)
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import hophoop as hh
+from hophoop.plots import colors
+
+FILM = Path(__file__).parent / "film"
+SIZE = (7.6, 2.9)
+WIDE = {"frameon": False, "fontsize": 10}
+
+
+def save(figure: plt.Figure, path: Path) -> None:
+    """Without a date, so that the same numbers give the same file."""
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
+
+
+def draw_required_friction(path: Path) -> None:
+    """|F|/N over one revolution, for three speeds."""
+    figure, ax = plt.subplots(figsize=SIZE, layout="constrained")
+    angles = np.linspace(0.0, 2.0 * math.pi, 1441)
+    hoop = hh.Hoop.ideal(0.75)
+    for speed, color, dashes in ((0.1, colors.SERIES[1], "-"), (2.0, colors.SERIES[2], "--"), (2.5, colors.SERIES[4], "-.")):
+        forces = hh.theory.rolling_forces(angles, hoop, v0=speed)
+        needed = np.abs(forces.friction) / np.where(forces.normal > 0.0, forces.normal, np.nan)
+        ax.plot(np.degrees(angles), needed, dashes, color=color, label=f"{speed:g} m/s")
+        most = hh.theory.needed_friction(hoop, v0=speed)
+        if math.isfinite(most.mu):
+            ax.plot(math.degrees(most.angle), most.mu, "o", color=color)
+    ax.axhline(1.0, color=colors.GRAY, lw=1.0)
+    ax.set(xlim=(0.0, 360.0), ylim=(0.0, 1.6), xlabel="Rotation angle θ (°)", ylabel="Required friction |F|/N")
+    ax.set_xticks(range(0, 361, 60))
+    ax.legend(loc="upper center", **WIDE)
+    save(figure, path)
+
+
+def draw_phases(path: Path) -> None:
+    """Phases and events of the reference hop."""
+    figure, ax = plt.subplots(figsize=SIZE, layout="constrained")
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    marks = [event for event in motion.events if event.kind != "apex"]
+    modes = {"R": "roll", "K": "skid", "S": "spin", "H": "flight"}
+    named: set[str] = set()
+    for letter, first, last in zip(motion.sequence, marks, marks[1:], strict=False):
+        times = np.linspace(first.t, last.t, 400)[1:-1]
+        word = modes[letter]
+        label = word if word not in named else None
+        named.add(word)
+        ax.plot(times, motion.at(times).omega, color=colors.mode_color(word), lw=3, label=label)
+    low, high = ax.get_ylim()
+    high += 4.0  # for the names of events
+    for event in marks[1:-1]:
+        ax.axvline(event.t, color=colors.GRAY, lw=0.8)
+        words = {"slip_start": "slip starts", "stick": "sticks", "takeoff": "take-off", "impact": "landing"}[event.kind]
+        ax.annotate(words, (event.t, high), (3, -2), textcoords="offset points", fontsize=9, rotation=90, va="top")
+    ax.set(xlim=(0.0, 2.0), ylim=(low, high), xlabel="Time (s)", ylabel="Angular velocity θ̇ (rad/s)")
+    ax.legend(loc="center left", bbox_to_anchor=(0.0, 0.62), **WIDE)
+    save(figure, path)
+
+
+def draw_widths(path: Path) -> None:
+    """Widths of the proved enclosures of the events' times."""
+    figure, ax = plt.subplots(figsize=SIZE, layout="constrained")
+    for digits, mark, color in ((18, "o", colors.SERIES[1]), (30, "s", colors.SERIES[2])):
+        proof = hh.prove.prove(hh.Scenario(duration=2.0), digits=digits)
+        inner = [event for event in proof.events if event.kind not in ("start", "end")]
+        times = [float(event.t.middle) for event in inner]
+        ax.semilogy(times, [2.0 * float(event.t.radius) for event in inner], mark, color=color, label=f"digits = {digits}")
+    ulp = [math.ulp(time) for time in times]
+    ax.semilogy(times, ulp, "_", ms=14, color=colors.GRAY, label="spacing of doubles there")
+    ax.set(xlim=(0.0, 2.0), xlabel="Time of the event (s)", ylabel="Width of its enclosure (s)")
+    ax.legend(loc="center right", **WIDE)
+    save(figure, path)
+
+
+def draw_track(path: Path) -> None:
+    """What tracking finds in the sample film, and the fitted motion."""
+    figure, ax = plt.subplots(figsize=SIZE, layout="constrained")
+    track = hh.read_track(FILM / "track.json")
+    found = hh.fit(track)
+    seen = np.isfinite(track.angle) & (track.t <= found.motion.duration)
+    times, measured = track.t[seen], track.angle[seen]
+    fitted = np.asarray(found.motion.at(times).angle)
+    off = measured - fitted
+    off -= np.round(np.median(off) / (2.0 * math.pi)) * 2.0 * math.pi
+    ax.plot(times, np.degrees(fitted), color=colors.SERIES[2], lw=3, alpha=0.6, label="fitted motion")
+    ax.plot(times[::4], np.degrees(fitted + off)[::4], ".", color=colors.BLACK, ms=5, label="film, every fourth frame")
+    ax.set(xlabel="Time (s)", ylabel="Marker's angle (°)")
+    ax.legend(**WIDE)
+    save(figure, path)
+
+
+def draw_camera(path: Path) -> None:
+    """Hoop, tape and camera, seen from above and from the side; not to scale."""
+    figure, (top, side) = plt.subplots(1, 2, figsize=(7.6, 3.1), layout="constrained")
+    ink, thin = {"color": colors.BLACK}, {"arrowstyle": "<->", "lw": 0.8, "color": colors.GRAY}
+    for ax, title in ((top, "from above"), (side, "from the side, behind the camera")):
+        ax.set_title(title, fontsize=10, loc="left")
+        ax.set_aspect("equal")
+        ax.axis("off")
+    top.plot([0.0, 4.0], [0.0, 0.0], color=colors.GRAY, lw=5, solid_capstyle="butt")
+    top.plot([1.0, 1.6], [0.0, 0.0], lw=7, **ink)
+    top.annotate("", (2.6, 0.0), (1.7, 0.0), arrowprops={"arrowstyle": "->", "color": colors.BLACK})
+    top.fill([1.85, 2.15, 2.15, 1.85], [-3.2, -3.2, -2.9, -2.9], **ink)
+    top.plot([0.1, 2.0, 3.9], [0.0, -2.9, 0.0], ":", color=colors.GRAY)
+    top.plot([0.0, 4.0], [0.5, 0.5], lw=2, color=colors.SERIES[1])
+    top.annotate("", (4.25, 0.0), (4.25, -2.9), arrowprops=thin)
+    top.text(4.35, -1.5, "4 m\nor more,\nzoomed in", fontsize=10, va="center")
+    top.text(2.0, 0.65, "white card", fontsize=10, ha="center")
+    top.text(1.3, -0.15, "hoop", fontsize=10, ha="center", va="top")
+    top.text(2.25, -3.05, "camera on a tripod", fontsize=10, va="center")
+    top.set(xlim=(-0.1, 5.9), ylim=(-3.4, 1.0))
+    side.plot([0.0, 4.0], [0.0, 0.0], lw=2, **ink)
+    side.add_patch(plt.Circle((1.3, 0.8), 0.8, fill=False, lw=4, **ink))
+    angle = math.radians(40.0)
+    side.plot([1.3, 1.3 + 0.7 * math.sin(angle)], [0.8, 0.8 + 0.7 * math.cos(angle)], lw=0.8, color=colors.GRAY)
+    side.plot([1.3], [0.8], "o", ms=6, color=colors.SERIES[5])
+    side.plot(1.3 + 0.62 * math.sin(angle), 0.8 + 0.62 * math.cos(angle), "o", ms=8, color=colors.SERIES[5])
+    side.plot(1.3 + 0.8 * math.sin(angle), 0.8 + 0.8 * math.cos(angle), "s", ms=9, **ink)
+    side.annotate(
+        "dot on the line\nto the load", (1.78, 1.3), (2.3, 1.75), fontsize=10, arrowprops={"arrowstyle": "-", "lw": 0.6}
+    )
+    side.annotate("dot in\nthe centre", (1.3, 0.8), (2.3, 0.95), fontsize=10, arrowprops={"arrowstyle": "-", "lw": 0.6})
+    side.plot([0.3, 3.7], [-0.3, -0.3], color=colors.SERIES[2], lw=5)
+    side.text(2.0, -0.45, "metre rule", fontsize=10, ha="center", va="top")
+    side.set(xlim=(-0.1, 4.3), ylim=(-0.9, 2.4))
+    save(figure, path)
+
+
+FIGURES = {
+    "required-friction.svg": draw_required_friction,
+    "phases.svg": draw_phases,
+    "proof-widths.svg": draw_widths,
+    "track-fit.svg": draw_track,
+    "camera.svg": draw_camera,
+}
+
+
+def main() -> None:
+    """Draw all of them."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", nargs="?", type=Path, default=Path("docs/figures"))
+    folder = parser.parse_args().folder
+    folder.mkdir(parents=True, exist_ok=True)
+    plt.rcParams["svg.hashsalt"] = "hophoop"  # the same picture is the same file
+    for name, draw in FIGURES.items():
+        draw(folder / name)
+
+
+if __name__ == "__main__":
+    main()
