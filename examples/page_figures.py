@@ -89,9 +89,10 @@ def draw_track(path: Path) -> None:
     figure, ax = plt.subplots(figsize=SIZE, layout="constrained")
     track = hh.read_track(FILM / "track.json")
     found = hh.fit(track)
-    seen = np.isfinite(track.angle) & (track.t <= found.motion.duration)
+    since = track.t - track.t[0]  # the fitted motion starts with the first frame
+    seen = np.isfinite(track.angle) & (since <= found.motion.duration)
     times, measured = track.t[seen], track.angle[seen]
-    fitted = np.asarray(found.motion.at(times).angle)
+    fitted = np.asarray(found.motion.at(since[seen]).angle)
     off = measured - fitted
     off -= np.round(np.median(off) / (2.0 * math.pi)) * 2.0 * math.pi
     ax.plot(times, np.degrees(fitted), color=colors.SERIES[2], lw=3, alpha=0.6, label="fitted motion")

@@ -126,3 +126,12 @@ def test_the_figure_of_phases_joins_at_its_events(tmp_path, monkeypatch):
     assert len(phases) == 6
     assert max(steps[:4]) < 0.2
     assert steps[4] > 2.0
+
+
+def test_the_figure_of_the_track_has_the_film_on_the_fitted_motion(tmp_path, monkeypatch):
+    """Within 10 mrad, which the film's time of start, 2.4 ms, would exceed."""
+    figures = []
+    monkeypatch.setitem(PAGES["draw_track"].__globals__, "save", lambda figure, path: figures.append(figure))
+    PAGES["draw_track"](tmp_path / "a.svg")
+    fitted, film = (line.get_ydata() for line in figures[0].axes[0].lines)
+    assert np.abs(np.radians(film - fitted[::4])).max() < 0.01

@@ -93,6 +93,22 @@ def test_the_branch_is_the_same_from_another_of_its_gaits(branch):
     assert theirs == pytest.approx(ours, rel=1e-7)
 
 
+@pytest.mark.parametrize("near", [3.408, 3.4395, 3.4552])
+def test_a_wide_range_does_not_make_the_branch_jump_at_a_fold(near):
+    """Long steps near a fold met the part of the branch beyond it, and the branch was followed twice."""
+    found = first(1.0, near).follow("plane.slope", (0.0, 0.17))
+    folds = sorted(math.degrees(fold.parameter) for fold in of_kind(found, "fold"))
+    assert folds == pytest.approx([0.9138870976, 1.1672176964], **GOOD)
+    for special in of_kind(found, "border collision"):
+        assert sum(abs(special.omega - other.omega) < 1e-6 for other in found.special) == 1
+
+
+@pytest.mark.parametrize("path", ["plane.restitution", "plane.rolling_resistance"])
+def test_a_value_at_the_edge_of_what_is_allowed_is_a_limit(path):
+    found = first(1.0, 3.408).follow(path, (0.0, 0.01))
+    assert (found.special[0].kind, found.special[0].parameter) == ("limit of the range", pytest.approx(0.0, abs=1e-9))
+
+
 def test_doubled_gaits_are_followed(branch):
     doubled = of_kind(branch, "border collision")[-1].switch()
     assert doubled.period == 2

@@ -15,6 +15,7 @@ ROUNDS = 60  # of bisection
 BESIDE = 1e-9  # distance at which the pieces next to a boundary of the word are looked for
 CORNER, UNUSUAL = 0.05, 3.0  # change of the multiplier in a step, and relative to the step before, that may be a corner's
 UNKNOWN, BASELINE = 1e-5, 1e-4  # along the branch: around a corner, and of the line that is extended to it
+AT_LIMIT = 1e-8  # scaled parameter: within it a branch has reached the limit of its range
 NEAR_TOP = 1e-3  # √(g/R): least θ̇ of a period that ends at the top
 JOINED = 1e-7  # √(g/R): within it θ̇ after a part of the period is the same
 
@@ -22,6 +23,11 @@ JOINED = 1e-7  # √(g/R): within it θ̇ after a part of the period is the same
 class Point(NamedTuple):
     place: Pair
     values: Values
+
+
+def apart(one: Point, other: Point) -> float:
+    """Return the distance of two points."""
+    return float(np.linalg.norm(other.place - one.place))
 
 
 class Follower:
@@ -48,7 +54,7 @@ class Follower:
                     return
                 way, step = beyond, LONGEST_STEP / 8.0
                 continue
-            if not self.bounds[0] <= ahead.place[1] <= self.bounds[1]:
+            if not self.bounds[0] + AT_LIMIT <= ahead.place[1] <= self.bounds[1] - AT_LIMIT:
                 self.leave(here, ahead)
                 return
             if ahead.values.apart < JOINED < here.values.apart:
@@ -56,6 +62,9 @@ class Follower:
                 return
             if ahead.values.key != here.values.key:
                 last, next_one = self.border(here, way, step)
+                if step > UNKNOWN and (next_one is None or apart(last, next_one) > UNKNOWN):
+                    step *= 0.25  # the step met another part of the branch, for instance beyond a fold
+                    continue
                 beyond = self.pass_border(last, way, next_one)
                 if beyond is None:
                     self.end(last)
@@ -128,7 +137,7 @@ class Follower:
                 if values is None or values.key == last.values.key:
                     continue
                 found = self.equation.solve(place, values.tangent, float(values.tangent @ place))
-                if found is not None and found[1].key == values.key:
+                if found is not None and found[1].key == values.key and apart(last, Point(*found)) < BASELINE:
                     return Point(*found)
         return None
 
@@ -220,6 +229,10 @@ class Follower:
         if last is not self.points[-1]:
             self.points.append(last)
         gait = self.equation.gait(last.place)
+        outside = min(abs(float(last.place[1]) - bound) for bound in self.bounds) < AT_LIMIT
+        if outside:  # a value beyond may not be allowed at all, such as a restitution below 0
+            self.add(LIMIT, last, (last.values.multiplier,), "")
+            return
         slowest = next(margin.value for margin in gait.margins if margin.boundary == "turns back")
         self.add(TOP if slowest < NEAR_TOP else END, last, (last.values.multiplier,), "")
 
