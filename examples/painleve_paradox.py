@@ -122,7 +122,7 @@ def search(folder: Path, cells: int) -> None:
     for name, found in (("full", thrown), ("half", coarse)):
         print(f"| {name} | {np.mean(found['met'].values > 0):.2%} | {np.mean(found['jammed'].values > 0):.2%} |")
 
-    figure, axes = plt.subplots(1, 2, figsize=(11.0, 4.7), layout="constrained", sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(10.2, 4.7), layout="constrained", sharey=True)
     rolling = 100.0 * slopes[30.0]["met"].values
     panels = (
         (thrown["lowest_speed"].values, "level, thrown from the top", "Slowest start that meets it (m/s)", (3.0, 12.0)),
