@@ -105,6 +105,13 @@ def test_a_short_run_is_undecided():
     assert hh.passages(scenario(3.4, angle=math.pi, slope=FOUR), 50).fate == "undecided"
 
 
+def test_beside_an_unstable_gait_nothing_is_chaotic_yet():
+    """Its multiplier is −1.00003: the exponent is above 0 with hardly an error, and yet the motion settles near by."""
+    found = hh.passages(scenario(2.781, angle=math.pi, gamma=0.5, slope=math.radians(4.0009)), 3000)
+    assert found.lyapunov.value > 5.0 * found.lyapunov.error > 0.0
+    assert found.fate == "undecided"
+
+
 def test_every_fate_has_its_words():
     assert set(FATES) == set(FATE_CODES) == set(Fate)
     assert len({facts.sentence for facts in FATES.values()}) == len(FATES)

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support.extras import need
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.finding import FASTEST, slowest_over_top
-from hophoop.gaits.results import ENOUGH, SURE, Passages
+from hophoop.gaits.results import ENOUGH, Passages
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.vocabulary.fates import FATES, Fate
@@ -309,8 +309,7 @@ def _judged(seen: Attractor, found: Passages) -> Attractor:
     """Return an undecided attractor with its Lyapunov exponent, which may make it chaotic."""
     last = found.scenario.replace("start", _normal(found.start(-1)))
     exponent = passages(last, ENOUGH + KEPT, section=found.section).lyapunov
-    chaotic = exponent.value > SURE * exponent.error > 0.0
-    return seen._replace(fate=Fate.CHAOTIC if chaotic else Fate.UNDECIDED, lyapunov=exponent.value)
+    return seen._replace(fate=Fate.CHAOTIC if exponent.is_chaotic else Fate.UNDECIDED, lyapunov=exponent.value)
 
 
 def _same(one: Attractor, other: Attractor) -> bool:

@@ -26,6 +26,7 @@ Floats = NDArray[np.float64]
 MORE_MARK = "+"
 ENOUGH = 500  # passages from which on a motion may be called chaotic
 SURE = 5.0  # standard errors by which its exponent must be above 0
+SEPARATED = 36.0  # ln 2⁵²: and near doubles must have separated, or a motion beside a gait that is hardly unstable were chaotic
 
 
 class Lyapunov(NamedTuple):
@@ -44,6 +45,11 @@ class Lyapunov(NamedTuple):
     value: float
     error: float
     passages: int
+
+    @property
+    def is_chaotic(self) -> bool:
+        """Whether it is above 0 by 5 standard errors, and near doubles separate within so many passages."""
+        return self.value > SURE * self.error > 0.0 and self.value * self.passages > SEPARATED
 
 
 class _Variable(NamedTuple):
@@ -240,8 +246,7 @@ class Passages:
         """What becomes of the motion in the end; 'undecided' if the run was too short to say."""
         if self.decided != Fate.UNDECIDED or self.status != "going" or len(self) < ENOUGH or not self.scenario.plane.slope:
             return self.decided
-        exponent = self.lyapunov
-        return Fate.CHAOTIC if exponent.value > SURE * exponent.error > 0.0 else Fate.UNDECIDED
+        return Fate.CHAOTIC if self.lyapunov.is_chaotic else Fate.UNDECIDED
 
     @cached_property
     def lyapunov(self) -> Lyapunov:
