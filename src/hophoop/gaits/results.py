@@ -26,7 +26,9 @@ Floats = NDArray[np.float64]
 MORE_MARK = "+"
 ENOUGH = 500  # passages from which on a motion may be called chaotic
 SURE = 5.0  # standard errors by which its exponent must be above 0
-SEPARATED = 36.0  # ln 2⁵²: and near doubles must have separated, or a motion beside a gait that is hardly unstable were chaotic
+SEPARATED = (
+    36.0  # ln 2⁵²: and near doubles must have separated, or a motion next to a gait that is hardly unstable were chaotic
+)
 
 
 class Lyapunov(NamedTuple):

@@ -48,6 +48,7 @@ from hophoop.kernel.rigid.phase import GOING
 
 BATCHES, BATCH = 20, 30  # of passages over which neighbours of an undecided motion are followed
 NEIGHBOUR = 1e-7  # relative distance of a neighbour
+APART = 36.0  # logarithm of 2⁵²: what two doubles next to each other need to be apart
 SURE = 5.0  # standard errors by which the exponent of a chaotic motion is above 0
 
 
@@ -91,7 +92,7 @@ def judge_cells(cells, low, high, request, codes, numbers):
         if fate == UNDECIDED and status == GOING and request.section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
             mean, error = follow_neighbours(body, row[OMEGA], request, buffers, scratch, script)
             numbers[k, LYAPUNOV] = mean
-            if mean > SURE * error:
+            if mean > SURE * error and mean * BATCHES * BATCH > APART:
                 fate = CHAOTIC
         codes[k, 0] = fate
 
