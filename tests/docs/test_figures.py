@@ -67,7 +67,6 @@ def test_a_drawing_has_colours_for_dark_pages(path):
 
 
 PAGE_WIDTH = 736  # pixels of text
-SMALL = {"painleve-starts"}  # a part of it is smaller; its program takes minutes
 
 
 def text_sizes(svg):
