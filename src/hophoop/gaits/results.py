@@ -27,8 +27,6 @@ MORE_MARK = "+"
 ENOUGH = 500  # passages from which on a motion may be called chaotic
 SURE = 5.0  # standard errors by which its exponent must be above 0
 SEPARATED = 36.0  # ln 2⁵²: neighbouring doubles must have come apart, also next to a gait that is hardly unstable
-    36.0  # ln 2⁵²: and near doubles must have separated, or a motion next to a gait that is hardly unstable were chaotic
-)
 
 
 class Lyapunov(NamedTuple):
