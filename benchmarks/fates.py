@@ -17,7 +17,8 @@ import numpy as np
 
 import hophoop as hh
 
-LATE = 2000.0  # √(R/g), from which on a hoop that rocks is looked at
+LATE = 2000.0  # √(R/g), for which a motion is followed on from its last passage
+AGES = 1e6  # √(R/g), within which a hoop must rest
 PERIODS = 20  # more of a gait that must repeat itself
 REPEATS = 1e-7  # relative difference of θ̇ that is a repetition
 
@@ -39,22 +40,23 @@ def scenario_of(seed: int, index: int) -> hh.Scenario:
 
 def problem_of(given: hh.Scenario, fate: str, period: int, decided_at: int) -> str | None:
     """What a much longer motion does that its fate does not allow, or None."""
+    if fate == "rests":
+        motion = hh.simulate(given.replace("duration", AGES))
+        return None if motion.status == "at_rest" else f"rests, but is {motion.status} after {AGES:g}"
+    more = PERIODS * max(period, 1)
+    found = hh.passages(given, decided_at + more)
     if fate == "gait":
-        longer = hh.passages(given, decided_at + PERIODS * period)
-        if len(longer) < decided_at + PERIODS * period:
-            return f"a gait that ends after {len(longer)} passages: {longer.status}"
-        apart = np.abs(longer.omega[-period:] - longer.omega[-2 * period : -period]) / (1.0 + np.abs(longer.omega[-period:]))
+        if len(found) < decided_at + more:
+            return f"a gait that ends after {len(found)} passages: {found.status}"
+        apart = np.abs(found.omega[-period:] - found.omega[-2 * period : -period]) / (1.0 + np.abs(found.omega[-period:]))
         return None if apart.max() <= REPEATS else f"a gait that differs by {apart.max():.1e} a period later"
-    motion = hh.simulate(given.replace("duration", 1.05 * LATE))
-    if motion.duration < LATE:
-        return None if fate in ("rests", "jam", "undetermined") else f"{fate}, but the motion ends at {motion.duration:g}"
-    late = motion.at(np.linspace(LATE, 1.05 * LATE, 400))
-    if fate in ("rocks", "rests") and np.ptp(late.angle) >= 2.0 * math.pi:
-        return f"{fate}, but turns by {np.ptp(late.angle):.2f} rad late"
-    if fate == "rolls ahead" and not (late.omega > 0.0).all():
-        return "rolls ahead, but does not"
-    if fate == "rolls back" and not (late.omega < 0.0).all():
-        return "rolls back, but does not"
+    last = given.replace("start", found.start(-1)) if len(found) else given
+    motion = hh.simulate(last.replace("duration", LATE))
+    late = motion.at(np.linspace(0.5 * motion.duration, motion.duration, 400))
+    if fate == "rocks" and np.ptp(late.angle) >= 2.0 * math.pi:
+        return f"rocks, but turns by {np.ptp(late.angle):.2f} rad late"
+    if fate in ("rolls ahead", "rolls back") and (late.omega * (1.0 if fate == "rolls ahead" else -1.0)).min() <= 0.0:
+        return f"{fate}, but does not"
     return None
 
 
