@@ -183,6 +183,8 @@ def test_the_fold_in_30_digits(branch):
     [
         ("plane.slope", (0.1, 0.2), "must be finite and on both sides of plane.slope"),
         ("plane.slope", (0.0, math.nan), "must be finite"),
+        ("plane.slope", ("a", 1.0), "bounds = .* must be two numbers"),
+        ("plane.slope", (0.1,), "must be two numbers"),
         ("start.speed", (0.0, 1.0), "path = 'start.speed' must be a parameter of hoop or plane"),
         ("plane.tilt", (0.0, 1.0), "plane.tilt"),
         ("plane.gravity", (0.5, 2.0), "other than hoop.radius, hoop.mass and plane.gravity"),

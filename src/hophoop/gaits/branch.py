@@ -148,7 +148,10 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     ValueError
         If the gait or the path cannot be followed, or the range does not hold the gait's value.
     """
-    low, high = bounds
+    try:
+        low, high = (float(bound) for bound in bounds)
+    except (TypeError, ValueError):
+        raise InputError.of_field("bounds", bounds, "two numbers") from None
     if gait.section != "bottom" or set(gait.passages.mode) != {"R"}:
         raise InputError.of_field("section", gait.section, "bottom, with rolling at each passage, for a gait to be followed")
     value = value_of(gait, path)
