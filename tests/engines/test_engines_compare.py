@@ -391,7 +391,7 @@ def test_words_of_a_narrow_view_stay_in_it():
         text_width=lambda words, size, *_: 0.6 * size * len(words),
     )
     line = StateLine("roll", t=0.5, angle=0.3, extra="v = 1.00 m/s")
-    for room, count in ((1000.0, 4), (288.0, 2)):
+    for room, count in ((1000.0, 4), (400.0, 2), (288.0, 1)):
         drawn.clear()
         draw_state(canvas, SimpleNamespace(ink="#000000"), (0.0, 0.0), line, room)
         assert len(drawn) == count
