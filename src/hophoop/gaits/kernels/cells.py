@@ -40,6 +40,7 @@ from hophoop.gaits.kernels.layout import (
 from hophoop.gaits.kernels.passages import LOST, ROLL, ROWS, SIZE, TURNED, follow_passages, hops_in
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.double_double import PI
+from hophoop.kernel.numerics.exponentials import logarithm
 from hophoop.kernel.records.cells import body_of, scales_of, start_of
 from hophoop.kernel.records.layout import ALLOWED, EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
@@ -139,7 +140,7 @@ def follow_neighbours(body, om, request, buffers, scratch, script):
             growth = abs((beyond - buffers.numbers[0, OMEGA]) / (near - om))
             if not growth > 0.0:
                 return math.nan, math.nan
-            batch += math.log(growth)
+            batch += logarithm(growth)
             om = buffers.numbers[0, OMEGA]
         total += batch / BATCH
         squares += (batch / BATCH) * (batch / BATCH)
