@@ -201,6 +201,8 @@ def test_refusals_of_special_points(branch):
         corner.follow("hoop.load_fraction", (0.7, 0.8))
     with pytest.raises(ValueError, match=r"path = 'plane\.slope' must be a parameter other than"):
         of_kind(branch, "fold")[0].follow("plane.slope", (0.7, 0.8))
+    with pytest.raises(ValueError, match="bounds = 3 must be two numbers"):
+        of_kind(branch, "fold")[0].follow("hoop.load_fraction", 3)
     with pytest.raises(ValueError, match="No gait of period 2 was found near"):
         of_kind(branch, "limit of the range")[0].switch()
     landing = hh.gaits.find(scenario(3.0, 0.15), near=3.58, section="landing")[0]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.gaits.continuation import Follower, Point
-from hophoop.gaits.equation import GaitEquation, value_of
+from hophoop.gaits.equation import GaitEquation, bounds_around, value_of
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.special import Special
 from hophoop.scenario import InputError
@@ -148,15 +147,10 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     ValueError
         If the gait or the path cannot be followed, or the range does not hold the gait's value.
     """
-    try:
-        low, high = (float(bound) for bound in bounds)
-    except (TypeError, ValueError):
-        raise InputError.of_field("bounds", bounds, "two numbers") from None
     if gait.section != "bottom" or set(gait.passages.mode) != {"R"}:
         raise InputError.of_field("section", gait.section, "bottom, with rolling at each passage, for a gait to be followed")
     value = value_of(gait, path)
-    if not (math.isfinite(low) and math.isfinite(high) and low <= value <= high and low < high):
-        raise InputError(f"low = {low!r} and high = {high!r} must be finite and on both sides of {path} = {value!r}.")
+    low, high = bounds_around(path, value, bounds)
     equation = GaitEquation(gait.scenario, gait.period, path, TENTH * (high - low))
     place = np.array([gait.state.omega / equation.unit, value / equation.scale])
     found = equation.solve(place, np.array([0.0, 1.0]), float(place[1]))

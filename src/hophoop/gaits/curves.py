@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.gaits.equation import GaitEquation, Pair, value_of
+from hophoop.gaits.equation import GaitEquation, Pair, bounds_around, value_of
 from hophoop.gaits.finding import LONGEST, find
 from hophoop.scenario import InputError
 
@@ -25,7 +24,6 @@ NEARBY = 0.1  # of θ̇ within which a doubled gait is looked for
 
 def follow_special(special: Special, path: str, bounds: tuple[float, float], points: int) -> NDArray[np.float64]:
     """Follow a fold or a period doubling in a second parameter; `Special.follow` calls this and describes it."""
-    low, high = bounds
     if special.kind not in CRITICAL:
         raise InputError.of_field("kind", special.kind, f"one of {', '.join(CRITICAL)} for a point to be followed")
     if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= MOST_POINTS:
@@ -34,8 +32,7 @@ def follow_special(special: Special, path: str, bounds: tuple[float, float], poi
     if path == one.path:
         raise InputError.of_field("path", path, "a parameter other than that of the branch")
     value = value_of(special.gait, path)
-    if not (math.isfinite(low) and math.isfinite(high) and low <= value <= high and low < high):
-        raise InputError(f"low = {low!r} and high = {high!r} must be finite and on both sides of {path} = {value!r}.")
+    low, high = bounds_around(path, value, bounds)
     place = np.array([special.omega / one.unit, special.parameter / one.scale])
     rows = [(value, special.parameter, special.omega)]
     for end in (low, high):

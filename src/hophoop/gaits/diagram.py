@@ -75,7 +75,7 @@ class Diagram:
     attractors : tuple of tuple of Attractor, length n
         Of each value, the one with the most starts first.
     complete : bool
-        False if the computation was stopped: then the last values are missing.
+        False if the computation was stopped: values or attractors may be missing.
     """
 
     scenario: Scenario
@@ -186,7 +186,7 @@ def diagram(
         How many θ̇ at the bottom, equally spaced from what just gets over the top to twice that; or these θ̇ [rad/s]. What was
         settled on at the value before and at the value after are more starts: coexisting attractors are followed both ways.
     passages : int, default 1500
-        The most passages of each motion, from 700 to a million; it ends earlier when its fate is decided [1].
+        The most passages of each motion, from 650 to a million; it ends earlier when its fate is decided [1].
     section : {'bottom', 'landing'}, default 'bottom'
         As in `hophoop.passages`.
     progress : callable, optional
@@ -316,7 +316,8 @@ def _same(one: Attractor, other: Attractor) -> bool:
     """Return True if two motions have settled on the same."""
     irregular = (Fate.CHAOTIC, Fate.UNDECIDED)
     if one.fate in irregular and other.fate in irregular:
-        return abs(one.speed / other.speed - 1.0) < SAME_CHAOS or (math.isnan(one.speed) and math.isnan(other.speed))
+        unknown = math.isnan(one.speed) and math.isnan(other.speed)
+        return unknown or math.isclose(one.speed, other.speed, rel_tol=SAME_CHAOS)
     if one.fate != other.fate or one.period != other.period or one.hops != other.hops:
         return False
-    return one.fate != Fate.GAIT or abs(one.speed / other.speed - 1.0) < SAME_GAIT
+    return one.fate != Fate.GAIT or math.isclose(one.speed, other.speed, rel_tol=SAME_GAIT)

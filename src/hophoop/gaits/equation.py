@@ -209,3 +209,31 @@ def value_of(gait: Gait, path: str) -> float:
     if not isinstance(value, float):
         raise InputError.of_field("path", path, "a number of this hoop and plane")
     return value
+
+
+def bounds_around(path: str, value: float, bounds: tuple[float, float]) -> tuple[float, float]:
+    """Return the bounds of a parameter, if they are numbers on both sides of a value.
+
+    Parameters
+    ----------
+    path : str
+        Of the parameter.
+    value : float
+    bounds : (float, float)
+
+    Returns
+    -------
+    low, high : float
+
+    Raises
+    ------
+    ValueError
+        If they are not.
+    """
+    try:
+        low, high = (float(bound) for bound in bounds)
+    except (TypeError, ValueError):
+        raise InputError.of_field("bounds", bounds, "two numbers") from None
+    if not (math.isfinite(low) and math.isfinite(high) and low <= value <= high and low < high):
+        raise InputError(f"low = {low!r} and high = {high!r} must be finite and on both sides of {path} = {value!r}.")
+    return low, high

@@ -33,8 +33,8 @@ class Special(NamedTuple):
         Before and after it along the branch; one where they are the same [1].
     gait : Gait
         At or just before it.
-    branch : Branch
-        That it is on.
+    equation : GaitEquation
+        Of the branch that it is on.
     """
 
     kind: str

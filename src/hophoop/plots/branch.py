@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -10,10 +9,8 @@ import numpy as np
 
 from hophoop.gaits.branch import Branch
 from hophoop.plots.diagram import KINDS
-from hophoop.plots.style import finish, new_axes
+from hophoop.plots.style import finish, new_axes, parameter_axis
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.labels import with_unit
-from hophoop.vocabulary.parameters import TABLE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -48,9 +45,7 @@ def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
     ax = new_axes(ax, (8.0, 4.2))
     branches = [found] if isinstance(found, Branch) else list(found)
     path = branches[0].equation.path
-    row = next((row for row in TABLE if row.path == path), None)
-    angular = row is not None and row.unit == "rad"
-    scale = math.degrees(1.0) if angular else 1.0
+    scale, label = parameter_axis(path)
     named: set[str] = set()
     for one in branches:
         _lines(ax, one, scale, named)
@@ -61,9 +56,7 @@ def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
             x, y = np.array(points).T
             face = colors.BLACK if mark == "x" else "white"
             ax.scatter(x, y, marker=mark, s=28, facecolor=face, edgecolor=colors.BLACK, linewidths=0.9, zorder=3, label=kind)
-    label = path if row is None else (row.figure or row.label)
-    unit = "°" if angular else ("" if row is None else row.unit)
-    finish(ax, with_unit(label, unit), r"$\dot\theta$ at the bottom (rad/s)")
+    finish(ax, label, r"$\dot\theta$ at the bottom (rad/s)")
     return ax
 
 

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from hophoop.gaits.diagram import Attractor, Diagram
-from hophoop.plots.style import finish, new_axes
+from hophoop.plots.style import finish, new_axes, parameter_axis
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.fates import FATES, Fate
-from hophoop.vocabulary.labels import with_unit
-from hophoop.vocabulary.parameters import TABLE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +28,7 @@ KINDS = {  # colour and size of the dots
 def diagram(found: Diagram, ax: Axes | None = None, speed: bool = False) -> Axes:
     """Draw θ̇ at the passages on which a hoop settles, over the parameter.
 
-    Where no start settles on a motion that goes on over the top, the ground is grey.
+    Where no start settles on a gait or on chaos, the ground is grey, and the legend names the fates.
 
     Parameters
     ----------
@@ -51,9 +48,7 @@ def diagram(found: Diagram, ax: Axes | None = None, speed: bool = False) -> Axes
         If Matplotlib is missing.
     """
     ax = new_axes(ax, SIZE)
-    name = next((row for row in TABLE if row.path == found.path), None)
-    angular = name is not None and name.unit == "rad"
-    scale = math.degrees(1.0) if angular else 1.0
+    scale, label = parameter_axis(found.path)
     across = found.values * scale
     points: dict[str, list[tuple[float, float]]] = {kind: [] for kind in KINDS}
     for x, several in zip(across.tolist(), found.attractors, strict=True):
@@ -68,11 +63,9 @@ def diagram(found: Diagram, ax: Axes | None = None, speed: bool = False) -> Axes
             x, y = np.array(points[kind]).T
             ax.scatter(x, y, s=size, color=color, linewidths=0, rasterized=True)
             ax.scatter([], [], s=20, color=color, linewidths=0, label=kind)
-    label = found.path if name is None else (name.figure or name.label)
-    unit = "°" if angular else ("" if name is None else name.unit)
     ax.set_xlim(float(across.min()), float(across.max()))
     up = "Mean speed (m/s)" if speed else r"$\dot\theta$ at the " + found.section + " (rad/s)"
-    finish(ax, with_unit(label, unit), up)
+    finish(ax, label, up)
     return ax
 
 

@@ -12,6 +12,7 @@ from hophoop.plots.marks import mark_events
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary.parameters import PARAMETERS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,6 +34,15 @@ def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:
         return ax
     _, fresh = need("matplotlib.pyplot", "plots").subplots(figsize=size, layout="constrained")
     return cast("Axes", fresh)
+
+
+def parameter_axis(path: str) -> tuple[float, str]:
+    """Return the factor from SI units to those of a parameter's axis, degrees for angles, and its label."""
+    row = PARAMETERS.get(path)
+    if row is None:
+        return 1.0, path
+    angular = row.unit == "rad"
+    return (math.degrees(1.0) if angular else 1.0), labels.with_unit(row.figure or row.label, "°" if angular else row.unit)
 
 
 def check_against(against: str) -> None:
