@@ -1,5 +1,7 @@
 """Tables as a class makes them in a spreadsheet: names, units and encodings that vary, and what a message says of them."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -16,7 +18,11 @@ def written(tmp_path, text, encoding="utf-8", name="ours.csv"):
 
 @pytest.mark.parametrize(
     "names",
-    ["t;centre x;centre y;load x;load y", "Time;Mitte_x;Mitte_y;Gewicht_x;Gewicht_y", "t (s);x (m);y (m);mark_x (m);mark_y (m)"],
+    [
+        "t;centre x;centre y;load x;load y",
+        "Time;Mitte_x;Mitte_y;Gewicht_x;Gewicht_y",
+        "t (s);x (m);y (m);mark_x (m);mark_y (m)",
+    ],
 )
 def test_names_of_centre_and_load_are_recognized(tmp_path, names):
     track = read_track(written(tmp_path, names + "\n" + ROWS))
@@ -73,3 +79,12 @@ def test_messages_say_what_to_do(tmp_path, name, text, message):
     with pytest.raises(ValueError) as caught:
         read_track(written(tmp_path, text, name=name))
     assert message in str(caught.value)
+
+
+def test_the_table_of_the_docs_is_read(tmp_path):
+    text = (Path(__file__).parents[2] / "docs" / "film.md").read_text(encoding="utf-8")
+    table = text.partition("```text\nt (s);")[2].partition("```")[0]
+    track = read_track(written(tmp_path, "t (s);" + table), Reading(radius=0.3))
+    assert track.t == pytest.approx([0.0, 0.008, 0.025])  # a row without a mark is left out
+    assert track.centre == pytest.approx(np.array([[0.001, 0.3], [0.017, 0.3], [0.05, 0.3]]))
+    assert track.angle == pytest.approx(np.radians([0.0, 3.0, 9.0]))

@@ -98,7 +98,9 @@ def _numbers(cells: list[str], name: str, head: str) -> Floats:
     if any(fits):
         for k, (cell, fit) in enumerate(zip(cells, fits, strict=True)):
             if not fit and cell.lower() not in NOTHING:
-                raise InputError(f"{name} has {cell[:40]!r} in column {head}, row {k + 1} below the names, which must be a number.")
+                raise InputError(
+                    f"{name} has {cell[:40]!r} in column {head}, row {k + 1} below the names, which must be a number."
+                )
     return np.array([float(cell.replace(",", ".")) if fit else np.nan for cell, fit in zip(cells, fits, strict=True)])
 
 
