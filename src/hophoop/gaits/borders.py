@@ -10,7 +10,7 @@ from hophoop.gaits.continuation import JOINED, ROUNDS, Follower, Point
 from hophoop.gaits.equation import GaitEquation, Pair
 from hophoop.gaits.special import Special
 
-DISTANCES = tuple(10.0**power for power in range(-7, -1))  # along the branch, at which gaits beside the border are looked for
+DISTANCES = tuple(10.0**power for power in range(-7, -1))  # along the branch, at which gaits next to the border are looked for
 BEYOND = 4.0  # of these distances, from the gait found to where the border is passed for sure
 SHIFTS = tuple(size * np.array(unit) for size in (0.0, 1e-6, -1e-6) for unit in ((1.0, 0.0), (0.0, 1.0)))  # in θ̇ and parameter
 NEAR = 1e-3  # largest margin at the border of the boundary that is met there

@@ -77,7 +77,7 @@ def _locator(special: Special) -> Callable[[GaitEquation, Pair], Pair | None]:
         return with_multiplier
     border = border_of(special)
     if border is None:
-        raise InputError(f"Beside the point at {special.equation.path} = {special.parameter:.9g} no gait was found.")
+        raise InputError(f"Next to the point at {special.equation.path} = {special.parameter:.9g} no gait was found.")
 
     def at_border(equation: GaitEquation, guess: Pair) -> Pair | None:
         nonlocal border
