@@ -92,7 +92,8 @@ class MapCertificate:
     def _boxes(self, pieces: Sequence[Piece], shown: Wanted) -> tuple[Boxes, list[str]]:
         """Boxes of which the checker can show what is wanted, and their words."""
         left = [(piece, 0) for piece in reversed(pieces)]
-        boxes, words = [], {}
+        boxes: Boxes = []
+        words: dict[str, None] = {}
         while left:
             piece, depth = left.pop()
             ends = Fraction(piece.low), Fraction(piece.high)

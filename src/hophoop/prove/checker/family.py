@@ -51,10 +51,12 @@ class Family:
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Family:
-        return self + (-other)
+        found: Family = self + (-other)
+        return found
 
     def __rsub__(self, other: Any) -> Family:
-        return (-self) + other
+        found: Family = (-self) + other
+        return found
 
     def __mul__(self, other: Any) -> Family:
         if isinstance(other, Family):
@@ -71,10 +73,12 @@ class Family:
         return self._through(1 / self.at, over, -over * over)
 
     def __truediv__(self, other: Any) -> Family:
-        return self * (other.inverse() if isinstance(other, Family) else 1 / other)
+        found: Family = self * (other.inverse() if isinstance(other, Family) else 1 / other)
+        return found
 
     def __rtruediv__(self, other: Any) -> Family:
-        return self.inverse() * other
+        found: Family = self.inverse() * other
+        return found
 
     def __pow__(self, power: int) -> Family:
         slope = power * self.over ** (power - 1) if power else arb(0)

@@ -6,7 +6,7 @@ checker follows all motions of each box; what the map does with the intervals it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from decimal import InvalidOperation
 from fractions import Fraction
@@ -72,23 +72,16 @@ class MapCheck:
         self.seen += len(motions.letters)
         return motions.word, found
 
-    def images(self, interval: Interval, boxes: Any, words: Any) -> Iterator[tuple[Interval, Family]]:
-        """The image of each box; the boxes cover the interval and share their ends, so that the map is continuous on it."""
-        low, high = interval
-        require(len(boxes) > 0 and _place(boxes[0]["from"][0]) == low, "the boxes cover the interval from its low end")
-        require(_place(boxes[-1]["from"][1]) == high, "the boxes cover the interval up to its high end")
-        for one, other in pairwise(boxes):
-            require(_place(one["from"][1]) == _place(other["from"][0]), "each box begins where the one before it ends")
+    def images(self, boxes: Any, words: Any) -> Iterator[tuple[Interval, Family]]:
+        """(ends, image) of each box; the words are those of the boxes."""
         found: dict[str, None] = {}
         for one in boxes:
-            require(set(one) == {"from", "phases"} and len(one["from"]) == 2, "a box has two ends and its phases")
-            ends = (_place(one["from"][0]), _place(one["from"][1]))
-            require(ends[0] < ends[1], "a box has its least θ̇ first")
+            ends = _interval(one["from"])
             word, image = self.image(*ends, one["phases"])
+            require(word in words, f"the phases from an interval are those that are named, not {word}")
             found[word] = None
-            require(word in words, f"the phases of an interval are those that are named, not {word}")
             yield ends, image
-        require(list(found) == words, "the phases of an interval are those that are named")
+        require(list(found) == words, "the phases from an interval are those that are named")
 
     # --- a gait --------------------------------------------------------------------------------
 
@@ -97,14 +90,15 @@ class MapCheck:
         claim = self.claim
         low, high = interval = _interval(claim["interval"])
         contraction = decimal(claim["contraction"])
-        require(0 < contraction < 1, "the derivative of the return map is below 1 in size")
-        for ends, image in self.images(interval, claim["boxes"], claim["words"]):
+        require(0 < contraction < 1, "the slope of the return map is below 1 in size")
+        _chain(interval, claim["boxes"])
+        for ends, image in self.images(claim["boxes"], claim["words"]):
             where = f"for θ̇ = {float(ends[0]):.9g} to {float(ends[1]):.9g} rad/s"
             with precision(BITS):
                 inside = image.over > rational(low) and image.over < rational(high)
                 require(bool(inside), f"the return map leads into the interval, {where}")
                 slow = bool(abs(image.by) <= rational(contraction))
-                require(slow, f"the derivative of the return map is {claim['contraction']} or less in size, {where}")
+                require(slow, f"the slope of the return map is {claim['contraction']} or less in size, {where}")
         gait = claim["gait"]
         require(set(gait) == {"omega", "multiplier", "phases"}, "a gait has its θ̇, its multiplier and its phases")
         begin, end = _enclosure(gait["omega"])
@@ -119,9 +113,10 @@ class MapCheck:
             known = whole.by >= rational(least) and whole.by <= rational(largest)
             require(bool(known), "the multiplier is where it is said to be")
         return (
-            f"from all θ̇ of {float(low)!r} to {float(high)!r} rad/s at the bottom the hoop comes there again with θ̇ between them",
-            f"there the derivative of the return map is {claim['contraction']} or less in size, so that one gait attracts all",
-            f"it has θ̇ = {' ± '.join(gait['omega'])} rad/s and the multiplier {' ± '.join(gait['multiplier'])}",
+            f"the return map takes all θ̇ from {float(low)!r} to {float(high)!r} rad/s into that interval",
+            f"its slope there is {claim['contraction']} or less in size, so that one gait attracts all",
+            f"θ̇ of the gait is {' ± '.join(gait['omega'])} rad/s",
+            f"its multiplier is {' ± '.join(gait['multiplier'])}",
         )
 
     # --- chaos ---------------------------------------------------------------------------------
@@ -135,19 +130,17 @@ class MapCheck:
         require(len(claim["boxes"]) == len(claim["words"]) == count, "each interval has boxes and words")
         require(all(a[1] < b[0] for a, b in pairwise(sorted(intervals))), "no interval meets another")
         coverings = {(_index(i, count), _index(j, count)) for i, j in claim["coverings"]}
-        for k, (interval, boxes, words) in enumerate(zip(intervals, claim["boxes"], claim["words"], strict=True)):
-            for _ in self.images(interval, boxes, words):
-                pass
-            ends = [self.image(*[place] * 2, one["phases"])[1].over for place, one in zip(interval, (boxes[0], boxes[-1]))]
+        _entropy(decimal(claim["entropy"]), coverings, count)
+        for interval, boxes in zip(intervals, claim["boxes"], strict=True):
+            _chain(interval, boxes)
+        for k, (interval, boxes) in enumerate(zip(intervals, claim["boxes"], strict=True)):
+            places = ((interval[0], boxes[0]), (interval[1], boxes[-1]))
+            ends = [self.image(place, place, one["phases"])[1].over for place, one in places]
             for i, j in sorted(coverings):
-                if i == k:
-                    require(_beyond(ends, intervals[j]), f"interval {i} is taken over interval {j}, counted from 0")
-        entropy = decimal(claim["entropy"])
-        require(0 < entropy < MOST_ENTROPY, f"the entropy is above 0 and below {MOST_ENTROPY}")
-        require(
-            any(_as_large(entropy, some, coverings) for some in _strong(coverings, count)),
-            "the coverings have the entropy that is said",
-        )
+                require(i != k or _beyond(ends, intervals[j]), f"interval {i} is taken over interval {j}, counted from 0")
+        for boxes, words in zip(claim["boxes"], claim["words"], strict=True):
+            for _ in self.images(boxes, words):
+                pass
         return (
             f"the return map is continuous on {' and on '.join(f'{float(a)!r} to {float(b)!r}' for a, b in intervals)} rad/s",
             *(f"it takes interval {i} over interval {j}, counted from 0" for i, j in sorted(coverings)),
@@ -170,6 +163,14 @@ def checked_map(certificate: dict[str, Any], deadline: Deadline) -> Verdict:
 def _place(value: Any) -> Fraction:
     require(isinstance(value, float) and 0.0 < value <= FASTEST, "θ̇ at the bottom is a number above 0")
     return Fraction(value)
+
+
+def _chain(interval: Interval, boxes: Any) -> None:
+    """Refuse unless boxes cover an interval and share their ends: so the map is continuous on it if it is on each."""
+    require(len(boxes) > 0 and all(set(one) == {"from", "phases"} for one in boxes), "a box has two ends and its phases")
+    ends = [_interval(one["from"]) for one in boxes]
+    require(ends[0][0] == interval[0] and ends[-1][1] == interval[1], "the boxes cover the interval from end to end")
+    require(all(a[1] == b[0] for a, b in pairwise(ends)), "each box begins where the one before it ends")
 
 
 def _interval(value: Any) -> Interval:
@@ -210,15 +211,19 @@ def _strong(coverings: set[tuple[int, int]], count: int) -> list[list[int]]:
     return [list(one) for one in sets if one]
 
 
-def _as_large(entropy: Fraction, some: list[int], coverings: set[tuple[int, int]]) -> bool:
-    """Return True if the matrix of coverings among some intervals has an eigenvalue of e^entropy or more.
+def _entropy(claim: Fraction, coverings: set[tuple[int, int]], count: int) -> None:
+    """Refuse an entropy that is larger than the logarithm of all eigenvalues of the coverings' matrix A.
 
-    det(x − A) grows beyond all bounds, so that it has a root from any x on at which it is not positive.
+    det(x − A) grows beyond all bounds, so that it has a root from any x on at which it is not positive; for A, the coverings
+    among intervals of which each leads to each.
     """
-    flint: Callable[..., Any] = _flint.fmpq
+    require(0 < claim < MOST_ENTROPY, f"the entropy is above 0 and below {MOST_ENTROPY}")
     with precision(BITS):
-        mantissa, exponent = (int(part) for part in rational(entropy).exp().upper().man_exp())
-    x = flint(mantissa) * flint(2) ** exponent
-    size = len(some)
-    entries = [(x if a == b else flint(0)) - ((some[a], some[b]) in coverings) for a in range(size) for b in range(size)]
-    return bool(_flint.fmpq_mat(size, size, entries).det() <= 0)
+        mantissa, exponent = (int(part) for part in rational(claim).exp().upper().man_exp())
+    x, zero = _flint.fmpq(mantissa) * _flint.fmpq(2) ** exponent, _flint.fmpq(0)
+    for some in _strong(coverings, count):
+        size = len(some)
+        entries = [(x if i == j else zero) - ((i, j) in coverings) for i in some for j in some]
+        if _flint.fmpq_mat(size, size, entries).det() <= 0:
+            return
+    require(False, "the coverings have the entropy that is said")

@@ -42,7 +42,7 @@ class Motions:
 
     def __init__(self, equations: Equations, low: Fraction, high: Fraction, terms: int) -> None:
         self.equations, self.terms = equations, terms
-        require(not equations.resisted, "motions without rolling resistance are all that an interval has")
+        require(not equations.resisted, "there is no rolling resistance, which boxes do not cover")
         require(equations.mu_s is not None and bool(equations.kap > 0), "the friction is finite and the ring has mass")
         self.reach = symmetric(rational((high - low) / 2))
         wide = (self.reach * equations.time).abs_upper()
@@ -52,7 +52,7 @@ class Motions:
         self.state = State(zero, zero, zero, pi(), zero, zero, om)
         self.finish = 3 * pi()
         self.energy = self._energy()
-        self.mode, self.zeros, self.impacts = self._next(), 0, 0
+        self.mode, self.zeros = self._next(), 0
         self.drive: Ball | None = None  # ∂u/∂ω where slip begins out of rolling
         self.letters: list[str] = []
 
@@ -60,7 +60,8 @@ class Motions:
         """θ̇ at the next passage [rad/s]."""
         for mode, what, low, high in phases:
             require(not self.letters or bool(self.state.om > 0), "the hoop turns ahead")
-            require(mode == self.mode, f"phase {len(self.letters) + 1} is {self.mode}")
+            require(bool(self.mode), "nothing comes after the next passage")
+            require(mode == self.mode, f"phase {len(self.letters) + 1} has the mode that is said, not {self.mode}")
             self.letters.append(mode)
             phase = {"R": self.roll, "S": self.slip, "K": self.slip, "H": self.fly}[mode]
             phase(what, number(low), number(high))
@@ -172,6 +173,7 @@ class Motions:
         """Flight and the impact that ends it; the bracket is one of the time in flight."""
         equations, state = self.equations, self.state
         require(what == LAND and bool(low > 0), "flight ends in a landing")
+        require(bool(equations.rest.is_zero()), "there is no restitution, which boxes with a hop do not cover")
 
         def functions(pick: Pick) -> Callable[[Ball, int], list[Jet]]:
             return lambda tau, terms: [[pick(one) for one in gap(equations, state, tau, terms)]]
@@ -182,10 +184,8 @@ class Motions:
         value, rate = gap(equations, state, tau, 2)
         landed = flown(equations, state, Family(exact, -change(value) / every(rate), self.reach, tau))
         require(bool(every(landed.th) < self.finish), "a landing comes before the next passage")
-        self.impacts += 1
-        if not equations.rest.is_zero():  # a second one could be taken for the end of endless bounces
-            require(self.impacts == 1, "the hoop lands only once where an impact restores something")
         self.state, _ = collide(equations, replace(landed, y=arb(0)), equations.rest)
+        require(bool(self.state.vn.is_zero()), "the rim stays on the plane after a landing")
         self._settle()
         self.energy = self._energy()
 
@@ -197,9 +197,6 @@ class Motions:
         """The mode that follows an event."""
         state = self.state
         require(bool(state.om > 0), "the hoop turns ahead")
-        if sign(state.vn, "v_n") > 0:
-            self.mode, self.zeros = "H", 1
-            return
         self.mode = self._next()
         self.zeros = 0 if sign(state.vt, "v_t") else 1
 
