@@ -71,7 +71,7 @@ class Motions:
 
     @property
     def word(self) -> str:
-        """One letter a phase."""
+        """One letter for each phase."""
         return "".join(letter for letter, _ in groupby(self.letters))
 
     def _energy(self) -> Family:
