@@ -267,8 +267,8 @@ def test_a_command_that_fails_says_why(tmp_path):
 @pytest.mark.skipif(find_spec("warp") is not None, reason="Newton is installed")
 def test_an_engine_that_is_not_installed_says_what_to_install(tmp_path):
     result = call("newton", "--scenario", "rolling", "--dt", "0.001", "--out", str(tmp_path / "out"))
-    assert "pip install 'hophoop[engines]'" in result.output
-    assert "pip install 'hophoop'" not in result.output  # the table took [engines] for markup
+    assert 'pip install "hophoop[engines]"' in result.output
+    assert 'pip install "hophoop"' not in result.output  # the table took [engines] for markup
 
 
 def test_without_an_engine_nothing_is_computed(monkeypatch, tmp_path):
@@ -282,7 +282,7 @@ def test_without_an_engine_nothing_is_computed(monkeypatch, tmp_path):
     monkeypatch.setattr(comparing, "compare", lambda *arguments: started.append(arguments))
     result = call()
     assert (result.exit_code, result.stdout, started) == (1, "", [])
-    assert result.stderr == "No engine is installed: pip install 'hophoop[engines]'.\n"
+    assert result.stderr == 'No engine is installed: pip install "hophoop[engines]".\n'
     there += ("pymunk",)
     assert [one.name for one in registry.physics_engines()] == ["pymunk"]
 
