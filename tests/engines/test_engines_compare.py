@@ -17,7 +17,7 @@ import hophoop as hh
 from hophoop import engines
 from hophoop.animate.words import StateLine, draw_state
 from hophoop.cli import app
-from hophoop.engines import comparing, registry, tables
+from hophoop.engines import comparing, figures, registry, tables
 from hophoop.engines.external import job_text, run_command
 from hophoop.engines.measures import exact_record
 from hophoop.engines.recorded import RecordedMotion
@@ -208,6 +208,34 @@ def test_the_command_of_the_page_runs(tmp_path):
     assert row["engine"] == "mine"
     assert row["scores"]["sequence_right"]
     assert row["scores"]["angle_error"] < 2.0
+
+
+def test_the_figure_of_the_page_shows_the_hops_of_the_table(kept):
+    """A panel for each engine, with its errors at 1 ms."""
+    words = re.findall(r"<!-- (.+) -->", (ROOT / "docs" / "figures" / "engines-hops.svg").read_text(encoding="utf-8"))
+    titles = [one["title"] for one in kept["engines"].values()]
+    assert [word for word in words if word in titles] == titles
+    for name, one in kept["engines"].items():
+        errors = {
+            row["setting"]: row["scores"]["hop_height"]
+            for row in kept["rows"]
+            if (row["engine"], row["scenario"], row["dt"]) == (name, "hop", 0.001)
+        }
+        shown = [errors["default"]] + [error for error in list(errors.values())[1:] if abs(error) < abs(errors["default"])]
+        drawn = [f"{1e3 * error:+.1f} mm".replace("-", "−") if abs(error) >= 5e-5 else "exact" for error in shown]
+        place = words.index(one["title"])
+        assert drawn == words[place - len(drawn) : place]
+
+
+def test_a_drawing_is_the_same_each_time_and_short():
+    figure = pytest.importorskip("matplotlib.figure").Figure()
+    figure.subplots().plot(np.linspace(0.0, 1.0, 50), np.sqrt(np.arange(50.0)), "o-")
+    drawn = figures.drawing(figure)
+    assert drawn == figures.drawing(figure)
+    line = max(re.findall(r' d="([ML\d\s.z-]+)"', drawn), key=len)
+    assert line.count("L") == 49
+    assert not re.search(r"\.\d\d", line)
+    assert re.search(r"C -?\d+\.\d{4}", drawn)  # a mark keeps its shape
 
 
 def test_the_table_of_the_page_is_the_kept_one(kept):
