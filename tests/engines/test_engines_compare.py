@@ -321,6 +321,8 @@ def test_engines_of_npm_are_looked_for_where_node_looks(monkeypatch, tmp_path):
     monkeypatch.setenv("HOPHOOP_NPM", str(tmp_path / "below"))
     monkeypatch.setattr(shutil, "which", lambda program: "/bin/node")
     assert [name for name in registry.NODE_ENGINES if engines.engine(name).installed] == ["planck"]
+    with pytest.raises(RuntimeError, match="matter-js is not in the folder of --npm: npm install --prefix FOLDER"):
+        Worker(engines.engine("matter")).run(engines.task_of(HOP), 0.01, {}, 1.0)
     monkeypatch.setattr(shutil, "which", lambda program: None)
     assert not engines.engine("planck").installed
 
@@ -351,7 +353,7 @@ def test_scoring_a_file(tmp_path):
     assert found["scores"]["sequence_right"] is True
     wrong = call("--score", str(file), "--scenario", "slip")
     assert wrong.exit_code == 2
-    assert "the record ends at" in wrong.output
+    assert "the record starts with vx = 3.1, the motion 'slip' with 2.8" in wrong.output
     both = call("--score", str(file), "pymunk")
     assert both.exit_code == 2
     assert "--score cannot be given together with" in both.output

@@ -47,7 +47,8 @@ def check_start(task: Task, exact: States, states: States) -> None:
     for (name, meaning), value, right, column in zip(MEANINGS.items(), starts, exact[1:], states[1:], strict=True):
         if min(abs(column[0] - value), abs(column[0] - right[0])) > NEAR:
             raise InputError(
-                f"the record starts with {name} = {column[0]:.6g}, the motion {task.name!r} with {value:.6g}; {name} is {meaning}."
+                f"the record starts with {name} = {column[0]:.6g}, the motion {task.name!r} with {value:.6g}; "
+                f"{name} is {meaning}."
             )
 
 
@@ -72,8 +73,8 @@ def check_rates(states: States) -> None:
         ratio = float(change @ integral) / weight if np.abs(integral).sum() > CHANGE else 1.0
         if not AGREE[0] < ratio < AGREE[1]:
             raise InputError(
-                f"{name} changes by {ratio:.3g} times the integral of {rate} over t; both need the same sign and SI units, angles "
-                "in rad, t in s."
+                f"{name} changes by {ratio:.3g} times the integral of {rate} over t; both need the same sign and SI units, "
+                "angles in rad, t in s."
             )
 
 
