@@ -133,6 +133,38 @@ def test_an_answer_of_a_slide_is_shown_on_demand(browser, address):
     page.close()
 
 
+def test_pictures_tables_and_code_fit_on_paper(browser, site, address):
+    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+    page.emulate_media(media="print")
+    wide = []
+    for file in sorted(site.rglob("*.html")):
+        name = file.relative_to(site).as_posix()
+        if not name.startswith(("play/", "teach/slides/", "_")):
+            page.goto(address + name)
+            wide += [f"{name}: {words}" for words in page.evaluate(STICKS_OUT) if re.match("TABLE|PRE|IMG|VIDEO|DIV", words)]
+    page.close()
+    assert wide == []
+
+
+def test_what_moves_is_drawn_on_paper(browser, address):
+    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+    page.goto(f"{address}learn/hops-for-ever.html")
+    drawn = page.locator("img.on-paper-only")
+    assert not drawn.is_visible()
+    page.emulate_media(media="print")
+    drawn.scroll_into_view_if_needed()
+    page.wait_for_function("document.querySelector('img.on-paper-only').naturalWidth > 100")
+    assert not page.locator("hophoop-motion").is_visible()
+    page.close()
+
+
+def test_every_example_of_the_gallery_shows_something(site):
+    pages = sorted((site / "gallery").rglob("plot_*.html"))
+    assert len(pages) > 30
+    bodies = {page.name: page.read_text(encoding="utf-8").split("<article", 1)[1] for page in pages}
+    assert [name for name, body in bodies.items() if not re.search("<video|<img [^>]*sphx_glr_plot", body)] == []
+
+
 def test_what_sticks_out_of_the_paper_is_found(browser):
     page = browser.new_page(viewport={"width": PAPER, "height": 400})
     page.set_content("<body style='margin: 0'><article><h1 style='margin: 0 -8px'>Wide</h1><p>Good</p></article>")
