@@ -158,11 +158,16 @@ def test_what_moves_is_drawn_on_paper(browser, address):
     page.close()
 
 
-def test_every_example_of_the_gallery_shows_something(site):
+def test_every_example_of_the_gallery_shows_something_also_on_paper(site):
     pages = sorted((site / "gallery").rglob("plot_*.html"))
     assert len(pages) > 30
     bodies = {page.name: page.read_text(encoding="utf-8").split("<article", 1)[1] for page in pages}
-    assert [name for name, body in bodies.items() if not re.search("<video|<img [^>]*sphx_glr_plot", body)] == []
+    assert [name for name, body in bodies.items() if not re.search("<img [^>]*sphx_glr_plot", body)] == []
+    films = [body for body in bodies.values() if "<video" in body]
+    assert len(films) > 5
+    for body in films:  # on paper there is a picture of it
+        assert re.search(r'<video class="on-paper-not"', body)
+        assert re.search(r'<img [^>]*class="[^"]*on-paper-only', body)
 
 
 def test_what_sticks_out_of_the_paper_is_found(browser):
