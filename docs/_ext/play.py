@@ -11,7 +11,6 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import matplotlib.pyplot as plt
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -52,12 +51,11 @@ def address(builder: Any, page: str, file: str) -> str:
 
 
 def draw_still(folder: Path, query: str) -> str:
-    """Draw a motion as a strobe photograph and return the file's name."""
-    name = f"strobe-{hashlib.sha256(query.encode()).hexdigest()[:12]}.svg"
+    """Draw a motion as a strobe photograph in the colours of its modes and return the file's name."""
+    name = f"strobe-{hashlib.sha256(query.encode()).hexdigest()[:12]}.webp"
     folder.mkdir(parents=True, exist_ok=True)
-    with mpl.rc_context({"svg.hashsalt": name}):
-        figure = hh.plots.strobe(hh.simulate(hh.Scenario.from_query(query))).figure
-        figure.savefig(folder / name, metadata={"Date": None})
+    figure = hh.plots.strobe(hh.simulate(hh.Scenario.from_query(query)), color="mode").figure
+    figure.savefig(folder / name, dpi=150)
     plt.close(figure)
     return name
 
@@ -73,7 +71,7 @@ def visit_live(writer: Any, node: live) -> None:
         '<div class="live"><div class="on-paper-not">'
         f'<hophoop-motion loading="lazy" panels="player" scenario="{query}"></hophoop-motion>'
         f'<script type="module" src="{script}"></script></div>\n'
-        f'<img class="on-paper-only" loading="lazy" alt="The hoop at equal steps of time" src="{picture}">\n'
+        f'<img class="on-paper-only" fetchpriority="low" alt="The hoop at equal steps of time" src="{picture}">\n'
     )
     writer.context.append(f'<p class="on-paper-not"><a href="{lab}">Change this motion in the lab</a></p></div>\n')
 
