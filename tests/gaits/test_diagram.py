@@ -1,11 +1,13 @@
 """Attractors over a parameter, against gaits that are found otherwise."""
 
+import io
 import math
 
 import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.article.inks import for_both
 from hophoop.vocabulary.fates import Fate
 
 BASE = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(gravity=1.0))
@@ -82,6 +84,10 @@ def test_the_picture():
     names = {text.get_text() for text in ax.get_legend().get_texts()}
     assert names >= {"gait without a hop", "gait with hops", "chaos", "rocks"}
     assert "m/s" in hh.plots.diagram(found, speed=True).get_ylabel()
+    drawing = io.StringIO()
+    ax.figure.savefig(drawing, format="svg")
+    assert "<image" in drawing.getvalue()
+    assert "prefers-color-scheme" not in for_both(drawing.getvalue())  # black dots of an image stay on white paper
 
 
 def test_what_is_done_is_kept_when_it_is_stopped():
