@@ -47,10 +47,10 @@ def test_a_film_on_its_side_is_doubted(tmp_path):
     film = tmp_path / "sideways.mp4"
     with av.open(str(FOLDER / "hoop.mp4")) as source, av.open(str(film), "w") as out:
         stream = out.add_stream("libx264", rate=60, options={"crf": "18"})
+        stream.width, stream.height = source.streams.video[0].height, source.streams.video[0].width
         for k, frame in enumerate(source.decode(video=0)):
             if k % 4 == 0:
                 picture = np.ascontiguousarray(np.rot90(frame.to_ndarray(format="rgb24")))
-                stream.height, stream.width = picture.shape[:2]
                 out.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
         out.mux(stream.encode())
     track = hh.track(film, 0.3)

@@ -264,7 +264,9 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
     if not (np.isfinite(radius) and radius > 0):
         raise InputError("The radius of the hoop is missing from the data: give --radius, in m, or radius= in a Reading.")
     if isinstance(hoop, Hoop) and np.isfinite(track.radius) and abs(track.radius / radius - 1.0) > SAME:
-        raise InputError(f"The hoop has the radius {radius:g} m and the data {track.radius:g} m: give the measured one for both.")
+        raise InputError(
+            f"The hoop has the radius {radius:g} m and the data {track.radius:g} m: give the measured one for both."
+        )
     channels = channels_of(track, sigma)
     first = min(int(channel.rows[0]) for channel in channels)
     last = max(int(channel.rows[-1]) for channel in channels)
