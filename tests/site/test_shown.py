@@ -147,6 +147,21 @@ def test_pictures_tables_and_code_fit_on_paper(browser, site, address):
     assert wide == []
 
 
+@pytest.mark.parametrize(("styles", "count"), [(["styles/furo.css", "site.css"], 2), (["styles/furo.css"], 3)])
+def test_a_picture_stands_below_its_text_on_paper(browser, address, styles, count):
+    """The theme alone would keep it with the code that follows, and leave most of the sheet before it empty."""
+    page = browser.new_page()
+    page.goto(f"{address}search.html")  # for its origin
+    links = "".join(f"<link rel='stylesheet' href='{address}_static/{name}'>" for name in styles)
+    tall = [("p", 60), ("img", 150), ("pre", 100), ("pre", 100)]
+    boxes = "".join(f"<{name} style='display: block; margin: 0; padding: 0; height: {mm}mm'></{name}>" for name, mm in tall)
+    page.set_content(f"{links}<body style='margin: 0'><article>{boxes.replace('</img>', '')}</article>")
+    page.wait_for_load_state("networkidle")
+    margin = dict.fromkeys(("top", "right", "bottom", "left"), "12mm")
+    assert len(re.findall(rb"/Type /Page\b", page.pdf(format="A4", margin=margin))) == count
+    page.close()
+
+
 def test_what_moves_is_drawn_on_paper(browser, address):
     page = browser.new_page(viewport={"width": PAPER, "height": 1000})
     page.goto(f"{address}learn/hops-for-ever.html")
