@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from page_tools import text_sizes
+
 WIDTHS = (1280, 375)
 # in a page: formulas that are wider than their place, or stick out of the text
 CUT_OFF = """() => {
@@ -71,9 +73,11 @@ def test_a_drawing_takes_the_colours_of_its_page(browser, address, scheme, theme
     assert lightest - darkest > 150  # what it shows stands out from its ground
 
 
-def test_every_drawing_beside_the_pages_has_colours_for_dark_ones(site):
+def test_every_drawing_beside_the_pages_has_colours_for_dark_ones_and_text_to_read(site):
     drawings = [path for path in (site / "_images").glob("*.svg") if "Matplotlib" in path.read_text(encoding="utf-8")]
     assert len(drawings) > 30
+    small = [path.name for path in drawings if min(text_sizes(path.read_text(encoding="utf-8")), default=9.0) < 8.95]
+    assert [name for name in small if "thumb" not in name] == []
     plain = [path.name for path in drawings if "prefers-color-scheme" not in path.read_text(encoding="utf-8")]
     on_paper = re.compile("strobe|plot_diagram|learn-real-hoop-2")  # they keep their white ground
     assert [name for name in plain if not on_paper.search(name)] == []
