@@ -37,12 +37,19 @@ def test_attractors_are_stable_gaits_and_coexisting_ones_are_told_apart():
 
 
 def test_chaos_and_standstill():
-    """At 4° chaos with an exponent of 0.575, at 10° every start rocks in the end, at 16° it goes on again."""
+    """At 4° chaos with an exponent of 0.575, at 10° every start rocks in the end, at 17.5° it goes on again."""
     found = over([4.0, 10.0, 17.5])
     chaos = next(one for one in found.attractors[0] if one.fate == Fate.CHAOTIC)
     assert chaos.lyapunov == pytest.approx(0.575, abs=0.08)
     assert {one.fate for one in found.attractors[1]} == {Fate.ROCKS}
     assert any(one.fate in (Fate.CHAOTIC, Fate.GAIT) for one in found.attractors[2])
+
+
+@pytest.mark.parametrize(("slope", "goes_on"), [(15.02, False), (15.5, True), (16.2, False), (17.08, False), (17.3, True)])
+def test_the_gaps_of_the_page(slope, goes_on):
+    """On some slopes every start rocks in the end, as docs/gaits.md has them."""
+    fates = {one.fate for one in over([slope], starts=20).attractors[0]}
+    assert goes_on == (fates != {Fate.ROCKS})
 
 
 def test_the_last_attractor_is_followed():
