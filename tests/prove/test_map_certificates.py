@@ -14,9 +14,11 @@ import pytest
 
 import hophoop as hh
 from hophoop.prove import check, prove_chaos, prove_gait
-from hophoop.prove._flint import arb, precision
-from hophoop.prove.checker.equations import Refused
+from hophoop.prove._flint import arb, precision, rational
+from hophoop.prove.checker.equations import Equations, Refused
+from hophoop.prove.checker.family import Family, middle
 from hophoop.prove.checker.maps import BITS, MapCheck, _entropy
+from hophoop.prove.checker.passages import Motions
 from hophoop.prove.deadline import Deadline
 from hophoop.prove.return_map import ReturnMap
 from hophoop.scenario import InputError
@@ -418,6 +420,44 @@ def test_motions_and_their_derivative_are_those_of_others(degrees, gamma, plane,
         assert image.by.overlaps(piece.slope)
         assert image.by.rad() < 0.05
         assert image.by.overlaps(arb(difference, 1e-3))
+
+
+@pytest.mark.parametrize(
+    ("degrees", "gamma", "plane", "omega"),
+    [
+        (1.0, 0.75, {}, 3.408),
+        (3.0, 0.5, {}, 2.7715),
+        (5.0, 0.25, {"mu_static": 1.02, "mu_kinetic": 1.0}, 3.03),
+        (3.0, 0.5, {"mu_static": 1.02, "mu_kinetic": 1.0, "gravity": 9.81}, 2.7715 * math.sqrt(9.81)),
+    ],
+)
+def test_each_number_of_a_family_varies_as_its_derivative_says(degrees, gamma, plane, omega):
+    """By the mean value theorem: the differences between both ends of a box, after each phase, which thin boxes have."""
+    returns, wide = ReturnMap(slope(degrees, gamma, **plane)), 1e-6
+    low, high = Fraction(omega - wide), Fraction(omega + wide)
+    phases = returns.piece(float(low), float(high)).phases
+    with precision(128):
+        equations = Equations(returns.scenario.to_dict())
+        whole, first, last = (Motions(equations, a, b, 32) for a, b in ((low, high), (low, low), (high, high)))
+        varied = 0
+        for phase in phases:
+            for motions in (whole, first, last):
+                motions.pass_phase(*phase)
+            for name in ("th", "vt", "vn", "om"):
+                number, *ends = (getattr(one.state, name) for one in (whole, first, last))
+                if not isinstance(number, Family):
+                    continue
+                a, b = (middle(end) for end in ends)
+                difference = (b - a) / (rational(high) - rational(low))
+                assert number.over.contains(a)
+                assert number.over.contains(b)
+                assert number.by.contains(difference), (phase[:2], name)
+                assert number.by.rad() < 0.1 * abs(difference).mid() + 1e-3
+                varied += 1
+            if whole.mode == "R":
+                a, b = (middle(one.energy) for one in (first, last))
+                assert whole.energy.by.contains((b - a) / (rational(high) - rational(low)))
+        assert varied >= 8
 
 
 # --- the entropy of coverings ---------------------------------------------------------------------
