@@ -295,8 +295,8 @@ def test_a_command_that_fails_says_why(tmp_path):
 @pytest.mark.skipif(find_spec("warp") is not None, reason="Newton is installed")
 def test_an_engine_that_is_not_installed_says_what_to_install(tmp_path):
     result = call("newton", "--scenario", "rolling", "--dt", "0.001", "--out", str(tmp_path / "out"))
-    assert "pip install 'hophoop[engines]'" in result.output
-    assert "pip install 'hophoop'" not in result.output  # the table took [engines] for markup
+    assert 'pip install "hophoop[engines]"' in result.output
+    assert 'pip install "hophoop"' not in result.output  # the table took [engines] for markup
 
 
 def test_without_an_engine_nothing_is_computed(monkeypatch, tmp_path):
@@ -310,7 +310,7 @@ def test_without_an_engine_nothing_is_computed(monkeypatch, tmp_path):
     monkeypatch.setattr(comparing, "compare", lambda *arguments: started.append(arguments))
     result = call()
     assert (result.exit_code, result.stdout, started) == (1, "", [])
-    assert result.stderr == "No engine is installed: pip install 'hophoop[engines]'.\n"
+    assert result.stderr == 'No engine is installed: pip install "hophoop[engines]".\n'
     there += ("pymunk",)
     assert [one.name for one in registry.physics_engines()] == ["pymunk"]
 
@@ -321,6 +321,8 @@ def test_engines_of_npm_are_looked_for_where_node_looks(monkeypatch, tmp_path):
     monkeypatch.setenv("HOPHOOP_NPM", str(tmp_path / "below"))
     monkeypatch.setattr(shutil, "which", lambda program: "/bin/node")
     assert [name for name in registry.NODE_ENGINES if engines.engine(name).installed] == ["planck"]
+    with pytest.raises(RuntimeError, match="matter-js is not in the folder of --npm: npm install --prefix FOLDER"):
+        Worker(engines.engine("matter")).run(engines.task_of(HOP), 0.01, {}, 1.0)
     monkeypatch.setattr(shutil, "which", lambda program: None)
     assert not engines.engine("planck").installed
 
@@ -351,7 +353,7 @@ def test_scoring_a_file(tmp_path):
     assert found["scores"]["sequence_right"] is True
     wrong = call("--score", str(file), "--scenario", "slip")
     assert wrong.exit_code == 2
-    assert "the record ends at" in wrong.output
+    assert "the record starts with vx = 3.1, the motion 'slip' with 2.8" in wrong.output
     both = call("--score", str(file), "pymunk")
     assert both.exit_code == 2
     assert "--score cannot be given together with" in both.output
