@@ -55,7 +55,9 @@ def find(
     near : float, optional
         θ̇ at the passage near which to look, to 10 % [rad/s].
     fastest : float, optional
-        Without `near`, size of θ̇ up to which to look [rad/s]; by default 10 √(g/R), at landings 20 √(g/R).
+        Without `near`, size of θ̇ up to which to look [rad/s]; by default 10 √(g/R), at landings 20 √(g/R), for heavy loads
+        twice what gets over the top. A search takes seconds, but minutes where the map has thousands of pieces: with a
+        restitution near 1, or above the critical slope. There `near` helps.
     section : {'bottom', 'landing'}, default 'bottom'
         As in `hophoop.passages`. At the bottom in rolling the map has one dimension, and the search compares 2000 values of θ̇
         and the ends of all pieces of the map that they meet: it finds stable and unstable gaits, except those on pieces
@@ -139,7 +141,7 @@ def _range(scenario: Scenario, near: float | None, fastest: float | None, sectio
     if near is not None:
         return abs(near) / unit * (1.0 - NEARBY), abs(near) / unit * (1.0 + NEARBY)
     low = slowest_over_top(scenario)
-    high = FASTEST[section] if fastest is None else fastest / unit
+    high = max(FASTEST[section], min(2.0 * low, 0.5 * (low + MOST_FAST))) if fastest is None else fastest / unit
     if not low < high < MOST_FAST:
         allowed = f"above {low * unit:.4g}, with which it may get over the top, and below {MOST_FAST * unit:.4g}"
         raise InputError.of_field("fastest", fastest, allowed)
