@@ -286,7 +286,8 @@ def test_the_fold_in_30_digits(branch):
 @pytest.mark.parametrize(
     ("path", "bounds", "message"),
     [
-        ("plane.slope", (0.1, 0.2), "must be finite and on both sides of plane.slope"),
+        ("plane.slope", (0.1, 0.2), r"must be finite and on both sides of plane\.slope = 0\.0174\d+ rad"),
+        ("plane.slope", (-0.1, 0.2), "bounds = .* must be slopes of one sign"),
         ("plane.slope", (0.0, math.nan), "must be finite"),
         ("plane.slope", ("a", 1.0), "bounds = .* must be two numbers"),
         ("plane.slope", (0.1,), "must be two numbers"),

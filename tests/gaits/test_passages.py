@@ -158,7 +158,7 @@ def test_words_are_unpacked():
 @pytest.mark.parametrize(
     ("change", "given", "sentence"),
     [
-        ({}, {"count": 0}, r"^count = 0 must be a whole number from 1 to 10000000\.$"),
+        ({}, {"count": 0}, r"^count = 0 must be an integer from 1 to 10000000\.$"),
         ({}, {"section": "top"}, r"^section = 'top' must be one of bottom, landing\.$"),
         ({"contact.model": "compliant"}, {}, r"^contact\.model = 'compliant' must be 'rigid'"),
         ({"plane.gravity": 0.0}, {}, r"^plane\.gravity = 0\.0 must be above 0"),

@@ -157,3 +157,24 @@ def shown(value: Any) -> str:
             return f"[{', '.join(map(shown, value))}]"
     # the repr of a NumPy scalar contains the name of its type
     return repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)
+
+
+def check_whole(field: str, value: object, least: int, most: int, where: str = "") -> None:
+    """Refuse a value that is no integer within bounds.
+
+    Parameters
+    ----------
+    field : str
+    value : object
+    least, most : int
+        Both are allowed.
+    where : str, optional
+        What the bounds hold for, such as "for this section".
+
+    Raises
+    ------
+    InputError
+        If it is not allowed.
+    """
+    if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+        raise InputError.of_field(field, value, f"an integer from {least} to {most} {where}".rstrip())

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.errors import check_whole
 from hophoop.gaits.kernels.cells import judge_cells
 from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, NUMBERS, SECTIONS, Buffers, Request
 from hophoop.gaits.kernels.passages import SIZE, follow_passages
@@ -84,8 +85,7 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     ('gait', 1, 'RSHKR')
     """
     check(scenario, section)
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
-        raise InputError.of_field("count", count, f"a whole number from 1 to {MOST}")
+    check_whole("count", count, 1, MOST)
     buffers = Buffers(
         np.empty((max(count, 3), len(COLUMNS))), np.zeros((max(count, 3), INTEGERS), np.int64), np.empty(SIZE),
         np.empty(FEW_EVENTS, EVENT), np.empty(0, SEGMENT),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.errors import check_whole
 from hophoop.gaits.borders import border_near, border_of
 from hophoop.gaits.continuation import JOINED
 from hophoop.gaits.equation import GaitEquation, Pair, bounds_around, value_of
@@ -38,8 +39,7 @@ def follow_special(special: Special, path: str, bounds: tuple[float, float], poi
     """Follow a special point in a second parameter; `Special.follow` calls this and describes it."""
     if special.kind == LIMIT:
         raise InputError.of_field("kind", special.kind, "a special point of the branch itself, for it to be followed")
-    if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= MOST_POINTS:
-        raise InputError.of_field("points", points, f"an integer from 2 to {MOST_POINTS}")
+    check_whole("points", points, 2, MOST_POINTS)
     one = special.equation
     if path == one.path:
         raise InputError.of_field("path", path, "a parameter other than that of the branch")

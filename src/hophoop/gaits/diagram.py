@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._support.errors import check_whole
 from hophoop._support.extras import need
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.finding import FASTEST, slowest_over_top
@@ -248,8 +249,7 @@ def _check(places: Floats, starts: int | Sequence[float], count: int) -> None:
     number = starts if isinstance(starts, int) else len(starts)
     if isinstance(starts, bool) or not 1 <= number <= MOST_STARTS:
         raise InputError.of_field("starts", starts, f"1 to {MOST_STARTS} starts")
-    if isinstance(count, bool) or not isinstance(count, int) or not ENOUGH + KEPT <= count <= MOST_PASSAGES:
-        raise InputError.of_field("passages", count, f"an integer from {ENOUGH + KEPT} to {MOST_PASSAGES}")
+    check_whole("passages", count, ENOUGH + KEPT, MOST_PASSAGES)
 
 
 def _starts(scenario: Scenario, starts: int | Sequence[float]) -> list[Start]:

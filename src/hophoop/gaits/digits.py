@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from hophoop._support.errors import check_whole
 from hophoop.gaits.section import coordinates
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.simulation.simulate import simulate
@@ -62,8 +63,7 @@ def precise_gait(gait: Gait, digits: int) -> PreciseGait:
     """
     names = coordinates(gait.section, MODE_LETTERS.index(gait.passages.mode[-1]))
     most = MOST if len(names) == 1 else MOST_OF_SEVERAL
-    if isinstance(digits, bool) or not isinstance(digits, int) or not LEAST <= digits <= most:
-        raise InputError.of_field("digits", digits, f"an integer from {LEAST} to {most} for this section")
+    check_whole("digits", digits, LEAST, most, "for this section")
     with localcontext() as context:
         context.prec = digits + 2 * SPARE
         if len(names) == 1:

@@ -331,5 +331,6 @@ def bounds_around(path: str, value: float, bounds: tuple[float, float]) -> tuple
     except (TypeError, ValueError):
         raise InputError.of_field("bounds", bounds, "two numbers") from None
     if not (math.isfinite(low) and math.isfinite(high) and low <= value <= high and low < high):
-        raise InputError(f"low = {low!r} and high = {high!r} must be finite and on both sides of {path} = {value!r}.")
+        unit = f" {parameter(path).unit}" if parameter(path).unit else ""
+        raise InputError(f"low = {low!r} and high = {high!r} must be finite and on both sides of {path} = {value!r}{unit}.")
     return low, high

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.gait import Gait, residual_of
 from hophoop.gaits.orbits import BottomMap
@@ -107,8 +108,7 @@ def find(
 
 def _check(scenario: Scenario, period: int, near: float | None, section: str) -> None:
     check(scenario, section)
-    if isinstance(period, bool) or not isinstance(period, int) or not 1 <= period <= LONGEST:
-        raise InputError.of_field("period", period, f"an integer from 1 to {LONGEST}")
+    check_whole("period", period, 1, LONGEST)
     if scenario.plane.mu_static == 0.0:
         raise InputError.of_field("plane.mu", 0.0, "above 0: without friction no hoop has a gait")
     if scenario.plane.slope == 0.0:

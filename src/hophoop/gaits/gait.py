@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import passages
 from hophoop.gaits.digits import PreciseGait, precise_gait
 from hophoop.gaits.margins import GaitMargin, margins_of
 from hophoop.gaits.results import Passages
 from hophoop.gaits.section import SectionDerivative, coordinates, derivative
 from hophoop.results.units import Units
-from hophoop.scenario import InputError, Scenario
+from hophoop.scenario import Scenario
 from hophoop.scenario.start import StartState
 from hophoop.simulation.phases import PhaseRecord, phases
 from hophoop.simulation.simulate import simulate
@@ -150,8 +151,7 @@ class Gait:
         ValueError
             If the number is not allowed.
         """
-        if isinstance(periods, bool) or not isinstance(periods, int) or not 1 <= periods <= MOST_PERIODS:
-            raise InputError.of_field("periods", periods, f"an integer from 1 to {MOST_PERIODS}")
+        check_whole("periods", periods, 1, MOST_PERIODS)
         whole = periods * self.time
         if self.section == "landing":  # to include the last landing
             return simulate(self.scenario.replace("duration", whole * LONGER), until=f"landings:{periods * self.period}")

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check
 from hophoop.gaits.finding import FASTEST, slowest_over_top
 from hophoop.gaits.kernels.layout import INTEGERS
@@ -161,8 +162,7 @@ def return_map(
     slowest = slowest_over_top(scenario)
     ends = sorted(ahead * size * image.unit for size in (slowest, max(FASTEST["bottom"], 2.0 * slowest)))
     first, last = (ends[k] if given is None else given for k, given in enumerate((low, high)))
-    if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= MOST_POINTS:
-        raise InputError.of_field("points", points, f"an integer from 2 to {MOST_POINTS}")
+    check_whole("points", points, 2, MOST_POINTS)
     if not (math.isfinite(first) and math.isfinite(last) and first < last):
         raise InputError(f"low = {first!r} and high = {last!r} must be finite, and low below high.")
     grid = (np.linspace(first, last, points) / image.unit).tolist()

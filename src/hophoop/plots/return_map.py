@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hophoop._support.errors import check_whole
 from hophoop.gaits.return_map import ReturnMap
 from hophoop.plots.style import finish, new_axes
-from hophoop.scenario import InputError
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.modes import MODE_LETTERS
 
@@ -53,8 +53,7 @@ def return_map(
         If Matplotlib is missing.
     """
     for name, value, least in (("passages", passages, 1), ("skip", skip, 0)):
-        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= MOST:
-            raise InputError.of_field(name, value, f"an integer from {least} to {MOST}")
+        check_whole(name, value, least, MOST)
     ax = new_axes(ax, (5.0, 5.0))
     low, high = float(found.pieces[0].omega[0]), float(found.pieces[-1].omega[-1])
     ax.plot([low, high], [low, high], color=colors.GRAY, linewidth=1.0)
