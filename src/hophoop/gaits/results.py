@@ -94,7 +94,7 @@ class Passages:
     decided : Fate
         The fate that physics decides, without the Lyapunov exponent.
     period : int
-        Of a gait, in passages; else 0 [1].
+        Of a gait, in passages; else 0, also of a gait that passes the section no more [1].
     """
 
     scenario: Scenario
