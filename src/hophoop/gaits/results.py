@@ -311,7 +311,7 @@ class Passages:
         return dataset
 
     def __repr__(self) -> str:
-        fate = f"gait of period {self.period}" if self.decided == Fate.GAIT else str(self.decided)
+        fate = f"gait of period {self.period}" if self.period else str(self.decided)
         words = ", ".join(self.word[-3:])
         return f"<Passages: {len(self)} of section {self.section!r}, {fate}{'; last words ' + words if words else ''}>"
 
