@@ -43,6 +43,7 @@ extensions = [
     "slides",
     "paper",
     "play",
+    "lab_pictures",
     "gallery",
     "sphinx_gallery.gen_gallery",
     "numpydoc",

@@ -1,4 +1,4 @@
-"""Figures of the pages on formulas, method, proofs, films to track, and filming a hoop, from computed motions.
+"""Figures of the pages on formulas, method, proofs, films, the reference article and filming a hoop, from computed motions.
 
 Usage: python examples/page_figures.py [FOLDER]   (default: docs/figures)
 """
@@ -7,13 +7,19 @@ from __future__ import annotations
 
 import argparse
 import math
+from itertools import islice
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from PIL import Image, ImageDraw, ImageFont
 
 import hophoop as hh
+from hophoop.animate import Look, Timing
+from hophoop.animate.mpl import Film2D
 from hophoop.plots import colors
+from hophoop.tracking import drawing
+from hophoop.tracking.video import pictures, rgb
 
 FILM = Path(__file__).parent / "film"
 SIZE = (7.6, 2.9)
@@ -102,6 +108,75 @@ def draw_track(path: Path) -> None:
     save(figure, path)
 
 
+def draw_marked_frame(path: Path) -> None:
+    """A frame of the sample film, cut out around the hoop and enlarged, with what tracking finds in it."""
+    row, half, zoom = 118, np.array([240.0, 130.0]), 1.5  # half the size of the cutting [pixels]
+    track = hh.read_track(FILM / "track.json")
+    view, centre, angle = track.view, track.centre[row], float(track.angle[row])
+    image = np.ascontiguousarray(rgb(next(islice(pictures(FILM / "hoop.mp4", view.rate), row, None))))
+    drawing.draw(image, view, track.radius, centre, angle)
+    ways = np.array([[math.sin(turn), math.cos(turn)] for turn in (angle, angle + 2.4)])
+    reach = track.radius * np.array([[view.marker_ratio], [1.0]])
+    marker, rim, hub = view.to_picture(np.vstack([centre + reach * ways, centre]), track.radius)
+    box = tuple(float(value) for value in (*(hub - half), *(hub + half)))
+    size = tuple(int(value) for value in 2.0 * half * zoom)
+    shown = Image.fromarray(image).resize(size, Image.Resampling.LANCZOS, box=box)
+    pen, font = ImageDraw.Draw(shown), ImageFont.load_default(20)
+    for words, spot, off, color in (
+        ("marker", marker, (-120.0, -50.0), drawing.MARK),
+        ("rim", rim, (110.0, 30.0), drawing.RIM),
+        ("centre", hub, (190.0, 60.0), drawing.RIM),
+    ):
+        start = zoom * (spot - hub + half)
+        end = tuple(start + off)
+        pen.line([*start, *end], fill=color, width=2)
+        side = "lm" if off[0] > 0 else "rm"
+        pen.text(end, f" {words} ", fill=color, font=font, anchor=side, stroke_width=3, stroke_fill=drawing.DARK)
+    shown.save(path, quality=88)
+
+
+def draw_film(path: Path) -> None:
+    """A picture of the film that the page on films makes first."""
+    motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(3.1), duration=2.0)
+    film = Film2D([motion], Timing(slow_at="takeoff"), Look(panels=("velocity", "energy", "phase")))
+    k = int(np.argmin(np.abs(film.clock.times[0] - 1.4)))
+    Image.fromarray(film.draw(k)[..., :3]).quantize(160, dither=Image.Dither.NONE).save(path, optimize=True)
+
+
+def draw_article(path: Path) -> None:
+    """Two of the article's statements on the hop, and the computed motion."""
+    figure, (gap, energy) = plt.subplots(1, 2, figsize=(7.6, 3.1), layout="constrained")
+    motion = hh.simulate(hh.article.scenarios()["hop"].replace("duration", 2.0))
+    takeoff, landing = motion.find("takeoff")[0], motion.find("impact")[0]
+    times = np.linspace(0.85, 1.85, 1001)
+    sample = motion.at(times)
+    angles = np.degrees(sample.angle)
+    ends = np.degrees([takeoff.angle, landing.angle])
+    gap.axvline(360.0, color=colors.GRAY, lw=1.0, ls="--")
+    gap.plot(angles, 100.0 * sample.height, color=colors.SERIES[1])
+    gap.plot(ends, [0.0, 0.0], "o", color=colors.SERIES[1])
+    gap.annotate(f"{ends[0]:.1f}°", (ends[0], 0.0), (2, 10), textcoords="offset points", ha="right", fontsize=10)
+    gap.text(356.0, 28.0, "article: jumps\nbefore this", ha="right", va="top", fontsize=10)
+    gap.set(xlabel="Rotation angle θ (°)", ylabel="Gap (cm)", xlim=(260.0, 520.0), ylim=(-2.0, 31.0))
+    scenario = motion.scenario
+    weight = scenario.hoop.mass * scenario.plane.gravity
+    fraction, radius = scenario.hoop.eccentricity, scenario.hoop.radius
+    potential = weight * (sample.height + fraction * radius * (np.cos(sample.angle) - 1.0))
+    energy.axhline(0.0, color=colors.GRAY, lw=1.0)
+    energy.axvspan(350.0, 395.0, color=colors.LIGHT_GRAY)
+    energy.plot(angles, potential, color=colors.SERIES[2])
+    energy.text(372.5, -3.6, "article:\nabove zero\n350° to 395°", ha="center", va="top", fontsize=10)
+    turns = np.flatnonzero(np.diff(np.sign(potential)))
+    bounds = angles[turns] - potential[turns] * np.diff(angles)[turns] / np.diff(potential)[turns]
+    for bound, side in zip(bounds, ("right", "left"), strict=True):
+        energy.plot([bound], [0.0], "o", color=colors.SERIES[2])
+        energy.annotate(f"{bound:.1f}°", (bound, 0.0), (0, 6), textcoords="offset points", ha=side, fontsize=10)
+    energy.set(xlabel="Rotation angle θ (°)", ylabel="Potential energy (J)", xlim=(315.0, 435.0), ylim=(-7.0, 1.2))
+    for ax in (gap, energy):
+        ax.set_xticks(range(260, 521, 60) if ax is gap else range(320, 441, 30))
+    save(figure, path)
+
+
 def draw_camera(path: Path) -> None:
     """Hoop, tape and camera, seen from above and from the side; not to scale."""
     figure, (top, side) = plt.subplots(1, 2, figsize=(7.6, 3.1), layout="constrained")
@@ -144,6 +219,9 @@ FIGURES = {
     "phases.svg": draw_phases,
     "proof-widths.svg": draw_widths,
     "track-fit.svg": draw_track,
+    "track-frame.jpg": draw_marked_frame,
+    "film-frame.png": draw_film,
+    "article-hop.svg": draw_article,
     "camera.svg": draw_camera,
 }
 

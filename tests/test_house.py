@@ -176,7 +176,7 @@ except ImportError as error:
     print(error)
 """
     said = python(WITHOUT.format(absent={"matplotlib"}, code=code)).strip()
-    assert said == ("matplotlib is not installed; it comes with the extra 'plots': pip install 'hophoop[plots]'.")
+    assert said == ("matplotlib is not installed; it comes with the extra 'plots': pip install \"hophoop[plots]\".")
 
 
 # Public names and their docstrings

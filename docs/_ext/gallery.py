@@ -26,8 +26,8 @@ ORDER = [
 ]
 SHOWN = ("hophoop.plots.", "hophoop.maps.", "hophoop.animate.")
 VIDEO = (
-    '<video controls loop muted playsinline aria-label="{title}" style="max-width:100%;height:auto" width="{width}" '
-    'height="{height}" src="data:video/mp4;base64,{data}"></video>'
+    '<video class="on-paper-not" controls loop muted playsinline aria-label="{title}" style="max-width:100%;height:auto" '
+    'width="{width}" height="{height}" src="data:video/mp4;base64,{data}"></video>'
 )
 
 
@@ -83,7 +83,8 @@ def _film(data: bytes, variables: dict[str, Any]) -> str:
     video = VIDEO.format(
         title="Film of the example", width=size[0], height=size[1], data=base64.b64encode(data).decode("ascii")
     )
-    return f".. raw:: html\n\n    {video}\n"
+    still = f".. image:: images/{path.name}\n   :alt: A picture of the film\n   :class: on-paper-only\n"
+    return f".. raw:: html\n\n    {video}\n\n{still}"
 
 
 def _picture_of_film(film: Path, path: Path) -> tuple[int, int]:

@@ -1,15 +1,17 @@
 """The lab itself next to the pages: it computes in the visitor's browser, so that "play" needs no server.
 
 Every page leads to it, and a page shows one of its motions with the directive ``motion``. The argument is the query of a link
-of the lab, the content is the caption.
+of the lab, the content is the caption. On paper a drawing takes the place of the motion.
 """
 
 from __future__ import annotations
 
+import hashlib
 from html import escape
 from pathlib import Path
 from typing import Any
 
+import matplotlib.pyplot as plt
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
@@ -48,15 +50,30 @@ def address(builder: Any, page: str, file: str) -> str:
     return "../" * builder.get_target_uri(page).count("/") + file
 
 
+def draw_still(folder: Path, query: str) -> str:
+    """Draw a motion as a strobe photograph in the colours of its modes and return the file's name."""
+    name = f"strobe-{hashlib.sha256(query.encode()).hexdigest()[:12]}.webp"
+    folder.mkdir(parents=True, exist_ok=True)
+    figure = hh.plots.strobe(hh.simulate(hh.Scenario.from_query(query)), color="mode").figure
+    figure.savefig(folder / name, dpi=150)
+    plt.close(figure)
+    return name
+
+
 def visit_live(writer: Any, node: live) -> None:
-    """The hoop, above its caption and a link, which is all where there are no scripts."""
+    """The hoop, above its caption and a link, which is all where there are no scripts; on paper a drawing."""
+    images = writer.builder.imagedir
+    still = draw_still(Path(writer.builder.outdir, images), node["query"])
     query, page = escape(node["query"]), writer.builder.current_docname
+    picture = address(writer.builder, page, f"{images}/{still}")
     lab, script = (address(writer.builder, page, file) for file in (f"{FOLDER}/index.html?{query}", ELEMENT))
     writer.body.append(
-        f'<div class="live on-paper-not"><hophoop-motion loading="lazy" panels="player" scenario="{query}"></hophoop-motion>'
-        f'<script type="module" src="{script}"></script>\n'
+        '<div class="live"><div class="on-paper-not">'
+        f'<hophoop-motion loading="lazy" panels="player" scenario="{query}"></hophoop-motion>'
+        f'<script type="module" src="{script}"></script></div>\n'
+        f'<img class="on-paper-only" fetchpriority="low" alt="The hoop at equal steps of time" src="{picture}">\n'
     )
-    writer.context.append(f'<p><a href="{lab}">Change this motion in the lab</a></p></div>\n')
+    writer.context.append(f'<p class="on-paper-not"><a href="{lab}">Change this motion in the lab</a></p></div>\n')
 
 
 def depart_live(writer: Any, node: live) -> None:

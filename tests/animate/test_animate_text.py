@@ -1,7 +1,13 @@
-"""Text of films: at least 20 pixels at 1280 × 720, whole, and never on other text."""
+"""Text of films: at least 20 pixels at 1280 × 720, whole, and never on other text.
+
+All text is written on the canvas, also the distances on the plane in 3D.
+"""
 
 import itertools
+import math
+import re
 
+import numpy as np
 import pytest
 
 from animate_tools import motion
@@ -26,6 +32,7 @@ LOOKS = {
     "overlay": ((3.1, 2.0), Look(layout="overlay", camera="hold")),
     "3D": ((3.1,), Look3D()),
     "3D, hold": ((3.1, 2.0), Look3D(camera="hold")),
+    "3D, orbit": ((3.1,), Look3D(camera="orbit")),
 }
 
 
@@ -87,3 +94,43 @@ def test_text_can_be_read_and_never_meets(name, written):
     assert seen > 6
     if isinstance(shown, Film3D):
         shown.close()
+
+
+def projected(film, k, point):
+    """A point of the world in the k-th picture, from the lower left [pixels]; computed from where the camera stands."""
+    eye, focus = (path[min(k, len(path) - 1)] for path in film._path)
+    ahead = (focus - eye) / np.linalg.norm(focus - eye)
+    right = np.cross(ahead, [0.0, 0.0, 1.0])
+    right /= np.linalg.norm(right)
+    way = np.asarray(point) - eye
+    scale = 0.5 * film.size[1] / math.tan(math.radians(15.0)) / (way @ ahead)
+    return np.array([0.5 * film.size[0] + scale * (way @ right), 0.5 * film.size[1] + scale * (way @ np.cross(right, ahead))])
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.2])
+@pytest.mark.parametrize("camera", ["chase", "orbit", "side", "hold"])
+def test_a_distance_stands_at_its_mark(camera, slope, written):
+    """Below the near edge of the track, which is 2.2 radii wide."""
+    with Film3D([motion(3.1, slope=slope)], Timing(fps=10), Look3D(camera=camera)) as film:
+        for k in (0, 4):
+            written.clear()
+            film.draw(k)
+            numbers = {words: box for words, _, box in written if re.fullmatch(r"−?\d+ m", words)}
+            assert len(numbers) >= 2
+            for words, (left, _, right, top) in numbers.items():
+                along = float(words.removesuffix(" m").replace("−", "-"))
+                edge = projected(film, k, (along * math.cos(slope), -1.1, -along * math.sin(slope)))
+                assert 0.5 * (left + right) == pytest.approx(edge[0], abs=1.0)
+                assert 4.0 < edge[1] - top < 15.0
+
+
+def test_distances_leave_room_for_labels_of_events(written):
+    """The label of the landing at 9.2 m takes the place of a number; those beside it stay."""
+    with Film3D([motion(3.1)], Timing(fps=10), Look3D(camera="hold")) as film:
+        film.draw(0)
+        before = {words for words, _, _ in written if words.endswith(" m")}
+        written.clear()
+        film.draw(film.count - 1)
+        after = {words for words, _, _ in written if words.endswith(" m")}
+    assert after < before
+    assert len(after) >= len(before) - 2

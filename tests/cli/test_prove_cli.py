@@ -215,3 +215,52 @@ def test_intervals_that_cannot_be_read(arguments, said):
     done = run("--slope-deg", 3, *arguments)
     assert done.exit_code == 2
     assert said in done.stderr
+
+
+GAIT = ["--gamma", 0.25, "--slope-deg", 5, "--gravity", 1, "--gait", "3.02:3.05"]
+
+
+def test_a_gait_is_certified_and_checked(tmp_path):
+    path = tmp_path / "gait.json"
+    assert run(*GAIT, "--certify", path).exit_code == 0
+    checked = run("--check", path)
+    assert checked.exit_code == 0
+    first, *said = checked.stdout.splitlines()
+    assert first == "accepted  gait: 16 events verified"
+    assert said[0].strip() == "the return map takes all θ̇ from 3.02 to 3.05 rad/s into that interval"
+    certificate = json.loads(path.read_text(encoding="utf-8"))
+    path.write_text(json.dumps(certificate | {"words": ["RSHKR"]}), encoding="utf-8")
+    refused = run("--check", path)
+    assert refused.exit_code == 1
+    assert refused.stderr == (
+        "Refused after 4 events: it cannot be shown that the phases from an interval are those that are named, not RSHR.\n"
+    )
+
+
+def test_a_certificate_of_an_unknown_format(tmp_path):
+    path = tmp_path / "gait.json"
+    path.write_text('{"schema": "hophoop-map-proof/2"}', encoding="utf-8")
+    done = run("--check", path)
+    assert done.exit_code == 2
+    assert "has the format 'hophoop-map-proof/2', which must be hophoop-proof/1 or hophoop-map-proof/1." in done.stderr
+
+
+def test_what_is_not_proved_has_no_certificate(tmp_path):
+    path = tmp_path / "gait.json"
+    done = run("--gamma", 0.5, "--slope-deg", 3, "--gravity", 1, "--gait", "2.7716:2.7718", "--certify", path)
+    assert done.exit_code == 1
+    assert not path.exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--certify", "a.json"], "--certify needs --gait or --chaos"),
+        ([*GAIT, "--certify", "none/a.json"], "--certify = none/a.json must be in an existing folder"),
+        ([*GAIT, "--certify", "a.json", "--out", "a.json"], "a.json is used for two outputs"),
+    ],
+)
+def test_a_certificate_that_cannot_be_written(arguments, said):
+    done = run(*arguments)
+    assert done.exit_code == 2
+    assert said in done.stderr

@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import hophoop as hh
 from hophoop.article.inks import for_both
@@ -134,3 +135,42 @@ def test_the_figure_of_the_track_has_the_film_on_the_fitted_motion(tmp_path, mon
     PAGES["draw_track"](tmp_path / "a.svg")
     fitted, film = (line.get_ydata() for line in figures[0].axes[0].lines)
     assert np.abs(np.radians(film - fitted[::4])).max() < 0.01
+
+
+def test_the_figure_of_the_article_has_its_statements(tmp_path, monkeypatch):
+    """Take-off and the angles of zero potential energy, as `hophoop reproduce` states them."""
+    figures = []
+    monkeypatch.setitem(PAGES["draw_article"].__globals__, "save", lambda figure, path: figures.append(figure))
+    PAGES["draw_article"](tmp_path / "a.svg")
+    gap, energy = figures[0].axes
+    assert {text.get_text() for text in gap.texts} >= {"315.6°"}
+    assert {text.get_text() for text in energy.texts} >= {"348.8°", "394.5°"}
+    assert gap.lines[1].get_ydata().max() == pytest.approx(29.18481, abs=1e-4)
+    assert energy.lines[1].get_ydata().max() == pytest.approx(0.418169, abs=1e-5)
+
+
+def test_the_marked_frame_has_its_ring_around_the_red_marker(tmp_path):
+    """The film's marker is red, and in the frame where the true motion has it."""
+    pytest.importorskip("av")
+    PAGES["draw_marked_frame"](tmp_path / "a.jpg")
+    image = np.asarray(Image.open(tmp_path / "a.jpg").convert("RGB")).astype(int)
+    red = np.argwhere((image[..., 0] > 150) & (image[..., 1:].max(axis=-1) < 100))
+    cyan = np.argwhere((image[..., 1:].min(axis=-1) > 180) & (image[..., 0] < 90))
+    assert len(red) > 50
+    assert len(cyan) > 300
+    hub = 0.5 * np.array(image.shape[:2])
+    way = (red.mean(axis=0) - hub) * [-1.0, 1.0]
+    truth = hh.simulate(hh.Scenario.load(PAGES["FILM"] / "truth.toml"))
+    track = hh.read_track(PAGES["FILM"] / "track.json")
+    angle = float(truth.at(track.t[118]).angle)
+    assert math.atan2(way[1], way[0]) == pytest.approx(math.remainder(angle, 2.0 * math.pi), abs=0.05)
+    assert np.hypot(*(cyan - red.mean(axis=0)).T).min() < 12.0
+
+
+def test_the_picture_of_the_film_is_its_film_at_a_page_s_size(tmp_path):
+    kept = ROOT / "docs" / "figures" / "film-frame.png"
+    PAGES["draw_film"](tmp_path / "a.png")
+    drawn, shown = (np.asarray(Image.open(path).convert("RGB")).astype(int) for path in (tmp_path / "a.png", kept))
+    assert drawn.shape == (720, 1280, 3)
+    assert np.mean(np.abs(drawn - shown).max(axis=-1) > 40) < 0.01
+    assert kept.stat().st_size < 150_000

@@ -17,7 +17,7 @@ import hophoop as hh
 from hophoop import engines
 from hophoop.animate.words import StateLine, draw_state
 from hophoop.cli import app
-from hophoop.engines import comparing, registry, tables
+from hophoop.engines import comparing, figures, registry, tables
 from hophoop.engines.external import job_text, run_command
 from hophoop.engines.measures import exact_record
 from hophoop.engines.recorded import RecordedMotion
@@ -210,6 +210,34 @@ def test_the_command_of_the_page_runs(tmp_path):
     assert row["scores"]["angle_error"] < 2.0
 
 
+def test_the_figure_of_the_page_shows_the_hops_of_the_table(kept):
+    """A panel for each engine, with its errors at 1 ms."""
+    words = re.findall(r"<!-- (.+) -->", (ROOT / "docs" / "figures" / "engines-hops.svg").read_text(encoding="utf-8"))
+    titles = [one["title"] for one in kept["engines"].values()]
+    assert [word for word in words if word in titles] == titles
+    for name, one in kept["engines"].items():
+        errors = {
+            row["setting"]: row["scores"]["hop_height"]
+            for row in kept["rows"]
+            if (row["engine"], row["scenario"], row["dt"]) == (name, "hop", 0.001)
+        }
+        shown = [errors["default"]] + [error for error in list(errors.values())[1:] if abs(error) < abs(errors["default"])]
+        drawn = [f"{1e3 * error:+.1f} mm".replace("-", "−") if abs(error) >= 5e-5 else "exact" for error in shown]
+        place = words.index(one["title"])
+        assert drawn == words[place - len(drawn) : place]
+
+
+def test_a_drawing_is_the_same_each_time_and_short():
+    figure = pytest.importorskip("matplotlib.figure").Figure()
+    figure.subplots().plot(np.linspace(0.0, 1.0, 50), np.sqrt(np.arange(50.0)), "o-")
+    drawn = figures.drawing(figure)
+    assert drawn == figures.drawing(figure)
+    line = max(re.findall(r' d="([ML\d\s.z-]+)"', drawn), key=len)
+    assert line.count("L") == 49
+    assert not re.search(r"\.\d\d", line)
+    assert re.search(r"C -?\d+\.\d{4}", drawn)  # a mark keeps its shape
+
+
 def test_the_table_of_the_page_is_the_kept_one(kept):
     table = (ROOT / "docs" / "tables" / "engines.md").read_text(encoding="utf-8")
     assert f"made {kept['made']}" in table
@@ -267,8 +295,8 @@ def test_a_command_that_fails_says_why(tmp_path):
 @pytest.mark.skipif(find_spec("warp") is not None, reason="Newton is installed")
 def test_an_engine_that_is_not_installed_says_what_to_install(tmp_path):
     result = call("newton", "--scenario", "rolling", "--dt", "0.001", "--out", str(tmp_path / "out"))
-    assert "pip install 'hophoop[engines]'" in result.output
-    assert "pip install 'hophoop'" not in result.output  # the table took [engines] for markup
+    assert 'pip install "hophoop[engines]"' in result.output
+    assert 'pip install "hophoop"' not in result.output  # the table took [engines] for markup
 
 
 def test_without_an_engine_nothing_is_computed(monkeypatch, tmp_path):
@@ -282,7 +310,7 @@ def test_without_an_engine_nothing_is_computed(monkeypatch, tmp_path):
     monkeypatch.setattr(comparing, "compare", lambda *arguments: started.append(arguments))
     result = call()
     assert (result.exit_code, result.stdout, started) == (1, "", [])
-    assert result.stderr == "No engine is installed: pip install 'hophoop[engines]'.\n"
+    assert result.stderr == 'No engine is installed: pip install "hophoop[engines]".\n'
     there += ("pymunk",)
     assert [one.name for one in registry.physics_engines()] == ["pymunk"]
 
@@ -293,6 +321,8 @@ def test_engines_of_npm_are_looked_for_where_node_looks(monkeypatch, tmp_path):
     monkeypatch.setenv("HOPHOOP_NPM", str(tmp_path / "below"))
     monkeypatch.setattr(shutil, "which", lambda program: "/bin/node")
     assert [name for name in registry.NODE_ENGINES if engines.engine(name).installed] == ["planck"]
+    with pytest.raises(RuntimeError, match="matter-js is not in the folder of --npm: npm install --prefix FOLDER"):
+        Worker(engines.engine("matter")).run(engines.task_of(HOP), 0.01, {}, 1.0)
     monkeypatch.setattr(shutil, "which", lambda program: None)
     assert not engines.engine("planck").installed
 
@@ -323,7 +353,7 @@ def test_scoring_a_file(tmp_path):
     assert found["scores"]["sequence_right"] is True
     wrong = call("--score", str(file), "--scenario", "slip")
     assert wrong.exit_code == 2
-    assert "the record ends at" in wrong.output
+    assert "the record starts with vx = 3.1, the motion 'slip' with 2.8" in wrong.output
     both = call("--score", str(file), "pymunk")
     assert both.exit_code == 2
     assert "--score cannot be given together with" in both.output

@@ -57,6 +57,46 @@ def test_the_height_of_the_centre_is_not_the_gap(name):
     scores(name, changed(states, y=states.y - 0.02))  # an engine that lets the rim sink is scored
 
 
+def mass_center(s):
+    return s._replace(x=s.x + 0.75 * np.sin(s.angle), y=s.y + 0.75 * np.cos(s.angle))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda s: s._replace(angle=-s.angle, omega=-s.omega), r"starts with omega = -3\.1, .* with 3\.1; .*rolls towards \+x"),
+        (lambda s: s._replace(angle=s.angle + np.pi), r"starts with theta = 3\.14159, .* with 0; .*load at the top"),
+        (lambda s: s._replace(omega=np.degrees(s.omega), angle=np.degrees(s.angle)), r"starts with omega = 177.*in rad/s"),
+        (lambda s: s._replace(x=1e3 * s.x, vx=1e3 * s.vx), r"starts with vx = 3100, .*in m/s"),
+        (lambda s: s._replace(x=s.x + 3.0), r"starts with x = 3, .* with 0"),
+        (mass_center, r"starts with y = 0\.75, .*gap between rim and plane"),
+    ],
+)
+def test_a_record_that_starts_elsewhere_is_refused(change, message):
+    with pytest.raises(hh.scenario.InputError, match=message):
+        scores("hop", change(exact("hop")))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda s: s._replace(angle=-s.angle), "theta changes by -1 times the integral of omega"),
+        (lambda s: s._replace(angle=np.degrees(s.angle)), r"theta changes by 57\.3 times"),
+        (lambda s: s._replace(t=1e3 * s.t), r"x changes by 0\.001 times the integral of vx over t"),
+        (lambda s: s._replace(angle=np.mod(s.angle, 2.0 * np.pi)), r"theta jumps by -6\.28 rad after t = 1\.\d+ s"),
+    ],
+)
+def test_a_file_whose_columns_disagree_is_refused(change, message):
+    with pytest.raises(hh.scenario.InputError, match=message):
+        engines.score_file(engines.Recording(change(exact("hop"))), "hop")
+
+
+@pytest.mark.parametrize("spacing", [SPACING, 1e-3, 1.0 / 32.0])
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_a_right_file_is_scored(name, spacing):
+    engines.score_file(engines.Recording(exact(name, spacing)), name)
+
+
 def test_columns_without_meaning_are_empty():
     found = scores("rolling", exact("rolling"))
     assert (found.takeoff_angle, found.hop_height, found.landing_time, found.impact_loss) == (None,) * 4
@@ -114,9 +154,9 @@ def test_a_low_hop():
 
 
 def test_no_hop_is_missing():
-    states = exact("rolling")
-    long = States(*(column[states.t <= 2.0 + SPACING] for column in states))
-    found = scores("hop", long)
+    t, speed = np.arange(0.0, 2.0 + SPACING, SPACING), 3.1
+    rolling = States(t, speed * t, 0.0 * t, speed * t, 0.0 * t + speed, 0.0 * t, 0.0 * t + speed)
+    found = scores("hop", rolling)
     assert not found.sequence_right
     assert math.isnan(found.takeoff_angle)
     assert math.isnan(found.hop_height)
@@ -213,7 +253,7 @@ def test_a_record_goes_through_its_file():
     ("text", "message"),
     [
         ("", "must start with the header"),
-        ("t,x,y\n0,0,0\n", "must start with the header"),
+        ("t,x,y\n0,0,0\n", "must start with the header t,x,y,theta,vx,vy,omega; it starts with 't,x,y'"),
         ("t,x,y,theta,vx,vy,omega\n0,0,0,0,0,0\n", "has 6 numbers in state 1"),
         ("t,x,y,theta,vx,vy,omega\n0,0,0,zero,0,0,0\n", "not a number"),
         ("# steps: many\nt,x,y,theta,vx,vy,omega\n0,0,0,0,0,0,0\n", "must be numbers"),

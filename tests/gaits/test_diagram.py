@@ -1,11 +1,13 @@
 """Attractors over a parameter, against gaits that are found otherwise."""
 
+import io
 import math
 
 import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.article.inks import for_both
 from hophoop.vocabulary.fates import Fate
 
 BASE = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(gravity=1.0))
@@ -45,12 +47,19 @@ def test_a_gait_without_a_hop_is_known_at_landings():
 
 
 def test_chaos_and_standstill():
-    """At 4° chaos with an exponent of 0.575, at 10° every start rocks in the end, at 16° it goes on again."""
+    """At 4° chaos with an exponent of 0.575, at 10° every start rocks in the end, at 17.5° it goes on again."""
     found = over([4.0, 10.0, 17.5])
     chaos = next(one for one in found.attractors[0] if one.fate == Fate.CHAOTIC)
     assert chaos.lyapunov == pytest.approx(0.575, abs=0.08)
     assert {one.fate for one in found.attractors[1]} == {Fate.ROCKS}
     assert any(one.fate in (Fate.CHAOTIC, Fate.GAIT) for one in found.attractors[2])
+
+
+@pytest.mark.parametrize(("slope", "goes_on"), [(15.02, False), (15.5, True), (16.2, False), (17.08, False), (17.3, True)])
+def test_the_gaps_of_the_page(slope, goes_on):
+    """On some slopes every start rocks in the end, as docs/gaits.md has them."""
+    fates = {one.fate for one in over([slope], starts=20).attractors[0]}
+    assert goes_on == (fates != {Fate.ROCKS})
 
 
 def test_the_last_attractor_is_followed():
@@ -85,6 +94,10 @@ def test_the_picture():
     names = {text.get_text() for text in ax.get_legend().get_texts()}
     assert names >= {"gait without a hop", "gait with hops", "chaos", "rocks"}
     assert "m/s" in hh.plots.diagram(found, speed=True).get_ylabel()
+    drawing = io.StringIO()
+    ax.figure.savefig(drawing, format="svg")
+    assert "<image" in drawing.getvalue()
+    assert "prefers-color-scheme" not in for_both(drawing.getvalue())  # black dots of an image stay on white paper
 
 
 def test_what_is_done_is_kept_when_it_is_stopped():

@@ -44,6 +44,14 @@ def test_mirror():
         assert one.omega[[0, -1]] == pytest.approx(-other.omega[[-1, 0]], rel=1e-12)
 
 
+def test_a_hoop_that_is_fast_at_the_bottom():
+    """With γ = 0.999 it gets over the top from 31.6 √(g/R) on: the default range is above."""
+    plane = hh.Plane(slope=math.radians(3), gravity=1.0)
+    pieces = hh.gaits.return_map(hh.Scenario(hoop=hh.Hoop.ideal(0.999), plane=plane), points=20).pieces
+    assert math.sqrt(2 * 0.999 / 0.002) == pytest.approx(31.6, abs=0.1)
+    assert 31.5 < pieces[0].omega[0] < pieces[-1].omega[-1] <= 64.0
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -110,7 +110,7 @@ def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
     )
     done = python(code, PATH="")
     assert done.returncode == 1
-    assert done.stderr == "Error: building needs ziglang: pip install 'hophoop[build]'. The previous build remains.\n"
+    assert done.stderr == 'Error: building needs ziglang: pip install "hophoop[build]". The previous build remains.\n'
     assert (tmp_path / native.MANIFEST).read_text() == "before"
 
 

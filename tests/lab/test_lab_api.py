@@ -268,7 +268,7 @@ def test_a_missing_extra_answers_501(monkeypatch, client):
     application = routes.create_app(pool=Pool(USUAL, Here))
     reply = asking(application).post("/api/v1/theory", json={"duration": 3})
     assert reply.status_code == 501
-    sentence = "hophoop_needs_this is not installed; it comes with the extra 'plots': pip install 'hophoop[plots]'."
+    sentence = "hophoop_needs_this is not installed; it comes with the extra 'plots': pip install \"hophoop[plots]\"."
     assert reply.json() == {"detail": sentence, "extra": "plots"}
     with pytest.raises(MissingExtra) as raised:
         need("hophoop_needs_this", "plots")

@@ -92,7 +92,7 @@ def test_a_map_says_what_computed_it(simulated):
 
 def test_without_numba_cuda_it_says_what_to_install(monkeypatch):
     monkeypatch.setattr(gpu, "find_spec", lambda name: None)
-    with pytest.raises(ValueError, match=r"pip install 'hophoop\[gpu\]'"):
+    with pytest.raises(ValueError, match=r'pip install "hophoop\[gpu\]"'):
         maps.sweep(None, AXES, device="gpu")
 
 

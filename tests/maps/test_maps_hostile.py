@@ -266,5 +266,5 @@ def test_a_gpu_without_numba_names_the_extra(monkeypatch):
     monkeypatch.setattr(gpu, "find_spec", lambda name: None)
     for name in ("numba", "numba.core"):
         monkeypatch.setitem(sys.modules, name, None)
-    with pytest.raises(ValueError, match=r"pip install 'hophoop\[gpu\]'"):
+    with pytest.raises(ValueError, match=r'pip install "hophoop\[gpu\]"'):
         gpu.require_gpu()

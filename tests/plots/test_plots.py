@@ -5,6 +5,7 @@ import math
 import re
 
 import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -327,7 +328,6 @@ def test_geometry_renders(ax):
 
 
 def test_new_axes_when_none_are_given(hop):
-    import matplotlib.pyplot as plt
 
     axes = plots.gap(hop)
     assert axes.figure.number in plt.get_fignums()
@@ -337,6 +337,8 @@ def test_new_axes_when_none_are_given(hop):
 def test_overview_and_notebook(hop, tmp_path):
     figure = plots.overview(hop)
     assert len(figure.axes) == 5
+    assert figure.number in plt.get_fignums()  # `plt.show()` shows it
+    plt.close(figure)
     from hophoop.plots.overview import save_overview
 
     save_overview(hop, tmp_path / "page.png")
@@ -371,6 +373,7 @@ def test_every_motion_can_be_drawn(hoop, plane, start):
     motion = hh.simulate(hoop, plane, start, duration=2.0)
     figure = plots.overview(motion)
     figure.canvas.draw()
+    plt.close(figure)
     assert motion._repr_html_()
 
 

@@ -75,7 +75,8 @@ def test_every_drawing_beside_the_pages_has_colours_for_dark_ones(site):
     drawings = [path for path in (site / "_images").glob("*.svg") if "Matplotlib" in path.read_text(encoding="utf-8")]
     assert len(drawings) > 30
     plain = [path.name for path in drawings if "prefers-color-scheme" not in path.read_text(encoding="utf-8")]
-    assert [name for name in plain if "strobe" not in name and name != "learn-real-hoop-2.svg"] == []
+    on_paper = re.compile("strobe|plot_diagram|learn-real-hoop-2")  # they keep their white ground
+    assert [name for name in plain if not on_paper.search(name)] == []
 
 
 MEDIA = 16  # MSO_SHAPE_TYPE of a film
@@ -131,6 +132,43 @@ def test_an_answer_of_a_slide_is_shown_on_demand(browser, address):
     box.locator("summary").press(" ")
     assert box.locator("p").inner_text() == "At 312°, on the way up."
     page.close()
+
+
+def test_pictures_tables_and_code_fit_on_paper(browser, site, address):
+    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+    page.emulate_media(media="print")
+    wide = []
+    for file in sorted(site.rglob("*.html")):
+        name = file.relative_to(site).as_posix()
+        if not name.startswith(("play/", "teach/slides/", "_")):
+            page.goto(address + name)
+            wide += [f"{name}: {words}" for words in page.evaluate(STICKS_OUT) if re.match("TABLE|PRE|IMG|VIDEO|DIV", words)]
+    page.close()
+    assert wide == []
+
+
+def test_what_moves_is_drawn_on_paper(browser, address):
+    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+    page.goto(f"{address}learn/hops-for-ever.html")
+    drawn = page.locator("img.on-paper-only")
+    assert not drawn.is_visible()
+    page.emulate_media(media="print")
+    assert drawn.is_visible()
+    page.wait_for_function("document.querySelector('img.on-paper-only').naturalWidth > 100")
+    assert not page.locator("hophoop-motion").is_visible()
+    page.close()
+
+
+def test_every_example_of_the_gallery_shows_something_also_on_paper(site):
+    pages = sorted((site / "gallery").rglob("plot_*.html"))
+    assert len(pages) > 30
+    bodies = {page.name: page.read_text(encoding="utf-8").split("<article", 1)[1] for page in pages}
+    assert [name for name, body in bodies.items() if not re.search("<img [^>]*sphx_glr_plot", body)] == []
+    films = [body for body in bodies.values() if "<video" in body]
+    assert len(films) > 5
+    for body in films:  # on paper there is a picture of it
+        assert re.search(r'<video class="on-paper-not"', body)
+        assert re.search(r'<img [^>]*class="[^"]*on-paper-only', body)
 
 
 def test_what_sticks_out_of_the_paper_is_found(browser):

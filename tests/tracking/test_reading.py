@@ -230,7 +230,7 @@ def test_a_saved_track_is_the_same(tmp_path):
 @pytest.mark.parametrize(
     ("name", "text", "message"),
     [
-        ("a.csv", "", "has no table"),
+        ("a.csv", "", "is empty"),
         ("a.csv", "1,2\n3,4\n", "has no row of column names"),
         ("a.csv", "t,x,y\n", "has no table"),
         ("a.csv", "t,x,y\na,b,c\n", "has no row of numbers"),
@@ -239,11 +239,11 @@ def test_a_saved_track_is_the_same(tmp_path):
         ("a.csv", "t,speed\n0,1\n1,1\n2,1\n", "has neither x and y, nor marker_x and marker_y, nor angle"),
         ("a.csv", "t,x,y\n0,1,1\n1,1,1\n", "has 2 rows; at least 3 are needed"),
         ("a.csv", "t,x,y\n0,1,1\n2,1,1\n1,1,1\n", "must have times that increase, which they do not in row 3"),
-        ("a.csv", "t,x,y\n0,1,1\n1,fast,1\n2,1,1\n", "has 'fast' in column x, row 2"),
-        ("a.csv", "t,x,y\n0,1,inf\n1,1,1\n2,1,1\n", "has 'inf' in column y, row 1"),
+        ("a.csv", "t,x,y\n0,1,1\n1,fast,1\n2,1,1\n", "has 'fast' in column x, row 2 below"),
+        ("a.csv", "t,x,y\n0,1,inf\n1,1,1\n2,1,1\n", "has 'inf' in column y, row 1 below"),
         ("a.csv", "t,x,y\n0,nan,nan\n1,nan,nan\n2,,\n", "has the hoop in no row"),
         ("a.csv", "t [h],x,y\n0,1,1\n1,1,1\n2,1,1\n", "gives t in 'h'; known units are s, ms, min"),
-        ("a.xls", "t,x,y\n0,1,1\n", "must end in .json, .csv"),
+        ("a.md", "t,x,y\n0,1,1\n", "must end in .json, .csv"),
         ("a.json", "{", "is not valid JSON"),
         ("a.json", "[1]", "is not a track of hophoop"),
         ("a.json", json.dumps({"schema": "hophoop-track/1"}), "is incomplete: 'columns'"),
@@ -289,7 +289,7 @@ def test_an_archive_that_would_unpack_to_gigabytes_is_refused(tmp_path, monkeypa
 
 def test_files_that_are_no_text(tmp_path):
     file = tmp_path / "a.csv"
-    file.write_bytes(b"\xff\xfe\x00\x01")
+    file.write_bytes(b"\x89PNG\r\n\x1a\n\x00\x00")
     with pytest.raises(ValueError, match="is not text"):
         read_track(file)
     with pytest.raises(FileNotFoundError):

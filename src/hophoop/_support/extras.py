@@ -40,7 +40,7 @@ def need(module: str, extra: str) -> Any:
         if error.name is not None and error.name.partition(".")[0] != top:
             raise
         missing = MissingExtra(
-            f"{top} is not installed; it comes with the extra '{extra}': pip install 'hophoop[{extra}]'.",
+            f"{top} is not installed; it comes with the extra '{extra}': pip install \"hophoop[{extra}]\".",
             name=module,
         )
         missing.extra = extra

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hophoop.animate.canvas import Canvas, Points, TextStyle
+from hophoop.animate.canvas import Canvas, Points, Rectangle, TextStyle
 from hophoop.animate.layout import FONT
 from hophoop.animate.themes import Theme
 from hophoop.plots.marks import center_of_label, clusters
@@ -106,7 +106,7 @@ def draw_event_marks(
 
 def label_event_marks(
     canvas: Canvas, theme: Theme, seen: Sequence[ShownMark], below: float, across: tuple[float, float]
-) -> None:
+) -> list[Rectangle]:
     """Label the marks below the plane, those of all hoops in a view together, so that labels do not overlap.
 
     Parameters
@@ -119,22 +119,26 @@ def label_event_marks(
         Distance of labels below the plane [pixels].
     across : tuple of float
         Left and width of the view, which labels do not leave [pixels].
+
+    Returns
+    -------
+    taken : list of tuple of float
+        Rectangle of each label with its marks: left, bottom, width, height [pixels].
     """
     left, width = across
     seen = [(kind, spot) for kind, spot in seen if left <= spot[0] <= left + width]
     if not seen:
-        return
+        return []
     u = canvas.unit
     ordered = sorted(seen, key=lambda pair: float(pair[1][0]))
+    taken = []
     places, up = np.array([spot[0] - left for _, spot in ordered]), np.array([spot[1] for _, spot in ordered])
     for group in clusters(list(places / u), [kind for kind, _ in ordered], width / u, LETTER):
         level = float(np.interp(group.middle * u, places, up))
-        canvas.text(
-            left + center_of_label(group, width / u) * u,
-            level - below,
-            group.words,
-            TextStyle(theme.ink, FONT, "center", vertical="center"),
-        )
+        middle, wide = left + center_of_label(group, width / u) * u, canvas.text_width(group.words, FONT)
+        canvas.text(middle, level - below, group.words, TextStyle(theme.ink, FONT, "center", vertical="center"))
+        taken.append((middle - 0.5 * wide, level - below - 0.37 * FONT * u, wide, below))
+    return taken
 
 
 def _mark(canvas: Canvas, theme: Theme, kind: str, spot: Points, size: float) -> None:

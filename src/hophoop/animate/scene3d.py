@@ -17,7 +17,7 @@ from hophoop.animate.event_marks import EventMark, draw_event_marks, event_marks
 from hophoop.animate.frames import Extent, Timing, Trace, clock, end_word, extent, follow, trace
 from hophoop.animate.layout import FONT, LABEL_BASE, ONE_HEAD, ROW, ROW_HEAD, Layout, lay_out, state_width
 from hophoop.animate.look import Look3D, labels_of
-from hophoop.animate.plane3d import plane_meshes
+from hophoop.animate.plane3d import draw_distances, half_track, mark_step, plane_meshes
 from hophoop.animate.scaling import arrow, force_levels
 from hophoop.animate.shapes3d import (
     FORCE_LENGTH,
@@ -58,6 +58,7 @@ from hophoop.vocabulary import colors
 SMOOTH = 4  # samples per pixel
 CALM = 0.6  # smoothing of the camera [s of film]
 ANGLE = 30.0  # of the view, from its lower to its upper edge [°]
+FARTHEST = 1.7  # marks of the plane with a number, over the distance of the focal point
 TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of several motions
 
 
@@ -430,6 +431,8 @@ class Film3D:
         several = len(self.actors) > 1
         room = self.layout.words[2]
         metre = self._metre(k)
+        view = 0.0, self.layout.foot, float(self.look.size[0]), height - self.layout.head - self.layout.foot
+        taken = []
         if not several:
             draw_label(canvas, theme, (22.0 * u, height - LABEL_BASE * u), self.actors[0].label, room)
         for row, actor in enumerate(self.actors):
@@ -448,16 +451,32 @@ class Film3D:
                 draw_tag(canvas, theme, self._display(actor.poses.center[k], actor.lane), actor.tag)
             # on the near side of the track, not hidden by the ring
             near = actor.lane - 0.35 * self._radius
-            canvas.clip((0.0, self.layout.foot, self.look.size[0], height - self.layout.head - self.layout.foot))
+            canvas.clip(view)
             now = float(actor.poses.t[k]), float(self.clock.rate[k]), float(self.clock.still[k])
             spot_of = partial(self._visible_point, lane=near)
             seen = draw_event_marks(canvas, theme, actor.found, now, spot_of, self._radius * metre, 34.0 * u)
-            label_event_marks(canvas, theme, seen, 34.0 * u, (0.0, float(self.look.size[0])))
+            taken += label_event_marks(canvas, theme, seen, 34.0 * u, (0.0, float(self.look.size[0])))
             canvas.clip(None)
+        draw_distances(canvas, theme, self._distances(k), taken, view)
         if self.look.forces:
             draw_force_key(canvas, theme, self.layout, self.newton(k) * metre, float(self.force_levels[k]))
         draw_pace(canvas, theme, self.layout, float(self.clock.rate[k]))
         draw_keys(canvas, theme, self.layout, self.extent.speed, self._keys)
+
+    def _distances(self, k: int) -> list[tuple[float, Floats]]:
+        """Return every second mark at the near edge of the track that is not far, and its place in the picture."""
+        position, focus = (row[min(k, len(row) - 1)] for row in self._path)
+        step, edge = 2.0 * mark_step(self._radius), -half_track(self._radius, len(self.actors))
+        away = float(np.linalg.norm(position - focus))
+        here = float(focus[[0, 2]] @ to_world(1.0, 0.0, self._slope))
+        near = np.arange(math.ceil((here - 2.0 * away) / step), math.floor((here + 2.0 * away) / step) + 1)
+        shown = []
+        for mark in near:
+            place = to_world(mark * step, 0.0, self._slope)
+            off = float(np.linalg.norm(place_3d(place, edge) - position))
+            if off < FARTHEST * away and (place_3d(place, edge) - position) @ (focus - position) > 0.0:
+                shown.append((off, float(mark * step), self._display(place, edge)))
+        return [(mark, spot) for _, mark, spot in sorted(shown, key=lambda one: one[0])]
 
     def _visible_point(self, point: Floats, lane: float) -> Floats | None:
         spot = self._display(point, lane)

@@ -143,6 +143,7 @@ def _report_failure(error: BaseException, stopping: Stopping) -> int:
         stopping.say()
         return STOPPED
     # an error in the arguments, reported by the parser
+    _explain(error)
     describe = getattr(error, "format_message", None)
     if describe is None:
         if not isinstance(error, Exception):
@@ -156,6 +157,25 @@ def _report_failure(error: BaseException, stopping: Stopping) -> int:
     else:
         _say_error(f"{text.rstrip('.')}. See {command} --help.")
     return int(getattr(error, "exit_code", BAD_INPUT))
+
+
+def _explain(error: BaseException) -> None:
+    """Name the value that is no number, and the option for a name of Python."""
+    if hasattr(error, "possibilities"):
+        from hophoop.cli._options import OPTIONS
+
+        word = str(error.option_name).lstrip("-").replace("-", "_")  # type: ignore[attr-defined]
+        own = {flag for param in error.ctx.command.params for flag in param.opts}  # type: ignore[attr-defined]
+        named = [option.flag for option in OPTIONS if option.path.rpartition(".")[2] == word and not option.to_si]
+        meant = [flag for flag in named if flag in own]
+        error.possibilities = meant or error.possibilities
+        return
+    problems = getattr(error.__cause__, "errors", None)  # of pydantic, which parses numbers for Typer
+    first = problems()[0] if problems else {"type": ""}
+    allowed = {"float_parsing": "a number, such as 3.1", "int_parsing": "a whole number, such as 3"}.get(first["type"])
+    if allowed:
+        flag = max(error.param.opts, key=len)  # type: ignore[attr-defined]
+        error.format_message = lambda: f"{flag} = {first['input']!r} must be {allowed}."  # type: ignore[attr-defined]
 
 
 class Stopped(Exception):

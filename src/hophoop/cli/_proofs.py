@@ -113,15 +113,17 @@ def _as_json(number: ProvedNumber) -> dict[str, str]:
     }
 
 
-def gait(scenario: Any, text: str, seconds: float | None, out: Path | None, json: bool) -> None:
+def gait(scenario: Any, text: str, seconds: float | None, out: Path | None, certify: Path | None, json: bool) -> None:
     """Prove a gait in an interval of θ̇; status 1 if it is not proved."""
     from hophoop.cli._output import named_options
     from hophoop.prove import prove_gait
 
     low, high = _interval("--gait", text)
     with named_options({"interval": "--gait"}):
-        found = prove_gait(scenario, low, high, seconds)
+        found = prove_gait(scenario, low, high, seconds, certify=certify is not None)
     _give_map("hophoop-gait-proof/1", scenario, found, out, json)
+    if certify is not None and found.proved:
+        found.save(certify)
     if found.proved and not json:
         typer.echo(
             f"proved      one gait, {' or '.join(found.words)}, which attracts all from {low:g} to {high:g} rad/s\n"
@@ -130,15 +132,19 @@ def gait(scenario: Any, text: str, seconds: float | None, out: Path | None, json
     _end_map(found)
 
 
-def chaos(scenario: Any, texts: Sequence[str], seconds: float | None, out: Path | None, json: bool) -> None:
+def chaos(
+    scenario: Any, texts: Sequence[str], seconds: float | None, out: Path | None, certify: Path | None, json: bool
+) -> None:
     """Prove chaos by intervals of θ̇ that cover each other; status 1 if it is not proved."""
     from hophoop.cli._output import named_options
     from hophoop.prove import prove_chaos
 
     intervals = [_interval("--chaos", text) for text in texts]
     with named_options({"intervals": "--chaos"}):
-        found = prove_chaos(scenario, intervals, seconds)
+        found = prove_chaos(scenario, intervals, seconds, certify=certify is not None)
     _give_map("hophoop-chaos-proof/1", scenario, found, out, json)
+    if certify is not None and found.proved:
+        found.save(certify)
     if found.proved and not json:
         typer.echo(f"proved      chaos, with a topological entropy of {found.entropy} a revolution at least")
         for k, words in enumerate(found.words):

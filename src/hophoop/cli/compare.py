@@ -70,7 +70,7 @@ def compare(
         if not 0.0 < step <= 0.1:
             raise InputError.of_field("--dt", step, "above 0 and at most 0.1 s")
     if not engine and not command and not physics_engines():
-        say("No engine is installed: pip install 'hophoop[engines]'.")
+        say('No engine is installed: pip install "hophoop[engines]".')
         raise typer.Exit(NO_ANSWER)
     known = [one_engine(name) for name in engine] if engine else [] if command else list(engines().values())
     known += [command_engine(text) for text in command or ()]
@@ -84,7 +84,7 @@ def compare(
 
         say(f"The report: {write(result, out, film)}")
     if not any(row.scores is not None for row in result.rows):
-        say("No engine ran: pip install 'hophoop[engines]'.")
+        say('No engine ran: pip install "hophoop[engines]".')
         raise typer.Exit(NO_ANSWER)
 
 

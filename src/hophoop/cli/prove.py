@@ -92,6 +92,12 @@ def prove(
     out: Annotated[
         Path | None, typer.Option("--out", metavar="FILE", help="Write the result as JSON.", rich_help_panel=OUTPUT)
     ] = None,
+    certify: Annotated[
+        Path | None,
+        typer.Option(
+            "--certify", metavar="FILE", help="Write a certificate of --gait or --chaos for --check.", rich_help_panel=OUTPUT
+        ),
+    ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print the result as JSON.", rich_help_panel=OUTPUT)] = False,
 ) -> None:
     """Prove the events of a motion and enclose them; status 1 if something is undecided."""
@@ -111,14 +117,17 @@ def prove(
         raise InputError("--depth needs --boxes: it limits the division of the window.")
     if seconds is not None and (check is not None or thresholds is not None or article):
         raise InputError(f"{asked[0]} cannot be given together with --seconds.")
+    if certify is not None and gait is None and not chaos:
+        raise InputError("--certify needs --gait or --chaos; --out writes the certificate of one motion.")
     if check is not None:
         if file is not None or out is not None or json:
             raise InputError("--check takes only a certificate, which includes its scenario.")
         _verify(check)
         return
-    if out is not None:
-        check_folder("--out", out)
-        check_apart([out], file)
+    outputs = {option: path for option, path in (("--out", out), ("--certify", certify)) if path is not None}
+    for option, path in outputs.items():
+        check_folder(option, path)
+    check_apart(list(outputs.values()), file)
     if boxes:
         _proofs.boxes(scenario, boxes, 8 if depth is None else depth, seconds, out, json)
         return
@@ -126,10 +135,10 @@ def prove(
         _proofs.thresholds(scenario, thresholds, digits, out, json)
         return
     if gait is not None:
-        _proofs.gait(scenario, gait, seconds, out, json)
+        _proofs.gait(scenario, gait, seconds, out, certify, json)
         return
     if chaos:
-        _proofs.chaos(scenario, chaos, seconds, out, json)
+        _proofs.chaos(scenario, chaos, seconds, out, certify, json)
         return
     if article:
         _proofs.statements(out, json)
@@ -150,6 +159,7 @@ def _verify(path: Path) -> None:
     """Verify a certificate and print the verdict."""
     from hophoop.cli import NO_ANSWER, say
     from hophoop.prove import check
+    from hophoop.prove.checker.check import SCHEMAS
     from hophoop.scenario import InputError
     from hophoop.scenario.sentences import parse_reason
 
@@ -161,9 +171,13 @@ def _verify(path: Path) -> None:
         ) from None
     if not isinstance(certificate, dict):
         raise InputError(f"--check = {path} must be a certificate in JSON.", field="--check", value=path)
+    if certificate.get("schema") not in SCHEMAS:
+        said = f"--check = {path} has the format {certificate.get('schema')!r}, which must be {' or '.join(SCHEMAS)}."
+        raise InputError(said, field="--check", value=path)
     verdict = check(certificate)
     if verdict.accepted:
-        typer.echo(f"accepted  {certificate['sequence']}, {certificate['status']}: {verdict.events} events verified")
+        said = certificate["claim"] if "claim" in certificate else f"{certificate['sequence']}, {certificate['status']}"
+        typer.echo(f"accepted  {said}: {verdict.events} events verified")
         for line in verdict.conventions:
             typer.echo(f"          {line}")
         return

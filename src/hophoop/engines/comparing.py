@@ -10,6 +10,7 @@ from datetime import date
 from typing import Any, NamedTuple
 
 from hophoop._version import __version__
+from hophoop.engines.conventions import check_rates
 from hophoop.engines.limits import Limit, limit_of
 from hophoop.engines.measures import Measures
 from hophoop.engines.recording import Recording
@@ -346,10 +347,11 @@ def score_file(recording: Recording, scenario: str | None = None) -> tuple[str, 
     Raises
     ------
     ValueError
-        If the motion is not named or unknown, or the record is invalid.
+        If the motion is not named or unknown, the record is invalid, or its columns and their rates disagree.
     """
     name = scenario or recording.notes.get("scenario", "")
     if name not in truths():
         raise InputError.of_field("scenario", name, ", ".join(truths()), rule="is not one of")
     found, measures = score(recording, truths()[name])
+    check_rates(recording.states)
     return name, found, measures

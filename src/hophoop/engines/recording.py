@@ -67,7 +67,8 @@ def read_csv(text: str, name: str = "the record") -> Recording:
     except csv.Error as error:
         raise InputError(f"{name} is not CSV: {error}.") from None
     if not rows or tuple(cell.strip() for cell in rows[0]) != HEADER:
-        raise InputError(f"{name} must start with the header {','.join(HEADER)}.")
+        found = f"; it starts with {','.join(rows[0])[:60]!r}" if rows else ""
+        raise InputError(f"{name} must start with the header {','.join(HEADER)}{found}.")
     for number, row in enumerate(rows[1:], start=1):
         if len(row) != len(HEADER):
             raise InputError(f"{name} has {len(row)} numbers in state {number}; a state has {len(HEADER)}.")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import io
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -58,11 +57,10 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
     plot = need("matplotlib.pyplot", "plots")
     if any(row.scenario == LADDER_SCENARIO and row.states is not None for row in comparison.rows):
         for name, figure in (("hops", figures.hops(comparison)), ("work-precision", figures.work_precision(comparison))):
-            figure.savefig(folder / f"{name}.svg")
+            drawn = figures.drawing(figure)
+            _write(folder / f"{name}.svg", drawn)
             figure.savefig(folder / f"{name}.png", dpi=110)
-            stream = io.BytesIO()
-            figure.savefig(stream, format="svg")
-            pictures[name] = base64.b64encode(stream.getvalue()).decode("ascii")
+            pictures[name] = base64.b64encode(drawn.encode()).decode("ascii")
             plot.close(figure)
     shown = _film(comparison, folder, progress) if film else None
     page = folder / "index.html"

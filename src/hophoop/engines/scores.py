@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from hophoop.engines.conventions import check_start
 from hophoop.engines.measures import Measures, energy, interpolate, measure
 from hophoop.engines.phases import thin
 from hophoop.engines.recording import Recording
@@ -98,17 +99,12 @@ def score(recording: Recording, truth: Truth) -> tuple[Scores, Measures]:
     Raises
     ------
     ValueError
-        If the record is invalid or too short, or holds the height of the centre instead of the gap.
+        If the record is invalid or too short, or starts in another state than the motion.
     """
     task, right = truth.task, truth.measures
     states = thin(recording.states)
     t = states.t
-    # an engine that starts 100 mm off is scored, one that starts a radius too high means the centre
-    if abs(states.y[0] - task.height - task.radius) < 0.1 * task.radius:
-        raise InputError(
-            f"the record begins at y = {states.y[0]:.6g} m, the height of the centre; y must be the gap between rim and plane: "
-            f"subtract the radius, {task.radius:g} m."
-        )
+    check_start(task, truth.states, states)
     step = float(np.median(np.diff(t)))
     if t[-1] < task.duration - 2.0 * step - 1e-9:
         raise InputError(f"the record ends at {t[-1]:.6g} s; the motion {task.name!r} lasts {task.duration:.6g} s.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import shutil
 import sys
 import time
 from collections.abc import Mapping
@@ -87,6 +88,8 @@ class Worker:
             If the engine is not installed, fails, crashes or takes too long.
         """
         if self.engine.run is None:
+            if not self.engine.installed and shutil.which(self.engine.command[0]):
+                raise RuntimeError(f"{self.engine.package} is not in the folder of --npm: npm install --prefix FOLDER.")
             record = run_command(self.engine.command, task, dt, settings, npm_folder(), limit)
             return Recording(thin(record.states), record.wall_seconds, record.steps, record.notes)
         if self._process is None or not self._process.is_alive():

@@ -7,18 +7,23 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.guess import candidates, guess, start_kind
 from hophoop.fitting.judging import WORDS, correlations, least_static_friction, misfits, shares
 from hophoop.fitting.limits import NOT_SEEN, least_friction, one_sided_limits, unobserved
 from hophoop.fitting.losses import influence
+from hophoop.fitting.mistakes import likely_mistakes
 from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
 from hophoop.fitting.problem import Problem, defaults, problem_of, shared_errors
-from hophoop.fitting.result import Fit
+from hophoop.fitting.result import HOPELESS, WORST, Fit
 from hophoop.fitting.solving import Choice, Solution, best_of
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
+
+Floats = NDArray[np.float64]
+NO_MISTAKE = "No usual mistake of units, axes or times explains that: look at the residuals (--out, or report in Python)."
 
 
 def fit(
@@ -180,16 +185,15 @@ def _fit_of(
     if "restitution" in gone & set(limits):
         notes.append("There is no impact in the film, so restitution cannot be determined.")
     notes += [f"The film does not determine {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
-    pulls = influence(solution.residuals) if robust else solution.residuals
-    for name, memory in autocorrelations(problem, pulls).items():
-        if memory.share:
-            notes.append(
-                f"Errors of {WORDS[name]} are correlated ({memory.frames:.1f} frames have the information of one); "
-                "the uncertainties include that."
-            )
     chi_square = float((solution.residuals**2).sum())
     degrees_of_freedom = problem.count - len(solution.free)
-    scale = max(1.0, float(np.sqrt(chi_square / max(degrees_of_freedom, 1))))
+    worse = chi_square / max(degrees_of_freedom, 1)
+    mistakes = likely_mistakes(problem) if worse > WORST else []
+    if worse > HOPELESS:
+        notes = mistakes or [NO_MISTAKE]
+    else:
+        notes = mistakes + notes + _correlated_errors(problem, influence(solution.residuals) if robust else solution.residuals)
+    scale = max(1.0, float(np.sqrt(worse)))
     return Fit(
         solution.values,
         solution.free,
@@ -205,3 +209,12 @@ def _fit_of(
         settings,
         problem.computed[0],
     )
+
+
+def _correlated_errors(problem: Problem, pulls: Floats) -> list[str]:
+    return [
+        f"Errors of {WORDS[name]} are correlated ({memory.frames:.1f} frames have the information of one); "
+        "the uncertainties include that."
+        for name, memory in autocorrelations(problem, pulls).items()
+        if memory.share
+    ]

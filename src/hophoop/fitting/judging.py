@@ -37,7 +37,8 @@ def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[
     pairs : list of (str, str, float)
         With their correlation [1].
     """
-    size = np.sqrt(np.diag(solution.covariance))
+    with np.errstate(invalid="ignore"):  # a singular problem has negative variances
+        size = np.sqrt(np.diag(solution.covariance))
     with np.errstate(divide="ignore", invalid="ignore"):
         matrix = solution.covariance / np.outer(size, size)
     names = solution.free

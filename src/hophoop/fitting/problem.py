@@ -261,7 +261,7 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
     """
     radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
     if not (np.isfinite(radius) and radius > 0):
-        raise InputError("The radius of the hoop is missing from the data.")
+        raise InputError("The radius of the hoop is missing from the data: give --radius, in m, or radius= in a Reading.")
     channels = channels_of(track, sigma)
     first = min(int(channel.rows[0]) for channel in channels)
     last = max(int(channel.rows[-1]) for channel in channels)

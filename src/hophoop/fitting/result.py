@@ -30,6 +30,7 @@ Floats = NDArray[np.float64]
 SCHEMA = "hophoop-fit/1"
 GIVEN = " (given)"  # suffix of values that were not fitted
 WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
+HOPELESS = 10.0 * WORST  # above it the details of the residuals mean nothing
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,13 +118,13 @@ class Fit:
         """
         if name == "mu_static":
             both = [self.free.index(part) for part in ("mu_kinetic", "mu_excess") if part in self.free]
-            return self.inflation * float(np.sqrt(self.covariance[np.ix_(both, both)].sum()))
+            return self.inflation * _root(self.covariance[np.ix_(both, both)].sum())
         if name not in self.values:
             raise InputError(f"{name!r} is none of {', '.join(self.values)}.")
         if name not in self.free:
             return 0.0
         place = self.free.index(name)
-        return self.inflation * float(np.sqrt(self.covariance[place, place]))
+        return self.inflation * _root(self.covariance[place, place])
 
     @cached_property
     def problem(self) -> Problem:
@@ -213,6 +214,9 @@ class Fit:
             said[-1] = said[-1].rstrip(".") + f" ({others})."
         if self.posterior is not None:
             said.append(_about(self.posterior))
+        of_the_table = self.track.notes if self.track.view is None else ()
+        if self.reduced > HOPELESS:
+            return [*said[:2], *self.notes, *of_the_table]
         for first, second, size in self.correlated[:4]:
             said.append(f"{first} and {second} can hardly be distinguished (correlation {size:+.3f}).")
         for place in self.misfits:
@@ -220,7 +224,7 @@ class Fit:
                 f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
                 f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
             )
-        return [*said, *self.notes]
+        return [*said, *self.notes, *of_the_table]
 
     def to_dict(self) -> dict[str, Any]:
         """Convert to a dictionary, including the data.
@@ -286,6 +290,11 @@ class Fit:
     def __repr__(self) -> str:
         some = ", ".join(f"{name} = {format_value(self.values[name], self.error(name))}" for name in self.free[:4])
         return f"<Fit of {self.track.source or 'a hoop'}: {some}, χ²/dof = {self.reduced:.2f}>"
+
+
+def _root(variance: float) -> float:
+    """Return the square root, nan for the negative variance of a singular problem."""
+    return float(np.sqrt(variance)) if variance >= 0 else float("nan")
 
 
 def format_value(value: float, error: float) -> str:

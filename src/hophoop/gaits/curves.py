@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.gaits.borders import border_near, border_of
 from hophoop.gaits.equation import GaitEquation, Pair, bounds_around, value_of
 from hophoop.gaits.finding import LONGEST, find
+from hophoop.gaits.special import DOUBLING, FOLD, LIMIT
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
     from hophoop.gaits.gait import Gait
     from hophoop.gaits.special import Special
 
-CRITICAL = {"fold": 1.0, "period doubling": -1.0}
+CRITICAL = {FOLD: 1.0, DOUBLING: -1.0}
 DISTANCES = (1e-4, -1e-4, 1e-3, -1e-3)  # of the scaled parameter from a point at which a doubled gait is born
 MOST_POINTS = 10_000
 SMALLEST = 1e-4  # share of a step in the second parameter
@@ -23,9 +26,9 @@ NEARBY = 0.1  # of θ̇ within which a doubled gait is looked for
 
 
 def follow_special(special: Special, path: str, bounds: tuple[float, float], points: int) -> NDArray[np.float64]:
-    """Follow a fold or a period doubling in a second parameter; `Special.follow` calls this and describes it."""
-    if special.kind not in CRITICAL:
-        raise InputError.of_field("kind", special.kind, f"one of {', '.join(CRITICAL)} for a point to be followed")
+    """Follow a special point in a second parameter; `Special.follow` calls this and describes it."""
+    if special.kind == LIMIT:
+        raise InputError.of_field("kind", special.kind, "a special point of the branch itself, for it to be followed")
     if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= MOST_POINTS:
         raise InputError.of_field("points", points, f"an integer from 2 to {MOST_POINTS}")
     one = special.equation
@@ -33,34 +36,57 @@ def follow_special(special: Special, path: str, bounds: tuple[float, float], poi
         raise InputError.of_field("path", path, "a parameter other than that of the branch")
     value = value_of(special.gait, path)
     low, high = bounds_around(path, value, bounds)
-    place = np.array([special.omega / one.unit, special.parameter / one.scale])
     rows = [(value, special.parameter, special.omega)]
     for end in (low, high):
         count = max(2, round(points * abs(end - value) / (high - low)) + 1)
-        part = _half(special, path, place, np.linspace(value, end, count)[1:])
+        part = _half(special, path, np.linspace(value, end, count)[1:])
         rows = [*reversed(part), *rows] if end == low else [*rows, *part]
     return np.array(rows)
 
 
-def _half(special: Special, path: str, place: Pair, values: NDArray[np.float64]) -> list[tuple[float, float, float]]:
+def _half(special: Special, path: str, values: NDArray[np.float64]) -> list[tuple[float, float, float]]:
     """Return the rows of one direction, as far as the point is found."""
-    one, critical = special.equation, CRITICAL[special.kind]
+    one, locate = special.equation, _locator(special)
     found: list[tuple[float, float, float]] = []
-    known = [(value_of(special.gait, path), place)]
+    known = [(value_of(special.gait, path), special.place)]
     for value in values.tolist():
         while known[-1][0] != value:
             target, share = value, 1.0
-            solution = None
-            while solution is None and share > SMALLEST:
+            place = None
+            while place is None and share > SMALLEST:
                 target = value if share == 1.0 else known[-1][0] + share * (value - known[-1][0])
                 equation = GaitEquation(one.scenario.replace(path, target), one.period, one.path, one.scale)
-                solution = equation.solve_with(_extrapolated(known, target), critical)
+                place = locate(equation, _extrapolated(known, target))
                 share *= 0.5
-            if solution is None:
+            if place is None:
                 return found
-            known.append((target, solution[0]))
+            known.append((target, place))
         found.append((value, float(known[-1][1][1]) * one.scale, float(known[-1][1][0]) * one.unit))
     return found
+
+
+def _locator(special: Special) -> Callable[[GaitEquation, Pair], Pair | None]:
+    """Return the function that finds the point of an equation near a place, or None."""
+    critical = CRITICAL.get(special.kind)
+    if critical is not None:
+
+        def with_multiplier(equation: GaitEquation, guess: Pair) -> Pair | None:
+            solution = equation.solve_with(guess, critical)
+            return None if solution is None else solution[0]
+
+        return with_multiplier
+    border = border_of(special)
+    if border is None:
+        raise InputError(f"Next to the point at {special.equation.path} = {special.parameter:.9g} no gait was found.")
+
+    def at_border(equation: GaitEquation, guess: Pair) -> Pair | None:
+        nonlocal border
+        assert border is not None
+        found = border_near(equation, border, guess)
+        border = found or border
+        return None if found is None else found.place
+
+    return at_border
 
 
 def _extrapolated(known: list[tuple[float, Pair]], value: float) -> Pair:

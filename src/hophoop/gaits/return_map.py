@@ -131,7 +131,7 @@ def return_map(
     scenario : Scenario
         Its hoop and plane count; with rigid contact.
     low, high : float, optional
-        Range of θ̇ [rad/s]. By default from what may get over the top up to 10 √(g/R), downhill.
+        Range of θ̇ [rad/s]. By default from what may get over the top up to 10 √(g/R), or twice the first, downhill.
     points : int, default 600
         Equally spaced θ̇ at which the map is computed, besides the ends of its pieces [1].
     progress : callable, optional
@@ -158,7 +158,8 @@ def return_map(
     check(scenario, "bottom")
     image = BottomMap(scenario.replace("start", Start()))
     ahead = -1.0 if scenario.plane.slope < 0.0 else 1.0
-    ends = sorted(ahead * size * image.unit for size in (slowest_over_top(scenario), FASTEST["bottom"]))
+    slowest = slowest_over_top(scenario)
+    ends = sorted(ahead * size * image.unit for size in (slowest, max(FASTEST["bottom"], 2.0 * slowest)))
     first, last = (ends[k] if given is None else given for k, given in enumerate((low, high)))
     if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= MOST_POINTS:
         raise InputError.of_field("points", points, f"an integer from 2 to {MOST_POINTS}")

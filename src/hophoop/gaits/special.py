@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.gaits.equation import GaitEquation
+from hophoop.gaits.equation import GaitEquation, Pair
 from hophoop.gaits.gait import Gait
 
 FOLD, DOUBLING, BORDER, JOINS, TOP, END, LIMIT = (
@@ -45,8 +45,15 @@ class Special(NamedTuple):
     gait: Gait
     equation: GaitEquation
 
+    @property
+    def place(self) -> Pair:
+        """Its place in the equation: θ̇ [√(g/R)] and the scaled parameter."""
+        return np.array([self.omega / self.equation.unit, self.parameter / self.equation.scale])
+
     def follow(self, path: str, bounds: tuple[float, float], points: int = 40) -> NDArray[np.float64]:
-        """Follow a fold or a period doubling in a second parameter.
+        """Follow the point in a second parameter.
+
+        A border collision, top or end is followed as the end of the gaits on one side of it, whose phases stay the same.
 
         Parameters
         ----------
@@ -66,7 +73,7 @@ class Special(NamedTuple):
         Raises
         ------
         ValueError
-            If it is neither a fold nor a period doubling, or an argument is not allowed.
+            If it is the limit of a range, or an argument is not allowed.
         """
         from hophoop.gaits.curves import follow_special
 

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 else:
     Figure = Any
 
+SIZE = (9.0, 10.0)
+
 
 def overview(motion: Trajectory) -> Figure:
     """Draw path, velocities, energies, forces and friction of a motion on one page.
@@ -31,14 +33,18 @@ def overview(motion: Trajectory) -> Figure:
     Returns
     -------
     figure : matplotlib.figure.Figure
-        Not registered with pyplot: save it with its own ``savefig``.
 
     Raises
     ------
     ImportError
         If Matplotlib is missing.
     """
-    figure: Figure = need("matplotlib.figure", "plots").Figure(figsize=(11.0, 11.0), layout="constrained")
+    figure: Figure = need("matplotlib.pyplot", "plots").figure(figsize=SIZE, layout="constrained")
+    _fill(figure, motion)
+    return figure
+
+
+def _fill(figure: Figure, motion: Trajectory) -> None:
     grid = figure.add_gridspec(3, 2, height_ratios=[0.85, 1.0, 1.0])
     path(motion, ax=figure.add_subplot(grid[0, :]))
     across: Against = "time" if turning(motion) else "angle"
@@ -48,7 +54,6 @@ def overview(motion: Trajectory) -> Figure:
     friction_utilization(motion, across, ax=figure.add_subplot(grid[2, 1]))
     phases = portrait.shortened(motion.sequence)
     figure.suptitle(f"{describe(motion.scenario)}    phases {phases}    {motion.status}", fontsize=11)
-    return figure
 
 
 def save_overview(motion: Trajectory, path: str | Path) -> None:
@@ -68,4 +73,6 @@ def save_overview(motion: Trajectory, path: str | Path) -> None:
         If the file cannot be written.
     """
     with replacing(Path(path)) as temporary:
-        overview(motion).savefig(temporary, dpi=150)
+        figure: Figure = need("matplotlib.figure", "plots").Figure(figsize=SIZE, layout="constrained")
+        _fill(figure, motion)
+        figure.savefig(temporary, dpi=180)

@@ -8,13 +8,15 @@ from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from hophoop.prove._flint import Ball, Undecided, arb, precision
 from hophoop.prove.deadline import Late
-from hophoop.prove.proof import Enclosure, decimal_of
+from hophoop.prove.map_certificates import MapCertificate
+from hophoop.prove.proof import Enclosure, decimal_of, save_certificate
 from hophoop.prove.return_map import BITS, Piece, ReturnMap, check_interval
 from hophoop.scenario import InputError, Scenario
 
@@ -53,6 +55,8 @@ class ProvedGait:
         Holds the derivative of the return map on the whole interval [1].
     boxes : int
         Into which the interval was divided [1].
+    certificate : dict or None
+        What `check` verifies, where it was asked for.
     """
 
     low: float
@@ -65,6 +69,7 @@ class ProvedGait:
     multiplier: Enclosure | None = None
     contraction: Enclosure | None = None
     boxes: int = 0
+    certificate: dict[str, Any] | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """The result as JSON.
@@ -79,6 +84,20 @@ class ProvedGait:
             "interval": [self.low, self.high], "proved": self.proved, "why": self.why, "words": list(self.words),
             "boxes": self.boxes, **{name: _pair(getattr(self, name)) for name in names},
         }  # fmt: skip
+
+    def save(self, path: str | Path) -> None:
+        """Write the certificate as JSON.
+
+        Parameters
+        ----------
+        path : str or Path
+
+        Raises
+        ------
+        ValueError
+            If there is none: it is not proved, or no certificate was asked for.
+        """
+        save_certificate(self.certificate, self.why or "certify=True was not given", path)
 
 
 @dataclass(frozen=True)
@@ -107,6 +126,8 @@ class ProvedChaos:
         Phases of the revolutions that start in each interval.
     boxes : int
         Into which the intervals were divided [1].
+    certificate : dict or None
+        What `check` verifies, where it was asked for.
     """
 
     intervals: tuple[tuple[float, float], ...]
@@ -117,6 +138,7 @@ class ProvedChaos:
     entropy: Decimal = Decimal(0)
     words: tuple[tuple[str, ...], ...] = ()
     boxes: int = 0
+    certificate: dict[str, Any] | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """The result as JSON.
@@ -131,6 +153,20 @@ class ProvedChaos:
             "coverings": [list(one) for one in self.coverings], "images": [[_pair(e) for e in ends] for ends in self.images],
             "entropy": str(self.entropy), "words": [list(words) for words in self.words], "boxes": self.boxes,
         }  # fmt: skip
+
+    def save(self, path: str | Path) -> None:
+        """Write the certificate as JSON.
+
+        Parameters
+        ----------
+        path : str or Path
+
+        Raises
+        ------
+        ValueError
+            If there is none: it is not proved, or no certificate was asked for.
+        """
+        save_certificate(self.certificate, self.why or "certify=True was not given", path)
 
 
 def _pair(found: Enclosure | None) -> list[str] | None:
@@ -156,7 +192,12 @@ def _fraction(exact: Ball) -> Fraction:
 
 
 def prove_gait(
-    scenario: Scenario, low: float, high: float, seconds: float | None = None, progress: Progress | None = None
+    scenario: Scenario,
+    low: float,
+    high: float,
+    seconds: float | None = None,
+    progress: Progress | None = None,
+    certify: bool = False,
 ) -> ProvedGait:
     """Prove that one gait passes the bottom with θ̇ in an interval, and that it attracts all motions that do.
 
@@ -173,6 +214,8 @@ def prove_gait(
         It stays unproved if it is not proved after this time [s].
     progress : callable, optional
         Called with the share of the interval that is done [1].
+    certify : bool, default False
+        Make a certificate too; then it is proved only if the checker accepts that.
 
     Returns
     -------
@@ -204,7 +247,13 @@ def prove_gait(
                 progress((piece.high - low) / (high - low))
             with precision(BITS):
                 _check_piece(piece, low, high)
-        return _gait(returns, pieces, low, high)
+        found = _gait(returns, pieces, low, high)
+        if certify:
+            assert found.omega is not None
+            assert found.multiplier is not None
+            certificate = MapCertificate(returns).gait(pieces, found.omega, found.multiplier)
+            found = replace(found, certificate=certificate)
+        return found
     except (Undecided, Late) as reason:
         return ProvedGait(low, high, False, str(reason), boxes=len(pieces))
 
@@ -263,6 +312,7 @@ def prove_chaos(
     intervals: Sequence[tuple[float, float]],
     seconds: float | None = None,
     progress: Progress | None = None,
+    certify: bool = False,
 ) -> ProvedChaos:
     """Prove chaos of the return map: that it takes intervals of θ̇ at the bottom over each other in more than one loop.
 
@@ -281,6 +331,8 @@ def prove_chaos(
         It stays unproved if it is not proved after this time [s].
     progress : callable, optional
         Called with the share of the intervals that is done [1].
+    certify : bool, default False
+        Make a certificate too; then it is proved only if the checker accepts that.
 
     Returns
     -------
@@ -299,6 +351,7 @@ def prove_chaos(
     returns = ReturnMap(scenario, seconds)
     proved = ProvedChaos(found, False, "")
     words: list[tuple[str, ...]] = []
+    pieces: list[list[Piece]] = []
     try:
         with precision(BITS):
             images = [(returns.point(low)[1], returns.point(high)[1]) for low, high in found]
@@ -309,27 +362,31 @@ def prove_chaos(
         loops = _loops(coverings, len(found))
         if not loops:
             raise Undecided("the coverings have no two different loops through one interval")
-        for words_of_one, boxes in _followed(returns, found, progress):
-            words.append(words_of_one)
-            proved = replace(proved, words=tuple(words), boxes=proved.boxes + boxes)
+        for some in _followed(returns, found, progress):
+            pieces.append(some)
+            words.append(tuple(dict.fromkeys(piece.word for piece in some)))
+            proved = replace(proved, words=tuple(words), boxes=proved.boxes + len(some))
+        entropy = max(_entropy(coverings, loop) for loop in loops)
+        if certify:
+            proved = replace(proved, certificate=MapCertificate(returns).chaos(pieces, coverings, entropy))
     except (Undecided, Late) as reason:
         return replace(proved, why=str(reason))
-    return replace(proved, proved=True, entropy=max(_entropy(coverings, loop) for loop in loops))
+    return replace(proved, proved=True, entropy=entropy)
 
 
 def _followed(
     returns: ReturnMap, intervals: tuple[tuple[float, float], ...], progress: Progress | None
-) -> Iterator[tuple[tuple[str, ...], int]]:
-    """(words, boxes) of each interval, on which the map is shown to be continuous: on boxes that share their ends."""
+) -> Iterator[list[Piece]]:
+    """Pieces of each interval, on which the map is shown to be continuous: on boxes that share their ends."""
     length, done = sum(high - low for low, high in intervals), 0.0
     for low, high in intervals:
-        words = []
+        found = []
         for piece in returns.pieces(low, high):
-            words.append(piece.word)
+            found.append(piece)
             if progress is not None:
                 progress((done + piece.high - low) / length)
         done += high - low
-        yield tuple(dict.fromkeys(words)), len(words)
+        yield found
 
 
 def _check_intervals(intervals: tuple[tuple[float, float], ...]) -> None:

@@ -13,7 +13,8 @@ from hophoop._support.files import replacing
 from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
-from hophoop.prove.checker.check import Verdict, checked
+from hophoop.prove.checker.check import checked
+from hophoop.prove.checker.verdict import Verdict
 from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
 from hophoop.prove.physics.equations import Model
@@ -160,10 +161,15 @@ class Proof:
         ValueError
             If the motion is undecided.
         """
-        if self.certificate is None:
-            raise InputError(f"There is no certificate to write: {self.why}.")
-        with replacing(Path(path)) as file:
-            file.write_text(json.dumps(self.certificate, ensure_ascii=False, separators=(",", ":")) + "\n", encoding="utf-8")
+        save_certificate(self.certificate, self.why, path)
+
+
+def save_certificate(certificate: dict[str, Any] | None, why: str, path: str | Path) -> None:
+    """Write a certificate as JSON, unless there is none."""
+    if certificate is None:
+        raise InputError(f"There is no certificate to write: {why}.")
+    with replacing(Path(path)) as file:
+        file.write_text(json.dumps(certificate, ensure_ascii=False, separators=(",", ":")) + "\n", encoding="utf-8")
 
 
 def prove(

@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import groupby
+from typing import Any
 
-from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.body import Event, Mode
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Undecided, arb, intersection, precision, rational
 from hophoop.prove.deadline import Deadline, Late
@@ -25,6 +26,8 @@ BITS = 64
 MOST_EVENTS = 60
 MOST_DEPTH = 14  # an interval is halved so often at most
 FASTEST = 1e9  # rad/s
+MORE, LEAST_PAD = 0.1, 1e-7  # by which a bracket is wider than what it holds: relative to that, and at least
+ENDS = {Event.STICK: "stop", Event.SLIP_REVERSAL: "stop", Event.TAKEOFF: "lift", Event.IMPACT: "land", Event.END: "span"}
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,8 @@ class Piece:
         Holds θ̇ at the next passage of all starts in it [rad/s].
     slope : Ball
         Holds the derivative of the map on it [1].
+    phases : list
+        [mode, what ends it, least, largest] of each phase, for a certificate: of θ [rad], of the time of a flight in √(R/g).
     """
 
     low: float
@@ -48,6 +53,7 @@ class Piece:
     word: str
     image: Ball
     slope: Ball
+    phases: list[list[Any]]
 
 
 class ReturnMap:
@@ -73,7 +79,8 @@ class ReturnMap:
             raise InputError.of_field("plane.gravity", 0.0, "above 0: without it there is no gait")
         if seconds is not None and not seconds > 0:
             raise InputError.of_field("seconds", seconds, "above 0")
-        self.problem, self.deadline = Problem.of(_rolling(scenario)), Deadline(seconds)
+        self.scenario = _rolling(scenario)
+        self.problem, self.deadline = Problem.of(self.scenario), Deadline(seconds)
 
     def point(self, omega: float, bits: int = BITS) -> tuple[str, Ball]:
         """Return the word and the value from one start, which is the number that the double is."""
@@ -100,7 +107,7 @@ class ReturnMap:
             if word != _word(run):
                 raise Undecided("the events of a box are not those of its middle")
             image = intersection(over(found), value + slope * (omega.over - arb(middle)))
-        return Piece(low, high, word, image, slope)
+            return Piece(low, high, word, image, slope, _phases(run))
 
     def pieces(self, low: float, high: float, sharp: bool = False) -> Iterator[Piece]:
         """Boxes that cover an interval, from its low end on; `sharp` if the slope is to be less than 1 in size.
@@ -146,6 +153,20 @@ def _word(run: Run) -> str:
     marks = [run.facts[place] for place in phase_starts([fact.kind for fact in run.facts])]
     letters = [letter_of(fact.after_mode) for fact in marks[:-1] if fact.after_mode <= Mode.FLIGHT]
     return "".join(letter for letter, _ in groupby(letters))
+
+
+def _phases(run: Run) -> list[list[Any]]:
+    found, begin = [], run.facts[0]
+    for fact in run.facts[1:]:
+        what = ENDS.get(fact.kind) or {"S": "ahead", "K": "back"}.get(letter_of(fact.after_mode), "")
+        place = fact.state.th
+        if what == "land":
+            place = (place - begin.state.th) / begin.state.om
+        low, high = float(over(place).lower()), float(over(place).upper())
+        pad = MORE * (high - low) + LEAST_PAD
+        found.append([letter_of(begin.after_mode), what, low - pad, high + pad])
+        begin = fact
+    return found
 
 
 def check_interval(name: str, low: float, high: float) -> None:

@@ -24,6 +24,9 @@ MOST_BYTES = 500_000_000
 CENTRE_WORDS = ("cent", "mitte", "hub", "nabe", "axis", "axle", "zentr")
 MARKER_WORDS = ("mark", "load", "weight", "last", "gewicht", "dot")
 TRACKER, TABLES, OWN = (".trk", ".trz"), (".csv", ".txt", ".tsv", ".dat"), (".json",)
+SHEETS = (".xlsx", ".xls", ".xlsm", ".ods", ".numbers")
+UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+USED = {"t", "time", "state", *COLUMNS, *ANGLES, *OMEGAS}
 
 
 @dataclass(frozen=True)
@@ -95,10 +98,9 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         return _fill_in(_from_project(file, how), how)
     if file.stat().st_size > MOST_BYTES:
         raise InputError(f"{file} is larger than {MOST_BYTES // 1_000_000} MB, which no track is.")
-    try:
-        text = file.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(f"{file} is not text: a track is a table, or JSON, or a file of Tracker.") from None
+    if ending in SHEETS:
+        raise InputError(f"{file} is a spreadsheet: save the sheet as CSV.")
+    text = _text(file)
     if ending in OWN:
         try:
             data = json.loads(text)
@@ -108,6 +110,19 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
     if ending not in TABLES:
         raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES, *TRACKER[:-1]))} or {TRACKER[-1]}.")
     return _fill_in(_from_table(read_columns(text, str(file)), file, how), how)
+
+
+def _text(file: Path) -> str:
+    """Return a file's text in an encoding of spreadsheets: a name such as 'angle (°)' is not ASCII."""
+    data = file.read_bytes()
+    for encoding in ("utf-16",) if data.startswith(UTF_16) else ("utf-8-sig", "cp1252"):
+        try:
+            text = data.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        if "\0" not in text:
+            return text
+    raise InputError(f"{file} is not text: a track is a table, or JSON, or a file of Tracker.")
 
 
 def _fill_in(track: Track, how: Reading) -> Track:
@@ -138,6 +153,7 @@ def _fill_in(track: Track, how: Reading) -> Track:
 
 def _from_table(columns: list[Column], file: Path, how: Reading) -> Track:
     name = str(file)
+    columns = _usual_names(columns)
     points = list(dict.fromkeys(column.point for column in columns if column.name not in ("t", "time")))
     times = [column for column in columns if column.name in ("t", "time")]
     if not times:
@@ -158,19 +174,33 @@ def _from_table(columns: list[Column], file: Path, how: Reading) -> Track:
                 result[axis if role == "centre" else f"marker_{axis}"] = in_metres(column, name)
             if role == "centre":
                 result |= _angle(own, t, how, name)
-    states = {column.name for column in columns}
+    states = dict.fromkeys(column.name for column in columns)
     if not any(key in result for key in ("x", "marker_x", "angle")):
         raise InputError(
             f"{name} has neither x and y, nor marker_x and marker_y, nor angle: its columns are {', '.join(states)}."
         )
     # Tracker's points are not along and above the plane; our own table is
-    ours = {"sigma_x", "sigma_y"} <= states
+    ours = {"sigma_x", "sigma_y"} <= states.keys()
     keep = np.isfinite(t)
     if not ours:  # a row of Tracker with a time only is a frame without marks
         looked = np.isfinite(list(result.values())).any(axis=0)
         keep &= looked | ~looked.any()
     result = {key: values[keep] for key, values in result.items()}
-    return track_of(t[keep], result, source=file.name, placed=ours)
+    unused = [word for word in states if word not in USED] if points == [""] else []
+    notes = (f"Columns of {file.name} that are not used: {', '.join(unused)}.",) if unused else ()
+    return track_of(t[keep], result, source=file.name, placed=ours, notes=notes)
+
+
+def _usual_names(columns: list[Column]) -> list[Column]:
+    """Give columns such as load_x and centre_x of a table without points the names of our own."""
+    taken, result = {column.name for column in columns}, []
+    for column in columns:
+        word, _, axis = column.name.rpartition("_")
+        ours = f"marker_{axis}" if _marks(word, MARKER_WORDS) else axis if _marks(word, CENTRE_WORDS) else ""
+        if column.point or axis not in ("x", "y") or word == "sigma" or ours in taken:
+            ours = ""
+        result.append(column._replace(name=ours) if ours else column)
+    return result
 
 
 def _one_point(columns: list[Column], point: str, t: Floats, how: Reading, name: str) -> dict[str, Floats]:

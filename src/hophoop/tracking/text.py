@@ -48,13 +48,15 @@ def read_columns(text: str, name: str) -> list[Column]:
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     while lines and lines[0].lstrip().startswith("#"):
         lines.pop(0)  # '#multi:' and comments
+    if not lines:
+        raise InputError(f"{name} is empty.")
     if len(lines) < 2:
         raise InputError(f"{name} has no table.")
     separator = _separator(lines)
     rows = [[cell.strip().strip('"').strip() for cell in line.split(separator)] for line in lines]
     first = next((k for k, row in enumerate(rows) if _is_data(row)), len(rows))
     if first == 0:
-        raise InputError(f"{name} has no row of column names.")
+        raise InputError(f"{name} has no row of column names, such as t, x, y, angle (deg).")
     if first == len(rows):
         raise InputError(f"{name} has no row of numbers.")
     heads = rows[first - 1]
@@ -96,12 +98,16 @@ def _numbers(cells: list[str], name: str, head: str) -> Floats:
     if any(fits):
         for k, (cell, fit) in enumerate(zip(cells, fits, strict=True)):
             if not fit and cell.lower() not in NOTHING:
-                raise InputError(f"{name} has {cell[:40]!r} in column {head}, row {k + 1}, which must be a number.")
+                raise InputError(
+                    f"{name} has {cell[:40]!r} in column {head}, row {k + 1} below the names, which must be a number."
+                )
     return np.array([float(cell.replace(",", ".")) if fit else np.nan for cell, fit in zip(cells, fits, strict=True)])
 
 
 def _points(row: list[str], count: int) -> list[str]:
-    """Return the point of each column: its name is above its first column."""
+    """Return the point of each column: its name is above its first column. Words above the times are a title."""
+    if row and row[0]:
+        return [""] * count
     result, now = [], ""
     for k in range(count):
         if k < len(row) and row[k]:
@@ -182,7 +188,10 @@ def in_radians(column: Column, t: Floats, omega: Column | None, unit: str | None
     if not said:
         said = _guess_unit(column.values, t, omega)
     if not said:
-        raise InputError(f"{name} has no unit of {column.name}: give the unit of angles, rad or deg.")
+        raise InputError(
+            f"{name} has no unit of {column.name}: name it {column.name} (deg) or {column.name} (rad), or give the unit: "
+            "--angle-unit deg, or angle_unit='deg' in a Reading."
+        )
     turn = 2 * np.pi if said == "rad" else 360.0
     values = column.values.copy()
     there = np.flatnonzero(np.isfinite(values))

@@ -64,8 +64,8 @@ class ModeFacts(NamedTuple):
 
 MODES: Final[dict[Mode, ModeFacts]] = {
     Mode.ROLL: ModeFacts(ModeLetter.ROLL, ROLL, ROLL, ROLL, "roll"),
-    Mode.SPIN: ModeFacts(ModeLetter.SLIP_NEGATIVE, SPIN, SKID, SKID, "slip with v_t < 0"),
-    Mode.SKID: ModeFacts(ModeLetter.SLIP_POSITIVE, SKID, SPIN, SKID, "slip with v_t > 0"),
+    Mode.SPIN: ModeFacts(ModeLetter.SLIP_NEGATIVE, SPIN, SKID, SKID, "slip backward"),
+    Mode.SKID: ModeFacts(ModeLetter.SLIP_POSITIVE, SKID, SPIN, SKID, "slip forward"),
     Mode.FLIGHT: ModeFacts(ModeLetter.FLIGHT, FLIGHT, FLIGHT, FLIGHT, "flight (a hop)"),
     Mode.SKIM: ModeFacts(ModeLetter.SKIM, SKIM, SKIM, SKIM, "skim"),
 }

@@ -274,7 +274,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         build(list(dict.fromkeys(given.targets)) or [own_target()], given.out)
     except PackageNotFoundError as error:
-        print(f"Error: building needs {error.name}: pip install 'hophoop[build]'. The previous build remains.", file=sys.stderr)
+        print(f'Error: building needs {error.name}: pip install "hophoop[build]". The previous build remains.', file=sys.stderr)
         return 1
     except (RuntimeError, OSError, KeyError) as error:
         print(f"Error: {error} The previous build remains.", file=sys.stderr)

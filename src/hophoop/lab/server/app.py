@@ -119,7 +119,8 @@ def _check_free(host: str, port: int) -> None:
             probe.bind((host, port))
         except OSError as error:
             reason = (error.strerror or str(error)).lower()
-            raise InputError(f"port = {port} cannot be used on {host}: {reason}.", field="port", value=port) from None
+            message = f"port = {port} cannot be used on {host}: {reason}; 0 takes a free port."
+            raise InputError(message, field="port", value=port) from None
 
 
 def _family(host: str) -> socket.AddressFamily:

@@ -35,7 +35,7 @@ def require_gpu() -> None:
     if find_spec("numba_cuda") is None:
         raise InputError(
             "device = 'gpu' needs a CUDA GPU with its driver, and numba-cuda, which is not installed; it comes with "
-            "the extra 'gpu': pip install 'hophoop[gpu]'. Or use 'cpu'.",
+            "the extra 'gpu': pip install \"hophoop[gpu]\". Or use 'cpu'.",
             field="device",
             value="gpu",
         )

@@ -63,7 +63,7 @@ def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, set[int]
     if not path.exists():
         _create(path, plan)
     elif not resume:
-        raise InputError(f"{path} exists already: choose another name, remove it, or resume it with resume.")
+        raise InputError(f"{path} exists already: choose another name, remove it, or resume it: --resume, resume=True.")
     known = _known_plan(path)
     if known is None:
         raise InputError(f"{path} is not a map of hophoop.")

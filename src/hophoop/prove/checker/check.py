@@ -6,43 +6,25 @@ what it checks.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import InvalidOperation
 from itertools import pairwise
 from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, arb, pi, precision
-from hophoop.prove.checker.conventions import CLOSING, Conventions
+from hophoop.prove.checker.conventions import CLOSING, SCHEMA, Conventions
 from hophoop.prove.checker.equations import Equations, Refused, State
 from hophoop.prove.checker.flight import flown, gap, no_top, skims, without_apex
 from hophoop.prove.checker.intervals import positive, require, root
+from hophoop.prove.checker.maps import MAP_SCHEMA, checked_map
 from hophoop.prove.checker.panel_phases import verify_panels
 from hophoop.prove.checker.panels import TurnPanel
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
+from hophoop.prove.checker.verdict import Verdict
 from hophoop.prove.deadline import Deadline, Late
 
-
-@dataclass(frozen=True)
-class Verdict:
-    """The checker's verdict on a certificate.
-
-    Attributes
-    ----------
-    accepted : bool
-        Whether everything that the certificate states is verified.
-    why : str
-        What could not be verified, as a clause; empty where all is.
-    events : int
-        How many events are verified [1].
-    conventions : tuple of str
-        The conventions of the statement, as sentences without a capital; empty if it is refused.
-    """
-
-    accepted: bool
-    why: str
-    events: int
-    conventions: tuple[str, ...] = ()
+SCHEMAS = (SCHEMA, MAP_SCHEMA)
 
 
 def check(certificate: dict[str, Any]) -> Verdict:
@@ -51,7 +33,7 @@ def check(certificate: dict[str, Any]) -> Verdict:
     Parameters
     ----------
     certificate : dict
-        As `hophoop prove --out` writes it.
+        As `hophoop prove` writes it by `--out`, or by `--certify` for a gait or chaos.
 
     Returns
     -------
@@ -67,6 +49,8 @@ def check(certificate: dict[str, Any]) -> Verdict:
 
 def checked(certificate: dict[str, Any], deadline: Deadline) -> Verdict:
     """`check` within a time; what is not verified by then is not accepted."""
+    if certificate.get("schema") == MAP_SCHEMA:
+        return checked_map(certificate, deadline)
     walk: Walk | None = None
     try:
         conventions = Conventions.of(certificate)

@@ -21,6 +21,7 @@ MOST_EVENTS = 10_000_000
 OWN_EVENTS = 100_000  # the limit of a scenario that names none
 USUAL_EVENTS = 4000  # the limit of a certificate that names none
 WIDEST = 3  # a radius in units of 10^−digits, relative to its number or the unit of that
+FASTEST = 1e9  # rad/s
 LONGEST, LARGEST_EXPONENT = 1000, 10_000  # of a decimal number: more only takes time
 
 KEYS = {
@@ -57,7 +58,7 @@ class Conventions:
     @classmethod
     def of(cls, certificate: dict[str, Any]) -> Conventions:
         """Read them; one that is out of its bounds refuses the certificate."""
-        require(certificate.get("schema") == SCHEMA, f"the schema is {SCHEMA}")
+        require(certificate.get("schema") == SCHEMA, f"the format is {SCHEMA} or hophoop-map-proof/1")
         require(set(certificate) <= KEYS, "the certificate states nothing but what is checked")
         bits = _whole(certificate["bits"], 30, MOST_BITS, "the working precision")
         digits = _whole(certificate["digits"], 0, MOST_DIGITS, "the number of digits")

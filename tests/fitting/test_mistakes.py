@@ -1,0 +1,97 @@
+"""Data with the mistakes that a class makes: a fit that is not good asks about the right one, and about none without reason."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from fitting_tools import filmed, hopping
+from hophoop.fitting.mistakes import likely_mistakes
+from hophoop.fitting.problem import problem_of
+
+LIGHT = hh.Hoop.ideal(0.3, radius=0.3)
+LEFT = hh.Start.rolling(-1.9, angle=-0.1)
+TRACKS = [filmed(hopping()), filmed(hopping(start=LEFT)), filmed(hopping(LIGHT), rate=60.0)]
+
+
+def asked(track):
+    return likely_mistakes(problem_of(track, "ideal", "rolling", hh.Plane(), (None, None)))
+
+
+def stretched(track, centre=1.0, angle=1.0, time=1.0, zero=0.0, radius=1.0):
+    """The track in other units, with other directions of axes and another zero of the angle."""
+    size = np.abs(np.broadcast_to(centre, 2))
+    return replace(
+        track,
+        t=time * track.t,
+        centre=centre * track.centre,
+        centre_error=size * track.centre_error,
+        angle=angle * track.angle + zero,
+        angle_error=abs(angle) * track.angle_error,
+        radius=radius * track.radius,
+    )
+
+
+@pytest.mark.parametrize("track", TRACKS, ids=["right", "left", "light"])
+def test_good_data_raise_no_question(track):
+    assert asked(track) == []
+
+
+@pytest.mark.parametrize("track", TRACKS[:2], ids=["right", "left"])
+@pytest.mark.parametrize(
+    ("mistake", "question"),
+    [
+        ({"centre": 100.0}, "are lengths in cm"),
+        ({"centre": 1000.0}, "are lengths in cm"),
+        ({"angle": np.degrees(1.0)}, "is it in degrees"),
+        ({"radius": 100.0}, "is it in degrees (--angle-unit deg), or the radius in cm"),
+        ({"centre": np.array([1.0, -1.0])}, "does y count downwards"),
+        ({"centre": np.array([-1.0, -1.0]), "zero": np.pi}, "is the film upside down"),
+        ({"angle": -1.0}, "the angle counts clockwise"),
+        ({"centre": np.array([-1.0, 1.0])}, "the angle counts clockwise"),
+        ({"zero": np.pi}, "turns fastest at about"),
+        ({"zero": np.pi / 2}, "turns fastest at about"),
+        ({"time": 8.0}, "is the film in slow motion"),
+        ({"time": 1000.0}, "is the film in slow motion"),
+        ({"centre": 100.0, "radius": 100.0}, "is the radius in m"),
+    ],
+)
+def test_the_mistake_is_asked_about(track, mistake, question):
+    (found,) = asked(stretched(track, **mistake))
+    assert question in found
+    assert found.endswith((".", "?"))
+
+
+def test_a_film_on_its_side():
+    track = TRACKS[0]
+    (found,) = asked(replace(track, centre=track.centre[:, ::-1], centre_error=track.centre_error[:, ::-1]))
+    assert "is the film sideways" in found
+
+
+def test_without_an_angle_nothing_is_asked():
+    assert asked(filmed(hopping(), angle=False)) == []
+
+
+def test_a_fit_that_is_not_good_asks_and_leaves_the_details_out():
+    found = hh.fit(stretched(TRACKS[0], centre=100.0))
+    assert not found.good
+    said = found.sentences()
+    assert "No fit is good" in said[1]
+    assert "are lengths in cm" in said[2]
+    assert len(said) == 3  # no correlations, no runs of residuals of a motion that is another one
+    assert found.notes == tuple(said[2:])
+
+
+def test_a_fit_without_a_usual_mistake_says_so():
+    found = hh.fit(TRACKS[0], fixed={"gamma": 0.1})
+    assert "No usual mistake" in found.sentences()[-1]
+
+
+def test_a_negative_variance_of_a_singular_problem_is_no_warning(recwarn):
+    found = hh.fit(TRACKS[0], fixed={"gamma": 0.6})
+    singular = replace(found, covariance=-found.covariance)
+    assert np.isnan(singular.error("speed"))
+    assert np.isnan(singular.error("mu_static"))
+    assert singular.rows()
+    assert not recwarn.list
