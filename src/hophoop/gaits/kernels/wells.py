@@ -20,8 +20,8 @@ rolling resistance p_σ > 0 is required, too.
 
 In slip f_n depends on θ and θ̇² alone, and θ̇² ≤ 2 (E − V)/(κ + ε² sin² θ), because the kinetic energy is at least that of θ̇
 with the centre of gravity moving across the plane. `stays_in_well` bounds all these from the safe side on pieces of the well.
-So 'True' is a proof, but for rounding (10⁻¹⁴ against a margin of 10⁻⁹). 'False' proves nothing: the bounds may be too wide, or
-single slips downhill may gain energy although all of a swing's lose it.
+So 'True' is a proof, up to rounding (10⁻¹⁴ against a margin of 10⁻⁹). 'False' proves nothing: slip may not occur where it would
+gain energy, and all slips of a swing together may lose it although one gains.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from hophoop.kernel.numerics.arcs import arctangent2
 from hophoop.kernel.numerics.double_double import PI, TWO_PI
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 
-PIECES = 96  # of a well
+PIECES, PARTS = 96, 16  # of a well, and of a piece on which the bounds are too wide
 MARGIN = 1e-9  # relative, for rounding
 
 
@@ -80,10 +80,15 @@ def stays_in_well(body, th, slip, om):
     lower = rolling_potential(body, s, c, top) - max(TWO_PI * body.gt, 0.0)
     if not energy < lower - MARGIN:
         return False
-    held = True
+    half = PI / PIECES
     for k in range(PIECES):
-        held = held and is_held(body, top + TWO_PI * (k + 0.5) / PIECES, PI / PIECES, energy)
-    return held
+        th = top + (2 * k + 1) * half
+        if is_held(body, th, half, energy):
+            continue
+        for part in range(PARTS):
+            if not is_held(body, th + half * ((2 * part + 1) / PARTS - 1.0), half / PARTS, energy):
+                return False
+    return True
 
 
 @apart

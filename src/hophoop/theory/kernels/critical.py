@@ -28,25 +28,23 @@ EVENTS = 4096
 def slip_speeds(bodies, out):
     scratch = new_scratch()
     for k in range(out.shape[0]):
-        out[k] = slip_speed(body_of(bodies[k]), scratch)
-
-
-def slip_speed(body, scratch):
-    """The smallest speed at θ = 0 with slip in the first turn; 0 if the smallest push leads to it."""
-    if math.isinf(body.mu_s):
-        return math.inf
-    end = math.pi if body.gt == 0.0 else TURN  # on the level both halves of a turn are alike
-    best = math.inf
-    for side in (1.0, -1.0):
-        angle, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
-        if angle >= arctangent(body.mu_s):
-            return 0.0  # even the smallest push
-        # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.
-        _, place = highest(SPEED_ANGLE, body, 0.0, 0.0, end, side, scratch)
-        steady, rate = cone_margin_line(body, place, side)
-        if rate < 0.0:
-            best = min(best, math.sqrt(max(steady, 0.0) / -rate))
-    return best
+        body = body_of(bodies[k])
+        if math.isinf(body.mu_s):
+            out[k] = math.inf
+            continue
+        end = math.pi if body.gt == 0.0 else TURN  # on the level both halves of a turn are alike
+        best = math.inf
+        for side in (1.0, -1.0):
+            angle, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
+            if angle >= arctangent(body.mu_s):
+                best = 0.0  # even the smallest push
+                break
+            # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.
+            _, place = highest(SPEED_ANGLE, body, 0.0, 0.0, end, side, scratch)
+            steady, rate = cone_margin_line(body, place, side)
+            if rate < 0.0:
+                best = min(best, math.sqrt(max(steady, 0.0) / -rate))
+        out[k] = best
 
 
 def hop_speed(body, turns):
