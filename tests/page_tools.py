@@ -141,3 +141,13 @@ def toctree_pages(folder: Path) -> list[str]:
                     target = re.sub(r".*<(.+)>\s*$", r"\1", line.strip())
                     found.append((page.parent / target).relative_to(folder).as_posix())
     return found
+
+
+PAGE_WIDTH = 736  # pixels of text
+
+
+def text_sizes(svg):
+    """Heights of the text of a drawing [pixel], as a page shows it."""
+    shown = float(re.search(r'<svg[^>]*? width="([\d.]+)pt"', svg)[1]) * 96 / 72
+    scale = min(1.0, PAGE_WIDTH / shown) * 96 / 72
+    return [100 * float(size) * scale for size in re.findall(r"scale\((0?\.\d+) -", svg)]

@@ -15,7 +15,13 @@ from pptx import Presentation
 from pptx.util import Emu
 from sphinx.util import logging
 
-CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
+CHROMIUM = (
+    *("chromium", "chromium-browser", "google-chrome", "chrome", "msedge", "microsoft-edge"),
+    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+    "/Applications/Microsoft Edge.app/Contents/MacOS/Microsoft Edge",
+    r"C:\Program Files\Google\Chrome\Application\chrome.exe",
+    r"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
+)
 SIZE = {"width": 1280, "height": 720}
 MARGIN: Any = dict.fromkeys(("top", "right", "bottom", "left"), "14mm")
 PIXEL = 9525  # EMU, at 96 pixels an inch

@@ -14,6 +14,7 @@ from PIL import Image
 
 import hophoop as hh
 from hophoop.article.inks import for_both
+from page_tools import text_sizes
 
 ROOT = Path(__file__).parents[2]
 FIGURES = runpy.run_path(str(ROOT / "examples" / "model_figures.py"))
@@ -65,16 +66,6 @@ def test_a_drawing_has_colours_for_dark_pages(path):
     ElementTree.fromstring(made)
     assert "prefers-color-scheme:dark" in made
     assert not re.search(r"(fill|stroke): ?#", re.sub(r"<style>.*?</style>|<defs>.*?</defs>", "", made, flags=re.DOTALL))
-
-
-PAGE_WIDTH = 736  # pixels of text
-
-
-def text_sizes(svg):
-    """Heights of the text of a drawing [pixel], as a page shows it."""
-    shown = float(re.search(r'<svg[^>]*? width="([\d.]+)pt"', svg)[1]) * 96 / 72
-    scale = min(1.0, PAGE_WIDTH / shown) * 96 / 72
-    return [100 * float(size) * scale for size in re.findall(r"scale\((0?\.\d+) -", svg)]
 
 
 @pytest.mark.parametrize("path", DRAWINGS, ids=lambda path: path.stem)

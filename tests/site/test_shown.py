@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from page_tools import text_sizes
+
 WIDTHS = (1280, 375)
 # in a page: formulas that are wider than their place, or stick out of the text
 CUT_OFF = """() => {
@@ -71,9 +73,11 @@ def test_a_drawing_takes_the_colours_of_its_page(browser, address, scheme, theme
     assert lightest - darkest > 150  # what it shows stands out from its ground
 
 
-def test_every_drawing_beside_the_pages_has_colours_for_dark_ones(site):
+def test_every_drawing_beside_the_pages_has_colours_for_dark_ones_and_text_to_read(site):
     drawings = [path for path in (site / "_images").glob("*.svg") if "Matplotlib" in path.read_text(encoding="utf-8")]
     assert len(drawings) > 30
+    small = [path.name for path in drawings if min(text_sizes(path.read_text(encoding="utf-8")), default=9.0) < 8.95]
+    assert [name for name in small if "thumb" not in name] == []
     plain = [path.name for path in drawings if "prefers-color-scheme" not in path.read_text(encoding="utf-8")]
     on_paper = re.compile("strobe|plot_diagram|learn-real-hoop-2")  # they keep their white ground
     assert [name for name in plain if not on_paper.search(name)] == []
@@ -110,7 +114,7 @@ def test_slides_and_worksheet_are_there_to_hand_out(site):
     notes = [slide.notes_slide.notes_text_frame.text for slide in shown.slides]
     assert "On the way up" in notes[1]
     assert "m(g−γ" in notes[4]
-    for name, sheets in (("slides/slides.pdf", 10), ("worksheet.pdf", 3)):
+    for name, sheets in (("slides/slides.pdf", 10), ("worksheet.pdf", 2)):
         assert len(re.findall(rb"/Type /Page\b", (folder / name).read_bytes())) == sheets, name
 
 
@@ -145,6 +149,21 @@ def test_pictures_tables_and_code_fit_on_paper(browser, site, address):
             wide += [f"{name}: {words}" for words in page.evaluate(STICKS_OUT) if re.match("TABLE|PRE|IMG|VIDEO|DIV", words)]
     page.close()
     assert wide == []
+
+
+@pytest.mark.parametrize(("styles", "count"), [(["styles/furo.css", "site.css"], 2), (["styles/furo.css"], 3)])
+def test_a_picture_stands_below_its_text_on_paper(browser, address, styles, count):
+    """The theme alone would keep it with the code that follows, and leave most of the sheet before it empty."""
+    page = browser.new_page()
+    page.goto(f"{address}search.html")  # for its origin
+    links = "".join(f"<link rel='stylesheet' href='{address}_static/{name}'>" for name in styles)
+    tall = [("p", 60), ("img", 150), ("pre", 100), ("pre", 100)]
+    boxes = "".join(f"<{name} style='display: block; margin: 0; padding: 0; height: {mm}mm'></{name}>" for name, mm in tall)
+    page.set_content(f"{links}<body style='margin: 0'><article>{boxes.replace('</img>', '')}</article>")
+    page.wait_for_load_state("networkidle")
+    margin = dict.fromkeys(("top", "right", "bottom", "left"), "12mm")
+    assert len(re.findall(rb"/Type /Page\b", page.pdf(format="A4", margin=margin))) == count
+    page.close()
 
 
 def test_what_moves_is_drawn_on_paper(browser, address):

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 
 import hophoop as hh
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.6), layout="constrained")
+figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.6), layout="constrained")
 for speed, ink, dashes in zip(
     (2.8, 3.1, 3.4), hh.plots.colors.SERIES, ("-", "--", "-."), strict=False
 ):

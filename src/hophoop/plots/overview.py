@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 else:
     Figure = Any
 
-SIZE = (9.0, 10.0)
+SIZE = (8.5, 10.0)
 
 
 def overview(motion: Trajectory) -> Figure:

@@ -241,3 +241,13 @@ def test_chromium_gives_the_same_bits_as_wasmtime(visit):
         [given_of(scenario) for scenario in scenarios()],
     )
     assert found == digest.hexdigest()
+
+
+def test_a_page_opened_as_a_file_says_what_to_do(folder, browser):
+    page = browser.new_page()
+    page.goto((folder / "index.html").resolve().as_uri())
+    words = page.get_by_text("python -m http.server")
+    words.wait_for(state="attached")
+    assert not words.is_visible()  # most pages are there before it is
+    words.wait_for(state="visible", timeout=PATIENCE)
+    page.close()
