@@ -112,7 +112,7 @@ def slides() -> list[str]:
         f"{takeoff.omega:.2f} rad/s where a rolling one would have {rolled:.2f} rad/s.</li>"
         "<li>The load comes up fast and lifts the hoop.</li></ol>",
         "<h2>More friction, more hop?</h2>"
-        "<p class='ask'>The same push at 1.7 m/s on ice, on a smooth and on a rough floor. Which hops?</p>"
+        "<p class='ask'>1.7 m/s on ice, on a smooth and on a rough floor: which hops?</p>"
         f"{film('friction', 'Three hoops at the same speed on floors of different friction')}"
         f"{answer(f'With μ = {hop}: there is a best friction in between.')}",
         "<h2>Your turn</h2><ul><li>Worksheet, A1 to A9</li><li>The lab: <code>hophoop lab</code></li>"

@@ -198,3 +198,11 @@ def test_views_side_by_side_share_their_scale(camera):
     shown = Film2D([motion(), motion(2.0), motion(0.5)], Timing(fps=5), Look(size=(1280, 720), camera=camera))
     scales = {actor.view.scale for actor in shown.actors}
     assert len(scales) == 1
+
+
+@pytest.mark.parametrize("camera", ["follow", "hold"])
+def test_planes_side_by_side_are_at_one_height(camera):
+    """One hops high, one rolls."""
+    shown = Film2D([motion(), motion(2.0)], Timing(fps=5), Look(size=(1280, 720), camera=camera))
+    planes = [(actor.view.matrix(0) @ [0.0, 0.0, 1.0])[1] - actor.view.rectangle[1] for actor in shown.actors]
+    assert planes[0] == pytest.approx(planes[1], abs=0.5)

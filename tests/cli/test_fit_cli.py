@@ -126,3 +126,14 @@ def test_a_plan(tmp_path):
     done = call(*options, "--rate", -1)
     assert done.exit_code == 2
     assert "--rate = -1.0 must be a number above 0" in done.output
+
+
+@pytest.mark.parametrize(("arguments", "shown"), [((), True), (("--quiet",), False), (("--json",), False)])
+def test_a_terminal_shows_that_the_fit_goes_on(table, monkeypatch, arguments, shown):
+    from rich.console import Console
+
+    monkeypatch.setattr(Console, "is_terminal", property(lambda console: True))
+    done = call("fit", table, "--radius", 0.3, "--fix", "restitution=0.2", *arguments)
+    assert done.exit_code == 0, done.output
+    assert ("fitting" in done.stderr) == shown
+    assert "fitting" not in done.stdout

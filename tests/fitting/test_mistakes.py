@@ -95,3 +95,8 @@ def test_a_negative_variance_of_a_singular_problem_is_no_warning(recwarn):
     assert np.isnan(singular.error("mu_static"))
     assert singular.rows()
     assert not recwarn.list
+
+
+def test_a_hoop_of_another_radius_than_the_film_is_refused():
+    with pytest.raises(ValueError, match=r"has the radius 0\.311 m and the data 0\.3 m"):
+        hh.fit(TRACKS[0], hoop=hh.Hoop.ideal(0.6, radius=0.311))

@@ -19,6 +19,10 @@ def first(degrees, near, period=1, **options):
     return hh.gaits.find(scenario(degrees, **options), period, near=near)[0]
 
 
+def landing(degrees, gamma, **options):
+    return hh.gaits.find(scenario(degrees, gamma, **options), section="landing")[0]
+
+
 @pytest.fixture(scope="module")
 def branch():
     return first(1.0, 3.408).follow("plane.slope", (math.radians(0.1), math.radians(2.0)))
@@ -32,6 +36,23 @@ CHANGES = {"plane.slope": 0.0523, "hoop.load_fraction": 0.5, "plane.mu": 0.9, "p
 
 
 @pytest.mark.parametrize("path", CHANGES)
+def test_rates_of_landings_by_parameters(path):
+    """Against central differences of all coordinates, extrapolated, and their derivatives by the start."""
+    gait = landing(3.0, 0.5)
+    base, value, steps = gait.scenario, {**CHANGES, "plane.rolling_resistance": 0.001}[path], (2e-5, 1e-5)
+    names = gait.derivative.rows
+
+    def image(value):
+        found = hh.passages(base.replace(path, value), 1, section="landing")
+        return np.array([float(getattr(found, name)[-1]) for name in names])
+
+    wide, narrow = ((image(value + step) - image(value - step)) / (2 * step) for step in steps)
+    matrix, rate = parameter_rates(hh.passages(base.replace(path, value), 1, section="landing"), path)
+    assert rate == pytest.approx((4 * narrow - wide) / 3, rel=1e-5, abs=1e-7)
+    assert matrix.shape == (3, 3)
+
+
+@pytest.mark.parametrize("path", CHANGES)
 def test_rates_of_the_map_by_parameters(path):
     """Against central differences of the map, extrapolated."""
     base = scenario(3.0, 0.5).replace("start", hh.Start.rolling(2.7, angle=math.pi))
@@ -42,9 +63,9 @@ def test_rates_of_the_map_by_parameters(path):
     value, steps = CHANGES[path], (2e-5, 1e-5)
     wide, narrow = ((image(value + step) - image(value - step)) / (2 * step) for step in steps)
     multiplier, rate = parameter_rates(hh.passages(base.replace(path, value), 2), path)
-    assert rate == pytest.approx((4 * narrow - wide) / 3, rel=1e-6)
+    assert rate[0] == pytest.approx((4 * narrow - wide) / 3, rel=1e-6)
     start = base.replace(path, value)
-    assert multiplier == pytest.approx(hh.gaits.derivative(start, 2).matrix[0, 0], rel=1e-13)
+    assert multiplier[0, 0] == pytest.approx(hh.gaits.derivative(start, 2).matrix[0, 0], rel=1e-13)
 
 
 def test_every_point_of_a_branch_is_a_gait(branch):
@@ -141,6 +162,53 @@ def test_folds_in_a_second_parameter(branch, number):
         case = scenario(math.degrees(slope), float(load)).replace("start", hh.Start.rolling(omega, angle=math.pi))
         assert hh.passages(case, 1).omega[0] == pytest.approx(omega, rel=1e-11)
         assert hh.gaits.derivative(case).matrix[0, 0] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_landings_and_the_bottom_give_the_same_doubling():
+    """At landings the map has two or three coordinates, at the bottom one: a doubling is at the same slope in both."""
+    limits = (math.radians(1.0), math.radians(6.0))
+    at_bottom, at_landing = first(3.0, 2.8, gamma=0.5), landing(3.0, 0.5)
+    assert len(at_landing.multipliers) == 3
+    one, other = (of_kind(gait.follow("plane.slope", limits), "period doubling")[0] for gait in (at_bottom, at_landing))
+    assert other.parameter == pytest.approx(one.parameter, rel=1e-12)
+    curves = [point.follow("hoop.load_fraction", (0.48, 0.52), 4)[:, 1] for point in (one, other)]
+    assert curves[1] == pytest.approx(curves[0], rel=1e-11)
+    twice = other.switch()
+    assert (twice.word, twice.stable) == (("KRSH", "KRSH"), True)
+    assert twice.speed == pytest.approx(one.switch().speed, rel=1e-4)
+
+
+def test_a_branch_goes_on_where_the_mode_after_the_landing_changes():
+    """The first gear: below 0.5362° its landing does not stop the slip."""
+    found = landing(3.0, 0.15).follow("plane.slope", (math.radians(0.5), math.radians(10.0)))
+    (border,) = of_kind(found, "border collision")
+    assert border.event == "impact: slip just stops: KRSH | RSH"
+    assert border.multipliers[0] == pytest.approx(border.multipliers[1], rel=1e-6)
+    assert {len(point.place) for point in found.points} == {3, 4}
+    assert found.special[-1].kind == "end"
+    assert found.special[-1].event == "phase vanishes"
+    for k in (0, len(found.points) // 2, -1):
+        assert found.gait(k).residual < 1e-12
+    gait = found.gait(int(np.argmin(np.abs(found.parameter - math.radians(8.0)))))
+    settled = hh.passages(gait.scenario.replace("start.omega", gait.state.omega * 1.001), 400, section="landing")
+    assert float(settled.omega[-1]) == pytest.approx(gait.state.omega, rel=1e-9)
+    fold = of_kind(found, "fold")[0]
+    assert fold.gait.multipliers[0] == pytest.approx(1.0, abs=1e-6)
+    assert fold.follow("hoop.load_fraction", (0.14, 0.16), 2)[1, 1] == pytest.approx(fold.parameter, rel=1e-12)
+
+
+def test_gaits_that_never_roll_are_followed():
+    """On 5° with μ = 0.2 the gears slip all the way: three coordinates at the landing."""
+    gait = landing(5.0, 0.15, mu=0.2)
+    assert gait.word == ("KSH",)
+    found = gait.follow("plane.mu", (0.1, 0.3))
+    (border,) = of_kind(found, "border collision")
+    assert border.event == "phase vanishes: KSH | KRSH"
+    rolling = found.gait(-1)
+    assert rolling.word == ("KRSH",)
+    assert rolling.residual < 1e-12
+    settled = hh.passages(rolling.scenario, 400, section="landing")
+    assert float(settled.omega[-1]) == pytest.approx(rolling.state.omega, rel=1e-9)
 
 
 @pytest.mark.parametrize("load", [0.74, 0.76])
@@ -244,6 +312,30 @@ def test_refusals_of_special_points(branch):
         of_kind(branch, "fold")[0].follow("hoop.load_fraction", 3)
     with pytest.raises(ValueError, match="No gait of period 2 was found near"):
         of_kind(branch, "limit of the range")[0].switch()
-    landing = hh.gaits.find(scenario(3.0, 0.15), near=3.58, section="landing")[0]
-    with pytest.raises(ValueError, match="section = 'landing' must be bottom"):
-        landing.follow("plane.slope", (0.01, 0.1))
+
+
+def test_a_branch_turns_back_at_a_corner_of_the_map():
+    """With rolling resistance the gait with a hop ends against one whose landing stops the slip: no fold, but a corner."""
+    found = first(3.0, 2.8, gamma=0.5).follow("plane.rolling_resistance", (0.0, 0.1))
+    corner = of_kind(found, "border collision")[0]
+    assert corner.event == "impact: slip just stops: RSHKR | RSHKR"
+    assert corner.multipliers[0] < 1.0 < corner.multipliers[1]
+    assert corner.parameter == found.parameter[: np.argmax(found.parameter > corner.parameter + 1e-9)].max()
+    assert found.special[-1].kind == "top of the hill"
+    assert found.word[-1] == ("R",)
+
+
+def test_a_branch_goes_on_where_the_hoop_slips_at_the_bottom():
+    found = first(3.0, 2.8, gamma=0.5).follow("plane.slope", (0.05, 0.33))
+    (border,) = of_kind(found, "border collision")
+    assert border.event == "slip at the section: RSHKR | KRSHK"
+    gait = found.gait(-1)
+    assert (gait.passages.mode, gait.residual < 1e-12) == (("K",), True)
+    assert len(gait.multipliers) == 2
+
+
+def test_a_branch_reaches_the_level_as_a_limit():
+    found = first(3.0, 2.8, gamma=0.5).follow("plane.slope", (0.0, 0.2))
+    assert found.special[0].kind == "limit of the range"
+    assert found.special[0].parameter < 1e-9
+    assert len(of_kind(found, "fold")) == 2

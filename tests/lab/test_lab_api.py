@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import re
 from concurrent.futures import Future
 from dataclasses import replace
 
@@ -339,6 +340,26 @@ def test_serve_listens_on_loopback_unless_told_otherwise(monkeypatch):
     assert seen["host"] == "127.0.0.1"
     assert seen["app"].state.limits.processes == 3
     assert seen["port"] > 0
+
+
+def test_serve_to_a_network_prints_the_address_for_others(monkeypatch, capsys):
+    uvicorn = pytest.importorskip("uvicorn")
+    monkeypatch.setattr(uvicorn.Server, "run", lambda server: None)
+    monkeypatch.setattr(app, "_own_address", lambda: "192.168.1.7")
+    app.serve(host="0.0.0.0", port=0)
+    assert re.search(r"Others in your network open http://192\.168\.1\.7:\d+/\.", capsys.readouterr().err)
+    app.serve(port=0)
+    assert "Others" not in capsys.readouterr().err
+
+
+def test_a_machine_without_a_network_has_no_address(monkeypatch):
+    def refuse(*_):
+        raise OSError("Network is unreachable")
+
+    with monkeypatch.context() as patched:
+        patched.setattr("socket.socket.connect", refuse)
+        assert app._own_address() is None
+    assert app._own_address() is None or app._own_address().count(".") == 3
 
 
 # Anything at all

@@ -184,6 +184,8 @@ REFUSED = [
     (lambda: hh.Compliant(rtol=0), "contact.rtol = 0 must be greater than 0."),
     (lambda: hh.Scenario(duration=0), "duration = 0 must be greater than 0."),
     (lambda: hh.Scenario(hoop=3), "hoop = 3 must be a table of keys."),
+    (lambda: hh.Scenario(plane=hh.Start.rolling(1.0)), "must be a Plane, not Start."),
+    (lambda: hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(), hh.Plane()), "must be a Start, not Plane."),
     (lambda: hh.Scenario(hoop=hh.Hoop.ideal(1), plane=hh.Plane(slope=0.1)), "plane.slope = 0.1 must be 0"),
     (lambda: hh.Scenario(hoop=hh.Hoop.ideal(1), contact=hh.Compliant()), "must be 'rigid' for the"),
     (lambda: hh.Scenario(plane=hh.Plane(mu=math.inf), contact=hh.Compliant()), "inf must be finite"),

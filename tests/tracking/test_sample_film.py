@@ -39,3 +39,20 @@ def test_a_fit_of_the_film_gives_what_the_page_says():
         assert fit.values[name] == pytest.approx(value, abs=0.3 * error)
         assert fit.error(name) == pytest.approx(error, rel=0.3)
         assert abs(value - truth) < 3 * error
+
+
+def test_a_film_on_its_side_is_doubted(tmp_path):
+    """As a phone writes it that was held upright, if no program has turned it."""
+    av = pytest.importorskip("av")
+    film = tmp_path / "sideways.mp4"
+    with av.open(str(FOLDER / "hoop.mp4")) as source, av.open(str(film), "w") as out:
+        stream = out.add_stream("libx264", rate=60, options={"crf": "18"})
+        stream.width, stream.height = source.streams.video[0].height, source.streams.video[0].width
+        for k, frame in enumerate(source.decode(video=0)):
+            if k % 4 == 0:
+                picture = np.ascontiguousarray(np.rot90(frame.to_ndarray(format="rgb24")))
+                out.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
+        out.mux(stream.encode())
+    track = hh.track(film, 0.3)
+    assert any("Doubtful: the hoop moves up or down the picture. Is the film sideways?" in note for note in track.notes)
+    assert not any("stays in one place" in note for note in track.notes)

@@ -26,6 +26,27 @@ class Report(Protocol):
 
 
 @contextmanager
+def waiting(title: str, *, quiet: bool = False) -> Iterator[None]:
+    """Show on a terminal's standard error that a computation of unknown length goes on.
+
+    Parameters
+    ----------
+    title : str
+        Text next to the moving sign.
+    quiet : bool, default False
+        Show none.
+    """
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if quiet or not console.is_terminal:
+        yield
+        return
+    with console.status(title):
+        yield
+
+
+@contextmanager
 def bar(title: str, *, quiet: bool = False, share: bool = False, rate: bool = False) -> Iterator[Report | None]:
     """Show a progress bar on standard error.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -248,9 +248,13 @@ class Film2D:
             for left, bottom, width, height in grid(stage, len(motions), wanted, gap)
         ]
         cases = list(zip(rectangles, extents, (motion.scenario.hoop.radius for motion in motions), motions, strict=True))
-        # one scale for all views
+        # one scale for all views, and their planes at one height
         scale = min(self._scale(*case) for case in cases)
-        return [self._view(*case, scale, self._places(case[-1], i)) for i, case in enumerate(cases)]
+        highest = max(size.height for size in extents)
+        return [
+            self._view(rectangle, replace(size, height=highest), radius, motion, scale, self._places(motion, i))
+            for i, (rectangle, size, radius, motion) in enumerate(cases)
+        ]
 
     def _scale(self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory) -> float:
         def scale_of(inner: Rectangle) -> float:

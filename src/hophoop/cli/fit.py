@@ -90,6 +90,7 @@ def fit(
     ] = False,
 ) -> None:
     """Fit the exact motion to a track; status 1 if the fit is not good."""
+    from hophoop._support.progress import waiting
     from hophoop.cli import NO_ANSWER
     from hophoop.cli._output import check_ending, check_folder
     from hophoop.fitting import fit as find
@@ -104,19 +105,21 @@ def fit(
     if film is not None and out is None and not lab:
         raise InputError("--film needs --out, the folder of the page, or --lab.")
     reading = Reading(centre=centre, marker=marker, angle_unit=angle_unit, radius=radius, sigma=sigma, sigma_angle=sigma_angle)
-    found = find(
-        read_track(data, reading),
-        hoop=_hoop(hoop),
-        start=start,
-        fixed={name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
-        free=tuple(free or ()),
-        bounds={name: _range(name, text) for name, text in _pairs("--bound", bound)},
-        tied=dict(_pairs("--tie", tie)),
-        plane=Plane(gravity=gravity, impact_law=law),
-        sigma=sigma,
-        sigma_angle=sigma_angle,
-        robust=not squares,
-    )
+    track = read_track(data, reading)
+    with waiting("fitting", quiet=quiet or json):
+        found = find(
+            track,
+            hoop=_hoop(hoop),
+            start=start,
+            fixed={name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
+            free=tuple(free or ()),
+            bounds={name: _range(name, text) for name, text in _pairs("--bound", bound)},
+            tied=dict(_pairs("--tie", tie)),
+            plane=Plane(gravity=gravity, impact_law=law),
+            sigma=sigma,
+            sigma_angle=sigma_angle,
+            robust=not squares,
+        )
     if sample is not None:
         found = _sample(found, sample, quiet)
     _show(found, json)

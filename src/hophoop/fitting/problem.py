@@ -19,6 +19,7 @@ from hophoop.tracking import Track
 Floats = NDArray[np.float64]
 
 FAR = 1e4  # residual of an impossible motion [standard deviations]
+SAME = 1e-6  # relative difference of radii that is rounding
 BEYOND = 1.0 + 1e-9  # duration of the motion over that of the data
 
 
@@ -257,11 +258,15 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
     Raises
     ------
     ValueError
-        If the radius is unknown, or there are too few data.
+        If the radius is unknown or differs from the known hoop's, or there are too few data.
     """
     radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
     if not (np.isfinite(radius) and radius > 0):
         raise InputError("The radius of the hoop is missing from the data: give --radius, in m, or radius= in a Reading.")
+    if isinstance(hoop, Hoop) and np.isfinite(track.radius) and abs(track.radius / radius - 1.0) > SAME:
+        raise InputError(
+            f"The hoop has the radius {radius:g} m and the data {track.radius:g} m: give the measured one for both."
+        )
     channels = channels_of(track, sigma)
     first = min(int(channel.rows[0]) for channel in channels)
     last = max(int(channel.rows[-1]) for channel in channels)

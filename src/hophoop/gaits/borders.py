@@ -12,7 +12,7 @@ from hophoop.gaits.special import Special
 
 DISTANCES = tuple(10.0**power for power in range(-7, -1))  # along the branch, at which gaits next to the border are looked for
 BEYOND = 4.0  # of these distances, from the gait found to where the border is passed for sure
-SHIFTS = tuple(size * np.array(unit) for size in (0.0, 1e-6, -1e-6) for unit in ((1.0, 0.0), (0.0, 1.0)))  # in θ̇ and parameter
+SHIFT = 1e-6  # of a coordinate or the parameter, where the map has no derivative at the border
 NEAR = 1e-3  # largest margin at the border of the boundary that is met there
 
 Kind = tuple[tuple[tuple[str, ...], float], bool, tuple[bool, ...] | None]
@@ -52,7 +52,8 @@ def border_of(special: Special) -> Border | None:
     border : Border or None
     """
     equation, place = special.equation, special.place
-    tangent = next((found.tangent for shift in SHIFTS if (found := equation(place + shift)) is not None), None)
+    shifts = [np.zeros(len(place)), *(sign * unit for unit in SHIFT * np.eye(len(place)) for sign in (1.0, -1.0))]
+    tangent = next((found.tangent for shift in shifts if (found := equation(place + shift)) is not None), None)
     if tangent is None:
         return None
     for landings in (False, True):
@@ -91,22 +92,22 @@ def _last(equation: GaitEquation, place: Pair, way: Pair, distance: float, landi
     """Return the border between a point at a distance before a place and one beyond it, to rounding."""
     before = place - distance * way
     solved = equation.solve(before, way, float(way @ before))
-    if solved is None or (kind is not None and _kind_of(equation, Point(*solved), landings) != kind):
+    if solved is None or (kind is not None and _kind_of(Point(*solved, equation), landings) != kind):
         return None
-    here = Point(*solved)
-    kind = _kind_of(equation, here, landings)
+    here = Point(*solved, equation)
+    kind = _kind_of(here, landings)
     tangent = here.values.tangent if here.values.tangent @ way > 0.0 else -here.values.tangent
-    follower = Follower(equation, here, (-np.inf, np.inf))
+    follower = Follower(here, (-np.inf, np.inf))
     low, high, last = 0.0, BEYOND * distance, here
     beyond = follower.advance(here, tangent, high)
-    if beyond is not None and _kind_of(equation, beyond, landings) == kind:
+    if beyond is not None and _kind_of(beyond, landings) == kind:
         return None
     for _ in range(ROUNDS):
         middle = 0.5 * (low + high)
         if middle in (low, high):
             break
         tried = follower.advance(here, tangent, middle)
-        if tried is not None and _kind_of(equation, tried, landings) == kind:
+        if tried is not None and _kind_of(tried, landings) == kind:
             low, last = middle, tried
         else:
             high = middle
@@ -114,6 +115,8 @@ def _last(equation: GaitEquation, place: Pair, way: Pair, distance: float, landi
     return Border(last.place, kind, tangent, names)
 
 
-def _kind_of(equation: GaitEquation, point: Point, landings: bool) -> Kind:
-    stopped = tuple(event.slip == 0.0 for event in equation.gait(point.place).motion().find("impact")) if landings else None
+def _kind_of(point: Point, landings: bool) -> Kind:
+    stopped = (
+        tuple(event.slip == 0.0 for event in point.equation.gait(point.place).motion().find("impact")) if landings else None
+    )
     return point.values.key, point.values.apart > JOINED, stopped

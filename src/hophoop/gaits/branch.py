@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -30,33 +31,47 @@ class Branch:
 
     Attributes
     ----------
-    equation : GaitEquation
-    parameter : ndarray, shape (n,)
-        In the order along the branch [SI].
-    omega : ndarray, shape (n,)
-        θ̇ at the section [rad/s].
-    multiplier : ndarray, shape (n,)
-        [1].
-    word : tuple of tuple of str, length n
+    points : tuple of Point, length n
+        Coordinates, map and equation of each gait, in the order along the branch.
     special : tuple of Special
         In the order along the branch.
     complete : bool
         False if it was stopped.
     """
 
-    equation: GaitEquation
-    parameter: NDArray[np.float64]
-    omega: NDArray[np.float64]
-    multiplier: NDArray[np.float64]
-    word: tuple[tuple[str, ...], ...]
+    points: tuple[Point, ...]
     special: tuple[Special, ...]
     complete: bool = True
 
     @property
+    def equation(self) -> GaitEquation:
+        """The equation at its beginning."""
+        return self.points[0].equation
+
+    @cached_property
+    def parameter(self) -> NDArray[np.float64]:
+        """The parameter, shape (n,) [SI]."""
+        return np.array([point.equation.parameter(point.place) for point in self.points])
+
+    @cached_property
+    def omega(self) -> NDArray[np.float64]:
+        """θ̇ at the section, shape (n,) [rad/s]."""
+        return np.array([point.equation.omega(point.place) for point in self.points])
+
+    @cached_property
+    def multiplier(self) -> NDArray[np.float64]:
+        """The multiplier of the largest modulus, of a complex pair its real part, shape (n,) [1]."""
+        return np.array([point.values.multiplier for point in self.points])
+
+    @property
+    def word(self) -> tuple[tuple[str, ...], ...]:
+        """Phases from passage to passage, length n."""
+        return tuple(point.values.word for point in self.points)
+
+    @property
     def stable(self) -> NDArray[np.bool_]:
         """Where the gait is stable, shape (n,)."""
-        found: NDArray[np.bool_] = np.abs(self.multiplier) < 1.0
-        return found
+        return np.array([point.values.radius < 1.0 for point in self.points])
 
     @property
     def hops(self) -> NDArray[np.int64]:
@@ -74,8 +89,7 @@ class Branch:
         -------
         gait : Gait
         """
-        one = self.equation
-        return one.gait(np.array([self.omega[index] / one.unit, self.parameter[index] / one.scale]))
+        return self.points[index].equation.gait(self.points[index].place)
 
     def to_dict(self) -> dict[str, Any]:
         """Return all numbers as a dict for JSON, in SI units.
@@ -129,7 +143,6 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     Parameters
     ----------
     gait : Gait
-        Of the section 'bottom', in rolling there.
     path : str
         Of the parameter.
     bounds : (float, float)
@@ -145,24 +158,23 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     Raises
     ------
     ValueError
-        If the gait or the path cannot be followed, or the range does not hold the gait's value.
+        If the path cannot be followed, or the range does not hold the gait's value.
     """
-    if gait.section != "bottom" or set(gait.passages.mode) != {"R"}:
-        raise InputError.of_field("section", gait.section, "bottom, with rolling at each passage, for a gait to be followed")
     value = value_of(gait, path)
     low, high = bounds_around(path, value, bounds)
-    equation = GaitEquation(gait.scenario, gait.period, path, TENTH * (high - low))
-    place = np.array([gait.state.omega / equation.unit, value / equation.scale])
-    found = equation.solve(place, np.array([0.0, 1.0]), float(place[1]))
+    if path == "plane.slope" and low < 0.0 < high:
+        raise InputError.of_field("bounds", bounds, "slopes of one sign: on the level there is no gait")
+    equation = GaitEquation(gait.scenario, gait.period, path, TENTH * (high - low), gait.section, gait.passages.mode[-1])
+    place = equation.place(gait, value)
+    found = equation.solve(place, np.eye(len(place))[-1], float(place[-1]))
     if found is None:
         raise InputError.of_field("path", path, "a parameter whose derivative exists at this gait")
-    first = Point(*found)
-    scaled = (low / equation.scale, high / equation.scale)
-    halves = [Follower(equation, first, scaled) for _ in range(2)]
+    first = Point(*found, equation)
+    halves = [Follower(first, (low / equation.scale, high / equation.scale)) for _ in range(2)]
     complete = True
     try:
         for k, half in enumerate(halves):
-            sign = 1.0 if (first.values.tangent[1] > 0.0) == (k == 1) else -1.0
+            sign = 1.0 if (first.values.tangent[-1] > 0.0) == (k == 1) else -1.0
             half.run(sign * first.values.tangent)
             if progress is not None:
                 progress(0.5 * (k + 1))
@@ -171,15 +183,7 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     back, ahead = halves
     points = [*reversed(back.points), *ahead.points[1:]]
     special = [_turned(one) for one in reversed(back.special)] + ahead.special
-    return Branch(
-        equation,
-        np.array([float(point.place[1]) * equation.scale for point in points]),
-        np.array([float(point.place[0]) * equation.unit for point in points]),
-        np.array([point.values.multiplier for point in points]),
-        tuple(point.values.word for point in points),
-        tuple(special),
-        complete,
-    )
+    return Branch(tuple(points), tuple(special), complete)
 
 
 def _turned(special: Special) -> Special:

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.gaits.borders import border_near, border_of
+from hophoop.gaits.continuation import JOINED
 from hophoop.gaits.equation import GaitEquation, Pair, bounds_around, value_of
-from hophoop.gaits.finding import LONGEST, find
+from hophoop.gaits.finding import LONGEST
 from hophoop.gaits.special import DOUBLING, FOLD, LIMIT
 from hophoop.scenario import InputError
 
@@ -19,10 +20,18 @@ if TYPE_CHECKING:
     from hophoop.gaits.special import Special
 
 CRITICAL = {FOLD: 1.0, DOUBLING: -1.0}
-DISTANCES = (1e-4, -1e-4, 1e-3, -1e-3)  # of the scaled parameter from a point at which a doubled gait is born
+AMPLITUDES = (
+    1e-4,
+    -1e-4,
+    1e-3,
+    -1e-3,
+    1e-2,
+    -1e-2,
+)  # of a doubled gait about the shorter one
+SHIFT = 1e-6  # of the scaled parameter from a corner, where the map has no derivative
 MOST_POINTS = 10_000
 SMALLEST = 1e-4  # share of a step in the second parameter
-NEARBY = 0.1  # of θ̇ within which a doubled gait is looked for
+NEARBY = 0.1  # in the same units: within it a doubled gait is looked for
 
 
 def follow_special(special: Special, path: str, bounds: tuple[float, float], points: int) -> NDArray[np.float64]:
@@ -55,13 +64,12 @@ def _half(special: Special, path: str, values: NDArray[np.float64]) -> list[tupl
             place = None
             while place is None and share > SMALLEST:
                 target = value if share == 1.0 else known[-1][0] + share * (value - known[-1][0])
-                equation = GaitEquation(one.scenario.replace(path, target), one.period, one.path, one.scale)
-                place = locate(equation, _extrapolated(known, target))
+                place = locate(one.of(path, target), _extrapolated(known, target))
                 share *= 0.5
             if place is None:
                 return found
             known.append((target, place))
-        found.append((value, float(known[-1][1][1]) * one.scale, float(known[-1][1][0]) * one.unit))
+        found.append((value, one.parameter(known[-1][1]), one.omega(known[-1][1])))
     return found
 
 
@@ -118,13 +126,20 @@ def doubled(special: Special) -> Gait:
     period = 2 * one.period
     if period > LONGEST:
         raise InputError.of_field("period", period, f"at most {LONGEST}")
-    for distance in DISTANCES:
-        try:
-            scenario = one.scenario.replace(one.path, special.parameter + distance * one.scale)
-            found = find(scenario, period, near=special.omega)
-        except InputError:
-            continue
-        nearest = min(found, key=lambda gait: float(np.min(np.abs(gait.passages.omega - special.omega))))
-        if float(np.min(np.abs(nearest.passages.omega / special.omega - 1.0))) < NEARBY:
-            return nearest
+    twice = GaitEquation(one.scenario, period, one.path, one.scale, one.section, one.mode)
+    shifts = [np.zeros(len(special.place)), *(sign * SHIFT * np.eye(len(special.place))[-1] for sign in (1.0, -1.0))]
+    for values in (found for shift in shifts if (found := one(special.place + shift)) is not None):
+        direction = np.append(flipping(values.matrix), 0.0)
+        for amplitude in AMPLITUDES:
+            place = special.place + amplitude * direction
+            solution = twice.solve(place, direction, float(direction @ place))
+            if solution is not None and solution[1].apart > JOINED and np.abs(solution[0] - special.place).max() < NEARBY:
+                return twice.gait(solution[0])
     raise InputError(f"No gait of period {period} was found near {one.path} = {special.parameter:.9g}.")
+
+
+def flipping(matrix: Pair) -> Pair:
+    """Return the unit vector of the coordinates that changes its sign in a period: that of the least real eigenvalue."""
+    values, vectors = np.linalg.eig(matrix)
+    found: Pair = vectors[:, np.argmin(values.real)].real
+    return found / np.linalg.norm(found)

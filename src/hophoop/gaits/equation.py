@@ -1,4 +1,4 @@
-"""The equation of a gait in θ̇ and a parameter, and its solution along a line and at given conditions."""
+"""The equation of a gait on its section and in a parameter, and its solution along a line and at given conditions."""
 
 from __future__ import annotations
 
@@ -10,38 +10,40 @@ from numpy.typing import NDArray
 
 from hophoop.gaits.computing import passages
 from hophoop.gaits.gait import Gait
-from hophoop.gaits.section import parameter_rates
+from hophoop.gaits.results import Passages
+from hophoop.gaits.section import coordinates, parameter_rates
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.scenario.paths import parameter
+from hophoop.vocabulary.modes import MODE_LETTERS
 
 Pair = NDArray[np.float64]
-SOLVED = 1e-13  # largest residual of a solution, in √(g/R)
+SOLVED = 1e-13  # largest residual of a solution, in units of R and √(R/g)
 STEPS = 12  # of Newton's method
 FAR = 1e3  # times the size of the first correction: then it diverges
 
 
 class Values(NamedTuple):
-    """The return map over a period at one point.
+    """The return map over a period at one point, in units of R and √(R/g).
 
     Attributes
     ----------
-    excess : float
-        θ̇ after the period less θ̇ [√(g/R)].
-    multiplier : float
-        [1].
-    rate : float
-        By the scaled parameter [√(g/R)].
+    excess : ndarray, shape (n,)
+        Coordinates of the section after the period less those before.
+    matrix : ndarray, shape (n, n)
+        Derivative of the map.
+    rate : ndarray, shape (n,)
+        Its derivative by the scaled parameter.
     word : tuple of str
     turns : float
         Revolutions of the period, which belong to the word.
     apart : float
-        Least difference of θ̇ from that after a part of the period; inf for a prime period of 1 [√(g/R)].
+        Largest difference of the coordinates from those after a part of the period, the least of all parts; inf for period 1.
     """
 
-    excess: float
-    multiplier: float
-    rate: float
+    excess: Pair
+    matrix: Pair
+    rate: Pair
     word: tuple[str, ...]
     turns: float
     apart: float
@@ -52,15 +54,50 @@ class Values(NamedTuple):
         return self.word, self.turns
 
     @property
+    def multiplier(self) -> float:
+        """The eigenvalue of the largest modulus; of a complex pair its real part, which tells nothing of stability [1]."""
+        return float(leading(self.matrix).real)
+
+    @property
+    def radius(self) -> float:
+        """The largest modulus of an eigenvalue: below 1 the gait is stable [1]."""
+        return abs(leading(self.matrix))
+
+    @property
+    def trace(self) -> float:
+        """Sum of the multipliers [1]."""
+        return float(np.trace(self.matrix))
+
+    def off(self, critical: float) -> float:
+        """Return det(matrix − critical), which is 0 where a multiplier has this value."""
+        return determinant(self.matrix - critical * np.eye(len(self.matrix)))
+
+    @property
     def tangent(self) -> Pair:
-        """Unit vector along the solutions in (θ̇, scaled parameter)."""
-        along = np.array([self.rate, 1.0 - self.multiplier])
+        """Unit vector along the solutions in the coordinates and the scaled parameter."""
+        rows = np.column_stack([self.matrix - np.eye(len(self.matrix)), self.rate])
+        along = np.array([(-1) ** k * determinant(np.delete(rows, k, axis=1)) for k in range(rows.shape[1])])
         found: Pair = along / np.linalg.norm(along)
         return found
 
 
+def determinant(matrix: Pair) -> float:
+    """Return the determinant, of a single number the number itself."""
+    return float(matrix[0, 0]) if matrix.shape == (1, 1) else float(np.linalg.det(matrix))
+
+
+def leading(matrix: Pair) -> complex:
+    """Return the eigenvalue of the largest modulus."""
+    if matrix.shape == (1, 1):
+        return complex(matrix[0, 0])
+    found = np.linalg.eigvals(matrix)
+    return complex(found[np.argmax(np.abs(found))])
+
+
 class GaitEquation:
-    """P(θ̇; parameter) = θ̇ in rolling at the bottom, with θ̇ in √(g/R) and a parameter scaled to its range.
+    """P(coordinates; parameter) = coordinates on a section, in units of R and √(R/g), with a parameter scaled to its range.
+
+    A point holds the coordinates, θ̇ alone in rolling at the bottom, and then the scaled parameter.
 
     Parameters
     ----------
@@ -69,6 +106,9 @@ class GaitEquation:
     path : str
     scale : float
         SI value of the parameter per unit of the scaled one.
+    section : {'bottom', 'landing'}, default 'bottom'
+    mode : str, default 'R'
+        Letter of the mode at the start.
 
     Raises
     ------
@@ -76,44 +116,93 @@ class GaitEquation:
         If the path is no parameter that can be followed.
     """
 
-    def __init__(self, scenario: Scenario, period: int, path: str, scale: float) -> None:
+    def __init__(
+        self, scenario: Scenario, period: int, path: str, scale: float, section: str = "bottom", mode: str = "R"
+    ) -> None:
         self.scenario, self.period, self.path, self.scale = scenario, period, path, scale
-        self.unit = Units.of_scenario(scenario).of("omega")
+        self.section, self.mode = section, mode
+        self.names = coordinates(section, MODE_LETTERS.index(mode))
+        units = Units.of_scenario(scenario)
+        self.units = np.array([units.of(name) for name in self.names])
+
+    def of(self, path: str, value: float) -> GaitEquation:
+        """Return the equation with another value of a second parameter."""
+        return GaitEquation(self.scenario.replace(path, value), self.period, self.path, self.scale, self.section, self.mode)
+
+    def other(self, point: Pair) -> tuple[GaitEquation, Pair] | None:
+        """Return the equation of the mode in which the hoop comes back, and the point there; None if the mode is the same."""
+        start = point.copy()
+        if "slip" in self.names:  # it may be past 0, where the mode ends
+            k = self.names.index("slip")
+            start[k] = min(start[k], 0.0) if self.mode == "S" else max(start[k], 0.0)
+        try:
+            found = passages(self.at(start), self.period, section=self.section)
+        except InputError:
+            return None
+        if len(found) < self.period or found.mode[-1] == self.mode:
+            return None
+        mode = found.mode[-1]
+        other = GaitEquation(self.scenario, self.period, self.path, self.scale, self.section, mode)
+        row = np.array([float(getattr(found, name)[-1]) for name in other.names]) / other.units
+        if other.names[0] == "angle":
+            row[0] = math.remainder(row[0], 2.0 * math.pi)
+        return other, np.append(row, point[-1])
+
+    def place(self, gait: Gait, value: float) -> Pair:
+        """Return the point of a gait at a value of the parameter."""
+        state = [float(getattr(gait.state, name)) for name in self.names]
+        return np.append(np.array(state) / self.units, value / self.scale)
+
+    def omega(self, point: Pair) -> float:
+        """Return θ̇ at a point [rad/s]."""
+        k = self.names.index("omega")
+        return float(point[k]) * float(self.units[k])
+
+    def parameter(self, point: Pair) -> float:
+        """Return the parameter at a point [SI]."""
+        return float(point[-1]) * self.scale
 
     def at(self, point: Pair) -> Scenario:
-        """Return the scenario of a point, which starts on the section in rolling."""
-        omega = float(point[0]) * self.unit
-        start = Start(angle=math.pi, vx=self.scenario.hoop.radius * omega, omega=omega, slip=0.0, mode="R")
-        return self.scenario.replace(self.path, float(point[1]) * self.scale).replace("start", start)
+        """Return the scenario of a point, which starts on the section."""
+        value = {"angle": math.pi, "slip": 0.0} | dict(zip(self.names, (point[:-1] * self.units).tolist(), strict=True))
+        start = Start(height=0.0, vx=self.scenario.hoop.radius * value["omega"] + value["slip"], mode=self.mode, **value)
+        return self.scenario.replace(self.path, self.parameter(point)).replace("start", start)
 
     def __call__(self, point: Pair, sign: float = 1.0) -> Values | None:
-        """Return the map at a point, or None where the hoop does not come back in rolling, or the value is not allowed."""
+        """Return the map at a point, or None where the hoop does not come back in the mode, or the value is not allowed."""
         try:
             scenario = self.at(point)
         except InputError:
             return None
-        found = passages(scenario, self.period)
-        if len(found) < self.period or set(found.mode) != {"R"}:
+        found = passages(scenario, self.period, section=self.section)
+        if len(found) < self.period or found.mode[-1] != self.mode:
             return None
-        after = float(found.omega[-1]) / self.unit
-        multiplier, rate = parameter_rates(found, self.path, sign)
-        if not (math.isfinite(multiplier) and math.isfinite(rate)):
+        matrix, rate = parameter_rates(found, self.path, sign)
+        if not (np.isfinite(matrix).all() and np.isfinite(rate).all()):
             return None
-        turns = round((float(found.angle[-1]) - math.pi) / (2.0 * math.pi))
-        parts = [part for part in range(1, self.period) if self.period % part == 0]
-        apart = min((abs(float(found.omega[part - 1]) / self.unit - float(point[0])) for part in parts), default=math.inf)
-        return Values(after - float(point[0]), multiplier, rate * self.scale, found.word, turns, apart)
+        first = scenario.start.state(scenario.hoop).angle
+        turns = round((float(found.angle[-1]) - first) / (2.0 * math.pi))
+        parts = [part for part in range(1, self.period) if self.period % part == 0 and found.mode[part - 1] == self.mode]
+        apart = min((float(np.abs(self.excess(found, part - 1, point)).max()) for part in parts), default=math.inf)
+        return Values(self.excess(found, -1, point), matrix, rate * self.scale, found.word, turns, apart)
+
+    def excess(self, found: Passages, index: int, point: Pair) -> Pair:
+        """Return the coordinates of a passage less those of a point."""
+        off: Pair = np.array([float(getattr(found, name)[index]) for name in self.names]) / self.units - point[:-1]
+        if self.names[0] == "angle":
+            off[0] = math.remainder(off[0], 2.0 * math.pi)
+        return off
 
     def gait(self, point: Pair) -> Gait:
         """Return the gait of a solution."""
-        return Gait(self.at(point), "bottom", self.period)
+        return Gait(self.at(point), self.section, self.period)
 
     def solve(self, point: Pair, normal: Pair, offset: float) -> tuple[Pair, Values] | None:
         """Return the solution with normal · point = offset near a point, by Newton's method, or None if it finds none.
 
         Parameters
         ----------
-        point, normal : ndarray, shape (2,)
+        point, normal : ndarray, shape (n + 1,)
         offset : float
 
         Returns
@@ -126,32 +215,38 @@ class GaitEquation:
             if values is None:
                 return None
             off = float(normal @ point) - offset
-            matrix = np.array([[values.multiplier - 1.0, values.rate], normal])
+            matrix = np.vstack([self.by_point(values), normal])
             try:
-                step = np.linalg.solve(matrix, [-values.excess, -off])
+                step = np.linalg.solve(matrix, np.append(-values.excess, -off))
             except np.linalg.LinAlgError:
                 return None
             size = float(np.abs(step).max())
-            if size < SOLVED or (abs(values.excess) < SOLVED and abs(off) < SOLVED):
+            if size < SOLVED or (np.abs(values.excess).max() < SOLVED and abs(off) < SOLVED):
                 return point, values
             first = min(first, size)
             if size > FAR * first or size > 1.0:
                 return None
             point = point + step
         values = self(point)
-        return None if values is None or abs(values.excess) > 1e-11 else (point, values)
+        return None if values is None or np.abs(values.excess).max() > 1e-11 else (point, values)
+
+    @staticmethod
+    def by_point(values: Values) -> Pair:
+        """Return the derivative of the excess by the point, shape (n, n + 1)."""
+        found: Pair = np.column_stack([values.matrix - np.eye(len(values.matrix)), values.rate])
+        return found
 
     def solve_with(self, point: Pair, multiplier: float, step: float = 1e-6) -> tuple[Pair, Values] | None:
         """Return the solution with a given multiplier, or None.
 
         Parameters
         ----------
-        point : ndarray, shape (2,)
+        point : ndarray, shape (n + 1,)
             Near it.
         multiplier : float
             [1].
         step : float, default 1e-6
-            Of the central differences of the multiplier [√(g/R) and scaled parameter].
+            Of the central differences, in each coordinate and the scaled parameter.
 
         Returns
         -------
@@ -162,14 +257,14 @@ class GaitEquation:
             if values is None:
                 return None
             slopes = []
-            for shift in (np.array([step, 0.0]), np.array([0.0, step])):
+            for shift in step * np.eye(len(point)):
                 ahead, back = self(point + shift), self(point - shift)
                 if ahead is None or back is None or ahead.key != values.key or back.key != values.key:
                     return None
-                slopes.append((ahead.multiplier - back.multiplier) / (2.0 * step))
-            matrix = np.array([[values.multiplier - 1.0, values.rate], slopes])
+                slopes.append((ahead.off(multiplier) - back.off(multiplier)) / (2.0 * step))
+            matrix = np.vstack([self.by_point(values), slopes])
             try:
-                change = np.linalg.solve(matrix, [-values.excess, multiplier - values.multiplier])
+                change = np.linalg.solve(matrix, np.append(-values.excess, -values.off(multiplier)))
             except np.linalg.LinAlgError:
                 return None
             if float(np.abs(change).max()) > 0.5:
@@ -178,8 +273,9 @@ class GaitEquation:
             if float(np.abs(change).max()) < 1e-12:
                 break
         values = self(point)
-        solved = values is not None and abs(values.excess) < 1e-11 and abs(values.multiplier - multiplier) < 1e-7
-        return (point, values) if solved and values is not None else None
+        if values is None or np.abs(values.excess).max() > 1e-11 or abs(values.off(multiplier)) > 1e-7:
+            return None
+        return point, values
 
 
 def value_of(gait: Gait, path: str) -> float:

@@ -26,7 +26,9 @@ FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits 
 MOST_FAST = 100.0
 GRID, MOST_GRID = 2_000, 10_000  # values of θ̇ per passage of a period, and in all
 NEARBY = 0.1  # of `near`, to either side
-STARTS, PATIENCE = 48, 3_000  # motions that are left to settle, and their passages
+STARTS, PATIENCE = 96, 3_000  # motions that are left to settle, and their passages
+EARLY, RETURNS, NEAR_RETURN = 200, 6, 0.3  # first passages of a motion, those used, and how near it comes [R, √(R/g)]
+SHORTEST = 0.1  # √(R/g), of a period: bounces may follow each other faster
 EXACT = 1e-9  # largest residual of a gait; those found have 1e-12 and less
 SAME = 1e-7  # relative difference of θ̇ within which two gaits are one
 DEPTH = 2  # halvings between pieces of the map
@@ -53,11 +55,14 @@ def find(
     near : float, optional
         θ̇ at the passage near which to look, to 10 % [rad/s].
     fastest : float, optional
-        Without `near`, size of θ̇ up to which to look [rad/s]; by default 10 √(g/R), at landings 20 √(g/R).
+        Without `near`, size of θ̇ up to which to look [rad/s]; by default 10 √(g/R), at landings 20 √(g/R), for heavy loads
+        twice what gets over the top. A search takes seconds, but minutes where the map has thousands of pieces: with a
+        restitution near 1, or above the critical slope. There `near` helps.
     section : {'bottom', 'landing'}, default 'bottom'
         As in `hophoop.passages`. At the bottom in rolling the map has one dimension, and the search compares 2000 values of θ̇
         and the ends of all pieces of the map that they meet: it finds stable and unstable gaits, except those on pieces
-        between two of the values. In slip and at landings it lets 48 motions settle, and so finds stable gaits.
+        between two of the values. In slip and at landings it lets 96 motions settle and goes on by Newton's method from the
+        nearest returns of each: it finds stable gaits, and unstable ones that they come near.
     progress : callable, optional
         Called with the computed fraction, 0 to 1.
 
@@ -136,7 +141,7 @@ def _range(scenario: Scenario, near: float | None, fastest: float | None, sectio
     if near is not None:
         return abs(near) / unit * (1.0 - NEARBY), abs(near) / unit * (1.0 + NEARBY)
     low = slowest_over_top(scenario)
-    high = FASTEST[section] if fastest is None else fastest / unit
+    high = max(FASTEST[section], min(2.0 * low, 0.5 * (low + MOST_FAST))) if fastest is None else fastest / unit
     if not low < high < MOST_FAST:
         allowed = f"above {low * unit:.4g}, with which it may get over the top, and below {MOST_FAST * unit:.4g}"
         raise InputError.of_field("fastest", fastest, allowed)
@@ -178,34 +183,60 @@ def _gait(scenario: Scenario, section: str, period: int) -> Gait | None:
 
 
 def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[Gait]:
-    """Yield the gaits on which motions settle, if these slip at the bottom or the section is that of landings."""
-    speed = Units.of_scenario(scenario).of("omega") * scenario.hoop.radius
+    """Yield the gaits on which motions settle or which they come near, in slip at the bottom or at landings."""
+    units = Units.of_scenario(scenario)
+    speed = units.of("omega") * scenario.hoop.radius
     ahead = math.copysign(1.0, scenario.plane.slope)
     for omega in np.geomspace(*bounds, STARTS):
         tried = scenario.replace("start", Start.rolling(float(ahead * omega * speed), angle=math.pi))
-        found = passages(tried, PATIENCE, section=section)
-        if found.decided == Fate.GAIT and found.period == period and (section == "landing" or found.mode[-1] != "R"):
-            gait = _polished(found, period)
-            if gait is not None:
-                yield gait
+        found = passages(tried, PATIENCE, section=section, until_decided=True)
+        places = _near_returns(found, period, units)
+        if found.decided == Fate.GAIT and found.period == period:
+            places.append(len(found) - 1)
+        for place in places:
+            if section == "landing" or found.mode[place] != "R":
+                gait = _polished(found, place, period)
+                if gait is not None:
+                    yield gait
 
 
-def _polished(found: Passages, period: int) -> Gait | None:
-    """Return the gait near the last passage, by Newton's method with the exact derivative."""
-    scenario = found.scenario.replace("start", _moved(found.start(len(found) - 1), {}, found.scenario))
+def _near_returns(found: Passages, period: int, units: Units) -> list[int]:
+    """Return a few early passages which the motion comes nearest to again after a period."""
+    count = min(EARLY, len(found)) - period
+    if count < 1:
+        return []
+    off = np.zeros(count)
+    for name in ("omega", "slip", "vy", "angle"):
+        values = np.asarray(getattr(found, name)[: count + period], float) / units.of(name)
+        change = values[period:] - values[:-period]
+        off = np.maximum(off, np.abs(np.remainder(change + math.pi, 2.0 * math.pi) - math.pi if name == "angle" else change))
+    modes = np.array(found.mode[: count + period])
+    times = np.asarray(found.t[: count + period], float)
+    off[(modes[period:] != modes[:-period]) | (times[period:] - times[:-period] < SHORTEST * units.time)] = math.inf
+    walled = np.concatenate([[math.inf], off, [math.inf]])
+    nearest = np.flatnonzero((off < NEAR_RETURN) & (off <= walled[:-2]) & (off < walled[2:]))
+    return [int(k) for k in nearest[np.argsort(off[nearest], kind="stable")][:RETURNS]]
+
+
+def _polished(found: Passages, place: int, period: int) -> Gait | None:
+    """Return the gait near a passage, by Newton's method with the exact derivative."""
+    scenario = found.scenario.replace("start", _moved(found.start(place), {}, found.scenario))
     best, least = scenario, math.inf
     for _ in range(STEPS):
         tried = passages(scenario, period, section=found.section)
-        if len(tried) < period:
+        if len(tried) < period or not tried.t[-1] > 0.0:
             break
         residual = residual_of(tried)
         if not residual < least:
             break
         best, least = scenario, residual
-        step = _step(tried, period)
-        if step is None:
+        try:
+            step = _step(tried, period)
+            if step is None:
+                break
+            scenario = scenario.replace("start", _moved(scenario.start, step, scenario))
+        except InputError:  # it left the section
             break
-        scenario = scenario.replace("start", _moved(scenario.start, step, scenario))
     return _gait(best, found.section, period)
 
 
@@ -258,7 +289,7 @@ def _nothing(scenario: Scenario, period: int, bounds: tuple[float, float], secti
     low, high = (bound * Units.of_scenario(scenario).of("omega") for bound in bounds)
     looked = f"No gait of period {period} was found with θ̇ from {low:.4g} to {high:.4g} rad/s"
     if section == "landing":
-        return f"{looked} at landings: none of {STARTS} motions settled on one in {PATIENCE} passages."
+        return f"{looked} at landings: none of {STARTS} motions came near one in {PATIENCE} passages."
     if math.isinf(nearest):
         return f"{looked} at the bottom: no motion passes it again in rolling."
     return f"{looked} at the bottom: the nearest return was {nearest:.3g} rad/s off."

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 MOST_PERIODS = 100_000
+LONGER = 1.001  # of the time to the last landing, which is looked for
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,7 @@ class Gait:
     @cached_property
     def margins(self) -> tuple[GaitMargin, ...]:
         """Distances from the boundaries of the word, the smallest first: which one a change of parameters may meet next."""
-        return margins_of(self.motion())
+        return margins_of(self.motion(), self.section)
 
     @property
     def phases(self) -> Iterator[PhaseRecord]:
@@ -151,7 +152,10 @@ class Gait:
         """
         if isinstance(periods, bool) or not isinstance(periods, int) or not 1 <= periods <= MOST_PERIODS:
             raise InputError.of_field("periods", periods, f"an integer from 1 to {MOST_PERIODS}")
-        return simulate(self.scenario.replace("duration", periods * self.time))
+        whole = periods * self.time
+        if self.section == "landing":  # to include the last landing
+            return simulate(self.scenario.replace("duration", whole * LONGER), until=f"landings:{periods * self.period}")
+        return simulate(self.scenario.replace("duration", whole))
 
     def follow(self, path: str, bounds: tuple[float, float], progress: Callable[[float], object] | None = None) -> Branch:
         """Follow the gait over a parameter of hoop or plane, through folds and boundaries of its word.
@@ -173,8 +177,7 @@ class Gait:
         Raises
         ------
         ValueError
-            If the section is not 'bottom', with rolling at each passage, the path is no parameter that can be followed, or
-            the range does not hold the gait's value.
+            If the path is no parameter that can be followed, or the range does not hold the gait's value.
         """
         from hophoop.gaits.branch import follow
 

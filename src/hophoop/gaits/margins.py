@@ -35,13 +35,15 @@ class GaitMargin(NamedTuple):
     value: float
 
 
-def margins_of(motion: Trajectory) -> tuple[GaitMargin, ...]:
+def margins_of(motion: Trajectory, section: str) -> tuple[GaitMargin, ...]:
     """Return the margins of one period; `Gait.margins` calls this.
 
     Parameters
     ----------
     motion : Trajectory
         Of a period.
+    section : {'bottom', 'landing'}
+        At which it starts: a landing begins a phase, the bottom does not.
 
     Returns
     -------
@@ -56,7 +58,7 @@ def margins_of(motion: Trajectory) -> tuple[GaitMargin, ...]:
     for one, other in pairwise(changes):
         if other.t <= one.t:
             continue
-        if one.to_mode != "H" and other.kind != "end" and one.kind != "start":
+        if one.to_mode != "H" and other.kind != "end" and (one.kind != "start" or section == "landing"):
             found.append(GaitMargin("phase vanishes", one.t, (other.t - one.t) * speed / hoop.radius))
         sample = motion.at(np.linspace(one.t, other.t, POINTS + 2)[1:-1])
         mode = one.to_mode

@@ -146,6 +146,8 @@ def derivative(scenario: Scenario, passages_on: int = 1, *, section: str = "bott
         raise InputError("start.angle must be pi, with start.height = start.vy = 0: the section is the load at the bottom.")
     if section == "landing" and start.height != 0.0:
         raise InputError.of_field("start.height", start.height, "0: the section is just after a landing")
+    if section == "landing" and start.vy < 0.0:
+        raise InputError.of_field("start.vy", start.vy, "at least 0: the section is just after a landing")
     found = passages(scenario, passages_on, section=section)
     if len(found) < passages_on:
         raise InputError(f"passages_on = {passages_on} must be at most {len(found)}: the motion passes its section no more.")
@@ -196,24 +198,24 @@ def _product(found: Passages, index: int, further: int, sign: float) -> tuple[Fl
     return matrix, rows, columns, reason
 
 
-def parameter_rates(found: Passages, path: str, sign: float = 1.0) -> tuple[float, float]:
-    """Return how θ̇ at the last passage changes with θ̇ at the start, and with a parameter, in rolling at the bottom.
+def parameter_rates(found: Passages, path: str, sign: float = 1.0) -> tuple[Floats, Floats]:
+    """Return how the coordinates at the last passage change with those at the start, and with a parameter.
 
     Parameters
     ----------
     found : Passages
-        Of section 'bottom', in rolling at the start and at each passage.
+        Its start is on the section.
     path : str
         Of the parameter; it must not change the units R and √(R/g).
     sign : float, default 1
-        −1 for the rates towards smaller θ̇ and parameter.
+        −1 for the rates towards smaller coordinates and parameter.
 
     Returns
     -------
-    multiplier : float
-        [1].
-    rate : float
-        In √(g/R) per SI unit of the parameter. Both are nan where there is no derivative.
+    matrix : ndarray, shape (rows, columns)
+        In units of R and √(R/g).
+    rates : ndarray, shape (rows,)
+        In these units per SI unit of the parameter. Both are nan where there is no derivative.
 
     Raises
     ------
@@ -223,13 +225,12 @@ def parameter_rates(found: Passages, path: str, sign: float = 1.0) -> tuple[floa
     directions = directions_of(found.scenario, [path])
     if directions.units.any():
         raise InputError.of_field("path", path, "a parameter other than hoop.radius, hoop.mass and plane.gravity")
-    multiplier, rate = 1.0, 0.0
+    matrix, rates = np.eye(1), np.zeros(1)
     for index in range(-1, len(found) - 1):
-        row = _step(found, index, sign, directions.parameter_tangents)[0]
-        if row.shape != (1, 2):
-            return math.nan, math.nan
-        multiplier, rate = float(row[0, 0]) * multiplier, float(row[0, 0]) * rate + float(row[0, 1])
-    return multiplier, rate
+        step, _, columns, _ = _step(found, index, sign, directions.parameter_tangents)
+        before, change = step[:, : len(columns)], step[:, len(columns)]
+        matrix, rates = (before, change) if index < 0 else (before @ matrix, before @ rates + change)
+    return matrix, rates
 
 
 def _row_of(found: Passages, index: int) -> Floats:
@@ -278,9 +279,11 @@ def _step(
     events, segments = events[:count], segments[:pieces]
     if landing:
         collided = (events["kind"] == BOUNCE_LIMIT) | ((events["kind"] == IMPACT) & (events["collision"] == 1))
-        events = events[: int(np.flatnonzero(collided)[-1]) + 1]
+        events = events[: int(np.flatnonzero(collided)[-1]) + 1] if collided.any() else events[:0]
     columns, rows = coordinates(found.section, mode), coordinates(found.section, last_mode)
     width = len(columns) + changes.shape[1]
+    if not len(events):  # it lands as it starts, in bounces that vanish
+        return np.full((len(rows), width), math.nan), rows, columns, REASONS[Reason.GRAZE]
     tangents, parameters = np.zeros((STATE_ROWS, width)), np.zeros((PARAMETERS, width))
     for place, name in enumerate(columns):
         tangents[_ROWS[name], place] = sign

@@ -24,7 +24,8 @@ class Special(NamedTuple):
         'fold', 'period doubling', 'border collision', 'joins a shorter period', 'top of the hill', 'end' or 'limit of
         the range'.
     event : str
-        Of a border collision the boundary, as in `GaitMargin`, and the words on both sides; else empty.
+        Of a border collision the boundary, as in `GaitMargin` or 'slip at the section', and the words on both sides; of an
+        end the boundary that is met there, if one is; else empty.
     parameter : float
         [SI].
     omega : float
@@ -35,6 +36,8 @@ class Special(NamedTuple):
         At or just before it.
     equation : GaitEquation
         Of the branch that it is on.
+    place : ndarray
+        Its point in the equation.
     """
 
     kind: str
@@ -44,11 +47,7 @@ class Special(NamedTuple):
     multipliers: tuple[float, ...]
     gait: Gait
     equation: GaitEquation
-
-    @property
-    def place(self) -> Pair:
-        """Its place in the equation: θ̇ [√(g/R)] and the scaled parameter."""
-        return np.array([self.omega / self.equation.unit, self.parameter / self.equation.scale])
+    place: Pair
 
     def follow(self, path: str, bounds: tuple[float, float], points: int = 40) -> NDArray[np.float64]:
         """Follow the point in a second parameter.

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 else:
     Axes = Any
 
+PLACES = {"bottom": "at the bottom", "landing": "after the landing"}
 MARKS = {
     "fold": "o", "period doubling": "s", "border collision": "D", "joins a shorter period": "^", "top of the hill": "v",
     "end": "x",
@@ -24,7 +25,7 @@ MARKS = {
 
 
 def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
-    """Draw θ̇ at the bottom over the parameter: stable gaits solid, unstable ones dashed, with marks at special points.
+    """Draw θ̇ at the section over the parameter: stable gaits solid, unstable ones dashed, with marks at special points.
 
     Parameters
     ----------
@@ -56,7 +57,7 @@ def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
             x, y = np.array(points).T
             face = colors.BLACK if mark == "x" else "white"
             ax.scatter(x, y, marker=mark, s=28, facecolor=face, edgecolor=colors.BLACK, linewidths=0.9, zorder=3, label=kind)
-    finish(ax, label, r"$\dot\theta$ at the bottom (rad/s)")
+    finish(ax, label, rf"$\dot\theta$ {PLACES[branches[0].equation.section]} (rad/s)")
     return ax
 
 

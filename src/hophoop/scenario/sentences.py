@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from hophoop._support.errors import InputError, shortened, shown
 from hophoop.scenario.texts import TEXTS, say
@@ -23,6 +23,8 @@ _KINDS = {
     **dict.fromkeys(("int_parsing", "int_type", "int_from_float"), "whole"),
     "string_type": "word",
 }
+
+_MODELS = {"hoop": "a Hoop", "plane": "a Plane", "start": "a Start", "contact": "Rigid or Compliant"}
 
 # Kinds of our own validators, whose messages go on from the value.
 _OWN = {"number", "friction", "whole", "value"}
@@ -151,6 +153,8 @@ def _said(above: str, finding: Mapping[str, Any]) -> _Said:
         allowed = say(kind, expected=context["expected"])
     elif kind in _KINDS:
         allowed = say(_KINDS[kind])
+        if isinstance(value, BaseModel) and place in _MODELS:  # arguments in another order
+            allowed = f"must be {_MODELS[place]}, not {type(value).__name__}"
     else:
         message = finding["msg"]
         return _Said(f"{place} = {_show(value)}: {message[:1].lower()}{message[1:]}.", place, value)

@@ -22,6 +22,7 @@ from hophoop.tracking.video import count, pictures, sample_pictures
 Floats = NDArray[np.float64]
 
 LEAST_TURN = 0.25  # minimum rotation of a marker per radius that the hoop goes; rolling has 1, a skid less [rad]
+SIDEWAYS = 2.0  # rise or fall of a hoop in a film that lies on its side, over the radius
 MOSTLY = 0.5  # minimum share of the frames in which a marker is visible
 LEAST_ERROR = 0.02  # minimum error of a centre, from lens and sensor [pixel]
 
@@ -199,7 +200,10 @@ def _notes(rows: Rows, state: list[str], known: FilmSetup, line: Ground, hints: 
         notes.append(f"The marker is hidden in {bare} frames.")
     if rows.uncertain:
         notes.append(f"Whole revolutions may be missing after {rows.uncertain[0]:.3f} s, where the marker comes back.")
-    if not line.directed:
+    circle = np.array(rows.circle)
+    if not line.directed and np.ptp(circle[np.isfinite(circle[:, 0]), 1]) > SIDEWAYS * np.nanmedian(circle[:, 2]):
+        notes.append("Doubtful: the hoop moves up or down the picture. Is the film sideways? Turn it, and track it again.")
+    elif not line.directed:
         notes.append("The hoop stays in one place, so the slope is unknown; the picture's rows are taken as level.")
     elif hints.ground is None:
         notes.append(f"The plane is the line under the hoop in {line.frames} frames.")

@@ -65,6 +65,8 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
         if (now == near).all():
             break
         near = now
+    if not near.any():  # the hoop keeps no height, as in a film that lies on its side
+        near[:] = True
     angle = float(np.arctan(line[1])) if directed else 0.0
     count = int(near.sum())
     off = (y - design @ line)[near]

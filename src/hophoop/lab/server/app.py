@@ -84,6 +84,8 @@ def serve(
         file=sys.stderr,
         flush=True,
     )
+    if host == "0.0.0.0" and (own := _own_address()):
+        print(f"Others in your network open http://{own}:{port}/.", file=sys.stderr, flush=True)
     from hophoop.lab.server.connections import Connection, Server
     from hophoop.lab.server.routes import create_app
 
@@ -110,6 +112,16 @@ def _free_port(host: str) -> int:
     with socket.socket(_family(host)) as probe:
         probe.bind((host, 0))
         return int(probe.getsockname()[1])
+
+
+def _own_address() -> str | None:
+    """Return this machine's address in its network; a datagram socket sends nothing to connect."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(("192.0.2.1", 9))  # an address for documentation
+            return str(probe.getsockname()[0])
+        except OSError:
+            return None
 
 
 def _check_free(host: str, port: int) -> None:

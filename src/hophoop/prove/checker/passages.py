@@ -58,16 +58,19 @@ class Motions:
 
     def follow(self, phases: list[Any]) -> Family:
         """θ̇ at the next passage [rad/s]."""
-        for mode, what, low, high in phases:
-            require(not self.letters or bool(self.state.om > 0), "the hoop turns ahead")
-            require(bool(self.mode), "nothing comes after the next passage")
-            require(mode == self.mode, f"phase {len(self.letters) + 1} has the mode that is said, not {self.mode}")
-            self.letters.append(mode)
-            phase = {"R": self.roll, "S": self.slip, "K": self.slip, "H": self.fly}[mode]
-            phase(what, number(low), number(high))
+        for one in phases:
+            self.pass_phase(*one)
         require(not self.mode, "the motions come to their next passage")
         omega: Family = self.state.om / self.equations.time
         return omega
+
+    def pass_phase(self, mode: str, what: str, low: float, high: float) -> None:
+        """Go through a phase, whose end lies in a bracket."""
+        require(bool(self.mode), "nothing comes after the next passage")
+        require(mode == self.mode, f"phase {len(self.letters) + 1} has the mode that is said, not {self.mode}")
+        self.letters.append(mode)
+        phase = {"R": self.roll, "S": self.slip, "K": self.slip, "H": self.fly}[mode]
+        phase(what, number(low), number(high))
 
     @property
     def word(self) -> str:
