@@ -339,3 +339,17 @@ def test_a_branch_reaches_the_level_as_a_limit():
     assert found.special[0].kind == "limit of the range"
     assert found.special[0].parameter < 1e-9
     assert len(of_kind(found, "fold")) == 2
+
+
+def test_a_window_in_the_chaos():
+    """Of period 3, from a border collision at which a pair is born to a doubling; chaos around it is tested with `fates`."""
+    case = scenario(1.36).replace("start", hh.Start.rolling(3.4, angle=math.pi))
+    settled = hh.passages(case, 3000)
+    assert (settled.fate, settled.period) == ("gait", 3)
+    found = hh.gaits.find(case, 3, near=float(settled.omega[-1]))
+    gait = next(one for one in found if one.stable)
+    window = gait.follow("plane.slope", (math.radians(1.3), math.radians(1.4)))
+    border, doubling = of_kind(window, "border collision")[0], of_kind(window, "period doubling")[0]
+    assert math.degrees(border.parameter) == pytest.approx(1.352068421, abs=1e-8)
+    assert math.degrees(doubling.parameter) == pytest.approx(1.3620539323, abs=1e-9)
+    assert abs(border.multipliers[1]) < 1.0 < border.multipliers[0]

@@ -32,6 +32,14 @@ def test_names_of_centre_and_load_are_recognized(tmp_path, names):
     assert not track.notes
 
 
+def test_a_comma_between_quotes_divides_nothing(tmp_path):
+    table = 't,x,y,remark\n0.00,0.1,0.3,"dark, blurred"\n"0,01","0,2","0,3",\n0.02,0.3,0.3,\n'
+    track = read_track(written(tmp_path, table))
+    assert track.t == pytest.approx([0.0, 0.01, 0.02])
+    assert track.centre[:, 0] == pytest.approx([0.1, 0.2, 0.3])
+    assert track.notes == ("Columns of ours.csv that are not used: remark.",)
+
+
 def test_columns_that_are_not_used_are_named(tmp_path):
     track = read_track(written(tmp_path, "t;x;y;sticker_x;sticker_y\n" + ROWS))
     assert np.isnan(track.marker).all()
@@ -71,6 +79,7 @@ def test_a_missing_unit_of_angles_is_explained(tmp_path):
         ("a.csv", "", "a.csv is empty"),
         ("a.csv", "0;0,1;0,3\n1;0,2;0,3\n", "has no row of column names, such as t, x, y, angle"),
         ("a.csv", "t;x;y\n0;0,1;0,3\n1;fast;0,3\n2;0;0\n", "has 'fast' in column x, row 2 below the names"),
+        ("a.csv", "t,x,y\n0,00,0,1,0,3\n0,01,0,2,0,3\n0,02,0,3,0,3\n", "a row of 6 cells under 3 names: a comma can divide"),
         ("a.xlsx", "PK", "save the sheet as CSV"),
         ("a.ods", "PK", "save the sheet as CSV"),
     ],

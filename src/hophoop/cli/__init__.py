@@ -161,10 +161,10 @@ def _report_failure(error: BaseException, stopping: Stopping) -> int:
 
 def _explain(error: BaseException) -> None:
     """Name the value that is no number, and the option for a name of Python."""
-    if hasattr(error, "possibilities"):
+    if hasattr(error, "option_name") and hasattr(error, "possibilities"):
         from hophoop.cli._options import OPTIONS
 
-        word = str(error.option_name).lstrip("-").replace("-", "_")  # type: ignore[attr-defined]
+        word = str(error.option_name).lstrip("-").replace("-", "_")
         own = {flag for param in error.ctx.command.params for flag in param.opts}  # type: ignore[attr-defined]
         named = [option.flag for option in OPTIONS if option.path.rpartition(".")[2] == word and not option.to_si]
         meant = [flag for flag in named if flag in own]
@@ -173,8 +173,9 @@ def _explain(error: BaseException) -> None:
     problems = getattr(error.__cause__, "errors", None)  # of pydantic, which parses numbers for Typer
     first = problems()[0] if problems else {"type": ""}
     allowed = {"float_parsing": "a number, such as 3.1", "int_parsing": "a whole number, such as 3"}.get(first["type"])
-    if allowed:
-        flag = max(error.param.opts, key=len)  # type: ignore[attr-defined]
+    param = getattr(error, "param", None)
+    if allowed and param is not None:
+        flag = max(param.opts, key=len)
         error.format_message = lambda: f"{flag} = {first['input']!r} must be {allowed}."  # type: ignore[attr-defined]
 
 

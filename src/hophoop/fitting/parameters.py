@@ -35,7 +35,7 @@ PARAMETERS: dict[str, ParameterSpec] = {
     "scale": ParameterSpec("1", "length in the data over length", 0.5, 2.0, 1e-6),
     "tilt": ParameterSpec("rad", "angle by which the plane rises along x of the data", -1.0, 1.0, 1e-6),
     "origin_y": ParameterSpec("m", "height of the plane in the data at x = 0", -INFINITE, INFINITE, 1e-6),
-    "row_delay": ParameterSpec("s", "delay of the exposure from row to row", -1e-3, 1e-3, 1e-8),
+    "row_delay": ParameterSpec("s", "delay of the exposure from row to row, beyond the track's", -1e-3, 1e-3, 1e-8),
     "marker_angle": ParameterSpec("rad", "angle from the load to the marker", -INFINITE, INFINITE, 1e-6),
     "marker_ratio": ParameterSpec("1", "distance of the marker from the centre over the radius", 0.01, 1.5, 1e-6),
 }  # fmt: skip

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import csv
 import re
 from typing import NamedTuple
 
@@ -53,7 +55,7 @@ def read_columns(text: str, name: str) -> list[Column]:
     if len(lines) < 2:
         raise InputError(f"{name} has no table.")
     separator = _separator(lines)
-    rows = [[cell.strip().strip('"').strip() for cell in line.split(separator)] for line in lines]
+    rows = [[cell.strip().strip('"').strip() for cell in _cells(line, separator)] for line in lines]
     first = next((k for k, row in enumerate(rows) if _is_data(row)), len(rows))
     if first == 0:
         raise InputError(f"{name} has no row of column names, such as t, x, y, angle (deg).")
@@ -62,6 +64,12 @@ def read_columns(text: str, name: str) -> list[Column]:
     heads = rows[first - 1]
     while heads and not heads[-1]:
         heads.pop()  # a separator at the end of every line
+    longest = max(rows[first:], key=lambda row: len(row) if row[-1] else 0)
+    if longest[-1] and len(longest) > len(heads):
+        raise InputError(
+            f"{name} has a row of {len(longest)} cells under {len(heads)} names: a comma can divide cells or numbers, "
+            "not both. Save it with semicolons."
+        )
     if len(heads) * (len(rows) - first) > MOST_CELLS:
         raise InputError(f"{name} has {len(rows) - first:,} rows of {len(heads)} columns, more than a film has.")
     points = _points(rows[first - 2], len(heads)) if first >= 2 else [""] * len(heads)
@@ -81,6 +89,14 @@ def _separator(lines: list[str]) -> str:
         if sum(sign in line for line in sample) > 0.5 * len(sample):
             return sign
     return ","
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    """Return the cells of a line; a separator between quotes divides nothing."""
+    if '"' in line:
+        with contextlib.suppress(csv.Error):
+            return next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+    return line.split(separator)
 
 
 def _is_data(row: list[str]) -> bool:
