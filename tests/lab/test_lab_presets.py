@@ -1,5 +1,8 @@
 """The lab's presets show what they say, and its code makes the same motion."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -100,3 +103,15 @@ def test_the_hop_before_the_standstill_takes_the_energy():
     assert len(turns) >= 3
     assert turns[0].t > takeoff.t
     assert motion.sequence.endswith("SHR")  # it rolls to and fro from the landing on
+
+
+def test_the_worksheet_has_its_hoop():
+    """The same as on paper, and as the lessons of the lab show it."""
+    preset = PRESETS["worksheet"]
+    root = Path(__file__).parents[2]
+    sheet = (root / "docs" / "teach" / "worksheet.md").read_text(encoding="utf-8")
+    link = re.search(r"play/index\.html\?([^\"]+)", sheet)[1].replace("&amp;", "&")
+    assert hh.Scenario.from_query(link) == preset.scenario
+    lessons = (root / "web" / "lab" / "teach" / "teach.ts").read_text(encoding="utf-8")
+    assert hh.Scenario.from_query(re.search(r'SHEET = "([^"]+)"', lessons)[1] + "1") == preset.scenario
+    assert "*Examples* has the hoop of this sheet" in sheet

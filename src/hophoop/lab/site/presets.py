@@ -147,6 +147,11 @@ def presets() -> tuple[Preset, ...]:
             _downhill(1.5, 10.0, 0.75, 12.0),
         ),
         Preset(
+            "worksheet", MORE, "The worksheet's hoop: 0.4 m",
+            "R = 0.4 m, γ = 0.75, μ = 1: change the speed, and fill in the table.",
+            _rolling(1.0, duration=1.5, radius=0.4),
+        ),
+        Preset(
             "downhill", MORE, "Downhill",
             "On a slope of 10° the hoop gains speed from turn to turn, until it hops.",
             Scenario(plane=Plane(mu=0.8, slope=math.radians(10.0)), start=Start.rolling(1.5), duration=5.0),
