@@ -402,6 +402,7 @@ interface Fate {
   period: number;
   hops: number;
   passages: number;
+  turns: number; // revolutions in a period
   mean_speed: number;
   final_hop_height: number;
   final_omega: number;

@@ -36,6 +36,16 @@ def test_attractors_are_stable_gaits_and_coexisting_ones_are_told_apart():
     assert [sorted(some) for some in kinds[2:]] == [[(1, 0), (2, 2)], [(2, 2)], [(4, 4)]]
 
 
+def test_a_gait_without_a_hop_is_known_at_landings():
+    """It has no landings, but its speed and word; the gait with a hop beside it has one landing."""
+    several = over([1.0], starts=[3.41, 3.455], section="landing").attractors[0]
+    both = {one.hops: one for one in several if one.fate == Fate.GAIT}
+    bottom = {one.hops: one for one in over([1.0], starts=[3.41, 3.455]).attractors[0]}
+    assert {hops: len(one.omega) for hops, one in both.items()} == {0: 0, 1: 1}
+    assert both[0].word == ("RSRKR",)
+    assert [both[hops].speed for hops in (0, 1)] == pytest.approx([bottom[hops].speed for hops in (0, 1)], rel=1e-7)
+
+
 def test_chaos_and_standstill():
     """At 4° chaos with an exponent of 0.575, at 10° every start rocks in the end, at 17.5° it goes on again."""
     found = over([4.0, 10.0, 17.5])

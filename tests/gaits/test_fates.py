@@ -112,6 +112,59 @@ def test_beside_an_unstable_gait_nothing_is_chaotic_yet():
     assert found.fate == "undecided"
 
 
+@pytest.mark.parametrize(
+    ("given", "fate", "period"),
+    [
+        (scenario(0.99 * CRITICAL), Fate.ROLLS_AHEAD, 0),
+        (scenario(-0.99 * CRITICAL), Fate.ROLLS_BACK, 0),
+        (scenario(1.02 * CRITICAL), Fate.SLIPS_EVER_LESS, 0),
+        (scenario(0.1, angle=2.0), Fate.ROCKS, 0),
+        (scenario(0.1, angle=2.0, slope=0.02), Fate.ROCKS, 0),
+        (scenario(1.0, rolling_resistance=0.01), Fate.RESTS, 0),
+        (scenario(1.0, mu=0.2, slope=0.5), Fate.SLIDES_AWAY, 0),
+        (scenario(1.0, gamma=0.0, slope=FIVE), Fate.RUNS_AWAY, 0),
+        (scenario(3.3, angle=math.pi, slope=math.radians(0.5)), Fate.GAIT, 1),
+    ],
+)
+def test_a_motion_that_lands_no_more_has_the_fate_that_the_bottom_sees(given, fate, period):
+    for section in ("bottom", "landing"):
+        assert hh.passages(given, 300, section=section).decided == fate
+        judged = hh.gaits.fates([given], 300, section=section)
+        assert (judged.fates[0], judged.periods[0]) == (fate, period)
+
+
+def test_with_less_friction_in_slip_the_slip_ends():
+    """Each slip loses a least amount then, although the losses fall: 74 revolutions later it rolls."""
+    given = scenario(1.1 * CRITICAL, mu_static=1.0, mu_kinetic=0.9)
+    found = hh.passages(given, 1000)
+    assert found.decided == Fate.ROLLS_AHEAD
+    assert found.word[-1] == "R"
+    assert found.word[20] != "R"
+
+
+@pytest.mark.parametrize("before", [1e-4, 1e-5])
+def test_a_gait_just_before_its_doubling_has_its_own_period(before):
+    """At 1.195297240190° a gait of two passages doubles. Its multiplier is near −1 here: two periods ago was near."""
+    given = scenario(3.45, angle=math.pi, slope=math.radians(1.195297240190 - before))
+    found = hh.passages(given, 300_000, until_decided=True)
+    assert abs(found.omega[-1] - found.omega[-3]) > 3e-8  # more than what is near
+    assert (found.decided, found.period) == (Fate.GAIT, 2)
+
+
+def test_a_gait_just_after_a_doubling_has_twice_the_period():
+    found = hh.passages(scenario(3.45, angle=math.pi, slope=math.radians(1.195297240190 + 1e-4)), 100_000, until_decided=True)
+    assert (found.decided, found.period) == (Fate.GAIT, 4)
+
+
+def test_gears_are_told_apart():
+    """γ = 0.15 on 3°: one hop in 1, 2 and 3 revolutions, each a gait of one passage."""
+    gears = [scenario(speed, angle=math.pi, gamma=0.15, slope=THREE) for speed in (3.5, 6.1, 8.0)]
+    judged = hh.gaits.fates(gears)
+    assert judged.revolutions.tolist() == [1, 2, 3]
+    assert judged.hops.tolist() == [1, 1, 1]
+    assert hh.gaits.fates([scenario(0.3)]).revolutions.tolist() == [0]
+
+
 def test_every_fate_has_its_words():
     assert set(FATES) == set(FATE_CODES) == set(Fate)
     assert len({facts.sentence for facts in FATES.values()}) == len(FATES)

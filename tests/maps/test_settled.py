@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.gaits.kernels.cells import fastest_rolling
 from hophoop.vocabulary.classes import CODES
 from hophoop.vocabulary.fates import Fate
+from hophoop.vocabulary.words import identifier
 
 pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
 
@@ -31,13 +33,52 @@ def test_the_fate_of_a_cell_is_that_of_its_motion():
     for k in range(60):
         scenario = LEVEL.replace("plane.mu", float(mu[k])).replace("start", hh.Start.rolling(float(speed[k])))
         fate = hh.gaits.fates([scenario]).fates[0]
-        assert found["fate"][k] == str(fate).replace(" ", "_")
+        assert found["fate"][k] == identifier(fate)
         lost = found["final_loss"][k]
         if fate in (Fate.ROLLS_AHEAD, Fate.ROLLS_BACK):
             assert lost == pytest.approx(lost_in(scenario), rel=1e-9, abs=1e-12)
+        elif fate == Fate.SLIPS_EVER_LESS:
+            assert lost > lost_in(scenario)
         elif not math.isnan(lost):
             assert fate == Fate.ROCKS
             assert lost == pytest.approx(lost_in(scenario), rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("mass", [1.0, 3.0])
+def test_slip_that_falls_for_ever_loses_what_is_above_the_fastest_rolling(mass):
+    """A revolution n loses as 1/n², so that the sum is finite: the start's energy above that of the first slip."""
+    base = LEVEL.replace("hoop", hh.Hoop.ideal(0.75, radius=0.5, mass=mass))
+    speeds = [0.55, 0.7, 1.65]
+    found = hh.maps.points(base, {"start.speed": speeds}, ["fate", "final_loss"], span="settled")
+    first = float(hh.theory.first_slip_speed(base.hoop, base.plane))
+    for k, speed in enumerate(speeds):
+        assert found["fate"][k] == "slips_ever_less"
+        passages = hh.passages(base.replace("start", hh.Start.rolling(speed)), 4000)
+        lost = sum(passages.loss(name).sum() for name in ("friction", "impact_normal", "impact_tangential"))
+        final = found["final_loss"][k]
+        assert final == pytest.approx(mass * (1.0 + 0.75) * (speed**2 - first**2), rel=1e-9)
+        # what is left is the excess x of θ̇, with m R² D θ̇ x to come
+        omega = math.sqrt((1.75 * first**2 + 2 * 0.75 * 0.5) / 0.25) / 0.5
+        left = mass * 0.5**2 * 2.0 * 0.25 * omega * (passages.omega[-1] - omega)
+        assert final - lost == pytest.approx(left, rel=1e-2)
+        assert 0.0 < left < 2e-3 * mass
+
+
+def test_the_fastest_rolling_is_that_of_theory():
+    """Of random hoops, of which some begin to slip ahead and some back."""
+    random = np.random.default_rng(35)
+    for _ in range(40):
+        hoop = hh.Hoop.ideal(float(random.uniform(0.1, 0.95)))
+        plane = hh.Plane(gravity=1.0, mu=float(random.uniform(0.1, 2.0)))
+        speed = float(hh.theory.first_slip_speed(hoop, plane))
+        if 0.0 < speed < math.inf:
+            body = hh.Scenario(hoop=hoop, plane=plane).to_body()
+            assert fastest_rolling(body) == pytest.approx(speed**2, rel=1e-12)
+
+
+def test_a_hoop_that_rests_at_once_loses_nothing():
+    found = hh.maps.points(LEVEL, {"start.speed": [0.0]}, ["fate", "final_loss"], span="settled")
+    assert (found["fate"][0], found["final_loss"][0]) == ("rests", 0.0)
 
 
 def test_numbers_of_gaits_and_chaos():
@@ -112,7 +153,7 @@ def test_workers_compute_the_same(tmp_path):
 
 
 def test_colours_of_all_fates():
-    assert set(CODES["fate"]) == {str(fate).replace(" ", "_") for fate in Fate}
+    assert set(CODES["fate"]) == {identifier(fate) for fate in Fate}
     assert len(set(CODES["fate"].values())) == len(Fate)
 
 

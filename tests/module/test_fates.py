@@ -72,7 +72,7 @@ def test_a_gait_in_the_module_has_the_state_that_repeats(host: Host) -> None:
     plane = hh.Plane(slope=math.radians(3.0))
     scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=plane, start=hh.Start.rolling(2.0))
     found = host.fate(cell_of(scenario), 2000)
-    assert (FATE_CODES[int(found["fate"])], found["period"], found["hops"]) == (Fate.GAIT, 1.0, 1.0)
+    assert (FATE_CODES[int(found["fate"])], found["period"], found["hops"], found["turns"]) == (Fate.GAIT, 1.0, 1.0, 1.0)
     begin = hh.Start.rolling(found["final_omega"] * scenario.hoop.radius, angle=math.pi)
     again = hh.passages(scenario.replace("start", begin), 3)
     assert again.omega == pytest.approx(found["final_omega"], rel=1e-9)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from hophoop._support.errors import check_whole
 from hophoop.gaits.kernels.cells import judge_cells
 from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, NUMBERS, SECTIONS, Buffers, Request
-from hophoop.gaits.kernels.passages import SIZE, follow_passages
+from hophoop.gaits.kernels.passages import SIZE, follow_passages, lands_no_more
 from hophoop.gaits.results import Passages
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Status
@@ -27,6 +27,7 @@ from hophoop.vocabulary.fates import FATE_CODES, Fate
 MOST = 10_000_000  # passages
 FOREVER = 1e9  # √(R/g): a motion that takes longer from passage to passage is given up
 PANELS = 20_000  # the most between two passages
+PATIENCE = 2_000  # passages of the bottom of a motion that lands no more
 
 
 class Judgement(NamedTuple):
@@ -37,9 +38,11 @@ class Judgement(NamedTuple):
     fates : tuple of Fate
         'chaotic' only at the bottom in rolling, where a neighbour is followed over 600 more passages.
     periods : ndarray of int, shape (n,)
-        Of gaits, in passages; else 0 [1].
+        Of gaits, in passages, of the bottom if they land no more; else 0 [1].
     hops : ndarray of int, shape (n,)
         Of gaits in a period [1].
+    revolutions : ndarray of int, shape (n,)
+        Of gaits in a period, to either side: gear n has n, and one hop [1].
     passages : ndarray of int, shape (n,)
         Passages until the fate was decided [1].
     """
@@ -47,6 +50,7 @@ class Judgement(NamedTuple):
     fates: tuple[Fate, ...]
     periods: NDArray[np.int64]
     hops: NDArray[np.int64]
+    revolutions: NDArray[np.int64]
     passages: NDArray[np.int64]
 
 
@@ -61,7 +65,8 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
         The most passages, from 1 to 10 million [1].
     section : {'bottom', 'landing'}, default 'bottom'
         The load at the bottom (θ = π in any revolution) with the rim in contact, in either direction; or each landing, for
-        steep slopes and light loads, where the bottom is passed in flight.
+        steep slopes and light loads, where the bottom is passed in flight. A motion that lands no more is judged at the
+        bottom.
     until_decided : bool, default False
         Stop as soon as the fate is decided.
 
@@ -86,22 +91,28 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     """
     check(scenario, section)
     check_whole("count", count, 1, MOST)
-    buffers = Buffers(
-        np.empty((max(count, 3), len(COLUMNS))), np.zeros((max(count, 3), INTEGERS), np.int64), np.empty(SIZE),
-        np.empty(FEW_EVENTS, EVENT), np.empty(0, SEGMENT),
-    )  # fmt: skip
+    buffers = _buffers(max(count, 3))
     cells = np.array(cell_of(scenario), float).reshape(-1, 1)
     begin = start_of(cells, 0, second_of(cells, 0))
     mode = scenario.start.mode
     script = NO_SCRIPT if mode is None else np.repeat(row_of_start(scenario), 2)
     request = Request(SECTIONS.index(section), count, FOREVER, PANELS, until_decided)
-    status, found, fate, period = compiled(follow_passages)(
-        scenario.to_body(), begin, 0.0, request, buffers, new_scratch(), script
-    )
+    body, scratch = scenario.to_body(), new_scratch()
+    status, found, fate, period = compiled(follow_passages)(body, begin, 0.0, request, buffers, scratch, script)
+    if lands_no_more(request.section, status, fate):
+        bottom = Request(SECTIONS.index("bottom"), PATIENCE, FOREVER, PANELS, True)
+        fate = compiled(follow_passages)(body, begin, 0.0, bottom, _buffers(PATIENCE), scratch, script)[2]
     name = "going" if status < 0 else Status(status).name.lower()
     return Passages(
         scenario, section, buffers.numbers[:found], buffers.words[:found], _as_row(begin), name, FATE_CODES[fate], period
     )
+
+
+def _buffers(rows: int) -> Buffers:
+    return Buffers(
+        np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.int64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
+        np.empty(0, SEGMENT),
+    )  # fmt: skip
 
 
 def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "bottom") -> Judgement:
@@ -137,7 +148,7 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
     codes, _ = judged(np.ascontiguousarray(cells), Request(SECTIONS.index(section), count, FOREVER, PANELS, True))
     columns = {name: codes[:, CODES.index(name)] for name in CODES}
     decided = tuple(FATE_CODES[code] for code in columns["fate"])
-    return Judgement(decided, columns["period"], columns["hops"], columns["passages"])
+    return Judgement(decided, columns["period"], columns["hops"], columns["turns"], columns["passages"])
 
 
 def judged(cells: NDArray[np.float64], request: Request) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

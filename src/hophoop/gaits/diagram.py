@@ -38,7 +38,7 @@ class Attractor(NamedTuple):
     ----------
     fate : Fate
     period, hops : int
-        Passages of a gait's period and hops in it; else 0 [1].
+        Passages of a gait's period, of the bottom if it lands no more, and hops in it; else 0 [1].
     word : tuple of str
         Phases from passage to passage, of a gait's period; else empty.
     speed : float
@@ -46,7 +46,8 @@ class Attractor(NamedTuple):
     lyapunov : float
         Exponent per passage of a motion that is no gait; nan otherwise [1].
     omega : ndarray, shape (n,)
-        θ̇ at the passages after it has settled: a period of a gait, the last ones of a chaotic motion; else empty [rad/s].
+        θ̇ at the passages after it has settled: a period of a gait, the last ones of a chaotic motion; else, or if it lands no
+        more, empty [rad/s].
     starts : int
         How many of the starts settle on it.
     """
@@ -268,8 +269,14 @@ def _settle(scenario: Scenario, starts: list[Start], known: list[Attractor], cou
     """Add to the known attractors those on which the starts settle; return one start on each new one that lasts."""
     ends: list[Start] = []
     for start in starts:
-        found = passages(scenario.replace("start", start), count, section=section, until_decided=True)
+        given = scenario.replace("start", start)
+        found = passages(given, count, section=section, until_decided=True)
+        lands_no_more = found.decided == Fate.GAIT and found.period == 0
+        if lands_no_more:
+            found = passages(given, count, until_decided=True)
         seen = _described(found)
+        if lands_no_more:
+            seen = seen._replace(omega=np.empty(0))
         place = next((k for k, one in enumerate(known) if _same(one, seen)), None)
         if place is not None:
             known[place] = known[place]._replace(starts=known[place].starts + 1)

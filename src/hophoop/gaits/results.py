@@ -94,7 +94,7 @@ class Passages:
     decided : Fate
         The fate that physics decides, without the Lyapunov exponent.
     period : int
-        Of a gait, in passages; else 0 [1].
+        Of a gait, in passages; else 0, also of a gait that passes the section no more [1].
     """
 
     scenario: Scenario
@@ -311,7 +311,7 @@ class Passages:
         return dataset
 
     def __repr__(self) -> str:
-        fate = f"gait of period {self.period}" if self.decided == Fate.GAIT else str(self.decided)
+        fate = f"gait of period {self.period}" if self.period else str(self.decided)
         words = ", ".join(self.word[-3:])
         return f"<Passages: {len(self)} of section {self.section!r}, {fate}{'; last words ' + words if words else ''}>"
 

@@ -46,7 +46,7 @@ from hophoop.vocabulary.parameters import TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
 from hophoop.vocabulary.statuses import STATUSES
-from hophoop.vocabulary.words import plain
+from hophoop.vocabulary.words import identifier, plain
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
@@ -122,7 +122,7 @@ def english() -> dict[str, str | dict[str, str]]:
         **{f"event.{kind}": event.label for kind, event in EVENTS.items()},
         **{f"status.{status}": facts.sentence for status, facts in STATUSES.items() if facts.sentence},
         **{f"class.{word}": plain(word) for what in MAP_QUANTITIES for word in classes.CODES.get(what, ())},
-        **{f"fate.{fate.replace(' ', '_')}": facts.sentence for fate, facts in FATES.items()},
+        **{f"fate.{identifier(fate)}": facts.sentence for fate, facts in FATES.items()},
         **{f"reason.{reason.name.lower()}": text for reason, text in REASONS.items()},
         "reason.edge": EDGE,
         "reason.sided": SIDED,

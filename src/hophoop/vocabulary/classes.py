@@ -23,7 +23,7 @@ CODES: Final[dict[str, dict[str, str]]] = {
     },
     "status": {str(status): facts.color for status, facts in STATUSES.items()},
     "first_event": {str(kind): facts.color for kind, facts in EVENTS.items() if facts.color},
-    "fate": {str(fate).replace(" ", "_"): facts.color for fate, facts in FATES.items()},
+    "fate": {words.identifier(fate): facts.color for fate, facts in FATES.items()},
 }  # fmt: skip
 # Colours of sequences, none of them a single mode's; told apart with every kind of colour blindness.
 HOPS: Final = "#332288"  # indigo

@@ -13,6 +13,11 @@ class Word(StrEnum):
         return repr(self.value)
 
 
+def identifier(word: Any) -> str:
+    """Return words as an identifier of the file format, such as slips_ever_less for 'slips ever less'."""
+    return str(word).replace(" ", "_")
+
+
 def plain(word: Any) -> str:
     """Return an identifier of the file format as words, such as 'slip start' for slip_start."""
     return str(word).replace("_", " ")

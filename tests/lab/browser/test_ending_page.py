@@ -47,7 +47,9 @@ def test_an_example_ends_as_in_python(visit, key):
         assert gait.is_hidden()
         return
     speed = (found.x[-1] - found.x[-2]) / (found.t[-1] - found.t[-2])
-    assert f"Period: 1; hops: 1; mean speed: {speed:.4g} m/s." in said
+    turns = round((found.angle[-1] - found.angle[-2]) / (2.0 * math.pi))
+    assert turns == {"hops-for-ever": 1, "gear": 2}[key]
+    assert f"Revolutions per period: {turns}; hops: 1; mean speed: {speed:.4g} m/s." in said
     gait.click()
     wait_for(page, f"lab.film().scenario.start.angle === {math.pi!r} && !lab.surrounding && !lab.requested")
     shown = page.evaluate("hophoopLab.film().scenario.start.speed")

@@ -62,10 +62,10 @@ export class Ending {
   }
 }
 
-function textOf({ fate, period, hops, passages, mean_speed }: Fate): Said {
+function textOf({ fate, turns, hops, passages, mean_speed }: Fate): Said {
   const sentence = `fate.${fate}`;
   if (fate === "gait")
-    return [sentence, " ", { key: "ending.gait_in", values: { period, hops, speed: show(mean_speed, 4) } }];
+    return [sentence, " ", { key: "ending.gait_in", values: { turns, hops, speed: show(mean_speed, 4) } }];
   if (fate === "undecided") return [sentence, " ", { key: "ending.after", values: { count: passages } }];
   return sentence;
 }

@@ -15,6 +15,7 @@ from hophoop.gaits.kernels.fates import (
     ROLLING_TURNS,
     ROLLS_AHEAD,
     ROLLS_BACK,
+    SLIPS_EVER_LESS,
     UNDECIDED,
 )
 from hophoop.gaits.kernels.layout import (
@@ -37,18 +38,26 @@ from hophoop.gaits.kernels.layout import (
     T,
     X,
 )
-from hophoop.gaits.kernels.passages import LOST, ROLL, ROWS, SIZE, TURNED, follow_passages, hops_in
+from hophoop.gaits.kernels.passages import LOST, ROLL, ROWS, SIZE, TURNED, follow_passages, hops_in, lands_no_more, turns_in
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.double_double import PI
 from hophoop.kernel.numerics.exponentials import logarithm
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.physics.contact import inertia_at_height
+from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.kernel.records.cells import body_of, scales_of, start_of
 from hophoop.kernel.records.layout import ALLOWED, EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import GOING
+from hophoop.theory.kernels.extrema import cone_margin_line
+
+AT_REST = int(Status.AT_REST)
 
 BATCHES, BATCH = 20, 30  # of passages over which neighbours of an undecided motion are followed
 NEIGHBOUR = 1e-7  # relative distance of a neighbour
+ANGLES, HALVES = 96, 44  # of half a revolution at which rolling is looked at, and steps of golden section between two of them
+GOLDEN = 0.6180339887498949
 APART = 36.0  # logarithm of 2⁵²: what two doubles next to each other need to be apart
 SURE = 5.0  # standard errors by which the exponent of a chaotic motion is above 0
 
@@ -71,6 +80,7 @@ def judge_cells(cells, low, high, request, codes, numbers):
         np.empty((ROWS, len(COLUMNS))), np.empty((ROWS, INTEGERS), np.int64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
         np.empty(0, SEGMENT),
     )  # fmt: skip
+    bottom = Request(BOTTOM, request.most, request.t_end, request.panels, request.stops)
     script = np.empty(0, EVENT)
     scratch = new_scratch()
     for k in range(low, high):
@@ -83,15 +93,24 @@ def judge_cells(cells, low, high, request, codes, numbers):
         scales = scales_of(cells, k)
         body, start = body_of(cells, k), start_of(cells, k, scales.time)
         status, passages, fate, period = follow_passages(body, start, 0.0, request, buffers, scratch, script)
+        section = request.section
+        if lands_no_more(section, status, fate):
+            section = BOTTOM
+            status, passages, fate, period = follow_passages(body, start, 0.0, bottom, buffers, scratch, script)
         codes[k, 1] = period
         codes[k, 2] = hops_in(buffers.numbers, passages, period)
         codes[k, 3] = passages
         codes[k, 4] = status
+        codes[k, 5] = turns_in(buffers.numbers, passages, period) if fate == GAIT else 0
         numbers[k, REVOLUTIONS] = abs(buffers.memory[TURNED])
         write_numbers(buffers, fate, period, passages, scales, numbers, k)
+        if fate == SLIPS_EVER_LESS:
+            numbers[k, FINAL_LOSS] = loss_until_rolling(body, start) * scales.energy
+        if fate == RESTS and status == AT_REST:
+            numbers[k, FINAL_LOSS] = buffers.memory[LOST] * scales.energy
         row = buffers.numbers[(passages - 1) % ROWS]
-        if fate == UNDECIDED and status == GOING and request.section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
-            mean, error = follow_neighbours(body, row[OMEGA], request, buffers, scratch, script)
+        if fate == UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
+            mean, error = follow_neighbours(body, row[OMEGA], bottom, buffers, scratch, script)
             numbers[k, LYAPUNOV] = mean
             if mean > SURE * error and mean * BATCHES * BATCH > APART:
                 fate = CHAOTIC
@@ -119,6 +138,41 @@ def write_numbers(buffers, fate, period, passages, scales, numbers, k):
     swings = fate == ROCKS and memory[ROLLING_TURNS] >= 2.0
     if swings or fate in (ROLLS_AHEAD, ROLLS_BACK):
         numbers[k, FINAL_LOSS] = memory[LOST] * scales.energy
+
+
+@apart
+def loss_until_rolling(body, start):
+    """Return the energy above that of the fastest rolling on the level: what a motion that slips ever less loses for ever."""
+    energy = kinetic_energy(body, start.th, start.om, start.vt, start.vn, start.th_low) + potential_energy(
+        body, 0.0, start.y, start.th
+    )
+    return energy - 0.5 * inertia_at_height(body, 2.0) * fastest_rolling(body)
+
+
+@apart
+def square_with_slip(body, th, side):
+    """Return v² at the load's top from which on rolling slips at θ; infinite if it never does."""
+    steady, rate = cone_margin_line(body, th, side)
+    return -steady / rate if rate < 0.0 else math.inf
+
+
+@apart
+def fastest_rolling(body):
+    """Return v² at the load's top of the fastest rolling on the level that never slips."""
+    least, place, edge = math.inf, 0.0, 1.0
+    for side in (1.0, -1.0):
+        for k in range(1, ANGLES):
+            square = square_with_slip(body, PI * k / ANGLES, side)
+            if square < least:
+                least, place, edge = square, PI * k / ANGLES, side
+    low, high = place - PI / ANGLES, place + PI / ANGLES
+    for _ in range(HALVES):
+        part = GOLDEN * (high - low)
+        if square_with_slip(body, high - part, edge) < square_with_slip(body, low + part, edge):
+            high = low + part
+        else:
+            low = high - part
+    return min(least, square_with_slip(body, 0.5 * (low + high), edge))
 
 
 @apart

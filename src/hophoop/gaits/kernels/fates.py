@@ -1,8 +1,10 @@
 """The fate of a motion: what physics decides for ever, long before the end of time (docs/gaits.md#fates).
 
 * On the level energy only falls. Below the potential energy of the load at the top the hoop never gets over it again.
+* On a slope a well of energy may never be left again (`wells`).
 * Rolling loses nothing: a revolution without slip on the level, or a swing between two turning points, repeats for ever.
-* On the level without hops the loss of a revolution falls with the speed above the first slip, so that the slip never ends.
+* On the level without hops the loss of a revolution falls with the square of the speed above the first slip, so that the slip
+  never ends. With less friction in slip than in rolling it falls to a loss that is not 0, and the hoop rolls in the end.
 * A section that is reached in the same state again, with differences that shrink, has a stable gait.
 """
 
@@ -12,6 +14,7 @@ import math
 
 from hophoop.gaits.kernels.layout import (
     HEIGHT,
+    HIGHEST,
     HOPS,
     LANDING,
     LETTERS,
@@ -22,6 +25,7 @@ from hophoop.gaits.kernels.layout import (
     TURNS,
     VY,
 )
+from hophoop.gaits.kernels.wells import stays_in_well
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.double_double import PI, TWO_PI
 from hophoop.kernel.numerics.trigonometry import sine_cosine
@@ -39,24 +43,14 @@ ROLL = int(Mode.ROLL)
 LONGEST_PERIOD = 64
 SAME, NEAR, NOISE = 1e-10, 1e-7, 1e-13  # differences of two passages of a gait: now, one period ago, and rounding
 FASTEST = 1e3  # √(g/R): a hoop that rotates faster runs away
-QUIET_SWINGS = 4  # turning points, each nearer than the last one on its side, after which a hoop rocks for ever
+LOW = 1e-6  # R: lower hops are the end of a sequence of bounces
+FEW = 0.1  # of a difference: its limit is 0, or its own size, to this share
 ANGLES, HOLDS = 64, 0.999  # of half a revolution at which rolling is looked at, and the share of friction that it may use
 BELOW = 1e-12  # m g R: by which the energy is below that of the load at the top
 
-# What is remembered of a motion: the turning points of this phase of rolling, the last turning points forward and backward, the
-# last one, how many came nearer in succession, and the hops since.
-ROLLING_TURNS, FORWARD_TURN, BACKWARD_TURN, LAST_TURN, SWINGS = range(5)
-MEMORY = 5
-
-
-@apart
-def forget(memory, angle):
-    """Start to remember a motion from its first angle."""
-    memory[ROLLING_TURNS] = 0.0
-    memory[FORWARD_TURN] = math.inf
-    memory[BACKWARD_TURN] = -math.inf
-    memory[LAST_TURN] = angle
-    memory[SWINGS] = 0.0
+# What is remembered of a motion: the turning points of this phase of rolling, and all in contact.
+ROLLING_TURNS, CONTACT_TURNS = range(2)
+MEMORY = 2
 
 
 @apart
@@ -70,19 +64,18 @@ def fate_at_start(body, state):
 
 
 @apart
-def fate_at_turn(body, mode, angle, memory):
+def fate_at_turn(body, event, memory):
     """Return the fate after a turning point in contact."""
-    if mode == ROLL:
+    rolls = event["after_mode"] == ROLL
+    memory[CONTACT_TURNS] += 1.0
+    if rolls:
         memory[ROLLING_TURNS] += 1.0
-    forward = angle > memory[LAST_TURN]
-    memory[LAST_TURN] = angle
-    side = FORWARD_TURN if forward else BACKWARD_TURN
-    nearer = angle <= memory[side] if forward else angle >= memory[side]
-    memory[side] = angle
-    memory[SWINGS] = memory[SWINGS] + 1.0 if nearer else 0.0
-    if body.eps == 0.0 or abs(body.gt) >= body.mu_s * body.gn:  # steeper than friction holds: it slides on
+    if body.resist == 0.0 and memory[ROLLING_TURNS] >= 2.0:
+        return ROCKS
+    # The first swing may be one without slip: then the loss is known too.
+    if body.gt == 0.0 or (rolls and body.resist == 0.0 and memory[CONTACT_TURNS] < 2.0):
         return OPEN
-    if (memory[ROLLING_TURNS] >= 2.0 and body.resist == 0.0) or memory[SWINGS] >= QUIET_SWINGS:
+    if stays_in_well(body, event["theta"], event["slip"], 0.0):
         return ROCKS if body.resist == 0.0 else RESTS
     return OPEN
 
@@ -136,14 +129,48 @@ def period_of(numbers, words, k, section):
             continue
         past = difference(numbers, before, (k - 2 * period) % length, section)
         if past <= NEAR and now <= past + NOISE:
-            # a gait that is reached from alternating sides comes near two passages ago first
             for part in range(1, period):
                 other = (k - part) % length
                 same = period % part == 0 and same_word(numbers, words, row, other)
                 if same and difference(numbers, row, other, section) <= NEAR:
                     return part
-            return period
+            return period_of_alternation(numbers, words, k, period, section)
     return 0
+
+
+@apart
+def period_of_alternation(numbers, words, k, period, section):
+    """Return the period seen or half of it, or 0 if it is not known yet which.
+
+    A gait with a multiplier near −1 is reached from alternating sides: two of its periods ago was near first. Then the
+    difference d to half the period ago falls to 0, as r^n. In a gait of the period seen d has a limit l: d − l falls as r^n.
+    The difference to the period seen falls as r^n in both, so that it gives r, and then l.
+    """
+    length, half = numbers.shape[0], period // 2
+    if period % 2 == 1 or not same_word(numbers, words, k % length, (k - half) % length):
+        return period
+    ago = min(length - 1, k, 2 * LONGEST_PERIOD) // period * period - period
+    now = difference(numbers, k % length, (k - half) % length, section)
+    falls = difference(numbers, (k - ago) % length, (k - ago - half) % length, section) - now
+    if not falls > NOISE:
+        return period
+    near = difference(numbers, k % length, (k - period) % length, section)
+    shrinks = difference(numbers, (k - ago) % length, (k - ago - period) % length, section) - near
+    if not shrinks > 0.0:
+        return 0
+    limit = now - falls * near / shrinks
+    if limit < FEW * now:
+        return half
+    return period if limit > (1.0 - FEW) * now else 0
+
+
+@apart
+def bounces_die(numbers, k, period):
+    """Return True if the last landings are alike only because nothing is left of the hops between them."""
+    highest = 0.0
+    for part in range(period):
+        highest = max(highest, numbers[(k - part) % numbers.shape[0], HIGHEST])
+    return highest < LOW
 
 
 @apart
@@ -172,13 +199,15 @@ def fate_at_passage(body, numbers, words, k, section):
         return OPEN, 0
     way = 1.0 if om > 0.0 else -1.0
     revolved = way * ((last[TURNS] - before[TURNS]) * TWO_PI + (last[THETA] - before[THETA])) > 3.0
-    rolled = revolved and last[LETTERS] == 1.0 and last[MODE] == ROLL
+    rolled = section != LANDING and revolved and last[LETTERS] == 1.0 and last[MODE] == ROLL
+    if body.gt == 0.0 and section == LANDING:
+        return OPEN, 0
     if body.gt == 0.0:
         if rolled and body.resist == 0.0:
             return ROLLS_AHEAD if om > 0.0 else ROLLS_BACK, 0
         if rolled and body.gn > 0.0:
             return RESTS, 0
-        if k >= 2 and revolved and body.resist == 0.0 and last[HOPS] + before[HOPS] == 0.0:
+        if k >= 2 and revolved and body.resist == 0.0 and body.mu_k == body.mu_s and last[HOPS] + before[HOPS] == 0.0:
             first = numbers[(k - 2) % length]
             fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
             if (
@@ -197,6 +226,6 @@ def fate_at_passage(body, numbers, words, k, section):
         past = numbers[(k - period) % length]
         turned = (last[TURNS] - past[TURNS]) * TWO_PI + (last[THETA] - past[THETA])
         if abs(turned) < 3.0:
-            return ROCKS, 0
+            return OPEN if section == LANDING and bounces_die(numbers, k, period) else ROCKS, 0
         return GAIT, period
     return OPEN, 0

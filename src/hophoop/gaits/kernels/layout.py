@@ -23,8 +23,9 @@ MORE = 7  # the letter that marks a longer word
 BOTTOM, LANDING = 0, 1
 SECTIONS = ("bottom", "landing")
 
-# Results of a cell of `judge_cells`: integers, and numbers in SI units, nan where there is none.
-CODES = ("fate", "period", "hops", "passages", "status")
+# Results of a cell of `judge_cells`: integers (`turns`: whole revolutions of a gait in a period), and numbers in SI units, nan
+# where there is none.
+CODES = ("fate", "period", "hops", "passages", "status", "turns")
 NUMBERS = ("revolutions", "mean_speed", "final_hop_height", "lyapunov", "final_loss", "final_omega")
 REVOLUTIONS, MEAN_SPEED, FINAL_HOP_HEIGHT, LYAPUNOV, FINAL_LOSS, FINAL_OMEGA = range(len(NUMBERS))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.gaits.kernels.fates import (
+    CONTACT_TURNS,
     JAM,
     LONGEST_PERIOD,
     MEMORY,
@@ -14,13 +15,11 @@ from hophoop.gaits.kernels.fates import (
     ROLLING_TURNS,
     RUNS_AWAY,
     SLIDES_AWAY,
-    SWINGS,
     UNDECIDED,
     UNDETERMINED,
     fate_at_passage,
     fate_at_start,
     fate_at_turn,
-    forget,
     is_below_top,
 )
 from hophoop.gaits.kernels.layout import (
@@ -55,7 +54,6 @@ from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.double_double import PI, TWO_PI
 from hophoop.kernel.physics.body import PASSING, Event, Mode, Status
 from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
-from hophoop.kernel.records.state import whole_angle
 from hophoop.kernel.records.writing import count_panel, has_room, new_log
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import Limits, angle_left
@@ -117,7 +115,7 @@ def note_events(body, log, words, row, memory):
         event = log.events[i]
         kind = event["kind"]
         if kind == TURN and event["after_mode"] != FLIGHT:
-            found = fate_at_turn(body, event["after_mode"], event["angle"], memory)
+            found = fate_at_turn(body, event, memory)
             if fate == OPEN:
                 fate = found
         if kind == APEX:
@@ -125,10 +123,8 @@ def note_events(body, log, words, row, memory):
         if kind in PASSING:
             continue
         memory[ROLLING_TURNS] = 0.0
-        if event["after_mode"] == FLIGHT:
-            memory[SWINGS] = 0.0
-            if event["height"] == 0.0 and not event["vy"] < 0.0:
-                memory[JUMPS] += 1.0
+        if event["after_mode"] == FLIGHT and event["height"] == 0.0 and not event["vy"] < 0.0:
+            memory[JUMPS] += 1.0
         if event["t"] > memory[SINCE]:
             add_letter(words, row, memory, memory[LETTER])
         memory[LETTER] = event["after_mode"]
@@ -201,6 +197,12 @@ def fate_without_passages(body, phase, revolutions):
     return UNDECIDED
 
 
+def lands_no_more(section, status, fate):
+    """Return True if a motion that is judged at landings has gone on without any: what becomes of it is seen at the bottom."""
+    open_end = status in (EVENT_LIMIT, COMPLETED)
+    return section == LANDING and open_end and fate in (UNDECIDED, SLIDES_AWAY, RUNS_AWAY)
+
+
 def follow_passages(body, start, bounce, request, buffers, scratch, script):
     """Compute the passages of a section.
 
@@ -230,7 +232,7 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
     log = new_log(buffers.events, buffers.segments, scratch)
     phase = first_phase(body, start, bounce, log, scratch, script)
     log.counts[EVENTS] = 0
-    forget(memory, whole_angle(phase.state))
+    memory[ROLLING_TURNS], memory[CONTACT_TURNS] = 0.0, 0.0
     memory[COUNT], memory[JUMPS], memory[GAP] = 0.0, 0.0, 0.0
     memory[SINCE], memory[LETTER] = phase.state.t, phase.mode
     fate, period = fate_at_start(body, phase.state), 0
@@ -284,3 +286,10 @@ def hops_in(numbers, passages, period):
     for k in range(period):
         hops += numbers[(passages - 1 - k) % numbers.shape[0], HOPS]
     return int(hops)
+
+
+def turns_in(numbers, passages, period):
+    """Return the whole revolutions in the last passages of a gait, in either direction."""
+    last, before = numbers[(passages - 1) % numbers.shape[0]], numbers[(passages - 1 - period) % numbers.shape[0]]
+    turned = (last[TURNS] - before[TURNS]) + (last[THETA] - before[THETA]) / TWO_PI
+    return math.floor(abs(turned) + 0.5)

@@ -16,6 +16,7 @@ from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, LETTERS_PER_INTEGER, MOR
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
 from hophoop.vocabulary.fates import FATE_CODES
 from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.words import identifier
 
 # Data of a motion besides its events: SI units, and counts.
 HEADS = (
@@ -78,7 +79,7 @@ def layout() -> dict[str, Any]:
         "margins": MARGINS,
         "changes": CHANGE_COLUMNS,
         "fate": FATE_COLUMNS,
-        "fates": [name.replace(" ", "_") for name in FATE_CODES],
+        "fates": [identifier(name) for name in FATE_CODES],
         "reasons": [reason.name.lower() for reason in Reason],
         "compliant": CONTACT,
         "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],

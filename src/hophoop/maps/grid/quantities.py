@@ -116,7 +116,7 @@ SETTLED: Mapping[str, Quantity] = {
         _settled("mean_speed", "Mean velocity of the centre in the end, of gaits, rolling, rocking and rest", "m/s"),
         _settled("final_hop_height", "Maximum gap in a period of the gait", "m"),
         _settled("lyapunov", "Lyapunov exponent per passage of a motion that finds no gait", "1"),
-        _settled("final_loss", "Energy lost until nothing more is lost, where that is decided", "J"),
+        _settled("final_loss", "Energy lost in all, where that is decided", "J"),
     )
 }
 """Quantities of the spans `settled` and `settled:landing`."""

@@ -14,11 +14,12 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.records.layout import MapResults
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.fates import FATE_CODES
+from hophoop.vocabulary.words import identifier
 
 SPANS: Final = {"settled": "bottom", "settled:landing": "landing"}
 """Spans of this kind, with the section at whose passages a motion is looked at."""
 
-WORDS: Final = tuple(str(fate).replace(" ", "_") for fate in FATE_CODES)
+WORDS: Final = tuple(identifier(fate) for fate in FATE_CODES)
 COUNTS: Final = ("period", "hops")
 COLUMNS: Final = (*COUNTS, *NUMBERS)
 PASSAGES = 2_000  # after which a motion is undecided

@@ -1,0 +1,114 @@
+"""Wells of energy: where a hoop on a slope rocks for ever (docs/gaits.md#wells).
+
+Rolling, x = θ (units of R and m), so that the potential energy is a function of θ alone, with one well per revolution:
+
+    V = g_n ε (cos θ − 1) − g_t (θ + ε sin θ).
+
+Let E be the kinetic energy plus V, in any contact. Rolling and rolling resistance never add to it, and slip changes it by
+
+    dE/dt = −μk N abs(v_t) + g_t v_t,
+
+which is negative in slip uphill, and in slip downhill if μk N > abs(g_t). So a hoop that is in contact in a well, below both
+tops, stays there for ever if everywhere in the well, at all kinetic energies up to E − V,
+
+* f_n < 0, so that no contact opens;
+* μk N > abs(g_t) in slip downhill, with N = −f_n/p_σ.
+
+Painlevé's paradox stays away: slip begins at the edge of the friction cone, where N p_σ = −f_n > 0. If p_σ fell to 0, not
+faster than linearly since θ̇ is bounded, the impulse of N = −f_n/p_σ would be infinite, and it stops the slip before. With
+rolling resistance p_σ > 0 is required, too.
+
+In slip f_n depends on θ and θ̇² alone, and θ̇² ≤ 2 (E − V)/(κ + ε² sin² θ), because the kinetic energy is at least that of θ̇
+with the centre of gravity moving across the plane. `stays_in_well` bounds all these from the safe side on pieces of the well.
+So 'True' is a proof, up to rounding (10⁻¹⁴ against a margin of 10⁻⁹). 'False' proves nothing: slip may not occur where it would
+gain energy, and all slips of a swing together may lose it although one gains.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop.kernel.native import apart
+from hophoop.kernel.numerics.arcs import arctangent2
+from hophoop.kernel.numerics.double_double import PI, TWO_PI
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+
+PIECES, PARTS = 96, 16  # of a well, and of a piece on which the bounds are too wide
+MARGIN = 1e-9  # relative, for rounding
+
+
+@apart
+def rolling_potential(body, s, c, th):
+    """Return V from θ, its sine and its cosine."""
+    return body.eps * body.gn * (c - 1.0) - body.gt * (th + body.eps * s)
+
+
+@apart
+def balance_angle(body):
+    """Return the angle near 0 at which a hoop on the slope balances with its load up, a maximum of V; nan if there is none.
+
+    There ε sin(θ + β) = −sin β.
+    """
+    if not abs(body.gt) < body.eps:
+        return math.nan
+    return -arctangent2(body.gt, body.gn) - arctangent2(body.gt, math.sqrt((body.eps - body.gt) * (body.eps + body.gt)))
+
+
+@apart
+def stays_in_well(body, th, slip, om):
+    """Return True if a hoop in contact never leaves its well of energy nor the plane; False proves nothing.
+
+    Parameters
+    ----------
+    body : Body
+        On a slope with gravity.
+    th, slip, om : float
+        θ, up to whole revolutions, v_t and θ̇ [kernel units].
+
+    Returns
+    -------
+    stays : bool
+    """
+    top = balance_angle(body)
+    if not (body.kap > 0.0 and 0.0 < body.mu_k < math.inf and not math.isnan(top)):
+        return False
+    th -= TWO_PI * math.floor((th - top) / TWO_PI)
+    s, c = sine_cosine(th, 0.0)
+    along, up = slip + om * (1.0 + body.eps * c), body.eps * om * s
+    energy = 0.5 * (along * along + up * up + body.kap * om * om) + rolling_potential(body, s, c, th)
+    s, c = sine_cosine(top, 0.0)
+    lower = rolling_potential(body, s, c, top) - max(TWO_PI * body.gt, 0.0)
+    if not energy < lower - MARGIN:
+        return False
+    half = PI / PIECES
+    for k in range(PIECES):
+        th = top + (2 * k + 1) * half
+        if is_held(body, th, half, energy):
+            continue
+        for part in range(PARTS):
+            if not is_held(body, th + half * ((2 * part + 1) / PARTS - 1.0), half / PARTS, energy):
+                return False
+    return True
+
+
+@apart
+def is_held(body, th, half, energy):
+    """Return True if no state within `half` of θ, with at most this E, leaves the plane, jams or gains E in slip."""
+    s, c = sine_cosine(th, 0.0)
+    bend = 0.5 * half * half
+    change = abs(body.eps * body.gn * s + body.gt * (1.0 + body.eps * c))  # of V with θ
+    least = rolling_potential(body, s, c, th) - half * change - bend * body.eps * (body.gn + abs(body.gt))
+    free = energy - least
+    if free < 0.0:
+        return True
+    off_sine, off_cosine = half * abs(c) + bend, half * abs(s) + bend
+    cosine = min(c + off_cosine, 1.0)
+    lever, farthest = body.eps * max(abs(s) - off_sine, 0.0), body.eps * (abs(s) + off_sine)
+    load = body.gn - body.eps * max(cosine, 0.0) * 2.0 * free / (body.kap + lever * lever)  # −f_n, the least
+    stiffness = body.kap + lever * lever - farthest * (body.mu_k * (1.0 + body.eps * cosine) + body.resist)  # κ p_σ, the least
+    if not load > MARGIN or (body.resist > 0.0 and not stiffness > MARGIN):
+        return False
+    ahead = body.eps * ((s if body.gt > 0.0 else -s) + off_sine)  # σ ε sin θ in slip downhill, the most
+    arm = 1.0 + body.eps * (cosine if ahead > 0.0 else c - off_cosine)
+    most = body.kap + farthest * (farthest + body.resist) + body.mu_k * ahead * arm
+    return body.mu_k * body.kap * load > (1.0 + MARGIN) * abs(body.gt) * most

@@ -1,0 +1,129 @@
+"""Wells of energy: what a hoop on a slope never leaves is proved by bounds, which single states and long motions test."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.gaits.kernels.wells import balance_angle, rolling_potential, stays_in_well
+from hophoop.kernel.physics.contact import slip_motion
+
+
+def on_slope(slope, gamma, **plane):
+    """A hoop on a slope, in units of R and g."""
+    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(gravity=1.0, slope=slope, **plane))
+
+
+def sliding(scenario, angle, slip, omega=0.0):
+    """The same with a start in contact."""
+    return scenario.replace("start", hh.Start(angle=angle, vx=slip + omega, omega=omega, slip=slip))
+
+
+def potential(body, angle):
+    return rolling_potential(body, math.sin(angle), math.cos(angle), angle)
+
+
+def energies(scenario, sample):
+    """E of the module along a motion: the kinetic energy plus V."""
+    body = scenario.to_body()
+    sine, cosine = np.sin(sample.angle), np.cos(sample.angle)
+    along, up = sample.slip + sample.omega * (1.0 + body.eps * cosine), body.eps * sample.omega * sine
+    return 0.5 * (along**2 + up**2 + body.kap * sample.omega**2) + rolling_potential(body, sine, cosine, sample.angle)
+
+
+def random_state(random):
+    """A hoop on a slope that friction may hold, with a state in contact near the bottom of a well."""
+    gamma, slope = float(random.uniform(0.2, 0.9)), float(random.uniform(0.01, 0.3))
+    mu, uphill = math.tan(slope) * float(random.uniform(1.1, 8.0)), random.random() < 0.5
+    scenario = on_slope(-slope if uphill else slope, gamma, mu=mu, rolling_resistance=float(random.choice([0.0, 0.01])))
+    place = math.pi + float(random.uniform(-1.5, 1.5)), float(random.uniform(-0.4, 0.4)), float(random.uniform(-0.5, 0.5))
+    return sliding(scenario, *place)
+
+
+@pytest.mark.parametrize("slope", [0.1, -0.1])
+def test_a_hoop_balances_at_the_top_of_its_well(slope):
+    scenario = on_slope(slope, 0.6)
+    body = scenario.to_body()
+    top = balance_angle(body)
+    known = [one.angle for one in hh.theory.equilibria(scenario.hoop, scenario.plane) if not one.stable]
+    assert top % (2.0 * math.pi) == pytest.approx(known[0], abs=1e-12)
+    assert potential(body, top) > max(potential(body, top - 0.01), potential(body, top + 0.01))
+    assert math.isnan(balance_angle(on_slope(0.7, 0.6).to_body()))  # sin β > ε: it balances nowhere
+
+
+def test_what_is_said_to_stay_loses_energy_in_every_slip():
+    """In random states with at most the energy of a hoop that stays, slip downhill meets friction enough, whatever θ and θ̇."""
+    random = np.random.default_rng(35)
+    stays = 0
+    while stays < 60:
+        scenario = random_state(random)
+        body, start = scenario.to_body(), scenario.start
+        if not stays_in_well(body, start.angle, start.slip, start.omega):
+            continue
+        stays += 1
+        energy, downhill = energies(scenario, start), math.copysign(1.0, body.gt)
+        top = balance_angle(body)
+        for angle in random.uniform(top, top + 2.0 * math.pi, 200):
+            free = energy - potential(body, angle)
+            sine, cosine = math.sin(angle), math.cos(angle)
+            square = random.uniform(0.0, 1.0) * 2.0 * free / (body.kap + (body.eps * sine) ** 2)
+            if free < 0.0:
+                continue
+            assert body.gn - body.eps * cosine * square > 0.0
+            for resistance in (-body.resist, body.resist):
+                load = slip_motion(body, sine, cosine, square, downhill, resistance)[1]
+                assert not 0.0 < load < abs(body.gt) / body.mu_k
+
+
+def test_what_is_said_to_stay_stays():
+    """It neither hops nor leaves its well in 300 units of time, and its energy never grows."""
+    random = np.random.default_rng(7)
+    stays = slips = 0
+    for _ in range(150):
+        scenario = random_state(random)
+        start = scenario.start
+        if not stays_in_well(scenario.to_body(), start.angle, start.slip, start.omega):
+            continue
+        stays += 1
+        motion = hh.simulate(scenario.replace("duration", 300.0))
+        late = motion.at(np.linspace(0.0, motion.duration, 3000))
+        assert "H" not in motion.sequence
+        assert np.ptp(late.angle) < 2.0 * math.pi
+        known = energies(scenario, late)
+        assert np.diff(known).max() < 1e-12
+        slips += bool({"S", "K"} & set(motion.sequence))
+    assert stays > 40
+    assert slips > 20
+
+
+def test_slip_downhill_that_gains_energy_is_not_said_to_stay():
+    """With little friction and the load ahead slip downhill adds to E: what would be forgotten with the sign of g_t."""
+    scenario = sliding(on_slope(0.15, 0.6, mu=0.165), math.pi - 1.0, 0.3)
+    motion = hh.simulate(scenario.replace("duration", 0.5))
+    known = energies(scenario, motion.at(np.linspace(0.0, 0.5, 50)))
+    assert motion.at(0.5).mode == "K"
+    assert np.diff(known).max() > 1e-4
+    assert not stays_in_well(scenario.to_body(), scenario.start.angle, scenario.start.slip, 0.0)
+    steeper = scenario.replace("plane.mu", 3.0)
+    assert stays_in_well(steeper.to_body(), scenario.start.angle, scenario.start.slip, 0.0)
+
+
+@pytest.mark.parametrize("slope", [0.05, -0.05])
+def test_the_lower_top_counts(slope):
+    """Below the upper top but above the lower one a hoop rolls over it, downhill."""
+    scenario = on_slope(slope, 0.75)
+    body = scenario.to_body()
+    top = balance_angle(body)
+    tops = sorted((potential(body, angle), angle) for angle in (top, top + 2.0 * math.pi))
+    angle = top + math.pi
+    for energy, stays in ((tops[0][0] - 0.05, True), (tops[0][0] + 0.05, False)):
+        free = energy - potential(body, angle)
+        arm, lever = 1.0 + body.eps * math.cos(angle), body.eps * math.sin(angle)
+        omega = math.copysign(math.sqrt(2.0 * free / (arm**2 + lever**2 + body.kap)), slope)
+        smooth = scenario.replace("plane.mu", 50.0)
+        assert stays_in_well(smooth.to_body(), angle, 0.0, omega) is stays
+        motion = hh.simulate(sliding(smooth, angle, 0.0, omega).replace("duration", 60.0))
+        assert (abs(motion.at(60.0).angle - angle) < 2.0 * math.pi) is stays
