@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.kernels.wells import balance_angle, rolling_potential, stays_in_well
-from hophoop.kernel.physics.contact import slip_motion
+from hophoop.gaits.kernels.wells import balance_angle, is_held, rolling_potential, stays_in_well
+from hophoop.kernel.physics.contact import free_acceleration, slip_motion, slip_stiffness
 
 
 def on_slope(slope, gamma, **plane):
@@ -52,6 +52,44 @@ def test_a_hoop_balances_at_the_top_of_its_well(slope):
     assert top % (2.0 * math.pi) == pytest.approx(known[0], abs=1e-12)
     assert potential(body, top) > max(potential(body, top - 0.01), potential(body, top + 0.01))
     assert math.isnan(balance_angle(on_slope(0.7, 0.6).to_body()))  # sin β > ε: it balances nowhere
+
+
+def holds(body, angle, energy):
+    """Whether at one angle, with up to this E, no contact opens and slip downhill loses more than it gains."""
+    free = energy - potential(body, angle)
+    if free < 0.0:
+        return True
+    sine, cosine = math.sin(angle), math.cos(angle)
+    downhill, most = math.copysign(1.0, body.gt), 2.0 * free / (body.kap + (body.eps * sine) ** 2)
+    if not free_acceleration(body, sine, cosine, most)[1] < 0.0:
+        return False
+    cases = [(square, arm) for square in (0.0, most) for arm in {-body.resist, body.resist}]
+    firm = [case for case in cases if slip_stiffness(body, sine, cosine, downhill, case[1]) > 0.0]
+    loads = [slip_motion(body, sine, cosine, square, downhill, arm)[1] for square, arm in firm]
+    return all(body.mu_k * load > abs(body.gt) for load in loads)
+
+
+@pytest.mark.parametrize("resistance", [0.0, 0.1])
+def test_bounds_on_a_piece(resistance):
+    """On a narrow piece they are what holds at its middle, on a wide one they imply it everywhere."""
+    random = np.random.default_rng(3)
+    narrow, wide = [], 0
+    for _ in range(3000):
+        slope = float(random.choice([-1.0, 1.0])) * float(random.uniform(0.01, 0.4))
+        mu = math.tan(abs(slope)) * float(random.uniform(1.0, 5.0))
+        body = on_slope(slope, float(random.uniform(0.1, 0.9)), mu=mu, rolling_resistance=resistance).to_body()
+        angle = float(random.uniform(-math.pi, math.pi))
+        energy = potential(body, angle) + float(random.uniform(-0.05, 0.6))
+        known = is_held(body, angle, 1e-11, energy)
+        assert holds(body, angle, energy) if resistance and known else resistance or known == holds(body, angle, energy)
+        narrow.append(known)
+        if is_held(body, angle, 0.4, energy):
+            wide += 1
+            assert all(
+                holds(body, place, energy) for place in [angle - 0.4, angle + 0.4, *(angle + random.uniform(-0.4, 0.4, 20))]
+            )
+    assert 300 < sum(narrow) < 2700
+    assert wide > 100
 
 
 def test_what_is_said_to_stay_loses_energy_in_every_slip():
