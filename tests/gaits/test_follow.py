@@ -197,6 +197,14 @@ def test_a_branch_goes_on_where_the_mode_after_the_landing_changes():
     assert fold.follow("hoop.load_fraction", (0.14, 0.16), 2)[1, 1] == pytest.approx(fold.parameter, rel=1e-12)
 
 
+def test_a_picture_of_gaits_at_landings():
+    """Its mark of an end once came with a warning."""
+    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    ax = hh.plots.branch(landing(8.0, 0.15).follow("plane.slope", (math.radians(7.0), math.radians(10.0))))
+    assert ax.get_ylabel().endswith("after the landing (rad/s)")
+    assert "end" in {text.get_text() for text in ax.get_legend().get_texts()}
+
+
 def test_gaits_that_never_roll_are_followed():
     """On 5° with μ = 0.2 the gears slip all the way: three coordinates at the landing."""
     gait = landing(5.0, 0.15, mu=0.2)

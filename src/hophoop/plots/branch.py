@@ -55,8 +55,10 @@ def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
         points = [(point.parameter * scale, point.omega) for point in special]
         if points:
             x, y = np.array(points).T
-            face = colors.BLACK if mark == "x" else "white"
-            ax.scatter(x, y, marker=mark, s=28, facecolor=face, edgecolor=colors.BLACK, linewidths=0.9, zorder=3, label=kind)
+            style: dict[str, Any] = (
+                {"color": colors.BLACK} if mark == "x" else {"facecolor": "white", "edgecolor": colors.BLACK}
+            )
+            ax.scatter(x, y, marker=mark, s=28, linewidths=0.9, zorder=3, label=kind, **style)
     finish(ax, label, rf"$\dot\theta$ {PLACES[branches[0].equation.section]} (rad/s)")
     return ax
 
