@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop.gaits.continuation import JOINED, ROUNDS, Follower, Point
+from hophoop.gaits.continuation import JOINED, ROUNDS, Point, advance
 from hophoop.gaits.equation import GaitEquation, Pair
 from hophoop.gaits.special import Special
 
@@ -97,16 +97,15 @@ def _last(equation: GaitEquation, place: Pair, way: Pair, distance: float, landi
     here = Point(*solved, equation)
     kind = _kind_of(here, landings)
     tangent = here.values.tangent if here.values.tangent @ way > 0.0 else -here.values.tangent
-    follower = Follower(here, (-np.inf, np.inf))
     low, high, last = 0.0, BEYOND * distance, here
-    beyond = follower.advance(here, tangent, high)
+    beyond = advance(here, tangent, high)
     if beyond is not None and _kind_of(beyond, landings) == kind:
         return None
     for _ in range(ROUNDS):
         middle = 0.5 * (low + high)
         if middle in (low, high):
             break
-        tried = follower.advance(here, tangent, middle)
+        tried = advance(here, tangent, middle)
         if tried is not None and _kind_of(tried, landings) == kind:
             low, last = middle, tried
         else:

@@ -40,6 +40,13 @@ def is_same_piece(one: Values, other: Values) -> bool:
     return one.key == other.key and abs(one.trace - other.trace) < CORNER
 
 
+def advance(here: Point, way: Pair, step: float) -> Point | None:
+    """Return the solution a step further along a direction."""
+    guess = here.place + step * way
+    found = here.equation.solve(guess, way, float(way @ guess))
+    return None if found is None else Point(*found, here.equation)
+
+
 class Follower:
     """The points of one direction along a branch."""
 
@@ -53,7 +60,7 @@ class Follower:
         way, step = direction, LONGEST_STEP
         while len(self.points) < MOST_POINTS:
             here = self.points[-1]
-            ahead = self.advance(here, way, step)
+            ahead = advance(here, way, step)
             if ahead is None or float(np.linalg.norm(ahead.place - here.place)) > 2.0 * step:
                 step *= 0.5
                 if step > SHORTEST_STEP:
@@ -87,19 +94,13 @@ class Follower:
             way = turned if turned @ way > 0.0 else -turned
             step = min(1.5 * step, LONGEST_STEP)
 
-    def advance(self, here: Point, way: Pair, step: float) -> Point | None:
-        """Return the solution a step further along a direction."""
-        guess = here.place + step * way
-        found = here.equation.solve(guess, way, float(way @ guess))
-        return None if found is None else Point(*found, here.equation)
-
     def border(self, here: Point, way: Pair, step: float) -> tuple[Point, Point | None]:
         """Return the last point with the word of `here`, and the first one with another, to rounding."""
         low, high = 0.0, step
         last, first = here, None
         for _ in range(ROUNDS):
             middle = 0.5 * (low + high)
-            tried = self.advance(here, way, middle) if middle > 0.0 else None
+            tried = advance(here, way, middle) if middle > 0.0 else None
             if tried is not None and tried.values.key == here.values.key:
                 low, last = middle, tried
             else:
@@ -137,7 +138,7 @@ class Follower:
 
     def goes_on(self, new: Point, tangent: Pair) -> bool:
         """Return True if the branch goes on with the word of a point in a direction."""
-        tried = self.advance(new, tangent, 1e-5)
+        tried = advance(new, tangent, 1e-5)
         return tried is not None and is_same_piece(tried.values, new.values)
 
     def beside(self, last: Point, way: Pair) -> Point | None:
@@ -167,7 +168,7 @@ class Follower:
         low, high, last = 0.0, step, here
         for _ in range(ROUNDS):
             middle = 0.5 * (low + high)
-            tried = self.advance(here, way, middle)
+            tried = advance(here, way, middle)
             if tried is not None and tried.values.apart > JOINED:
                 low, last = middle, tried
             else:
@@ -198,7 +199,7 @@ class Follower:
         low, high, one, other = 0.0, step, here, ahead
         for _ in range(ROUNDS):
             half = 0.5 * (low + high)
-            tried = self.advance(one, way, half - low) or self.advance(other, way, half - high)
+            tried = advance(one, way, half - low) or advance(other, way, half - high)
             if tried is None or half in (low, high):
                 break
             if (tried.values.trace - middle) * (here.values.trace - middle) > 0.0:
@@ -214,7 +215,7 @@ class Follower:
 
         Within about 1e-7 of such a corner doubles do not decide the derivative.
         """
-        before = self.advance(here, way, step - BASELINE)
+        before = advance(here, way, step - BASELINE)
         if before is None:
             return one
         values = [point.equation.gait(point.place).margins[0].value for point in (before, one)]

@@ -21,14 +21,7 @@ if TYPE_CHECKING:
     from hophoop.gaits.special import Special
 
 CRITICAL = {FOLD: 1.0, DOUBLING: -1.0}
-AMPLITUDES = (
-    1e-4,
-    -1e-4,
-    1e-3,
-    -1e-3,
-    1e-2,
-    -1e-2,
-)  # of a doubled gait about the shorter one
+AMPLITUDES = (1e-4, -1e-4, 1e-3, -1e-3, 1e-2, -1e-2)  # of a doubled gait about the shorter one
 SHIFT = 1e-6  # of the scaled parameter from a corner, where the map has no derivative
 MOST_POINTS = 10_000
 SMALLEST = 1e-4  # share of a step in the second parameter
@@ -129,7 +122,7 @@ def doubled(special: Special) -> Gait:
     twice = GaitEquation(one.scenario, period, one.path, one.scale, one.section, one.mode)
     shifts = [np.zeros(len(special.place)), *(sign * SHIFT * np.eye(len(special.place))[-1] for sign in (1.0, -1.0))]
     for values in (found for shift in shifts if (found := one(special.place + shift)) is not None):
-        direction = np.append(flipping(values.matrix), 0.0)
+        direction = np.append(_flipping(values.matrix), 0.0)
         for amplitude in AMPLITUDES:
             place = special.place + amplitude * direction
             solution = twice.solve(place, direction, float(direction @ place))
@@ -138,7 +131,7 @@ def doubled(special: Special) -> Gait:
     raise InputError(f"No gait of period {period} was found near {one.path} = {special.parameter:.9g}.")
 
 
-def flipping(matrix: Pair) -> Pair:
+def _flipping(matrix: Pair) -> Pair:
     """Return the unit vector of the coordinates that changes its sign in a period: that of the least real eigenvalue."""
     values, vectors = np.linalg.eig(matrix)
     found: Pair = vectors[:, np.argmin(values.real)].real
