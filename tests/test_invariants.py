@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import os
-import subprocess
-import sys
 import tomllib
 from pathlib import Path
 
@@ -14,10 +11,9 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.native import forced
-from hophoop.simulation import simulate as simulation
-from hophoop.simulation.invariants import INVARIANTS, BrokenInvariantError, check, findings
-from hophoop.simulation.symmetries import mirror_finding, mirrored, scaled, units_finding
 from hophoop.simulation.trajectory import Trajectory
+from invariants import INVARIANTS, check, findings
+from symmetries import mirror_finding, mirrored, scaled, units_finding
 
 
 @pytest.fixture(autouse=True)
@@ -76,6 +72,8 @@ def test_a_good_motion_breaks_none(motion):
     assert broken(motion) == set()
     assert broken(Changed(motion)) == set()
     check(motion)
+    with pytest.raises(AssertionError, match=r"invariant='sequence'.*duration="):
+        check(Changed(motion, sequence="R"))
 
 
 def test_time_that_runs_backward(motion):
@@ -204,25 +202,6 @@ def test_units_of_parts_and_of_a_compliant_contact():
         scenario = hh.Scenario(hoop=hoop, start=hh.Start.rolling(2.0), duration=0.3, contact=contact)
         other, factors = scaled(scenario)
         assert not units_finding(hh.simulate(scenario), hh.simulate(other), factors).broken
-
-
-def test_simulate_checks_where_it_is_asked_to(motion, monkeypatch):
-    monkeypatch.setattr(simulation, "CHECKED", True)
-    assert hh.simulate(motion.scenario).fingerprint == motion.fingerprint
-    monkeypatch.setattr(simulation, "Trajectory", lambda *arguments: Changed(motion, sequence="R"))
-    with pytest.raises(BrokenInvariantError, match=r"sequence at t = .* s: the sequence goes on with .*duration=2\.5"):
-        hh.simulate(motion.scenario)
-
-
-def test_the_environment_variable():
-    code = (
-        "from hophoop import Scenario; from hophoop.simulation import simulate as simulation; "
-        "simulation.simulate(Scenario(duration=0.1)); print(simulation.CHECKED)"
-    )
-    for value, expected in (("1", "True"), ("0", "False"), ("", "False")):
-        environment = {**os.environ, "HOPHOOP_CHECK": value, "HOPHOOP_KERNELS": "interpreted"}
-        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
-        assert done.stdout.startswith(expected)
 
 
 KNOWN = {

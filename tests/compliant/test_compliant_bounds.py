@@ -14,7 +14,7 @@ from hophoop.kernel.compliant.run import run
 from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.simulation.compliant import to_compliance, to_start
-from hophoop.simulation.invariants import check
+from invariants import check
 
 
 @pytest.mark.parametrize("steps", [1, 20])

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import hophoop as hh
-from hophoop.simulation.invariants import Finding, findings
-from hophoop.simulation.symmetries import mirror_finding, mirrored, scaled, units_finding
+from invariants import Finding, findings
+from symmetries import mirror_finding, mirrored, scaled, units_finding
 
 PATIENCE = 5.0  # s of the processor; the longest are decisions in more digits
 

@@ -167,7 +167,7 @@ def again(night: Night, seed: int, turns: float | None) -> Night:
 def table(night: Night, seed: int) -> str:
     """What came, in Markdown."""
     import hophoop as hh
-    from hophoop.simulation.invariants import INVARIANTS
+    from invariants import INVARIANTS
 
     answers, failed = night.answers, night.failed
     spent = sum(answer.spent for answer in answers)

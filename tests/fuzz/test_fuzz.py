@@ -23,7 +23,7 @@ import hophoop as hh
 from fuzz.checks import PATIENCE, digest, outcome, warm_up
 from fuzz.draws import EXTREME, USUAL, Seeded, scenario
 from hophoop.kernel.native import forced
-from hophoop.simulation.invariants import rounding_energy
+from invariants import rounding_energy
 
 TURNS = 200.0  # so short that thousands of them take half a minute
 ONE_IN = 8  # is compliant

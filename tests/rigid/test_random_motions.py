@@ -11,7 +11,7 @@ from hypothesis import assume, example, given, note, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from hophoop.simulation import invariants
+import invariants
 
 LAWS = ("newton", "poisson", "stronge")
 STATUSES = {"completed", "at_rest", "jammed", "undetermined", "event_limit"}

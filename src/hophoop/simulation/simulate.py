@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, overload
@@ -19,9 +18,6 @@ if TYPE_CHECKING:
     from hophoop.precise import PreciseMotion
 
 Progress = Callable[[float], object]
-
-# Read once, because reading the environment takes 10 % of a short motion.
-CHECKED = os.environ.get("HOPHOOP_CHECK", "0") not in ("", "0")
 
 
 @overload
@@ -180,10 +176,7 @@ def _simulate(scenario: Scenario, until: str | None, progress: Progress | None) 
             status, events, segments = compute_reporting(lambda share: simulate_compliant(scenario, share), progress)
     else:
         status, events, segments, doubt = simulate_rigid(scenario, end)
-    motion = Trajectory(scenario, status, events, segments, __version__, doubt, until)
-    if CHECKED:
-        import_module("hophoop.simulation.invariants").check(motion)
-    return motion
+    return Trajectory(scenario, status, events, segments, __version__, doubt, until)
 
 
 def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from hophoop.scenario import InputError, Scenario
-from hophoop.simulation.invariants import EPSILON, IMPULSES, TINY, Finding, worst
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.quantities import LOSSES
+from invariants import EPSILON, IMPULSES, TINY, Finding, worst
 
 _SIGNED = {"x", "angle", "speed", "vx", "omega", "slope"}
 _SWAPPED = str.maketrans("SK", "KS")
@@ -20,17 +20,10 @@ _POWERS = ((1, 1, 1), (-1, -1, -1), (2, 3, -5), (0, 1, 3), (0, -1, 3), (1, 0, 0)
 
 
 def mirrored(scenario: Scenario) -> Scenario | None:
-    """Return the scenario with left and right exchanged, if rounding preserves the symmetry.
+    """Scenario with left and right exchanged, if rounding preserves the symmetry.
 
-    Parameters
-    ----------
-    scenario : Scenario
-
-    Returns
-    -------
-    mirrored : Scenario or None
-        None in three cases: compliant contact; a start with the load at the bottom, where −π and π are the same angle; and
-        nearly zero kinetic friction with static friction, where rounding decides whether slip starts.
+    None in three cases: compliant contact; a start with the load at the bottom, where −π and π are the same angle; and
+    nearly zero kinetic friction with static friction, where rounding decides whether slip starts.
     """
     plane, angle = scenario.plane, scenario.start.angle
     bottom = math.cos(angle) < 0.0 and abs(math.sin(angle)) < 1e-6
@@ -45,16 +38,6 @@ def mirrored(scenario: Scenario) -> Scenario | None:
 def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
     """Compare a motion with that of the mirrored scenario, to the last bit.
 
-    Parameters
-    ----------
-    motion, image : Trajectory
-
-    Returns
-    -------
-    found : Finding
-
-    Notes
-    -----
     Two cases allow rounding in angle and position: a massless hoop, whose angle is computed within one revolution that is not
     symmetric in its last bits; and events from extended precision.
     """
@@ -65,18 +48,9 @@ def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
 
 
 def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | None:
-    """Return the scenario in units scaled by powers of 2.
+    """Scenario in units scaled by powers of 2, and the factors of lengths, times and masses.
 
-    Parameters
-    ----------
-    scenario : Scenario
-
-    Returns
-    -------
-    scaled : Scenario
-    factors : tuple of float
-        Factors of lengths, times and masses [1].
-    None instead, if the ranges allow no scaling, or a number is almost subnormal.
+    None if the ranges allow no scaling, or a number is almost subnormal.
     """
     keys = scenario.to_dict()
     if _smallest(keys) < TINY:
@@ -93,18 +67,7 @@ def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | 
 
 
 def units_finding(motion: Trajectory, other: Trajectory, factors: tuple[float, float, float]) -> Finding:
-    """Compare a motion with that of the scaled scenario, to the last bit.
-
-    Parameters
-    ----------
-    motion, other : Trajectory
-    factors : tuple of float
-        Factors of lengths, times and masses [1].
-
-    Returns
-    -------
-    found : Finding
-    """
+    """Compare a motion with that of the scaled scenario, to the last bit; factors of lengths, times and masses."""
     length, time, mass = factors
     speed = length / time
     units = {"t": time, "x": length, "height": length, "angle": 1.0, "omega": 1.0 / time}
