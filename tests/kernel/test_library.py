@@ -83,15 +83,72 @@ def test_an_old_library_is_told_of_and_not_used(tmp_path):
     assert done.stderr.count("\n") == 1
 
 
-@pytest.mark.parametrize(
-    "content", ["", "{}", '{"machine": ["beos", "ppc"], "sources": "", "files": {}, "entries": {}}', "no json"]
-)
-def test_a_library_that_is_no_use_is_not_used(content, tmp_path):
-    (tmp_path / native.MANIFEST).write_text(content)
+def check_interpreted(folder: Path, said: str) -> None:
+    """Run a motion with a library; it is computed by the sources, with one sentence on stderr."""
     code = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)"
-    done = python(code, HOPHOOP_LIBRARY=str(tmp_path))
-    assert (done.returncode, done.stdout) == (0, "R\n")
-    assert "Traceback" not in done.stderr
+    done = python(code, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="auto")
+    assert (done.returncode, done.stdout) == (0, "R\n"), done.stderr
+    assert done.stderr.count("\n") == 1
+    assert said in done.stderr
+    forced = python(code, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="compiled")
+    assert forced.returncode == 1
+    assert forced.stderr.splitlines()[-1].startswith("hophoop._support.errors.InputError: HOPHOOP_KERNELS = 'compiled': The ")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"{}",
+        b"5",
+        b"[]",
+        b"null",
+        b'"machine"',
+        b"no json",
+        b'{"machine": [',
+        b"\xff\xfe{}",
+        b"[" * 100_000,
+        b"\xef\xbb\xbf5",
+    ],
+)
+def test_a_manifest_that_is_damaged_is_told_of_and_not_used(content, tmp_path):
+    (tmp_path / native.MANIFEST).write_bytes(content)
+    check_interpreted(tmp_path, "is damaged")
+
+
+def test_a_folder_in_place_of_the_manifest(tmp_path):
+    (tmp_path / native.MANIFEST).mkdir()
+    check_interpreted(tmp_path, "is damaged")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"machine": 5}, {"machine": [1, 2]}, {"machine": None}, {"sources": ["a"]}, {"files": {}}, {"files": []}, {"files": 7},
+        {"files": {"v2": 5}}, {"files": {"new": "none.so"}}, {"files": {"": ""}}, {"entries": []}, {"entries": None},
+        {"entries": {}}, {"entries": {"hophoop.kernel.rigid.run.run": 3}},
+        {"entries": {"hophoop.kernel.rigid.run.run": {"symbol": "none", "takes": [], "gives": None}}},
+        {"entries": {"hophoop.kernel.rigid.run.run": {"symbol": "hophoop_kernel_rigid_run_run", "takes": [5], "gives": "("}}},
+    ],
+    ids=str,
+)  # fmt: skip
+def test_a_manifest_of_wrong_types_is_told_of_and_not_used(change, tmp_path):
+    shutil.copytree(native.HERE, tmp_path / "library")
+    (tmp_path / "library" / native.MANIFEST).write_text(json.dumps(told(native.HERE) | change))
+    check_interpreted(tmp_path / "library", "is damaged")
+
+
+@pytest.mark.parametrize("name", ["absent.so", "", ".", "nul\0.so"])
+def test_a_listed_file_that_is_no_library_is_told_of(name, tmp_path):
+    shutil.copytree(native.HERE, tmp_path / "library")
+    (tmp_path / "library" / native.MANIFEST).write_text(json.dumps(told(native.HERE) | {"files": {"v2": name}}))
+    check_interpreted(tmp_path / "library", "cannot be loaded")
+
+
+def test_a_library_of_another_machine_is_told_of(tmp_path):
+    about = {"machine": ["beos", "ppc"], "sources": "", "files": {"v2": "none.so"}, "entries": {}}
+    (tmp_path / native.MANIFEST).write_text(json.dumps(about))
+    check_interpreted(tmp_path, "are for beos ppc")
 
 
 def _own_machine() -> tuple[str, str]:

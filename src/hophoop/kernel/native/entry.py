@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.errors import InputError
-from hophoop.kernel.native.library import library, why_missing
+from hophoop.kernel.native.library import library, say_missing, why_missing
 
 MODES = ("auto", "compiled", "interpreted")
 
@@ -57,10 +57,15 @@ class Entry:
         if wanted == "interpreted":
             return self._interpret
         found = library(quiet=wanted == "compiled")
+        why = why_missing()
         if found is not None:
-            return found.call(self.name)
+            try:
+                return found.call(self.name)
+            except OSError as error:
+                why = str(error)
         if wanted == "compiled":
-            raise InputError(f"HOPHOOP_KERNELS = 'compiled': {why_missing()}", field="HOPHOOP_KERNELS", value=wanted)
+            raise InputError(f"HOPHOOP_KERNELS = 'compiled': {why}", field="HOPHOOP_KERNELS", value=wanted)
+        say_missing(why)
         return self._interpret
 
     def _interpret(self, *arguments: Any) -> Any:

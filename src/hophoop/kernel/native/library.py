@@ -10,6 +10,7 @@ import hashlib
 import json
 import os
 import platform
+import re
 import sys
 from collections.abc import Callable
 from functools import cache
@@ -23,6 +24,7 @@ from hophoop.kernel.native.sources import PACKAGE, stamp
 HERE = Path(os.environ.get("HOPHOOP_LIBRARY") or PACKAGE / "kernel" / "library")
 MANIFEST = "kernels.json"
 BUILD = "python -m hophoop.kernel.build"
+DAMAGED = f"The library of compiled kernels is damaged. To rebuild it: {BUILD}."
 
 
 class Library:
@@ -46,12 +48,15 @@ class Library:
 
         Raises
         ------
-        KeyError
-            If the library has no entry of this name.
+        OSError
+            If the library's description of the entry is missing or damaged.
         """
         if name not in self._calls:
-            entry = self.told["entries"][name]
-            self._calls[name] = caller(getattr(self._loaded, entry["symbol"]), entry["takes"], entry["gives"])
+            try:
+                entry = self.told["entries"][name]
+                self._calls[name] = caller(getattr(self._loaded, entry["symbol"]), entry["takes"], entry["gives"])
+            except (LookupError, TypeError, ValueError, AttributeError, ImportError, SyntaxError):
+                raise OSError(DAMAGED) from None
         return self._calls[name]
 
 
@@ -69,12 +74,19 @@ def library(quiet: bool = False) -> Library | None:
     """Return the library of this machine; None, with one message on stderr unless `quiet`, if there is none."""
     found = _found()
     if isinstance(found, str):
-        from multiprocessing import parent_process
-
-        if not quiet and sys.stderr is not None and parent_process() is None:
-            print(f"{found} Without them a motion takes about 100 times as long (some milliseconds).", file=sys.stderr)
+        if not quiet:
+            say_missing(found)
         return None
     return found
+
+
+@cache
+def say_missing(why: str) -> None:
+    """Print once on stderr why kernels are interpreted, and what this costs; child processes print nothing."""
+    from multiprocessing import parent_process
+
+    if sys.stderr is not None and parent_process() is None:
+        print(f"{why} Without them a motion takes about 100 times as long (some milliseconds).", file=sys.stderr)
 
 
 def why_missing() -> str:
@@ -97,14 +109,28 @@ def _loaded(name: str) -> ctypes.CDLL:
     return ctypes.CDLL(str(file))
 
 
+def _is_complete(told: Any) -> bool:
+    """Return True for a description with all that the build writes."""
+    kinds = {"machine": list, "sources": str, "files": dict, "entries": dict}
+    return (
+        isinstance(told, dict)
+        and all(isinstance(told.get(key), kind) for key, kind in kinds.items())
+        and all(isinstance(word, str) for word in told["machine"])
+        and bool(told["files"])
+        and all(re.fullmatch(r"v\d+", level) and isinstance(name, str) for level, name in told["files"].items())
+    )
+
+
 @cache
 def _found() -> Library | str:
     try:
-        told = json.loads((HERE / MANIFEST).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        told = json.loads((HERE / MANIFEST).read_bytes())
+    except FileNotFoundError:
         return f"hophoop was installed without compiled kernels. To build them: {BUILD}."
-    if not {"machine", "sources", "files", "entries"} <= set(told):
-        return f"The library of compiled kernels is incomplete. To rebuild it: {BUILD}."
+    except (OSError, ValueError, RecursionError):
+        return DAMAGED
+    if not _is_complete(told):
+        return DAMAGED
     if told["machine"] != [sys.platform, platform.machine().lower()]:
         return f"The compiled kernels are for {' '.join(told['machine'])}. To build them for this machine: {BUILD}."
     if told["sources"] != stamp():
@@ -118,6 +144,6 @@ def _found() -> Library | str:
         best = next(level for level in levels if int(level[1:]) <= able)
         if best != levels[-1]:
             loaded = _loaded(told["files"][best])
-    except OSError as error:
+    except (OSError, ValueError, AttributeError) as error:
         return f"The compiled kernels cannot be loaded ({error}). To rebuild them: {BUILD}."
     return Library(told, best, loaded)
