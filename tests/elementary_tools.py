@@ -27,7 +27,7 @@ def _evaluate():
     """`evaluate` by Numba; by Python where kernels are interpreted."""
     if mode() == "interpreted":
         return evaluate
-    from hophoop.kernel.jit import jitted
+    from numba_tools import jitted
 
     return jitted(evaluate)
 

@@ -29,7 +29,6 @@ EXTRAS = {
     "films": ["animate", "--out", "hop.mp4"],
     "lab": ["lab"],
     "cluster": "from hophoop.maps.grid.distributed import compute_on_cluster as c; c(None, [], None, 1, print)",
-    "gpu": "from hophoop.maps.grid.gpu import require_gpu; require_gpu()",
 }
 # what other tests need than those that run here
 TOOLS = (

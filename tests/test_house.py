@@ -138,7 +138,7 @@ def extra_modules(extra):
 
 def test_every_module_imports_without_the_extras():
     # The lab is written on FastAPI throughout; its modules are loaded by `hophoop lab` alone. These are written on Numba:
-    on_numba = ["hophoop.kernel.build.", "hophoop.kernel.jit", "hophoop.maps.grid.gpu_kernel"]
+    on_numba = ["hophoop.kernel.build."]
     on_numba += [f"hophoop.lab.wasm.{name}" for name in ("answers", "compliant", "derivatives", "entries", "motions")]
     absent = set().union(*map(extra_modules, PROJECT["optional-dependencies"]))
     code = f"""

@@ -76,7 +76,6 @@ def test_without_a_terminal_only_the_result_is_reported(tmp_path):
         ([*AXES, "--out", "a.zarr", "--span", "ever"], "span = 'ever'"),
         ([*AXES, "--out", "a.zarr", "--quantity", "size"], "quantity = 'size'"),
         ([*AXES, "--axis", "hoop.mass=1,2", "--out", "a.zarr", "--plot", "a.png"], "two axes, not 3"),
-        ([*AXES, "--out", "a.zarr", "--gpu"], "device = 'gpu'"),
         ([*AXES, "--out", "a.zarr", "--plot", "a.xyz"], "--plot = a.xyz must end in .png"),
         ([*AXES, "--plot", "gone/a.png"], "--plot = gone/a.png must be in an existing folder; gone does not exist"),
         (

@@ -20,7 +20,7 @@ from hophoop.kernel.rigid import run as kernel
 pytest.importorskip("numba")
 from hophoop.kernel.build import numba_code
 from hophoop.kernel.build.numba_code import Namespaces, called, makes_arrays, options_of
-from hophoop.kernel.jit import jitted
+from numba_tools import jitted
 
 
 def by_python(value):

@@ -239,7 +239,7 @@ def test_a_plan_that_knows_more_is_not_taken_up(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         make(path, progress=stop)
     plan = path / "unfinished" / "plan.json"
-    plan.write_text(plan.read_text().replace('"device"', '"weather": "fine", "device"'))
+    plan.write_text(plan.read_text().replace('"chunk"', '"weather": "fine", "chunk"'))
     with pytest.raises(ValueError, match=r"holds a map with another weather"):
         make(path, resume=True)
 
@@ -257,14 +257,3 @@ def test_a_damaged_plan_is_not_taken_up(content, tmp_path):
     (path / "unfinished" / "plan.json").write_bytes(content)
     with pytest.raises(InputError, match=r"map\.zarr holds a damaged plan"):
         make(path, resume=True)
-
-
-def test_a_gpu_without_numba_names_the_extra(monkeypatch):
-    """As in an installation without extras, where Numba is missing too."""
-    from hophoop.maps.grid import gpu
-
-    monkeypatch.setattr(gpu, "find_spec", lambda name: None)
-    for name in ("numba", "numba.core"):
-        monkeypatch.setitem(sys.modules, name, None)
-    with pytest.raises(ValueError, match=r'pip install "hophoop\[gpu\]"'):
-        gpu.require_gpu()

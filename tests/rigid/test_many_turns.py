@@ -84,7 +84,7 @@ def reduced(angle):
 @pytest.mark.parametrize("exponent", [10, 15, 17, 18, 19, 20, 25, 30, 40, 80, 140])
 def test_whole_turns_of_any_angle(exponent):
     pytest.importorskip("numba")
-    from hophoop.kernel.jit import jitted
+    from numba_tools import jitted
 
     compiled = jitted(reduced)
     rng = np.random.default_rng(exponent)

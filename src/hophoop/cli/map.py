@@ -67,7 +67,6 @@ def map(
     threads: Annotated[int | None, typer.Option(help="Number of cores; by default all.")] = None,
     workers: Annotated[int | None, typer.Option(help="Start a local Dask cluster with this number of processes.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a running Dask scheduler.")] = None,
-    gpu: Annotated[bool, typer.Option("--gpu", help="Compute on a CUDA GPU (extra 'gpu').")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the reference hoop)."""
@@ -116,7 +115,6 @@ def map(
             threads=threads,
             workers=workers,
             scheduler=scheduler,
-            device="gpu" if gpu else "cpu",
             progress=not quiet,
         )
     if plot is not None:

@@ -113,7 +113,7 @@ class Classifier:
         """Return the codes at values of the two parameters, arrays of equal length."""
         values = {self.window.x: x, self.window.y: y}
         cells = make_cells(self.base, {path: values[path] for path in ordered(list(values))}, x.size)
-        results = run_cells(cells, self.span, 0, "serial" if x.size <= 2 * BLOCK else "cpu")
+        results = run_cells(cells, self.span, 0, serial=x.size <= 2 * BLOCK)
         self.evaluated += x.size
         return self._encode(results)
 

@@ -94,7 +94,7 @@ def _compute(place: str, index: int, sources: str) -> int:
             f"A worker on {platform.node()} has kernels of other sources ({own[:8]}, here {sources[:8]}): "
             "install the same version of hophoop there."
         )
-    return compute_chunk(place, index, "serial")
+    return compute_chunk(place, index, serial=True)
 
 
 def _answers(client: Any) -> bool:

@@ -68,7 +68,6 @@ class Plan(NamedTuple):
     quantities: tuple[Quantity, ...]
     span: Span
     chunk: tuple[int, ...]
-    device: str = "cpu"  # a GPU rounds differently
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -94,7 +93,6 @@ class Plan(NamedTuple):
                 "axes": {axis.path: _json(axis.values) for axis in self.axes},
                 "quantities": [quantity.name for quantity in self.quantities],
                 "span": self.span.name,
-                "device": self.device,
                 "chunk": list(self.chunk),
             }
         )
@@ -114,7 +112,6 @@ class Plan(NamedTuple):
             choose_quantities(data["quantities"]),
             make_span(data["span"], in_the_end=True),
             tuple(data["chunk"]),
-            data["device"],
         )
 
 
@@ -129,7 +126,6 @@ def make_plan(
     quantities: Sequence[str],
     span: str,
     chunk_cells: int = CHUNK_CELLS,
-    device: str = "cpu",
 ) -> Plan:
     """Check the arguments of a map and return its plan.
 
@@ -143,8 +139,6 @@ def make_plan(
     span : str
     chunk_cells : int, default 65536
         Approximate number of cells computed and written at a time.
-    device : {'cpu', 'gpu'}
-        Device that computes it.
 
     Returns
     -------
@@ -162,19 +156,17 @@ def make_plan(
     shape = tuple(axis.values.size for axis in made)
     chunk = chunk_shape(shape, chunk_cells)
     chosen, part = choose_quantities(quantities), make_span(span, in_the_end=True)
-    _check_span(base, chosen, part, device)
-    return Plan(base, made, chosen, part, chunk, device)
+    _check_span(base, chosen, part)
+    return Plan(base, made, chosen, part, chunk)
 
 
-def _check_span(base: Scenario, quantities: Sequence[Quantity], span: Span, device: str) -> None:
+def _check_span(base: Scenario, quantities: Sequence[Quantity], span: Span) -> None:
     check_span(quantities, span)
     if span.name in SETTLED_SPANS:
         check_settled(base)
-        if device == "gpu":
-            raise InputError.of_field("device", device, "cpu with span 'settled'")
 
 
-def run_cells(cells: NDArray[np.float64], span: Span, flags: int, device: str = "cpu") -> MapResults:
+def run_cells(cells: NDArray[np.float64], span: Span, flags: int, *, serial: bool = False) -> MapResults:
     """Run the kernel on all cells.
 
     Parameters
@@ -184,8 +176,8 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, device: str = 
     span : Span
     flags : int
         Flags of the quantities that the kernel computes on request only.
-    device : {'cpu', 'serial', 'gpu'}
-        All cores, this thread only, or a GPU.
+    serial : bool, default False
+        Use this thread only, not all cores.
 
     Returns
     -------
@@ -196,12 +188,8 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, device: str = 
     results = _empty_results(count)
     if span.name in SETTLED_SPANS:
         _on_all_cores(count, lambda low, high: evaluate_settled(cells, low, high, span.name, results))
-    elif device == "serial":
+    elif serial:
         compiled(kernel.evaluate_block)(cells, 0, count, request, NO_SCRIPT, results)
-    elif device == "gpu":
-        from hophoop.maps.grid import gpu
-
-        gpu.evaluate(cells, request, results)
     else:
         evaluate = compiled(kernel.evaluate_block)
         _on_all_cores(count, lambda low, high: evaluate(cells, low, high, request, NO_SCRIPT, results))
@@ -288,13 +276,13 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
-def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, MapResults]:
+def run_chunk(plan: Plan, index: int, *, serial: bool = False) -> tuple[Chunk, MapResults]:
     """Compute one chunk of a plan."""
     chunk = plan.part(index)
     values = chunk_values(plan.axes, chunk)
     cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
     flags = flags_of(plan.quantities)
-    results = run_cells(cells, plan.span, flags, device)
+    results = run_cells(cells, plan.span, flags, serial=serial)
     if plan.span.name not in SETTLED_SPANS:
         decide(cells, plan.span, flags, results, lambda k: _scenario_at(plan.base, values, k))
     return chunk, results
@@ -345,13 +333,12 @@ def points(
     shape = spread[0].shape if spread else (1,)
     flat = {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}
     count = int(np.prod(shape))
-    # few points are not worth waking all threads
-    device = "serial" if count <= kernel.BLOCK else "cpu"
     arranged = {path: flat[path] for path in ordered(list(flat))}
     cells = make_cells(base, arranged, count)
     part = make_span(span, in_the_end=True)
-    _check_span(base, chosen, part, device)
-    raw = run_cells(cells, part, flags_of(chosen), device)
+    _check_span(base, chosen, part)
+    # few points are not worth waking all threads
+    raw = run_cells(cells, part, flags_of(chosen), serial=count <= kernel.BLOCK)
     if part.name not in SETTLED_SPANS:
         decide(cells, part, flags_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
     results = {}

@@ -211,7 +211,7 @@ def provenance(plan: Plan) -> dict[str, Any]:
     }
 
 
-def compute_chunk(path: str, index: int, device: str = "serial") -> int:
+def compute_chunk(path: str, index: int, *, serial: bool = False) -> int:
     """Compute one chunk and write it, and return the number of cells.
 
     Parameters
@@ -219,14 +219,15 @@ def compute_chunk(path: str, index: int, device: str = "serial") -> int:
     path : str
         The store, on a file system shared by all workers.
     index : int
-    device : {'serial', 'cpu', 'gpu'}
+    serial : bool, default False
+        Use this thread only, not all cores.
 
     Returns
     -------
     cells : int
     """
     plan = _plan_of(path)
-    chunk, results = run_chunk(plan, index, device)
+    chunk, results = run_chunk(plan, index, serial=serial)
     write_chunk(Path(path), plan, index, chunk.region, chunk.shape, results)
     return int(np.prod(chunk.shape))
 

@@ -1,4 +1,4 @@
-"""Sweep a grid of scenarios: in memory or into a file, on all cores, a GPU or a cluster."""
+"""Sweep a grid of scenarios: in memory or into a file, on all cores or a cluster."""
 
 from __future__ import annotations
 
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     import xarray
 
 Progress = Callable[[int, int], None]
-DEVICES = ("cpu", "gpu")
 
 
 def sweep(
@@ -36,7 +35,6 @@ def sweep(
     out: str | Path | None = None,
     resume: bool = False,
     threads: int | None = None,
-    device: str = "cpu",
     workers: int | None = None,
     scheduler: str | None = None,
     progress: bool | Progress = False,
@@ -65,8 +63,6 @@ def sweep(
         Resume the map in `out` where it was stopped.
     threads : int, optional
         How many cores; all by default [1].
-    device : {'cpu', 'gpu'}
-        Where to compute. A GPU rounds differently in the last digits; it needs the extra ``gpu``.
     workers : int, optional
         Number of processes of a Dask cluster to start on this machine [1].
     scheduler : str, optional
@@ -103,32 +99,22 @@ def sweep(
     need("xarray", "maps")
     if axes is None:
         raise InputError("axes must name at least two parameters.")
-    if device not in DEVICES:
-        raise InputError.of_field("device", device, f"one of {', '.join(DEVICES)}")
     if workers is not None and scheduler is not None:
         raise InputError("workers and scheduler cannot be given together.")
     if workers is not None and workers < 1:
         raise InputError.of_field("workers", workers, "at least 1")
     clustered = workers is not None or scheduler is not None
-    if device == "gpu":
-        from hophoop.maps.grid.gpu import require_gpu
-
-        if clustered:
-            raise InputError(
-                "device = 'gpu' is for this machine: it cannot go with workers or scheduler.", field="device", value=device
-            )
-        require_gpu()
     if clustered and out is None:
         raise InputError("out must name a file for a sweep over a cluster: the workers write into it.")
     if resume and out is None:
         raise InputError("out must name the file to resume.")
-    plan = make_plan(base, axes, quantities, span, chunk_cells, device)
+    plan = make_plan(base, axes, quantities, span, chunk_cells)
     dataset: xarray.Dataset
     kinds = ["int32" if quantity.name == "sequence" else quantity.dtype for quantity in plan.quantities]
     if out is None:
         check_memory(plan.shape, kinds, "name a file that ends in .zarr with out, or take fewer values")
         with thread_limit(threads), _reporting(progress, plan) as report:
-            dataset = _in_memory(plan, device, report)
+            dataset = _in_memory(plan, report)
             return dataset
     file = Path(out)
     if file.suffix not in (".zarr", ".nc"):
@@ -150,7 +136,7 @@ def sweep(
                 compute_on_cluster(place, sorted(todo), scheduler, workers, report)
             else:
                 for index in sorted(todo):
-                    report(store.compute_chunk(str(place), index, device))
+                    report(store.compute_chunk(str(place), index))
         store.finish(place, plan)
     if file.suffix == ".nc":
         _to_netcdf(place, file)
@@ -178,14 +164,14 @@ def _cells_of(plan: Plan, indices: set[int]) -> int:
     return sum(int(np.prod(plan.part(index).shape)) for index in indices)
 
 
-def _in_memory(plan: Plan, device: str, report: Callable[[int], None]) -> Any:
+def _in_memory(plan: Plan, report: Callable[[int], None]) -> Any:
     arrays = {
         quantity.name: np.empty(plan.shape, np.int32 if quantity.name == "sequence" else quantity.dtype)
         for quantity in plan.quantities
     }
     seen: dict[tuple[int, ...], int] = {}
     for index in range(plan.parts):
-        chunk, results = run_chunk(plan, index, device)
+        chunk, results = run_chunk(plan, index)
         for quantity in plan.quantities:
             if quantity.name == "sequence":
                 for key in distinct(results.sequences):
