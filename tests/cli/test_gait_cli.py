@@ -22,7 +22,7 @@ def test_json_is_the_whole_gait():
     found = json.loads(run(*HOP, "--json").stdout)
     assert found["schema"] == "hophoop-gaits/1"
     (gait,) = found["gaits"]
-    assert gait["word"] == ["RSHKR"]
+    assert gait["sequence"] == "RSHKR"
     assert gait["multipliers"][0][0] == pytest.approx(-0.768024180087, rel=1e-9)
     gain = 9.81 * math.sin(math.radians(3)) * gait["distance"]
     assert sum(gait["losses"].values()) == pytest.approx(gain, rel=1e-9)
@@ -35,7 +35,7 @@ def test_json_is_the_whole_gait():
         (["--section", "top"], "--section = 'top' must be one of bottom, landing."),
         (["--slope-deg", "0"], "plane.slope = 0.0 must be other than 0"),
         (["--near", "2"], "No gait of period 1 was found"),
-        (["--digits", "3"], "--digits = 3 must be an integer from 16 to 40"),
+        (["--gamma", "0"], "hoop.load_fraction = 0.0 must be above 0"),
     ],
 )
 def test_bad_input_ends_with_one_sentence(arguments, message):
@@ -54,7 +54,7 @@ def test_a_diagram_is_written_and_drawn(tmp_path):
     found = run(*DIAGRAM, "--out", out, "--plot", picture)
     assert found.exit_code == 0, found.stderr
     assert "3 values of plane.slope" in found.stderr
-    assert out.read_text(encoding="utf-8").startswith("plane.slope,fate,word,period")
+    assert out.read_text(encoding="utf-8").startswith("plane.slope,fate,sequence,period")
     assert picture.stat().st_size > 5_000
 
 
@@ -98,9 +98,16 @@ def test_a_branch_is_followed_and_drawn(tmp_path):
         (["--follow", "plane.slope"], "--follow = 'plane.slope' must be PATH=LOW:HIGH"),
         (["--follow", "plane.slope=a:b"], "must be PATH=LOW:HIGH"),
         (["--follow", "plane.slope=0.1:0.2"], "on both sides of plane.slope"),
+        (["--follow", "plane.slope=nan:0.2"], "must be finite"),
+        (["--follow", "plane.slope=0.2:0.001"], "on both sides of plane.slope"),
+        (["--follow", "plane.slope=-0.1:0.2"], "slopes of one sign"),
+        (["--follow", "plane.tilt=0.001:0.2"], "plane.tilt is not a parameter"),
+        (["--follow", "plane.gravity=0.5:2"], "a parameter other than hoop.radius, hoop.mass and plane.gravity"),
+        (["--digits", "3"], "--digits = 3 must be an integer from 16 to 40"),
     ],
 )
-def test_what_cannot_be_followed(arguments, message):
+def test_what_cannot_be_followed_is_refused_before_the_search(arguments, message, monkeypatch):
+    monkeypatch.setattr("hophoop.gaits.finding.find", lambda *_, **__: pytest.fail("it looks for gaits"))
     found = run(*FOLLOW, *arguments)
     assert found.exit_code == 2
     assert message in found.stderr

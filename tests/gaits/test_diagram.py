@@ -37,12 +37,12 @@ def test_attractors_are_stable_gaits_and_coexisting_ones_are_told_apart():
 
 
 def test_a_gait_without_a_hop_is_known_at_landings():
-    """It has no landings, but its speed and word; the gait with a hop beside it has one landing."""
+    """It has no landings, but its speed and sequence; the gait with a hop beside it has one landing."""
     several = over([1.0], starts=[3.41, 3.455], section="landing").attractors[0]
     both = {one.hops: one for one in several if one.fate == Fate.GAIT}
     bottom = {one.hops: one for one in over([1.0], starts=[3.41, 3.455]).attractors[0]}
     assert {hops: len(one.omega) for hops, one in both.items()} == {0: 0, 1: 1}
-    assert both[0].word == ("RSRKR",)
+    assert both[0].sequence == "RSRKR"
     assert [both[hops].speed for hops in (0, 1)] == pytest.approx([bottom[hops].speed for hops in (0, 1)], rel=1e-7)
 
 
@@ -78,7 +78,7 @@ def test_files(tmp_path):
     assert data["fate"].shape == data["speed"].shape
     assert float(data["speed"][0, 0]) == found.attractors[0][0].speed
     rows = found.to_csv().splitlines()
-    assert rows[0] == "plane.slope,fate,word,period,hops,starts,speed,lyapunov"
+    assert rows[0] == "plane.slope,fate,sequence,period,hops,starts,speed,lyapunov"
     assert len(rows) == 1 + sum(len(several) for several in found.attractors)
     assert "2 values of plane.slope" in repr(found)
 

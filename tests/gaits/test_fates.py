@@ -52,7 +52,7 @@ def test_the_excess_over_the_first_slip_falls_as_the_law_says():
     excess = found.omega - bottom
     assert (excess > 0.0).all()
     assert 1.0 / excess[-1] - 1.0 / excess[-1001] == pytest.approx(266.2, rel=2e-3)
-    assert set(found.word[10:]) == {"RSRKR"}
+    assert set(found.sequences[10:]) == {"RSRKR"}
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.5])
@@ -138,8 +138,8 @@ def test_with_less_friction_in_slip_the_slip_ends():
     given = scenario(1.1 * CRITICAL, mu_static=1.0, mu_kinetic=0.9)
     found = hh.passages(given, 1000)
     assert found.decided == Fate.ROLLS_AHEAD
-    assert found.word[-1] == "R"
-    assert found.word[20] != "R"
+    assert found.sequences[-1] == "R"
+    assert found.sequences[20] != "R"
 
 
 @pytest.mark.parametrize("before", [1e-4, 1e-5])

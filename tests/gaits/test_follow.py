@@ -73,7 +73,7 @@ def test_every_point_of_a_branch_is_a_gait(branch):
     for k in range(0, len(branch.parameter), 25):
         gait = branch.gait(k)
         assert gait.residual < 1e-12
-        assert gait.word == branch.word[k]
+        assert gait.sequence == branch.sequences[k]
         assert gait.multipliers[0].real == pytest.approx(branch.multiplier[k], rel=1e-6)
     assert branch.parameter.max() == pytest.approx(math.radians(2.0))
     assert branch.parameter.min() == pytest.approx(math.radians(0.1))
@@ -174,7 +174,7 @@ def test_landings_and_the_bottom_give_the_same_doubling():
     curves = [point.follow("hoop.load_fraction", (0.48, 0.52), 4)[:, 1] for point in (one, other)]
     assert curves[1] == pytest.approx(curves[0], rel=1e-11)
     twice = other.switch()
-    assert (twice.word, twice.stable) == (("KRSH", "KRSH"), True)
+    assert (twice.sequence, twice.stable) == ("KRSH·KRSH", True)
     assert twice.speed == pytest.approx(one.switch().speed, rel=1e-4)
 
 
@@ -208,12 +208,12 @@ def test_a_picture_of_gaits_at_landings():
 def test_gaits_that_never_roll_are_followed():
     """On 5° with μ = 0.2 the gears slip all the way: three coordinates at the landing."""
     gait = landing(5.0, 0.15, mu=0.2)
-    assert gait.word == ("KSH",)
+    assert gait.sequence == "KSH"
     found = gait.follow("plane.mu", (0.1, 0.3))
     (border,) = of_kind(found, "border collision")
     assert border.event == "phase vanishes: KSH | KRSH"
     rolling = found.gait(-1)
-    assert rolling.word == ("KRSH",)
+    assert rolling.sequence == "KRSH"
     assert rolling.residual < 1e-12
     settled = hh.passages(rolling.scenario, 400, section="landing")
     assert float(settled.omega[-1]) == pytest.approx(rolling.state.omega, rel=1e-9)
@@ -232,7 +232,7 @@ def test_border_collisions_in_a_second_parameter(branch, load):
 
 
 def test_the_top_of_the_hill_in_a_second_parameter():
-    """It ends where rolling would also begin to slip: there the last gaits have another word."""
+    """It ends where rolling would also begin to slip: there the last gaits have another sequence."""
     gait = next(one for one in hh.gaits.find(scenario(15.2), 2, near=3.14) if one.stable)
     top = gait.follow("plane.slope", (math.radians(15.0), math.radians(15.3))).special[0]
     curve = top.follow("hoop.load_fraction", (0.749, 0.758), 18)
@@ -331,7 +331,7 @@ def test_a_branch_turns_back_at_a_corner_of_the_map():
     assert corner.multipliers[0] < 1.0 < corner.multipliers[1]
     assert corner.parameter == found.parameter[: np.argmax(found.parameter > corner.parameter + 1e-9)].max()
     assert found.special[-1].kind == "top of the hill"
-    assert found.word[-1] == ("R",)
+    assert found.sequences[-1] == "R"
 
 
 def test_a_branch_goes_on_where_the_hoop_slips_at_the_bottom():
@@ -364,7 +364,7 @@ def test_windows_in_the_chaos(degrees, period, kind, begins, ends):
     settled = hh.passages(scenario(degrees).replace("start", start), 6000)
     assert (settled.fate, settled.period) == ("gait", period)
     case = scenario(degrees).replace("start", settled.start(-1))
-    window = hh.gaits.Gait(case, "bottom", period).follow(
+    window = hh.gaits.Gait(hh.passages(case, period)).follow(
         "plane.slope", tuple(math.radians(degrees + part) for part in (-0.05, 0.05))
     )
     assert min(abs(math.degrees(one.parameter) - begins) for one in of_kind(window, kind)) < 1e-8

@@ -26,13 +26,13 @@ def on_slope(degrees, gamma, omega, **plane):
     return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=plane, start=hh.Start.rolling(omega, angle=math.pi))
 
 
-@pytest.mark.parametrize(("degrees", "gamma", "omega", "multiplier", "word"), GAITS)
-def test_known_gaits(degrees, gamma, omega, multiplier, word):
+@pytest.mark.parametrize(("degrees", "gamma", "omega", "multiplier", "sequence"), GAITS)
+def test_known_gaits(degrees, gamma, omega, multiplier, sequence):
     """The passage after one revolution is the same, and its derivative the multiplier."""
     scenario = on_slope(degrees, gamma, omega)
     found = hh.passages(scenario, 1)
     assert found.omega[0] == pytest.approx(omega, abs=2e-14)
-    assert found.word == (word,)
+    assert found.sequences == (sequence,)
     derivative = hh.gaits.derivative(scenario)
     assert derivative.rows == derivative.columns == ("omega",)
     assert derivative.matrix[0, 0] == pytest.approx(multiplier, abs=1e-10 if multiplier > -0.7 else 1e-6)
@@ -45,7 +45,7 @@ def test_known_gaits(degrees, gamma, omega, multiplier, word):
 def test_rolling_to_and_fro_passes_the_bottom_as_fast(degrees, omega):
     """Rolling loses nothing, whichever revolution θ is counted from."""
     found = hh.passages(on_slope(degrees, 0.889, omega), 12)
-    assert found.word == ("R",) * 12
+    assert found.sequences == ("R",) * 12
     assert found.omega == pytest.approx([omega * (-1) ** (k + 1) for k in range(12)], abs=1e-12)
     assert found.angle == pytest.approx([math.pi] * 12, abs=1e-12)
 
@@ -116,14 +116,14 @@ def test_random_motions():
     assert hopped > 20
 
 
-def test_word_and_hops_of_a_long_motion():
+def test_sequence_and_hops_of_a_long_motion():
     """Words are the phases of `simulate` between the passages, and every hop counts."""
     scenario = on_slope(4.0, 0.75, 3.4).replace("duration", 80.0)
     found, motion = hh.passages(scenario, 15), hh.simulate(scenario)
     for k in range(1, len(found)):
         a, b = found.t[k - 1], found.t[k]
         inside = [e for e in motion.events if a < e.t < b and e.kind not in ("turn", "apex")]
-        assert found.word[k] == found.mode[k - 1] + "".join(e.to_mode for e in inside)
+        assert found.sequences[k] == found.mode[k - 1] + "".join(e.to_mode for e in inside)
         assert found.hops[k] == sum(e.kind == "takeoff" for e in inside)
     assert found.distance.sum() == pytest.approx(found.x[-1], rel=1e-14)
     table = found.to_xarray()
@@ -135,7 +135,7 @@ def test_a_start_from_a_passage():
     found = hh.passages(on_slope(3.0, 0.5, 2.7), 6)
     again = hh.passages(found.scenario.replace("start", found.start(2)), 3)
     np.testing.assert_allclose(again.omega, found.omega[3:], rtol=1e-13)
-    assert again.word == found.word[3:]
+    assert again.sequences == found.sequences[3:]
 
 
 def test_lyapunov():
@@ -149,7 +149,7 @@ def test_lyapunov():
     assert one.lyapunov.value == pytest.approx(0.575, abs=0.05)
 
 
-def test_words_are_unpacked():
+def test_sequences_are_unpacked():
     """Three bits a letter, 21 letters an integer."""
     assert unpacked((1 | (2 << 3), 4)) == "RSH"
     assert unpacked((0, 7)) == "+"

@@ -19,15 +19,15 @@ def test_the_map_is_that_of_single_motions(degrees):
         for place in {0, len(piece.omega) // 2, len(piece.omega) - 1}:
             omega = float(piece.omega[place])
             motion = hh.passages(scenario(degrees).replace("start", hh.Start.rolling(omega, angle=math.pi)), 1)
-            assert motion.word == (piece.word,)
+            assert motion.sequences == (piece.sequence,)
             assert motion.omega[0] == pytest.approx(piece.after[place], rel=1e-9)
             assert found(omega) == pytest.approx(piece.after[place], rel=1e-9)
 
 
 def test_pieces_meet_in_corners_and_jumps():
-    """The word changes from one double to the next; at a corner the map does not."""
+    """The sequence changes from one double to the next; at a corner the map does not."""
     found = hh.gaits.return_map(scenario(), 3.0, 3.8)
-    assert [piece.word for piece in found.pieces] == ["RKR", "RSRKR", "RSHSRKR", "RSHRKR", "RSHKR", "RSHR", "RSHR"]
+    assert [piece.sequence for piece in found.pieces] == ["RKR", "RSRKR", "RSHSRKR", "RSHRKR", "RSHKR", "RSHR", "RSHR"]
     assert [end.kind for end in found.ends] == ["corner"] * 5 + ["jump"]
     jump = found.ends[-1].omega
     assert found(jump) > 2.0

@@ -21,7 +21,7 @@ def test_a_revolution_loses_the_square_of_the_excess(gamma, mu):
     off = []
     for excess in (1e-3, 1e-4):
         found = passages(hoop, plane, decay.omega + excess, 1)
-        assert found.word == ("RSRKR",)
+        assert found.sequences == ("RSRKR",)
         off.append(abs((excess - (found.omega[0] - decay.omega)) / excess**2 / decay.rate - 1.0))
     assert off[0] < 3e-3
     assert off[1] < 0.2 * off[0]
@@ -30,7 +30,7 @@ def test_a_revolution_loses_the_square_of_the_excess(gamma, mu):
 def test_below_the_first_slip_nothing_is_lost():
     hoop, plane = hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0)
     decay = hh.gaits.slip_decay(hoop, plane)
-    assert passages(hoop, plane, decay.omega * (1 - 1e-12), 1).word == ("R",)
+    assert passages(hoop, plane, decay.omega * (1 - 1e-12), 1).sequences == ("R",)
     speed = hh.theory.first_slip_speed(hoop, plane)
     top = math.sqrt(((2 + 2 * 0.75) * speed**2 + 4 * 0.75) / (2 - 2 * 0.75))
     assert decay.omega == pytest.approx(top, rel=1e-13)

@@ -30,7 +30,7 @@ def next_passage(scenario, omega):
     """θ̇ at the next passage, by the kernel."""
     start = hh.Start.rolling(omega * scenario.hoop.radius, angle=math.pi)
     found = hh.passages(scenario.model_copy(update={"start": start}), 1)
-    return float(found.omega[0]), found.word[0]
+    return float(found.omega[0]), found.sequences[0]
 
 
 MOTIONS = [

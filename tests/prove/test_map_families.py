@@ -51,7 +51,7 @@ def test_motions_and_their_derivative_are_those_of_others(degrees, gamma, plane,
         start = hh.Start.rolling(place, angle=math.pi)
         return hh.passages(scenario.model_copy(update={"start": start}), 1)
 
-    assert found == piece.word == kernel(omega).word[0] == word
+    assert found == piece.word == kernel(omega).sequences[0] == word
     assert abs(float(image.at.mid()) - float(kernel(omega).omega[0])) < 1e-10
     step = 1e-5
     difference = (float(kernel(omega + step).omega[0]) - float(kernel(omega - step).omega[0])) / (2 * step)

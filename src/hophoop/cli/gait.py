@@ -15,8 +15,9 @@ if TYPE_CHECKING:
     from hophoop.gaits.branch import Branch
     from hophoop.gaits.gait import Gait
     from hophoop.gaits.special import Special
+    from hophoop.scenario import Scenario
 
-TITLES = ("word", "stable", "multiplier", "speed (m/s)", "hops", "revolutions", "hop (m)", "θ̇ (rad/s)", "next boundary")
+TITLES = ("sequence", "stable", "multiplier", "speed (m/s)", "hops", "revolutions", "hop (m)", "θ̇ (rad/s)", "next boundary")
 
 
 @with_scenario
@@ -46,7 +47,11 @@ def gait(
             raise InputError("--plot needs --follow: it draws the branch.")
         check_ending("--plot", plot, PICTURES)
         check_folder("--plot", plot)
-    path, bounds = ("", (0.0, 0.0)) if follow is None else _range(follow)
+    path, bounds = ("", (0.0, 0.0)) if follow is None else _range(scenario, follow)
+    if digits is not None:
+        from hophoop.gaits.digits import check_digits
+
+        check_digits(digits)
     with bar("looking for gaits", quiet=quiet, share=True) as progress:
         found = find(scenario, period, near=near, fastest=fastest, section=section, progress=progress)
     precise = None if digits is None else found[0].digits(digits)
@@ -64,7 +69,7 @@ def gait(
         print_json({"schema": "hophoop-gaits/1", "gaits": rows} | followed)
         _finish(branch, plot)
         return
-    print_table(table_of(TITLES, map(_cells, found), right=TITLES[2:8], wrap=("word",)), 140)
+    print_table(table_of(TITLES, map(_cells, found), right=TITLES[2:8], wrap=("sequence",)), 140)
     if precise is not None:
         for name, value in precise.state.items():
             typer.echo(f"{name} = {value}")
@@ -72,21 +77,24 @@ def gait(
             typer.echo(f"multiplier = {precise.multiplier} ± {precise.multiplier_error:.1e}")
     if branch is not None:
         rows_of = ([one.kind, f"{one.parameter:.12g}", f"{one.omega:.9g}", _factors(one), one.event] for one in branch.special)
-        titles = ("special point", path, "θ̇ (rad/s)", "multiplier", "boundary and words")
+        titles = ("special point", path, "θ̇ (rad/s)", "multiplier", "boundary and sequences")
         print_table(table_of(titles, rows_of, right=titles[1:4], wrap=titles[4:]), 140)
     _finish(branch, plot)
 
 
-def _range(text: str) -> tuple[str, tuple[float, float]]:
-    """Return path and range of --follow."""
+def _range(scenario: Scenario, text: str) -> tuple[str, tuple[float, float]]:
+    """Return path and range of --follow; refuse what cannot be followed before the search, which takes seconds."""
+    from hophoop.gaits.branch import range_of
     from hophoop.scenario import InputError
 
     path, _, rest = text.partition("=")
     low, colon, high = rest.partition(":")
     try:
-        return path.strip(), (float(low), float(high if colon else ""))
+        bounds = float(low), float(high if colon else "")
     except ValueError:
         raise InputError.of_field("--follow", text, "PATH=LOW:HIGH, such as plane.slope=0.001:0.1") from None
+    range_of(scenario, path.strip(), bounds)
+    return path.strip(), bounds
 
 
 def _factors(one: Special) -> str:
@@ -109,12 +117,11 @@ def _finish(branch: Branch | None, plot: Path | None) -> None:
 
 
 def _cells(one: Gait) -> list[str]:
-    first = one.multipliers[0]
     margin = one.margins[0]
     return [
-        "·".join(one.word),
+        one.sequence,
         "yes" if one.stable else "no",
-        f"{first.real:.6g}" if first.imag == 0.0 else f"{first:.6g}",
+        f"{one.multipliers[0]:.6g}",
         f"{one.speed:.6g}",
         str(one.hops),
         str(abs(one.revolutions)),

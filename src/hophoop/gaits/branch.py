@@ -1,4 +1,4 @@
-"""Branches of gaits over a parameter, through folds and boundaries of the word, with their special points."""
+"""Branches of gaits over a parameter, through folds and boundaries of the sequence, with their special points."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ from hophoop._support.extras import need
 from hophoop.gaits.continuation import Follower, Point
 from hophoop.gaits.equation import GaitEquation, bounds_around, value_of
 from hophoop.gaits.gait import Gait
+from hophoop.gaits.section import check_no_unit
 from hophoop.gaits.special import Special
-from hophoop.scenario import InputError
+from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
 
 if TYPE_CHECKING:
@@ -64,9 +65,9 @@ class Branch:
         return np.array([point.values.multiplier for point in self.points])
 
     @property
-    def word(self) -> tuple[tuple[str, ...], ...]:
-        """Phases from passage to passage, length n."""
-        return tuple(point.values.word for point in self.points)
+    def sequences(self) -> tuple[str, ...]:
+        """Phases of a period as in `Gait`, length n."""
+        return tuple(point.values.sequence for point in self.points)
 
     @property
     def stable(self) -> NDArray[np.bool_]:
@@ -76,7 +77,7 @@ class Branch:
     @property
     def hops(self) -> NDArray[np.int64]:
         """Hops of a period, shape (n,)."""
-        return np.array([sum("H" in part for part in word) for word in self.word])
+        return np.array([sum("H" in part for part in sequence.split("·")) for sequence in self.sequences])
 
     def gait(self, index: int) -> Gait:
         """Return the gait of a point.
@@ -103,8 +104,8 @@ class Branch:
             {name: getattr(one, name) for name in names} | {"multipliers": list(one.multipliers)} for one in self.special
         ]
         columns = {name: getattr(self, name).tolist() for name in ("parameter", "omega", "multiplier")}
-        words = [list(word) for word in self.word]
-        return {"path": self.equation.path, "period": self.equation.period, **columns, "word": words, "special": special}
+        about = {"path": self.equation.path, "period": self.equation.period}
+        return {**about, **columns, "sequence": list(self.sequences), "special": special}
 
     def to_xarray(self) -> xarray.Dataset:
         """Return the branch as an xarray.Dataset over its points.
@@ -124,7 +125,7 @@ class Branch:
             "parameter": ("point", self.parameter, {"units": about.unit or "1", "long_name": about.description}),
             "omega": ("point", self.omega, {"units": "rad/s", "long_name": "Angular velocity at the passage"}),
             "multiplier": ("point", self.multiplier, {"units": "1", "long_name": "Multiplier of the period"}),
-            "word": ("point", np.array([" ".join(one) for one in self.word], dtype=str), {"long_name": "Phases"}),
+            "sequence": ("point", np.array(self.sequences, dtype=str), {"units": "1", "long_name": "Phases of a period"}),
         }
         dataset: xarray.Dataset = xr.Dataset(variables, attrs={"path": self.equation.path, "period": self.equation.period})
         return dataset
@@ -138,32 +139,8 @@ class Branch:
 
 
 def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progress | None = None) -> Branch:
-    """Follow a gait over a parameter; `Gait.follow` calls this.
-
-    Parameters
-    ----------
-    gait : Gait
-    path : str
-        Of the parameter.
-    bounds : (float, float)
-        Its range, around the gait's value [SI].
-    progress : callable, optional
-        Called with the share of the range that has been reached.
-
-    Returns
-    -------
-    branch : Branch
-        From its end below the gait to its end above it. Stopped by Ctrl-C, it holds what is done.
-
-    Raises
-    ------
-    ValueError
-        If the path cannot be followed, or the range does not hold the gait's value.
-    """
-    value = value_of(gait, path)
-    low, high = bounds_around(path, value, bounds)
-    if path == "plane.slope" and low < 0.0 < high:
-        raise InputError.of_field("bounds", bounds, "slopes of one sign: on the level there is no gait")
+    """Follow a gait over a parameter, from the branch's end below it to that above; `Gait.follow` calls and describes this."""
+    value, low, high = range_of(gait.scenario, path, bounds)
     equation = GaitEquation(gait.scenario, gait.period, path, TENTH * (high - low), gait.section, gait.passages.mode[-1])
     place = equation.place(gait, value)
     found = equation.solve(place, np.eye(len(place))[-1], float(place[-1]))
@@ -184,6 +161,16 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     points = [*reversed(back.points), *ahead.points[1:]]
     special = [_turned(one) for one in reversed(back.special)] + ahead.special
     return Branch(tuple(points), tuple(special), complete)
+
+
+def range_of(scenario: Scenario, path: str, bounds: tuple[float, float]) -> tuple[float, float, float]:
+    """Return a scenario's value of a parameter, and the bounds between which its gaits are followed; refuse others."""
+    value = value_of(scenario, path)
+    check_no_unit(scenario, path)
+    low, high = bounds_around(path, value, bounds)
+    if path == "plane.slope" and low < 0.0 < high:
+        raise InputError.of_field("bounds", bounds, "slopes of one sign: on the level there is no gait")
+    return value, low, high
 
 
 def _turned(special: Special) -> Special:

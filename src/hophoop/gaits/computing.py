@@ -86,7 +86,7 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     >>> import hophoop as hh
     >>> slope = hh.Scenario(plane=hh.Plane(slope=math.radians(3)), hoop=hh.Hoop.ideal(0.5))
     >>> found = hh.passages(slope, 300)
-    >>> found.fate, found.period, found.word[-1]
+    >>> found.fate, found.period, found.sequences[-1]
     ('gait', 1, 'RSHKR')
     """
     check(scenario, section)

@@ -131,10 +131,10 @@ class Follower:
     def named(self, one: Point, other: Point) -> str:
         """Return the boundary between two points, the smallest margin of both, and their words."""
         margins = [margin for point in (one, other) for margin in point.equation.gait(point.place).margins[:1]]
-        words = f"{'·'.join(one.values.word)} | {'·'.join(other.values.word)}"
+        sequences = f"{one.values.sequence} | {other.values.sequence}"
         least = min(margins, key=lambda margin: margin.value)
         moved = one.equation.mode != other.equation.mode and least.value > MET
-        return f"{'slip at the section' if moved else least.boundary}: {words}"
+        return f"{'slip at the section' if moved else least.boundary}: {sequences}"
 
     def goes_on(self, new: Point, tangent: Pair) -> bool:
         """Return True if the branch goes on with the word of a point in a direction."""

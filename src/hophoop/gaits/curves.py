@@ -36,7 +36,7 @@ def follow_special(special: Special, path: str, bounds: tuple[float, float], poi
     one = special.equation
     if path == one.path:
         raise InputError.of_field("path", path, "a parameter other than that of the branch")
-    value = value_of(special.gait, path)
+    value = value_of(special.gait.scenario, path)
     low, high = bounds_around(path, value, bounds)
     rows = [(value, special.parameter, special.omega)]
     for end in (low, high):
@@ -50,7 +50,7 @@ def _half(special: Special, path: str, values: NDArray[np.float64]) -> list[tupl
     """Return the rows of one direction, as far as the point is found."""
     one, locate = special.equation, _locator(special)
     found: list[tuple[float, float, float]] = []
-    known = [(value_of(special.gait, path), special.place)]
+    known = [(value_of(special.gait.scenario, path), special.place)]
     for value in values.tolist():
         while known[-1][0] != value:
             target, share = value, 1.0

@@ -39,8 +39,8 @@ class Attractor(NamedTuple):
     fate : Fate
     period, hops : int
         Passages of a gait's period, of the bottom if it lands no more, and hops in it; else 0 [1].
-    word : tuple of str
-        Phases from passage to passage, of a gait's period; else empty.
+    sequence : str
+        Phases of a gait's period, as in `Gait`; else empty.
     speed : float
         Mean velocity of the centre; nan without passages to take it from [m/s].
     lyapunov : float
@@ -55,7 +55,7 @@ class Attractor(NamedTuple):
     fate: Fate
     period: int
     hops: int
-    word: tuple[str, ...]
+    sequence: str
     speed: float
     lyapunov: float
     omega: Floats
@@ -93,7 +93,7 @@ class Diagram:
         Returns
         -------
         dataset : xarray.Dataset
-            Every variable has units and long_name; what is missing is nan, 0 or an empty word.
+            Every variable has units and long_name; what is missing is nan, 0 or empty.
 
         Raises
         ------
@@ -106,14 +106,14 @@ class Diagram:
         shape = (len(self.values), most)
         numbers = {name: np.full(shape, math.nan) for name in ("speed", "lyapunov")}
         counts = {name: np.zeros(shape, np.int64) for name in ("period", "hops", "starts")}
-        words = {name: np.full(shape, "", dtype=object) for name in ("fate", "word")}
+        words = {name: np.full(shape, "", dtype=object) for name in ("fate", "sequence")}
         omega = np.full((*shape, kept), math.nan)
         for k, found in enumerate(self.attractors):
             for n, one in enumerate(found):
                 for table in (numbers, counts):
                     for name in table:
                         table[name][k, n] = getattr(one, name)
-                words["fate"][k, n], words["word"][k, n] = str(one.fate), " ".join(one.word)
+                words["fate"][k, n], words["sequence"][k, n] = str(one.fate), one.sequence
                 omega[k, n, : len(one.omega)] = one.omega
         axes = (self.path, "attractor")
         variables: dict[str, Any] = {}
@@ -135,7 +135,7 @@ class Diagram:
         Returns
         -------
         text : str
-            The words of the passages are joined by spaces; θ̇ at the passages is left out.
+            θ̇ at the passages is left out.
         """
         rows = io.StringIO()
         writer = csv.writer(rows, lineterminator="\n")
@@ -143,8 +143,7 @@ class Diagram:
         writer.writerow([self.path, *names])
         for value, several in zip(self.values.tolist(), self.attractors, strict=True):
             for one in several:
-                cells = [" ".join(one.word) if name == "word" else str(getattr(one, name)) for name in names]
-                writer.writerow([repr(value), *cells])
+                writer.writerow([repr(value), *(str(getattr(one, name)) for name in names)])
         return rows.getvalue()
 
     def __repr__(self) -> str:
@@ -155,7 +154,7 @@ class Diagram:
 
 _VARIABLES = (
     ("fate", "1", "What becomes of the motion"),
-    ("word", "1", "Phases of a gait's period, passage by passage"),
+    ("sequence", "1", "Phases of a gait's period"),
     ("period", "1", "Passages of a gait's period"),
     ("hops", "1", "Hops in a gait's period"),
     ("starts", "1", "Starts that settle on it"),
@@ -303,13 +302,20 @@ def _described(found: Passages) -> Attractor:
         seconds = float(found.t[-1] - found.t[-1 - period])
         speed = float(found.x[-1] - found.x[-1 - period]) / seconds
         return Attractor(
-            fate, period, int(found.hops[last].sum()), found.word[last], speed, math.nan, found.omega[last].copy(), 1
+            fate,
+            period,
+            int(found.hops[last].sum()),
+            "·".join(found.sequences[last]),
+            speed,
+            math.nan,
+            found.omega[last].copy(),
+            1,
         )
     if fate == Fate.UNDECIDED and len(found) > 2 * KEPT:
         half = len(found) // 2
         speed = float(found.x[-1] - found.x[half]) / float(found.t[-1] - found.t[half])
-        return Attractor(fate, 0, 0, (), speed, math.nan, found.omega[-KEPT:].copy(), 1)
-    return Attractor(fate, 0, 0, (), math.nan, math.nan, np.empty(0), 1)
+        return Attractor(fate, 0, 0, "", speed, math.nan, found.omega[-KEPT:].copy(), 1)
+    return Attractor(fate, 0, 0, "", math.nan, math.nan, np.empty(0), 1)
 
 
 def _judged(seen: Attractor, found: Passages) -> Attractor:

@@ -1,26 +1,40 @@
-"""A gait with many digits: the solver of `simulate(digits=...)` over a period, which shares nothing with the kernel."""
+"""A gait with many digits: the solver of `simulate(digits=...)` over a period, which shares nothing with the kernel.
+
+Newton's method leads to the point of the section that comes back. Its derivative is the kernel's, right to about 11 digits: each
+step adds as many. At the bottom the section is θ = π with all digits, not the double next to it.
+"""
 
 from __future__ import annotations
 
-import math
+from dataclasses import replace
 from decimal import Decimal, localcontext
+from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.section import coordinates
-from hophoop.scenario import InputError, Scenario, Start
-from hophoop.simulation.simulate import simulate
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.precise.motion import Record
+from hophoop.precise.problem import Problem
+from hophoop.precise.result import Units
+from hophoop.precise.solver import Solution, solve_problem
+from hophoop.scenario import InputError, time_unit
+from hophoop.vocabulary.events import sequence_of
 from hophoop.vocabulary.modes import MODE_LETTERS
 
 if TYPE_CHECKING:
     from hophoop.gaits.gait import Gait
 
-LEAST, MOST, MOST_OF_SEVERAL = 16, 40, 25  # digits; where the section has several coordinates fewer
+State = dict[str, Decimal]
+
+LEAST, MOST = 16, 40  # digits
 SPARE = 10  # digits computed beyond
-LEVELS, WIDEST = 4, 2.0**-14  # of differences for the multiplier, and the first step relative to θ̇
-LONGER = 1.5  # periods after which a motion is given up
+LEVELS, WIDEST = 4, 2**-14  # of differences for the multiplier, and the first step relative to θ̇
+STEPS = 8  # of Newton's method
+BEYOND = 1e-6  # √(R/g), by which a motion is solved beyond the landing that ends a period
+FAR = 0.5  # rad: a passage that is farther from the kernel's is another one
 
 
 class PreciseGait(NamedTuple):
@@ -29,114 +43,118 @@ class PreciseGait(NamedTuple):
     Attributes
     ----------
     state : dict of str to Decimal
-        The coordinates on the section that repeat themselves, in SI units; the others are those of the gait's start.
+        The coordinates on the section that repeat themselves, in SI units; the others are those of the gait's start, with the
+        load exactly at the bottom in that section.
     multiplier : Decimal or None
         By extrapolated differences of motions on both sides; None where the section has several coordinates [1].
     multiplier_error : Decimal or None
         Change by the last extrapolation [1].
-    word : str
-        Phases of the period.
+    sequence : str
+        Phases of the period, as in `Gait`.
     """
 
-    state: dict[str, Decimal]
+    state: State
     multiplier: Decimal | None
     multiplier_error: Decimal | None
-    word: str
+    sequence: str
+
+
+def check_digits(digits: int) -> None:
+    """Refuse digits that are not allowed."""
+    check_whole("digits", digits, LEAST, MOST)
 
 
 def precise_gait(gait: Gait, digits: int) -> PreciseGait:
-    """Compute a gait in arbitrary precision; `Gait.digits` calls this.
-
-    Parameters
-    ----------
-    gait : Gait
-    digits : int
-
-    Returns
-    -------
-    precise : PreciseGait
-
-    Raises
-    ------
-    ValueError
-        If digits is not allowed, or the motion in arbitrary precision does not come back to the section.
-    """
+    """Compute a gait in arbitrary precision; `Gait.digits` calls this and describes it."""
+    check_digits(digits)
     names = coordinates(gait.section, MODE_LETTERS.index(gait.passages.mode[-1]))
-    most = MOST if len(names) == 1 else MOST_OF_SEVERAL
-    check_whole("digits", digits, LEAST, most, "for this section")
     with localcontext() as context:
         context.prec = digits + 2 * SPARE
-        if len(names) == 1:
-            found = _of_one(gait, digits)
-        else:
-            found = _of_several(gait, names, digits)
+        state = _solved(gait, names, digits)
+        multiplier, error = _multiplier(gait, state, digits) if len(names) == 1 else (None, None)
         context.prec = digits
-        state = {name: +value for name, value in found.state.items()}
-        multiplier = None if found.multiplier is None else +found.multiplier
-        return found._replace(state=state, multiplier=multiplier)
+        rounded = {name: +value for name, value in state.items()}
+        return PreciseGait(rounded, None if multiplier is None else +multiplier, error, gait.sequence)
 
 
-def _image(gait: Gait, scenario: Scenario, names: tuple[str, ...], digits: int) -> tuple[dict[str, Decimal], str]:
-    """Return the coordinates after a period, and the word."""
-    until = f"landings:{gait.period}" if gait.section == "landing" else f"revolutions:{abs(gait.revolutions)}"
-    motion = simulate(scenario.replace("duration", LONGER * gait.time), digits=digits + SPARE, until=until)
-    if motion.ending != until or motion.events[-1].to_mode != gait.passages.mode[-1]:
-        raise InputError(f"In {digits} digits the motion does not come back to the section: it ended with {motion.ending}.")
-    end = motion.events[-1]
-    return {name: Decimal(getattr(end, name)) for name in names}, motion.sequence
+def _solved(gait: Gait, names: tuple[str, ...], digits: int) -> State:
+    """Return the coordinates that come back after a period, by Newton's method."""
+    state = {name: Decimal(float(getattr(gait.state, name))) for name in names}
+    size = {name: abs(value) + 1 for name, value in state.items()}
+    inverse = np.linalg.inv(np.eye(len(names)) - gait.derivative.matrix)
+    for _ in range(STEPS):
+        image = _image(gait, state, digits)
+        step = inverse @ np.array([float(image[name] - state[name]) for name in names])
+        state = {name: state[name] + Decimal(float(change)) for name, change in zip(names, step, strict=True)}
+        if all(abs(change) < 10.0 ** (-digits - 2) * float(size[name]) for name, change in zip(names, step, strict=True)):
+            return state
+    raise InputError(f"In {digits} digits no motion near the gait comes back to the section.")
 
 
-def _at(gait: Gait, omega: float) -> Scenario:
-    """Return the gait's scenario with another θ̇ in rolling."""
-    start = gait.scenario.start
-    radius = gait.scenario.hoop.radius
-    return gait.scenario.replace("start", Start(angle=start.angle, vx=radius * omega, omega=omega, slip=0.0, mode="R"))
-
-
-def _of_one(gait: Gait, digits: int) -> PreciseGait:
-    """Newton's interpolation through three neighbouring doubles meets the diagonal; their distance cubed is left out."""
-    omega = gait.state.omega
-    step = 4.0 * math.ulp(omega)
-    places = (omega - step, omega, omega + step)
-    word = ""
-    excess = []
-    for place in places:
-        image, word = _image(gait, _at(gait, place), ("omega",), digits)
-        excess.append(image["omega"] - Decimal(place))
-    slope = (excess[2] - excess[0]) / (2 * Decimal(step))
-    bend = (excess[2] - 2 * excess[1] + excess[0]) / (2 * Decimal(step) ** 2)
-    root = Decimal(0)
-    for _ in range(8):
-        root = -excess[1] / (slope + bend * root)
-    multiplier, error = _multiplier(gait, omega, digits)
-    return PreciseGait({"omega": Decimal(omega) + root}, multiplier, error, word)
-
-
-def _multiplier(gait: Gait, omega: float, digits: int) -> tuple[Decimal, Decimal]:
+def _multiplier(gait: Gait, state: State, digits: int) -> tuple[Decimal, Decimal]:
     """Return the derivative by Richardson's extrapolation of central differences, and its last change."""
+    omega = state["omega"]
     table: list[list[Decimal]] = []
     for level in range(LEVELS):
-        step = omega * WIDEST / 2.0**level
-        ends = [_image(gait, _at(gait, place), ("omega",), digits)[0]["omega"] for place in (omega + step, omega - step)]
-        row = [(ends[0] - ends[1]) / (Decimal(omega + step) - Decimal(omega - step))]
+        step = omega * Decimal(WIDEST) / 2**level
+        ahead, back = (_image(gait, {"omega": place}, digits)["omega"] for place in (omega + step, omega - step))
+        row = [(ahead - back) / (2 * step)]
         for k, before in enumerate(table[-1] if table else []):
-            factor = Decimal(4) ** (k + 1)
+            factor = 4 ** (k + 1)
             row.append((factor * row[k] - before) / (factor - 1))
         table.append(row)
     return table[-1][-1], abs(table[-1][-1] - table[-2][-1])
 
 
-def _of_several(gait: Gait, names: tuple[str, ...], digits: int) -> PreciseGait:
-    """Return the step of Newton's method from the doubles, which are right to rounding, with the derivative of the kernel."""
-    image, word = _image(gait, gait.scenario, names, digits)
-    first = {name: Decimal(getattr(gait.state, name)) for name in names}
-    off = {name: image[name] - first[name] for name in names}
-    if "angle" in off:
-        turn = 2 * _pi(digits + 2 * SPARE)
-        off["angle"] -= turn * round(off["angle"] / turn)
-    step = np.linalg.solve(np.eye(len(names)) - gait.derivative.matrix, np.array([float(off[name]) for name in names]))
-    state = {name: first[name] + Decimal(float(change)) for name, change in zip(names, step, strict=True)}
-    return PreciseGait(state, None, None, word)
+def _image(gait: Gait, state: State, digits: int) -> State:
+    """Return the coordinates after a period, θ within the revolution of the start."""
+    problem = replace(Problem.of(gait.scenario), **{name: Fraction(value) for name, value in state.items()})
+    if gait.section == "bottom":
+        problem = replace(problem, angle=Fraction(_pi(digits + 2 * SPARE)))
+        solution, last = _to_bottom(gait, problem, digits)
+    else:
+        solution, last = _to_landing(gait, problem, digits)
+    records = solution.records[: solution.records.index(last) + 1]
+    found = sequence_of([one.kind for one in records], [one.after_mode for one in records], [one.state.t for one in records])
+    if found != _phases(gait):
+        raise InputError(f"In {digits} digits a motion near the gait has the phases {found}, not {_phases(gait)}.")
+    units = Units(solution.body, digits + 2 * SPARE)
+    revolved = 2 * units.ctx.pi * gait.revolutions
+    values = {"omega": last.state.om, "slip": last.state.vt, "vy": last.state.vn, "angle": last.state.th - revolved}
+    return {name: units.decimal(values[name], units.of(name)) for name in state}
+
+
+def _to_bottom(gait: Gait, problem: Problem, digits: int) -> tuple[Solution, Record]:
+    """Return the motion up to the end of the period at the bottom, by Newton's method on its time."""
+    t = gait.time / time_unit(gait.scenario.hoop, gait.scenario.plane)
+    for _ in range(STEPS):
+        solution = solve_problem(problem, digits + SPARE, until=t)
+        last, ctx = solution.records[-1], solution.body.ctx
+        ahead = solution.body.number(problem.angle) + 2 * ctx.pi * gait.revolutions - last.state.th
+        if solution.status != Status.COMPLETED or last.state.om == 0 or not abs(ahead) < FAR:
+            break
+        if abs(ahead) < ctx.mpf(10) ** -(digits + SPARE):
+            return solution, last
+        t = ctx.mpf(t) + ahead / last.state.om
+    raise InputError(f"In {digits} digits the motion does not come back to the section.")
+
+
+def _to_landing(gait: Gait, problem: Problem, digits: int) -> tuple[Solution, Record]:
+    """Return the motion up to just after the landing that ends the period, and the event of this landing."""
+    t = gait.time / time_unit(gait.scenario.hoop, gait.scenario.plane)
+    solution = solve_problem(problem, digits + SPARE, until=t + BEYOND)
+    landings = [
+        one for one in solution.records if one.kind == Event.BOUNCE_LIMIT or (one.kind == Event.IMPACT and one.collision)
+    ]
+    if len(landings) < gait.period:
+        raise InputError(f"In {digits} digits the motion does not come back to the section.")
+    return solution, landings[gait.period - 1]
+
+
+def _phases(gait: Gait) -> str:
+    """Return the phases of a period; one that goes on at the bottom counts once."""
+    first, *others = gait.passages.sequences
+    return first + "".join(other[1:] if gait.section == "bottom" else other for other in others)
 
 
 def _pi(digits: int) -> Decimal:

@@ -34,9 +34,9 @@ class Values(NamedTuple):
         Derivative of the map.
     rate : ndarray, shape (n,)
         Its derivative by the scaled parameter.
-    word : tuple of str
+    sequence : str
     turns : float
-        Revolutions of the period, which belong to the word.
+        Revolutions of the period, which belong to the sequence.
     apart : float
         Largest difference of the coordinates from those after a part of the period, the least of all parts; inf for period 1.
     """
@@ -44,14 +44,14 @@ class Values(NamedTuple):
     excess: Pair
     matrix: Pair
     rate: Pair
-    word: tuple[str, ...]
+    sequence: str
     turns: float
     apart: float
 
     @property
-    def key(self) -> tuple[tuple[str, ...], float]:
+    def key(self) -> tuple[str, float]:
         """What is the same on a piece of the map."""
-        return self.word, self.turns
+        return self.sequence, self.turns
 
     @property
     def multiplier(self) -> float:
@@ -184,7 +184,7 @@ class GaitEquation:
         turns = round((float(found.angle[-1]) - first) / (2.0 * math.pi))
         parts = [part for part in range(1, self.period) if self.period % part == 0 and found.mode[part - 1] == self.mode]
         apart = min((float(np.abs(self.excess(found, part - 1, point)).max()) for part in parts), default=math.inf)
-        return Values(self.excess(found, -1, point), matrix, rate * self.scale, found.word, turns, apart)
+        return Values(self.excess(found, -1, point), matrix, rate * self.scale, "·".join(found.sequences), turns, apart)
 
     def excess(self, found: Passages, index: int, point: Pair) -> Pair:
         """Return the coordinates of a passage less those of a point."""
@@ -195,7 +195,7 @@ class GaitEquation:
 
     def gait(self, point: Pair) -> Gait:
         """Return the gait of a solution."""
-        return Gait(self.at(point), self.section, self.period)
+        return Gait(passages(self.at(point), self.period, section=self.section))
 
     def solve(self, point: Pair, normal: Pair, offset: float) -> tuple[Pair, Values] | None:
         """Return the solution with normal · point = offset near a point, by Newton's method, or None if it finds none.
@@ -278,29 +278,13 @@ class GaitEquation:
         return point, values
 
 
-def value_of(gait: Gait, path: str) -> float:
-    """Return the gait's value of a parameter of hoop or plane.
-
-    Parameters
-    ----------
-    gait : Gait
-    path : str
-
-    Returns
-    -------
-    value : float
-        [SI].
-
-    Raises
-    ------
-    ValueError
-        If there is none.
-    """
+def value_of(scenario: Scenario, path: str) -> float:
+    """Return a scenario's value of a parameter of hoop or plane [SI]; refuse other paths."""
     parameter(path)
     section, _, name = path.partition(".")
     if section not in ("hoop", "plane"):
         raise InputError.of_field("path", path, "a parameter of hoop or plane")
-    holder = getattr(gait.scenario, section)
+    holder = getattr(scenario, section)
     value = getattr(holder, "mu_static" if name == "mu" else name, None)
     if not isinstance(value, float):
         raise InputError.of_field("path", path, "a number of this hoop and plane")
@@ -308,24 +292,7 @@ def value_of(gait: Gait, path: str) -> float:
 
 
 def bounds_around(path: str, value: float, bounds: tuple[float, float]) -> tuple[float, float]:
-    """Return the bounds of a parameter, if they are numbers on both sides of a value.
-
-    Parameters
-    ----------
-    path : str
-        Of the parameter.
-    value : float
-    bounds : (float, float)
-
-    Returns
-    -------
-    low, high : float
-
-    Raises
-    ------
-    ValueError
-        If they are not.
-    """
+    """Return the bounds of a parameter, if they are numbers on both sides of a value; refuse others."""
     try:
         low, high = (float(bound) for bound in bounds)
     except (TypeError, ValueError):

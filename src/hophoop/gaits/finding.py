@@ -111,6 +111,9 @@ def _check(scenario: Scenario, period: int, near: float | None, section: str) ->
     check_whole("period", period, 1, LONGEST)
     if scenario.plane.mu_static == 0.0:
         raise InputError.of_field("plane.mu", 0.0, "above 0: without friction no hoop has a gait")
+    if scenario.hoop.eccentricity == 0.0:
+        name = "load_fraction" if scenario.hoop.load_fraction is not None else "eccentricity"
+        raise InputError.of_field(f"hoop.{name}", 0.0, "above 0: a hoop without load has no gait")
     if scenario.plane.slope == 0.0:
         allowed = "other than 0: on the level nothing makes up for what is lost, and rolling for ever is a fate, not a gait"
         raise InputError.of_field("plane.slope", 0.0, allowed)
@@ -173,7 +176,7 @@ def _gait(scenario: Scenario, section: str, period: int) -> Gait | None:
     found = passages(scenario, period, section=section)
     if len(found) < period or residual_of(found) > EXACT:
         return None
-    gait = Gait(scenario, section, period)
+    gait = Gait(found)
     if gait.revolutions == 0:
         return None
     for part in range(1, period):

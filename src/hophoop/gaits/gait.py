@@ -13,8 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
-from hophoop.gaits.computing import passages
-from hophoop.gaits.digits import PreciseGait, precise_gait
 from hophoop.gaits.margins import GaitMargin, margins_of
 from hophoop.gaits.results import Passages
 from hophoop.gaits.section import SectionDerivative, coordinates, derivative
@@ -27,6 +25,7 @@ from hophoop.vocabulary.modes import MODE_LETTERS
 
 if TYPE_CHECKING:
     from hophoop.gaits.branch import Branch
+    from hophoop.gaits.digits import PreciseGait
     from hophoop.simulation.trajectory import Trajectory
 
 LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
@@ -34,28 +33,32 @@ MOST_PERIODS = 100_000
 LONGER = 1.001  # of the time to the last landing, which is looked for
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Gait:
     """A periodic gait; made by `hophoop.gaits.find`.
 
     Attributes
     ----------
-    scenario : Scenario
-        It starts on the gait, at a passage of the section, and lasts a period.
-    section : {'bottom', 'landing'}
-        As in `hophoop.passages`.
-    period : int
-        Passages after which the motion repeats itself [1].
+    passages : Passages
+        Those of one period, from a start on the gait.
     """
 
-    scenario: Scenario
-    section: str
-    period: int
+    passages: Passages
 
     @cached_property
-    def passages(self) -> Passages:
-        """The passages of one period."""
-        return passages(self.scenario, self.period, section=self.section)
+    def scenario(self) -> Scenario:
+        """It starts on the gait, at a passage of the section, and lasts a period."""
+        return self.passages.scenario.replace("duration", self.time)
+
+    @property
+    def section(self) -> str:
+        """The section, 'bottom' or 'landing', as in `hophoop.passages`."""
+        return self.passages.section
+
+    @property
+    def period(self) -> int:
+        """Passages after which the motion repeats itself [1]."""
+        return len(self.passages)
 
     @property
     def state(self) -> StartState:
@@ -63,9 +66,9 @@ class Gait:
         return self.scenario.start.state(self.scenario.hoop)
 
     @property
-    def word(self) -> tuple[str, ...]:
-        """Phases from passage to passage, such as ('RSHKR',)."""
-        return self.passages.word
+    def sequence(self) -> str:
+        """Phases of a period, with a point at each passage within it, such as 'RSHKR' or 'RSRKR·RSHKR'."""
+        return "·".join(self.passages.sequences)
 
     @cached_property
     def derivative(self) -> SectionDerivative:
@@ -73,8 +76,8 @@ class Gait:
         return derivative(self.scenario, self.period, section=self.section)
 
     @property
-    def multipliers(self) -> NDArray[np.complex128]:
-        """Factors by which small differences change in a period, the largest first [1]."""
+    def multipliers(self) -> NDArray[np.float64] | NDArray[np.complex128]:
+        """Factors by which small differences change in a period, the largest first; complex only in pairs [1]."""
         return self.derivative.multipliers
 
     @property
@@ -121,7 +124,7 @@ class Gait:
 
     @cached_property
     def margins(self) -> tuple[GaitMargin, ...]:
-        """Distances from the boundaries of the word, the smallest first: which one a change of parameters may meet next."""
+        """Distances from the boundaries of the sequence, the smallest first: which one a change of parameters may meet next."""
         return margins_of(self.motion(), self.section)
 
     @property
@@ -158,7 +161,7 @@ class Gait:
         return simulate(self.scenario.replace("duration", whole))
 
     def follow(self, path: str, bounds: tuple[float, float], progress: Callable[[float], object] | None = None) -> Branch:
-        """Follow the gait over a parameter of hoop or plane, through folds and boundaries of its word.
+        """Follow the gait over a parameter of hoop or plane, through folds and boundaries of its sequence.
 
         Parameters
         ----------
@@ -194,7 +197,7 @@ class Gait:
         return {
             "section": self.section,
             "period": self.period,
-            "word": list(self.word),
+            "sequence": self.sequence,
             "state": state,
             "multipliers": [[float(one.real), float(one.imag)] for one in self.multipliers],
             "stable": self.stable,
@@ -215,7 +218,7 @@ class Gait:
         Parameters
         ----------
         digits : int, default 30
-            From 16 to 40 where the section has one coordinate, to 25 otherwise [1].
+            From 16 to 40 [1].
 
         Returns
         -------
@@ -226,21 +229,21 @@ class Gait:
         ValueError
             If digits is not allowed, or the motion in arbitrary precision does not come back to the section.
         """
+        from hophoop.gaits.digits import precise_gait
+
         return precise_gait(self, digits)
 
     def __repr__(self) -> str:
-        first = self.multipliers[0]
-        factor = f"{first.real:.6g}" if first.imag == 0.0 else f"{first:.6g}"
         kind = "stable" if self.stable else "unstable"
         return (
-            f"<Gait: {'·'.join(self.word)}, {kind}, multiplier {factor}, {self.speed:.6g} m/s, "
+            f"<Gait: {self.sequence}, {kind}, multiplier {self.multipliers[0]:.6g}, {self.speed:.6g} m/s, "
             f"{_counted(self.hops, 'hop')} in {_counted(abs(self.revolutions), 'revolution')}>"
         )
 
     def _repr_html_(self) -> str:
         """The gait in a notebook: its numbers, and a picture of one period."""
         rows = {
-            "word": "·".join(self.word),
+            "sequence": self.sequence,
             "multiplier": f"{self.multipliers[0]:.9g}",
             "stable": "yes" if self.stable else "no",
             "mean speed": f"{self.speed:.6g} m/s",

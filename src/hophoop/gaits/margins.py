@@ -1,4 +1,4 @@
-"""How far a gait is from a change of its word: which boundary a change of parameters meets first."""
+"""How far a gait is from a change of its sequence: which boundary a change of parameters meets first."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ POINTS = 400  # of each phase
 
 
 class GaitMargin(NamedTuple):
-    """Distance of a gait from a boundary of its word.
+    """Distance of a gait from a boundary of its sequence.
 
     Attributes
     ----------

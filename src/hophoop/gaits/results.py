@@ -187,8 +187,8 @@ class Passages:
         return tuple(MODE_LETTERS[int(code)] for code in self._column("mode"))
 
     @cached_property
-    def word(self) -> tuple[str, ...]:
-        """Phases since the last passage, one letter each, such as 'RSHKR'; a very long word ends in '+'."""
+    def sequences(self) -> tuple[str, ...]:
+        """Phases since the last passage, one letter each, such as 'RSHKR'; a very long sequence ends in '+'."""
         known = {key: unpacked(key) for key in {tuple(row) for row in self.packed.tolist()}}
         return tuple(known[tuple(row)] for row in self.packed.tolist())
 
@@ -297,8 +297,10 @@ class Passages:
             lost = name.startswith("impact") or name in ("friction", "rolling_resistance")
             values = self.loss(name) if lost else getattr(self, name)
             variables[name] = ("passage", values, {"units": unit, "long_name": meaning})
-        for name, meaning in (("mode", "Mode at the passage"), ("word", "Phases since the last passage")):
-            variables[name] = ("passage", np.array(getattr(self, name), dtype=str), {"units": "1", "long_name": meaning})
+        for name, letters, meaning in (
+            ("mode", self.mode, "Mode at the passage"), ("sequence", self.sequences, "Phases since the last passage"),
+        ):  # fmt: skip
+            variables[name] = ("passage", np.array(letters, dtype=str), {"units": "1", "long_name": meaning})
         attributes = {
             "Conventions": "CF-1.11",
             "title": f"Passages of a loaded hoop: {self.fate}",
@@ -312,21 +314,12 @@ class Passages:
 
     def __repr__(self) -> str:
         fate = f"gait of period {self.period}" if self.period else str(self.decided)
-        words = ", ".join(self.word[-3:])
-        return f"<Passages: {len(self)} of section {self.section!r}, {fate}{'; last words ' + words if words else ''}>"
+        last = ", ".join(self.sequences[-3:])
+        return f"<Passages: {len(self)} of section {self.section!r}, {fate}{'; last sequences ' + last if last else ''}>"
 
 
 def unpacked(key: tuple[int, ...]) -> str:
-    """Return a word that the kernel packed into integers.
-
-    Parameters
-    ----------
-    key : tuple of int
-
-    Returns
-    -------
-    word : str
-    """
+    """Return the sequence that the kernel packed into integers."""
     letters = []
     for integer in key:
         for place in range(LETTERS_PER_INTEGER):

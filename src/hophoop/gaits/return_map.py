@@ -33,13 +33,13 @@ class MapPiece(NamedTuple):
     ----------
     omega, after : ndarray, shape (n,)
         θ̇ at a passage and at the next one, from end to end of the piece; both ends to rounding [rad/s].
-    word : str
+    sequence : str
         Phases between the passages.
     """
 
     omega: NDArray[np.float64]
     after: NDArray[np.float64]
-    word: str
+    sequence: str
 
 
 class MapEnd(NamedTuple):
@@ -52,7 +52,7 @@ class MapEnd(NamedTuple):
     kind : {'corner', 'jump'}
         Whether the map is continuous there.
     before, after : str
-        The words on both sides.
+        The sequences on both sides.
     """
 
     omega: float
@@ -86,7 +86,7 @@ class ReturnMap:
             place = float(one.omega[-1])
             if abs(float(other.omega[0]) - place) <= 4.0 * np.spacing(place):
                 kind = "corner" if abs(float(other.after[0] - one.after[-1])) < CONTINUOUS * unit else "jump"
-                found.append(MapEnd(place, kind, one.word, other.word))
+                found.append(MapEnd(place, kind, one.sequence, other.sequence))
         return tuple(found)
 
     def __call__(self, omega: float) -> float:
@@ -153,7 +153,7 @@ def return_map(
     >>> import hophoop as hh
     >>> plane = hh.Plane(slope=math.radians(1), gravity=1.0)
     >>> found = hh.gaits.return_map(hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=plane), 3.3, 3.5)
-    >>> [piece.word for piece in found.pieces], [end.kind for end in found.ends]
+    >>> [piece.sequence for piece in found.pieces], [end.kind for end in found.ends]
     (['RSRKR', 'RSHSRKR', 'RSHRKR', 'RSHKR'], ['corner', 'corner', 'corner'])
     """
     check(scenario, "bottom")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import OM, PARAMETERS, REASONS, STATE_ROWS, TH, VN, VT, Reason
-from hophoop.derivatives.parameters import directions_of
+from hophoop.derivatives.parameters import Directions, directions_of
 from hophoop.derivatives.pieces.flight_and_rest import accelerations
 from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
 from hophoop.gaits.computing import check, passages
@@ -75,8 +75,8 @@ class SectionDerivative:
         return not np.array_equal(self.matrix, self.backward, equal_nan=True)
 
     @cached_property
-    def multipliers(self) -> NDArray[np.complex128]:
-        """Eigenvalues, the largest modulus first; for a whole period of a gait its multipliers.
+    def multipliers(self) -> Floats | NDArray[np.complex128]:
+        """Eigenvalues, the largest modulus first, complex only in pairs; for a whole period of a gait its multipliers.
 
         Raises
         ------
@@ -86,8 +86,8 @@ class SectionDerivative:
         if self.rows != self.columns:
             raise InputError(f"multipliers need equal coordinates at both passages, not {self.columns} and {self.rows}.")
         if not np.isfinite(self.matrix).all():
-            return np.full(len(self.rows), complex(math.nan, 0.0))
-        found = np.linalg.eigvals(self.matrix).astype(complex)
+            return np.full(len(self.rows), math.nan)
+        found: Floats = np.linalg.eigvals(self.matrix)
         return found[np.argsort(-np.abs(found), kind="stable")]
 
 
@@ -222,15 +222,21 @@ def parameter_rates(found: Passages, path: str, sign: float = 1.0) -> tuple[Floa
     ValueError
         If the path is no parameter with derivatives, or one of the units.
     """
-    directions = directions_of(found.scenario, [path])
-    if directions.units.any():
-        raise InputError.of_field("path", path, "a parameter other than hoop.radius, hoop.mass and plane.gravity")
+    directions = check_no_unit(found.scenario, path)
     matrix, rates = np.eye(1), np.zeros(1)
     for index in range(-1, len(found) - 1):
         step, _, columns, _ = _step(found, index, sign, directions.parameter_tangents)
         before, change = step[:, : len(columns)], step[:, len(columns)]
         matrix, rates = (before, change) if index < 0 else (before @ matrix, before @ rates + change)
     return matrix, rates
+
+
+def check_no_unit(scenario: Scenario, path: str) -> Directions:
+    """Return the direction of a parameter in which derivatives are taken; refuse one that changes the units R and √(R/g)."""
+    directions = directions_of(scenario, [path])
+    if directions.units.any():
+        raise InputError.of_field("path", path, "a parameter other than hoop.radius, hoop.mass and plane.gravity")
+    return directions
 
 
 def _row_of(found: Passages, index: int) -> Floats:
@@ -255,7 +261,7 @@ def _mode_of(found: Passages, index: int) -> int:
         return int(found.numbers[index, COLUMNS.index("mode")])
     if found.scenario.start.mode is not None:
         return MODE_LETTERS.index(found.scenario.start.mode)
-    return MODE_LETTERS.index(found.word[0][0]) if len(found) and found.word[0] else 0
+    return MODE_LETTERS.index(found.sequences[0][0]) if len(found) and found.sequences[0] else 0
 
 
 def _step(

@@ -24,7 +24,7 @@ class Special(NamedTuple):
         'fold', 'period doubling', 'border collision', 'joins a shorter period', 'top of the hill', 'end' or 'limit of
         the range'.
     event : str
-        Of a border collision the boundary, as in `GaitMargin` or 'slip at the section', and the words on both sides; of an
+        Of a border collision the boundary, as in `GaitMargin` or 'slip at the section', and the sequences on both sides; of an
         end the boundary that is met there, if one is; else empty.
     parameter : float
         [SI].
@@ -67,7 +67,7 @@ class Special(NamedTuple):
         -------
         curve : ndarray, shape (n, 3)
             Rows of second parameter, first parameter [SI] and θ̇ [rad/s], in the order of the second one; shorter than the
-            range where the point ends, for instance at another word.
+            range where the point ends, for instance at another sequence.
 
         Raises
         ------

@@ -62,7 +62,7 @@ def return_map(
         ax.plot(steps[:, 0], steps[:, 1], color=colors.BLACK, linewidth=0.6, alpha=0.5)
     named: set[str] = set()
     for piece in found.pieces:
-        hops = FLIGHT in piece.word
+        hops = FLIGHT in piece.sequence
         name = "with a hop" if hops else "without a hop"
         color = colors.MODES["flight"] if hops else colors.MODES["roll"]
         ax.plot(piece.omega, piece.after, color=color, linewidth=1.8, label=None if name in named else name)

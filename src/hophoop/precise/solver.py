@@ -132,7 +132,18 @@ def solve(
         If it needs more steps than are allowed.
     """
     check(scenario, digits)
-    problem = Problem.of(scenario)
+    return solve_problem(Problem.of(scenario), digits, until, max_events, closing, most_steps)
+
+
+def solve_problem(
+    problem: Problem,
+    digits: int = 30,
+    until: Any = None,
+    max_events: int | None = None,
+    closing: float | None = None,
+    most_steps: float | None = None,
+) -> Solution:
+    """Compute the motion of exact numbers, which need not be doubles; see `solve`."""
     if closing is None:
         closing_at: Any = f"1e-{digits + CLOSING_GUARD}"
     else:
