@@ -8,9 +8,7 @@ from decimal import Decimal, localcontext
 import pytest
 from typer.testing import CliRunner
 
-import hophoop as hh
 from hophoop.cli import app
-from hophoop.prove import prove_map
 
 pytest.importorskip("flint")
 
@@ -88,20 +86,6 @@ def test_a_file_that_is_no_certificate(tmp_path):
         assert "certificate" in done.stderr
 
 
-def test_boxes_of_parameters(tmp_path):
-    """The window as the library divides it: rolling below the first slip at 2.043 m/s, undecided across it."""
-    path = tmp_path / "boxes.json"
-    window = ["--boxes", "plane.mu=0.9:1.1", "--boxes", "start.speed=1.0:1.8"]
-    done = run(*window, "--depth", "2", "--out", path)
-    assert done.exit_code == 0, done.output
-    told = json.loads(path.read_text(encoding="utf-8"))
-    found = prove_map(hh.Scenario(), {"plane.mu": (0.9, 1.1), "start.speed": (1.0, 1.8)}, depth=2)
-    assert {key: told[key] for key in found.to_dict()} == json.loads(json.dumps(found.to_dict()))
-    assert 0.0 < told["share"] == told["sequences"]["R"] <= 1.0
-    assert f"proved  {100 * found.share():.4g} % of the window, in " in done.stdout
-    assert json.loads(run(*window, "--depth", "2", "--json").stdout) == told
-
-
 def test_thresholds_to_thirty_digits():
     """v² = g R/γ, by the decimal digits of an independent square root."""
     done = run("--thresholds", "immediate_hop_speed,painleve_friction", "--digits", "30", "--json")
@@ -137,28 +121,13 @@ def test_a_threshold_that_cannot_be_shown(options, sentence):
     assert done.stderr == f"Undecided: {sentence}\n"
 
 
-@pytest.mark.slow
-def test_statements_of_the_article():
-    done = run("--article")
-    assert done.exit_code == 0, done.output
-    assert "proved  18 of 18" in done.stdout
-    assert "undecided" not in done.stdout
-
-
 @pytest.mark.parametrize(
     ("arguments", "word"),
     [
-        (["--boxes", "plane.mu"], "PATH=LOW:HIGH"),
-        (["--boxes", "plane.mu=1:b"], "PATH=LOW:HIGH"),
-        (["--boxes", "plane.mu=1:2", "--boxes", "plane.mu=1:2"], "twice"),
-        (["--boxes", "plane.mu=2:1"], "least value first"),
-        (["--boxes", "hoop.mass=1:2"], "--boxes holds hoop.mass"),
-        (["--boxes", "plane.mu=1:2", "--depth", "-1"], "--depth = -1"),
         (["--thresholds", "fastest"], "'fastest'"),
-        (["--thresholds", "all", "--article"], "cannot be given together with --article"),
-        (["--v0", 3.1, "--depth", 3], "--depth needs --boxes"),
-        (["--article", "--seconds", 3], "--article cannot be given together with --seconds"),
-        (["--check", "a.json", "--boxes", "plane.mu=1:2"], "cannot be given together with --boxes"),
+        (["--check", "a.json", "--seconds", 3], "--check cannot be given together with --seconds"),
+        (["--thresholds", "all", "--seconds", 3], "--thresholds cannot be given together with --seconds"),
+        (["--check", "a.json", "--thresholds", "all"], "--check cannot be given together with --thresholds"),
     ],
 )
 def test_what_is_refused(arguments, word):
@@ -167,100 +136,9 @@ def test_what_is_refused(arguments, word):
     assert word in done.stderr
 
 
-def test_a_gait_is_proved_and_printed(tmp_path):
-    path = tmp_path / "gait.json"
-    done = run("--gamma", 0.5, "--slope-deg", 3, "--gravity", 1, "--gait", "2.7714:2.7716", "--out", path)
-    assert done.exit_code == 0
-    first, second, third = done.stdout.splitlines()
-    assert first == "proved      one gait, RSHKR, which attracts all from 2.7714 to 2.7716 rad/s"
-    assert "2.77150688780492" in second
-    assert "-0.76802418" in third
-    assert json.loads(path.read_text(encoding="utf-8"))["interval"] == [2.7714, 2.7716]
-
-
-@pytest.mark.slow
-def test_chaos_is_proved_and_printed():
-    done = run("--slope-deg", 4, "--chaos", "10.03:10.57", "--chaos", "10.745:11.031")
-    assert done.exit_code == 0
-    first, second, third = done.stdout.splitlines()
-    assert first == "proved      chaos, with a topological entropy of 0.481211 a revolution at least"
-    assert " ".join(second.split()) == "RSRKR 10.03 to 10.57 rad/s is taken over 10.745 to 11.031"
-    assert " ".join(third.split()) == ("RSHKR 10.745 to 11.031 rad/s is taken over 10.03 to 10.57 and 10.745 to 11.031")
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--gait", "2.7716:2.7718"], "Not proved: the return map leads out of the interval"),
-        (["--chaos", "2.7:2.71", "--chaos", "2.8:2.81"], "Not proved: the coverings have no two different loops"),
-    ],
-)
-def test_what_is_not_proved_is_said(arguments, said):
-    done = run("--gamma", 0.5, "--slope-deg", 3, "--gravity", 1, *arguments)
-    assert done.exit_code == 1
-    assert done.stdout == ""
-    assert done.stderr.startswith(said)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--gait", "2.7"], "--gait 2.7 must be LOW:HIGH"),
-        (["--gait", "2.8:2.7"], "--gait = 2.8 to 2.7 rad/s must be a range"),
-        (["--chaos", "2.7:2.8"], "--chaos = 1 must be 2 to 100"),
-        (["--chaos", "2.7:2.8", "--gait", "2.7:2.8"], "--gait cannot be given together with --chaos"),
-    ],
-)
-def test_intervals_that_cannot_be_read(arguments, said):
-    done = run("--slope-deg", 3, *arguments)
-    assert done.exit_code == 2
-    assert said in done.stderr
-
-
-GAIT = ["--gamma", 0.25, "--slope-deg", 5, "--gravity", 1, "--gait", "3.02:3.05"]
-
-
-def test_a_gait_is_certified_and_checked(tmp_path):
-    path = tmp_path / "gait.json"
-    assert run(*GAIT, "--certify", path).exit_code == 0
-    checked = run("--check", path)
-    assert checked.exit_code == 0
-    first, *said = checked.stdout.splitlines()
-    assert first == "accepted  gait: 16 events verified"
-    assert said[0].strip() == "the return map takes all θ̇ from 3.02 to 3.05 rad/s into that interval"
-    certificate = json.loads(path.read_text(encoding="utf-8"))
-    path.write_text(json.dumps(certificate | {"words": ["RSHKR"]}), encoding="utf-8")
-    refused = run("--check", path)
-    assert refused.exit_code == 1
-    assert refused.stderr == (
-        "Refused after 4 events: it cannot be shown that the phases from an interval are those that are named, not RSHR.\n"
-    )
-
-
 def test_a_certificate_of_an_unknown_format(tmp_path):
-    path = tmp_path / "gait.json"
-    path.write_text('{"schema": "hophoop-map-proof/2"}', encoding="utf-8")
+    path = tmp_path / "hop.json"
+    path.write_text('{"schema": "hophoop-proof/2"}', encoding="utf-8")
     done = run("--check", path)
     assert done.exit_code == 2
-    assert "has the format 'hophoop-map-proof/2', which must be hophoop-proof/1 or hophoop-map-proof/1." in done.stderr
-
-
-def test_what_is_not_proved_has_no_certificate(tmp_path):
-    path = tmp_path / "gait.json"
-    done = run("--gamma", 0.5, "--slope-deg", 3, "--gravity", 1, "--gait", "2.7716:2.7718", "--certify", path)
-    assert done.exit_code == 1
-    assert not path.exists()
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--certify", "a.json"], "--certify needs --gait or --chaos"),
-        ([*GAIT, "--certify", "none/a.json"], "--certify = none/a.json must be in an existing folder"),
-        ([*GAIT, "--certify", "a.json", "--out", "a.json"], "a.json is used for two outputs"),
-    ],
-)
-def test_a_certificate_that_cannot_be_written(arguments, said):
-    done = run(*arguments)
-    assert done.exit_code == 2
-    assert said in done.stderr
+    assert "has the format 'hophoop-proof/2', which must be hophoop-proof/1." in done.stderr

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import sys
-from functools import partial
 
 import pytest
 
 import hophoop as hh
-from hophoop.prove import boxes, proof, prove, prove_map
+from hophoop.prove import proof, prove
 from hophoop.prove.checker.check import checked
 from hophoop.prove.deadline import Deadline
 
@@ -103,13 +102,3 @@ def test_a_check_that_takes_too_long_does_not_accept():
     verdict = checked(certificate, Deadline(20.0, Clock()))
     assert (verdict.accepted, verdict.why) == (False, WHY)
     assert checked(certificate, Deadline(1e9, Clock())).accepted
-
-
-def test_boxes_end_in_time_and_cover_the_window(monkeypatch):
-    clock = Clock()
-    monkeypatch.setattr(boxes, "Deadline", partial(Deadline, clock=clock))
-    ranges = {"plane.mu": (0.5, 1.5), "start.speed": (0.1, 4.0)}
-    found = prove_map(hh.Scenario(), ranges, depth=6, seconds=500.0)
-    assert clock.now <= 552
-    assert sum(map(found.area, found.cells)) == pytest.approx(3.9)
-    assert {cell.why for cell in found.cells if not cell.proved} >= {WHY}

@@ -14,7 +14,7 @@ import pytest
 import hophoop as hh
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.precise.problem import Problem
-from hophoop.prove import check, prove, prove_box, thresholds
+from hophoop.prove import check, prove, thresholds
 from hophoop.prove.checker.equations import Equations
 from hophoop.prove.physics.equations import Model
 from oracles.cases import Case
@@ -177,11 +177,6 @@ def test_forty_random_motions():
     found = {index: contradicted(index) for index in range(40)}
     assert {index: said for index, said in found.items() if said not in ("", "undecided")} == {}
     assert list(found.values()).count("undecided") <= 2
-
-
-def test_a_box_rolls_to_a_turning_point():
-    box = prove_box(scenario(0.1), {"plane.mu": (1.0, 1.01), "start.speed": (0.5, 0.5001)})
-    assert (box.sequence, box.ending) == ("R", "reversal")
 
 
 def test_thresholds_say_what_they_do_not_prove():

@@ -9,11 +9,10 @@ from typing import Any
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.precise.impact import impact
 from hophoop.precise.problem import Problem
-from hophoop.prove._flint import Ball, Undecided, arb, pi, sign
+from hophoop.prove._flint import Ball, Undecided, arb, sign
 from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.phases.contact import Ended, Limits, roll, travel
 from hophoop.prove.phases.flight import Flight
-from hophoop.prove.phases.parameter_boxes import travel_box
 from hophoop.prove.phases.rolling import TURN
 from hophoop.prove.phases.trail_recorder import bracket
 from hophoop.prove.physics.equations import Model, State, Still
@@ -32,8 +31,7 @@ from hophoop.prove.physics.mode_rule import (
 
 CLOSING = "1e-12"  # bounces are closed when their rest takes less than this part of the time so far
 GAIN_FLOOR = "1e-14"  # relative to the energy of an impact: less is no gain
-DURATION, REVOLUTION, PASSAGE = "duration", "revolution", "passage"
-LONGEST = 1000  # √(R/g), of a flight where no time ends it
+DURATION, REVOLUTION = "duration", "revolution"
 
 
 @dataclass(frozen=True)
@@ -50,7 +48,7 @@ class Fact:
 
 @dataclass
 class Run:
-    """One motion, or all motions of a box of parameters, until it ends or something cannot be shown.
+    """One motion until it ends or something cannot be shown.
 
     Parameters
     ----------
@@ -58,8 +56,7 @@ class Run:
     free : mapping of str to Ball, optional
         Balls in the place of parameters.
     until : str, optional
-        'duration', or 'revolution': the first of a whole turn, a turning point and a take-off; or 'passage', which begins
-        with the load at the bottom and goes on through flights up to there after a turn, in contact, or a turning point.
+        'duration', or 'revolution': the first of a whole turn, a turning point and a take-off.
     timed : bool, optional
         Whether times are wanted; a revolution can do without those of rolling.
     max_events : int, optional
@@ -85,8 +82,6 @@ class Run:
     def __post_init__(self) -> None:
         self.model = Model(self.problem, self.free, self.deadline)
         self.state = self.model.start()
-        if self.until == PASSAGE:
-            self.state = replace(self.state, th=pi())
         self.origin = self.state.th
         self.mode = int(Mode.FLIGHT)
         self.zeros = 0  # slip: known zeros of v_t at its start; flight: of the gap
@@ -261,17 +256,11 @@ class Run:
     def fly(self) -> None:
         """A flight and its landing."""
         self.energy = None
-        if self.until == REVOLUTION and self.state.t > 0:
+        if self.until == REVOLUTION:
             self.end(Status.COMPLETED, "takeoff")
             return
         begin, longest = self.state, self.model.t_end - self.state.t
         flight = Flight(self.model, begin, self.zeros)
-        if self.until == PASSAGE:
-            self.pass_over(flight)
-            return
-        if self.until == REVOLUTION:
-            self.end(Status.COMPLETED, "takeoff")
-            return
         if flight.hovers():
             self.witnesses.append({"mode": "H", "to": None, "apex": None})
             self.finish_flight(flight, longest)
@@ -295,14 +284,6 @@ class Run:
         self.state = replace(flight.state(tau), y=arb(0))
         self.land()
 
-    def pass_over(self, flight: Flight) -> None:
-        """A flight and its landing, for all motions of a box."""
-        tau = flight.landing(arb(LONGEST))
-        if tau is None:
-            raise Undecided(f"a flight takes longer than {LONGEST} √(R/g)")
-        self.state = replace(flight.state(tau), y=arb(0))
-        self.land()
-
     def finish_flight(self, flight: Flight, longest: Ball) -> None:
         """Time is over in flight."""
         self.state = flight.state(longest)
@@ -311,7 +292,7 @@ class Run:
     def contact(self, sigma: int) -> None:
         """Roll or slip up to the next event."""
         closed = sigma == 0 and not self.model.resisted
-        pieces = roll(self) if closed else travel_box(self, sigma) if self.model.varying else travel(self, sigma)
+        pieces = roll(self) if closed else travel(self, sigma)
         for ended in pieces:
             self.state, self.energy = ended.state, ended.energy
             if ended.witness:

@@ -1,8 +1,7 @@
 """The checker of certificates: interval evaluation of the equations alone, nothing shared with what made the certificate.
 
 It searches for nothing. A certificate gives brackets of the events and, for slip, polynomials for θ̇² and t; the
-checker puts the polynomials into the equations, bounds the residual, and evaluates inequalities on intervals. For the
-return map it gives boxes of θ̇ and brackets of the events of all motions in them; the checker follows those itself.
+checker puts the polynomials into the equations, bounds the residual, and evaluates inequalities on intervals.
 """
 
 from hophoop.prove.checker.check import check

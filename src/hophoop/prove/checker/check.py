@@ -12,19 +12,16 @@ from itertools import pairwise
 from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, arb, pi, precision
-from hophoop.prove.checker.conventions import CLOSING, SCHEMA, Conventions
+from hophoop.prove.checker.conventions import CLOSING, Conventions
 from hophoop.prove.checker.equations import Equations, Refused, State
 from hophoop.prove.checker.flight import flown, gap, no_top, skims, without_apex
 from hophoop.prove.checker.intervals import positive, require, root
-from hophoop.prove.checker.maps import MAP_SCHEMA, checked_map
 from hophoop.prove.checker.panel_phases import verify_panels
 from hophoop.prove.checker.panels import TurnPanel
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
 from hophoop.prove.checker.verdict import Verdict
 from hophoop.prove.deadline import Deadline, Late
-
-SCHEMAS = (SCHEMA, MAP_SCHEMA)
 
 
 def check(certificate: dict[str, Any]) -> Verdict:
@@ -33,7 +30,7 @@ def check(certificate: dict[str, Any]) -> Verdict:
     Parameters
     ----------
     certificate : dict
-        As `hophoop prove` writes it by `--out`, or by `--certify` for a gait or chaos.
+        As `hophoop prove --out` writes it.
 
     Returns
     -------
@@ -49,8 +46,6 @@ def check(certificate: dict[str, Any]) -> Verdict:
 
 def checked(certificate: dict[str, Any], deadline: Deadline) -> Verdict:
     """`check` within a time; what is not verified by then is not accepted."""
-    if certificate.get("schema") == MAP_SCHEMA:
-        return checked_map(certificate, deadline)
     walk: Walk | None = None
     try:
         conventions = Conventions.of(certificate)

@@ -58,7 +58,7 @@ class Conventions:
     @classmethod
     def of(cls, certificate: dict[str, Any]) -> Conventions:
         """Read them; one that is out of its bounds refuses the certificate."""
-        require(certificate.get("schema") == SCHEMA, f"the format is {SCHEMA} or hophoop-map-proof/1")
+        require(certificate.get("schema") == SCHEMA, f"the format is {SCHEMA}")
         require(set(certificate) <= KEYS, "the certificate states nothing but what is checked")
         bits = _whole(certificate["bits"], 30, MOST_BITS, "the working precision")
         digits = _whole(certificate["digits"], 0, MOST_DIGITS, "the number of digits")

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import partial
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
-from hophoop.prove.enclosures.mean_value_form import located, ranges
 from hophoop.prove.enclosures.roots import Root, exact, first_root
 from hophoop.prove.physics.equations import Model, State
 
@@ -81,22 +80,6 @@ class Flight:
         if not self.gap(root.x, 2)[1] < 0:
             raise Undecided("the rim grazes the plane")
         return root
-
-    def landing(self, longest: Ball) -> Ball | None:
-        """The time up to the first landing, as it varies over a box; None where there is none within `longest`."""
-
-        def gaps(tau: Ball, terms: int) -> list[Jet]:
-            return [self.gap(tau, terms)]
-
-        def values(tau: Ball, terms: int) -> list[Jet]:
-            return ranges(gaps(tau, terms))
-
-        root = first_root(values, [self.zeros], arb(0), longest, arb(0.125), self.model.varying > 0)
-        if root is None:
-            return None
-        if not self.gap(root.x, 2)[1] < 0:
-            raise Undecided("the rim grazes the plane")
-        return located(gaps, root)
 
     def apex(self, until: Ball) -> tuple[State, Root] | None:
         """The state, and τ, where the gap is largest inside the flight."""
