@@ -9,6 +9,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import netCDF4
+import zarr
+
+from hophoop import io
+from hophoop._support.checksum import checksum
+
 
 def damaged(whole: Path, copy: Path, count: int, seed: int = 2026) -> Iterator[str]:
     """Put a damaged copy of a file, or of a folder of files, in place again and again; says what was done to it.
@@ -41,6 +47,20 @@ def unseal(file: Path) -> None:
     """Take the checksum from the end of a netCDF file."""
     content = file.read_bytes()
     file.write_bytes(content[: content.rindex(b"\nhophoop sha256 ")])
+
+
+def sign(file: Path) -> None:
+    """Give an unsealed motion that was changed the checksum of its present content."""
+    if file.suffix == ".nc":
+        content = checksum(io._read(file, "netcdf"))
+        with netCDF4.Dataset(file, "a") as changed:
+            for group in (changed, *changed.groups.values()):
+                group.checksum = content
+    else:
+        content = checksum(io._read(file, "zarr"))
+        root = zarr.open_group(file, mode="a")
+        for group in (root, *(each for _, each in root.groups())):
+            group.attrs["checksum"] = content
 
 
 SAME, REFUSED = "the same", "one sentence"

@@ -6,6 +6,7 @@ import errno
 import json
 import os
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -62,49 +63,31 @@ def load(path: str | Path, *, check_fingerprint: bool = False) -> Trajectory:
     """
     file = Path(path)
     kind = format_of(file)
-    for _ in range(MOST_READS):
-        if not file.exists():
-            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
-        before = _identity(file)
-        try:
-            motion = _load(file, kind)
-        except ValueError:
-            # what another process put in its place meanwhile was read in part before and in part after
-            if _identity(file) == before:
-                raise
-            continue
-        if check_fingerprint:
-            _check_reproduced(motion, file)
-        return motion
-    raise InputError(f"{file} is written again and again while it is read.")
+    if not file.exists():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
+    motion = _load(file, kind)
+    if check_fingerprint:
+        _check_reproduced(motion, file)
+    return motion
 
 
 # --- inside ----------------------------------------------------------------------------------------
 
-MOST_READS = 100
-_LATER = "rolling_resistance"
 DAMAGED = "{} is damaged: its checksum is not that of its content."
-
-
-def _identity(file: Path) -> tuple[int, int] | None:
-    try:
-        status = file.stat()
-    except OSError:
-        return None
-    return status.st_ino, status.st_mtime_ns
 
 
 def _load(file: Path, kind: str) -> Trajectory:
     groups = _read(file, kind)
     attributes = groups["/"].attrs
-    _check_whole(file, groups)
+    if {group.attrs.get(CHECKSUM) for group in groups.values()} != {checksum(groups)}:
+        raise InputError(DAMAGED.format(file))
     version = str(attributes.get("version"))
     try:
         motion = Trajectory(
             Scenario.from_dict(json.loads(attributes["scenario"])),
             int(Status[attributes["status"].upper()]),
-            _completed(_unpacked(groups["events"])),
-            _counted(_completed(_unpacked(groups["segments"]))),
+            _unpacked(groups["events"]),
+            _unpacked(groups["segments"]),
             str(attributes["version"]),
             until=attributes.get("until"),
         )
@@ -112,8 +95,8 @@ def _load(file: Path, kind: str) -> Trajectory:
         if version != __version__ and isinstance(error, InputError):
             raise InputError(f"{file} was written by hophoop {version}: {error}") from None
         raise InputError(f"{file} is damaged: {_first_line(error)}.") from None
-    said = attributes.get(FINGERPRINT)  # files of hophoop before there were fingerprints have none
-    if said is not None and said != motion.fingerprint:
+    said = attributes.get(FINGERPRINT)
+    if said != motion.fingerprint:
         raise InputError(f"{file} is damaged: its fingerprint {said!r} is not that of its events, {motion.fingerprint!r}.")
     if version != __version__:
         _check_other_version(motion, file, groups["/"])
@@ -128,16 +111,6 @@ def _check_reproduced(motion: Trajectory, file: Path) -> None:
             f"{file} was written by hophoop {motion.version} with the fingerprint {motion.fingerprint}; "
             f"hophoop {__version__} on this machine gets {now}."
         )
-
-
-def _check_whole(file: Path, groups: dict[str, Any]) -> None:
-    """Refuse a file that lacks a table, or whose content is not what was written."""
-    if any("layout" not in groups[name].attrs for name in TABLES if name in groups) or len(groups) <= len(TABLES):
-        raise InputError(f"{file} is not whole: a table of the motion is missing.")
-    said = {group.attrs.get(CHECKSUM) for group in groups.values()}
-    # older files have no checksums
-    if said != {None} and said != {checksum(groups)}:
-        raise InputError(DAMAGED.format(file))
 
 
 def _first_line(error: BaseException) -> str:
@@ -156,32 +129,8 @@ def _unpacked(dataset: Any) -> np.ndarray:
     return table
 
 
-def _completed(table: np.ndarray) -> np.ndarray:
-    """Add zero rolling-resistance columns to tables from older files."""
-    names = table.dtype.names or ()
-    if any(name.startswith(_LATER) for name in names):
-        return table
-    powers = [name.removeprefix("damping") for name in names if name.startswith("damping_")]
-    layout = [(name, table.dtype[name]) for name in names] + [(_LATER + power, "f8") for power in powers or [""]]
-    wider = np.zeros(table.shape, np.dtype(layout))
-    for name in names:
-        wider[name] = table[name]
-    return wider
-
-
-def _counted(table: np.ndarray) -> np.ndarray:
-    """Add the column `turns` to segments of a compliant motion from an older file, whose angles are whole ones."""
-    names = table.dtype.names or ()
-    if "origin" not in names:
-        return table
-    layout = [("turns" if name == "origin" else name, table.dtype[name]) for name in names]
-    counted = table.astype(np.dtype(layout))
-    counted["turns"] = 0.0
-    return counted
-
-
 def _read(file: Path, kind: str) -> dict[str, Any]:
-    """The groups of a file as it has them, not decoded; a table that is not there is left out."""
+    """The groups of a file as it has them, not decoded."""
     xr = need("xarray", "maps")
     if kind == "netcdf":
         need("netCDF4", "maps")
@@ -205,13 +154,10 @@ def _read(file: Path, kind: str) -> dict[str, Any]:
             try:
                 with ignore_foreign_zarr_files(), xr.open_dataset(store, group=name, **options) as dataset:
                     if name == "/":  # what another schema has further on is not known here
-                        _check_schema(file, dataset.attrs.get("schema"))
+                        _check_schema(file, dataset.attrs)
                     groups[name] = dataset.load()
             except InputError:
                 raise
-            except (OSError, KeyError) as error:
-                if name == "/" or CHECKSUM in groups["/"].attrs:
-                    raise InputError(f"{file} cannot be read as {words}: {_first_line(error)}.") from None
             except Exception as error:  # whatever a library makes of bytes that are not its format
                 raise InputError(f"{file} cannot be read as {words}: {_first_line(error)}.") from None
     finally:
@@ -220,11 +166,14 @@ def _read(file: Path, kind: str) -> dict[str, Any]:
     return groups
 
 
-def _check_schema(file: Path, schema: Any) -> None:
+def _check_schema(file: Path, attributes: Mapping[str, Any]) -> None:
+    schema = attributes.get("schema")
     if not isinstance(schema, str) or not schema.startswith("hophoop/"):
         raise InputError(f"{file} is not a saved motion of hophoop.")
     if schema != SCHEMA:
         raise InputError(f"{file} has the schema {schema!r}, but this version of hophoop reads {SCHEMA!r} only.")
+    if CHECKSUM not in attributes:
+        raise InputError(f"{file} is not whole: it has the samples of a motion, but not the tables that `save` writes.")
 
 
 def _check_other_version(motion: Trajectory, file: Path, samples: Any) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import multiprocessing
 import os
@@ -17,7 +18,7 @@ import xarray as xr
 import zarr
 
 import hophoop as hh
-from damage import REFUSED, SAME, tally, unseal
+from damage import REFUSED, SAME, sign, tally, unseal
 from hophoop import io
 from hophoop.cli import app
 from map_tools import contents
@@ -104,36 +105,25 @@ def test_what_a_file_browser_leaves_in_a_folder_is_not_spoken_of(motion, tmp_pat
     assert same(hh.load(path), motion)
 
 
-def without_checksum(path):
-    """As hophoop wrote it before there were checksums."""
-    unseal(path)
-    with netCDF4.Dataset(path, "a") as file:
-        for group in (file, *file.groups.values()):
-            group.delncattr("checksum")
-
-
-def test_a_file_of_before_there_were_checksums_is_read(motion, tmp_path):
-    motion.save(tmp_path / "hop.nc")
-    without_checksum(tmp_path / "hop.nc")
-    assert same(hh.load(tmp_path / "hop.nc"), motion)
-
-
-def test_a_checksum_that_is_missing_in_part_is_noticed(motion, tmp_path):
+def test_a_checksum_that_is_missing_is_noticed(motion, tmp_path):
     motion.save(tmp_path / "hop.nc")
     unseal(tmp_path / "hop.nc")
     with netCDF4.Dataset(tmp_path / "hop.nc", "a") as file:
-        file.delncattr("checksum")
-    with pytest.raises(ValueError, match="is damaged"):
+        file["events"].delncattr("checksum")
+    with pytest.raises(ValueError, match="is damaged: its checksum"):
         hh.load(tmp_path / "hop.nc")
 
 
 @pytest.mark.parametrize("attribute", ["scenario", "status", "version"])
-def test_an_older_file_that_is_damaged_is_refused_too(motion, tmp_path, attribute):
+def test_an_attribute_that_is_missing_is_noticed(motion, tmp_path, attribute):
     motion.save(tmp_path / "hop.nc")
-    without_checksum(tmp_path / "hop.nc")
+    unseal(tmp_path / "hop.nc")
     with netCDF4.Dataset(tmp_path / "hop.nc", "a") as file:
         file.delncattr(attribute)
-    with pytest.raises(ValueError, match=r"hop\.nc is damaged: "):
+    with pytest.raises(ValueError, match="is damaged: its checksum"):
+        hh.load(tmp_path / "hop.nc")
+    sign(tmp_path / "hop.nc")
+    with pytest.raises(ValueError, match=rf"is damaged: '{attribute}'\.$"):
         hh.load(tmp_path / "hop.nc")
 
 
@@ -226,16 +216,18 @@ def write(motion, path, times):
 @pytest.mark.long
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="needs fork; on Windows an open file cannot be replaced")
 @pytest.mark.parametrize("name", FORMATS)
-def test_readers_beside_two_writers_see_whole_motions(motion, shorter, tmp_path, name):
+def test_readers_next_to_two_writers_see_whole_motions_only(motion, shorter, tmp_path, name):
     path = tmp_path / name
     write(motion, path, 1)
     context = multiprocessing.get_context("fork")
     writers = [context.Process(target=write, args=(one, path, 4)) for one in (motion, shorter)]
     for writer in writers:
         writer.start()
-    seen = [hh.load(path)]
+    seen = []
     while any(writer.is_alive() for writer in writers):
-        seen.append(hh.load(path))
+        # a store that is replaced while it is read may be refused
+        with contextlib.suppress(ValueError, FileNotFoundError):
+            seen.append(hh.load(path))
     for writer in writers:
         writer.join()
     assert [writer.exitcode for writer in writers] == [0, 0]

@@ -255,26 +255,6 @@ def test_slip_uses_all_of_the_kinetic_friction_in_a_map_too():
     assert found["greatest_utilization"][0] == 1.0  # μk/μs before
 
 
-def test_a_map_answers_to_the_former_name():
-    axes = {"plane.mu": [0.3, 0.6], "start.speed": [0.5, 3.0]}
-    old = hh.maps.sweep(None, axes, ["greatest_utilisation"])
-    new = hh.maps.sweep(None, axes, ["greatest_utilization"])
-    np.testing.assert_array_equal(old["greatest_utilisation"].values, new["greatest_utilization"].values)
-
-
-def test_one_spelling():
-    former = re.compile("utilisation", re.IGNORECASE)
-    allowed = {"src/hophoop/maps/grid/quantities.py", "docs/maps.md", "tests/vocabulary/test_vocabulary.py", "CHANGELOG.md"}
-    allowed.add("src/hophoop/lab/static/lab.js")  # the page's words in French
-    found = {
-        path.relative_to(ROOT).as_posix()
-        for folder in ("src", "docs", "tests", "examples", "benchmarks", "web/kernel", "web/lab", "web/model")
-        for path in (ROOT / folder).rglob("*")
-        if path.suffix in (".py", ".md", ".js", ".ts", ".html") and former.search(path.read_text(encoding="utf-8"))
-    }
-    assert found <= allowed
-
-
 def test_shown_words_change_where_the_mode_or_the_direction_does(rocking):
     sample = curve(rocking)
     shown = shown_words(sample)

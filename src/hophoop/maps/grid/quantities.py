@@ -121,8 +121,6 @@ SETTLED: Mapping[str, Quantity] = {
 }
 """Quantities of the spans `settled` and `settled:landing`."""
 
-# Former names of quantities, which scripts may still use; the map then has these names.
-FORMER = {"greatest_utilisation": "greatest_utilization"}
 _OF_FLIGHT = {"hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss", "takeoff_time",
               "takeoff_angle"}  # fmt: skip
 
@@ -148,13 +146,12 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
     if not names:
         raise InputError(f"quantities must name at least one of {', '.join(QUANTITIES)}.")
     every = {**QUANTITIES, **SETTLED}
-    present = [FORMER.get(name, name) for name in names]
-    for name, known in zip(names, present, strict=True):
-        if known not in every:
+    for name in names:
+        if name not in every:
             raise InputError.of_field("quantity", name, f"one of {', '.join(every)}")
-    if len(set(present)) != len(names):
+    if len(set(names)) != len(names):
         raise InputError(f"quantities = {list(names)!r} must not name one twice.", field="quantities", value=list(names))
-    return tuple(every[known]._replace(name=name) for name, known in zip(names, present, strict=True))
+    return tuple(every[name] for name in names)
 
 
 def check_span(quantities: Sequence[Quantity], span: Span) -> None:
@@ -178,7 +175,7 @@ def check_span(quantities: Sequence[Quantity], span: Span) -> None:
 
 def flags_of(quantities: Sequence[Quantity]) -> int:
     """Return the flags of quantities that the kernel computes on request only."""
-    names = {FORMER.get(quantity.name, quantity.name) for quantity in quantities}
+    names = {quantity.name for quantity in quantities}
     flags = kernel.FLIGHT_REQUESTED if names & _OF_FLIGHT else 0
     if "greatest_utilization" in names:
         flags |= kernel.UTILIZATION_REQUESTED

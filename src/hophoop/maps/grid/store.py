@@ -370,10 +370,12 @@ def _check_whole(place: Path) -> None:
         names = [name for name in dataset.variables if name not in dataset.dims]
         if "plan" not in said:
             raise InputError(f"{place} is not a map of hophoop.")
-        if said.get("schema", SCHEMA) != SCHEMA:
-            raise InputError(f"{place} has the schema {said['schema']!r}, but this version of hophoop reads {SCHEMA!r} only.")
+        if said.get("schema") != SCHEMA:
+            raise InputError(
+                f"{place} has the schema {said.get('schema')!r}, but this version of hophoop reads {SCHEMA!r} only."
+            )
         if CHECKSUM not in said:
-            return  # from before checksums existed
+            return  # a copy that xarray wrote
     if said[CHECKSUM] != _checksum_of(place):
         raise InputError(damaged)
     if place.suffix != ".nc" and said[CHUNKS] != _chunks_of(place, names):
