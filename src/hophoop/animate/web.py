@@ -1,4 +1,4 @@
-"""Interactive scenes: an HTML page for any browser, without network, or glTF for other programs."""
+"""Interactive scenes: an HTML page for any browser, without network."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ import numpy as np
 from hophoop._support.files import replacing
 from hophoop.animate.event_marks import event_marks
 from hophoop.animate.frames import Clock, Timing, clock, extent, trace
-from hophoop.animate.gltf import glb
 from hophoop.animate.look import Look3D, labels_of, nice
 from hophoop.animate.scaling import LONGEST, force_levels
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
@@ -29,7 +28,6 @@ from hophoop.vocabulary.events import EVENTS
 from hophoop.vocabulary.modes import FLIGHT, MODE_WORDS, PARTICIPLES
 
 TRACE_POINTS = 4000
-SUFFIXES = (".html", ".glb")
 
 
 def scene(
@@ -38,16 +36,14 @@ def scene(
     timing: Timing = Timing(),
     look: Look3D = Look3D(),
 ) -> Path:
-    """Write an interactive scene in 3D: a page for any browser, or glTF.
-
-    The page is self-contained and needs no network. In glTF the ring has one colour, since the format has no animated colours.
+    """Write an interactive scene in 3D: a page for any browser, self-contained and without network.
 
     Parameters
     ----------
     motions : Trajectory or sequence of Trajectory
         Several run in lanes.
     path : str or Path
-        Ends in .html or .glb.
+        Ends in .html.
     timing : Timing
         As in `film`.
     look : Look3D
@@ -65,14 +61,12 @@ def scene(
         If Matplotlib, for the colour map of the ring, is missing.
     """
     target = Path(path)
-    kind = target.suffix.lower()
-    if kind not in SUFFIXES:
-        raise InputError.of_field("out", str(path), " or ".join(SUFFIXES), rule="must end in")
+    if target.suffix.lower() != ".html":
+        raise InputError.of_field("out", str(path), ".html", rule="must end in")
     several = (motions,) if isinstance(motions, Trajectory) else tuple(motions)
     data = scene_data(several, timing, look)
-    content = glb(data) if kind == ".glb" else page(data).encode("utf-8")
     with replacing(target) as part:
-        part.write_bytes(content)
+        part.write_bytes(page(data).encode("utf-8"))
     return target
 
 

@@ -12,7 +12,6 @@ from hophoop.cli._options import with_scenario
 from hophoop.cli._output import check_folder, named_options
 
 PICTURE, PACE, COMPARE = "Picture", "Pace", "Comparison"
-SCENES = (".html", ".glb")
 
 
 @with_scenario
@@ -23,8 +22,8 @@ def animate(
         typer.Option(
             "--out",
             metavar="FILE",
-            help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html "
-            "or .glb, an interactive scene.",
+            help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html, "
+            "an interactive scene.",
             show_default=False,
         ),
     ],
@@ -155,7 +154,7 @@ def animate(
                 films.film(motions, out, timing, look, progress)
             else:
                 space = films.Look3D(camera=camera or "chase", shadows=shadows, **common)
-                if out.suffix.lower() in SCENES:
+                if out.suffix.lower() == ".html":
                     films.scene(motions, out, timing, space)
                 else:
                     films.film_3d(motions, out, timing, space, progress)
