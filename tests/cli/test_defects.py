@@ -70,7 +70,6 @@ def test_an_option_replaces_the_argument_and_no_word_of_the_value():
             "must be a certificate in JSON: a number has too many",
         ),
         (["prove", "--check"], "a.json", "[" * 100_000, "must be a certificate in JSON: nested too deeply"),
-        (["fit"], "a.trk", '<?xml version="1.0" encoding="none-such"?><object/>', "is not valid XML"),
         (["compare", "--score"], "a.csv", "#\n\x00" + "9" * 200_000, "a.csv "),
         (["lab"], "a.json", '{"schema": "hophoop-fit/1", "values": {}, "free": [], "covariance": "much"}', "is incomplete"),
     ],

@@ -1,7 +1,6 @@
-"""Tracks from files of others: Tracker's export and project, and tables."""
+"""Tracks from files of others: Tracker's export, and tables."""
 
 import json
-import zipfile
 
 import numpy as np
 import pytest
@@ -110,89 +109,11 @@ def test_units_in_the_header(tmp_path):
     assert track.angle == pytest.approx(np.radians(30 * T))
 
 
-# --- Tracker's own file ----------------------------------------------------------------------------
-
-
-def trk(points, angle_deg=0.0, start=2, step_ms=4.0, unit="m", extra=""):
-    """A .trk file with the layout of Tracker's own saver, of which only what is read is here."""
-
-    def prop(name, kind, value):
-        return f'<property name="{name}" type="{kind}">{value}</property>'
-
-    def obj(cls, body):
-        return f'<object class="org.opensourcephysics.{cls}">{body}</object>'
-
-    def frames(cls, rows):
-        items = "".join(
-            prop(f"[{n}]", "object", obj(f"{cls}$FrameData", "".join(prop(k, "double", v) for k, v in row.items())))
-            for n, row in rows.items()
-        )
-        return f'<property name="framedata" type="array" class="[Lorg.opensourcephysics.{cls}$FrameData;">{items}</property>'
-
-    axes = {"xorigin": 100.0, "yorigin": 400.0, "angle": angle_deg, "xscale": 200.0, "yscale": 200.0}
-    masses = "".join(
-        prop(
-            "item",
-            "object",
-            obj(
-                "cabrillo.tracker.PointMass",
-                prop("mass", "double", 1.0) + prop("name", "string", name) + frames("cabrillo.tracker.PointMass", rows),
-            ),
-        )
-        for name, rows in points.items()
-    )
-    clip = prop("video_framecount", "int", 50) + prop("startframe", "int", start) + prop("starttime", "double", 10.0)
-    body = (
-        prop("videoclip", "object", obj("media.core.VideoClip", clip))
-        + prop(
-            "clipcontrol",
-            "object",
-            obj("media.core.StepperClipControl", prop("rate", "double", 1.0) + prop("delta_t", "double", step_ms)),
-        )
-        + prop("coords", "object", obj("media.core.ImageCoordSystem", frames("media.core.ImageCoordSystem", {0: axes})))
-        + (prop("length_unit", "string", unit) if unit else "")
-        + f'<property name="tracks" type="collection" class="java.util.ArrayList">{masses}</property>{extra}'
-    )
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + obj("cabrillo.tracker.TrackerPanel", body)
-
-
-POINTS = {
-    "Hub": {n: {"x": 100.0 + 10 * n, "y": 340.0} for n in range(2, 8)},
-    "Load": {n: {"x": 100.0 + 10 * n, "y": 290.0} for n in (2, 3, 5)},
-}
-
-
-@pytest.mark.parametrize("ending", [".trk", ".trz"])
-def test_a_file_of_tracker(tmp_path, ending):
-    file = tmp_path / f"hoop{ending}"
-    if ending == ".trk":
-        file.write_text(trk(POINTS), encoding="utf-8")
-    else:
-        with zipfile.ZipFile(file, "w") as archive:
-            archive.writestr("hoop.trk", trk(POINTS))
-            archive.writestr("videos/hoop.mp4", b"")
-    track = read_track(file)
-    assert track.t == pytest.approx(0.010 + 0.004 * np.arange(6))
-    assert track.centre == pytest.approx(np.stack([0.05 * np.arange(2, 8), np.full(6, 0.3)], axis=-1))
-    assert track.marker[0] == pytest.approx([0.1, 0.55])
-    assert list(track.state) == ["found", "found", "no marker", "found", "no marker", "no marker"]
-    assert track.angle[0] == pytest.approx(0.0)
-
-
-def test_axes_that_are_turned(tmp_path):
-    # Tracker: pixel = origin + scale (x cos − y sin, −x sin − y cos)
-    angle, place = np.radians(20.0), np.array([0.4, 0.7])
-    u = 100 + 200 * (place[0] * np.cos(angle) - place[1] * np.sin(angle))
-    v = 400 + 200 * (-place[0] * np.sin(angle) - place[1] * np.cos(angle))
-    file = tmp_path / "turned.trk"
-    file.write_text(trk({"Hub": {n: {"x": u, "y": v} for n in range(3)}}, angle_deg=20.0))
-    assert read_track(file).centre == pytest.approx(np.tile(place, (3, 1)))
-
-
-def test_a_unit_of_length_is_believed(tmp_path):
-    file = tmp_path / "cm.trk"
-    file.write_text(trk(POINTS, unit="cm"))
-    assert read_track(file).centre[0] == pytest.approx([0.001, 0.003])
+@pytest.mark.parametrize("name", ["hoop.trk", "hoop.TRZ"])
+def test_a_project_of_tracker_is_refused_with_the_way(tmp_path, name):
+    (tmp_path / name).write_text("<object/>")
+    with pytest.raises(InputError, match=rf"{name} is a project of Tracker: .* File, Export, Data\.$"):
+        read_track(tmp_path / name)
 
 
 # --- our own ---------------------------------------------------------------------------------------
@@ -247,13 +168,6 @@ def test_a_saved_track_is_the_same(tmp_path):
         ("a.json", "{", "is not valid JSON"),
         ("a.json", "[1]", "is not a track of hophoop"),
         ("a.json", json.dumps({"schema": "hophoop-track/1"}), "is incomplete: 'columns'"),
-        ("a.trk", "<object>", "is not valid XML"),
-        ("a.trk", "<object/>", "no TrackerPanel"),
-        ("a.trk", trk({}), "has no point mass with marks"),
-        ("a.trk", trk(POINTS, step_ms=0.0), "has no time between frames"),
-        ("a.trk", trk(POINTS, unit="furlong"), "known units are m, cm"),
-        ("a.trk", '<!DOCTYPE a [<!ENTITY b "c">]><object/>', "declares entities"),
-        ("a.trz", "no zip", "is not a ZIP archive"),
     ],
 )
 def test_bad_files(tmp_path, name, text, message):
@@ -267,23 +181,13 @@ def test_bad_files(tmp_path, name, text, message):
 
 @pytest.mark.parametrize(
     ("name", "message"),
-    [("a.csv", "is larger than 500 MB"), ("a.trk", "is empty or larger than 200 MB"), ("a.json", "is larger than 500 MB")],
+    [("a.csv", "is larger than 500 MB"), ("a.json", "is larger than 500 MB")],
 )
 def test_gigabytes_are_refused_unread(tmp_path, name, message):
     file = tmp_path / name
     with file.open("wb") as stream:
         stream.truncate(3_000_000_000)  # sparse: no byte of it is on the disk
     with pytest.raises(ValueError, match=message):
-        read_track(file)
-
-
-def test_an_archive_that_would_unpack_to_gigabytes_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr("hophoop.tracking.trk.MOST_BYTES", 100_000)
-    file = tmp_path / "a.trz"
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("a.trk", b"<object>" + bytes(1_000_000))
-    assert file.stat().st_size < 10_000
-    with pytest.raises(ValueError, match="is empty or larger than"):
         read_track(file)
 
 
@@ -300,15 +204,3 @@ def test_files_that_are_no_text(tmp_path):
 def test_bad_readings(values):
     with pytest.raises(ValueError, match=f"{next(iter(values))} = "):
         Reading(**values)
-
-
-def test_an_archive_with_a_password_is_refused(tmp_path):
-    file = tmp_path / "a.trz"
-    with zipfile.ZipFile(file, "w") as archive:
-        archive.writestr("a.trk", trk(POINTS))
-    data = bytearray(file.read_bytes())
-    for header, flags in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
-        data[data.index(header) + flags] |= 1
-    file.write_bytes(data)
-    with pytest.raises(InputError, match=r"a\.trz cannot be unpacked: .* is encrypted"):
-        read_track(file)

@@ -19,7 +19,7 @@ def fit(
         Path,
         typer.Argument(
             metavar="DATA",
-            help="A track of `hophoop track` (.json, .csv), Tracker's export or .trk, or a table with named columns.",
+            help="A track of `hophoop track` (.json, .csv), Tracker's export, or a table with named columns.",
             show_default=False,
         ),
     ],

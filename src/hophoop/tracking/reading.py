@@ -1,4 +1,4 @@
-"""Tracks from files: our own, Tracker's export and project, plain tables."""
+"""Tracks from files: our own, Tracker's export, plain tables."""
 
 from __future__ import annotations
 
@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from hophoop.scenario import InputError
 from hophoop.scenario.sentences import parse_reason
 from hophoop.tracking.table import COLUMNS, Track, track_from_dict, track_of
-from hophoop.tracking.text import ANGLES, LENGTHS, OMEGAS, Column, in_metres, in_radians, in_seconds, read_columns
-from hophoop.tracking.trk import Points, read_project
+from hophoop.tracking.text import ANGLES, OMEGAS, Column, in_metres, in_radians, in_seconds, read_columns
 
 Floats = NDArray[np.float64]
 
@@ -74,8 +73,8 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
     Parameters
     ----------
     path : str or Path
-        A track of `track` (.json or .csv), Tracker's text export (.txt, .csv), Tracker's own file (.trk, .trz), or a table with
-        named columns: t, and x and y of the centre, marker_x and marker_y, or angle.
+        A track of `track` (.json or .csv), Tracker's text export (.txt, .csv), or a table with named columns: t, and x and y of
+        the centre, marker_x and marker_y, or angle.
     reading : Reading, optional
         Quantities that the file lacks.
 
@@ -95,7 +94,7 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
     ending = file.suffix.lower()
     if ending in TRACKER:
-        return _fill_in(_from_project(file, how), how)
+        raise InputError(f"{file} is a project of Tracker: open it there and save its points with File, Export, Data.")
     if file.stat().st_size > MOST_BYTES:
         raise InputError(f"{file} is larger than {MOST_BYTES // 1_000_000} MB, which no track is.")
     if ending in SHEETS:
@@ -108,7 +107,7 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
             raise InputError(f"{file} is not valid JSON: {parse_reason(error)}.") from None
         return _fill_in(track_from_dict(data, str(file)), how)
     if ending not in TABLES:
-        raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES, *TRACKER[:-1]))} or {TRACKER[-1]}.")
+        raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES[:-1]))} or {TABLES[-1]}.")
     return _fill_in(_from_table(read_columns(text, str(file)), file, how), how)
 
 
@@ -122,7 +121,7 @@ def _text(file: Path) -> str:
             continue
         if "\0" not in text:
             return text
-    raise InputError(f"{file} is not text: a track is a table, or JSON, or a file of Tracker.")
+    raise InputError(f"{file} is not text: a track is a table or JSON.")
 
 
 def _fill_in(track: Track, how: Reading) -> Track:
@@ -250,26 +249,3 @@ def _roles(points: list[str], how: Reading, name: str) -> dict[str, str]:
     if not roles:
         raise InputError(f"{name} has the points {', '.join(points)}: give the names of the centre and of the marker.")
     return roles
-
-
-# --- Tracker's project -----------------------------------------------------------------------------
-
-
-def _from_project(file: Path, how: Reading) -> Track:
-    project = read_project(file)
-    if project.unit not in LENGTHS:
-        raise InputError(
-            f"{file} has lengths in {project.unit!r}; known units are {', '.join(unit for unit in LENGTHS if unit)}."
-        )
-    roles = _roles([points.name for points in project.points], how, str(file))
-    chosen: dict[str, Points] = {
-        role: next(points for points in project.points if points.name == name) for role, name in roles.items()
-    }
-    frames = np.unique(np.concatenate([points.frames for points in chosen.values()]))
-    columns: dict[str, Floats] = {}
-    for role, points in chosen.items():
-        places = np.full((len(frames), 2), np.nan)
-        places[np.searchsorted(frames, points.frames)] = points.places * LENGTHS[project.unit]
-        for k, axis in enumerate(("x", "y")):
-            columns[axis if role == "centre" else f"marker_{axis}"] = places[:, k]
-    return track_of(project.times(frames), columns, source=file.name)
