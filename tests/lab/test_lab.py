@@ -127,7 +127,7 @@ def test_equal_requests_have_equal_tags():
         ("map", {}, "x is missing (and 1 more problem)."),
         ("map", {"x": 3, "y": {}}, "x = 3 must be a table of keys"),
         ("map", {"x": {"pat": 3}, "y": {}}, "pat is not a known key; did you mean path?"),
-        ("map", {"x": {"path": "plane.law"}, "y": {}}, "plane.law is not a parameter"),
+        ("map", {"x": {"path": "plane.colour"}, "y": {}}, "plane.colour is not a parameter"),
         ("map", {"x": {"path": "plane.impact_law", "from": 0, "to": 1}, "y": {}}, "not that of a word"),
         (
             "map",

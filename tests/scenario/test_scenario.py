@@ -139,7 +139,7 @@ def test_copies_are_validated():
 
 
 def test_models_never_change():
-    with pytest.raises(ValidationError):
+    with pytest.raises(InputError, match="cannot be assigned"):
         hh.Plane().gravity = 1.0
     assert len({hh.Scenario(), hh.Scenario(), hh.Scenario(duration=2.0)}) == 2
     assert pickle.loads(pickle.dumps(hh.Scenario())) == hh.Scenario()
@@ -160,7 +160,8 @@ REFUSED = [
     (lambda: hh.Plane(gravity=10**400), "must be a finite number."),
     (lambda: hh.Plane(restitution=np.float64(1.5)), "plane.restitution = 1.5 must be at most 1."),
     (lambda: hh.Plane(impact_law="hertz"), "must be 'stronge', 'newton' or 'poisson'."),
-    (lambda: hh.Plane(frictoin=1), "plane.frictoin is not a known key; known are gravity, slope, mu,"),
+    (lambda: hh.Plane(frictoin=1), "plane.frictoin is not a known key; did you mean mu?"),
+    (lambda: hh.Plane(colour=1), "plane.colour is not a known key; known are gravity, slope, mu,"),
     (lambda: hh.Plane(graviti=1), "plane.graviti is not a known key; did you mean gravity?"),
     (lambda: hh.Plane(gravity=-1, restitution=2), "= -1 must be at least 0 (and 1 more problem)."),
     (lambda: hh.Hoop(radius=0), "hoop.radius = 0 must be greater than 0."),
@@ -195,6 +196,64 @@ REFUSED = [
 @pytest.mark.parametrize(("build", "expected"), REFUSED)
 def test_refusals_name_field_value_and_what_is_allowed(build, expected):
     assert alike(expected) in alike(said(build))
+
+
+NEAR = [
+    (hh.Plane, "friction", "mu"), (hh.Plane, "Friction", "mu"), (hh.Plane, "static friction", "mu_static"),
+    (hh.Plane, "μ", "mu"), (hh.Plane, "g", "gravity"), (hh.Plane, "e", "restitution"), (hh.Plane, "angle", "slope"),
+    (hh.Plane, "slope_deg", "slope"), (hh.Plane, "slop", "slope"), (hh.Plane, "beta", "slope"), (hh.Plane, "law", "impact_law"),
+    (hh.Hoop, "gamma", "load_fraction"), (hh.Hoop, "γ", "load_fraction"), (hh.Hoop, "r", "radius"), (hh.Hoop, "R", "radius"),
+    (hh.Hoop, "m", "mass"), (hh.Hoop, "kappa", "inertia_ratio"), (hh.Hoop, "friction", "plane.mu"),
+    (hh.Start, "v0", "speed"), (hh.Start, "velocity", "speed"), (hh.Start, "theta", "angle"), (hh.Start, "angle-deg", "angle"),
+    (hh.Start, "mu", "plane.mu"), (hh.Start, "duration", "duration"),
+    (hh.Compliant, "k", "stiffness"), (hh.Compliant, "slip speed", "slip_speed"),
+    (hh.Scenario, "mu", "plane.mu"), (hh.Scenario, "friction", "plane.mu"), (hh.Scenario, "time", "duration"),
+    (hh.Scenario, "gamma", "hoop.load_fraction"), (hh.Scenario, "v0", "start.speed"), (hh.Scenario, "durations", "duration"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("kind", "word", "meant"), NEAR)
+def test_a_name_that_people_use_is_understood(kind, word, meant):
+    place = {"Scenario": "", "Compliant": "contact."}.get(kind.__name__, f"{kind.__name__.lower()}.")
+    assert said(lambda: kind(**{word: 1})) == f"{place}{word} is not a known key; did you mean {meant}?"
+
+
+@pytest.mark.parametrize(
+    ("path", "meant"),
+    [("plane.friction", "mu"), ("mu", "plane.mu"), ("start.v0", "speed"), ("time", "duration"), ("contact.k", "stiffness")],
+)
+def test_a_path_that_people_use_is_understood(path, meant):
+    expected = f"{path} is not a known key; did you mean {meant}?"
+    assert said(lambda: hh.scenario.parameter(path)) == expected
+    if not path.startswith("contact."):  # its keys depend on the model
+        assert said(lambda: hh.Scenario().with_values({path: 1.0})) == expected
+
+
+@pytest.mark.parametrize("kind", [hh.Hoop, hh.Plane, hh.Start, hh.Rigid, hh.Compliant, hh.Scenario])
+def test_values_without_names_are_refused_with_the_names(kind):
+    name, keys = kind.__name__, ", ".join(kind.model_fields)
+    assert said(lambda: kind(0.75)) == f"{name} takes its values by name ({keys}), not as {name}(0.75)."
+
+
+def test_an_assignment_is_refused_with_what_to_do():
+    scenario = hh.Scenario()
+
+    def assign(thing, name, value=0.3):
+        return said(lambda: setattr(thing, name, value))
+
+    expected = (
+        "duration = 3 cannot be assigned, since a Scenario never changes; with_values({'duration': 3}) returns another one."
+    )
+    assert assign(scenario, "duration", 3) == expected
+    expected = (
+        "plane.mu = 0.3 cannot be assigned, since a Plane never changes; model_copy(update={'mu': 0.3}) returns another one."
+    )
+    assert assign(scenario.plane, "mu") == expected
+    assert assign(scenario.plane, "friction") == "plane.friction is not a known key; did you mean mu?"
+    assert assign(scenario.start, "colour").startswith("start.colour is not a known key; known are x, height,")
+    assert assign(scenario.hoop, "massless").startswith("hoop.massless = 0.3 cannot be assigned")
+    assert said(lambda: delattr(scenario, "duration")) == "duration cannot be deleted, since a Scenario never changes."
+    assert scenario == hh.Scenario()
 
 
 REFUSED_KEYS = [

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from hophoop._support.errors import plain, shortened
+from hophoop._support.errors import InputError, plain, shortened, shown
 from hophoop.scenario.sentences import input_error
 from hophoop.scenario.texts import TEXTS, say
+from hophoop.vocabulary.parameters import TABLE, section_of
 
 
 def plain_init(init: Callable[..., None]) -> Callable[..., None]:
@@ -25,6 +26,28 @@ def plain_init(init: Callable[..., None]) -> Callable[..., None]:
     return init
 
 
+def near_name(word: str, known: Sequence[str], place: str) -> str:
+    """Return the key, or the path in another section, that an unknown key probably means; empty if there is none."""
+    import difflib
+
+    word = word.strip().lower().replace(" ", "_").replace("-", "_")
+    section = place.removesuffix(".")
+    names: dict[str, str] = {}  # every name of a key of this section
+    elsewhere: dict[str, str] = {}
+    for row in TABLE:
+        key = row.path.rpartition(".")[2]
+        if section_of(row) == (section or "motion"):
+            names |= dict.fromkeys(row.names, key) if key in known else {}
+        elif section or section_of(row) in known:
+            for name in (key, *row.names):
+                elsewhere.setdefault(name, row.path)
+    names |= {name: name for name in known}
+    if word in names:
+        return names[word]
+    close = difflib.get_close_matches(word, names, n=1, cutoff=0.75)
+    return names[close[0]] if close else elsewhere.get(word, "")
+
+
 class Frozen(BaseModel):
     """A validated model that never changes; a bad value raises `InputError`."""
 
@@ -33,7 +56,10 @@ class Frozen(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     @plain_init
-    def __init__(self, /, **values: Any) -> None:
+    def __init__(self, /, *unnamed: Any, **values: Any) -> None:
+        if unnamed:
+            name, keys = type(self).__name__, ", ".join(type(self).model_fields)
+            raise InputError(f"{name} takes its values by name ({keys}), not as {name}({shortened(shown(unnamed[0]))}).")
         try:
             super().__init__(**values)
         except ValidationError as error:
@@ -46,13 +72,37 @@ class Frozen(BaseModel):
         known = [field.alias or name for name, field in cls.model_fields.items()]
         for key in data if isinstance(data, Mapping) else ():
             if key not in known:
-                import difflib
-
-                close = difflib.get_close_matches(str(key), known, n=1)
-                hint = say("did_you_mean", close=close[0]) if close else say("known_are", known=", ".join(known))
+                close = near_name(str(key), known, cls.place)
+                hint = say("did_you_mean", close=close) if close else say("known_are", known=", ".join(known))
                 path = f"{cls.place}{shortened(str(key))}"
                 raise refuse(say("unknown_key", path=path, hint=hint), path)
         return data
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        path = self._path_of(name)
+        raise InputError(
+            f"{path} = {shortened(shown(value))} cannot be assigned, since a {type(self).__name__} never changes; "
+            f"{self._changing(name, shortened(shown(value)))} returns another one.",
+            field=path,
+            value=value,
+        )
+
+    def __delattr__(self, name: str) -> None:
+        path = self._path_of(name)
+        raise InputError(f"{path} cannot be deleted, since a {type(self).__name__} never changes.", field=path)
+
+    def _path_of(self, name: str) -> str:
+        known = list(type(self).model_fields)
+        path = f"{self.place}{shortened(name)}"
+        if name not in known and not hasattr(type(self), name):
+            close = near_name(name, known, self.place)
+            hint = say("did_you_mean", close=close) if close else say("known_are", known=", ".join(known))
+            raise InputError(say("unknown_key", path=path, hint=hint), field=path)
+        return path
+
+    def _changing(self, name: str, value: str) -> str:
+        """Return the expression that makes another model."""
+        return f"model_copy(update={{{name!r}: {value}}})"
 
     def to_dict(self) -> dict[str, Any]:
         """Return its keys as in a scenario file, in the way it was given.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from pydantic import ValidationError
 
 from hophoop._support.errors import InputError
-from hophoop.scenario.base import Frozen
+from hophoop.scenario.base import Frozen, near_name
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
 from hophoop.scenario.sentences import input_error
@@ -91,6 +91,11 @@ def parameter(path: str) -> ParameterInfo:
     """
     for known in _candidates(path):
         return known
+    section, _, key = path.rpartition(".")
+    known = [name for model in _SECTIONS.get(section, ()) for name in model.model_fields]
+    close = near_name(key, known or ["duration", *_SECTIONS], section) if path.count(".") < 2 else ""
+    if close and close not in _SECTIONS:
+        raise InputError(say("unknown_key", path=path, hint=say("did_you_mean", close=close)), field=path)
     raise InputError(say("no_parameter", path=path, known=", ".join(paths())), field=path)
 
 

@@ -293,6 +293,9 @@ class Scenario(Frozen):
         plain = {path: value.item() if hasattr(value, "item") else value for path, value in values.items()}
         return type(self).from_dict(with_replaced(self, plain))
 
+    def _changing(self, name: str, value: str) -> str:
+        return f"with_values({{{name!r}: {value}}})"
+
     def to_body(self) -> Body:
         """Hoop and plane as the kernels take them, see `to_body`.
 

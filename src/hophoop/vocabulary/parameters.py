@@ -109,6 +109,28 @@ class Parameter(NamedTuple):
     degrees: bool = False  # shown in degrees in the lab
     left_out: bool = False  # of files and links where it has its default
 
+    @property
+    def names(self) -> list[str]:
+        """Other names that people may give it: its label, its symbol, its options and everyday words, in lower case."""
+        flags = [option.flag.removeprefix("--") for option in self.options]
+        words = [self.label, self.symbol, *flags, *_EVERYDAY.get(self.path, ())]
+        return [word.lower().replace(" ", "_").replace("-", "_") for word in words if word]
+
+
+_EVERYDAY: Final = {
+    "hoop.load_fraction": ("load",),
+    "hoop.eccentricity": ("epsilon",),
+    "hoop.inertia_ratio": ("kappa", "inertia"),
+    "plane.mu": ("friction_coefficient",),
+    "plane.slope": ("beta", "angle", "incline", "inclination", "tilt"),
+    "plane.restitution": ("bounciness",),
+    "plane.impact_law": ("law",),
+    "start.speed": ("velocity", "v"),
+    "start.angle": ("theta",),
+    "start.omega": ("spin",),
+    "duration": ("time", "t_end"),
+}
+
 
 _FRICTION = Range(0.0, 1e6, (math.inf,))
 _SPEED = Range(-1e6, 1e6)
