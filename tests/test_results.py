@@ -16,6 +16,7 @@ import pytest
 
 import hophoop as hh
 from cli_tools import run
+from hophoop._support import tables
 from hophoop.derivatives.units import DIRECT
 from hophoop.kernel.physics import body
 from hophoop.kernel.records.units import scales_from
@@ -138,7 +139,8 @@ def test_words_are_known_and_plain_strings_still(motion):
         assert json.dumps([word]) == json.dumps([plain])
         assert pickle.loads(pickle.dumps(word)) is copy.deepcopy(word) is word
         assert np.array([word]).dtype == np.array([plain]).dtype
-    assert f"kind={'takeoff'!r}, from_mode='S', to_mode='H'" in repr(motion.find("takeoff")[0])
+    assert repr(motion.find("takeoff")[0]).startswith("<takeoff at t = 1.0447130")
+    assert ", S → H: x = 5.4155" in repr(motion.find("takeoff")[0])
     assert motion.events[0].from_mode is None
 
 
@@ -217,7 +219,7 @@ def test_a_wide_table_leaves_columns_out():
     scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.75, radius=1e6), start=hh.Start.rolling(3100.0), duration=6000.0)
     motion = hh.simulate(scenario)
     lines = repr(motion.events).splitlines()
-    assert max(map(event_table._length, lines)) <= 100
+    assert max(map(tables.length, lines)) <= 100
     assert "slip (m/s)" not in lines[0]
     assert lines[-1] == "Not shown for want of width: slip (m/s)."
     every = event_table.text_table(motion.events, width=1000)
@@ -236,3 +238,68 @@ def test_a_long_table_has_its_first_and_last_rows():
     times = [float(row.split()[0]) for row in rows if "…" not in row]
     kept = [*motion.events[:60], *motion.events[-20:]]
     assert times == [float(f"{event.t:.6f}") for event in kept]
+
+
+# What results print
+
+
+@pytest.fixture(scope="module")
+def printed() -> dict[str, object]:
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    uncertainty = motion.uncertainty({"plane.mu": 0.01})
+    short = hh.Scenario(duration=0.5)
+    return {
+        "ledger": motion.ledger,
+        "sample": motion.at(1.9),
+        "samples": motion.at(motion.times(500)),
+        "no samples": motion.at([]),
+        "errors": motion.errors,
+        "phase": next(iter(hh.phases(motion.scenario))),
+        "margins": next(iter(hh.phases(motion.scenario))).begin,
+        "plan": hh.plan(motion.scenario),
+        "sensitivity": motion.sensitivity(["takeoff.angle", "hop.height"], ["start.speed", "plane.mu"]),
+        "deviations": uncertainty.at(motion.times(50)),
+        "proof": hh.prove.prove(short),
+        "part of a proof": hh.prove.prove(hh.Scenario(duration=60.0, start=hh.Start.rolling(2.8)), seconds=1e-9),
+        "agreement": hh.precise.compare(motion, hh.simulate(motion.scenario, digits=20)),
+        "event": motion.events[1],
+    }
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["ledger", "sample", "samples", "no samples", "errors", "phase", "margins", "plan", "sensitivity", "deviations", "proof",
+     "part of a proof", "agreement", "event"],
+)  # fmt: skip
+def test_a_result_prints_a_few_lines(printed, name):
+    text = repr(printed[name])
+    assert text.startswith("<")
+    assert len(text) < 1200
+    lines = text.splitlines()
+    assert len(lines) <= 15
+    assert max(map(len, lines)) <= 160
+    assert not re.search(r"array|dtype|np\.|Decimal", text)
+
+
+@pytest.mark.parametrize("name", ["ledger", "sample", "samples", "plan", "sensitivity", "proof"])
+def test_a_result_is_a_table_in_notebooks(printed, name):
+    page = printed[name]._repr_html_()
+    assert page.count("<table>") == page.count("</table>") == 1
+    assert 2 <= page.count("<tr>") <= 25
+    assert len({row.count("<td") for row in page.split("<tr>")[2:]}) == 1
+
+
+def test_the_two_losses_to_friction_have_two_names(printed):
+    text = repr(printed["ledger"])
+    assert re.search(r"friction +1\.3938 J +Energy lost in slip so far\n", text)
+    assert re.search(
+        r"friction_loss +3\.75269 J +Energy lost to friction, in slip and in the tangential part of impacts\n", text
+    )
+
+
+def test_the_table_of_a_motion_in_notebooks_has_the_height():
+    page = hh.simulate(hh.Scenario(duration=2.0))._repr_html_()
+    titles = re.findall(r"<th[^>]*>([^<]*)</th>", page)
+    assert titles == list(event_table.TITLES)
+    apex = next(row for row in page.split("<tr>") if ">apex<" in row)
+    assert "<td>0.2918</td>" in apex

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from hophoop._support import tables
 from hophoop.fitting.covariance import inverse
 from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.judging import correlations, least_static_friction
@@ -55,6 +56,12 @@ class Plan:
     sequence: str
     frames: int
     least_static_friction: float
+
+    def __repr__(self) -> str:
+        return tables.report("Plan of a fit", self.rows(), self.sentences(), left=(0, 1, 2))
+
+    def _repr_html_(self) -> str:
+        return tables.html(self.rows(), left=(0, 2), before=[" ".join(self.sentences())])
 
     def rows(self) -> list[tuple[str, str, str]]:
         """Parameters for people: name, value with uncertainty, meaning.

@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, replace
 from functools import cached_property
-from html import escape
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support import tables
 from hophoop._support.files import replacing
 from hophoop._version import __version__
 from hophoop.fitting.guess import merge_bounces
@@ -279,13 +279,7 @@ class Fit:
             fresh.write_text(text + "\n", encoding="utf-8")
 
     def _repr_html_(self) -> str:
-        rows = "".join(
-            f"<tr><td style='text-align:left'>{escape(name)}</td><td>{escape(text)}</td>"
-            f"<td style='text-align:left'>{escape(meaning)}</td></tr>"
-            for name, text, meaning in self.rows()
-        )
-        said = " ".join(escape(sentence) for sentence in self.sentences())
-        return f"<div><p>{said}</p><table><tbody>{rows}</tbody></table></div>"
+        return tables.html(self.rows(), left=(0, 2), before=[" ".join(self.sentences())])
 
     def __repr__(self) -> str:
         some = ", ".join(f"{name} = {format_value(self.values[name], self.error(name))}" for name in self.free[:4])

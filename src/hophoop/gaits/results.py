@@ -68,7 +68,7 @@ _VARIABLES = (
     _Variable("vy", "m/s", "Velocity of the centre away from the plane"),
     _Variable("hops", "1", "Hops since the last passage"),
     _Variable("distance", "m", "Distance since the last passage"),
-    _Variable("friction", "J", "Energy lost to friction in slip since the last passage"),
+    _Variable("friction", "J", "Energy lost in slip since the last passage"),
     _Variable("impact_normal", "J", "Energy lost in impacts, normal to the plane, since the last passage"),
     _Variable("impact_tangential", "J", "Energy lost in impacts, along the plane, since the last passage"),
     _Variable("rolling_resistance", "J", "Energy lost to rolling resistance since the last passage"),

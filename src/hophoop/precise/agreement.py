@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any, Protocol
 
+from hophoop._support import tables
 from hophoop.precise.result import PreciseEvent, PreciseMotion
 from hophoop.scenario.scenario import time_unit
 
@@ -55,6 +56,10 @@ class Agreement:
 
     rows: tuple[Row, ...]
     difference: str
+
+    def __repr__(self) -> str:
+        rows = [(row.kind, f"t = {row.t:.9g} s", f"{min(row.digits.values()):.1f} digits") for row in self.rows]
+        return tables.report(f"Agreement of {len(rows)} events", rows, [self.difference] if self.difference else [])
 
     @property
     def least(self) -> float:

@@ -78,6 +78,9 @@ class PreciseEvent:
     stable: bool | None
     digits_right: int
 
+    def __repr__(self) -> str:
+        return f"<{self.kind} at t = {self.t} s, {_change(self)}: x = {self.x} m, angle = {self.angle} rad>"
+
 
 @dataclass(frozen=True)
 class PreciseMotion:
@@ -176,11 +179,15 @@ class PreciseMotion:
             f"{self.digits} digits asked, {self.digits_right} right>"
         ]
         for event in self.events[:40]:
-            change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
-            lines.append(f"  {event.kind:<22} {change:<6} t = {event.t} s, θ = {event.angle}")
+            lines.append(f"  {event.kind:<22} {_change(event):<6} t = {event.t} s, θ = {event.angle}")
         if len(self.events) > 40:
             lines.append(f"  … and {len(self.events) - 40} more")
         return "\n".join(lines)
+
+
+def _change(event: PreciseEvent) -> str:
+    """Return the letters of the mode before and after."""
+    return event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
 
 
 def _text(value: Decimal) -> str | None:

@@ -9,6 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from hophoop._support import tables
 from hophoop._support.files import replacing
 from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.precise.problem import Problem
@@ -18,9 +19,11 @@ from hophoop.prove.checker.verdict import Verdict
 from hophoop.prove.deadline import Deadline, Late
 from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
 from hophoop.prove.physics.equations import Model
+from hophoop.results.event_table import change_of
 from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.vocabulary.events import sequence_of
 from hophoop.vocabulary.modes import letter_of
+from hophoop.vocabulary.words import plain
 
 SCHEMA = "hophoop-proof/1"
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
@@ -29,6 +32,7 @@ BITS_A_DIGIT = 3.3219280948873626
 GUARD = 45  # bits
 CHECKER_GUARD = 40  # bits that the checker works with beyond those of the proof
 TRIES = 5
+MOST_ROWS = 12  # events that a proof shows of itself
 FACTS_AT_ONCE = 100  # are written as decimal numbers without a look at the clock
 
 
@@ -71,6 +75,9 @@ class Enclosure:
     def __str__(self) -> str:
         return f"{self.middle} ± {self.radius:.0e}" if self.radius else f"{self.middle}"
 
+    def __repr__(self) -> str:
+        return f"<{self}>"
+
 
 @dataclass(frozen=True)
 class ProvedEvent:
@@ -100,6 +107,9 @@ class ProvedEvent:
     vx: Enclosure
     vy: Enclosure
     omega: Enclosure
+
+    def __repr__(self) -> str:
+        return f"<{self.kind} at t = {self.t} s, {change_of(self)}: x = {self.x} m, angle = {self.angle} rad>"
 
 
 @dataclass(frozen=True)
@@ -138,6 +148,23 @@ class Proof:
     digits_proved: int
     events: tuple[ProvedEvent, ...]
     certificate: dict[str, Any] | None
+
+    def __repr__(self) -> str:
+        head = f"Proof of {self.sequence}: {self.verdict}, {len(self.events)} events, {self.digits_proved} digits"
+        return tables.report(head, self._rows(), self._notes())
+
+    def _repr_html_(self) -> str:
+        titles = ("event", "mode", "t (s)", "θ (rad)", "x (m)")
+        head = f"{self.sequence}: {self.verdict}, {self.digits_proved} digits"
+        return tables.html(self._rows(), titles, (0, 1), before=[head], after=self._notes())
+
+    def _rows(self) -> list[list[str]]:
+        shown = self.events[:MOST_ROWS]
+        return [[plain(event.kind), change_of(event), *map(str, (event.t, event.angle, event.x))] for event in shown]
+
+    def _notes(self) -> list[str]:
+        more = len(self.events) - MOST_ROWS
+        return [f"… and {more} more"] * (more > 0) + [f"Undecided: {self.why}."] * (not self.proved)
 
     @property
     def proved(self) -> bool:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-import unicodedata
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from hophoop._support import tables
 from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:
@@ -71,30 +71,19 @@ def text_table(events: Sequence[EventRecord], width: int = WIDTH) -> str:
             column.insert(1 + FIRST_ROWS, "…")
     missing = []
     for title in SPARE:
-        if sum(max(map(_length, column)) + 2 for column in columns.values()) - 2 <= width:
+        if sum(max(map(tables.length, column)) + 2 for column in columns.values()) - 2 <= width:
             break
         del columns[title]
         missing.append(title)
-    head, *rows = zip(*(_padded(title, column) for title, column in columns.items()), strict=True)
-    lines = ["  ".join(row).rstrip() for row in (head, ["─" * _length(cell) for cell in head], *rows)]
+    for column in columns.values():
+        column.insert(1, "─" * max(map(tables.length, column)))
+    left = [k for k, title in enumerate(columns) if title in WORDS]
+    lines = tables.columns(list(zip(*columns.values(), strict=True)), left)
     if missing:
         lines.append(f"Not shown for want of width: {', '.join(missing)}.")
     if left_out:
         lines.append(f"… {left_out:,} events are left out where the dots are.")
     return "\n".join(lines)
-
-
-def _padded(title: str, column: Sequence[str]) -> list[str]:
-    widest = max(map(_length, column))
-    spaces = (" " * (widest - _length(cell)) for cell in column)
-    if title in WORDS:
-        return [cell + space for cell, space in zip(column, spaces, strict=True)]
-    return [space + cell for cell, space in zip(column, spaces, strict=True)]
-
-
-def _length(text: str) -> int:
-    """Return the width of a text; the dot over θ̇ has no width."""
-    return sum(not unicodedata.combining(character) for character in text)
 
 
 def _clean(number: float) -> float:

@@ -8,6 +8,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from hophoop._support import tables
+from hophoop.results.event_table import TITLES, WORDS, cells
 from hophoop.results.poses import Floats, Poses, poses_of, to_world
 from hophoop.results.records import Motion
 from hophoop.scenario import describe
@@ -32,19 +34,10 @@ def html(motion: Motion) -> str:
     -------
     html : str
     """
-    rows = "".join(
-        f"<tr><td>{event.t:.6g}</td><td style='text-align:left'>{escape(plain(event.kind))}</td>"
-        f"<td>{event.from_mode or ''} → {event.to_mode}</td><td>{math.degrees(event.angle):.5g}</td>"
-        f"<td>{event.x:.5g}</td><td>{event.vx:.5g}</td><td>{event.omega:.5g}</td></tr>"
-        for event in motion.events[:MOST_ROWS]
-    )
-    more = len(motion.events) - MOST_ROWS
-    if more > 0:
-        rows += f"<tr><td colspan='7' style='text-align:left'>… and {more} more</td></tr>"
-    table = (
-        "<table><thead><tr><th>t (s)</th><th>event</th><th>mode</th><th>θ (°)</th><th>x (m)</th>"
-        f"<th>v (m/s)</th><th>θ̇ (rad/s)</th></tr></thead><tbody>{rows}</tbody></table>"
-    )
+    shown = motion.events[:MOST_ROWS]
+    more = len(motion.events) - len(shown)
+    left = [TITLES.index(title) for title in WORDS]
+    table = tables.html(map(cells, shown), TITLES, left, after=[f"… and {more} more"] if more else [])
     head = (
         f"<b>{escape(describe(motion.scenario))}</b><br>phases <code>{escape(shortened(motion.sequence))}</code>, "
         f"{escape(plain(motion.status))} after {motion.duration:.6g} s"

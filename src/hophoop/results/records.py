@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._support import tables
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.friction import utilizations
-from hophoop.results.event_table import text_table
+from hophoop.results.event_table import change_of, text_table
 from hophoop.results.units import Units
 from hophoop.scenario import Plane, Scenario
 from hophoop.vocabulary.events import EVENT_KINDS, EventKind
 from hophoop.vocabulary.modes import MODE_LETTERS, ModeLetter
-from hophoop.vocabulary.quantities import EVENT_NUMBERS, held_by
+from hophoop.vocabulary.quantities import EVENT_NUMBERS, FRICTION_LOSS, QUANTITIES, held_by
 from hophoop.vocabulary.statuses import MotionStatus
 
 Side = Literal["left", "right"]
@@ -83,7 +84,7 @@ class EventRecord:
     impulse_tangential : float
         Impulse of an impact along the plane, else 0 [N s].
     friction : float
-        Energy lost to friction in slip, from the start to just after the event [J].
+        Energy lost in slip, from the start to just after the event [J].
     impact_normal : float
         Energy lost so far in impacts, normal to the plane [J].
     impact_tangential : float
@@ -119,6 +120,10 @@ class EventRecord:
     collision: bool | None
     gain: float
     stable: bool | None
+
+    def __repr__(self) -> str:
+        numbers = _numbers(self, (*_STATE, "slip"))
+        return f"<{self.kind} at t = {self.t:.9g} s, {change_of(self)}: {numbers}>"
 
     def restart(self) -> dict[str, Any]:
         """Return slip, mode and exact of the start that goes on from here, for `Start.of`."""
@@ -161,6 +166,16 @@ class EventRecord:
 
 
 _STATE = ("x", "height", "angle", "vx", "vy", "omega")
+_LINES = (  # of a sample's text
+    ("x", "height", "angle"), ("vx", "vy", "omega", "slip"), ("friction_force", "normal_force"), ("kinetic", "potential"),
+    ("friction", "impact_normal", "impact_tangential", "rolling_resistance", "spring", "damping"),
+)  # fmt: skip
+_FIRST, _LAST = 3, 2  # rows of the text of samples at many times
+
+
+def _numbers(thing: Any, names: Iterable[str]) -> str:
+    return ", ".join(f"{name} = {getattr(thing, name):.6g} {QUANTITIES[name].unit}" for name in names)
+
 
 Restart: TypeAlias = Callable[[], dict[str, Any]]
 _ORIGIN = "_origin"
@@ -241,7 +256,7 @@ class Sample(Generic[Numbers, Letters]):
     potential : float or ndarray
         Potential energy, zero with the load at the top in contact at x = 0 [J].
     friction : float or ndarray
-        Energy lost so far to friction in slip [J].
+        Energy lost so far in slip; `friction_loss` is this and what friction takes in impacts [J].
     impact_normal : float or ndarray
         Energy lost so far in impacts, normal to the plane [J].
     impact_tangential : float or ndarray
@@ -273,6 +288,38 @@ class Sample(Generic[Numbers, Letters]):
     rolling_resistance: Numbers
     spring: Numbers
     damping: Numbers
+
+    def __repr__(self) -> str:
+        if np.ndim(self.t) == 0:
+            lines = [[name for name in names if names is not _LINES[-1] or getattr(self, name)] for names in _LINES]
+            text = "".join(f"\n  {_numbers(self, names)}" for names in lines if names)
+            return f"<Sample at t = {self.t:.9g} s, mode {self.mode}>{text}"
+        head = f"Sample at {np.size(self.t):,} times"
+        if not np.size(self.t):
+            return f"<{head}>"
+        return tables.report(f"{head}, {np.min(self.t):.6g} to {np.max(self.t):.6g} s", self._rows(_FIRST, _LAST), left=())
+
+    def _repr_html_(self) -> str:
+        if np.ndim(self.t):
+            titles, *rows = self._rows(2 * _FIRST, 2 * _FIRST)
+            return tables.html(rows, titles, left=())
+        rows = [
+            [name, f"{getattr(self, name):.6g} {QUANTITIES[name].unit}", QUANTITIES[name].meaning]
+            for name in ("t", *(name for names in _LINES for name in names))
+        ]
+        return tables.html([["mode", str(self.mode), "Mode"], *rows], left=(0, 2))
+
+    def _rows(self, first: int, last: int) -> list[list[str]]:
+        """Return titles and the rows of the first and the last times."""
+        names = ("t", *_STATE, "slip")
+        rows = [["mode", *(f"{name} ({QUANTITIES[name].unit})" for name in names)]]
+        size = np.size(self.t)
+        shown = range(size) if size <= first + last else [*range(first), None, *range(size - last, size)]
+        fields = [np.ravel(getattr(self, name)) for name in names]
+        for k in shown:
+            modes = np.ravel(self.mode)
+            rows.append(["…"] * len(rows[0]) if k is None else [str(modes[k]), *(f"{field[k]:.6g}" for field in fields)])
+        return rows
 
     def restart(self) -> dict[str, Any]:
         """Return slip, mode and exact of the start that goes on from here, for `Start.of`."""
@@ -354,6 +401,10 @@ class EventErrors:
     vy: NDArray[np.float64]
     omega: NDArray[np.float64]
     slip: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        rows = [(name, f"{np.max(getattr(self, name)):.1e} {QUANTITIES[name].unit}") for name in ("t", *_STATE, "slip")]
+        return tables.report(f"Errors of {len(self.t)} events, at most", rows if len(self.t) else [], left=(0, 1))
 
 
 class Motion(Protocol):
@@ -451,7 +502,7 @@ class Ledger:
     potential : float
         Potential energy at the end, zero with the load at the top in contact at x = 0 [J].
     friction : float
-        Lost to friction in slip [J].
+        Lost in slip; `friction_loss` is this and what friction takes in impacts [J].
     impact_normal : float
         Lost in impacts, in the direction normal to the plane; may be negative under Newton's and Poisson's laws [J].
     impact_tangential : float
@@ -478,6 +529,22 @@ class Ledger:
     damping: float
     residual: float
     range: float
+
+    def __repr__(self) -> str:
+        return tables.report("Ledger of a motion", self._rows(), left=(0, 2))
+
+    def _repr_html_(self) -> str:
+        return tables.html(self._rows(), left=(0, 2))
+
+    def _rows(self) -> list[tuple[str, str, str]]:
+        meanings = {name: QUANTITIES[name].meaning for name in held_by("Ledger")}
+        names = list(meanings)
+        meanings["friction_loss"] = FRICTION_LOSS
+        names.insert(names.index("impact_tangential") + 1, "friction_loss")
+        always = ("kinetic", "potential", "residual")
+        return [
+            (name, f"{getattr(self, name):.6g} J", meanings[name]) for name in names if name in always or getattr(self, name)
+        ]
 
     @property
     def friction_loss(self) -> float:

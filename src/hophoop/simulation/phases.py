@@ -59,6 +59,10 @@ class Margins:
     height: float
     p_sigma: float
 
+    def __repr__(self) -> str:
+        forces = f"N = {self.normal_force:.6g} N, F = {self.friction_force:.6g} N of {self.friction_limit:.6g} N"
+        return f"<Margins: {forces}, slip {self.slip:.6g} m/s, gap {self.height:.6g} m>"
+
 
 @dataclass(frozen=True)
 class PhaseRecord:
@@ -95,6 +99,10 @@ class PhaseRecord:
     ended_by: str
     then: str
     events: tuple[EventRecord, ...]
+
+    def __repr__(self) -> str:
+        head = f"{self.word} ({self.mode}) from {self.t_begin:.9g} to {self.t_end:.9g} s"
+        return "\n".join([f"<{head}>", *(f"  {line}" for line in (self.ended_by, self.then) if line)])
 
 
 def phases(scenario: Scenario) -> Iterator[PhaseRecord]:

@@ -71,6 +71,7 @@ TABLE: Final = (
     Quantity("residual", "energy", "Energy that does not add up", ("Ledger",)),
     Quantity("range", "energy", "Size of the energies that took part", ("Ledger",)),
 )
+FRICTION_LOSS: Final = "Energy lost to friction, in slip and in the tangential part of impacts"
 QUANTITIES: Final = {quantity.name: quantity for quantity in TABLE}
 
 

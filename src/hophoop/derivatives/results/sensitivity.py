@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support import tables
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.parameters import allowed_sides, value_of
 from hophoop.derivatives.results.propagation import TangentSolution, WithDerivatives, propagate
@@ -113,9 +114,16 @@ class Sensitivity:
 
     def __str__(self) -> str:
         width = max(len(name) for name in self.of)
-        return "\n".join(
-            f"{of:<{width}}  by {wrt}: {self._told(i, k)}" for i, of in enumerate(self.of) for k, wrt in enumerate(self.wrt)
-        )
+        return "\n".join(f"{of:<{width}}  {by}: {told}" for of, by, told in self._rows())
+
+    def __repr__(self) -> str:
+        return tables.report("Sensitivity of a motion", self._rows(), left=(0, 1, 2))
+
+    def _repr_html_(self) -> str:
+        return tables.html(self._rows(), left=(0, 1, 2))
+
+    def _rows(self) -> list[tuple[str, str, str]]:
+        return [(of, f"by {wrt}", self._told(i, k)) for i, of in enumerate(self.of) for k, wrt in enumerate(self.wrt)]
 
     def _told(self, i: int, k: int) -> str:
         unit = _over(self.units[i], self.wrt_units[k])

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._support import tables
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.derivatives.results.quantities import AT_TIMES
 from hophoop.derivatives.results.sensitivity import AGREE, Sensitivity, names_of, sensitivity_of
 from hophoop.kernel.numerics.sums import matrix_product, weighted_sum
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
+from hophoop.vocabulary.quantities import QUANTITIES
 
 Floats = NDArray[np.float64]
 
@@ -54,6 +56,11 @@ class Deviations:
     impact_normal: Floats
     impact_tangential: Floats
     rolling_resistance: Floats
+
+    def __repr__(self) -> str:
+        names = [one.name for one in fields(self) if one.name != "t" and np.any(getattr(self, one.name))]
+        rows = [(name, f"{np.max(getattr(self, name)):.3g} {QUANTITIES[name].unit}") for name in names]
+        return tables.report(f"Standard deviations at {np.size(self.t)} times, at most", rows, left=(0, 1))
 
 
 @dataclass(frozen=True)
