@@ -21,7 +21,7 @@ ORDER = [
     *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
     *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram", "branch"),
     *("sweep", "hop_height", "fates", "open_map", "points", "boundary", "borders", "logarithmic", "refine"),
-    *("catalogue", "paradoxes"),
+    *("design", "catalogue", "paradoxes"),
     *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "gears", "player"),
 ]
 SHOWN = ("hophoop.plots.", "hophoop.maps.", "hophoop.animate.")

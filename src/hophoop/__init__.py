@@ -25,7 +25,6 @@ _HOMES: dict[str, str | None] = {
     "simulate": "simulation.simulate",
     "sensitivity": "simulation.simulate",
     "Trajectory": "simulation.trajectory",
-    "design": "optimal_design",
     "phases": "simulation.phases",
     "passages": "gaits",
     "load": "io",
@@ -48,7 +47,6 @@ _HOMES: dict[str, str | None] = {
     "prove": None,
     "engines": None,
     "animate": None,
-    "jax": None,
     "show": "lab.widget",
 }
 
@@ -63,7 +61,6 @@ if TYPE_CHECKING:
     from hophoop import engines as engines
     from hophoop import gaits as gaits
     from hophoop import io as io
-    from hophoop import jax as jax
     from hophoop import maps as maps
     from hophoop import plots as plots
     from hophoop import precise as precise
@@ -76,7 +73,6 @@ if TYPE_CHECKING:
     from hophoop.gaits import passages as passages
     from hophoop.io import load as load
     from hophoop.lab.widget import show as show
-    from hophoop.optimal_design import design as design
     from hophoop.scenario import Compliant as Compliant
     from hophoop.scenario import Disk as Disk
     from hophoop.scenario import Hoop as Hoop

@@ -107,11 +107,3 @@ def test_at_rest_it_is_the_slope_over_the_friction(resistance):
 def test_a_map_has_the_same_at_rest():
     scenario = hh.Scenario(plane=hh.Plane(slope=-0.05, mu=0.5, rolling_resistance=0.4), start=hh.Start.rolling(0.0, angle=0.3))
     assert use_of(scenario, "plane.mu", 0.5) == pytest.approx(math.tan(0.05) / 0.5, rel=1e-9)
-
-
-@pytest.mark.long
-def test_design_can_ask_for_it():
-    over, limits = {"start.speed": (0.2, 1.2)}, {"end.x": (0.3, None)}
-    best = hh.design(hh.Scenario(duration=0.4), minimise=USE, over=over, subject_to=limits, tries=2, climbs=1)
-    assert best.motion.events[-1].x == pytest.approx(0.3, abs=1e-8)
-    assert best.value == pytest.approx(use_of(best.scenario, "plane.mu", 1.0), rel=1e-12)
