@@ -19,6 +19,7 @@ from packaging.requirements import Requirement
 from pydantic import BaseModel
 
 import hophoop
+from hophoop._support import extras
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "hophoop"
@@ -176,7 +177,42 @@ except ImportError as error:
     print(error)
 """
     said = python(WITHOUT.format(absent={"matplotlib"}, code=code)).strip()
-    assert said == ("matplotlib is not installed; it comes with the extra 'plots': pip install \"hophoop[plots]\".")
+    assert said == f"matplotlib is not installed; it comes with the extra 'plots': pip install -e \"{ROOT}[plots]\"."
+
+
+def test_an_extra_of_an_installed_wheel_is_its_libraries(monkeypatch, tmp_path):
+    """Anyone could put a package named hophoop into an index."""
+    monkeypatch.setattr(extras, "CHECKOUT", tmp_path)
+    required = [
+        "numpy>=2", "hophoop[plots]; extra == 'films'", "av>=15 ; extra == 'films'", "pillow>=10 ; extra == 'plots'",
+        'matplotlib>=3.10; extra == "plots"', "pillow>=10 ; extra == 'films'",
+    ]  # fmt: skip
+    monkeypatch.setattr(extras, "requires", lambda name: required)
+    assert extras.install_command("films") == 'pip install "pillow>=10" "matplotlib>=3.10" "av>=15"'
+    assert extras.install_command("plots") == 'pip install "pillow>=10" "matplotlib>=3.10"'
+    assert extras.install_command("none") == ""
+    for extra in PROJECT["optional-dependencies"]:  # as the metadata of this project has them
+        found = extras._libraries(extra, [f"{one}; extra == '{extra}'" for one in PROJECT["optional-dependencies"][extra]])
+        assert found or all(one.startswith("hophoop[") for one in PROJECT["optional-dependencies"][extra])
+    monkeypatch.setattr(extras, "requires", lambda name: None)
+    assert extras.install_command("plots") == ""
+    with pytest.raises(extras.MissingExtra, match=r"^nothing_at_all is not installed; it comes with the extra 'plots'\.$"):
+        extras.need("nothing_at_all", "plots")
+
+
+def test_a_folder_with_spaces_and_signs_is_quoted(monkeypatch, tmp_path):
+    for name, quoted in (("my hoops", '"{}[fit]"'), ("co$t", "'{}[fit]'")):
+        checkout = tmp_path / name
+        (checkout / "src" / "hophoop").mkdir(parents=True)
+        (checkout / "pyproject.toml").touch()
+        monkeypatch.setattr(extras, "CHECKOUT", checkout)
+        assert extras.install_command("fit") == f"pip install -e {quoted.format(checkout)}"
+
+
+def test_no_text_names_the_package_in_an_index():
+    sources = [*(ROOT / "src").rglob("*.py"), *(ROOT / "web" / "words").glob("*.json")]
+    sources = [file for file in sources if file.name not in ("compare.py", "gpu.py")]
+    assert [file for file in sources if re.search(r"pip install \W*hophoop", file.read_text(encoding="utf-8"))] == []
 
 
 # Public names and their docstrings

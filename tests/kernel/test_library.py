@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import hophoop as hh
+from hophoop._support.extras import install_command
 from hophoop.kernel.build import link
 from hophoop.kernel.build.link import own_target
 from hophoop.kernel.native import library as native
@@ -167,7 +168,7 @@ def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
     )
     done = python(code, PATH="")
     assert done.returncode == 1
-    assert done.stderr == 'Error: building needs ziglang: pip install "hophoop[build]". The previous build remains.\n'
+    assert done.stderr == f"Error: building needs ziglang: {install_command('build')}. The previous build remains.\n"
     assert (tmp_path / native.MANIFEST).read_text() == "before"
 
 

@@ -13,7 +13,7 @@ pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
 
 import hophoop as hh  # noqa: E402
-from hophoop._support.extras import MissingExtra, need  # noqa: E402
+from hophoop._support.extras import MissingExtra, install_command, need  # noqa: E402
 from hophoop.lab.api import calls, packing  # noqa: E402
 from hophoop.lab.api.limits import USUAL  # noqa: E402
 from hophoop.lab.server import app, routes  # noqa: E402
@@ -269,8 +269,9 @@ def test_a_missing_extra_answers_501(monkeypatch, client):
     application = routes.create_app(pool=Pool(USUAL, Here))
     reply = asking(application).post("/api/v1/theory", json={"duration": 3})
     assert reply.status_code == 501
-    sentence = "hophoop_needs_this is not installed; it comes with the extra 'plots': pip install \"hophoop[plots]\"."
-    assert reply.json() == {"detail": sentence, "extra": "plots"}
+    command = install_command("plots")
+    sentence = f"hophoop_needs_this is not installed; it comes with the extra 'plots': {command}."
+    assert reply.json() == {"detail": sentence, "extra": "plots", "install": command}
     with pytest.raises(MissingExtra) as raised:
         need("hophoop_needs_this", "plots")
     assert pickle.loads(pickle.dumps(raised.value)).extra == "plots"  # from the process that computes

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop._support.extras import install_command
 from hophoop.kernel.build import __main__ as builder
 from hophoop.kernel.build import browser, link, numba_code
 from hophoop.kernel.native import marks
@@ -103,7 +104,7 @@ def test_the_builder_asks_for_what_it_needs_before_it_compiles(missing, monkeypa
     monkeypatch.setattr(builder, "_compile", lambda *given: pytest.fail("it compiles"))
     assert builder.main(["browser", "--out", str(tmp_path)]) == 1
     said = capsys.readouterr().err
-    assert said == f'Error: building needs {missing}: pip install "hophoop[build]". The previous build remains.\n'
+    assert said == f"Error: building needs {missing}: {install_command('build')}. The previous build remains.\n"
     assert not list(tmp_path.iterdir())
 
 

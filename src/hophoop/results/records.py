@@ -297,29 +297,17 @@ class Sample(Generic[Numbers, Letters]):
         head = f"Sample at {np.size(self.t):,} times"
         if not np.size(self.t):
             return f"<{head}>"
-        return tables.report(f"{head}, {np.min(self.t):.6g} to {np.max(self.t):.6g} s", self._rows(_FIRST, _LAST), left=())
+        return tables.report(f"{head}, {np.min(self.t):.6g} to {np.max(self.t):.6g} s", _rows_of(self, _FIRST, _LAST), left=())
 
     def _repr_html_(self) -> str:
         if np.ndim(self.t):
-            titles, *rows = self._rows(2 * _FIRST, 2 * _FIRST)
+            titles, *rows = _rows_of(self, 2 * _FIRST, 2 * _FIRST)
             return tables.html(rows, titles, left=())
         rows = [
             [name, f"{getattr(self, name):.6g} {QUANTITIES[name].unit}", QUANTITIES[name].meaning]
             for name in ("t", *(name for names in _LINES for name in names))
         ]
         return tables.html([["mode", str(self.mode), "Mode"], *rows], left=(0, 2))
-
-    def _rows(self, first: int, last: int) -> list[list[str]]:
-        """Return titles and the rows of the first and the last times."""
-        names = ("t", *_STATE, "slip")
-        rows = [["mode", *(f"{name} ({QUANTITIES[name].unit})" for name in names)]]
-        size = np.size(self.t)
-        shown = range(size) if size <= first + last else [*range(first), None, *range(size - last, size)]
-        fields = [np.ravel(getattr(self, name)) for name in names]
-        for k in shown:
-            modes = np.ravel(self.mode)
-            rows.append(["…"] * len(rows[0]) if k is None else [str(modes[k]), *(f"{field[k]:.6g}" for field in fields)])
-        return rows
 
     def restart(self) -> dict[str, Any]:
         """Return slip, mode and exact of the start that goes on from here, for `Start.of`."""
@@ -363,6 +351,21 @@ class Sample(Generic[Numbers, Letters]):
             sign = np.select([np.equal(self.mode, "S"), np.equal(self.mode, "K")], [1.0, -1.0], np.sign(self.friction_force))
             share = share * sign
         return cast("Numbers", share if share.ndim else float(share))
+
+
+def _rows_of(sample: Any, first: int, last: int) -> list[list[str]]:
+    """Return titles and the rows of the first and the last times."""
+    names: tuple[str, ...] = ("t", *_STATE, "slip")
+    rows = [["mode", *(f"{name} ({QUANTITIES[name].unit})" for name in names)]]
+    size = int(np.size(sample.t))
+    shown: list[int | None] = [*range(size)]
+    if size > first + last:
+        shown = [*range(first), None, *range(size - last, size)]
+    modes = np.ravel(sample.mode)
+    fields = [np.ravel(getattr(sample, name)) for name in names]
+    for k in shown:
+        rows.append(["…"] * len(rows[0]) if k is None else [str(modes[k]), *(f"{field[k]:.6g}" for field in fields)])
+    return rows
 
 
 ScalarSample: TypeAlias = Sample[float, ModeLetter]

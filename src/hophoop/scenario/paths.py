@@ -92,8 +92,8 @@ def parameter(path: str) -> ParameterInfo:
     for known in _candidates(path):
         return known
     section, _, key = path.rpartition(".")
-    known = [name for model in _SECTIONS.get(section, ()) for name in model.model_fields]
-    close = near_name(key, known or ["duration", *_SECTIONS], section) if path.count(".") < 2 else ""
+    keys = [name for model in _SECTIONS.get(section, ()) for name in model.model_fields]
+    close = near_name(key, keys or ["duration", *_SECTIONS], section) if path.count(".") < 2 else ""
     if close and close not in _SECTIONS:
         raise InputError(say("unknown_key", path=path, hint=say("did_you_mean", close=close)), field=path)
     raise InputError(say("no_parameter", path=path, known=", ".join(paths())), field=path)

@@ -28,7 +28,7 @@ def test_refusals_of_the_server_are_said_in_the_language_of_the_page(visit, code
     status = 0
 
     def refuse(route):
-        body = {"detail": "This is English.", **({"extra": "files"} if status == 501 else {})}
+        body = {"detail": "This is English.", **({"install": "pip install files"} if status == 501 else {})}
         route.fulfill(status=status, json=body)
 
     page.route("**/api/v1/files/**", refuse)
@@ -37,5 +37,5 @@ def test_refusals_of_the_server_are_said_in_the_language_of_the_page(visit, code
         page.evaluate("hophoopLab.notice.clear()")
         page.evaluate("hophoopLab.share.download('motion.nc').catch((error) => hophoopLab.notice.fail(error))")
         text = own[key] if isinstance(own[key], str) else own[key].get("one", own[key]["other"])
-        expected = text.replace("{status}", str(status)).replace("{extra}", "files").replace("{count}", "1")
+        expected = text.replace("{status}", str(status)).replace("{install}", "pip install files").replace("{count}", "1")
         assert page.locator(".message").inner_text() == expected, status

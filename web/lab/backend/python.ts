@@ -52,8 +52,8 @@ export class Server implements Python {
       if (response.ok) return response;
       const again = Number(response.headers.get("Retry-After"));
       if (response.status !== 503 || !(again > 0) || left <= 1) {
-        const { extra = "" } = await response.json().catch(() => ({}));
-        throw refused(response.status, { extra, count: again || 1 });
+        const { install = "" } = await response.json().catch(() => ({}));
+        throw refused(response.status, { install, count: again || 1 });
       }
       await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
       asked?.signal?.throwIfAborted();
@@ -90,7 +90,7 @@ export class NotebookKernel implements Python {
     if (!waits) return;
     clearTimeout(waits.timer);
     this.waiting.delete(message.number);
-    if (message.status) waits.reject(refused(message.status, { extra: message.extra ?? "" }));
+    if (message.status) waits.reject(refused(message.status, { install: message.install ?? "" }));
     else waits.resolve(unpack(buffers[0]));
   }
 

@@ -20,6 +20,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
+from hophoop._support.extras import install_command
 from hophoop.kernel.build.browser import MODULES, description_of, module_of
 from hophoop.kernel.build.link import TARGETS, linked, own_target, zig_version
 from hophoop.kernel.entries import GROUPS
@@ -274,7 +275,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         build(list(dict.fromkeys(given.targets)) or [own_target()], given.out)
     except PackageNotFoundError as error:
-        print(f'Error: building needs {error.name}: pip install "hophoop[build]". The previous build remains.', file=sys.stderr)
+        print(f"Error: building needs {error.name}: {install_command('build')}. The previous build remains.", file=sys.stderr)
         return 1
     except (RuntimeError, OSError, KeyError) as error:
         print(f"Error: {error} The previous build remains.", file=sys.stderr)

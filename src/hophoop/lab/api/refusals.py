@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hophoop._support.extras import MissingExtra
+from hophoop._support.extras import MissingExtra, install_command
 from hophoop.lab.api.limits import TooMuch
 from hophoop.scenario import InputError
 
@@ -19,8 +19,8 @@ def refusal(error: InputError | MissingExtra) -> tuple[int, dict[str, str]]:
     status : int
         413, 422 or 501.
     body : dict
-        `detail` is the sentence; `extra` names the missing extra, with status 501.
+        `detail` is the sentence; with status 501 `extra` names the missing extra, and `install` the command for it.
     """
     if isinstance(error, MissingExtra):
-        return 501, {"detail": str(error), "extra": error.extra}
+        return 501, {"detail": str(error), "extra": error.extra, "install": install_command(error.extra)}
     return (413 if isinstance(error, TooMuch) else 422), {"detail": str(error)}
