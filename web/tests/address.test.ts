@@ -31,6 +31,12 @@ test("wrong parts of a link are left out", () => {
   assert.deepEqual(readShown("zoom=1000&pan=99,-99"), { zoom: 60, pan: [20, -20] });
 });
 
+test("a link opens the view in which it was copied", () => {
+  assert.equal(written({ options: { traces: true, forces: true, speed: true }, everything: true }), "view=everything");
+  assert.deepEqual(readShown("view=everything"), { everything: true });
+  assert.deepEqual(readShown("view=other"), {});
+});
+
 test("fingerprints travel, and what is none is empty", () => {
   assert.deepEqual(readShown("fingerprint=85B1751f991ff2a3,xyz"), { fingerprints: ["85b1751f991ff2a3", ""] });
 });

@@ -56,10 +56,10 @@ def said(page, kind):
     return page.locator(f".fingerprint .{kind}").all_inner_texts()
 
 
-def link_of(page, address):
+def link_of(page, address, name="Copy a link with its fingerprint"):
     """What the page copies as its link, after the address."""
     page.locator("summary", has_text="Share").click()
-    page.get_by_role("button", name="Copy a link to this motion").click()
+    page.get_by_role("button", name=name).click()
     page.locator(".toast", has_text="Link copied.").wait_for()
     return page.evaluate("navigator.clipboard.readText()").removeprefix(address)
 
@@ -86,6 +86,12 @@ def test_where_the_bits_of_a_preset_differ_both_are_named(visit):
     own = page.locator(".fingerprint code").inner_text()
     assert said(page, "differs") == [f"The bits differ: {own} here, 0123456789abcdef in Python."]
     assert said(page, "same") == []
+
+
+def test_a_link_is_copied_without_it_by_default(visit, address):
+    page = visit("?start.speed=2.9#fingerprint=0123456789abcdef", permissions=["clipboard-read", "clipboard-write"])
+    page.locator(".fingerprint code").wait_for()
+    assert "fingerprint" not in link_of(page, address, "Copy a link to this motion")
 
 
 def test_a_copied_link_carries_the_fingerprint(visit, address):

@@ -54,7 +54,7 @@ def test_the_load_is_turned_and_the_motion_follows_the_hand(visit):
     assert page.evaluate("hophoopLab.stage.options.ahead") is True
     page.mouse.up()
     wait_for(page, "lab.motions.history.past.length === 1")
-    assert scenario(page).start.speed == 0.0  # the hand was at rest
+    assert scenario(page).start.speed == 2.0  # the hand was at rest: the hoop keeps its speed
     assert page.evaluate("[hophoopLab.clock.time, hophoopLab.stage.options.ahead]") == [0, False]
     page.keyboard.press("z")
     wait_for(page, "lab.film().query === 'start.speed=2'")
@@ -91,6 +91,70 @@ def test_a_flick_gives_the_speed_of_the_hand(visit):
         )
         == 0
     )
+
+
+PULL_LOAD = """([time, speed]) => {
+  const lab = hophoopLab;
+  const view = lab.stage.flat.views[0];
+  const { Pull } = lab.extras.grips.constructor;
+  const R = lab.film().radius;
+  const pose = lab.film().at(time);
+  const center = [pose.x, R + pose.height];
+  const at = (angle) => {
+    const [x, y] = view.point(center[0] + R * Math.sin(angle), center[1] + R * Math.cos(angle));
+    return { clientX: x, clientY: y };
+  };
+  const pull = new Pull("load", lab.film(), time, view, at(0));
+  for (let k = 0; k <= 20; k++) pull.move(at((speed / R) * 0.01 * k), 10 * k);
+  const { vx, vy, omega, height } = pull.release(200);
+  return { vx, vy, omega, height, pose: { vx: pose.vx, vy: pose.vy, omega: pose.omega } };
+}"""
+
+
+def test_a_load_keeps_the_speed_of_the_hoop_unless_it_is_flicked(visit):
+    page = visit("?start.speed=3.1", reduced_motion="reduce")
+    still(page)
+    slow = page.evaluate(PULL_LOAD, [0, 0.3])
+    assert slow["vx"] == 3.1
+    later = page.evaluate(PULL_LOAD, [0.5, 0.3])  # also where the film is stopped while it rolls or slips
+    assert later["vx"] == 3.1
+    flying = page.evaluate(PULL_LOAD, [1.4, 0.3])
+    assert flying["height"] > 0
+    assert {name: flying[name] for name in ("vx", "vy", "omega")} == flying["pose"]
+    fast = page.evaluate(PULL_LOAD, [0, 2.0])
+    assert fast["vx"] == pytest.approx(2.0, rel=1e-6)
+    # the speed of the scenario stays as it is, to its last digit
+    page = visit("?start.speed=3.616628264005025", reduced_motion="reduce")
+    still(page)
+    page.locator(".grip-load").focus()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Enter")
+    wait_for(page, "lab.motions.history.past.length === 1")
+    assert scenario(page).start.speed == 3.616628264005025
+
+
+@pytest.mark.parametrize("first", ["?start.speed=2", ""])
+def test_reset_goes_back_to_what_was_opened_or_chosen(visit, first):
+    page = visit(first, reduced_motion="reduce")
+    still(page)
+    button = page.get_by_role("button", name="Back to the motion that was opened or chosen last")
+    assert button.is_disabled()
+    opened = page.evaluate("hophoopLab.film().query")
+    page.locator("input[data-path='plane.mu']").fill("0.5")
+    wait_for(page, "lab.film().scenario.plane.mu === 0.5")
+    still(page)
+    button.click()
+    wait_for(page, f"lab.film().query === {opened!r}")
+    assert button.is_disabled()
+    page.locator(".presets").select_option("moon")
+    wait_for(page, "lab.film().scenario.plane.gravity < 2")
+    assert button.is_disabled()
+    moon = page.evaluate("hophoopLab.film().query")
+    page.locator("input[data-path='plane.mu']").fill("0.5")
+    wait_for(page, "lab.film().scenario.plane.mu === 0.5")
+    still(page)
+    button.click()
+    wait_for(page, f"lab.film().query === {moon!r}")
 
 
 @pytest.mark.long

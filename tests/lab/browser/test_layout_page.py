@@ -149,6 +149,45 @@ def test_a_presentation_shows_the_player_alone_in_proportion(visit, size):
     wait_for(page, f"lab.theme.look.px === {before}")
 
 
+@pytest.mark.parametrize("way", ["×", "Escape"])
+def test_a_presentation_is_left_where_there_is_no_full_screen(visit, way):
+    page = visit("#t=0.8", viewport={"width": 390, "height": 844}, script="delete Element.prototype.requestFullscreen", **PHONE)
+    wait_for(page, SETTLED)
+    leave = page.get_by_role("button", name="Leave the presentation (Esc)")
+    assert leave.count() == 0
+    page.locator(".learn summary").tap()
+    page.get_by_role("button", name="Presentation", exact=True).tap()
+    wait_for(page, "lab.root.classList.contains('presenting')")
+    box = leave.bounding_box()
+    assert box["width"] >= 44
+    assert box["height"] >= 44
+    if way == "Escape":
+        page.keyboard.press("Escape")
+    else:
+        leave.tap()
+    wait_for(page, f"!lab.root.classList.contains('presenting') && {SETTLED}")
+    assert page.locator(".top").is_visible()
+
+
+def test_pictures_are_drawn_for_the_width_of_a_sheet(visit):
+    page = visit("#t=0.8")
+    wait_for(page, SHOWN)
+    measure = """() => [...document.querySelectorAll("canvas")].filter((one) => one.checkVisibility()).map((one) => {
+      const { width, height } = one.getBoundingClientRect();
+      return [one.width / width, one.height / height, document.querySelector(".hophoop").clientWidth];
+    })"""
+    before = page.evaluate(measure)
+    # at once: the sheet is filled while the event is handled
+    printed = page.evaluate(f"() => {{ dispatchEvent(new Event('beforeprint')); return ({measure})(); }}")
+    assert len(printed) > 3
+    for across, down, width in printed:
+        assert across == pytest.approx(down, rel=0.02)
+        assert width == pytest.approx(180 / 25.4 * 96, abs=1)
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    wait_for(page, SETTLED)
+    assert page.evaluate(measure) == before
+
+
 def test_diagrams_that_take_keys_are_no_pictures(visit):
     page = visit()
     assert page.locator("[role=img][tabindex]").count() == 0

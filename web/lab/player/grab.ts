@@ -5,6 +5,7 @@ import { clamp } from "../common/numbers.ts";
 import type { Scene } from "./scene2d.ts";
 
 const FLICK = 0.09; // seconds before letting go that count for the speed
+const FLICKED = 0.2; // of the greatest speed: a load that is let go more slowly keeps the hoop's speed
 const GROUND = 0.03; // of a radius: so low the hoop stands on the plane
 const LEVEL = Math.PI / 180; // a plane within this is level
 const STEEPEST = Math.PI / 4;
@@ -16,19 +17,17 @@ export type Grip = "load" | "hoop" | "plane";
 
 export const wrapped = (angle: number) => angle - TURN * Math.round(angle / TURN);
 
-/** The hoop as it is now, at rest in the hand. */
-export function taken(film: Film, time: number): Held {
+/**
+ * The hoop as it is taken: at rest, but with its speed at its start. A load that is turned keeps the hoop's speed, on
+ * the ground that of the start.
+ */
+export function taken(grip: Grip, film: Film, time: number): Held {
   const pose = film.at(time);
-  const first = time === 0;
-  // at its start the hoop keeps the speed that it was given
-  return {
-    angle: wrapped(pose.angle),
-    height: Math.max(pose.height, 0),
-    vx: first ? pose.vx : 0,
-    vy: first ? pose.vy : 0,
-    omega: first ? pose.omega : 0,
-    slope: film.slope,
-  };
+  const first = film.at(0);
+  const place = { angle: wrapped(pose.angle), height: Math.max(pose.height, 0), slope: film.slope };
+  if (grip !== "load" && time > 0) return { ...place, vx: 0, vy: 0, omega: 0 };
+  const { vx, vy, omega } = grip === "load" && (pose.height > 0 || first.height > 0) ? pose : first;
+  return { ...place, vx, vy, omega };
 }
 
 /** The greatest speed that a hand gives [m/s]: twice that of the deepest fall about the rim. */
@@ -49,11 +48,10 @@ export function changesFor(grip: Grip, held: Held, film: Film): Change[] {
       ["start.omega", round(held.omega)],
     ];
   }
-  const speed = grip === "load" ? held.omega * film.radius : held.vx;
-  return [
-    ["start.angle", round(held.angle)],
-    ["start.speed", round(speed)],
-  ];
+  const angle: Change = ["start.angle", round(held.angle)];
+  const first = film.at(0);
+  if (grip === "load" && first.height === 0 && held.vx === first.vx) return [angle];
+  return [angle, ["start.speed", round(held.vx)]];
 }
 
 /** One pull by a pointer; places are in metres of the picture, along the plane and away from it. */
@@ -75,8 +73,8 @@ export class Pull {
     at: Point,
   ) {
     // the picture as it was when the hand came: it does not move under the hand
-    this.before = taken(film, time);
-    this.held = { ...this.before, vx: 0, vy: 0, omega: 0 };
+    this.before = taken(grip, film, time);
+    this.held = grip === "load" ? { ...this.before } : { ...this.before, vx: 0, vy: 0, omega: 0 };
     const pose = film.at(time);
     this.center = [pose.x, film.radius + pose.height];
     this.foot = view.point(pose.x, 0);
@@ -124,7 +122,10 @@ export class Pull {
     const most = fastest(film);
     if (still || this.grip === "plane") return held;
     if (this.grip === "load") {
-      held.omega = clamp((last.turned - first.turned) / passed, -most / film.radius, most / film.radius);
+      const rim = clamp((film.radius * (last.turned - first.turned)) / passed, -most, most);
+      if (Math.abs(rim) < FLICKED * most) return held;
+      held.omega = rim / film.radius;
+      if (held.height === 0) held.vx = rim; // it starts rolling
     } else {
       held.vx = clamp((last.along - first.along) / passed, -most, most);
       held.vy = held.height > 0 ? clamp((last.away - first.away) / passed, -most, most) : 0;

@@ -131,7 +131,7 @@ export class Grips {
 
   /** The values for a screen reader: those of the start that is held or shown. */
   tell(film: Film) {
-    const held = this.pull?.held ?? this.held ?? taken(film, this.lab.clock.time);
+    const held = this.pull?.held ?? this.held ?? taken("hoop", film, this.lab.clock.time);
     const texts = {
       load: degrees(held.angle),
       hoop: t("hand.gap_height_speed_speed", { height: length(held.height), speed: show(held.vx, 3) }),
@@ -245,7 +245,7 @@ export class Grips {
     if (event.key === "Escape" && this.held) this.back();
     else if (event.key === "Enter") this.chosen(true);
     else {
-      this.held ??= taken(lab.film(), lab.clock.time);
+      this.held ??= taken(grip, lab.film(), lab.clock.time);
       const next = keyed(grip, event.key, event.shiftKey, this.held, lab.film());
       if (!next) return;
       if (this.before === null) {
@@ -253,8 +253,7 @@ export class Grips {
         this.begin();
       }
       this.held = next;
-      // a load that is turned by keys keeps the hoop's speed
-      this.change(grip === "load" ? "hoop" : grip, next, false);
+      this.change(grip, next, false);
       this.show(grip, next);
       this.settle();
     }

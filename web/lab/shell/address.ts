@@ -25,11 +25,13 @@ export interface Shown {
   from?: number[]; // from where it is looked at in space: azimuth, height, distance
   more?: string; // the parameter of which the arrows tell what a little more would do
   map?: { what: string; x: [string, number, number]; y: [string, number, number] };
+  everything?: boolean; // not the simple view
   fingerprints?: string[]; // of the motions, as where the link was made; "" where there is none
 }
 
 /** What is shown, as the part of a link behind its #; what is as usual is left out. */
-export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, more, map, fingerprints = [] }: Shown) {
+export function written(shown: Shown) {
+  const { time = 0, options = {}, zoom = 1, pan = [0, 0], from, more, map, everything, fingerprints = [] } = shown;
   const parts = [];
   if (time > 0) parts.push(`t=${Number(time.toFixed(4))}`);
   const letters = LETTERS.filter(([name]) => options[name]).map(([, letter]) => letter);
@@ -40,6 +42,7 @@ export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, 
   if (from) parts.push(`from=${from.map((part) => Number(part.toPrecision(3))).join(",")}`);
   if (more) parts.push(`more=${more}`);
   if (map) parts.push(`map=${[map.what, ...map.x, ...map.y].join(",")}`);
+  if (everything) parts.push("view=everything");
   if (fingerprints.some(Boolean)) parts.push(`fingerprint=${fingerprints.join(",")}`);
   return parts.join("&");
 }
@@ -67,6 +70,7 @@ export function readShown(hash: string): Shown {
   if (y1 !== undefined && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3]) {
     shown.map = { what, x: [x, ends[0], ends[1]], y: [y, ends[2], ends[3]] };
   }
+  if (parts.get("view") === "everything") shown.everything = true;
   const fingerprints = parts.get("fingerprint")?.toLowerCase().split(",");
   if (fingerprints) shown.fingerprints = fingerprints.map((text) => (FINGERPRINT.test(text) ? text : ""));
   return shown;

@@ -7,10 +7,15 @@ import type { History } from "./history.ts";
 const button = (label: Node | string, title: string, onclick: () => void) =>
   h("button", { title, "aria-label": title, onclick }, label);
 
+/** In words, or as a picture where there is little room. */
+const worded = (words: string, name: Parameters<typeof icon>[0]) =>
+  h("span", {}, h("span", { class: "long" }, words), h("span", { class: "short" }, icon(name)));
+
 export interface Actions {
   take: (preset: Preset) => void;
   undo: () => void;
   redo: () => void;
+  reset: () => void;
   compare: () => void;
   theme: () => void;
   help: () => void;
@@ -21,6 +26,7 @@ export class Header {
   presets: HTMLSelectElement;
   undo: HTMLButtonElement;
   redo: HTMLButtonElement;
+  reset: HTMLButtonElement;
   compare: HTMLButtonElement;
   right: HTMLDivElement;
   element: HTMLElement;
@@ -57,13 +63,8 @@ export class Header {
     );
     this.undo = button(icon("undo"), "header.undo_z", actions.undo);
     this.redo = button(icon("redo"), "header.redo_y", actions.redo);
-    const words = h(
-      "span",
-      {},
-      h("span", { class: "long" }, "header.compare"),
-      h("span", { class: "short" }, icon("two")),
-    );
-    this.compare = button(words, "header.compare_two_hoops", actions.compare);
+    this.reset = button(worded("header.reset", "reset"), "header.reset_to_opened", actions.reset);
+    this.compare = button(worded("header.compare", "two"), "header.compare_two_hoops", actions.compare);
     this.compare.classList.add("full");
     this.right = h(
       "div",
@@ -82,14 +83,16 @@ export class Header {
         h("span", {}, "hophoop", h("span", { class: "long" }, " ", "header.lab")),
       ),
       this.presets,
-      h("div", { class: "buttons" }, this.undo, this.redo, this.compare, view),
+      h("div", { class: "buttons" }, this.undo, this.redo, this.reset, this.compare, view),
       this.right,
     );
   }
 
-  show(history: History, two: boolean) {
+  /** `reset`: whether there is something to set back. */
+  show(history: History, two: boolean, reset: boolean) {
     this.undo.disabled = !history.past.length;
     this.redo.disabled = !history.future.length;
+    this.reset.disabled = !reset;
     this.compare.setAttribute("aria-pressed", String(two));
   }
 }

@@ -42,12 +42,14 @@ function withControl(lab: Lab, event: KeyboardEvent) {
   lab.travel(key === "y" || event.shiftKey ? 1 : -1);
 }
 
-// Closes the menu; a field, a picture and a dialog see to themselves.
+// Closes the menu, or leaves the presentation; a field, a picture and a dialog see to themselves.
 function leave(lab: Lab) {
   const menu = lab.share.menu;
-  if (!menu.open) return;
-  menu.open = false;
-  menu.querySelector("summary")?.focus();
+  const { present } = lab.extras;
+  if (menu.open) {
+    menu.open = false;
+    menu.querySelector("summary")?.focus();
+  } else if (present.on) present.turn(false);
 }
 
 // Whether single keys do something; some speak to their machine, or press keys by mistake.

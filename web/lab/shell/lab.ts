@@ -43,6 +43,7 @@ export class Lab {
   requested = false; // a picture
   surrounding = false; // diagrams and words, which follow the picture
   taken: Preset | null = null;
+  first: string[] = []; // the motions that were opened or chosen last, by their queries
   afterFrame: (() => void) | null = null;
   asked: AbortController | null = null;
   // how many pictures were drawn, and how long each took from the hand to the screen [ms]
@@ -107,6 +108,9 @@ export class Lab {
   deaf: () => void;
   later = once(() => this.fetchTheory(), 120);
   sizes = new ResizeObserver(() => this.show());
+  // paper has another width than the screen; the browser measures it after this
+  print = () => this.printing(true);
+  printed = () => this.printing(false);
 
   constructor(
     readonly root: HTMLElement,
@@ -123,11 +127,15 @@ export class Lab {
     this.singleKeys = new SingleKeys(hosted);
     this.about = aboutDialog(setup.version, hosted);
     this.help = helpDialog(this.about, colors, this.singleKeys.element);
-    this.view = new View(root, hosted, () => this.show());
+    this.view = new View(root, hosted, () => {
+      this.show();
+      this.address?.write("same");
+    });
     this.header = new Header(setup.presets, this.share.menu, this.view.button, {
       take: (preset) => this.take(preset),
       undo: () => this.travel(-1),
       redo: () => this.travel(1),
+      reset: () => this.beginFrom(this.firstQuery()),
       compare: () => this.motions.compare(),
       theme: () => this.theme.toggle(),
       help: () => this.help.showModal(),
@@ -152,7 +160,7 @@ export class Lab {
     await this.motions.load(queries).finally(() => delete this.root.dataset.opening);
     this.clock.duration = Math.max(...this.films().map((film) => film.duration));
     this.sameness.expect(this.films(), shown.fingerprints ?? []);
-    this.view.open(this.films(), shown);
+    this.view.open(shown);
     this.restore(shown);
     this.begin();
     // who has chosen to see everything knows the page
@@ -161,6 +169,7 @@ export class Lab {
 
   // The motions are there.
   begin() {
+    this.first = this.motions.queries();
     this.show();
     const steps = this.hosted ? recallForTab(STEPS) : null;
     this.motions.note();
@@ -169,6 +178,8 @@ export class Lab {
       this.noted("same");
     }
     this.sizes.observe(this.stage.element);
+    addEventListener("beforeprint", this.print);
+    addEventListener("afterprint", this.printed);
     this.root.dataset.ready = "true";
   }
 
@@ -183,6 +194,8 @@ export class Lab {
     this.address?.close();
     this.sticky?.close();
     this.sizes.disconnect();
+    removeEventListener("beforeprint", this.print);
+    removeEventListener("afterprint", this.printed);
     this.deaf();
   }
 
@@ -212,7 +225,7 @@ export class Lab {
   }
 
   noted(step: "same" | "step" | "again" | "travelled") {
-    this.header.show(this.motions.history, this.motions.lanes.length > 1);
+    this.showSteps();
     this.address?.write(step);
     if (this.hosted) rememberForTab(STEPS, this.motions.history.written());
     this.onmotion(this.film().query);
@@ -223,11 +236,17 @@ export class Lab {
    * compared where the link is opened.
    */
   link(fingerprints: string[] = this.sameness.expected(this.films())) {
-    const { clock, stage, map, extras } = this;
+    const { clock, stage, map, extras, view } = this;
     const { on, path } = extras.more;
-    return this.motions.link(
-      written({ time: clock.time, ...stage.view(), more: on ? path : undefined, map: map.shown(), fingerprints }),
-    );
+    const shown = {
+      time: clock.time,
+      ...stage.view(),
+      more: on ? path : undefined,
+      map: map.shown(),
+      everything: this.hosted && !view.simple,
+      fingerprints,
+    };
+    return this.motions.link(written(shown));
   }
 
   /** `shown`: what a link says of it. */
@@ -253,6 +272,7 @@ export class Lab {
     try {
       const reply = await this.motions.ask({ query: preset.query });
       if (this.taken !== preset) return; // another was chosen meanwhile
+      this.first = [preset.query];
       this.clock.time = 0;
       this.motions.replace(reply);
       this.story.announce(this.films());
@@ -262,7 +282,12 @@ export class Lab {
   }
 
   /** Show the motion of a link from its start, at rest. */
-  async load(query: string) {
+  load(query: string) {
+    this.first = [query];
+    return this.beginFrom(query);
+  }
+
+  private async beginFrom(query: string) {
     try {
       const reply = await this.motions.ask({ query });
       this.clock.play(false);
@@ -298,7 +323,7 @@ export class Lab {
     clock.duration = Math.max(...films.map((film) => film.duration));
     clock.time = Math.min(clock.time, clock.duration);
     this.root.classList.toggle("two", two);
-    this.header.show(motions.history, two);
+    this.showSteps();
     this.hoops.show(films.length, motions.active);
     this.drawStage();
     this.controls.show(this.film(), this.motions.waiting());
@@ -312,6 +337,13 @@ export class Lab {
       this.surrounding = true;
       requestAnimationFrame(() => setTimeout(() => this.showSurroundings(), 0));
     }
+  }
+
+  /** All pictures again, for the width of a sheet of paper or of the screen. */
+  printing(on: boolean) {
+    this.root.classList.toggle("printing", on);
+    this.show();
+    this.showSurroundings();
   }
 
   showSurroundings() {
@@ -375,6 +407,17 @@ export class Lab {
     } catch (error) {
       if ((error as Error).name !== "AbortError") this.theory.draw([{ label: "–", text: saidOf(error) }]);
     }
+  }
+
+  /** The motion to which Reset sets the chosen hoop back. */
+  firstQuery() {
+    return this.first[this.motions.active] ?? this.first[0];
+  }
+
+  showSteps() {
+    const { motions } = this;
+    const changed = motions.film().query !== this.firstQuery();
+    this.header.show(motions.history, motions.lanes.length > 1, changed);
   }
 
   /** Draw it, or leave it out. */

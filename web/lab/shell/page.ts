@@ -38,6 +38,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
   const player = h(
     "div",
     { class: "player" },
+    extras.present.leave,
     extras.grips.element,
     lab.stage.element,
     lab.timeline.element,

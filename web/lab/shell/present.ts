@@ -1,4 +1,6 @@
-// For a class: the player alone, large, on the whole screen.
+// For a class: the player alone, large, on the whole screen, or in all of the page where there is no full screen.
+
+import { h } from "../common/dom.ts";
 
 export class Present {
   full = false;
@@ -7,6 +9,17 @@ export class Present {
     if (!document.fullscreenElement && this.full) this.turn(false);
   };
   onchange: () => void = () => {};
+  /** The way out, also for fingers. */
+  leave = h(
+    "button",
+    {
+      class: "leave",
+      title: "menu.leave_presentation",
+      "aria-label": "menu.leave_presentation",
+      onclick: () => this.turn(false),
+    },
+    document.createTextNode("×"),
+  );
 
   constructor(
     readonly root: HTMLElement,
@@ -21,6 +34,7 @@ export class Present {
     root.classList.toggle("presenting", on);
     this.onchange();
     this.show();
+    if (on) this.leave.focus({ preventScroll: true }); // what was pressed may be hidden now
     if (!on) {
       const full = this.full;
       this.full = false;

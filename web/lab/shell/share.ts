@@ -30,7 +30,10 @@ export class Share {
     h(
       "div",
       { class: "menu-body" },
-      this.lab.backend.shares && this.item("save.copy_a_link_to", () => this.copyLink()),
+      this.lab.backend.shares && [
+        this.item("save.copy_a_link_to", () => this.copyLink([])),
+        this.item("save.copy_a_link_with_fingerprint", () => this.copyLink(this.fingerprints()), "full"),
+      ],
       FILES.filter(([name]) => this.lab.backend.files.includes(name)).map(([name, label]) =>
         this.item(label, () => this.download(name)),
       ),
@@ -44,10 +47,12 @@ export class Share {
 
   constructor(readonly lab: Kept) {}
 
-  item(label: string, action: () => void) {
+  /** `kind`: `full` where the simple view leaves it out. */
+  item(label: string, action: () => void, kind = "") {
     return h(
       "button",
       {
+        class: kind,
         onclick: async () => {
           this.menu.open = false;
           try {
@@ -61,8 +66,12 @@ export class Share {
     );
   }
 
-  async copyLink() {
-    const link = this.lab.link(this.lab.films().map(({ fingerprint }) => fingerprint ?? "")) ?? "";
+  fingerprints() {
+    return this.lab.films().map(({ fingerprint }) => fingerprint ?? "");
+  }
+
+  async copyLink(fingerprints: string[]) {
+    const link = this.lab.link(fingerprints) ?? "";
     try {
       await navigator.clipboard.writeText(link);
       this.lab.notice.say("save.the_link_is_copied");

@@ -13,8 +13,8 @@ const beyond = ({ query }: Film) => [...new URLSearchParams(query).keys()].some(
 export class View {
   simple = false;
   /** Goes from one view to the other. */
-  /** Says that not all that matters is seen. */
   button = h("button", { class: "view", hidden: !this.hosted, onclick: () => this.choose() });
+  /** Says that not all that matters is seen. */
   more = h(
     "p",
     { class: "hint beyond", hidden: true },
@@ -35,10 +35,9 @@ export class View {
     return recall(KEY) === "everything";
   }
 
-  /** A link opens what it holds. */
-  open(films: Film[], { map, more, fingerprints }: Shown) {
-    const held = films.length > 1 || map || more || fingerprints?.some(Boolean) || films.some(beyond);
-    this.turn(this.hosted && !this.everything && !held);
+  /** A link opens the view in which it was copied. */
+  open({ everything }: Shown) {
+    this.turn(this.hosted && !this.everything && !everything);
   }
 
   choose() {
@@ -65,6 +64,6 @@ export class View {
   }
 
   show(films: Film[]) {
-    this.more.hidden = !this.simple || !films.some(beyond);
+    this.more.hidden = !this.simple || !(films.length > 1 || films.some(beyond));
   }
 }
