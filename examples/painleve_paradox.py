@@ -15,8 +15,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import hophoop as hh
-from hophoop.maps import least_jam_speed, paradoxes
 from hophoop.plots import colors
+from hophoop.theory import least_jam_speed
 
 GRAVITY = 9.81
 
@@ -87,6 +87,34 @@ def towards_it(folder: Path) -> None:
     save(figure, folder / "painleve-limit.svg")
 
 
+def paradoxes(
+    gammas: np.ndarray, frictions: np.ndarray, speeds: np.ndarray, base: hh.Scenario | None = None, hops: bool = False
+) -> dict[str, np.ndarray]:
+    """Over (γ, μ): `starts`, shares that have `met` p ≤ 0 or `jammed`, `lowest_speed` and `lowest_jam_speed` of those [m/s].
+
+    With `hops` the starts that are too fast to roll at the top count as well.
+    """
+    base = hh.Scenario() if base is None else base
+    axes = {"hoop.load_fraction": gammas, "plane.mu": frictions, "start.speed": speeds}
+    found = hh.maps.sweep(base, axes, quantities=("status", "painleve"), span="duration")
+    rolls = speeds**2 * gammas[:, None] <= base.plane.gravity * math.cos(base.plane.slope) * base.hoop.radius
+    counted = np.broadcast_to((rolls | hops)[:, None, :], found["status"].shape)
+    met, jammed = (
+        counted & (found[name].values == hh.maps.words_of(found[name]).index(word))
+        for name, word in (("painleve", "yes"), ("status", "jammed"))
+    )
+
+    def lowest(those: np.ndarray) -> np.ndarray:
+        slowest = np.where(those, speeds, np.inf).min(axis=2)
+        return np.where(np.isfinite(slowest), slowest, np.nan)
+
+    starts = counted.sum(axis=2)
+    return {
+        "load_fraction": gammas, "friction": frictions, "starts": starts, "met": met.sum(axis=2) / np.maximum(starts, 1),
+        "jammed": jammed.sum(axis=2) / np.maximum(starts, 1), "lowest_speed": lowest(met), "lowest_jam_speed": lowest(jammed),
+    }  # fmt: skip
+
+
 def search(folder: Path, cells: int) -> None:
     """Which starts from the top meet the paradox, over load and friction."""
     gammas = 1.0 - np.geomspace(0.5, 1e-3, cells)
@@ -111,21 +139,21 @@ def search(folder: Path, cells: int) -> None:
         step = 1 if degrees == 30.0 else 2
         slopes[degrees] = paradoxes(gammas[::step], frictions[::step], slow[::2], base=base)
         table(f"{degrees:g}° downhill, roll first", slopes[degrees])
-    assert not level["met"].values.any()
+    assert not level["met"].any()
 
     bound = np.array([[least_jam_speed(hh.Hoop.ideal(g), hh.Plane(mu=mu)) for mu in frictions] for g in gammas])
-    lowest = thrown["lowest_jam_speed"].values
+    lowest = thrown["lowest_jam_speed"]
     jams = np.isfinite(lowest)
     ratio = np.min(lowest[jams] / bound[jams])
     print(f"In all {jams.sum()} cells with a jam on the level the slowest is {ratio:.4f} times as fast as energy asks, or more")
     print("| grid | cells with a start that meets it | with a jam |")
     for name, found in (("full", thrown), ("half", coarse)):
-        print(f"| {name} | {np.mean(found['met'].values > 0):.2%} | {np.mean(found['jammed'].values > 0):.2%} |")
+        print(f"| {name} | {np.mean(found['met'] > 0):.2%} | {np.mean(found['jammed'] > 0):.2%} |")
 
     figure, axes = plt.subplots(1, 2, figsize=(10.2, 4.7), layout="constrained", sharey=True)
-    rolling = 100.0 * slopes[30.0]["met"].values
+    rolling = 100.0 * slopes[30.0]["met"]
     panels = (
-        (thrown["lowest_speed"].values, "level, thrown from the top", "Slowest start that meets it (m/s)", (3.0, 12.0)),
+        (thrown["lowest_speed"], "level, thrown from the top", "Slowest start that meets it (m/s)", (3.0, 12.0)),
         (rolling, "30° downhill, rolling from the top", "Starts that meet it within 6 s (%)", (0.0, 100.0)),
     )
     fine = 1.0 - np.geomspace(0.5, 1e-3, 200)
@@ -152,15 +180,15 @@ def search(folder: Path, cells: int) -> None:
     plt.close(figure)
 
 
-def table(name: str, found: object) -> None:
+def table(name: str, found: dict[str, np.ndarray]) -> None:
     """One row for a search."""
-    starts = found["starts"].values
-    met, jammed = np.nansum(found["met"].values * starts), np.nansum(found["jammed"].values * starts)
+    starts = found["starts"]
+    met, jammed = np.sum(found["met"] * starts), np.sum(found["jammed"] * starts)
     ends = "– | – | –"
     if jammed > 0:
-        rows, columns = np.nonzero(found["jammed"].values > 0)
-        gammas, frictions = found["load_fraction"].values[rows], found["friction"].values[columns]
-        slowest = np.nanmin(found["lowest_jam_speed"].values)
+        rows, columns = np.nonzero(found["jammed"] > 0)
+        gammas, frictions = found["load_fraction"][rows], found["friction"][columns]
+        slowest = np.nanmin(found["lowest_jam_speed"])
         ends = f"{slowest:.2f} | {gammas.min():.4f} to {gammas.max():.4f} | {frictions.min():.3f} to {frictions.max():.3f}"
     print(f"| {name} | {starts.sum():,} | {met:,.0f} | {jammed:,.0f} | {ends} |")
 

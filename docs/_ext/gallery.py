@@ -20,7 +20,7 @@ import hophoop as hh
 ORDER = [
     *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
     *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram", "branch"),
-    *("sweep", "hop_height", "fates", "open_map", "points", "boundary", "borders", "logarithmic", "refine"),
+    *("sweep", "hop_height", "fates", "open_map", "points", "boundary", "borders", "logarithmic"),
     *("design", "catalogue", "paradoxes"),
     *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "gears", "player"),
 ]

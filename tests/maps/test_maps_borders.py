@@ -1,4 +1,4 @@
-"""Borders against thresholds that theory knows, refinement against areas, and the pictures of maps."""
+"""Borders against thresholds that theory knows, and the pictures of maps."""
 
 import math
 
@@ -123,50 +123,6 @@ def test_bad_borders(options, message):
     arguments = {"ranges": WINDOW, "one": (1.0, 0.5), "other": (1.0, 4.0)} | options
     with pytest.raises(ValueError, match=message):
         maps.boundary(None, **arguments)
-
-
-# Refinement
-
-
-def test_refinement_finds_what_a_full_grid_finds_with_few_motions():
-    levels, cells = 4, 16
-    refined = maps.refine(None, WINDOW, levels=levels, cells=cells)
-    n = cells << levels
-    assert refined.evaluated < 0.25 * (n + 1) ** 2
-    x = np.linspace(*WINDOW["plane.mu"], n + 1)
-    y = np.linspace(*WINDOW["start.speed"], n + 1)
-    dataset = maps.sweep(None, {"plane.mu": (x[1:] + x[:-1]) / 2, "start.speed": (y[1:] + y[:-1]) / 2})
-    words, counts = maps.words_of(dataset["sequence"]), np.bincount(dataset["sequence"].values.ravel())
-    shares = refined.shares()
-    for word, count in zip(words, counts, strict=True):
-        if count > 30:
-            share, doubt = shares[word]
-            assert abs(share - count / n**2) <= doubt + 1e-3
-    assert sum(share for share, _ in shares.values()) == pytest.approx(1.0, abs=1e-12)
-
-
-def test_squares_of_a_refinement_fill_the_window_once():
-    refined = maps.refine(None, WINDOW, levels=3, cells=8)
-    assert (refined.width * refined.height).sum() == pytest.approx(1.95 * 4.95, rel=1e-12)
-    # those that are not as small as can be are of one class
-    assert not refined.mixed[refined.level < 3].any()
-    assert refined.mixed.any()
-
-
-def test_the_share_of_rolling_is_the_area_under_its_border():
-    refined = maps.refine(None, {"plane.mu": (0.5, 2.0), "start.speed": (0.1, 2.0)}, levels=6, cells=16)
-    share, doubt = refined.shares()["R"]
-    speeds = np.linspace(0.1, 2.0, 41)
-    limits = np.array([rolling_limit(speed) for speed in speeds])
-    expected = np.trapezoid((2.0 - np.clip(limits, 0.5, 2.0)) / 1.5, speeds) / 1.9
-    assert share == pytest.approx(expected, abs=2e-3)
-    assert doubt < 5e-3
-
-
-@pytest.mark.parametrize(("options", "message"), [({"levels": 25}, "levels = 25"), ({"cells": 0}, "cells = 0")])
-def test_bad_refinements(options, message):
-    with pytest.raises(ValueError, match=message):
-        maps.refine(None, WINDOW, **options)
 
 
 # Pictures

@@ -212,35 +212,42 @@ def test_energy_keeps_rolling_hoops_from_the_jam():
     upper = max(state.angle for state in hh.theory.jam_states(HOOP) if state.mode == "S")
     c = math.cos(upper)
     by_hand = math.sqrt(9.81 * ((1 + 0.75 * c) / (0.75 * c) - 0.75 * (1 - c)) / 1.75)
-    assert hh.maps.least_jam_speed(HOOP) == pytest.approx(by_hand, rel=1e-12)
+    assert hh.theory.least_jam_speed(HOOP) == pytest.approx(by_hand, rel=1e-12)
     random = np.random.default_rng(2)
     finite = 0
     for _ in range(200):
         eccentricity = float(random.uniform(0.2, 0.999))
         share = float(random.uniform(0.01, 1.0))
         hoop = hh.Hoop(radius=0.7, mass=1.0, eccentricity=eccentricity, inertia_ratio=share * (1 - eccentricity**2))
-        speed = hh.maps.least_jam_speed(hoop, hh.Plane(mu=float(random.uniform(0.05, 3.0))))
+        speed = hh.theory.least_jam_speed(hoop, hh.Plane(mu=float(random.uniform(0.05, 3.0))))
         assert speed > hh.theory.immediate_hop_speed(hoop)
         finite += math.isfinite(speed)
     assert finite > 20
     with pytest.raises(ValueError, match=r"plane\.slope"):
-        hh.maps.least_jam_speed(HOOP, hh.Plane(slope=0.1))
+        hh.theory.least_jam_speed(HOOP, hh.Plane(slope=0.1))
 
 
 @pytest.mark.compiled
 def test_which_natural_starts_jam():
     """Rolling on the level none; thrown, or rolling down 30°, some, and none slower than energy allows."""
     gammas, frictions = [0.85, 0.95, 0.99], [0.3, 0.5, 0.8]
-    rolling = hh.maps.paradoxes(gammas, frictions, np.linspace(0.1, 3.1, 11))
-    assert not rolling["met"].values.any()
-    thrown = hh.maps.paradoxes(gammas, frictions, np.linspace(3.5, 12.0, 60), hops=True)
-    lowest = thrown["lowest_jam_speed"].values
-    assert (thrown["jammed"].values > 0).sum() >= 3
-    for (i, j), speed in np.ndenumerate(lowest):
-        if math.isfinite(speed):
-            assert speed >= hh.maps.least_jam_speed(hh.Hoop.ideal(gammas[i]), hh.Plane(mu=frictions[j]))
+
+    def searched(speeds, base=None):
+        axes = {"hoop.load_fraction": gammas, "plane.mu": frictions, "start.speed": speeds}
+        return hh.maps.sweep(base, axes, quantities=("status", "painleve"), span="duration")
+
+    def jams(found):
+        return found["status"].values == hh.maps.words_of(found["status"]).index("jammed")
+
+    rolling = searched(np.linspace(0.1, 3.1, 11))
+    assert not (rolling["painleve"].values == hh.maps.words_of(rolling["painleve"]).index("yes")).any()
+    speeds = np.linspace(3.5, 12.0, 60)
+    thrown = jams(searched(speeds))
+    assert thrown.any(axis=2).sum() >= 3
+    for i, j, k in np.argwhere(thrown):
+        assert speeds[k] >= hh.theory.least_jam_speed(hh.Hoop.ideal(gammas[i]), hh.Plane(mu=frictions[j]))
     downhill = hh.Scenario(plane=hh.Plane(slope=math.radians(30)))
-    assert hh.maps.paradoxes(gammas, frictions, np.linspace(0.1, 3.1, 31), base=downhill)["jammed"].values.any()
+    assert jams(searched(np.linspace(0.1, 3.1, 31), downhill)).any()
 
 
 # index → what the sign of κ p_σ, of some 1e-17, decides

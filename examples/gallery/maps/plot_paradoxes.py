@@ -10,19 +10,24 @@ import matplotlib.pyplot as plt
 
 import hophoop as hh
 
-found = hh.maps.paradoxes(
-    hh.maps.linear(0.8, 0.99, 20),
-    hh.maps.linear(0.05, 1.0, 20),
-    speeds=hh.maps.linear(4.0, 12.0, 12),
-    hops=True,
+found = hh.maps.sweep(
+    None,
+    {
+        "hoop.load_fraction": hh.maps.linear(0.8, 0.99, 20),
+        "plane.mu": hh.maps.linear(0.05, 1.0, 20),
+        "start.speed": hh.maps.linear(4.0, 12.0, 12),
+    },
+    quantities=["status"],
+    span="duration",
 )
-speed = hh.maps.least_jam_speed(hh.Hoop.ideal(0.75))
+jams = found["status"] == hh.maps.words_of(found["status"]).index("jammed")
+speed = hh.theory.least_jam_speed(hh.Hoop.ideal(0.75))
 print(f"with three quarters in the load: no jam below {speed:.3f} m/s")
 figure, ax = plt.subplots(figsize=(6, 3.8), layout="constrained")
 shown = ax.pcolormesh(
-    found["load_fraction"],
-    found["friction"],
-    100 * found["jammed"].T,
+    found["hoop.load_fraction"],
+    found["plane.mu"],
+    100 * jams.mean("start.speed").transpose("plane.mu", "hoop.load_fraction"),
     shading="nearest",
     rasterized=True,
 )

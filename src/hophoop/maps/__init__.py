@@ -4,23 +4,18 @@ xarray and Zarr are in the extra ``maps``, Dask in ``cluster``; both are loaded 
 """
 
 from hophoop.maps.boundaries.following import Border, borders, boundary
-from hophoop.maps.boundaries.refinement import Refined, refine
 from hophoop.maps.catalog import Entry, catalogue, catalogued
 from hophoop.maps.grid.axes import linear, logarithmic, scenario_at
 from hophoop.maps.grid.evaluate import points
 from hophoop.maps.grid.quantities import QUANTITIES, SETTLED, SPANS, Quantity, words_of
 from hophoop.maps.grid.store import open_map
 from hophoop.maps.grid.sweeping import sweep
-from hophoop.maps.paradoxes import least_jam_speed, paradoxes
 
 __all__ = [
     "sweep",
     "points",
     "boundary",
     "borders",
-    "refine",
-    "paradoxes",
-    "least_jam_speed",
     "open_map",
     "words_of",
     "linear",
@@ -34,5 +29,4 @@ __all__ = [
     "catalogued",
     "Entry",
     "Border",
-    "Refined",
 ]

@@ -1,4 +1,4 @@
-"""Painlevé's paradox: its required friction, its region, and the states of the dynamic jam."""
+"""Painlevé's paradox: its required friction, its region, the states of the dynamic jam and an energy bound for it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics.elementwise import cosine
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.scenario.ranges import RANGES
@@ -246,3 +247,55 @@ def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:
                 if math.isfinite(rate):
                     found.append(JamState(mode, angle, rate / second))
     return tuple(sorted(found, key=lambda state: state.angle))
+
+
+def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
+    r"""Return the speed at the top below which energy forbids every jam that an open set of motions ends in.
+
+    Parameters
+    ----------
+    hoop : Hoop
+    plane : Plane
+        Level; only its kinetic friction and gravity matter.
+
+    Returns
+    -------
+    speed : float
+        Of the centre, with v_t = 0 and the load at the top [m/s]; inf where there is no such jam.
+
+    Raises
+    ------
+    ValueError
+        If the plane slopes or the hoop is massless.
+
+    Notes
+    -----
+    Slip draws a whole range of motions into p_σ = 0, f_n = 0 only where v_t and θ̇ have one sign. Then the kinetic
+    energy is at least that of rolling with the same θ̇, so that with c = cos θ of the jam
+
+    .. math::
+        \begin{aligned}
+        &\tfrac12\bigl((1 + \varepsilon)^2 + \kappa\bigr) v_0^2 \ge \\
+        &\quad gR\left[\frac{1 + \kappa + \varepsilon^2 + 2 \varepsilon c}{2 \varepsilon c} - \varepsilon (1 - c)\right].
+        \end{aligned}
+
+    At :math:`v_0^2 = gR/\varepsilon` the right side exceeds the left for every body: a hoop that can roll at the top
+    never has the energy. The sum of all losses is never negative, except under Newton's law.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.least_jam_speed(hh.Hoop.ideal(0.75)), 6)
+    4.533926
+    >>> round(hh.theory.immediate_hop_speed(hh.Hoop.ideal(0.75)), 6)
+    3.616628
+    """
+    if plane.slope != 0.0:
+        raise InputError.of_field("plane.slope", plane.slope, "0: on a slope the energy grows with the distance")
+    eps, kappa = hoop.eccentricity, hoop.inertia_ratio
+    for state in jam_states(hoop, plane):
+        if state.mode == "K" and painleve_region(state.angle + 1e-7, plane.mu_kinetic, hoop) == 1:
+            up = cosine(state.angle)
+            need_of_it = (1.0 + kappa + eps * eps + 2.0 * eps * up) / (2.0 * eps * up) - eps * (1.0 - up)
+            return math.sqrt(2.0 * plane.gravity * hoop.radius * need_of_it / ((1.0 + eps) * (1.0 + eps) + kappa))
+    return math.inf

@@ -1,4 +1,4 @@
-"""The class of a motion as a function on a plane of two parameters, for borders and refinement."""
+"""The class of a motion as a function on a plane of two parameters, for borders."""
 
 from __future__ import annotations
 

@@ -1,1 +1,0 @@
-"""All classes of motion in a plane of two parameters, however small."""
