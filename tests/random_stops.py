@@ -79,7 +79,6 @@ COMMANDS = {
     "map --workers 2": Command(f"map {AXES} --out m.zarr --workers 2", 8.0, "m.zarr"),
     "track": Command("track film.mp4 --radius 0.3 --out tracked --quiet"),
     "fit --sample": Command("fit track.json --sample 1000 --out fitted --save fit.json --quiet"),
-    "compare": Command("compare mujoco pymunk --scenario hop --out compared --quiet"),
     "lab": Command("lab --no-browser --port 0", served=True, again=False),
 }
 

@@ -245,7 +245,6 @@ ROOMS += [
     "lab",
     "precise",
     "prove",
-    "engines",
     "tracking",
     "fitting",
 ]

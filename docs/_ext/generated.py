@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import sys
 import tomllib
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -26,6 +27,9 @@ from hophoop.scenario.base import Frozen
 from hophoop.scenario.paths import ONWARD
 from hophoop.scenario.ranges import RANGES
 from hophoop.vocabulary.parameters import Range
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks" / "engines"))
+import table as engine_tables
 
 SCHEMA = "scenario.schema.json"
 LINE = re.compile(r"^% generated: ([\w-]+)$", re.MULTILINE)
@@ -221,70 +225,10 @@ def quantities() -> str:
 
 # Physics engines
 
-KEPT = Path(__file__).parents[1] / "tables" / "engines.json"
 
-
-def engines() -> str:
-    """One row per engine: the manual's settings, and the better ones at two steps."""
-    kept = json.loads(KEPT.read_text(encoding="utf-8"))
-    rows = []
-    for name, one in kept["engines"].items():
-        hops = {
-            (row["setting"], row["dt"]): row["scores"]["hop_height"]
-            for row in kept["rows"]
-            if row["engine"] == name and row["scenario"] == "hop" and "scores" in row
-        }
-        mine = [row for row in kept["rows"] if (row["engine"], row["setting"], row["dt"]) == (name, "default", 0.001)]
-        right = [
-            row["scores"]["sequence_right"] for row in mine if "scores" in row and row["scenario"] not in ("painleve", "border")
-        ]
-        walls = [row["relative_wall"] for row in mine if row["scenario"] == "hop" and row.get("relative_wall")]
-        limits = [each for each in kept["limits"] if each["engine"] == name and each["quantity"] == "hop_height"]
-        rows.append(
-            [
-                one["title"] if one["ours"] else f"{one['title'].removesuffix(' 2.3')} {one['version']}",
-                f"{sum(right)}/{len(right)}" if right else "–",
-                _millimetres(hops.get(("default", 0.001))),
-                _best(hops, 0.001),
-                _best(hops, 0.0001),
-                _limit(limits),
-                f"{walls[0]:.2g}" if walls and walls[0] < 100 else f"{walls[0]:,.0f}" if walls else "–",
-            ]
-        )
-    head = [
-        "engine",
-        "phases right",
-        "manual's, 1 ms (mm)",
-        "best, 1 ms (mm)",
-        "best, 0.1 ms (mm)",
-        "limit (mm), order",
-        "÷ hophoop",
-    ]
-    return table(head, rows)
-
-
-def _millimetres(value: float | str | None) -> str:
-    if not isinstance(value, float):
-        return "–" if value is None else "no hop"
-    text = f"{1e3 * value:+.2g}" if abs(value) < 0.1 else f"{1e3 * value:+.0f}"
-    return "0" if abs(value) < 5e-7 else text.replace("-", "−")
-
-
-def _best(hops: dict[tuple[str, float], Any], dt: float) -> str:
-    """The smaller error at a step, and whose settings give it."""
-    known = {setting: value for (setting, step), value in hops.items() if step == dt and isinstance(value, float)}
-    if not known:
-        return "–"
-    setting = min(known, key=lambda each: abs(known[each]))
-    return _millimetres(known[setting]) + (" (ours)" if setting == "tuned" else "")
-
-
-def _limit(limits: list[dict[str, Any]]) -> str:
-    """The smaller error of both settings, and whether it is approached with an order."""
-    if not limits:
-        return "–"
-    best = min(limits, key=lambda each: abs(each["error"]))
-    return f"{_millimetres(best['error'])}, {'none' if best['order'] is None else format(best['order'], '.1f')}"
+def engines(make: Callable[[dict[str, Any]], str]) -> str:
+    """A table of the kept scores."""
+    return make(json.loads(engine_tables.KEPT.read_text(encoding="utf-8")))
 
 
 # Addresses
@@ -312,7 +256,8 @@ MAKERS: dict[str, Callable[[], str]] = {
     "commands": commands,
     "scenario-file": scenario_file,
     "quantities": quantities,
-    "engines": engines,
+    "engines-short": lambda: engines(engine_tables.short),
+    "engines-full": lambda: engines(engine_tables.full),
     "addresses": addresses,
 }
 

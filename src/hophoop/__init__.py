@@ -45,7 +45,6 @@ _HOMES: dict[str, str | None] = {
     "plots": None,
     "precise": None,
     "prove": None,
-    "engines": None,
     "animate": None,
     "show": "lab.widget",
 }
@@ -58,7 +57,6 @@ if TYPE_CHECKING:
     from hophoop import article as article
     from hophoop import cite as cite
     from hophoop import claims as claims
-    from hophoop import engines as engines
     from hophoop import gaits as gaits
     from hophoop import io as io
     from hophoop import maps as maps

@@ -6,6 +6,7 @@ All text is written on the canvas, also the distances on the plane in 3D.
 import itertools
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.scene3d import Film3D
+from hophoop.animate.words import StateLine, draw_state
 
 LEAST = 20.0  # [pixels] of a picture of 1280 × 720
 PANELS = ("velocity", "energy", "forces", "utilization", "phase")
@@ -134,3 +136,18 @@ def test_distances_leave_room_for_labels_of_events(written):
         after = {words for words, _, _ in written if words.endswith(" m")}
     assert after < before
     assert len(after) >= len(before) - 2
+
+
+def test_words_of_a_narrow_view_stay_in_it():
+    drawn = []
+    canvas = SimpleNamespace(
+        unit=1.0,
+        disc=lambda *_: None,
+        text=lambda x, y, words, *_, **__: drawn.append(words),
+        text_width=lambda words, size, *_: 0.6 * size * len(words),
+    )
+    line = StateLine("roll", t=0.5, angle=0.3, extra="v = 1.00 m/s")
+    for room, count in ((1000.0, 4), (400.0, 2), (288.0, 1)):
+        drawn.clear()
+        draw_state(canvas, SimpleNamespace(ink="#000000"), (0.0, 0.0), line, room)
+        assert len(drawn) == count

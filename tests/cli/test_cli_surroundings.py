@@ -154,7 +154,7 @@ def test_the_folder_of_a_file_is_not_made(words, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("words", [("run", "NAME"), ("compare", "NAME"), ("NAME",), ("run", "--csv", "NAME")])
+@pytest.mark.parametrize("words", [("run", "NAME"), ("NAME",), ("run", "--csv", "NAME")])
 @pytest.mark.parametrize("letter", ["x", "\x1b"])
 def test_a_name_of_5000_letters_is_shown_by_its_start(words, letter):
     done = run(*(word.replace("NAME", 5000 * letter) for word in words))

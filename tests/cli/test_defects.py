@@ -70,7 +70,6 @@ def test_an_option_replaces_the_argument_and_no_word_of_the_value():
             "must be a certificate in JSON: a number has too many",
         ),
         (["prove", "--check"], "a.json", "[" * 100_000, "must be a certificate in JSON: nested too deeply"),
-        (["compare", "--score"], "a.csv", "#\n\x00" + "9" * 200_000, "a.csv "),
         (["lab"], "a.json", '{"schema": "hophoop-fit/1", "values": {}, "free": [], "covariance": "much"}', "is incomplete"),
     ],
 )
@@ -88,7 +87,6 @@ def test_files_that_libraries_refuse(command, name, content, said, tmp_path, mon
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["compare", "--command", "mine='node"], 'Error: --command = "mine=\'node" must be NAME=COMMAND'),
         (["run", "--set", f"hoop.parts.{'9' * 5000}.mass=1"], "Error: "),
         (
             ["map", "--axis", "plane.mu=1:inf:3:log", "--axis", "start.speed=1:2:2", "--out", "a.zarr"],

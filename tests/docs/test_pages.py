@@ -67,7 +67,7 @@ def test_the_first_pages_have_live_motions():
 
 
 EVERY = [page.values[0] for page in PAGES]
-EXAMPLES = [path for name in ("gallery/**/plot_*.py", "engines/*.py") for path in sorted(DOCS.parent.glob(f"examples/{name}"))]
+EXAMPLES = [*sorted(DOCS.parent.glob("examples/gallery/**/plot_*.py")), DOCS.parent / "benchmarks/engines/example.py"]
 
 
 @pytest.mark.parametrize("page", EVERY, ids=lambda page: page.relative_to(DOCS.parent).as_posix())

@@ -7,29 +7,29 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+import truth
+from adapters.hophoop import sample_motion, scenario_of
+from phases import phases
+from scenarios import SCENARIOS, task_of
+from truth import job, scored, truths
 
 import hophoop as hh
-from hophoop import engines
-from hophoop.engines import truth as truth_file
-from hophoop.engines.measures import exact_record
-from hophoop.engines.phases import phases, thin
 from oracles import hybrid
 from oracles.cases import Case
 
-SCENARIOS = engines.bench_scenarios()
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
-SCORED = [name for name, bench in SCENARIOS.items() if bench.scored]
 
 
 @pytest.fixture(scope="module")
 def document():
-    return json.loads(truth_file.truth_text())
+    return truth.read_document()
 
 
 def test_the_file_keeps_to_its_schema(document):
     jsonschema = pytest.importorskip("jsonschema")
-    validator = jsonschema.Draft202012Validator(engines.schema())
-    validator.check_schema(engines.schema())
+    schema = json.loads(truth.DATA.with_suffix(".schema.json").read_text(encoding="utf-8"))
+    validator = jsonschema.Draft202012Validator(schema)
+    validator.check_schema(schema)
     validator.validate(document)
     for change in (
         lambda d: d["scenarios"]["hop"]["task"].pop("inertia"),
@@ -43,9 +43,9 @@ def test_the_file_keeps_to_its_schema(document):
 
 
 def test_a_changed_file_is_noticed(monkeypatch):
-    monkeypatch.setattr(truth_file.hashlib, "sha256", lambda content: _Digest())
+    monkeypatch.setattr(truth.hashlib, "sha256", lambda content: _Digest())
     with pytest.raises(ValueError, match="does not match its checksum"):
-        truth_file.truth_text()
+        truth.read_document()
 
 
 class _Digest:
@@ -56,7 +56,10 @@ class _Digest:
 def test_it_has_every_scenario_with_its_own_numbers(document):
     assert list(document["scenarios"]) == list(SCENARIOS)
     for name, entry in document["scenarios"].items():
-        assert entry["task"] == engines.task_of(SCENARIOS[name]).to_dict()
+        task = task_of(SCENARIOS[name])
+        assert truth.task_of(entry["task"]) == task
+        assert (entry["task"]["gravity_along"], entry["task"]["gravity_off"]) == task.pull
+        assert entry["task"]["gravity_center"] == task.body()._asdict()
         assert entry["scored"] is SCENARIOS[name].scored
 
 
@@ -95,7 +98,7 @@ def test_numbers_lie_within_the_proved_bound(document, name, place):
 
 @pytest.mark.parametrize("name", SCENARIOS)
 def test_states_are_those_of_the_kernel(name):
-    motion, right = hh.simulate(SCENARIOS[name].scenario), engines.truths()[name].states
+    motion, right = hh.simulate(SCENARIOS[name].scenario), truths()[name].states
     sample = motion.at(right.t)
     for column, mine in zip(
         right[1:], (sample.x, sample.height, sample.angle, sample.vx, sample.vy, sample.omega), strict=True
@@ -105,12 +108,12 @@ def test_states_are_those_of_the_kernel(name):
 
 @pytest.mark.parametrize("name", ["slip", "hop", "drop"])
 def test_states_are_those_of_an_independent_integrator(name):
-    task, scenario = engines.task_of(SCENARIOS[name]), SCENARIOS[name].scenario
+    task, scenario = task_of(SCENARIOS[name]), SCENARIOS[name].scenario
     case = Case(
         name, inertia_ratio=scenario.hoop.inertia_ratio, mu_static=task.mu, mu_kinetic=task.mu, height=task.height,
         angle=task.angle, vx=task.vx, omega=task.omega, rolling=scenario.start.speed is not None, duration=task.duration,
     )  # fmt: skip
-    end, right = hybrid.solve(case).events[-1], engines.truths()[name].states
+    end, right = hybrid.solve(case).events[-1], truths()[name].states
     for key, column in zip(("x", "height", "angle", "vx", "vy", "omega"), right[1:], strict=True):
         assert end[key] == pytest.approx(column[-1], abs=1e-9)
 
@@ -118,19 +121,19 @@ def test_states_are_those_of_an_independent_integrator(name):
 @pytest.mark.parametrize("name", SCENARIOS)
 def test_energy_adds_up(name, document):
     energy = {key: float(value) for key, value in document["scenarios"][name]["energy"].items()}
-    task = engines.task_of(SCENARIOS[name])
+    task = task_of(SCENARIOS[name])
     body = task.body()
     start = 0.5 * task.mass * (body.vx**2 + body.vy**2) + 0.5 * task.inertia * body.spin**2
     start -= task.mass * (task.pull[0] * body.x + task.pull[1] * (body.y - task.radius - task.arm))
     assert sum(energy.values()) == pytest.approx(start, abs=1e-12)
 
 
-@pytest.mark.parametrize("name", SCORED)
+@pytest.mark.parametrize("name", scored())
 def test_the_rule_finds_the_phases_of_the_exact_motion(name):
     """Phases of at least 20 ms, from the exact events, are those that the rule finds in samples."""
-    task, right = engines.task_of(SCENARIOS[name]), engines.truths()[name]
-    found, _ = phases(task, thin(exact_record(SCENARIOS[name])))
-    marks = [event for event in right.events if event["kind"] not in ("turn", "apex", "kane_gain", "rest")]
+    task, right = task_of(SCENARIOS[name]), truths()[name]
+    found, _ = phases(task, sample_motion(SCENARIOS[name].scenario))
+    marks = [event for event in right.entry["events"] if event["kind"] not in ("turn", "apex", "kane_gain", "rest")]
     longer = []
     for event, following in itertools.pairwise(marks):
         begin, end = float(event["t"]), float(following["t"])
@@ -144,13 +147,29 @@ def test_the_rule_finds_the_phases_of_the_exact_motion(name):
 
 
 def test_the_task_is_the_start_seen_from_the_centre_of_gravity():
-    task = engines.task_of(SCENARIOS["drop"])
+    task = task_of(SCENARIOS["drop"])
     body = task.body()
     states = task.states([0.0], [body])
     for value, expected in zip(states, (0.0, task.x, task.height, task.angle, task.vx, task.vy, task.omega), strict=True):
         assert value[0] == pytest.approx(expected, abs=1e-15)
-    slope = engines.task_of(SCENARIOS["slope"])
+    slope = task_of(SCENARIOS["slope"])
     assert slope.pull == pytest.approx((9.81 * math.sin(math.radians(10)), -9.81 * math.cos(math.radians(10))))
     turned = [list(body)]
     turned[0][2] = math.remainder(body.turn + 4 * math.pi, 2 * math.pi)
     assert task.states([0.0], turned, unwrap=True).angle[0] == pytest.approx(task.angle)
+
+
+def test_an_adapter_reads_the_task_the_step_and_the_settings():
+    task = truths()["slope"].task
+    given = job(task, 0.0001, {"sweeps": 4})
+    assert (given["dt"], given["every"], given["settings"]) == (0.0001, 4, {"sweeps": 4})
+    assert truth.task_of(json.loads(json.dumps(given))) == task
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_the_scenario_of_a_task_is_that_of_the_benchmark(name):
+    """hophoop's own adapter knows the task only."""
+    found = hh.simulate(scenario_of(truths()[name].task, hh.Rigid()))
+    right = hh.simulate(SCENARIOS[name].scenario)
+    assert found.sequence == right.sequence
+    assert float(found.at(found.duration).angle) == pytest.approx(float(right.at(right.duration).angle), abs=1e-12)

@@ -1,19 +1,13 @@
 """Why sequential impulses let go too early: the iteration alone, against pymunk and against its own condition."""
 
-import importlib.util
 import math
-from pathlib import Path
 
 import pytest
+import sequential_impulses as impulses
+from measures import measure
+from truth import truths
 
-from hophoop import engines
-
-SOURCE = Path(__file__).parents[2] / "benchmarks" / "sequential_impulses.py"
-SPEC = importlib.util.spec_from_file_location("sequential_impulses", SOURCE)
-impulses = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(impulses)
-
-TASK = engines.task_of(engines.bench_scenarios()["hop"])
+TASK = truths()["hop"].task
 
 
 def test_the_sweeps_stop_settling_where_the_formula_says():
@@ -43,10 +37,9 @@ def test_one_contact_settles_or_cycles(angle, settles):
 
 
 def test_parity_decides():
-    right = engines.truths()["hop"].measures.hop_height
+    right = truths()["hop"].measures.hop_height
     even, odd, finer = (
-        engines.measure(TASK, impulses.run(TASK, dt, sweeps, impulses.together))
-        for dt, sweeps in ((2e-4, 10), (2e-4, 11), (1e-4, 11))
+        measure(TASK, impulses.run(TASK, dt, sweeps, impulses.together)) for dt, sweeps in ((2e-4, 10), (2e-4, 11), (1e-4, 11))
     )
     assert even.penetration > 2.5e-3  # it sinks
     assert odd.penetration < 1.5e-3
@@ -56,8 +49,9 @@ def test_parity_decides():
 @pytest.mark.parametrize("sweeps", [10, 11, 100, 101])
 def test_pymunk_is_this_iteration(sweeps):
     pytest.importorskip("pymunk")
-    adapter = engines.engine("pymunk")
-    theirs = engines.measure(TASK, adapter.run(TASK, 2e-4, iterations=sweeps))
-    ours = engines.measure(TASK, impulses.run(TASK, 2e-4, sweeps, impulses.together))
+    from adapters.pymunk import run
+
+    theirs = measure(TASK, run(TASK, 2e-4, iterations=sweeps))
+    ours = measure(TASK, impulses.run(TASK, 2e-4, sweeps, impulses.together))
     assert ours.hop_height == pytest.approx(theirs.hop_height, abs=3e-3)
     assert ours.penetration == pytest.approx(theirs.penetration, rel=0.1, abs=1e-4)

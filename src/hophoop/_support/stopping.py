@@ -14,7 +14,6 @@ import os
 import select
 import shutil
 import signal
-import subprocess
 import sys
 import threading
 import time
@@ -23,12 +22,9 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from types import FrameType
-from typing import Any, TypeVar
-
-Child = TypeVar("Child", str, bytes)
+from typing import Any
 
 PATIENCE = 1.0  # seconds from the signal until the process is ended
-GRACE = 0.5  # seconds for a child process to end by itself
 LOOKS = 0.02  # seconds between checks for a lost interrupt
 TRIES = 20  # attempts to remove a folder into which another thread still writes
 STOPS = (signal.SIGINT, signal.SIGTERM)
@@ -78,29 +74,12 @@ def temporary_folder(prefix: str = "hophoop-", home: Path | None = None) -> Iter
         yield folder
 
 
-@contextlib.contextmanager
-def child(process: subprocess.Popen[Child]) -> Iterator[subprocess.Popen[Child]]:
-    """Context that ends a process at its end, unless it has ended itself."""
-    with undoing(partial(_end, process)):
-        yield process
-
-
 def remove(path: Path) -> None:
     """Remove a file or a folder if it exists."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:
         path.unlink(missing_ok=True)
-
-
-def _end(process: subprocess.Popen[Any]) -> None:
-    if process.poll() is None:
-        process.terminate()  # not killed, so that it can remove its files
-        try:
-            process.wait(GRACE)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
 
 
 def clean_up() -> None:

@@ -56,7 +56,7 @@ def table_of(
             width=(widths or {}).get(title),
         )
     for row in rows:
-        # as Text, since [engines] in a cell is no markup
+        # as Text, since [1] in a cell is no markup
         table.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in row))
     return table
 
