@@ -10,7 +10,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from hophoop.article.convergence import angle_error, landing_scenario, with_contact
+import numpy as np
+
+from hophoop.article.compliant_figures import landing_scenario, with_contact
 from hophoop.scenario import Scenario
 from hophoop.simulation.simulate import simulate
 
@@ -29,6 +31,13 @@ def least_time(call: Callable[[], object], repeats: int = 15) -> float:
 def timed(scenario: Scenario) -> float:
     """Time of `simulate` [s]."""
     return least_time(lambda: simulate(scenario))
+
+
+def angle_error(rigid: Scenario, soft: Scenario) -> float:
+    """Maximum difference of θ between both motions [rad]."""
+    one, other = simulate(rigid), simulate(soft)
+    t = np.linspace(0.0, min(one.duration, other.duration), 400)
+    return float(np.max(np.abs(other.at(t).angle - one.at(t).angle)))
 
 
 def main() -> None:

@@ -236,7 +236,6 @@ ROOMS = ["scenario", "simulation.simulate", "simulation.trajectory", "theory", "
 ROOMS += ["results.save", "results.notebook", "results.poses"]
 ROOMS += [
     "cite",
-    "article.convergence",
     "maps",
     "plots",
     "animate",

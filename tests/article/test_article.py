@@ -1,5 +1,6 @@
 """The article's statements, each computed another way as well, and the whole report."""
 
+import contextlib
 import dataclasses
 import importlib
 import json
@@ -336,18 +337,15 @@ def test_a_failing_statement_is_told_by_the_exit_status(tmp_path, monkeypatch):
         return (dataclasses.replace(first, verdict=FAILS), *rest)
 
     monkeypatch.setattr(module, "statements", one_fails)
-    monkeypatch.setattr(module, "FIGURES", FIGURES[:1])
-    monkeypatch.setattr(module.report, "FIGURES", FIGURES[:1])
     films = tmp_path / "films"
 
-    def fake(out, progress):
+    @contextlib.contextmanager
+    def fake(out):
         films.mkdir()
         (films / "v3.1.mp4").write_bytes(b"film")
-        progress("films", 1, 1)
-        return [films / "v3.1.mp4"]
+        yield lambda progress: [films / "v3.1.mp4"]
 
-    monkeypatch.setattr(module, "films", fake)
-    monkeypatch.setattr(module, "_films_in_background", lambda out: None)  # no process could be started
+    monkeypatch.setattr(module, "_films", fake)
     done = CliRunner().invoke(app, ["reproduce", "--out", str(tmp_path), "--quiet"])
     assert done.exit_code == 1
     assert "slow_motion" in done.stderr

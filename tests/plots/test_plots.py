@@ -15,7 +15,6 @@ from matplotlib.text import Text
 import hophoop as hh
 from hophoop import plots
 from hophoop.article import compliant_figures as compliant
-from hophoop.article.convergence import landing_scenario
 from hophoop.plots.curves import curve, phases, turning
 from hophoop.plots.marks import clusters
 from hophoop.vocabulary import colors
@@ -104,7 +103,7 @@ def test_both_contact_models_book_the_landing_alike():
     """The share along the plane stands with friction in the article's balance and in that of the two models."""
     one, two = Figure().subplots(), Figure().subplots()
     compliant.energy_balance(one, two)
-    scenario = landing_scenario()
+    scenario = compliant.landing_scenario()
     plain = Figure().subplots()
     plots.energies(hh.simulate(scenario), "angle", ax=plain)
     for label in ("lost to friction", "lost in impacts, normal part"):

@@ -115,12 +115,17 @@ def article_films(
     Path(out_dir).mkdir(parents=True, exist_ok=True)
     paths = []
     for done, each in enumerate(ARTICLE_FILMS):
-        path = Path(out_dir) / f"{each.name}.mp4"
-        _make(each, simulate(given.get(each.name, each.scenario)), path)
-        paths.append(path)
+        paths.append(make_film(each, Path(out_dir), given.get(each.name)))
         if progress is not None:
             progress(done + 1, len(ARTICLE_FILMS))
     return paths
+
+
+def make_film(film: ArticleFilm, folder: Path, scenario: Scenario | None = None) -> Path:
+    """Make one film of the article and its poster in a folder; return its path."""
+    path = folder / f"{film.name}.mp4"
+    _make(film, simulate(scenario or film.scenario), path)
+    return path
 
 
 def _make(film: ArticleFilm, motion: Trajectory, path: Path) -> None:

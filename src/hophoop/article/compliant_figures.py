@@ -1,140 +1,29 @@
-"""Figures of compliant contact compared with rigid contact."""
+"""Figures of compliant contact compared with rigid contact, and the landing that they show."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._support.extras import need
-from hophoop.article.convergence import (
-    Landing,
-    landing,
-    landing_scenario,
-    order,
-    touch_scenario,
-    with_contact,
-)
 from hophoop.plots.motion import energies
 from hophoop.plots.style import finish, set_title
+from hophoop.scenario import Compliant, InputError, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_MARKS = "osD^vPX"
-_STIFFNESS = "Stiffness $k$ over $mg/R$"
 _LOST = "Energy lost in the landing (J)"
 _PARTS = (("o", colors.IMPACT_LOSS, "normal"), ("s", colors.FRICTION_LOSS, "friction"))
 
 
-def error_lines(
-    errors: dict[str, Any],
-    stiffnesses: ArrayLike,
-    ax: Axes | None = None,
-    fit_from: float = 1e5,
-    fit_to: float = 1e9,
-) -> Axes:
-    """Plot the maximum difference of θ against stiffness, one line per motion, with the fitted order.
-
-    Parameters
-    ----------
-    errors : dict of array_like
-        Name of the motion and its errors [rad].
-    stiffnesses : array_like
-        Over m g / R [1].
-    ax : matplotlib Axes, optional
-        A new one by default.
-    fit_from, fit_to : float
-        Range of the fit of the order [1].
-
-    Returns
-    -------
-    ax : matplotlib Axes
-    """
-    ax = _axes(ax)
-    k = np.asarray(stiffnesses, dtype=float)
-    inside = (k >= fit_from * 0.99) & (k <= fit_to * 1.01)
-    for index, (name, values) in enumerate(errors.items()):
-        values = np.asarray(values)
-        label = f"{name}: order {order(k[inside], values[inside]):.2f}"
-        ax.loglog(k, values, marker=_MARKS[index], ms=4, lw=1.2, color=colors.SERIES[index], label=label)
-    finish(ax, _STIFFNESS, "Largest difference of θ (rad)")
-    return ax
-
-
-def landing_against_stiffness(stiffnesses: ArrayLike, ax: Axes | None = None) -> Axes:
-    """Plot the energy lost by the landing at v₀ = 3.1 m/s against stiffness (e = 0), with that of the rigid plane.
-
-    Parameters
-    ----------
-    stiffnesses : array_like
-        Over m g / R [1].
-    ax : matplotlib Axes, optional
-        A new one by default.
-
-    Returns
-    -------
-    ax : matplotlib Axes
-    """
-    ax = _axes(ax)
-    k = np.asarray(stiffnesses, dtype=float)
-    soft = [landing(simulate(with_contact(touch_scenario(), value))) for value in k]
-    _losses(ax, k, soft)
-    _rigid_lines(ax, landing(simulate(touch_scenario())))
-    ax.set_xscale("log")
-    _finish_losses(ax, _STIFFNESS)
-    return ax
-
-
-def landing_against_slip_speed(slip_speeds: ArrayLike, stiffness: float = 1e8, ax: Axes | None = None) -> Axes:
-    """Plot the same against the slip speed: a creeping friction law, and a bristle as stiff as the normal spring.
-
-    Parameters
-    ----------
-    slip_speeds : array_like
-        Over √(g R) [1].
-    stiffness : float, default 1e8
-        Over m g / R [1].
-    ax : matplotlib Axes, optional
-        A new one by default.
-
-    Returns
-    -------
-    ax : matplotlib Axes
-    """
-    ax = _axes(ax)
-    speeds = np.asarray(slip_speeds, dtype=float)
-    one = touch_scenario()
-    for friction in ("tanh", "bristle"):
-        soft = [landing(simulate(with_contact(one, stiffness, speed, friction=friction))) for speed in speeds]
-        _losses(ax, speeds, soft, line="-" if friction == "tanh" else ":", what=friction)
-    _rigid_lines(ax, landing(simulate(touch_scenario())))
-    ax.set_xscale("log")
-    _finish_losses(ax, r"Slip speed $v_s$ over $\sqrt{gR}$")
-    return ax
-
-
-def landing_against_restitution(restitutions: ArrayLike, stiffness: float = 1e6, ax: Axes | None = None) -> Axes:
-    """Plot the same against restitution: the rigid plane's three laws, and the compliant plane's nominal value.
-
-    Parameters
-    ----------
-    restitutions : array_like
-        e [1].
-    stiffness : float, default 1e6
-        Over m g / R [1].
-    ax : matplotlib Axes, optional
-        A new one by default.
-
-    Returns
-    -------
-    ax : matplotlib Axes
-    """
-    ax = _axes(ax)
+def landing_against_restitution(restitutions: ArrayLike, ax: Axes, stiffness: float = 1e6) -> Axes:
+    """Plot the energy lost in the landing against restitution: the rigid plane's three laws, and a compliant plane."""
     e = np.asarray(restitutions, dtype=float)
     for law, dashes in (("stronge", "-"), ("poisson", "--"), ("newton", ":")):
         rigid = [landing(simulate(touch_scenario(value, law))) for value in e]
@@ -142,30 +31,13 @@ def landing_against_restitution(restitutions: ArrayLike, stiffness: float = 1e6,
         ax.plot(e, [one.tangential for one in rigid], dashes, color=colors.FRICTION_LOSS, lw=1.2)
         ax.plot([], [], dashes, color=colors.BLACK, lw=1.2, label=f"rigid, {law.capitalize()}")
     soft = [landing(simulate(with_contact(touch_scenario(value), stiffness))) for value in e]
-    _losses(ax, e, soft, line="")
-    _finish_losses(ax, "Restitution $e$")
+    draw_losses(ax, e, soft, line="")
+    finish_losses(ax, "Restitution $e$")
     return ax
 
 
-def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, stiffness: float = 1e6) -> Any:
-    """Plot the article's energy balance at v₀ = 3.1 m/s in both models.
-
-    Parameters
-    ----------
-    ax_rigid, ax_soft : matplotlib Axes, optional
-        Two new ones by default.
-    stiffness : float, default 1e6
-        Of the compliant model, over m g / R [1].
-
-    Returns
-    -------
-    axes : tuple of matplotlib Axes
-    """
-    if ax_rigid is None or ax_soft is None:
-        figure = need("matplotlib.pyplot", "plots").figure(figsize=(9.5, 4.0), layout="constrained")
-        ax_rigid, ax_soft = figure.subplots(1, 2, sharey=True)
-    assert ax_rigid is not None
-    assert ax_soft is not None
+def energy_balance(ax_rigid: Axes, ax_soft: Axes, stiffness: float = 1e6) -> None:
+    """Plot the article's energy balance at v₀ = 3.1 m/s in both models; the compliant one's stiffness over m g / R."""
     scenario = landing_scenario()
     soft = with_contact(scenario, stiffness)
     power = round(math.log10(stiffness))
@@ -180,17 +52,70 @@ def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, st
     low, high = ax_rigid.get_ylim()
     ax_rigid.set_ylim(low, high)
     ax_soft.set_ylabel("")
-    return ax_rigid, ax_soft
 
 
-def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: str = "compliant") -> None:
+def landing_scenario(restitution: float = 0.0, impact_law: str = "stronge", duration: float = 2.0) -> Scenario:
+    """Return the article's hop at 3.1 m/s, with this restitution and impact law; the duration in s."""
+    plane = Plane(restitution=restitution, impact_law=impact_law)
+    return Scenario(plane=plane, start=Start.rolling(3.1), duration=duration)
+
+
+def touch_scenario(restitution: float = 0.0, impact_law: str = "stronge", duration: float = 0.05) -> Scenario:
+    """Return only the landing of that hop: a start at the plane with the velocities of the rigid hoop at touch."""
+    whole = landing_scenario(restitution, impact_law)
+    touch = simulate(whole).find("impact")[0]
+    start = Start(angle=touch.angle, vx=touch.before.vx, vy=touch.before.vy, omega=touch.before.omega)
+    return whole.model_copy(update={"start": start.to_dict(), "duration": duration})
+
+
+def with_contact(scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any) -> Scenario:
+    """Return a scenario with compliant contact: stiffness over m g / R, slip speed over √(g R); others as in `Compliant`."""
+    hoop, gravity = scenario.hoop, scenario.plane.gravity
+    if slip_speed is not None:
+        others["slip_speed"] = slip_speed * math.sqrt(gravity * hoop.radius)
+    contact = Compliant(stiffness=stiffness * hoop.mass * gravity / hoop.radius, **others)
+    return scenario.model_copy(update={"contact": contact.to_dict()})
+
+
+class Landing(NamedTuple):
+    """Energy lost in a landing."""
+
+    normal: float  # in the normal direction [J]
+    tangential: float  # along the plane [J]
+
+
+def landing(motion: Trajectory, within: float = 0.02) -> Landing:
+    """Return the first landing of a motion; a compliant one ends with a lift-off, at the latest after `within` [s]."""
+    events = motion.events
+    index = next((i for i, event in enumerate(events) if event.kind == "impact"), -1)
+    if index < 0:
+        raise InputError("the motion has no landing.")
+    touch = events[index]
+    if motion.scenario.contact.model == "rigid":
+        ahead = events[index - 1]
+        return Landing(
+            touch.impact_normal - ahead.impact_normal,
+            touch.impact_tangential - ahead.impact_tangential,
+        )
+    leaves = [event.t for event in motion.find("takeoff") if event.t > touch.t]
+    end = min([touch.t + within, motion.duration, *leaves[:1]])
+    before, after = motion.at(touch.t), motion.at(end, side="left")
+    return Landing(
+        after.damping - before.damping + after.spring,  # the energy of the spring is lost after the lift-off
+        after.friction - before.friction,
+    )
+
+
+def draw_losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: str = "compliant") -> None:
+    """Plot both losses of some landings against a quantity."""
     face = "white" if line == ":" else None
     for mark, color, part in _PARTS:
         lost = [one.normal if part == "normal" else one.tangential for one in landings]
         ax.plot(at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face)
 
 
-def _finish_losses(ax: Axes, across: str) -> None:
+def finish_losses(ax: Axes, across: str) -> None:
+    """Set limits and labels of a plot of losses."""
     values = np.concatenate([np.asarray(each.get_ydata(), dtype=float) for each in ax.lines])
     low, high = min(0.0, float(np.nanmin(values))), max(0.1, float(np.nanmax(values)))
     # Newton's law can gain energy: show negative values
@@ -198,16 +123,3 @@ def _finish_losses(ax: Axes, across: str) -> None:
     if low < 0.0:
         ax.axhline(0.0, color=colors.GRAY, lw=0.7, zorder=0)
     finish(ax, across, _LOST)
-
-
-def _rigid_lines(ax: Axes, rigid: Landing) -> None:
-    for _, color, part in _PARTS:
-        ax.axhline(rigid.normal if part == "normal" else rigid.tangential, color=color, ls="--", lw=1.0, label=f"rigid, {part}")
-
-
-def _axes(ax: Axes | None) -> Axes:
-    if ax is not None:
-        return ax
-    figure = need("matplotlib.pyplot", "plots").figure(figsize=(5.2, 4.0), layout="constrained")
-    made: Axes = figure.subplots()
-    return made

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
+import os
 import shutil
-import subprocess
+import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from hophoop._support.extras import MissingExtra, need
 from hophoop._support.files import replacing
-from hophoop._support.processes import start_python
-from hophoop._support.stopping import remove, stop_on_signals, temporary, undoing
+from hophoop._support.stopping import ignored_by_children, temporary, undoing
 from hophoop._version import __version__
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, draw_figure
@@ -24,7 +26,6 @@ from hophoop.article.statement import Statement
 from hophoop.article.statements import count, statements
 
 DPI = 160
-TIDIES = 0.5  # s for the process of the films to end when it is stopped
 
 Progress = Callable[[str, int, int], None]
 
@@ -65,7 +66,8 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     progress : callable, optional
         Called with the name of a stage ('statements', 'figures', 'films'), the number of steps done and of all.
     with_films : bool, default True
-        Whether to make films, if the extra ``films`` is installed.
+        Whether to make films, if the extra ``films`` is installed: in another process, so that a script that calls this needs
+        the usual ``if __name__ == "__main__":``.
 
     Returns
     -------
@@ -83,8 +85,15 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     (folder / "figures").mkdir(parents=True, exist_ok=True)
     say = progress or _no_progress
     runs = Runs()
-    # in parallel with figures and statements, which take as long
-    with _films_in_background(folder / "films") if with_films else nullcontext() as process:
+    made: list[Path] = []
+    finish, reason = None, "they were not requested"
+    with ExitStack() as open_ones:
+        if with_films:
+            try:
+                # in parallel with figures and statements, which take as long
+                finish, reason = open_ones.enter_context(_films(folder / "films")), ""
+            except MissingExtra as error:
+                reason = str(error)
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
             with _style():
                 sheet = draw_figure(figure, runs)
@@ -95,118 +104,69 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
             say("figures", k + 1, len(FIGURES))
         checked = _check_statements(runs, say)
         _write_json(folder, checked)
-        made: list[Path] = []
-        reason = "they were not requested"
-        if with_films:
-            try:
-                made = (process and process.finish(say)) or films(folder / "films", say)
-                reason = ""
-            except MissingExtra as error:
-                reason = str(error)
+        if finish is not None:
+            made = finish(say)
     with replacing(folder / "index.html") as path:
         path.write_text(report.page(checked, folder, made, runs), encoding="utf-8")
     return Reproduction(folder, checked, tuple(made), reason)
 
 
-def films(out: Path, progress: Progress) -> list[Path]:
-    """Make the article's films.
-
-    Parameters
-    ----------
-    out : Path
-    progress : callable
-        As in `reproduce`.
-
-    Returns
-    -------
-    paths : list of Path
-
-    Raises
-    ------
-    ImportError
-        If the extra ``films`` is not installed.
-    """
+@contextmanager
+def _films(out: Path) -> Iterator[Callable[[Progress], list[Path]]]:
+    """Start the films in another process; the context has a function that waits for them and returns their paths."""
     need("av", "films")
-    if find_spec("hophoop.animate") is None:
-        raise MissingExtra("this version makes no films.")
-    from hophoop.animate import article_films
+    from hophoop.animate.article import ARTICLE_FILMS, make_film
 
-    fresh = _unfinished_folder(out)
+    fresh = out.with_name(f".{out.name}-new")  # until all are complete
     shutil.rmtree(fresh, ignore_errors=True)  # left by a killed process
-    with temporary(fresh):
+    with temporary(fresh), _other_process() as pool:
         fresh.mkdir(parents=True)
-        made = article_films(fresh, lambda done, total: progress("films", done, total))
-        out.mkdir(exist_ok=True)
-        for still in fresh.glob("*.png"):
-            still.replace(out / still.name)
-        return [path.replace(out / path.name) for path in made]
+        with ignored_by_children():
+            begun = [pool.submit(make_film, film, fresh) for film in ARTICLE_FILMS]
 
+        def finish(progress: Progress) -> list[Path]:
+            for done, (film, future) in enumerate(zip(ARTICLE_FILMS, begun, strict=True)):
+                try:
+                    future.result()
+                except BrokenProcessPool:
+                    make_film(film, fresh)
+                progress("films", done + 1, len(begun))
+            out.mkdir(exist_ok=True)
+            for still in fresh.glob("*.png"):
+                still.replace(out / still.name)
+            return [(fresh / f"{film.name}.mp4").replace(out / f"{film.name}.mp4") for film in ARTICLE_FILMS]
 
-def _unfinished_folder(out: Path) -> Path:
-    """Folder of the films until all are complete."""
-    return out.with_name(f".{out.name}-new")
-
-
-class _FilmProcess:
-    """A process that makes the films."""
-
-    def __init__(self, process: subprocess.Popen[bytes], out: Path) -> None:
-        self._process = process
-        self._out = out
-
-    def finish(self, progress: Progress) -> list[Path]:
-        """Wait for the films; none if the process failed."""
-        assert self._process.stdout is not None
-        made: list[Path] = []
-        with self._process, self._process.stdout as lines:
-            for line in lines:
-                said = json.loads(line)
-                if "made" in said:
-                    made = [Path(name) for name in said["made"]]
-                else:
-                    progress("films", said["done"], said["total"])
-        return made
-
-    def stop(self) -> None:
-        """End the process if it is still running."""
-        if self._process.poll() is None:
-            self._process.terminate()
-            try:
-                self._process.wait(TIDIES)
-            except subprocess.TimeoutExpired:
-                self._process.kill()
-                self._process.wait()
-            remove(_unfinished_folder(self._out))
-        if self._process.stdout is not None:
-            self._process.stdout.close()
+        yield finish
 
 
 @contextmanager
-def _films_in_background(out: Path) -> Iterator[_FilmProcess | None]:
-    try:
-        process = start_python(
-            f"from hophoop.article.reproduce import report_films; report_films({str(out)!r})",
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-        )
-    except OSError:
-        yield None
-        return
-    films = _FilmProcess(process, out)
-    with undoing(films.stop):
-        yield films
+def _other_process() -> Iterator[ProcessPoolExecutor]:
+    """A pool of one process, which ends with the block or with this process, whatever it is doing."""
+    others = multiprocessing.active_children()
+    pool = ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), _be_quiet_and_mortal)
+
+    def end() -> None:
+        for process in multiprocessing.active_children():
+            if process not in others:
+                process.kill()
+                process.join()
+        pool.shutdown(wait=False, cancel_futures=True)
+
+    with undoing(end):
+        yield pool
 
 
-def report_films(out: str) -> None:
-    """Make the films and report progress on standard output, in lines of JSON."""
+def _be_quiet_and_mortal() -> None:
+    """Print nothing to the terminal, and end when the process that started this one has ended."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+    starter = multiprocessing.parent_process()
+    assert starter is not None
 
-    def say(_: str, done: int, total: int) -> None:
-        print(json.dumps({"done": done, "total": total}), flush=True)
+    def follow() -> None:
+        starter.join()
+        os._exit(1)
 
-    with stop_on_signals(alone=True):
-        made = films(Path(out), say)
-        print(json.dumps({"made": [str(path) for path in made]}), flush=True)
+    threading.Thread(target=follow, daemon=True).start()
 
 
 def _check_statements(runs: Runs, progress: Progress) -> tuple[Statement, ...]:
