@@ -69,7 +69,6 @@ COMMANDS = {
     "run, many samples into .csv": Command("run --v0 3.1 --samples 100000 --csv r.csv --quiet", 4.0),
     "run --digits 40": Command("run --v0 3.1 --digits 40 --json r.json"),
     "prove": Command("prove --v0 3.1 --digits 40 --out p.json"),
-    "claims": Command("claims", again=False),
     "reproduce": Command("reproduce --out article", 20.0),
     "animate, .mp4": Command("animate --v0 3.1 --duration 2 --out a.mp4 --quiet"),
     "animate, .gif": Command("animate --v0 3.1 --duration 2 --out a.gif --quiet"),

@@ -240,7 +240,6 @@ ROOMS += [
     "plots",
     "animate",
     "article",
-    "claims",
     "lab",
     "precise",
     "prove",

@@ -1,4 +1,4 @@
-"""Parts of pages that are made from the code: commands, the scenario file, the quantities of maps, the owners' addresses.
+"""Parts of pages that are made from the code: commands, the scenario file, quantities, tables, addresses.
 
 A line ``% generated: name`` of a page becomes what the function of that name here gives, as MyST. The JSON schema of a
 scenario file is written beside the pages.
@@ -31,6 +31,7 @@ from hophoop.vocabulary.parameters import Range
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks" / "engines"))
 import table as engine_tables
 
+CLAIMS = Path(__file__).parents[1] / "claims.toml"
 SCHEMA = "scenario.schema.json"
 LINE = re.compile(r"^% generated: ([\w-]+)$", re.MULTILINE)
 KINDS = {"float": "NUMBER", "int": "N", "str": "WORD", "path": "FILE"}
@@ -231,6 +232,25 @@ def engines(make: Callable[[dict[str, Any]], str]) -> str:
     return make(json.loads(engine_tables.KEPT.read_text(encoding="utf-8")))
 
 
+# Claims of the literature
+
+
+def claims() -> str:
+    """The claims of each work and our numbers, with a reason where we differ."""
+    known = tomllib.loads(CLAIMS.read_text(encoding="utf-8"))
+    rows = []
+    for work, read in known.pop("works").items():
+        head = [f"{{cite:t}}`{work}`", read]
+        for claim in known.values():
+            if claim["work"] == work:
+                unit = claim.get("unit", "")
+                number = claim["ours"].replace("-", "−") + ("°" if unit == "°" else f" {unit}" if unit else "")
+                why = "" if claim["verdict"] == "agrees" else f" {claim['why']}"
+                rows.append([*head, claim["claim"], f"{claim['quantity']} **{number}**.{why}", claim["verdict"]])
+                head = ["", ""]
+    return table(["work", "read", "what it says", "our number", "verdict"], rows)
+
+
 # Addresses
 
 ADDRESSES = Path(__file__).parents[2] / "addresses.toml"
@@ -258,6 +278,7 @@ MAKERS: dict[str, Callable[[], str]] = {
     "quantities": quantities,
     "engines-short": lambda: engines(engine_tables.short),
     "engines-full": lambda: engines(engine_tables.full),
+    "claims": claims,
     "addresses": addresses,
 }
 

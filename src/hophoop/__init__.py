@@ -39,7 +39,6 @@ _HOMES: dict[str, str | None] = {
     "cite": None,
     "theory": None,
     "article": None,
-    "claims": None,
     "maps": None,
     "gaits": None,
     "plots": None,
@@ -56,7 +55,6 @@ if TYPE_CHECKING:
     from hophoop import animate as animate
     from hophoop import article as article
     from hophoop import cite as cite
-    from hophoop import claims as claims
     from hophoop import gaits as gaits
     from hophoop import io as io
     from hophoop import maps as maps

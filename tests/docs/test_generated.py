@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "docs" / "_ext"))
 generated = pytest.importorskip("generated", reason="the extra 'docs' is not installed")
 
 COMMANDS = [
-    *("run", "prove", "theory", "reproduce", "claims", "animate", "map", "gait", "diagram", "track", "fit", "plan"),
+    *("run", "prove", "theory", "reproduce", "animate", "map", "gait", "diagram", "track", "fit", "plan"),
     "lab",
 ]
 

@@ -1,4 +1,4 @@
-"""Verdicts on claims and statements."""
+"""Verdicts on statements."""
 
 from __future__ import annotations
 
@@ -9,9 +9,8 @@ from typing import Any, ClassVar
 AGREES = "agrees"
 WITHIN_READING = "agrees within reading accuracy"
 DIFFERS = "differs"
-NOT_READ = "not read"
 FAILS = "fails"
-VERDICTS = (AGREES, WITHIN_READING, DIFFERS, NOT_READ, FAILS)
+VERDICTS = (AGREES, WITHIN_READING, DIFFERS, FAILS)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,7 +25,7 @@ class Verdict:
         Our result.
     verdict : str
         'agrees'; 'agrees within reading accuracy' if the work's value is rounded or read off a plot; 'differs' with a known
-        reason; 'not read' if the source was not available; 'fails' otherwise.
+        reason; 'fails' otherwise.
     why : str
         The reason for the verdict.
     """

@@ -22,7 +22,7 @@ from hophoop._support.stopping import Stopping, stop_on_signals
 
 # In the order of --help.
 COMMANDS = (
-    "run", "prove", "theory", "reproduce", "claims", "animate", "map", "gait", "diagram", "track", "fit", "plan", "lab",
+    "run", "prove", "theory", "reproduce", "animate", "map", "gait", "diagram", "track", "fit", "plan", "lab",
 )  # fmt: skip
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130

@@ -17,7 +17,6 @@ VERDICT_STYLES = {
     "agrees": "green",
     "agrees within reading accuracy": "cyan",
     "differs": "yellow",
-    "not read": "dim",
     "fails": "bold white on red",
 }
 
@@ -39,21 +38,18 @@ def table_of(
     *,
     right: Collection[str] = (),
     wrap: Collection[str] = (),
-    widths: dict[str, int] | None = None,
-    name: str | None = None,
 ) -> Table:
     """Table in the style of all commands.
 
     `right` are the columns of numbers, aligned on the right; `wrap` those whose cells may take several lines.
     """
-    table = Table(box=box.SIMPLE_HEAD, title=name, title_justify="left", pad_edge=False)
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for title in titles:
         table.add_column(
             title,
             justify="right" if title in right else "left",
             no_wrap=title not in wrap,
             overflow="fold" if title in wrap else "ellipsis",
-            width=(widths or {}).get(title),
         )
     for row in rows:
         # as Text, since [1] in a cell is no markup

@@ -1,18 +1,29 @@
-"""Our numbers, each computed separately from the motion or from theory."""
+"""The claims of the literature (docs/claims.toml): each number of ours is computed here, and some again by hand."""
 
 from __future__ import annotations
 
 import math
+import re
+import sys
+import tomllib
+from decimal import Decimal
 from functools import cache
+from pathlib import Path
 from typing import Any
+
+import pytest
 
 from hophoop import theory
 from hophoop.article.scenarios import GAMMA, scenarios
-from hophoop.maps import catalogue
+from hophoop.cite import references
+from hophoop.maps import catalogue, catalogued
 from hophoop.scenario import Disk, Hoop, Plane, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 
+DOCS = Path(__file__).parents[2] / "docs"
+CLAIMS = tomllib.loads((DOCS / "claims.toml").read_text(encoding="utf-8"))
+WORKS = CLAIMS.pop("works")
 HOOP, PLANE = Hoop.ideal(GAMMA), Plane(mu=1.0)
 WITHOUT_LIMIT = Plane(mu=math.inf)
 
@@ -85,15 +96,8 @@ def slip_before_take_off() -> float:
     return math.degrees(off.angle - slip.angle)
 
 
-def over_rotation_angle() -> float:
-    """Angle at which the slip before the take-off starts [°]."""
-    return math.degrees(_slip_before_take_off()[0].angle)
-
-
 def take_offs_out_of_rolling() -> float:
     """Number of classes of the first revolution, at any γ of the catalogue, with a take-off from rolling."""
-    from hophoop.maps import catalogued
-
     return sum(entry.sequence.endswith("RH") for gamma in catalogued() for entry in catalogue(gamma))
 
 
@@ -127,16 +131,6 @@ def first_hop_speed() -> float:
 def immediate_hop_speed() -> float:
     """Minimum speed at which the reference hoop leaves the plane at the start [m/s]."""
     return float(theory.immediate_hop_speed(HOOP))
-
-
-def first_slip_speed() -> float:
-    """Minimum speed of slip of the reference hoop in its first revolution [m/s]."""
-    return float(theory.first_slip_speed(HOOP, PLANE))
-
-
-def friction_from_rest() -> float:
-    """Friction required by the reference hoop to roll from the smallest push."""
-    return float(theory.needed_friction(HOOP, 0.0, PLANE).mu)
 
 
 def sequences() -> float:
@@ -268,3 +262,81 @@ def routh_reversal() -> float:
     plane = Plane(mu=0.125, restitution=0.0)
     motion = simulate(body, plane, Start(angle=-math.atan2(4.0, 3.0), vx=-1.0, vy=-3.0), duration=0.01)
     return float(motion.find("impact")[0].slip)
+
+
+# Claims
+
+
+@pytest.mark.parametrize("key", CLAIMS)
+def test_our_number_comes_out_again(key):
+    claim = CLAIMS[key]
+    value, places = float(globals()[claim["compute"]]()), -Decimal(claim["ours"]).as_tuple().exponent
+    assert abs(value - float(claim["ours"])) <= 0.5000001 * 10.0**-places
+    if "theirs_number" in claim:
+        near = abs(value - claim["theirs_number"]) <= claim.get("reading", 0.0)
+        assert near == (claim["verdict"] != "differs")
+
+
+FIELDS = {"work", "claim", "theirs", "quantity", "ours", "verdict", "why", "compute"}
+
+
+@pytest.mark.parametrize("key", CLAIMS)
+def test_a_claim_has_all_that_its_row_needs(key):
+    claim = CLAIMS[key]
+    assert FIELDS <= set(claim) <= FIELDS | {"unit", "theirs_number", "reading"}
+    assert claim["verdict"] in ("agrees", "agrees within reading accuracy", "differs")
+    assert claim["verdict"] != "differs" or len(claim["why"]) > 30
+    assert re.fullmatch(r"-?\d+(\.\d+)?", claim["ours"])
+    assert claim["work"] in WORKS
+
+
+def test_works_are_in_the_bibliography_and_have_claims():
+    assert set(WORKS) == {claim["work"] for claim in CLAIMS.values()}
+    assert set(WORKS) <= set(references())
+    assert len(WORKS) > 15
+    assert all(re.match(r"not|title|abstract", read) for read in WORKS.values())
+
+
+def test_the_page_has_a_row_for_each_claim():
+    sys.path.insert(0, str(DOCS / "_ext"))
+    generated = pytest.importorskip("generated", reason="the extra 'docs' is not installed")
+    rows = generated.claims().splitlines()[2:]
+    assert len(rows) == len(CLAIMS)
+    assert sum(row.startswith("| {cite:t}`") for row in rows) == len(WORKS)
+    assert any(row.endswith("gains **0.573661 J**. | agrees |") for row in rows)  # our reasons only where we differ
+    assert "% generated: claims" in (DOCS / "literature.md").read_text(encoding="utf-8")
+
+
+# Numbers by hand
+
+G = 9.81
+
+
+def test_numbers_by_hand():
+    assert massless_skim_angle() == pytest.approx(math.degrees(math.acos(1e-6 / G)), abs=1e-9)
+    assert massless_fall() == pytest.approx((math.sqrt(3.0) - 1.0) / math.sqrt(G), abs=2e-6)
+    assert massless_hop_speed() == pytest.approx(math.sqrt(G), rel=1e-14)
+    assert immediate_hop_speed() == pytest.approx(math.sqrt(G / 0.75), rel=1e-14)
+    assert painleve_friction() == pytest.approx(math.sqrt(1.0 - 0.75**2) / 0.75, rel=1e-14)
+    assert routh_reversal() == pytest.approx(115.0 / 97.0, rel=1e-12)
+    assert kane_gain() == pytest.approx(257.0 / 448.0, rel=1e-12)
+    assert stronge_separation() == pytest.approx(math.sqrt(20631.0) / 52.0, rel=1e-12)
+    assert jam_angle() == pytest.approx(jam_angle_of_theory(), abs=1e-9)
+
+
+def test_the_first_hop_is_that_of_theory():
+    assert first_hop_speed() == pytest.approx(float(theory.first_hop_speed(HOOP, PLANE)), abs=5e-9)
+
+
+def test_the_force_at_the_quasi_jump_by_newton():
+    """N of rolling from energy and Newton's law alone, at our angle, is zero: R = m = 1."""
+    theta, gamma, v0, step = math.radians(quasi_jump_angle()), 0.75, 3.1, 1e-5
+
+    def square(angle):
+        return (gamma * G * (1.0 - math.cos(angle)) + v0**2 * (1.0 + gamma)) / (1.0 + gamma * math.cos(angle))
+
+    acceleration = (square(theta + step) - square(theta - step)) / (4.0 * step)
+    normal = G - gamma * (acceleration * math.sin(theta) + square(theta) * math.cos(theta))
+    assert normal == pytest.approx(0.0, abs=1e-7)
+    free = gamma * square(theta) * math.cos(theta) - G
+    assert quasi_jump_free_acceleration() == pytest.approx(free, rel=1e-10)
