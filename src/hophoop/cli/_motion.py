@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypeVar
 from rich.console import Console
 from rich.table import Table
 
-from hophoop.cli._tables import console_of, drop_columns, print_table, table_of
+from hophoop.cli._tables import console_of, print_table
 from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS, SPARE, TITLES, WORDS, cells
 
 if TYPE_CHECKING:
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 Row = TypeVar("Row")
 
 SPARE_ERRORS = ("± v (m/s)", "± x (m)", "± θ̇ (rad/s)", "± θ (rad)")
+SPARE_DIGITS = ("θ̇ (rad/s)", "v (m/s)", "x (m)", "θ (rad)")
+ENDLESS = 4000  # width of a pipe for numbers of up to 1000 digits
 
 
 def no_answer(duration: float, status: str) -> str:
@@ -35,30 +37,23 @@ def print_events(
     events: Sequence[Row],
     cells: Callable[[Row], Iterable[str]],
     everything: bool,
-    spare: Sequence[str] | None = None,
+    spare: Sequence[str],
+    width: int = 120,
 ) -> None:
-    """Print a table with one row per event, of a long one the first and the last rows.
-
-    Columns of `spare` are dropped if there is no room; without it the table has the width of its numbers.
-    """
-    console = console_of(4000 if spare is None else 120)
+    """Print a table with one row per event, of a long one the first and the last rows; the rest is as in `print_table`."""
     left_out = 0 if everything else max(0, len(events) - FIRST_ROWS - LAST_ROWS)
     rows = [list(cells(event)) for event in (events[:FIRST_ROWS] if left_out else events)]
     if left_out:
         rows += [["…"] * len(titles), *(list(cells(event)) for event in events[len(events) - LAST_ROWS :])]
-    table = table_of(titles, rows, right=set(titles) - set(WORDS))
-    dropped = drop_columns(table, console, spare or ())
-    console.print(table)
-    if dropped:
-        console.print(f"Not shown for want of width: {', '.join(dropped)}.\n")
+    print_table(titles, rows, width, spare, right=set(titles) - set(WORDS))
     if left_out:
-        console.print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
+        console_of(width).print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
 
 
 def print_motion(motion: Trajectory, everything: bool) -> None:
     """Print the events, and a summary of the motion."""
     print_events(TITLES, motion.events, cells, everything, SPARE)
-    print_table(_summary(motion), 120)
+    console_of(120).print(_summary(motion))
 
 
 def print_errors(motion: Trajectory, errors: EventErrors, everything: bool) -> None:

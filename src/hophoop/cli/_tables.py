@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from rich import box
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
-
-if TYPE_CHECKING:
-    from rich.console import RenderableType
 
 VERDICT_STYLES = {
     "agrees": "green",
@@ -57,25 +53,54 @@ def table_of(
     return table
 
 
-def print_table(table: RenderableType, width: int) -> None:
-    """Print a table; `width` is that of a pipe."""
-    console_of(width).print(table)
+def print_table(
+    titles: Sequence[str],
+    rows: Iterable[Iterable[str | Text]],
+    width: int,
+    spare: Sequence[str] | None = None,
+    *,
+    right: Collection[str] = (),
+    wrap: Collection[str] = (),
+    widths: dict[str, int] | None = None,
+    name: str | None = None,
+) -> None:
+    """Print a table that fits, and name the columns that are left out for it; the rest is as in `table_of`.
+
+    `width` is that of a pipe; `spare` are the columns to leave out, in this order: by default all but the first, from the last.
+    Where this is not enough, cells take several lines, since cut numbers are useless.
+    """
+    console = console_of(width)
+    cells = [list(row) for row in rows]
+    missing: list[str] = []
+    left_out = list(titles[:0:-1] if spare is None else spare)
+    while True:
+        kept = [k for k, title in enumerate(titles) if title not in missing]
+        shown = [[row[k] for k in kept] for row in cells]
+        table = table_of([titles[k] for k in kept], shown, right=right, wrap=wrap, widths=widths, name=name)
+        if _least_width(table, console) <= console.width or not left_out:
+            break
+        missing.append(left_out.pop(0))
+    if _least_width(table, console) > console.width:
+        for column in table.columns:
+            column.no_wrap, column.overflow = False, "fold"
+    console.print(table)
+    if missing:
+        console.print(f"Not shown for want of width: {', '.join(missing)}.\n")
 
 
-def drop_columns(table: Table, console: Console, spare: Sequence[str]) -> list[str]:
-    """Remove spare columns until the table fits, since cut numbers are useless; return their titles."""
+def _least_width(table: Table, console: Console) -> int:
+    """Return the width in which only the columns that may wrap do, between words."""
+    from rich.cells import cell_len
     from rich.measure import Measurement
 
-    dropped: list[str] = []
-    endless = console.options.update(width=10_000)
-    for title in spare:
-        if Measurement.get(console, endless, table).maximum <= console.width:
-            break
-        table.columns = [column for column in table.columns if column.header != title]
-        dropped.append(title)
-    return dropped
+    width = Measurement.get(console, console.options.update(width=10_000), table).maximum
+    for column in table.columns:
+        if not column.no_wrap and column.width is None:
+            texts = [str(cell) for cell in (column.header, *column.cells)]
+            width -= max(map(cell_len, texts)) - max(cell_len(word) for text in texts for word in text.split() or [""])
+    return width
 
 
 def print_parameters(rows: Iterable[tuple[str, str, str]]) -> None:
     """Print parameters with their values and meanings."""
-    print_table(table_of(("parameter", "value", "meaning"), rows, wrap=("meaning",)), 200)
+    print_table(("parameter", "value", "meaning"), rows, 200, ("meaning",), wrap=("meaning",))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from hophoop.cli._output import print_json, write_json
-from hophoop.cli._tables import print_table, table_of
+from hophoop.cli._tables import print_table
 
 if TYPE_CHECKING:
     from hophoop.prove import ProvedNumber
@@ -44,7 +44,7 @@ def prove_thresholds(scenario: Any, text: str, digits: int, out: Path | None, js
             for number in numbers
         ]
         titles = ("threshold", "proved", "unit", "statement")
-        print_table(table_of(titles, rows, wrap=("unit", "statement")), 200)
+        print_table(titles, rows, 200, ("statement", "unit"), wrap=("unit", "statement"))
     for key, why in reasons.items():
         say(f"Undecided: {key}: {why}.")
     if reasons:

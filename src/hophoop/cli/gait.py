@@ -9,7 +9,7 @@ import typer
 
 from hophoop.cli._options import with_scenario
 from hophoop.cli._output import print_json
-from hophoop.cli._tables import print_table, table_of
+from hophoop.cli._tables import print_table
 
 if TYPE_CHECKING:
     from hophoop.gaits.branch import Branch
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from hophoop.scenario import Scenario
 
 TITLES = ("sequence", "stable", "multiplier", "speed (m/s)", "hops", "revolutions", "hop (m)", "θ̇ (rad/s)", "next boundary")
+SPARE = ("hop (m)", "revolutions", "next boundary", "θ̇ (rad/s)", "hops", "speed (m/s)")
 
 
 @with_scenario
@@ -69,7 +70,7 @@ def gait(
         print_json({"schema": "hophoop-gaits/1", "gaits": rows} | followed)
         _finish(branch, plot)
         return
-    print_table(table_of(TITLES, map(_cells, found), right=TITLES[2:8], wrap=("sequence",)), 140)
+    print_table(TITLES, map(_cells, found), 140, SPARE, right=TITLES[2:8], wrap=("sequence",))
     if precise is not None:
         for name, value in precise.state.items():
             typer.echo(f"{name} = {value}")
@@ -78,7 +79,7 @@ def gait(
     if branch is not None:
         rows_of = ([one.kind, f"{one.parameter:.12g}", f"{one.omega:.9g}", _factors(one), one.event] for one in branch.special)
         titles = ("special point", path, "θ̇ (rad/s)", "multiplier", "boundary and sequences")
-        print_table(table_of(titles, rows_of, right=titles[1:4], wrap=titles[4:]), 140)
+        print_table(titles, rows_of, 140, right=titles[1:4], wrap=titles[4:])
     _finish(branch, plot)
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from hophoop.cli._motion import no_answer, print_events
+from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, no_answer, print_events
 from hophoop.cli._output import print_json, write_json
 from hophoop.results.event_table import change_of
 from hophoop.vocabulary.words import plain
@@ -50,7 +50,7 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, 
 
 def _show_motion(precise: PreciseMotion, digits: int, everything: bool) -> None:
     titles = ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)", "digits")
-    print_events(titles, precise.events, _event, everything)
+    print_events(titles, precise.events, _event, everything, SPARE_DIGITS, ENDLESS)
     typer.echo(f"phases  {precise.sequence}\nstatus  {plain(precise.status)}")
     typer.echo(f"digits  {min(precise.digits_right, digits)} right of {digits} asked, in every event")
 
@@ -67,7 +67,9 @@ def _show_agreement(agreement: Agreement, precise: PreciseMotion, everything: bo
         counts = [f"{row.digits[name]:.1f}" if name in row.digits else "" for name in NUMBERS]
         return [plain(row.kind), f"{row.t:.9f}", *counts]
 
-    print_events(("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇"), agreement.rows, cells, everything)
+    print_events(
+        ("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇"), agreement.rows, cells, everything, ("of θ̇", "of v", "of x")
+    )
     if agreement.rows:
         typer.echo(
             f"At least {agreement.least:.1f} digits of every number are right, by a solution in {precise.digits} digits "

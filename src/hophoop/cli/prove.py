@@ -118,14 +118,15 @@ def _verify(path: Path) -> None:
 
 def _show(proof: Proof) -> None:
     """Print the events with their enclosures."""
-    from hophoop.cli._motion import print_events
+    from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, print_events
     from hophoop.results.event_table import change_of
     from hophoop.vocabulary.words import plain
 
     def cells(event: ProvedEvent) -> list[str]:
         return [plain(event.kind), change_of(event), *map(str, (event.t, event.angle, event.x, event.vx, event.omega))]
 
-    print_events(("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)"), proof.events, cells, everything=True)
+    titles = ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)")
+    print_events(titles, proof.events, cells, True, SPARE_DIGITS, ENDLESS)
     typer.echo(f"phases  {proof.sequence}\nverdict {proof.verdict}")
     if proof.proved:
         typer.echo(f"status  {proof.status.replace('_', ' ')}\ndigits  {proof.digits_proved}")

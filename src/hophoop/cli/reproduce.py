@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from hophoop.cli._tables import print_table, table_of, verdict
+from hophoop.cli._tables import print_table, verdict
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -47,4 +47,4 @@ def reproduce(
 def _print(statements: Sequence[Statement]) -> None:
     titles = ("statement", "article", "ours", "verdict")
     rows = ((one.statement, one.article, one.ours, verdict(one.verdict)) for one in statements)
-    print_table(table_of(titles, rows, wrap=titles), 140)
+    print_table(titles, rows, 140, (), wrap=titles)

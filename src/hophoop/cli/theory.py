@@ -9,7 +9,7 @@ import typer
 
 from hophoop.cli._options import with_scenario
 from hophoop.cli._output import print_json
-from hophoop.cli._tables import print_table, table_of
+from hophoop.cli._tables import print_table
 
 if TYPE_CHECKING:
     from hophoop.theory import Quantity
@@ -28,7 +28,7 @@ def theory(
         return
     rows = summary(scenario)
     titles = ("quantity", "value", "unit", "")
-    print_table(table_of(titles, map(_cells, rows), right=("value",), wrap=("quantity", "unit", "")), 120)
+    print_table(titles, map(_cells, rows), 120, (), right=("value",), wrap=("quantity", "unit", ""))
 
 
 def _cells(row: Quantity) -> list[str]:
