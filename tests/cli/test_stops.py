@@ -12,8 +12,6 @@ import time
 
 import pytest
 
-from random_stops import drawn, prepare, stopped_at_random, whole_map
-
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="POSIX only")
 SIGNALS = pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 LONG = 120.0  # seconds that a command takes that does not stop
@@ -107,27 +105,6 @@ def test_a_stop_that_would_be_lost_is_the_last_word(where, number, status, tmp_p
     assert stopped(LOSES[where], number, tmp_path) == (status, "", "Stopped.\n", [])
 
 
-CHILD = """
-        from hophoop._support.stopping import child
-        with child(subprocess.Popen(["sleep", "600"])) as process:
-            (folder.parent / "pid").write_text(str(process.pid))
-            stop()
-            try:
-                wait()
-            except BaseException:
-                wait()
-"""
-
-
-@SIGNALS
-def test_a_stop_ends_children(number, status, tmp_path):
-    folder = tmp_path / "here"
-    folder.mkdir()
-    assert stopped(CHILD, number, folder) == (status, "", "Stopped.\n", [])
-    with pytest.raises(ProcessLookupError):
-        os.kill(int((tmp_path / "pid").read_text()), 0)
-
-
 LOADED = """
 import os, runpy, signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -174,36 +151,34 @@ def test_ctrl_c_in_a_terminal_ends_a_map_over_workers_by_one_sentence(number, st
     assert [path.name for path in tmp_path.iterdir()] == ["map.zarr"]
 
 
+# long commands, and what a stopped one may leave: figures that are complete, chunks of a map
+LONG_ONES = {
+    "animate --v0 3.1 --duration 9 --out a.mp4 --quiet": [],
+    "map --axis plane.mu=0.05:1.95:900 --axis start.speed=0.05:5:900 --out m.nc --quiet": ["m.nc.part.zarr"],
+    "reproduce --out article --quiet": ["article"],
+}
+
+
 @pytest.mark.long
 @pytest.mark.compiled
-def test_six_random_stops(tmp_path):
-    """Of the hundred of benchmarks/stops.py, whose table holds the times."""
-    names = ["animate, .mp4", "map, .nc", "run, many samples into .csv"]
-    (tmp_path / "inputs").mkdir()
-    prepare(tmp_path / "inputs")
-    map_whole = whole_map(tmp_path)
-    for k, stop in enumerate(drawn(6, names, 2026)):
-        one = stopped_at_random(*stop, tmp_path / str(k), tmp_path / "inputs", map_whole)
-        assert not one.wrong, (stop, one.wrong)
-
-
-def test_a_child_is_let_end_by_itself(tmp_path):
-    """It was killed at once, and what it had made in the folder for temporary files stayed."""
-    from hophoop._support.stopping import child
-
-    made = tmp_path / "made"
-    tidy = f"""
-import pathlib, signal, sys, time
-made = pathlib.Path({str(made)!r})
-def end(*_):
-    time.sleep(0.1)
-    made.unlink()
-    sys.exit(0)
-signal.signal(signal.SIGTERM, end)
-made.touch()
-time.sleep({LONG})
-"""
-    with child(subprocess.Popen([sys.executable, "-c", tidy])):
-        while not made.exists():
-            time.sleep(0.01)
-    assert not made.exists()
+@SIGNALS
+@pytest.mark.parametrize("words", LONG_ONES)
+def test_a_stopped_command_leaves_nothing_half_written(words, number, status, tmp_path):
+    (tmp_path / "tmp").mkdir()
+    process = subprocess.Popen(
+        [sys.executable, "-m", "hophoop", *words.split()],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+        env=os.environ | {"TMPDIR": str(tmp_path / "tmp")},
+    )
+    time.sleep(3.0)
+    os.killpg(process.pid, number)
+    said = process.communicate(timeout=SOON)[1]
+    assert process.returncode == status
+    assert said.startswith("Stopped")
+    assert said.count("\n") == 1
+    assert list((tmp_path / "tmp").iterdir()) == []
+    assert {path.name for path in tmp_path.iterdir()} <= {"tmp", *LONG_ONES[words]}
+    assert not list(tmp_path.glob("article/.*"))
