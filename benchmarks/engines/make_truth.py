@@ -23,12 +23,11 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 
-from adapters.hophoop import run  # noqa: E402
+from adapters.hophoop import run, scenario_of  # noqa: E402
 from measures import measure  # noqa: E402
 from mpmath import mp, mpf  # noqa: E402
-from scenarios import SCENARIOS, BenchScenario, task_of  # noqa: E402
 from task import Task  # noqa: E402
-from truth import BENCHMARK, DATA  # noqa: E402
+from truth import BENCHMARK, DATA, task_of  # noqa: E402
 
 import hophoop as hh  # noqa: E402
 from oracles import precise as oracle  # noqa: E402
@@ -38,15 +37,16 @@ GRID = 32  # states per second
 DIGITS = 30
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 NAMES = ("x", "y", "angle", "vx", "vy", "omega")
+NO_ENERGY = ("residual", "rolling_resistance")  # no motion of the benchmark has rolling resistance
 PASSING = ("turn", "apex", "end", "bounce_limit", "start")
 
 
-def case_of(bench: Any) -> Case:
-    """The oracle's case of a motion of the benchmark."""
-    task, scenario = task_of(bench), bench.scenario
+def case_of(task: Task) -> Case:
+    """The oracle's case of a task."""
+    scenario = scenario_of(task)
     plane = scenario.plane
     return Case(
-        bench.name, radius=task.radius, mass=task.mass, eccentricity=task.eccentricity,
+        task.name, radius=task.radius, mass=task.mass, eccentricity=task.eccentricity,
         inertia_ratio=scenario.hoop.inertia_ratio, gravity=task.gravity, slope=task.slope,
         mu_static=task.mu, mu_kinetic=task.mu, restitution=task.restitution, impact_law=plane.impact_law,
         painleve=plane.painleve, x=task.x, height=task.height, angle=task.angle, vx=task.vx, vy=task.vy,
@@ -69,11 +69,12 @@ def text(value: Decimal) -> str:
         return format(+value, "f") if value == 0 or abs(value) > Decimal("1e-6") else str(+value)
 
 
-def truth_of(bench: Any) -> dict[str, Any]:
-    """Everything that the truth says of one motion."""
-    scenario = bench.scenario
+def truth_of(known: dict[str, Any]) -> dict[str, Any]:
+    """The entry of a motion with its task solved anew."""
+    task = task_of(known["task"])
+    scenario = scenario_of(task)
     precise = hh.simulate(scenario, digits=DIGITS)
-    solution = oracle.solve(case_of(bench), 44)
+    solution = oracle.solve(case_of(task), 44)
     kernel = hh.simulate(scenario)
     times = [k / GRID for k in range(int(scenario.duration * GRID) + 1)]
     rows, digits = [], []
@@ -92,11 +93,11 @@ def truth_of(bench: Any) -> dict[str, Any]:
             mine = kernel.at(t)
             off = max(abs(float(a) - getattr(mine, name)) for a, name in zip(ours, STATE, strict=True))
             if off > 1e-10:
-                raise SystemExit(f"{bench.name}: the kernel is off by {off:.2e} at t = {t}")
+                raise SystemExit(f"{task.name}: the kernel is off by {off:.2e} at t = {t}")
     theirs = [event for event in solution.events if event["kind"] not in PASSING]
     ours_events = [event for event in precise.events if event.kind not in PASSING]
-    if not task_of(bench).restitution and len(theirs) != len(ours_events):
-        raise SystemExit(f"{bench.name}: {len(ours_events)} events here, {len(theirs)} in the oracle")
+    if not task.restitution and len(theirs) != len(ours_events):
+        raise SystemExit(f"{task.name}: {len(ours_events)} events here, {len(theirs)} in the oracle")
     matched = dict(zip(map(id, ours_events), theirs, strict=False))
     events = []
     # endless bounces: the first of them, and what follows when they are over
@@ -109,11 +110,11 @@ def truth_of(bench: Any) -> dict[str, Any]:
         entry["digits"] = min(event.digits_right, DIGITS)
         if other is not None:
             if other["kind"] != event.kind:
-                raise SystemExit(f"{bench.name}: {event.kind} here, {other['kind']} in the oracle")
+                raise SystemExit(f"{task.name}: {event.kind} here, {other['kind']} in the oracle")
             entry["digits"] = min(entry["digits"], shared(numbers, [other["t"], *(other[name] for name in STATE)]))
         events.append(entry)
     print(
-        bench.name,
+        task.name,
         precise.sequence[:20],
         "digits:",
         min(digits),
@@ -124,12 +125,9 @@ def truth_of(bench: Any) -> dict[str, Any]:
     )
     columns = zip(*rows, strict=True)
     return {
-        "title": bench.title,
-        "why": bench.why,
-        "scored": bench.scored,
-        "task": entry_of(task_of(bench)),
+        **{name: known[name] for name in ("title", "why", "scored", "task")},
         "impact_law": scenario.plane.impact_law,
-        "sequence": precise.sequence if not task_of(bench).restitution else "H" + precise.sequence.lstrip("H"),
+        "sequence": precise.sequence if not task.restitution else "H" + precise.sequence.lstrip("H"),
         "radius": None,
         "events": events,
         "states": {
@@ -137,20 +135,13 @@ def truth_of(bench: Any) -> dict[str, Any]:
             **{name: [text(value) for value in column] for name, column in zip(NAMES, columns, strict=True)},
             "digits": digits,
         },
-        "energy": {name: text(value) for name, value in precise.energy.items() if name != "residual"},
+        "energy": {name: text(value) for name, value in precise.energy.items() if name not in NO_ENERGY},
     }
 
 
-def entry_of(task: Task) -> dict[str, Any]:
-    """The task in the file, with the start of the centre of gravity and the components of gravity."""
-    along, off = task.pull
-    extra = {"gravity_along": along, "gravity_off": off, "gravity_center": task.body()._asdict()}
-    return {"benchmark": BENCHMARK, **asdict(task), **extra}
-
-
-def measures_of(bench: BenchScenario, entry: dict[str, Any]) -> dict[str, Any]:
+def measures_of(entry: dict[str, Any]) -> dict[str, Any]:
     """Measures of the exact motion with its exact events, and the time from the start without loss of energy [s]."""
-    task = task_of(bench)
+    task = task_of(entry["task"])
     found = asdict(measure(task, run(task, 0.0)))
     events = entry["events"]
     lift = next((event for event in events if event["kind"] == "takeoff"), None)
@@ -166,8 +157,8 @@ def measures_of(bench: BenchScenario, entry: dict[str, Any]) -> dict[str, Any]:
     for name, value in exact.items():
         other = found[name]
         same = value == other if value is None or other is None else abs(value - other) < 1e-3
-        if bench.scored and not same:
-            raise SystemExit(f"{bench.name}: {name} = {other!r} by the rule, {value!r} by the events")
+        if entry["scored"] and not same:
+            raise SystemExit(f"{task.name}: {name} = {other!r} by the rule, {value!r} by the events")
     losing = [event for event in events if event["to"] in ("S", "K") or event["kind"] == "impact"]
     found |= exact | {"penetration": 0.0}
     found["lossless_until"] = float(losing[0]["t"]) if losing else task.duration
@@ -176,11 +167,12 @@ def measures_of(bench: BenchScenario, entry: dict[str, Any]) -> dict[str, Any]:
 
 def main() -> None:
     """Write the truth and its checksum."""
-    wanted = sys.argv[1:] or list(SCENARIOS)
-    scenarios = json.loads(DATA.read_text(encoding="utf-8"))["scenarios"] if sys.argv[1:] else {}
-    scenarios |= {name: truth_of(bench) for name, bench in SCENARIOS.items() if name in wanted}
-    for name, entry in scenarios.items():
-        entry["measures"] = measures_of(SCENARIOS[name], entry)
+    scenarios = json.loads(DATA.read_text(encoding="utf-8"))["scenarios"]
+    for name in sys.argv[1:] or list(scenarios):
+        if name in scenarios:
+            scenarios[name] = truth_of(scenarios[name])
+    for entry in scenarios.values():
+        entry["measures"] = measures_of(entry)
     write(scenarios)
 
 

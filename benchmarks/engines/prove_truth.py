@@ -16,9 +16,9 @@ from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
 from typing import Any
 
+from adapters.hophoop import scenario_of
 from make_truth import NAMES, STATE, write
-from scenarios import SCENARIOS
-from truth import DATA
+from truth import DATA, task_of
 
 from hophoop.prove import Enclosure, prove
 
@@ -42,10 +42,11 @@ def proved_events(scenario: Any) -> Any:
     return proof.events
 
 
-def radius_of(bench: Any, truth: dict[str, Any]) -> Fraction:
+def radius_of(truth: dict[str, Any]) -> Fraction:
     """The largest possible error of the truth of one motion."""
     found = []
-    proved = proved_events(bench.scenario)
+    scenario = scenario_of(task_of(truth["task"]))
+    proved = proved_events(scenario)
     mine = [(event["kind"], event["from"], event["to"]) for event in truth["events"]]
     if mine != [(event.kind, event.from_mode, event.to_mode) for event in proved]:
         raise Unproved("its events are not those of the file")
@@ -55,7 +56,7 @@ def radius_of(bench: Any, truth: dict[str, Any]) -> Fraction:
     states = truth["states"]
     for k, time in enumerate(states["t"]):
         # at the start the state is the one that goes on, which an impact at once may have made
-        last = proved_events(bench.scenario.replace("duration", float(time)))[-1] if float(time) else state_at_start(proved)
+        last = proved_events(scenario.replace("duration", float(time)))[-1] if float(time) else state_at_start(proved)
         found += [distance(states[name][k], getattr(last, field)) for name, field in zip(NAMES, STATE, strict=True)]
     return max(found)
 
@@ -76,7 +77,7 @@ def main() -> None:
     scenarios = json.loads(DATA.read_text(encoding="utf-8"))["scenarios"]
     for name in sys.argv[1:] or list(scenarios):
         try:
-            scenarios[name]["radius"] = rounded_up(radius_of(SCENARIOS[name], scenarios[name]))
+            scenarios[name]["radius"] = rounded_up(radius_of(scenarios[name]))
         except Unproved as why:
             scenarios[name]["radius"] = None
             print(f"{name}: undecided: {why}", flush=True)

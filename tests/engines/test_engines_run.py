@@ -13,9 +13,8 @@ import pytest
 import run
 import score
 import table
-from adapters.hophoop import sample_motion
+from adapters.hophoop import run as exact
 from record import Record, record_text
-from scenarios import SCENARIOS
 from truth import job, scored, truths
 
 ROOT = Path(__file__).parents[2]
@@ -120,7 +119,7 @@ def test_a_run_that_fails_says_why(code, limit, said):
 
 
 def test_a_failure_takes_the_place_of_scores(monkeypatch):
-    text = record_text(Record(sample_motion(SCENARIOS["hop"].scenario)))
+    text = record_text(Record(exact(HOP.task, 0.0)))
     short = "\n".join(text.splitlines()[:100])
     monkeypatch.setattr(run.Engine, "command", [sys.executable, "-c", f"print({short!r})"])
     (row,) = run.rows_of(list(run.runs_of([run.engines()["drake"]], ["hop"], [0.01]))[:1], {"hop": 1.0})
@@ -207,7 +206,7 @@ def test_the_example_of_the_page_is_scored(tmp_path, capsys):
 
 
 def test_a_record_of_one_motion(tmp_path, capsys):
-    lines = record_text(Record(sample_motion(SCENARIOS["hop"].scenario))).splitlines()
+    lines = record_text(Record(exact(HOP.task, 0.0))).splitlines()
     (tmp_path / "hop.csv").write_text("\n".join(lines), encoding="utf-8")
     score.main([str(tmp_path / "hop.csv")])
     said = capsys.readouterr().out
@@ -232,7 +231,7 @@ def test_a_record_of_one_motion(tmp_path, capsys):
 )
 def test_a_file_that_is_no_record_is_one_sentence(name, text, said, tmp_path):
     path = tmp_path / name
-    path.write_bytes(text or record_text(Record(sample_motion(SCENARIOS["hop"].scenario))).encode())
+    path.write_bytes(text or record_text(Record(exact(HOP.task, 0.0))).encode())
     with pytest.raises(SystemExit, match=r"^Error: ") as ended:
         score.main([str(path)])
     assert said in str(ended.value.code)

@@ -4,9 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from adapters.hophoop import sample_motion
+from adapters.hophoop import sample_motion, scenario_of
 from record import Record, read_record, record_text
-from scenarios import SCENARIOS
 from score import score_text
 from scores import score
 from table import limit_of
@@ -15,9 +14,11 @@ from truth import scored, truths
 
 import hophoop as hh
 
+HOP = truths()["hop"]
+
 
 def exact(name, spacing=SPACING):
-    return sample_motion(SCENARIOS[name].scenario, spacing)
+    return sample_motion(scenario_of(truths()[name].task), spacing)
 
 
 def scores(name, states, **more):
@@ -50,7 +51,7 @@ def test_the_exact_motion_scores_exact(name, spacing):
     assert found.place_error < 1e-5 if name != "bounces" else found.place_error < 1e-3
 
 
-@pytest.mark.parametrize("name", SCENARIOS)
+@pytest.mark.parametrize("name", truths())
 def test_the_height_of_the_centre_is_not_the_gap(name):
     """It would be scored as 1,000 mm too high, and everything else as right."""
     states = exact(name)
@@ -94,7 +95,7 @@ def test_a_file_whose_columns_disagree_is_refused(change, message):
 
 
 @pytest.mark.parametrize("spacing", [SPACING, 1e-3, 1.0 / 32.0])
-@pytest.mark.parametrize("name", SCENARIOS)
+@pytest.mark.parametrize("name", truths())
 def test_a_right_file_is_scored(name, spacing):
     score_file(exact(name, spacing), name)
 
@@ -136,7 +137,7 @@ def test_a_late_take_off_and_landing():
 
 def test_a_motion_that_takes_off_at_another_angle():
     # a little faster: its own exact events say by how much it is off
-    scenario = SCENARIOS["hop"].scenario
+    scenario = scenario_of(HOP.task)
     other = scenario.replace("start.speed", 3.11)
     found = scores("hop", sample_motion(other))
     right, wrong = hh.simulate(scenario), hh.simulate(other)
@@ -179,7 +180,7 @@ def test_energy_lost_in_slip_and_impact():
     states = exact("hop")
     faster = np.where(states.t > 0.5, 1.01, 1.0)
     found = scores("hop", changed(states, vx=faster * states.vx, vy=faster * states.vy, omega=faster * states.omega))
-    task = truths()["hop"].task
+    task = HOP.task
     k = int(np.searchsorted(states.t, 1.0447))
     sine, cosine = math.sin(states.angle[k]), math.cos(states.angle[k])
     speed = (states.vx[k] + task.arm * states.omega[k] * cosine) ** 2 + (states.vy[k] - task.arm * states.omega[k] * sine) ** 2

@@ -8,9 +8,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import truth
-from adapters.hophoop import sample_motion, scenario_of
+from adapters.hophoop import run, scenario_of
 from phases import phases
-from scenarios import SCENARIOS, task_of
 from truth import job, scored, truths
 
 import hophoop as hh
@@ -53,14 +52,12 @@ class _Digest:
         return "0" * 64
 
 
-def test_it_has_every_scenario_with_its_own_numbers(document):
-    assert list(document["scenarios"]) == list(SCENARIOS)
+def test_a_task_has_its_start_and_gravity_twice(document):
     for name, entry in document["scenarios"].items():
-        task = task_of(SCENARIOS[name])
-        assert truth.task_of(entry["task"]) == task
+        task = truths()[name].task
+        assert task.name == name
         assert (entry["task"]["gravity_along"], entry["task"]["gravity_off"]) == task.pull
         assert entry["task"]["gravity_center"] == task.body()._asdict()
-        assert entry["scored"] is SCENARIOS[name].scored
 
 
 def test_two_solutions_agree_on_at_least_28_digits(document):
@@ -79,7 +76,7 @@ def test_all_but_endless_bounces_have_a_proved_bound(document):
 def test_numbers_lie_within_the_proved_bound(document, name, place):
     """The events, and the state at one time, against enclosures of two digits more."""
     pytest.importorskip("flint")
-    entry, scenario = document["scenarios"][name], SCENARIOS[name].scenario
+    entry, scenario = document["scenarios"][name], scenario_of(truths()[name].task)
     bound = Fraction(entry["radius"])
     columns = dict(zip(("t", "x", "y", "angle", "vx", "vy", "omega"), NUMBERS, strict=True))
     proved = hh.prove.prove(scenario, 30).events
@@ -96,9 +93,9 @@ def test_numbers_lie_within_the_proved_bound(document, name, place):
         assert abs(Fraction(text) - Fraction(enclosure.middle)) <= bound + Fraction(enclosure.radius)
 
 
-@pytest.mark.parametrize("name", SCENARIOS)
+@pytest.mark.parametrize("name", truths())
 def test_states_are_those_of_the_kernel(name):
-    motion, right = hh.simulate(SCENARIOS[name].scenario), truths()[name].states
+    motion, right = hh.simulate(scenario_of(truths()[name].task)), truths()[name].states
     sample = motion.at(right.t)
     for column, mine in zip(
         right[1:], (sample.x, sample.height, sample.angle, sample.vx, sample.vy, sample.omega), strict=True
@@ -108,7 +105,7 @@ def test_states_are_those_of_the_kernel(name):
 
 @pytest.mark.parametrize("name", ["slip", "hop", "drop"])
 def test_states_are_those_of_an_independent_integrator(name):
-    task, scenario = task_of(SCENARIOS[name]), SCENARIOS[name].scenario
+    task, scenario = truths()[name].task, scenario_of(truths()[name].task)
     case = Case(
         name, inertia_ratio=scenario.hoop.inertia_ratio, mu_static=task.mu, mu_kinetic=task.mu, height=task.height,
         angle=task.angle, vx=task.vx, omega=task.omega, rolling=scenario.start.speed is not None, duration=task.duration,
@@ -118,10 +115,10 @@ def test_states_are_those_of_an_independent_integrator(name):
         assert end[key] == pytest.approx(column[-1], abs=1e-9)
 
 
-@pytest.mark.parametrize("name", SCENARIOS)
+@pytest.mark.parametrize("name", truths())
 def test_energy_adds_up(name, document):
     energy = {key: float(value) for key, value in document["scenarios"][name]["energy"].items()}
-    task = task_of(SCENARIOS[name])
+    task = truths()[name].task
     body = task.body()
     start = 0.5 * task.mass * (body.vx**2 + body.vy**2) + 0.5 * task.inertia * body.spin**2
     start -= task.mass * (task.pull[0] * body.x + task.pull[1] * (body.y - task.radius - task.arm))
@@ -131,8 +128,8 @@ def test_energy_adds_up(name, document):
 @pytest.mark.parametrize("name", scored())
 def test_the_rule_finds_the_phases_of_the_exact_motion(name):
     """Phases of at least 20 ms, from the exact events, are those that the rule finds in samples."""
-    task, right = task_of(SCENARIOS[name]), truths()[name]
-    found, _ = phases(task, sample_motion(SCENARIOS[name].scenario))
+    task, right = truths()[name].task, truths()[name]
+    found, _ = phases(task, run(task, 0.0))
     marks = [event for event in right.entry["events"] if event["kind"] not in ("turn", "apex", "kane_gain", "rest")]
     longer = []
     for event, following in itertools.pairwise(marks):
@@ -147,12 +144,12 @@ def test_the_rule_finds_the_phases_of_the_exact_motion(name):
 
 
 def test_the_task_is_the_start_seen_from_the_centre_of_gravity():
-    task = task_of(SCENARIOS["drop"])
+    task = truths()["drop"].task
     body = task.body()
     states = task.states([0.0], [body])
     for value, expected in zip(states, (0.0, task.x, task.height, task.angle, task.vx, task.vy, task.omega), strict=True):
         assert value[0] == pytest.approx(expected, abs=1e-15)
-    slope = task_of(SCENARIOS["slope"])
+    slope = truths()["slope"].task
     assert slope.pull == pytest.approx((9.81 * math.sin(math.radians(10)), -9.81 * math.cos(math.radians(10))))
     turned = [list(body)]
     turned[0][2] = math.remainder(body.turn + 4 * math.pi, 2 * math.pi)
@@ -164,12 +161,3 @@ def test_an_adapter_reads_the_task_the_step_and_the_settings():
     given = job(task, 0.0001, {"sweeps": 4})
     assert (given["dt"], given["every"], given["settings"]) == (0.0001, 4, {"sweeps": 4})
     assert truth.task_of(json.loads(json.dumps(given))) == task
-
-
-@pytest.mark.parametrize("name", SCENARIOS)
-def test_the_scenario_of_a_task_is_that_of_the_benchmark(name):
-    """hophoop's own adapter knows the task only."""
-    found = hh.simulate(scenario_of(truths()[name].task, hh.Rigid()))
-    right = hh.simulate(SCENARIOS[name].scenario)
-    assert found.sequence == right.sequence
-    assert float(found.at(found.duration).angle) == pytest.approx(float(right.at(right.duration).angle), abs=1e-12)

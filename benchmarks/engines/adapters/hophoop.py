@@ -11,7 +11,7 @@ from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
 from hophoop.simulation.simulate import simulate
 
 
-def scenario_of(task: Task, contact: Rigid | Compliant) -> Scenario:
+def scenario_of(task: Task, contact: Rigid | Compliant = Rigid()) -> Scenario:
     """Return the scenario of a task, with Newton's law of restitution as in other engines."""
     law: dict[str, Any] = {"impact_law": "newton"} if task.restitution and contact.model == "rigid" else {}
     rolling = task.vx == task.radius * task.omega and task.vy == 0.0 and task.height == 0.0
@@ -44,4 +44,4 @@ def sample_motion(scenario: Scenario, spacing: float = SPACING) -> States:
 
 def run(task: Task, dt: float) -> States:
     """Run a task with rigid contact."""
-    return sample_motion(scenario_of(task, Rigid()), max(dt, SPACING))
+    return sample_motion(scenario_of(task), max(dt, SPACING))
