@@ -18,17 +18,8 @@ _OF_FORMATS = {CHECKSUM, "_FillValue", "_ARRAY_DIMENSIONS", "coordinates"}
 def checksum(groups: Mapping[str, Any], without: Collection[str] = ()) -> str:
     """Return the SHA-256 of every name, attribute and number.
 
-    Parameters
-    ----------
-    groups : mapping of str to xarray.Dataset
-        Datasets read without decoding.
-    without : collection of str
-        Variables of which only number and type of the values count.
-
-    Returns
-    -------
-    checksum : str
-        In hexadecimal digits.
+    groups: datasets read without decoding; without: variables of which only number and type of the values count; checksum: in
+    hexadecimal digits.
     """
     digest = hashlib.sha256()
 
@@ -58,12 +49,7 @@ _LENGTH = len(_SEAL) + _DIGITS + 1
 
 
 def seal(file: Path) -> None:
-    """Append the checksum of a file's bytes to the file.
-
-    Parameters
-    ----------
-    file : Path
-    """
+    """Append the checksum of a file's bytes to the file."""
     with file.open("r+b") as stream:
         found = hashlib.file_digest(stream, "sha256").hexdigest()
         stream.seek(0, 2)
@@ -73,14 +59,7 @@ def seal(file: Path) -> None:
 def is_broken(file: Path) -> bool:
     """Return True if a file has a seal that does not match its bytes.
 
-    Parameters
-    ----------
-    file : Path
-
-    Returns
-    -------
-    broken : bool
-        False also for a file without a seal.
+    broken: False also for a file without a seal.
     """
     with file.open("rb") as stream:
         length = stream.seek(0, 2) - _LENGTH

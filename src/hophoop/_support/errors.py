@@ -15,14 +15,7 @@ _LONG = re.compile(r"""(?<== )(['"]).{256,}?\1(?=[\s:.,])|\S{257,}[^\s:.,]""")
 def plain(text: str) -> str:
     """Return a text that is safe to print: escapes for unprintable characters, and only the start of very long words.
 
-    Parameters
-    ----------
-    text : str
-
-    Returns
-    -------
-    text : str
-        One line.
+    text: one line.
     """
     text = _LONG.sub(lambda found: shortened(found[0]), text)
     if text.isprintable():
@@ -33,14 +26,7 @@ def plain(text: str) -> str:
 def shortened(text: str) -> str:
     """Return a text shortened to at most 60 characters.
 
-    Parameters
-    ----------
-    text : str
-
-    Returns
-    -------
-    text : str
-        With three dots for the part left out.
+    text: with three dots for the part left out.
     """
     return text if len(text) <= 60 else text[:57] + "..."
 
@@ -138,16 +124,7 @@ def json_words() -> Iterator[None]:
 
 
 def shown(value: Any) -> str:
-    """Return a value as errors write it.
-
-    Parameters
-    ----------
-    value : object
-
-    Returns
-    -------
-    text : str
-    """
+    """Return a value as errors write it."""
     if _json.get():
         if value is None or isinstance(value, bool):
             return {None: "null", True: "true", False: "false"}[value]
@@ -162,19 +139,7 @@ def shown(value: Any) -> str:
 def check_whole(field: str, value: object, least: int, most: int, where: str = "") -> None:
     """Refuse a value that is no integer within bounds.
 
-    Parameters
-    ----------
-    field : str
-    value : object
-    least, most : int
-        Both are allowed.
-    where : str, optional
-        What the bounds hold for, such as "for this section".
-
-    Raises
-    ------
-    InputError
-        If it is not allowed.
+    least, most: both are allowed; where: what the bounds hold for, such as "for this section".
     """
     if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
         raise InputError.of_field(field, value, f"an integer from {least} to {most} {where}".rstrip())

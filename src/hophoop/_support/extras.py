@@ -22,14 +22,7 @@ def install_command(extra: str) -> str:
 
     No package index has hophoop, so outside of a checkout the command names the libraries of the extra.
 
-    Parameters
-    ----------
-    extra : str
-
-    Returns
-    -------
-    command : str
-        Empty if the libraries are not known: a copy without metadata.
+    command: empty if the libraries are not known: a copy without metadata.
     """
     if (CHECKOUT / "pyproject.toml").is_file() and (CHECKOUT / "src" / "hophoop").is_dir():
         return f"pip install -e {_quoted(f'{CHECKOUT}[{extra}]')}"
@@ -65,22 +58,8 @@ def _quoted(word: str) -> str:
 def need(module: str, extra: str) -> Any:
     """Import a module that belongs to an extra.
 
-    Parameters
-    ----------
-    module : str
-        Dotted name, such as ``"matplotlib.pyplot"``.
-    extra : str
-        The extra of hophoop that installs it, such as ``"plots"``.
-
-    Returns
-    -------
-    module : module
-        The imported module.
-
-    Raises
-    ------
-    MissingExtra
-        If the module's distribution is not installed; the message names the extra.
+    module: dotted name, such as ``"matplotlib.pyplot"``; extra: the extra of hophoop that installs it, such as ``"plots"``;
+    result: the imported module.
     """
     try:
         return import_module(module)

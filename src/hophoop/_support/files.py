@@ -36,19 +36,7 @@ def replacing(target: Path) -> Iterator[Path]:
     Its other names (hard links) keep the old content, because writing in place could be interrupted. A device or a pipe is
     never replaced; it receives the bytes once they are complete. Disks and sockets are refused.
 
-    Parameters
-    ----------
-    target : Path
-
-    Yields
-    ------
-    path : Path
-        With the target's ending, because libraries choose the format by it; its name starts with a dot.
-
-    Raises
-    ------
-    OSError
-        If the target is a folder of another kind, a disk or a socket, or cannot be written.
+    path: with the target's ending, because libraries choose the format by it; its name starts with a dot.
     """
     if target.is_dir() and not any((target / name).exists() for name in ("zarr.json", ".zgroup")):
         # a user's folder; an existing Zarr store may be replaced

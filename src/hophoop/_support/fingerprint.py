@@ -20,17 +20,7 @@ def fingerprint(kinds: Iterable[str], states: ArrayLike) -> str:
     For each event in order: the name of its kind in UTF-8, then its numbers as little-endian binary64. −0 is hashed as 0
     and any nan as the quiet nan 0x7ff8000000000000, whose signs and payloads depend on the machine.
 
-    Parameters
-    ----------
-    kinds : iterable of str
-        Kind of each event.
-    states : array_like, shape (n, 8)
-        One row per event: the numbers of `STATE` [SI].
-
-    Returns
-    -------
-    fingerprint : str
-        Lower case.
+    kinds: kind of each event; states: shape (n, 8), one row per event: the numbers of `STATE` [SI]; fingerprint: lower case.
     """
     numbers = np.array(states, dtype="<f8").reshape(-1, len(STATE)) + 0.0  # −0 + 0 is 0
     bits = np.ascontiguousarray(numbers, dtype="<f8").view("<u8")
@@ -43,14 +33,5 @@ def fingerprint(kinds: Iterable[str], states: ArrayLike) -> str:
 
 
 def is_fingerprint(text: str) -> bool:
-    """Return True if a text has the form of a fingerprint, in either case.
-
-    Parameters
-    ----------
-    text : str
-
-    Returns
-    -------
-    valid : bool
-    """
+    """Return True if a text has the form of a fingerprint, in either case."""
     return re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS}}}", text) is not None

@@ -8,17 +8,7 @@ from typing import Any
 def render(jinja2: Any, template: str, **values: object) -> str:
     """Fill a template; values are escaped.
 
-    Parameters
-    ----------
-    jinja2 : module
-    template : str
-        Path below the package hophoop, such as ``"fitting/fit.html"``.
-    **values : object
-        Names of the template.
-
-    Returns
-    -------
-    html : str
+    template: path below the package hophoop, such as ``"fitting/fit.html"``; **values: names of the template.
     """
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("hophoop", ""),

@@ -29,12 +29,7 @@ class Report(Protocol):
 def waiting(title: str, *, quiet: bool = False) -> Iterator[None]:
     """Show on a terminal's standard error that a computation of unknown length goes on.
 
-    Parameters
-    ----------
-    title : str
-        Text next to the moving sign.
-    quiet : bool, default False
-        Show none.
+    title: text next to the moving sign; quiet: show none.
     """
     from rich.console import Console
 
@@ -110,17 +105,8 @@ def _rate_column() -> ProgressColumn:
 def compute_reporting(compute: Callable[[np.ndarray], Result], progress: Callable[[float], object]) -> Result:
     """Compute in a second thread and report its progress from this one.
 
-    Parameters
-    ----------
-    compute : callable
-        Writes the share that is computed into the array, shape (1,), that it is called with [1].
-    progress : callable
-        Called with this share about ten times a second.
-
-    Returns
-    -------
-    result : object
-        The result of `compute`.
+    compute: writes the share that is computed into the array, shape (1,), that it is called with [1]; progress: called with
+    this share about ten times a second; result: the result of `compute`.
     """
     share = np.zeros(1)
     results: list[Result] = []

@@ -38,16 +38,7 @@ class EventMark:
 def event_marks(motion: Trajectory, times: Floats) -> list[EventMark]:
     """Return the events to mark in a film.
 
-    Parameters
-    ----------
-    motion : Trajectory
-    times : ndarray, shape (frames,)
-        Time of each picture [s].
-
-    Returns
-    -------
-    found : list of EventMark
-        In order of time.
+    times: shape (frames,), time of each picture [s]; found: in order of time.
     """
     slope = motion.scenario.plane.slope
     found = []
@@ -68,24 +59,9 @@ def draw_event_marks(
 ) -> list[ShownMark]:
     """Draw the marks of events up to now; `label_event_marks` writes their labels.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    theme : Theme
-    found : sequence of EventMark
-    now : tuple of float
-        Time of the motion [s], seconds of motion per second of film [1], and time of the final pause [s of film].
-    to_pixels : callable
-        From the world to the canvas; None for invisible points.
-    radius : float
-        Radius of the hoop [pixels].
-    below : float
-        Distance of labels below the plane [pixels].
-
-    Returns
-    -------
-    seen : list of (str, ndarray)
-        Kind of each mark in the picture, and its position on the plane [pixels].
+    now: time of the motion [s], seconds of motion per second of film [1], and time of the final pause [s of film]; to_pixels:
+    from the world to the canvas; None for invisible points; radius: radius of the hoop [pixels]; below: distance of labels
+    below the plane [pixels]; seen: kind of each mark in the picture, and its position on the plane [pixels].
     """
     u = canvas.unit
     t, rate, still = now
@@ -109,21 +85,9 @@ def label_event_marks(
 ) -> list[Rectangle]:
     """Label the marks below the plane, those of all hoops in a view together, so that labels do not overlap.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    theme : Theme
-    seen : sequence of (str, ndarray)
-        From `draw_event_marks` [pixels].
-    below : float
-        Distance of labels below the plane [pixels].
-    across : tuple of float
-        Left and width of the view, which labels do not leave [pixels].
-
-    Returns
-    -------
-    taken : list of tuple of float
-        Rectangle of each label with its marks: left, bottom, width, height [pixels].
+    seen: from `draw_event_marks` [pixels]; below: distance of labels below the plane [pixels]; across: left and width of the
+    view, which labels do not leave [pixels]; taken: rectangle of each label with its marks: left, bottom, width, height
+    [pixels].
     """
     left, width = across
     seen = [(kind, spot) for kind, spot in seen if left <= spot[0] <= left + width]

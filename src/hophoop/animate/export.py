@@ -48,20 +48,8 @@ class Pictures(Protocol):
 def format_of(path: str | Path) -> str:
     """Return the format of a file's name.
 
-    Parameters
-    ----------
-    path : str or Path
-        Ends in .mp4, .webm, .gif or .png; without an ending, or with a slash, a folder for PNG pictures.
-
-    Returns
-    -------
-    format : str
-        'mp4', 'webm', 'gif' or 'png'.
-
-    Raises
-    ------
-    ValueError
-        If the name has another ending.
+    path: ends in .mp4, .webm, .gif or .png; without an ending, or with a slash, a folder for PNG pictures; format: 'mp4',
+    'webm', 'gif' or 'png'.
     """
     suffix = Path(path).suffix.lower()
     if suffix == "" or str(path).endswith(("/", os.sep)):
@@ -76,30 +64,9 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
 
     The pictures go to the encoder as they are drawn. An existing file is replaced when the new one is complete.
 
-    Parameters
-    ----------
-    pictures : Pictures
-    path : str or Path
-        By its ending mp4 (H.264), webm (VP9), gif, or numbered PNG pictures: `film.png` gives film-00000.png and so on, a
-        folder 00000.png and so on. The folder of a file must exist; a folder for pictures is created.
-    progress : callable, optional
-        Called with the number of pictures done and of all.
-
-    Returns
-    -------
-    path : Path
-        The film, or the folder of PNG pictures.
-
-    Raises
-    ------
-    ValueError
-        If the format is unknown, or does not support the size or the frame rate.
-    FileExistsError
-        If a folder for pictures is not empty.
-    OSError
-        If the file cannot be written, or the encoder fails.
-    ImportError
-        If the encoder is missing.
+    path: by its ending mp4 (H.264), webm (VP9), gif, or numbered PNG pictures: `film.png` gives film-00000.png and so on, a
+    folder 00000.png and so on. The folder of a file must exist; a folder for pictures is created; progress: called with the
+    number of pictures done and of all; result: the film, or the folder of PNG pictures.
     """
     kind = format_of(path)
     target = Path(path)
@@ -117,18 +84,7 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
 def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
     """Refuse sizes and frame rates that a format does not support.
 
-    Parameters
-    ----------
-    kind : {'mp4', 'webm', 'gif', 'png'}
-    size : (int, int)
-        Width and height [pixels].
-    fps : float
-        Pictures per second [1/s].
-
-    Raises
-    ------
-    ValueError
-        If mp4 or webm have an odd side, or a gif more than 50 pictures per second.
+    size: width and height [pixels]; fps: pictures per second [1/s].
     """
     if kind in ("mp4", "webm") and (size[0] % 2 or size[1] % 2):
         raise InputError.of_field("size", size, f"even numbers in a film of kind {kind}")
@@ -269,11 +225,7 @@ def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> P
 def save_png(picture: Bytes, path: Path) -> None:
     """Write one picture.
 
-    Parameters
-    ----------
-    picture : ndarray of uint8, shape (height, width, 3 or 4)
-        Values from 0 to 255 [1].
-    path : Path
+    picture: shape (height, width, 3 or 4), values from 0 to 255 [1].
     """
     image = need("PIL.Image", "films")
     image.fromarray(np.ascontiguousarray(picture[..., :3])).save(path, compress_level=4)

@@ -115,20 +115,6 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
 
     A motion that has ended keeps its last state. If all have ended without continuation by mechanics, the film pauses there.
     With step "angle" the first motion runs as with "time", and the others show the first time with the same rotation.
-
-    Parameters
-    ----------
-    motions : sequence of Trajectory
-    timing : Timing
-
-    Returns
-    -------
-    clock : Clock
-
-    Raises
-    ------
-    ValueError
-        If there is no motion, or the shown part is outside of it.
     """
     if not motions:
         raise InputError("motions = () must have at least one motion.", field="motions", value=())
@@ -155,17 +141,7 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
 def end_word(motion: Trajectory, t: float, last: bool) -> str:
     """Return the word in place of the mode after the end of a motion; empty before.
 
-    Parameters
-    ----------
-    motion : Trajectory
-    t : float
-        Shown time [s].
-    last : bool
-        Whether it is the first or the last picture, in which a motion with continuation has not ended.
-
-    Returns
-    -------
-    word : str
+    t: shown time [s]; last: whether it is the first or the last picture, in which a motion with continuation has not ended.
     """
     if t < motion.duration:
         return ""
@@ -236,15 +212,7 @@ class Trace:
 def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Trace:
     """Return the paths of the load and of the centre of gravity.
 
-    Parameters
-    ----------
-    motion : Trajectory
-    start, end : float, optional
-        Part of the motion [s].
-
-    Returns
-    -------
-    trace : Trace
+    start, end: part of the motion [s].
     """
     end = motion.duration if end is None else min(end, motion.duration)
     count = int(min(MAX_TRACE_POINTS, max(32, TRACE_DENSITY * (end - start) / _second(motion))))
@@ -285,15 +253,7 @@ class Extent:
 def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Extent:
     """Return the range of a part of a motion.
 
-    Parameters
-    ----------
-    motion : Trajectory
-    start, end : float, optional
-        Part of the motion [s].
-
-    Returns
-    -------
-    extent : Extent
+    start, end: part of the motion [s].
     """
     radius = motion.scenario.hoop.radius
     end = motion.duration if end is None else min(end, motion.duration)
@@ -317,19 +277,8 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
 def follow(times: Floats, places: Floats, seconds: float) -> Floats:
     """Return a smooth path of the camera after a jerky one.
 
-    Parameters
-    ----------
-    times : ndarray, shape (n,)
-        Equally spaced times of the film [s].
-    places : ndarray, shape (n,)
-        Positions to follow [m].
-    seconds : float
-        Width of the smoothing, a standard deviation [s].
-
-    Returns
-    -------
-    smooth : ndarray, shape (n,)
-        [m].
+    times: shape (n,), equally spaced times of the film [s]; places: shape (n,), positions to follow [m]; seconds: width of the
+    smoothing, a standard deviation [s]; smooth shape (n,) [m].
     """
     if len(times) < 3:
         return places.copy()

@@ -58,23 +58,9 @@ def state_width(canvas: Canvas, extra: str) -> float:
 def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool, keys: Sequence[str], pace: str) -> Layout:
     """Place texts and keys without overlap.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    words : sequence of float
-        Width of each line of text in the head [pixels].
-    height : float
-        Height of all lines of text [pixels].
-    forces : bool
-        Whether there is a key to arrows.
-    keys : sequence of str
-        Texts of the keys to lines.
-    pace : str
-        The longest text on the speed of the film; empty if there is none.
-
-    Returns
-    -------
-    layout : Layout
+    words: width of each line of text in the head [pixels]; height: height of all lines of text [pixels]; forces: whether there
+    is a key to arrows; keys: texts of the keys to lines; pace: the longest text on the speed of the film; empty if there is
+    none.
     """
     u = canvas.unit
     wide, high = canvas.size

@@ -116,20 +116,7 @@ def one_of(name: str, value: str, allowed: Sequence[str]) -> None:
 def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tuple[str, ...]:
     """Return one line of text per motion.
 
-    Parameters
-    ----------
-    motions : sequence of Trajectory
-    labels : sequence of str or None
-        As given by the user.
-
-    Returns
-    -------
-    labels : tuple of str
-
-    Raises
-    ------
-    ValueError
-        If there are not as many labels as motions.
+    labels: as given by the user.
     """
     if labels is None:
         return tuple(describe(motion.scenario) for motion in motions)
@@ -143,15 +130,7 @@ def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tu
 def nice(value: float) -> float:
     """Return the largest of 1, 2, 5 times a power of ten up to a value.
 
-    Parameters
-    ----------
-    value : float
-        Above 0 [1].
-
-    Returns
-    -------
-    nice : float
-        [1].
+    value: above 0 [1].
     """
     power = 10.0 ** math.floor(math.log10(value))
     return max(step for step in (1.0, 2.0, 5.0) if step * power <= value * (1.0 + 1e-9)) * power

@@ -17,20 +17,8 @@ LOAD = 0.085  # of a point mass, in radii of the hoop
 def draw_parts(canvas: Canvas, theme: Theme, hoop: Hoop, center: Points, tilt: float, scale: float, alpha: float) -> None:
     """Draw rings, then disks, points and rods.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    theme : Theme
-    hoop : Hoop
-        A hoop made of parts.
-    center : ndarray
-        Centre of the rim [pixels].
-    tilt : float
-        Angle from upright to the line from the centre to the centre of gravity, clockwise [rad].
-    scale : float
-        Scale of the picture [pixels/m].
-    alpha : float
-        Opacity [1].
+    hoop: a hoop made of parts; center: centre of the rim [pixels]; tilt: angle from upright to the line from the centre to the
+    centre of gravity, clockwise [rad]; scale: scale of the picture [pixels/m]; alpha: opacity [1].
     """
     side = part_side(hoop)
     along = np.array([math.sin(tilt), math.cos(tilt)])

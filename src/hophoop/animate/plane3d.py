@@ -46,24 +46,8 @@ def plane_meshes(
 ) -> Iterator[Part]:
     """Yield the parts of the plane.
 
-    Parameters
-    ----------
-    pyvista : module
-    theme : Theme
-    ground : str
-        Colour of the plane.
-    along : tuple of float
-        Minimum and maximum position of the hoops along the plane [m].
-    radius : float
-        Radius of the largest hoop [m].
-    slope : float
-        [rad].
-    lanes : int
-        Number of hoops next to each other.
-
-    Yields
-    ------
-    part : Part
+    ground: colour of the plane; along: minimum and maximum position of the hoops along the plane [m]; radius: radius of the
+    largest hoop [m]; slope [rad]; lanes: number of hoops next to each other.
     """
 
     def sheet(reach: tuple[float, float], across: tuple[float, float], lift: float) -> Any:
@@ -91,16 +75,8 @@ def draw_distances(
 ) -> None:
     """Write distances below their marks at the near edge of the track, where there is room.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    theme : Theme
-    marks : sequence of (float, ndarray)
-        Position along the plane [m], and in the picture [pixels]; the most important first.
-    taken : sequence of tuple of float
-        Rectangles of other text: left, bottom, width, height [pixels].
-    view : tuple of float
-        Rectangle that the distances do not leave [pixels].
+    marks: position along the plane [m], and in the picture [pixels]; the most important first; taken: rectangles of other text:
+    left, bottom, width, height [pixels]; view: rectangle that the distances do not leave [pixels].
     """
     u, placed = canvas.unit, list(taken)
     high, apart = 0.73 * FONT * u, 9.0 * u

@@ -21,21 +21,8 @@ def force_levels(motions: Sequence[Trajectory], clock: Clock, fps: float, most: 
 
     It is the smoothed maximum force within `AROUND`, at least the present force up to `most`.
 
-    Parameters
-    ----------
-    motions : sequence of Trajectory
-        Motions with one scale.
-    clock : Clock
-        Clock of the film.
-    fps : float
-        Pictures per second [1/s].
-    most : float
-        Maximum force of the scale, without short peaks [N].
-
-    Returns
-    -------
-    levels : ndarray, shape (frames,)
-        Above 0 [N].
+    motions: motions with one scale; clock: clock of the film; fps: pictures per second [1/s]; most: maximum force of the scale,
+    without short peaks [N]; levels: shape (frames,), above 0 [N].
     """
     forces = np.zeros(clock.count)
     for motion, times in zip(motions, clock.times, strict=True):
@@ -59,19 +46,8 @@ def force_levels(motions: Sequence[Trajectory], clock: Clock, fps: float, most: 
 def arrow(force: Floats, newton: float, full: float) -> Floats:
     """Return a force as an arrow, at most `LONGEST` times the full length.
 
-    Parameters
-    ----------
-    force : ndarray, shape (2,)
-        [N].
-    newton : float
-        Length of the arrow of 1 N, in any unit of length.
-    full : float
-        Full length, in the same unit.
-
-    Returns
-    -------
-    arrow : ndarray, shape (2,)
-        In the same unit.
+    force shape (2,) [N]; newton: length of the arrow of 1 N, in any unit of length; full: full length, in the same unit; arrow:
+    shape (2,), in the same unit.
     """
     way = force * newton
     return np.asarray(way * min(1.0, LONGEST * full / max(float(np.hypot(*way)), 1e-300)))

@@ -167,15 +167,7 @@ class Film3D:
     def draw(self, k: int) -> Bytes:
         """The k-th picture, height × width × RGBA; valid until the next is drawn.
 
-        Parameters
-        ----------
-        k : int
-            From 0 to count − 1.
-
-        Returns
-        -------
-        picture : ndarray of uint8, shape (height, width, 4)
-            Values from 0 to 255 [1].
+        k: from 0 to count − 1; picture: shape (height, width, 4), values from 0 to 255 [1].
         """
         for actor in self.actors:
             self._move(actor, k)

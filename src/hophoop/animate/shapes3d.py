@@ -18,19 +18,8 @@ SUN = np.array([0.32, 0.75, -1.0])  # direction of the light
 def torus(radius: float, tube: float) -> tuple[Floats, Floats, Floats]:
     """Return points of a torus in the X–Z plane, their normals and their angles on the rim.
 
-    Parameters
-    ----------
-    radius : float
-        Outer radius [m].
-    tube : float
-        Radius of the tube [m].
-
-    Returns
-    -------
-    points, normals : ndarray, shape (STATIONS × SECTIONS, 3)
-        [m] and [1].
-    angles : ndarray, shape (STATIONS,)
-        From +Z, clockwise as seen from −Y; SECTIONS points belong to each [rad].
+    radius: outer radius [m]; tube: radius of the tube [m]; points, normals: shape (STATIONS × SECTIONS, 3), [m] and [1];
+    angles: shape (STATIONS,), from +Z, clockwise as seen from −Y; SECTIONS points belong to each [rad].
     """
     angles = np.linspace(0.0, 2.0 * math.pi, STATIONS, endpoint=False)
     around = np.linspace(0.0, 2.0 * math.pi, SECTIONS, endpoint=False)

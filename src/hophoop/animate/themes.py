@@ -36,15 +36,7 @@ class Theme:
     def visible(self, color: str) -> str:
         """Lighten a colour for a dark background, with the same hue.
 
-        Parameters
-        ----------
-        color : str
-            As ``#RRGGBB``.
-
-        Returns
-        -------
-        color : str
-            As ``#RRGGBB``.
+        color: as ``#RRGGBB``; result: as ``#RRGGBB``.
         """
         if not self.dark:
             return color
@@ -61,21 +53,7 @@ THEMES: Final[dict[str, Theme]] = {
 
 
 def theme_of(name: str) -> Theme:
-    """Return a theme by name.
-
-    Parameters
-    ----------
-    name : {'light', 'dark', 'print'}
-
-    Returns
-    -------
-    theme : Theme
-
-    Raises
-    ------
-    ValueError
-        If there is no such theme.
-    """
+    """Return a theme by name."""
     try:
         return THEMES[name]
     except KeyError:

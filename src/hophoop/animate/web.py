@@ -77,21 +77,7 @@ def scene_data(
 ) -> dict[str, Any]:
     """Return the data of a scene, numbers and arrays.
 
-    Parameters
-    ----------
-    motions : sequence of Trajectory
-    timing : Timing
-    look : Look3D
-
-    Returns
-    -------
-    data : dict
-        SI units; arrays have one row per frame.
-
-    Raises
-    ------
-    ValueError
-        If the slopes of the motions differ.
+    data: SI units; arrays have one row per frame.
     """
     shown: Clock = clock(motions, timing)
     slopes = {motion.scenario.plane.slope for motion in motions}
@@ -184,14 +170,7 @@ def _traces(motion: Trajectory, start: float, end: float) -> dict[str, Any]:
 def page(data: dict[str, Any]) -> str:
     """Return the page of a scene: markup, program and data in one text.
 
-    Parameters
-    ----------
-    data : dict
-        From `scene_data`.
-
-    Returns
-    -------
-    html : str
+    data: from `scene_data`.
     """
     static = files("hophoop.animate") / "static"
     title = html.escape("; ".join(hoop["label"] for hoop in data["hoops"]))

@@ -32,17 +32,7 @@ from hophoop.vocabulary.modes import PARTICIPLES
 def shades_of(speeds: Floats, top: float) -> Floats:
     """Return colours of the ring's points by speed.
 
-    Parameters
-    ----------
-    speeds : ndarray
-        [m/s].
-    top : float
-        Speed at the upper end of the map [m/s].
-
-    Returns
-    -------
-    shades : ndarray, one axis more than speeds
-        Red, green, blue and opacity, from 0 to 1 [1].
+    speeds [m/s]; top: speed at the upper end of the map [m/s]; shades: red, green, blue and opacity, from 0 to 1 [1].
     """
     shades: Floats = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP](np.clip(speeds / top, 0.0, 1.0))
     return shades
@@ -153,15 +143,7 @@ def line_keys(traces: bool, airborne: bool) -> tuple[tuple[str, str], ...]:
 def draw_keys(canvas: Canvas, theme: Theme, layout: Layout, top_speed: float, keys: tuple[tuple[str, str], ...]) -> None:
     """Draw the colour bar and the keys of the lines, if the layout has them.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    theme : Theme
-    layout : Layout
-    top_speed : float
-        Speed at the right end of the colour bar [m/s].
-    keys : tuple of (str, str)
-        Colour and text of each line.
+    top_speed: speed at the right end of the colour bar [m/s]; keys: colour and text of each line.
     """
     if layout.bar is not None:
         _draw_color_bar(canvas, theme, top_speed, layout.bar)
@@ -193,15 +175,7 @@ def _draw_color_bar(canvas: Canvas, theme: Theme, top_speed: float, place: Recta
 def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, most: float) -> None:
     """Draw the key to arrows at the scale of a picture: the arrow of a round force.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    theme : Theme
-    layout : Layout
-    newton : float
-        Length of the arrow of 1 N [pixels].
-    most : float
-        Force whose arrow has the full length [N].
+    newton: length of the arrow of 1 N [pixels]; most: force whose arrow has the full length [N].
     """
     if layout.forces is None:
         return

@@ -17,15 +17,7 @@ SMALL = {"radius": 0.3, "mass": 2.0}  # another hoop, for a question in the arti
 def facts(statements: Sequence[Statement], runs: Runs) -> dict[str, str]:
     """Return the numbers in the text of the report, by name.
 
-    Parameters
-    ----------
-    statements : sequence of Statement
-        Checked.
-    runs : Runs
-
-    Returns
-    -------
-    facts : dict of str
+    statements: checked.
     """
     found = {one.key: one.numbers for one in statements}
     told = {**_rolling(found, runs), **_slipping(found, runs), **_hop(found, runs), **_low(runs), **_bodies()}

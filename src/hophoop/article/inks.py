@@ -17,14 +17,6 @@ def for_both(svg: str) -> str:
     """Replace the colours of Matplotlib's SVG by variables, with values for light and for dark pages.
 
     A drawing with colours that fade into white paper stays on paper.
-
-    Parameters
-    ----------
-    svg : str
-
-    Returns
-    -------
-    svg : str
     """
     body = svg[svg.index("<svg") :]
     if f'id="{ON_PAPER}"' in body:

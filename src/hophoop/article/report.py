@@ -67,24 +67,8 @@ DARK_TEXT = 0.45  # minimum lightness of a colour under black letters
 def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], runs: Runs | None = None) -> str:
     """Return the page, with the figures in `folder` and links to the films.
 
-    Parameters
-    ----------
-    statements : sequence of Statement
-    folder : Path
-        Folder with ``figures/NAME.svg``.
-    films : sequence of Path
-        Existing films; a picture of the same name is the poster.
-    runs : Runs, optional
-        The motions, if already computed.
-
-    Returns
-    -------
-    html : str
-
-    Raises
-    ------
-    ImportError
-        If Jinja2 or math-core is missing.
+    folder: folder with ``figures/NAME.svg``; films: existing films; a picture of the same name is the poster; runs: the
+    motions, if already computed.
     """
     runs = runs or Runs()
     there = {path.stem: path for path in films}

@@ -49,15 +49,7 @@ class SlowEnd(NamedTuple):
 def slow_end(hoop: Hoop, plane: Plane) -> SlowEnd:
     """Law of the slow end of slip on level ground.
 
-    Parameters
-    ----------
-    hoop : Hoop
-    plane : Plane
-        Level, with μs = μk low enough for slip at some speed.
-
-    Returns
-    -------
-    law : SlowEnd
+    plane: level, with μs = μk low enough for slip at some speed.
     """
     critical = float(theory.first_slip_speed(hoop, plane))
     mu = plane.mu_kinetic

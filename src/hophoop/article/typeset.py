@@ -13,19 +13,7 @@ INLINE = re.compile(r"\\\((.+?)\\\)", re.DOTALL)
 def typeset(text: str) -> str:
     r"""Convert the formulas of a page, LaTeX in ``\(…\)`` and ``\[…\]``, to MathML.
 
-    Parameters
-    ----------
-    text : str
-        HTML.
-
-    Returns
-    -------
-    html : str
-
-    Raises
-    ------
-    ImportError
-        If math-core is missing.
+    text: HTML.
     """
     text = DISPLAYED.sub(lambda match: f"<div class='formula' tabindex='0'>{mathml(match[1], displayed=True)}</div>", text)
     return INLINE.sub(lambda match: mathml(match[1], displayed=False), text)

@@ -47,20 +47,7 @@ class Channel(NamedTuple):
 def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple[Channel, ...]:
     """Centre and angle, or the marker if there is no centre.
 
-    Parameters
-    ----------
-    track : Track
-    sigma : tuple of float or None
-        Standard deviations of places [m] and angles [rad], in place of the track's own.
-
-    Returns
-    -------
-    channels : tuple of Channel
-
-    Raises
-    ------
-    ValueError
-        If there are too few data, or their uncertainty cannot be estimated.
+    sigma: standard deviations of places [m] and angles [rad], in place of the track's own.
     """
     t, result = track.t, []
     centred = np.isfinite(track.centre[:, 0]).any()
@@ -104,20 +91,7 @@ def _by_place(track: Track, name: str, error: float) -> Autocorrelation:
 def scatter(t: Floats, values: Floats) -> float:
     """Standard deviation of one value, from third differences, which are small for a smooth motion.
 
-    Parameters
-    ----------
-    t, values : ndarray, shape (n,)
-        Times [s] and measured values [1].
-
-    Returns
-    -------
-    sigma : float
-        In the values' own unit [1].
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than eight values, or they do not scatter.
+    t, values: shape (n,), times [s] and measured values [1]; sigma: in the values' own unit [1].
     """
     if len(t) < 8:
         raise InputError(f"The uncertainty of the data is missing, and {len(t)} frames are too few to estimate it: give sigma.")

@@ -22,19 +22,8 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust:
     ψ is the slope of half the loss. A = Jᵀ ψ' J with the residuals, and B = E[ψ²] Jᵀ P J for residuals as large as the data's
     errors. P has the correlations of errors in a quantity.
 
-    Parameters
-    ----------
-    problem : Problem
-    jacobian : ndarray, shape (count, n)
-    residuals : ndarray, shape (count,)
-        At the minimum [standard deviations].
-    robust : bool
-        Whether outliers count less.
-
-    Returns
-    -------
-    covariance : ndarray, shape (n, n)
-        Infinite where the data have no information [products of the parameters' units].
+    jacobian: shape (count, n); residuals: shape (count,), at the minimum [standard deviations]; robust: whether outliers count
+    less; covariance: shape (n, n), infinite where the data have no information [products of the parameters' units].
     """
     pulls, information, square = residuals, jacobian.T @ jacobian, 1.0
     if robust:
@@ -59,16 +48,8 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust:
 def autocorrelations(problem: Problem, pulls: Floats) -> dict[str, Autocorrelation]:
     """Autocorrelation of the errors of each quantity.
 
-    Parameters
-    ----------
-    problem : Problem
-    pulls : ndarray, shape (count,)
-        Residuals, or their influence [1].
-
-    Returns
-    -------
-    autocorrelations : dict of Autocorrelation
-        By quantity; that of the channel if none is significant, or with fewer than 30 residuals [1].
+    pulls: shape (count,), residuals, or their influence [1]; autocorrelations: by quantity; that of the channel if none is
+    significant, or with fewer than 30 residuals [1].
     """
     result, begin = {}, 0
     for channel in problem.channels:
@@ -117,15 +98,8 @@ def _from_neighbours(channel: Channel, columns: Floats, memory: Autocorrelation)
 def inverse(information: Floats) -> Floats:
     """Return the inverse, scaled so that units do not matter; infinite where nothing is known.
 
-    Parameters
-    ----------
-    information : ndarray, shape (n, n)
-        [1 over products of the parameters' units]
-
-    Returns
-    -------
-    covariance : ndarray, shape (n, n)
-        [products of the parameters' units]
+    information shape (n, n) [1 over products of the parameters' units]; covariance shape (n, n) [products of the parameters'
+    units].
     """
     size = np.sqrt(np.maximum(np.diag(information), 1e-300))
     try:

@@ -34,14 +34,7 @@ class Rates(NamedTuple):
 def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
     """Return values and rates at times, from a parabola through the data around each.
 
-    Parameters
-    ----------
-    t, values, errors : ndarray, shape (n,)
-        Times [s], data and their standard deviations [1].
-
-    Returns
-    -------
-    rates : Rates
+    t, values, errors: shape (n,), times [s], data and their standard deviations [1].
     """
     step = float(np.median(np.diff(t)))
     half = max(LEAST // 2, round(0.5 * WIDTH / step))
@@ -60,15 +53,7 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
 def rates_of(problem: Problem, name: str) -> Rates | None:
     """Return the rates of a channel.
 
-    Parameters
-    ----------
-    problem : Problem
-    name : str
-
-    Returns
-    -------
-    rates : Rates or None
-        None if it was not measured.
+    rates: None if it was not measured.
     """
     for channel in problem.channels:
         if channel.name == name and len(channel.rows) >= LEAST:
@@ -79,14 +64,7 @@ def rates_of(problem: Problem, name: str) -> Rates | None:
 def start_kind(problem: Problem) -> str:
     """Return the kind of motion in the first frame.
 
-    Parameters
-    ----------
-    problem : Problem
-
-    Returns
-    -------
-    start : str
-        'rolling' unless the data contradict it.
+    start: 'rolling' unless the data contradict it.
     """
     x, angle, y = (initial_rate(problem, name) for name in ("x", "angle", "y"))
     if x is None or angle is None:
@@ -113,16 +91,7 @@ class InitialRate(NamedTuple):
 def initial_rate(problem: Problem, name: str) -> InitialRate | None:
     """Return value and rate of a quantity in the first frame.
 
-    Parameters
-    ----------
-    problem : Problem
-    name : str
-        Of a channel.
-
-    Returns
-    -------
-    rate : InitialRate or None
-        None if it was not measured.
+    name: of a channel; rate: None if it was not measured.
     """
     for channel in problem.channels:
         if channel.name == name and len(channel.rows) >= LEAST:
@@ -140,15 +109,7 @@ def initial_rate(problem: Problem, name: str) -> InitialRate | None:
 def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
     """Guess parameters from the data: the start from the first frames, the share of the load from the energy in rolling.
 
-    Parameters
-    ----------
-    problem : Problem
-    values : dict
-        Known and default values.
-
-    Returns
-    -------
-    values : dict
+    values: known and default values.
     """
     result = dict(values)
     x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
@@ -190,19 +151,7 @@ def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
 def share_of_load(problem: Problem, angle: Rates, x: Rates | None, values: dict[str, float]) -> float | None:
     """Return γ from the conserved energy while the hoop rolls: (1 + γ cosθ) R²θ̇² + γ g R cos(θ + β) − g R θ sinβ.
 
-    Parameters
-    ----------
-    problem : Problem
-    angle : Rates
-    x : Rates or None
-        To detect rolling.
-    values : dict
-        Slope and angle of the marker.
-
-    Returns
-    -------
-    gamma : float or None
-        None if the data do not determine it [1].
+    x: to detect rolling; values: slope and angle of the marker; gamma: None if the data do not determine it [1].
     """
     radius, gravity = problem.radius, problem.plane.gravity
     theta, slope = angle.value - values["marker_angle"], values["slope"]
@@ -223,16 +172,7 @@ def share_of_load(problem: Problem, angle: Rates, x: Rates | None, values: dict[
 
 
 def merge_bounces(sequence: str) -> str:
-    """Merge bounces in a row into one 'H+': their number depends on the last digit.
-
-    Parameters
-    ----------
-    sequence : str
-
-    Returns
-    -------
-    sequence : str
-    """
+    """Merge bounces in a row into one 'H+': their number depends on the last digit."""
     return re.sub("HH+", "H+", sequence)
 
 
@@ -249,20 +189,7 @@ def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: 
 
     The sum of squares has a basin for each sequence, and descent from one basin does not lead into another.
 
-    Parameters
-    ----------
-    problem : Problem
-    first : dict
-        The guess.
-    free : set of str
-        Parameters that may differ from it.
-    seed : int, default 0
-        Seed of the draws [1].
-
-    Returns
-    -------
-    candidates : list of Candidate
-        The best first.
+    first: the guess; free: parameters that may differ from it; seed: seed of the draws [1]; candidates: the best first.
     """
     rng = np.random.default_rng(seed)
     measured = {channel.name for channel in problem.channels}

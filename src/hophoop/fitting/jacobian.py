@@ -20,23 +20,8 @@ SPOTS = ("x", "y", "marker_x", "marker_y")
 def exact_slopes(problem: Problem, values: dict[str, float], names: tuple[str, ...]) -> Floats:
     """Return derivatives of the residuals by parameters.
 
-    Parameters
-    ----------
-    problem : Problem
-    values : dict
-        All of the problem's names.
-    names : tuple of str
-
-    Returns
-    -------
-    jacobian : ndarray, shape (count, len(names))
-        A column is nan where there is no derivative: at a tangency, a boundary of classes, a limit of a range
-        [1 over the parameter's unit].
-
-    Raises
-    ------
-    ValueError
-        If there is no such motion.
+    values: all of the problem's names; jacobian: shape (count, len(names)), a column is nan where there is no derivative: at a
+    tangency, a boundary of classes, a limit of a range [1 over the parameter's unit].
     """
     motion = problem.motion(values)
     measured = problem.count - len(problem.priors)

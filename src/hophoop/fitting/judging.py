@@ -26,16 +26,7 @@ DRAWS = 100
 def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[str, str, float]]:
     """Return pairs of parameters that the data hardly distinguish, the strongest first.
 
-    Parameters
-    ----------
-    solution : Solution
-    known : collection of str, optional
-        Parameters with priors; two of these are no pair.
-
-    Returns
-    -------
-    pairs : list of (str, str, float)
-        With their correlation [1].
+    known: parameters with priors; two of these are no pair; pairs: with their correlation [1].
     """
     with np.errstate(invalid="ignore"):  # a singular problem has negative variances
         size = np.sqrt(np.diag(solution.covariance))
@@ -54,19 +45,7 @@ def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[
 def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) -> dict[str, float]:
     """Return the sequences of motions within the uncertainties, with their shares.
 
-    Parameters
-    ----------
-    problem : Problem
-    solution : Solution
-    scale : float
-        Factor of the errors [1].
-    seed : int, default 0
-        [1]
-
-    Returns
-    -------
-    shares : dict of float
-        By sequence, bounces in a row as one 'H+', the largest first [1].
+    scale: factor of the errors [1]; shares: by sequence, bounces in a row as one 'H+', the largest first [1].
     """
     rng = np.random.default_rng(seed)
     found: dict[str, int] = {}
@@ -94,15 +73,7 @@ def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) ->
 def runs_deviation(residuals: Floats) -> float:
     """Return the deviation of the number of runs of one sign from its expectation (Wald–Wolfowitz test).
 
-    Parameters
-    ----------
-    residuals : ndarray, shape (n,)
-        [1]
-
-    Returns
-    -------
-    deviation : float
-        Negative if neighbours are alike; 0 if all must have one sign [standard deviations].
+    residuals shape (n,) [1]; deviation: negative if neighbours are alike; 0 if all must have one sign [standard deviations].
     """
     signs = residuals > 0
     above, below = int(signs.sum()), int((~signs).sum())
@@ -121,17 +92,8 @@ WORDS = {"x": "x", "y": "y", "angle": "the angle", "marker_x": "x of the marker"
 def misfits(problem: Problem, motion: Trajectory, residuals: Floats) -> list[dict[str, Any]]:
     """Return quantities and phases in which residuals have too few runs: the model lacks something there.
 
-    Parameters
-    ----------
-    problem : Problem
-    motion : Trajectory
-    residuals : ndarray, shape (count,)
-        [1]
-
-    Returns
-    -------
-    places : list of dict
-        ``quantity``, ``phase``, ``deviation`` of the number of runs, ``spread`` of the residuals.
+    residuals shape (count,) [1]; places: ``quantity``, ``phase``, ``deviation`` of the number of runs, ``spread`` of the
+    residuals.
     """
     modes = motion.at(np.clip(problem.t, 0.0, motion.duration)).mode
     found, begin = [], 0
@@ -156,16 +118,7 @@ def misfits(problem: Problem, motion: Trajectory, residuals: Floats) -> list[dic
 def least_static_friction(motion: Trajectory, points: int = 2000) -> float:
     """Return the maximum of abs(F)/N while the hoop rolls, the friction that it needs at least.
 
-    Parameters
-    ----------
-    motion : Trajectory
-    points : int, default 2000
-        Number of times [1].
-
-    Returns
-    -------
-    friction : float
-        [1]
+    points: number of times [1].
     """
     state = motion.at(motion.times(points))
     rolling = (state.mode == "R") & (state.normal_force > 0)

@@ -50,24 +50,11 @@ def one_sided_limits(
 
     The slopes at the minimum do not suffice: the sum of squares may be steep at the minimum and flat towards the end.
 
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-    solution : Solution
-        The minimum of `choice`.
-    names : sequence of str
-        Parameters that may have a limit: free ones, and ones without effect at the minimum.
-    robust : bool
-
-    Returns
-    -------
-    solution : Solution
-        The minimum with the limited parameters at the end of their range. The covariance of the others includes their change
-        up to the limit. Within three standard deviations of an end, the standard deviation is at least that of the sum of
-        squares there.
-    limits : dict
-        The sign and the limit at 95 % of each parameter; no sign and nan where the data agree with both ends [its unit].
+    solution: the minimum of `choice`; names: parameters that may have a limit: free ones, and ones without effect at the
+    minimum; result: the minimum with the limited parameters at the end of their range. The covariance of the others includes
+    their change up to the limit. Within three standard deviations of an end, the standard deviation is at least that of the sum
+    of squares there; limits: the sign and the limit at 95 % of each parameter; no sign and nan where the data agree with both
+    ends [its unit].
     """
     limits, changes = {}, []
     for name in names:
@@ -147,21 +134,8 @@ def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: fl
 def least_friction(problem: Problem, choice: Choice, solution: Solution, needed: float, robust: bool) -> float:
     """Return the minimum static friction at 95 % of a hoop that was not seen to slip.
 
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-        The choice with friction free.
-    solution : Solution
-        A motion that never slips.
-    needed : float
-        Friction required by this motion [1].
-    robust : bool
-
-    Returns
-    -------
-    friction : float
-        A little less than required, since very short slip cannot be detected [1].
+    choice: the choice with friction free; solution: a motion that never slips; needed: friction required by this motion [1];
+    friction: a little less than required, since very short slip cannot be detected [1].
     """
     scale = spread_of(problem, solution.cost, len(solution.free))
     near, far, step = needed, 0.0, 0.02 * needed

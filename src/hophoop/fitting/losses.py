@@ -13,16 +13,7 @@ SOFT = 3.0  # scale of the robust loss [standard deviations]
 def loss(residuals: Floats, robust: bool) -> float:
     """Return the sum of squares, or the robust loss: SciPy's soft_l1 with the scale `SOFT`, twice.
 
-    Parameters
-    ----------
-    residuals : ndarray
-        [standard deviations]
-    robust : bool
-
-    Returns
-    -------
-    loss : float
-        [1]
+    residuals [standard deviations].
     """
     squares = residuals**2
     if robust:
@@ -33,15 +24,7 @@ def loss(residuals: Floats, robust: bool) -> float:
 def influence(residuals: Floats) -> Floats:
     """Return the slope of half the robust loss.
 
-    Parameters
-    ----------
-    residuals : ndarray
-        [standard deviations]
-
-    Returns
-    -------
-    pull : ndarray
-        For small residuals the residual itself [1].
+    residuals [standard deviations]; pull: for small residuals the residual itself [1].
     """
     return np.asarray(residuals / np.sqrt(1.0 + (residuals / SOFT) ** 2), dtype=float)
 
@@ -49,14 +32,6 @@ def influence(residuals: Floats) -> Floats:
 def influence_slope(residuals: Floats) -> Floats:
     """Return the derivative of `influence`.
 
-    Parameters
-    ----------
-    residuals : ndarray
-        [standard deviations]
-
-    Returns
-    -------
-    slope : ndarray
-        1 at 0 [1].
+    residuals [standard deviations]; slope: 1 at 0 [1].
     """
     return np.asarray((1.0 + (residuals / SOFT) ** 2) ** -1.5, dtype=float)

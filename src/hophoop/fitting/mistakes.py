@@ -22,14 +22,7 @@ LEAST_ARC = 1.5  # of rolling, for an estimate of gravity [rad]
 def likely_mistakes(problem: Problem) -> list[str]:
     """Ask about usual mistakes. Every hoop has x ≈ R θ, hops upwards and is fastest with its load at the bottom.
 
-    Parameters
-    ----------
-    problem : Problem
-
-    Returns
-    -------
-    questions : list of str
-        At most one sentence; empty if nothing is conspicuous.
+    questions: at most one sentence; empty if nothing is conspicuous.
     """
     x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
     if x is None or angle is None:

@@ -98,16 +98,7 @@ class Posterior:
 
 
 def posterior_from_dict(data: Any) -> Posterior:
-    """Return the posterior that `Posterior.to_dict` wrote.
-
-    Parameters
-    ----------
-    data : dict
-
-    Returns
-    -------
-    posterior : Posterior
-    """
+    """Return the posterior that `Posterior.to_dict` wrote."""
     samples = np.array(data["samples"], dtype=float).reshape(-1, len(data["names"]))
     numbers = (int(data["steps"]), int(data["walkers"]), float(data["memory"]), float(data["acceptance"]))
     return Posterior(tuple(data["names"]), samples, dict(data["shares"]), *numbers)

@@ -95,19 +95,7 @@ class Problem:
     def scenario(self, values: dict[str, float]) -> Scenario:
         """Return the scenario of parameters.
 
-        Parameters
-        ----------
-        values : dict
-            All of `names`.
-
-        Returns
-        -------
-        scenario : Scenario
-
-        Raises
-        ------
-        ValueError
-            If there is no such hoop or plane.
+        values: all of `names`.
         """
         if self.hoop is not None:
             hoop = self.hoop
@@ -136,19 +124,7 @@ class Problem:
     def motion(self, values: dict[str, float]) -> Trajectory:
         """Compute the motion of parameters.
 
-        Parameters
-        ----------
-        values : dict
-            All of `names`.
-
-        Returns
-        -------
-        motion : Trajectory
-
-        Raises
-        ------
-        ValueError
-            If there is no such hoop or plane.
+        values: all of `names`.
         """
         self.computed[0] += 1
         return simulate(self.scenario(values))
@@ -156,16 +132,7 @@ class Problem:
     def moments(self, motion: Trajectory, values: dict[str, float]) -> Floats:
         """Times of the motion at which the centre was exposed in each frame.
 
-        Parameters
-        ----------
-        motion : Trajectory
-        values : dict
-            All of `names`.
-
-        Returns
-        -------
-        t : ndarray, shape (n,)
-            [s]
+        values: all of `names`; t shape (n,) [s].
         """
         times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
         return np.clip(times, 0.0, motion.duration)
@@ -173,16 +140,7 @@ class Problem:
     def places(self, motion: Trajectory, values: dict[str, float]) -> dict[str, Floats]:
         """Predicted data of a motion in each frame.
 
-        Parameters
-        ----------
-        motion : Trajectory
-        values : dict
-            All of `names`.
-
-        Returns
-        -------
-        places : dict of ndarray
-            By name of the channel [m or rad].
+        values: all of `names`; places: by name of the channel [m or rad].
         """
         state = motion.at(self.moments(motion, values))
         reach = values["marker_ratio"] * self.radius
@@ -200,15 +158,7 @@ class Problem:
     def residuals(self, values: dict[str, float]) -> Floats:
         """Return data minus motion, in standard deviations.
 
-        Parameters
-        ----------
-        values : dict
-            All of `names`.
-
-        Returns
-        -------
-        residuals : ndarray, shape (count,)
-            [1]
+        values: all of `names`; residuals shape (count,) [1].
         """
         try:
             motion = self.motion(values)
@@ -219,17 +169,7 @@ class Problem:
     def distances(self, places: dict[str, Floats], values: dict[str, float]) -> Floats:
         """Return data minus predicted data, and priors minus values, in standard deviations.
 
-        Parameters
-        ----------
-        places : dict of ndarray
-            As `places` gives them [m or rad].
-        values : dict
-            All of `names`.
-
-        Returns
-        -------
-        residuals : ndarray, shape (count,)
-            [1]
+        places: as `places` gives them [m or rad]; values: all of `names`; residuals shape (count,) [1].
         """
         parts = [(channel.values - places[channel.name][channel.rows]) / channel.errors for channel in self.channels]
         parts.append(np.array([(prior.value - values[name]) / prior.error for name, prior in self.priors.items()]))
@@ -239,26 +179,8 @@ class Problem:
 def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: tuple[float | None, float | None]) -> Problem:
     """Return the problem of a track.
 
-    Parameters
-    ----------
-    track : Track
-    hoop : Hoop or {'ideal', 'general'}
-        The known hoop, or the kind of an unknown one.
-    start : str
-        A key of STARTS.
-    plane : Plane
-        Gravity and the impact law.
-    sigma : tuple of float or None
-        Standard deviations of places [m] and angles [rad], in place of the track's own.
-
-    Returns
-    -------
-    problem : Problem
-
-    Raises
-    ------
-    ValueError
-        If the radius is unknown or differs from the known hoop's, or there are too few data.
+    hoop: the known hoop, or the kind of an unknown one; start: a key of STARTS; plane: gravity and the impact law; sigma:
+    standard deviations of places [m] and angles [rad], in place of the track's own.
     """
     radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
     if not (np.isfinite(radius) and radius > 0):
@@ -290,14 +212,7 @@ def shared_errors(track: Track) -> dict[str, Prior]:
 
     In contact the height of the centre is R, so an error of the scale moves the plane.
 
-    Parameters
-    ----------
-    track : Track
-
-    Returns
-    -------
-    priors : dict of Prior
-        By parameter; empty if the track is not of a film.
+    priors: by parameter; empty if the track is not of a film.
     """
     view, found = track.view, {}
     if view is not None and track.placed:
@@ -308,18 +223,7 @@ def shared_errors(track: Track) -> dict[str, Prior]:
 
 
 def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]]:
-    """Return default values of the parameters, and the parameters that are free by default.
-
-    Parameters
-    ----------
-    problem : Problem
-    track : Track
-
-    Returns
-    -------
-    values : dict
-    free : set of str
-    """
+    """Return default values of the parameters, and the parameters that are free by default."""
     measured = {channel.name for channel in problem.channels}
     values: dict[str, Any] = {
         "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,

@@ -69,16 +69,7 @@ def report(
 def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
     """Centre and marker's angle of the fitted motion in every frame of the track; nan outside the data's time.
 
-    Parameters
-    ----------
-    fit : Fit
-
-    Returns
-    -------
-    centre : ndarray, shape (n, 2)
-        [m]
-    angle : ndarray, shape (n,)
-        [rad]
+    centre shape (n, 2) [m]; angle shape (n,) [rad].
     """
     problem = fit.problem
     places = problem.places(fit.motion, fit.values)
@@ -99,19 +90,8 @@ def first_row(fit: Fit) -> int:
 def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> tuple[Floats, Floats]:
     """Places or velocities of the data along the plane and away from it: tilt and scale undone.
 
-    Parameters
-    ----------
-    values : dict
-        Of a fit.
-    x, y : ndarray, shape (n,)
-        In the data's axes [m or m/s].
-    ground : float
-        Height of the plane in the data, 0 for velocities [m].
-
-    Returns
-    -------
-    along, away : ndarray, shape (n,)
-        [m or m/s]
+    values: of a fit; x, y: shape (n,), in the data's axes [m or m/s]; ground: height of the plane in the data, 0 for velocities
+    [m]; along, away shape (n,) [m or m/s].
     """
     cos, sin = np.cos(values["tilt"]) / values["scale"], np.sin(values["tilt"]) / values["scale"]
     return cos * x + sin * (y - ground), -sin * x + cos * (y - ground)
@@ -120,15 +100,8 @@ def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> t
 def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
     """Return energies per kilogram, measured and computed.
 
-    Parameters
-    ----------
-    fit : Fit
-
-    Returns
-    -------
-    energies : dict
-        'kinetic' and 'potential', each with times [s], measured and computed values [J/kg]; empty where the centre or
-        the angle was not measured.
+    energies: 'kinetic' and 'potential', each with times [s], measured and computed values [J/kg]; empty where the centre or the
+    angle was not measured.
     """
     problem, scenario = fit.problem, fit.scenario
     x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))

@@ -294,15 +294,7 @@ def _root(variance: float) -> float:
 def format_value(value: float, error: float) -> str:
     """Format a value and its uncertainty with their significant digits.
 
-    Parameters
-    ----------
-    value, error : float
-        [1]
-
-    Returns
-    -------
-    text : str
-        Such as '0.6002 ± 0.0003'.
+    text: such as '0.6002 ± 0.0003'.
     """
     if not (np.isfinite(error) and error > 0):
         return f"{value:.6g}"
@@ -313,15 +305,7 @@ def format_value(value: float, error: float) -> str:
 def format_range(low: float, middle: float, high: float) -> str:
     """Format the median of a posterior and its central two thirds.
 
-    Parameters
-    ----------
-    low, middle, high : float
-        [1]
-
-    Returns
-    -------
-    text : str
-        Such as '0.102 +0.011 −0.013'.
+    text: such as '0.102 +0.011 −0.013'.
     """
     size = min(high - middle, middle - low)
     if not (np.isfinite(size) and size > 0):

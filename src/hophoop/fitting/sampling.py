@@ -119,18 +119,8 @@ def innovations(problem: Problem, residuals: Floats, memory: dict[str, Autocorre
 
     Errors are a correlated share and independent noise, so a Kalman filter predicts each from those before.
 
-    Parameters
-    ----------
-    problem : Problem
-    residuals : ndarray, shape (count,)
-        [1]
-    memory : dict of Autocorrelation
-        By quantity [1].
-
-    Returns
-    -------
-    innovations : ndarray, shape (count,)
-        The residuals themselves without autocorrelation [1].
+    residuals shape (count,) [1]; memory: by quantity [1]; innovations: shape (count,), the residuals themselves without
+    autocorrelation [1].
     """
     result, begin = residuals.copy(), 0
     for channel in problem.channels:

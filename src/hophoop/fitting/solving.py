@@ -101,21 +101,7 @@ class Minimum(NamedTuple):
 def solve(problem: Problem, choice: Choice, robust: bool) -> Solution:
     """Find one minimum and its covariance.
 
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-    robust : bool
-        Whether outliers count less.
-
-    Returns
-    -------
-    solution : Solution
-
-    Raises
-    ------
-    ValueError
-        If an expression has no value.
+    robust: whether outliers count less.
     """
     values, cost, off = minimize(problem, choice, robust, MOST_CALLS)
     found = slopes(problem, choice.at(values), choice.free)
@@ -125,23 +111,7 @@ def solve(problem: Problem, choice: Choice, robust: bool) -> Solution:
 def minimize(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CALLS) -> Minimum:
     """Return one minimum, found by SciPy's trust-region least squares.
 
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-    robust : bool
-        Whether outliers count less.
-    most : int
-        Maximum number of calls of the motion [1].
-
-    Returns
-    -------
-    minimum : Minimum
-
-    Raises
-    ------
-    ValueError
-        If an expression has no value.
+    robust: whether outliers count less; most: maximum number of calls of the motion [1].
     """
     begin = complete(choice, {})
     if not choice.free:
@@ -180,23 +150,7 @@ def spread_of(problem: Problem, cost: float, free: int) -> float:
 
 
 def complete(choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
-    """Return all values: the free ones within their limits, the tied ones computed from the others.
-
-    Parameters
-    ----------
-    choice : Choice
-    free : mapping of str to float
-
-    Returns
-    -------
-    values : dict
-        [SI units]
-
-    Raises
-    ------
-    ValueError
-        If an expression has no value.
-    """
+    """Return all values: the free ones within their limits, the tied ones computed from the others [SI units]."""
     values = {**choice.values, **free}
     for name in choice.free:
         low, high = choice.limits(name)
@@ -228,17 +182,7 @@ def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
 
     They are exact where the motion has derivatives. Elsewhere they are differences, both ways if the limits allow.
 
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-        Its values are the point.
-    names : tuple of str
-
-    Returns
-    -------
-    jacobian : ndarray, shape (count, len(names))
-        [1 over the parameter's unit]
+    choice: its values are the point; jacobian shape (count, len(names)) [1 over the parameter's unit].
     """
     tied = tuple(choice.tied)
     try:
@@ -270,17 +214,7 @@ def _differences(choice: Choice, names: tuple[str, ...], of: Callable[[dict[str,
 
 
 def insensitive(problem: Problem, choice: Choice) -> list[str]:
-    """Return the free parameters without effect on the data at the present values.
-
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-
-    Returns
-    -------
-    names : list of str
-    """
+    """Return the free parameters without effect on the data at the present values."""
     jacobian = slopes(problem, choice, choice.free)
     result = []
     for k, name in enumerate(choice.free):
@@ -292,20 +226,7 @@ def insensitive(problem: Problem, choice: Choice) -> list[str]:
 
 
 def best_of(problem: Problem, choice: Choice, starts: list[Candidate], robust: bool) -> tuple[Solution, list[str]]:
-    """Find the lowest minimum from several starts, and the parameters without effect there.
-
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-    starts : list of Candidate
-    robust : bool
-
-    Returns
-    -------
-    solution : Solution
-    blind : list of str
-    """
+    """Find the lowest minimum from several starts, and the parameters without effect there."""
     found: list[tuple[Minimum, list[str]]] = []
     explained = False
     tried: set[str] = set()

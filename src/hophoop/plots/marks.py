@@ -50,20 +50,8 @@ class Cluster:
 def clusters(places: Sequence[float], kinds: Sequence[str], width: float, letter: float = LETTER * FONT) -> list[Cluster]:
     """Group events until no two labels overlap.
 
-    Parameters
-    ----------
-    places : sequence of float
-        From the left end of the axes, in order [points].
-    kinds : sequence of str
-        One per position.
-    width : float
-        Width of the axes; labels stay inside where they fit [points].
-    letter : float
-        Width of a letter, in the same unit as the others [points].
-
-    Returns
-    -------
-    clusters : list of Cluster
+    places: from the left end of the axes, in order [points]; kinds: one per position; width: width of the axes; labels stay
+    inside where they fit [points]; letter: width of a letter, in the same unit as the others [points].
     """
     found: list[Cluster] = []
     for place, kind in zip(places, kinds, strict=True):
@@ -104,12 +92,7 @@ def _words(kind: str, count: int) -> str:
 def mark_events(ax: Axes, motion: Trajectory, places: Sequence[float]) -> None:
     """Draw marks and labels above the axes, and vertical lines at take-offs and landings.
 
-    Parameters
-    ----------
-    ax : matplotlib.axes.Axes
-    motion : Trajectory
-    places : sequence of float
-        Positions of the motion's events, in the unit of the axis [s or °].
+    places: positions of the motion's events, in the unit of the axis [s or °].
     """
     low, high = ax.get_xlim()
     # measured before the layout: the axes become wider rather than narrower

@@ -32,16 +32,8 @@ LEADER = 9.0  # minimum distance for a line to the curve [points]
 def name_curves(ax: Axes, curves: Sequence[Floats], names: Sequence[str], others: Sequence[Floats] = ()) -> None:
     """Write each curve's name into the axes, without covering curves or other names.
 
-    Parameters
-    ----------
-    ax : matplotlib.axes.Axes
-        With its limits set.
-    curves : sequence of ndarray, shape (n, 2)
-        In the units of the axes.
-    names : sequence of str
-        One per curve; an empty curve gets none.
-    others : sequence of ndarray, shape (n, 2)
-        Lines without a name, which names avoid as well.
+    ax: with its limits set; curves: shape (n, 2), in the units of the axes; names: one per curve; an empty curve gets none;
+    others: shape (n, 2), lines without a name, which names avoid as well.
     """
     width, height = _size(ax)
     low, high = np.array([ax.get_xlim()[0], ax.get_ylim()[0]]), np.array([ax.get_xlim()[1], ax.get_ylim()[1]])

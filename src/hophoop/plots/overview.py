@@ -59,18 +59,7 @@ def _fill(figure: Figure, motion: Trajectory) -> None:
 def save_overview(motion: Trajectory, path: str | Path) -> None:
     """Write `overview` to a picture file, atomically.
 
-    Parameters
-    ----------
-    motion : Trajectory
-    path : str or Path
-        With an extension that Matplotlib supports, such as .png, .svg or .pdf.
-
-    Raises
-    ------
-    ImportError
-        If Matplotlib is missing.
-    OSError
-        If the file cannot be written.
+    path: with an extension that Matplotlib supports, such as .png, .svg or .pdf.
     """
     with replacing(Path(path)) as temporary:
         figure: Figure = need("matplotlib.figure", "plots").Figure(figsize=SIZE, layout="constrained")

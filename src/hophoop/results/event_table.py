@@ -22,46 +22,20 @@ WIDTH = 100  # of the text [characters]
 
 
 def cells(event: EventRecord) -> list[str]:
-    """Return a row of the table, in the order of `TITLES`.
-
-    Parameters
-    ----------
-    event : EventRecord
-
-    Returns
-    -------
-    cells : list of str
-    """
+    """Return a row of the table, in the order of `TITLES`."""
     numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
     return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
 
 
 def change_of(event: EventRecord | PreciseEvent | ProvedEvent) -> str:
-    """Return the letters of the mode before and after an event.
-
-    Parameters
-    ----------
-    event : EventRecord, PreciseEvent or ProvedEvent
-
-    Returns
-    -------
-    change : str
-    """
+    """Return the letters of the mode before and after an event."""
     return event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
 
 
 def text_table(events: Sequence[EventRecord], width: int = WIDTH) -> str:
     """Return the table as plain text.
 
-    Parameters
-    ----------
-    events : sequence of EventRecord
-    width : int, default 100
-        Maximum width; columns are left out until the table fits [characters].
-
-    Returns
-    -------
-    text : str
+    width: maximum width; columns are left out until the table fits [characters].
     """
     left_out = max(0, len(events) - FIRST_ROWS - LAST_ROWS)
     shown = [*events[:FIRST_ROWS], *events[FIRST_ROWS + left_out :]] if left_out else events

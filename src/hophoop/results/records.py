@@ -473,18 +473,7 @@ def utilization_of(
 ) -> NDArray[np.float64]:
     """Return the friction utilization, in slip or not; see `Sample.utilization`.
 
-    Parameters
-    ----------
-    slips : bool or array_like
-    friction, normal : float or array_like
-        F and N, in any one unit [N].
-    mu_static, mu_kinetic : float or array_like
-        μs and μk [1].
-
-    Returns
-    -------
-    utilization : ndarray
-        abs(F)/(μ N) [1].
+    friction, normal: F and N, in any one unit [N]; mu_static, mu_kinetic: μs and μk [1]; utilization: abs(F)/(μ N) [1].
     """
     numbers = (np.asarray(each, float) for each in (friction, normal, mu_static, mu_kinetic))
     columns = np.broadcast_arrays(np.asarray(slips, bool), *numbers)

@@ -26,16 +26,7 @@ class Units:
 
     @classmethod
     def of_scenario(cls, scenario: Scenario) -> Units:
-        """Return the units of a scenario.
-
-        Parameters
-        ----------
-        scenario : Scenario
-
-        Returns
-        -------
-        units : Units
-        """
+        """Return the units of a scenario."""
         return cls(scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane), scenario.hoop.mass)
 
     @cached_property
@@ -52,17 +43,7 @@ class Units:
     def kernel_times(self, segments: np.ndarray, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """Convert times to kernel units, on the same side of each event as in seconds.
 
-        Parameters
-        ----------
-        segments : ndarray of records.SEGMENT
-            Segments of the motion.
-        times : ndarray
-            [s].
-
-        Returns
-        -------
-        times : ndarray
-            At most the end of the motion [√(R/g)].
+        segments: segments of the motion; times [s]; result: at most the end of the motion [√(R/g)].
         """
         found: NDArray[np.float64] = np.empty(times.shape)
         compiled(kernel_times)(np.ascontiguousarray(segments["t"]), float(segments["t_end"][-1]), times, self.time, found)
@@ -71,20 +52,7 @@ class Units:
     def of(self, name: str) -> float:
         """Return the unit of a quantity by its name.
 
-        Parameters
-        ----------
-        name : str
-            Name of a column or of an event's field, such as 'vx'.
-
-        Returns
-        -------
-        unit : float
-            Size of a kernel unit in the SI unit [1].
-
-        Raises
-        ------
-        ValueError
-            If there is no such quantity.
+        name: name of a column or of an event's field, such as 'vx'; unit: size of a kernel unit in the SI unit [1].
         """
         found: float | None = self._sizes.get(name)
         if found is None:

@@ -63,14 +63,7 @@ def summary(scenario: Scenario) -> tuple[Quantity, ...]:
 def summary_dict(scenario: Scenario) -> dict[str, Any]:
     """Return the quantities of `summary`, ready for JSON.
 
-    Parameters
-    ----------
-    scenario : Scenario
-
-    Returns
-    -------
-    document : dict
-        `theory` by key in SI units: "inf" for one without a bound, None for one without a value; `notes` by key.
+    document: `theory` by key in SI units: "inf" for one without a bound, None for one without a value; `notes` by key.
     """
 
     def plain(value: float | None) -> float | str | None:

@@ -99,20 +99,8 @@ class Camera:
 def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[Camera, bool]:
     """Find the tilt with which all images of one circle have the same radius.
 
-    Parameters
-    ----------
-    camera : Camera
-        The picture's size and an initial focal length.
-    edges : list of ndarray, shape (n, 2)
-        Points of the rim in several pictures [pixel].
-    focal_known : bool
-        Whether the focal length is known.
-
-    Returns
-    -------
-    camera : Camera
-    tilted : bool
-        Whether the tilt is significant; otherwise the camera is as given.
+    camera: the picture's size and an initial focal length; edges: shape (n, 2), points of the rim in several pictures [pixel];
+    focal_known: whether the focal length is known; tilted: whether the tilt is significant; otherwise the camera is as given.
     """
     optimize = need("scipy.optimize", "track")
     first = camera.focal

@@ -23,19 +23,8 @@ class Circle(NamedTuple):
 def fit_circle(points: Floats, rounds: int = 3) -> tuple[float, float, float, Floats]:
     """Fit a circle by geometric least squares from an algebraic start.
 
-    Parameters
-    ----------
-    points : ndarray, shape (n, 2)
-        At least three [pixel].
-    rounds : int, default 3
-        Gauss–Newton steps [1].
-
-    Returns
-    -------
-    x, y, radius : float
-        The circle [pixel].
-    off : ndarray, shape (n,)
-        Distance of each point from the circle, positive outside [pixel].
+    points: shape (n, 2), at least three [pixel]; rounds: Gauss–Newton steps [1]; x, y, radius: the circle [pixel]; off: shape
+    (n,), distance of each point from the circle, positive outside [pixel].
     """
     shift = points.mean(axis=0)
     near = points - shift
@@ -82,20 +71,8 @@ class CircleFit(NamedTuple):
 def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[float, float] | None) -> CircleFit | None:
     """Fit a circle geometrically to most of the points, with Tukey's weights.
 
-    Parameters
-    ----------
-    points : ndarray, shape (n, 2)
-        [pixel]
-    start : Circle
-    reach : float
-        Points further than this from the start are ignored [pixel].
-    expected : tuple of float or None
-        Known radius and its error, for a fit to a part of the rim [pixel].
-
-    Returns
-    -------
-    fit : CircleFit or None
-        None if the points are not on a circle.
+    points shape (n, 2) [pixel]; reach: points further than this from the start are ignored [pixel]; expected: known radius and
+    its error, for a fit to a part of the rim [pixel]; fit: None if the points are not on a circle.
     """
     x, y, radius = start
     width = reach
@@ -135,22 +112,9 @@ def ransac_circles(
 ) -> list[tuple[float, Circle]]:
     """Find circles through three random points (RANSAC), those with most points on their circumference first.
 
-    Parameters
-    ----------
-    points : ndarray, shape (n, 2)
-        [pixel]
-    sizes : tuple of float
-        Minimum and maximum radius [pixel].
-    picture : tuple of int
-        Width and height; only the circumference inside counts [pixel].
-    rng : numpy.random.Generator
-    draws : int, default 240
-        Number of triples [1].
-
-    Returns
-    -------
-    found : list of (float, Circle)
-        Covered share of the circumference [1], and the circle; at most three separate ones.
+    points shape (n, 2) [pixel]; sizes: minimum and maximum radius [pixel]; picture: width and height; only the circumference
+    inside counts [pixel]; draws: number of triples [1]; found: covered share of the circumference [1], and the circle; at most
+    three separate ones.
     """
     if len(points) < 12:
         return []

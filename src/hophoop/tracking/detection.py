@@ -59,16 +59,7 @@ def downsample(luma: Bytes, by: int) -> Floats:
 def detect(luma: Bytes, search: Search, rng: np.random.Generator) -> Hoop | None:
     """Find the hoop in a picture.
 
-    Parameters
-    ----------
-    luma : ndarray, shape (height, width)
-        [1]
-    search : Search
-    rng : numpy.random.Generator
-
-    Returns
-    -------
-    hoop : Hoop or None
+    luma shape (height, width) [1].
     """
     small = downsample(luma, search.by)
     best: Hoop | None = None
@@ -98,20 +89,8 @@ def confirm(
 ) -> Hoop | None:
     """Find the hoop's outer edge near a circle, which may be its inner edge or off by a few pixels.
 
-    Parameters
-    ----------
-    luma : ndarray, shape (height, width)
-        [1]
-    search : Search
-    circle : Circle
-    rng : numpy.random.Generator
-    lean : tuple of float
-        As in `find_rim` [rectified pixels per row].
-
-    Returns
-    -------
-    hoop : Hoop or None
-        None if too little of a rim is visible.
+    luma shape (height, width) [1]; lean: as in `find_rim` [rectified pixels per row]; hoop: None if too little of a rim is
+    visible.
     """
     angles = (np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS
     span = max(0.2 * circle.radius, 6.0)

@@ -35,16 +35,8 @@ STILL_WIDTH = 640
 def curve(image: Bytes, pixels: Floats, colour: Colour, width: int = 2) -> None:
     """Draw a line through points, with a dark edge so that it is visible on any background.
 
-    Parameters
-    ----------
-    image : ndarray, shape (height, width, 3)
-        Modified in place [1].
-    pixels : ndarray, shape (n, 2)
-        [pixel]
-    colour : tuple of int
-        Red, green and blue [1].
-    width : int, default 2
-        [pixel]
+    image: shape (height, width, 3), modified in place [1]; pixels shape (n, 2) [pixel]; colour: red, green and blue [1]; width
+    [pixel].
     """
     if len(pixels) < 2 or not np.isfinite(pixels).all():
         return
@@ -64,21 +56,8 @@ def curve(image: Bytes, pixels: Floats, colour: Colour, width: int = 2) -> None:
 def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, colour: Colour = RIM, dashes: int = 0) -> None:
     """Draw a hoop over a picture.
 
-    Parameters
-    ----------
-    image : ndarray, shape (height, width, 3)
-        Modified in place [1].
-    view : View
-    radius : float
-        [m]
-    centre : ndarray, shape (2,)
-        Along the plane and above it [m].
-    angle : float
-        Angle of the marker; nan if unknown [rad].
-    colour : tuple of int, optional
-        Colour of the rim [1].
-    dashes : int, default 0
-        Number of gaps in the rim [1].
+    image: shape (height, width, 3), modified in place [1]; radius [m]; centre: shape (2,), along the plane and above it [m];
+    angle: angle of the marker; nan if unknown [rad]; colour: colour of the rim [1]; dashes: number of gaps in the rim [1].
     """
     around = np.linspace(0.0, 2 * np.pi, 91)
     rim = centre + radius * np.stack([np.sin(around), np.cos(around)], axis=-1)

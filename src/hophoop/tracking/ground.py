@@ -31,19 +31,8 @@ class Ground(NamedTuple):
 def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
     """Fit the line below the path of the centre.
 
-    Parameters
-    ----------
-    points : ndarray, shape (n, 2)
-        Centres [rectified pixels].
-    errors : ndarray, shape (n,)
-        Errors of the heights [rectified pixels].
-    radius : float
-        [rectified pixels]
-
-    Returns
-    -------
-    ground : Ground
-        Level if the hoop stays in one place.
+    points: shape (n, 2), centres [rectified pixels]; errors: shape (n,), errors of the heights [rectified pixels]; radius
+    [rectified pixels]; ground: level if the hoop stays in one place.
     """
     x, y = points[:, 0], points[:, 1]
     middle = float(x.mean())
@@ -78,16 +67,7 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
 def line_through(first: Floats, second: Floats, radius: float) -> Ground:
     """Return the centre's line over two points of the ground.
 
-    Parameters
-    ----------
-    first, second : ndarray, shape (2,)
-        [rectified pixels]
-    radius : float
-        [rectified pixels]
-
-    Returns
-    -------
-    ground : Ground
+    first, second shape (2,) [rectified pixels]; radius [rectified pixels].
     """
     if first[0] > second[0]:
         first, second = second, first

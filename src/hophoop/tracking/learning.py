@@ -35,22 +35,7 @@ class FilmSetup(NamedTuple):
 def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str) -> FilmSetup:
     """Find hoop, marker and camera in pictures from the whole film.
 
-    Parameters
-    ----------
-    pairs : list of (Picture, Picture or None)
-        Each with the next one, for the velocity of the hoop.
-    hints : Hints
-    source : str
-        Name of the film.
-
-    Returns
-    -------
-    learned : FilmSetup
-
-    Raises
-    ------
-    ValueError
-        If no hoop is found.
+    pairs: each with the next one, for the velocity of the hoop; source: name of the film.
     """
     pictures = [picture for picture, _ in pairs]
     wide, tall = pictures[0].size

@@ -51,20 +51,7 @@ class Spot(NamedTuple):
 def colour_chroma(text: str) -> tuple[float, float]:
     """Return the chroma of a colour.
 
-    Parameters
-    ----------
-    text : str
-        A name, or red, green and blue as #rrggbb.
-
-    Returns
-    -------
-    blue, red : float
-        Differences of blue and red from luma, after BT.601 [1].
-
-    Raises
-    ------
-    ValueError
-        If it is no colour, or a gray.
+    text: a name, or red, green and blue as #rrggbb; blue, red: differences of blue and red from luma, after BT.601 [1].
     """
     word = text.strip().lower()
     if word in NAMES:
@@ -109,19 +96,7 @@ def _patch(picture: Picture, camera: Camera, circle: Circle) -> _Patch | None:
 
 
 def spots(picture: Picture, camera: Camera, circle: Circle, marker: Marker) -> list[Spot]:
-    """Find patches of the marker's colour at its distance from the centre, the largest first.
-
-    Parameters
-    ----------
-    picture : Picture
-    camera : Camera
-    circle : Circle
-    marker : Marker
-
-    Returns
-    -------
-    spots : list of Spot
-    """
+    """Find patches of the marker's colour at its distance from the centre, the largest first."""
     ndimage = need("scipy.ndimage", "track")
     patch = _patch(picture, camera, circle)
     if patch is None:
@@ -159,16 +134,7 @@ class _Seen(NamedTuple):
 def find_marker(seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker | None:
     """Find the coloured patch at a constant distance from the moving centre.
 
-    Parameters
-    ----------
-    seen : list of (Picture, Circle)
-        Pictures with the hoop in them.
-    camera : Camera
-
-    Returns
-    -------
-    marker : Marker or None
-        None if there is no such patch in at least half of the pictures.
+    seen: pictures with the hoop in them; marker: None if there is no such patch in at least half of the pictures.
     """
     ndimage = need("scipy.ndimage", "track")
     patches: list[_Seen] = []
@@ -210,18 +176,7 @@ def _alike(one: _Seen, other: _Seen) -> bool:
 
 
 def refine_marker(marker: Marker, seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker:
-    """Return the marker with its median colour, distance and size.
-
-    Parameters
-    ----------
-    marker : Marker
-    seen : list of (Picture, Circle)
-    camera : Camera
-
-    Returns
-    -------
-    marker : Marker
-    """
+    """Return the marker with its median colour, distance and size."""
     ratios, areas = [], []
     for picture, circle in seen:
         found = spots(picture, camera, circle, marker)

@@ -53,19 +53,7 @@ class Plot(NamedTuple):
 def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, float, str]] = (), zero: bool = False) -> Plot:
     """A small plot over time; missing values are gaps.
 
-    Parameters
-    ----------
-    curves : sequence of Curve
-    label : str
-        Quantity and unit.
-    ribbon : sequence of (float, float, str)
-        Pieces of time [s] and their colour, below the plot.
-    zero : bool, default False
-        Whether to draw a line at 0.
-
-    Returns
-    -------
-    plot : Plot
+    label: quantity and unit; ribbon: pieces of time [s] and their colour, below the plot; zero: whether to draw a line at 0.
     """
     return Plot(label, [_drawing(curves, ribbon, zero, name) for name in WIDTHS])
 

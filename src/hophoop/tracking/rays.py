@@ -46,25 +46,9 @@ class Rim(NamedTuple):
 def profile(luma: Bytes, camera: Camera, circle: Circle, angles: Floats, offsets: Floats) -> tuple[Floats, Floats, Floats]:
     """Sample luma along rays.
 
-    Parameters
-    ----------
-    luma : ndarray, shape (height, width)
-        [1]
-    camera : Camera
-    circle : Circle
-    angles : ndarray, shape (n,)
-        Of the rays [rad].
-    offsets : ndarray, shape (k,)
-        From the circle, outwards [pixel].
-
-    Returns
-    -------
-    values : ndarray, shape (n, k)
-        nan outside the picture [1].
-    points : ndarray, shape (n, k, 2)
-        Their positions [rectified pixels].
-    pixels : ndarray, shape (n, k, 2)
-        The same in the picture [pixel].
+    luma shape (height, width) [1]; angles: shape (n,), of the rays [rad]; offsets: shape (k,), from the circle, outwards
+    [pixel]; values: shape (n, k), nan outside the picture [1]; points: shape (n, k, 2), their positions [rectified pixels];
+    pixels: shape (n, k, 2), the same in the picture [pixel].
     """
     ndimage = need("scipy.ndimage", "track")
     away = circle.radius + offsets
@@ -78,22 +62,8 @@ def profile(luma: Bytes, camera: Camera, circle: Circle, angles: Floats, offsets
 def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, step: float = 0.5) -> Edges:
     """Find the steepest point on each ray near a circle.
 
-    Parameters
-    ----------
-    luma : ndarray, shape (height, width)
-        [1]
-    camera : Camera
-    circle : Circle
-    sign : {1, -1, 0}
-        1 if luma rises outwards, as at a dark hoop; 0 for edges of either sign.
-    reach : float
-        Maximum distance from the circle [pixel].
-    step : float, default 0.5
-        Between samples [pixel].
-
-    Returns
-    -------
-    edges : Edges
+    luma shape (height, width) [1]; sign: 1 if luma rises outwards, as at a dark hoop; 0 for edges of either sign; reach:
+    maximum distance from the circle [pixel]; step: between samples [pixel].
     """
     angles = (np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS
     apart = round(1.0 / step)
@@ -123,15 +93,7 @@ def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, 
 def estimate_shift(found: Edges, rng: np.random.Generator) -> tuple[float, float, float] | None:
     """Estimate the shift of the circle from the offsets on all rays, many of which may be outliers.
 
-    Parameters
-    ----------
-    found : Edges
-    rng : numpy.random.Generator
-
-    Returns
-    -------
-    x, y, share : float or None
-        The shift, and the share of rays that agree with it [pixel].
+    x, y, share: the shift, and the share of rays that agree with it [pixel].
     """
     count = len(found.angles)
     if count < 12:
@@ -163,26 +125,9 @@ def find_rim(
 ) -> Rim | None:
     """Find the rim near a circle.
 
-    Parameters
-    ----------
-    luma : ndarray, shape (height, width)
-        [1]
-    camera : Camera
-    circle : Circle
-        Start of the search.
-    sign : {1, -1}
-        1 for a dark hoop.
-    reach : float
-        Maximum distance from the circle [pixel].
-    expected : tuple of float or None
-        Radius and its error [pixel].
-    rng : numpy.random.Generator
-    lean : tuple of float
-        Displacement of the hoop per row of the rolling shutter [rectified pixels per row].
-
-    Returns
-    -------
-    rim : Rim or None
+    luma shape (height, width) [1]; circle: start of the search; sign: 1 for a dark hoop; reach: maximum distance from the
+    circle [pixel]; expected: radius and its error [pixel]; lean: displacement of the hoop per row of the rolling shutter
+    [rectified pixels per row].
     """
     if reach > 1.5 * CLOSE:
         shift = estimate_shift(edges(luma, camera, circle, sign, reach, step=1.0), rng)
@@ -208,18 +153,8 @@ def find_rim(
 def find_disc(luma: Bytes, camera: Camera, circle: Circle) -> tuple[float, float] | None:
     """Find the centre of a round patch by its outline in luma, which is finer than chroma.
 
-    Parameters
-    ----------
-    luma : ndarray, shape (height, width)
-        [1]
-    camera : Camera
-    circle : Circle
-        Position by its colour.
-
-    Returns
-    -------
-    x, y : float or None
-        None if the outline is not that of a disc [rectified pixels].
+    luma shape (height, width) [1]; circle: position by its colour; x, y: None if the outline is not that of a disc [rectified
+    pixels].
     """
     reach = min(max(2.0, 0.35 * circle.radius), 4.0)
     found = edges(luma, camera, circle, 0, reach)

@@ -13,15 +13,7 @@ NORMAL = 1.4826  # standard deviation of a normal distribution over its median a
 def spread(values: Floats) -> float:
     """Robust standard deviation of numbers.
 
-    Parameters
-    ----------
-    values : ndarray, shape (n,)
-        [1]
-
-    Returns
-    -------
-    sigma : float
-        In the unit of the values [1].
+    values shape (n,) [1]; sigma: in the unit of the values [1].
     """
     return NORMAL * float(np.median(np.abs(values - np.median(values))))
 
@@ -31,15 +23,8 @@ def third_differences(t: Floats, values: Floats) -> Floats:
 
     A smooth motion adds little to them, so their spread is that of a single value.
 
-    Parameters
-    ----------
-    t, values : ndarray, shape (n,)
-        Increasing times [s] and measured values, nan where missing [1].
-
-    Returns
-    -------
-    differences : ndarray, shape (m,)
-        Of all groups of four without nan, in the unit of the values [1].
+    t, values: shape (n,), increasing times [s] and measured values, nan where missing [1]; differences: shape (m,), of all
+    groups of four without nan, in the unit of the values [1].
     """
     if len(t) < 4:
         return np.zeros(0)

@@ -262,25 +262,8 @@ def track_of(
 ) -> Track:
     """Make a track from the known columns; the others are nan.
 
-    Parameters
-    ----------
-    t : ndarray, shape (n,)
-        Times [s].
-    columns : dict
-        By name in COLUMNS.
-    state : iterable of str, optional
-        By default from the known values of each row.
-    **others
-        Attributes of the track.
-
-    Returns
-    -------
-    track : Track
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than three rows, times do not increase, or no row has a value.
+    t: shape (n,), times [s]; columns: by name in COLUMNS; state: by default from the known values of each row; **others:
+    attributes of the track.
     """
     count = len(t)
     if count < 3:
@@ -314,20 +297,7 @@ def track_of(
 def track_from_dict(data: Any, name: str) -> Track:
     """Return the track that `Track.to_dict` wrote.
 
-    Parameters
-    ----------
-    data : dict
-    name : str
-        Name of the file, for messages.
-
-    Returns
-    -------
-    track : Track
-
-    Raises
-    ------
-    ValueError
-        If it is not such a track.
+    name: name of the file, for messages.
     """
     if not isinstance(data, dict) or data.get("schema") != SCHEMA:
         raise InputError(f"{name} is not a track of hophoop ({SCHEMA}).")

@@ -32,20 +32,7 @@ class Column(NamedTuple):
 def read_columns(text: str, name: str) -> list[Column]:
     """Read a table with tab, semicolon or comma between cells, and point or comma in numbers.
 
-    Parameters
-    ----------
-    text : str
-    name : str
-        Name of the file, for messages.
-
-    Returns
-    -------
-    columns : list of Column
-
-    Raises
-    ------
-    ValueError
-        If it is no such table.
+    name: name of the file, for messages.
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     while lines and lines[0].lstrip().startswith("#"):
@@ -145,24 +132,12 @@ TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "min": 60.0}
 
 
 def in_metres(column: Column, name: str) -> Floats:
-    """Values of a length [m].
-
-    Raises
-    ------
-    ValueError
-        If its unit is unknown.
-    """
+    """Values of a length [m]."""
     return _convert(column, LENGTHS, name)
 
 
 def in_seconds(column: Column, name: str) -> Floats:
-    """Values of a time [s].
-
-    Raises
-    ------
-    ValueError
-        If its unit is unknown.
-    """
+    """Values of a time [s]."""
     return _convert(column, TIMES, name)
 
 
@@ -176,27 +151,8 @@ def _convert(column: Column, units: dict[str, float], name: str) -> Floats:
 def in_radians(column: Column, t: Floats, omega: Column | None, unit: str | None, name: str) -> Floats:
     """Values of an angle; without a unit, the column of the angular velocity determines it [rad].
 
-    Parameters
-    ----------
-    column : Column
-    t : ndarray, shape (n,)
-        Times [s].
-    omega : Column or None
-        Angular velocity, with a unit or in rad/s [rad/s].
-    unit : {'rad', 'deg'} or None
-        Given unit.
-    name : str
-        Of the file.
-
-    Returns
-    -------
-    angle : ndarray, shape (n,)
-        Without jumps of 2π [rad].
-
-    Raises
-    ------
-    ValueError
-        If the unit is unknown.
+    t: shape (n,), times [s]; omega: angular velocity, with a unit or in rad/s [rad/s]; unit: given unit; name: of the file;
+    angle: shape (n,), without jumps of 2π [rad].
     """
     said = unit or column.unit.replace("°", "deg").replace("degrees", "deg").replace("radians", "rad")
     if said not in ("", "rad", "deg"):

@@ -47,25 +47,8 @@ class Picture:
 def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
     """Yield the frames of a video in the order of display, one in memory at a time.
 
-    Parameters
-    ----------
-    path : str or Path
-    rate : float, optional
-        Frames per second as taken, if the file's own times are wrong, such as in slow motion [Hz].
-
-    Yields
-    ------
-    picture : Picture
-        Its time is the file's, relative to the first frame.
-
-    Raises
-    ------
-    ValueError
-        If the file is no readable video, or its frames have no times.
-    OSError
-        If the file cannot be opened.
-    ImportError
-        If PyAV is missing.
+    rate: frames per second as taken, if the file's own times are wrong, such as in slow motion [Hz]; picture: its time is the
+    file's, relative to the first frame.
     """
     av = need("av", "track")
     file = Path(path)
@@ -131,23 +114,7 @@ def _plane(plane: Any) -> Bytes:
 def count(path: str | Path) -> int | None:
     """Number of frames by the header of a video.
 
-    Parameters
-    ----------
-    path : str or Path
-
-    Returns
-    -------
-    frames : int or None
-        None if the header has none [1].
-
-    Raises
-    ------
-    ValueError
-        If the file is no readable video.
-    OSError
-        If the file cannot be opened.
-    ImportError
-        If PyAV is missing.
+    frames: None if the header has none [1].
     """
     av = need("av", "track")
     file = Path(path)
@@ -173,27 +140,9 @@ def sample_pictures(
 ) -> list[tuple[Picture, Picture | None]]:
     """Return pictures spread evenly over a video, in memory that does not grow with its length.
 
-    Parameters
-    ----------
-    path : str or Path
-    rate : float, optional
-        As in `pictures` [Hz].
-    most_bytes : float, default 2e8
-        Maximum memory, unless `fewest` pictures take more [1].
-    fewest, most : int, default 8 and 16
-        There are from `fewest` to twice `most` pictures; all if the video has fewer [1].
-
-    Returns
-    -------
-    pictures : list of (Picture, Picture or None)
-        The first one and every n-th after it, each with the next picture.
-
-    Raises
-    ------
-    ValueError
-        If the file is no readable video, or has fewer than three frames.
-    OSError
-        If the file cannot be opened.
+    rate: as in `pictures` [Hz]; most_bytes: maximum memory, unless `fewest` pictures take more [1]; fewest, most: there are
+    from `fewest` to twice `most` pictures; all if the video has fewer [1]; pictures: the first one and every n-th after it,
+    each with the next picture.
     """
     result: list[_Sample] = []
     stride, limit, seen = 1, 2 * most, 0
@@ -217,14 +166,7 @@ def sample_pictures(
 def rgb(picture: Picture) -> Bytes:
     """Convert a picture to RGB.
 
-    Parameters
-    ----------
-    picture : Picture
-
-    Returns
-    -------
-    rgb : ndarray, shape (height, width, 3)
-        Red, green and blue [1].
+    rgb: shape (height, width, 3), red, green and blue [1].
     """
     luma = (picture.luma.astype(np.float32) - 16) * 1.164
     tall, wide = luma.shape
@@ -266,25 +208,7 @@ class Writer:
 def open_writer(path: Path, size: tuple[int, int], every: int | None = None) -> Iterator[Writer]:
     """Open a film for writing; it appears whole or not at all.
 
-    Parameters
-    ----------
-    path : Path
-        Ends in .mp4.
-    size : tuple of int
-        Width and height [pixel].
-    every : int, optional
-        Frames between key frames, for players that seek [1].
-
-    Yields
-    ------
-    writer : Writer
-
-    Raises
-    ------
-    OSError
-        If the file cannot be written.
-    ImportError
-        If PyAV is missing.
+    path: ends in .mp4; size: width and height [pixel]; every: frames between key frames, for players that seek [1].
     """
     av = need("av", "track")
     with replacing(path) as fresh, av.open(str(fresh), "w", format="mp4") as box:
@@ -296,19 +220,7 @@ def open_writer(path: Path, size: tuple[int, int], every: int | None = None) -> 
 def jpeg(colours: Bytes) -> bytes:
     """Encode a picture as JPEG.
 
-    Parameters
-    ----------
-    colours : ndarray, shape (height, width, 3)
-        Red, green and blue [1].
-
-    Returns
-    -------
-    file : bytes
-
-    Raises
-    ------
-    ImportError
-        If PyAV is missing.
+    colours: shape (height, width, 3), red, green and blue [1].
     """
     av = need("av", "track")
     coder = av.CodecContext.create("mjpeg", "w")

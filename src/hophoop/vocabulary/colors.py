@@ -52,15 +52,7 @@ LEAST_LIGHTNESS: Final = 0.48
 def lightness(color: str) -> float:
     """Return the perceived lightness of a colour.
 
-    Parameters
-    ----------
-    color : str
-        As ``#RRGGBB``.
-
-    Returns
-    -------
-    lightness : float
-        From 0 to 1 [1].
+    color: as ``#RRGGBB``; lightness: from 0 to 1 [1].
     """
     parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
     return (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]) / 255.0
@@ -93,20 +85,8 @@ def on_dark(color: str) -> str:
 def mode_color(word: str) -> str:
     """Return the colour of a mode.
 
-    Parameters
-    ----------
-    word : str
-        roll, spin, skid, flight or skim, as `modes.mode_word` returns it: the colour follows the word, not the letter.
-
-    Returns
-    -------
-    color : str
-        As ``#RRGGBB``.
-
-    Raises
-    ------
-    ValueError
-        If there is no such mode.
+    word: roll, spin, skid, flight or skim, as `modes.mode_word` returns it: the colour follows the word, not the letter; color:
+    as ``#RRGGBB``.
     """
     if word not in MODES:
         raise InputError.of_field("word", word, f"one of {', '.join(MODES)}")

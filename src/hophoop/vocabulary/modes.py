@@ -135,16 +135,7 @@ def mode_word(letter: str, omega: float) -> str:
 def mode_words(letters: ArrayLike, omega: ArrayLike) -> NDArray[np.str_]:
     """Return the words for modes at angular velocities, each as `mode_word` gives it.
 
-    Parameters
-    ----------
-    letters : array_like of str
-        R, S, K, H or M; any other stays as it is.
-    omega : array_like
-        θ̇ [rad/s].
-
-    Returns
-    -------
-    words : ndarray of str
+    letters: R, S, K, H or M; any other stays as it is; omega: θ̇ [rad/s].
     """
     signs, rate = np.broadcast_arrays(np.asarray(letters), np.asarray(omega, dtype=float))
     words = signs.astype("U6")
@@ -158,15 +149,7 @@ def mode_words(letters: ArrayLike, omega: ArrayLike) -> NDArray[np.str_]:
 def coming_rotation(omega: ArrayLike) -> NDArray[np.float64]:
     """Return directions of rotation in order of time; a zero takes the direction of the next value that is not zero.
 
-    Parameters
-    ----------
-    omega : array_like, shape (n,)
-        θ̇ [rad/s].
-
-    Returns
-    -------
-    direction : ndarray, shape (n,)
-        −1, 0 or 1 [1]; zeros at the end take the last direction.
+    omega: shape (n,), θ̇ [rad/s]; direction: shape (n,), −1, 0 or 1 [1]; zeros at the end take the last direction.
     """
     sign: NDArray[np.float64] = np.sign(np.nan_to_num(np.asarray(omega, dtype=float)))
     turning = np.flatnonzero(sign)

@@ -35,29 +35,14 @@ class Range(NamedTuple):
     def holds(self, value: float) -> bool:
         """Whether a value is allowed.
 
-        Parameters
-        ----------
-        value : float
-            In the number's SI unit.
-
-        Returns
-        -------
-        allowed : bool
+        value: in the number's SI unit.
         """
         return self.least <= value <= self.most or value in self.also
 
     def words(self, unit: str = "") -> str:
         """The range in words.
 
-        Parameters
-        ----------
-        unit : str, default ''
-            Of its numbers; "1" for a pure number.
-
-        Returns
-        -------
-        words : str
-            Such as '0 or from 1e-06 to 1e+06 m/s²'.
+        unit: of its numbers; "1" for a pure number; words: such as '0 or from 1e-06 to 1e+06 m/s²'.
         """
         span = f"from {self.least:g} to {self.most:g}" + (f" {unit}" if unit not in ("", "1") else "")
         zero = "0 or " if 0.0 in self.also else ""

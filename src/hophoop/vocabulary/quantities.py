@@ -113,14 +113,7 @@ EVENT_UNITS: Final = {
 def sizes(scales: Scales) -> dict[str, float]:
     """Return the kernel units in SI units, by quantity.
 
-    Parameters
-    ----------
-    scales : Scales
-
-    Returns
-    -------
-    sizes : dict of float
-        Of all quantities that are numbers.
+    sizes: of all quantities that are numbers.
     """
     units = {**scales._asdict(), "angle": 1.0}
     return {name: units[quantity.scale] for name, quantity in QUANTITIES.items() if quantity.scale != PURE}
