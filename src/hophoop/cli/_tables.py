@@ -61,8 +61,6 @@ def print_table(
     *,
     right: Collection[str] = (),
     wrap: Collection[str] = (),
-    widths: dict[str, int] | None = None,
-    name: str | None = None,
 ) -> None:
     """Print a table that fits, and name the columns that are left out for it; the rest is as in `table_of`.
 
@@ -76,7 +74,7 @@ def print_table(
     while True:
         kept = [k for k, title in enumerate(titles) if title not in missing]
         shown = [[row[k] for k in kept] for row in cells]
-        table = table_of([titles[k] for k in kept], shown, right=right, wrap=wrap, widths=widths, name=name)
+        table = table_of([titles[k] for k in kept], shown, right=right, wrap=wrap)
         if _least_width(table, console) <= console.width or not left_out:
             break
         missing.append(left_out.pop(0))
