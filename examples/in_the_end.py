@@ -1,6 +1,7 @@
 """What becomes of a hoop in the end: return maps, the diagram over the slope, branches of gaits, and slip that dies away.
 
-Usage: python examples/in_the_end.py [FOLDER]   (default: docs/figures; about two minutes)
+Usage: python examples/in_the_end.py [FOLDER]      (default: docs/figures; about two minutes)
+       python examples/in_the_end.py --runaway     (the slopes from which fast motion grows; about six minutes)
 """
 
 from __future__ import annotations
@@ -17,6 +18,9 @@ from hophoop.plots import colors
 
 HOOP = hh.Hoop.ideal(0.75)
 SLOPES = (0.5, 1.0, 1.15, 2.0, 4.0, 10.0)  # degrees
+
+FALL = 3.5  # height of the centre of gravity from which a fall is followed [R]; above 2, where the rim reaches the plane
+BATCHES = 50
 
 
 def on_slope(degrees: float, hoop: hh.Hoop = HOOP, **plane: float) -> hh.Scenario:
@@ -88,7 +92,7 @@ def gears() -> None:
 def slip(folder: Path) -> None:
     """How slip dies away on the level, next to the derived law."""
     plane = hh.Plane(gravity=1.0)
-    decay = hh.gaits.slip_decay(HOOP, plane)
+    decay = hh.theory.slip_decay(HOOP, plane)
     figure, ax = plt.subplots(figsize=(7.2, 3.8), layout="constrained")
     for first, color in ((0.3, colors.SERIES[0]), (0.03, colors.SERIES[1]), (0.003, colors.SERIES[2])):
         start = hh.Start.rolling(decay.omega + first, angle=math.pi)
@@ -122,6 +126,82 @@ def real_hoop() -> None:
         print(f"{math.degrees(one.parameter):.6f}° {one.kind} {one.event} {one.multipliers}")
 
 
+# Fast motion down a slope, as in docs/gaits.md: a flight, and then a contact without gravity, from a random angle.
+
+
+def passage(hoop: hh.Hoop, slope: float, bare: hh.Plane, velocities: np.ndarray, angle: float) -> np.ndarray:
+    """Velocities with which the hoop leaves the plane next, from those of a take-off: ẋ, ẏ of the centre of gravity, and θ̇.
+
+    `bare` is the plane without gravity, and the angle that at which the centre of gravity falls past the height FALL; R is 1.
+    """
+    eps = hoop.eccentricity
+    along, away, omega = velocities
+    along, away = along + 2.0 * away * math.tan(slope), -away
+    height = min(FALL, 1.0 + eps + abs(away))  # the rim reaches the plane below 1 + ε
+    if height < FALL:
+        angle = math.remainder(angle + omega * (FALL - height) / abs(away), 2.0 * math.pi)
+    start = hh.Start(
+        height=height - eps * math.cos(angle) - 1.0,
+        angle=angle,
+        vx=along - eps * omega * math.cos(angle),
+        vy=away + eps * omega * math.sin(angle),
+        omega=omega,
+    )
+    for duration in 50.0 * 10.0 ** np.arange(6):
+        motion = hh.simulate(hh.Scenario(hoop=hoop, plane=bare, start=start, duration=float(duration)))
+        if motion.status != "completed":
+            break
+        end = motion.events[-1]
+        away = end.vy - eps * end.omega * math.sin(end.angle)
+        if away > 0.0 and end.height + eps * math.cos(end.angle) > eps:  # nothing brings it back but gravity
+            return np.array([end.vx + eps * end.omega * math.cos(end.angle), away, end.omega])
+    raise ValueError(f"Fast motion on this plane ends with {motion.status}, so it has no growth.")
+
+
+def growth(hoop: hh.Hoop, plane: hh.Plane, slope: float, flights: int, seed: int) -> tuple[float, float]:
+    """Mean of the logarithm of speed over speed, a flight, and its standard error; gravity does not matter."""
+    hoop = hh.Hoop(radius=1.0, mass=1.0, eccentricity=hoop.eccentricity, inertia_ratio=hoop.inertia_ratio)
+    bare = hh.Plane.model_validate({**plane.model_dump(exclude={"mu"}), "slope": slope, "gravity": 0.0})
+    weights = np.array([1.0, 1.0, hoop.inertia_ratio])
+    velocities, settling = np.array([1.0, 0.3, 1.0]), flights // 50
+    logarithms = []
+    for angle in np.random.default_rng(seed).uniform(0.0, 2.0 * math.pi, flights + settling):
+        found = passage(hoop, slope, bare, velocities, float(angle))
+        speed = math.sqrt(weights @ found**2)
+        logarithms.append(math.log(speed / math.sqrt(weights @ velocities**2)))
+        velocities = found / speed
+    batches = [batch.mean() for batch in np.array_split(logarithms[settling:], BATCHES)]
+    return float(np.mean(logarithms[settling:])), float(np.std(batches, ddof=1) / math.sqrt(BATCHES))
+
+
+def critical_slope(hoop: hh.Hoop, plane: hh.Plane, flights: int, seed: int) -> tuple[float, float]:
+    """The slope from which fast motion grows, and its standard error [rad]: the root of a parabola through eight rates."""
+    low, high, middle = 0.0, 0.5 * math.pi, 0.25 * math.pi * hoop.eccentricity
+    for _ in range(12):
+        rate, error = growth(hoop, plane, middle, 2_000, seed)
+        if abs(rate) < 2.0 * error:
+            break
+        low, high = (low, middle) if rate > 0.0 else (middle, high)
+        middle = 0.5 * (low + high)
+    away = 0.03 * middle * np.linspace(-1.0, 1.0, 8)
+    rates, errors = np.transpose([growth(hoop, plane, middle + off, flights // 8, seed + 1 + k) for k, off in enumerate(away)])
+    parabola, covariance = np.polyfit(away, rates, 2, w=1.0 / errors, cov="unscaled")
+    scatter = float(np.sum(((rates - np.polyval(parabola, away)) / errors) ** 2)) / (len(away) - 3)
+    root = float(min(np.roots(parabola), key=abs).real)
+    powers = np.array([root * root, root, 1.0])
+    error = math.sqrt(powers @ covariance @ powers * max(1.0, scatter)) / abs(np.polyval(np.polyder(parabola), root))
+    return middle + root, error
+
+
+def runaway() -> None:
+    """The table of slopes from which the hoop runs away."""
+    cases = [(gamma, hh.Plane()) for gamma in (0.05, 0.1, 0.25, 0.5, 0.75)]
+    for gamma, plane in [*cases, (0.5, hh.Plane(mu=0.5)), (0.5, hh.Plane(restitution=0.5))]:
+        found = [critical_slope(hh.Hoop.ideal(gamma), plane, 200_000, seed) for seed in (7, 23)]
+        cells = " | ".join(f"{math.degrees(slope):.3f}° ± {math.degrees(error):.3f}°" for slope, error in found)
+        print(f"| {gamma}, μ = {plane.mu_kinetic:g}, e = {plane.restitution:g} | {cells} |", flush=True)
+
+
 def save(figure: plt.Figure, path: Path) -> None:
     """Without a date, so that the same numbers give the same file."""
     figure.savefig(path, metadata={"Date": None})
@@ -143,4 +223,9 @@ def main(folder: Path) -> None:
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", type=Path, default=Path(__file__).parent.parent / "docs" / "figures")
-    main(parser.parse_args().folder)
+    parser.add_argument("--runaway", action="store_true")
+    given = parser.parse_args()
+    if given.runaway:
+        runaway()
+    else:
+        main(given.folder)

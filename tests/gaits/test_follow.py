@@ -219,43 +219,6 @@ def test_gaits_that_never_roll_are_followed():
     assert float(settled.omega[-1]) == pytest.approx(rolling.state.omega, rel=1e-9)
 
 
-@pytest.mark.parametrize("load", [0.74, 0.76])
-def test_border_collisions_in_a_second_parameter(branch, load):
-    """Against the branch over the slope of a hoop with the other load."""
-    there = first(1.0, 3.408, gamma=load).follow("plane.slope", (math.radians(0.1), math.radians(2.0)))
-    found, expected = of_kind(branch, "border collision"), of_kind(there, "border collision")
-    assert len(found) == len(expected) == 4
-    for one, other in zip(found, expected, strict=True):
-        curve = one.follow("hoop.load_fraction", (min(0.75, load), max(0.75, load)), 4)
-        ends = curve[-1] if load > 0.75 else curve[0]
-        assert ends == pytest.approx([load, other.parameter, other.omega], rel=2e-9)
-
-
-def test_the_top_of_the_hill_in_a_second_parameter():
-    """It ends where rolling would also begin to slip: there the last gaits have another sequence."""
-    gait = next(one for one in hh.gaits.find(scenario(15.2), 2, near=3.14) if one.stable)
-    top = gait.follow("plane.slope", (math.radians(15.0), math.radians(15.3))).special[0]
-    curve = top.follow("hoop.load_fraction", (0.749, 0.758), 18)
-    assert curve[:, 0] == pytest.approx(np.linspace(0.749, 0.754, 11))
-    case = gait.scenario.replace("hoop.load_fraction", 0.752).replace("plane.slope", float(curve[6, 1]) + 1e-8)
-    near = hh.gaits.find(case, 2, near=float(curve[6, 2]))
-    slowest = [margin.value for one in near for margin in one.margins if margin.boundary == "turns back"]
-    assert 0.0 < min(slowest) < 6e-4
-    case = case.replace("plane.slope", float(curve[6, 1]) - 1e-8)
-    with pytest.raises(ValueError, match="No gait of period 2 was found"):
-        hh.gaits.find(case, 2, near=float(curve[6, 2]))
-
-
-def test_where_a_doubled_gait_joins_in_a_second_parameter(branch):
-    """It is born in a border collision of the shorter one, and so both curves are the same."""
-    corner = of_kind(branch, "border collision")[-1]
-    doubled = corner.switch().follow("plane.slope", (math.radians(1.0), math.radians(1.3)))
-    curves = [
-        one.follow("hoop.load_fraction", (0.745, 0.755), 2) for one in (of_kind(doubled, "joins a shorter period")[0], corner)
-    ]
-    assert curves[0] == pytest.approx(curves[1], rel=2e-6)
-
-
 def test_mirror():
     ahead = first(1.0, 3.408).follow("plane.slope", (math.radians(0.8), math.radians(1.3)))
     back = hh.gaits.find(scenario(-1.0), near=-3.408)[0].follow("plane.slope", (math.radians(-1.3), math.radians(-0.8)))
@@ -310,11 +273,11 @@ def test_refusals(path, bounds, message):
 
 
 def test_refusals_of_special_points(branch):
-    corner = of_kind(branch, "border collision")[-1]
-    with pytest.raises(ValueError, match="kind = 'limit of the range' must be a special point of the branch itself"):
-        of_kind(branch, "limit of the range")[0].follow("hoop.load_fraction", (0.7, 0.8))
+    for kind in ("limit of the range", "border collision"):
+        with pytest.raises(ValueError, match=f"kind = '{kind}' must be one of fold, period doubling"):
+            of_kind(branch, kind)[0].follow("hoop.load_fraction", (0.7, 0.8))
     with pytest.raises(ValueError, match=r"points = 1 must be an integer from 2"):
-        corner.follow("hoop.load_fraction", (0.7, 0.8), 1)
+        of_kind(branch, "fold")[0].follow("hoop.load_fraction", (0.7, 0.8), 1)
     with pytest.raises(ValueError, match=r"path = 'plane\.slope' must be a parameter other than"):
         of_kind(branch, "fold")[0].follow("plane.slope", (0.7, 0.8))
     with pytest.raises(ValueError, match="bounds = 3 must be two numbers"):

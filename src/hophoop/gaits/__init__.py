@@ -5,10 +5,8 @@ from hophoop.gaits.computing import Judgement, fates, passages
 from hophoop.gaits.diagram import Attractor, Diagram, diagram
 from hophoop.gaits.finding import find
 from hophoop.gaits.gait import Gait
-from hophoop.gaits.level import SlipDecay, slip_decay
 from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.gaits.return_map import MapEnd, MapPiece, ReturnMap, return_map
-from hophoop.gaits.runaway import Growth, Runaway, growth, runaway
 from hophoop.gaits.section import SectionDerivative, derivative
 from hophoop.gaits.special import Special
 from hophoop.vocabulary.fates import Fate
@@ -33,10 +31,4 @@ __all__ = [
     "Lyapunov",
     "Judgement",
     "Fate",
-    "growth",
-    "Growth",
-    "runaway",
-    "Runaway",
-    "slip_decay",
-    "SlipDecay",
 ]

@@ -1,19 +1,17 @@
-"""Special points of branches in a second parameter, and gaits of twice the period."""
+"""Folds and period doublings in a second parameter, and gaits of twice the period."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
-from hophoop.gaits.borders import border_near, border_of
 from hophoop.gaits.continuation import JOINED
 from hophoop.gaits.equation import GaitEquation, Pair, bounds_around, value_of
 from hophoop.gaits.finding import LONGEST
-from hophoop.gaits.special import DOUBLING, FOLD, LIMIT
+from hophoop.gaits.special import DOUBLING, FOLD
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
@@ -29,9 +27,9 @@ NEARBY = 0.1  # in the same units: within it a doubled gait is looked for
 
 
 def follow_special(special: Special, path: str, bounds: tuple[float, float], points: int) -> NDArray[np.float64]:
-    """Follow a special point in a second parameter; `Special.follow` calls this and describes it."""
-    if special.kind == LIMIT:
-        raise InputError.of_field("kind", special.kind, "a special point of the branch itself, for it to be followed")
+    """Follow a fold or a period doubling in a second parameter; `Special.follow` calls this and describes it."""
+    if special.kind not in CRITICAL:
+        raise InputError.of_field("kind", special.kind, f"one of {', '.join(CRITICAL)}, to be followed in a second parameter")
     check_whole("points", points, 2, MOST_POINTS)
     one = special.equation
     if path == one.path:
@@ -48,46 +46,22 @@ def follow_special(special: Special, path: str, bounds: tuple[float, float], poi
 
 def _half(special: Special, path: str, values: NDArray[np.float64]) -> list[tuple[float, float, float]]:
     """Return the rows of one direction, as far as the point is found."""
-    one, locate = special.equation, _locator(special)
+    one, critical = special.equation, CRITICAL[special.kind]
     found: list[tuple[float, float, float]] = []
     known = [(value_of(special.gait.scenario, path), special.place)]
     for value in values.tolist():
         while known[-1][0] != value:
             target, share = value, 1.0
-            place = None
-            while place is None and share > SMALLEST:
+            solution = None
+            while solution is None and share > SMALLEST:
                 target = value if share == 1.0 else known[-1][0] + share * (value - known[-1][0])
-                place = locate(one.of(path, target), _extrapolated(known, target))
+                solution = one.of(path, target).solve_with(_extrapolated(known, target), critical)
                 share *= 0.5
-            if place is None:
+            if solution is None:
                 return found
-            known.append((target, place))
+            known.append((target, solution[0]))
         found.append((value, one.parameter(known[-1][1]), one.omega(known[-1][1])))
     return found
-
-
-def _locator(special: Special) -> Callable[[GaitEquation, Pair], Pair | None]:
-    """Return the function that finds the point of an equation near a place, or None."""
-    critical = CRITICAL.get(special.kind)
-    if critical is not None:
-
-        def with_multiplier(equation: GaitEquation, guess: Pair) -> Pair | None:
-            solution = equation.solve_with(guess, critical)
-            return None if solution is None else solution[0]
-
-        return with_multiplier
-    border = border_of(special)
-    if border is None:
-        raise InputError(f"Next to the point at {special.equation.path} = {special.parameter:.9g} no gait was found.")
-
-    def at_border(equation: GaitEquation, guess: Pair) -> Pair | None:
-        nonlocal border
-        assert border is not None
-        found = border_near(equation, border, guess)
-        border = found or border
-        return None if found is None else found.place
-
-    return at_border
 
 
 def _extrapolated(known: list[tuple[float, Pair]], value: float) -> Pair:
@@ -100,21 +74,7 @@ def _extrapolated(known: list[tuple[float, Pair]], value: float) -> Pair:
 
 
 def doubled(special: Special) -> Gait:
-    """Return a gait of twice the period next to a special point; `Special.switch` calls this.
-
-    Parameters
-    ----------
-    special : Special
-
-    Returns
-    -------
-    gait : Gait
-
-    Raises
-    ------
-    ValueError
-        If none is found near the point, or its period would be above 64.
-    """
+    """Return a gait of twice the period next to a special point; `Special.switch` calls and describes this."""
     one = special.equation
     period = 2 * one.period
     if period > LONGEST:

@@ -1,7 +1,7 @@
 """A gait with many digits: the solver of `simulate(digits=...)` over a period, which shares nothing with the kernel.
 
-Newton's method leads to the point of the section that comes back. Its derivative is the kernel's, right to about 11 digits: each
-step adds as many. At the bottom the section is θ = π with all digits, not the double next to it.
+Newton's method leads to the point of the section that comes back. Its derivative is the kernel's, right to about 11 digits: so
+many are added by each step. At the bottom the section is θ = π with all digits, not the double next to it.
 """
 
 from __future__ import annotations
@@ -143,9 +143,8 @@ def _to_landing(gait: Gait, problem: Problem, digits: int) -> tuple[Solution, Re
     """Return the motion up to just after the landing that ends the period, and the event of this landing."""
     t = gait.time / time_unit(gait.scenario.hoop, gait.scenario.plane)
     solution = solve_problem(problem, digits + SPARE, until=t + BEYOND)
-    landings = [
-        one for one in solution.records if one.kind == Event.BOUNCE_LIMIT or (one.kind == Event.IMPACT and one.collision)
-    ]
+    kinds = {Event.IMPACT, Event.BOUNCE_LIMIT}
+    landings = [one for one in solution.records if one.kind in kinds and one.collision is not False]
     if len(landings) < gait.period:
         raise InputError(f"In {digits} digits the motion does not come back to the section.")
     return solution, landings[gait.period - 1]

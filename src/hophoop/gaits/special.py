@@ -50,9 +50,7 @@ class Special(NamedTuple):
     place: Pair
 
     def follow(self, path: str, bounds: tuple[float, float], points: int = 40) -> NDArray[np.float64]:
-        """Follow the point in a second parameter.
-
-        A border collision, top or end is followed as the end of the gaits on one side of it, whose phases stay the same.
+        """Follow a fold or a period doubling in a second parameter.
 
         Parameters
         ----------
@@ -72,7 +70,7 @@ class Special(NamedTuple):
         Raises
         ------
         ValueError
-            If it is the limit of a range, or an argument is not allowed.
+            If it is a point of another kind, or an argument is not allowed.
         """
         from hophoop.gaits.curves import follow_special
 
@@ -89,7 +87,7 @@ class Special(NamedTuple):
         Raises
         ------
         ValueError
-            If none is found near the point.
+            If none is found near the point, or its period would be above 64.
         """
         from hophoop.gaits.curves import doubled
 

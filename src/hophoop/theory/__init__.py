@@ -39,6 +39,7 @@ from hophoop.theory.rolling import (
     rolling_speed,
     rolling_time,
 )
+from hophoop.theory.slip_decay import SlipDecay, slip_decay
 from hophoop.theory.summary import Quantity, summary
 
 __all__ = [
@@ -58,6 +59,7 @@ __all__ = [
     "immediate_hop_speed",
     "slip_angle",
     "hop_angle",
+    "slip_decay",
     "mode_of",
     "rolling_range",
     "lift_off_speed",
@@ -74,6 +76,7 @@ __all__ = [
     "Energies",
     "NeededFriction",
     "CriticalSpeeds",
+    "SlipDecay",
     "RollingRange",
     "PainleveMinimum",
     "JamState",

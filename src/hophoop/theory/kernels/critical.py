@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.arcs import arctangent
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT
@@ -25,26 +26,29 @@ TRIALS = 32  # speeds at which the outcome is looked at before the lowest change
 EVENTS = 4096
 
 
+@apart
+def first_slip(body, scratch):
+    """Speed at θ = 0 from which on rolling slips, with the angle and the side of the cone; (0, nan, side) from any push on."""
+    best, where, edge = math.inf, math.nan, 1.0
+    if math.isinf(body.mu_s):
+        return best, where, edge
+    end = math.pi if body.gt == 0.0 else TURN  # on the level both halves of a turn are alike
+    for side in (1.0, -1.0):
+        angle, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
+        if angle >= arctangent(body.mu_s):
+            return 0.0, math.nan, side
+        # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.
+        _, place = highest(SPEED_ANGLE, body, 0.0, 0.0, end, side, scratch)
+        steady, rate = cone_margin_line(body, place, side)
+        if rate < 0.0 and math.sqrt(max(steady, 0.0) / -rate) < best:
+            best, where, edge = math.sqrt(max(steady, 0.0) / -rate), place, side
+    return best, where, edge
+
+
 def slip_speeds(bodies, out):
     scratch = new_scratch()
     for k in range(out.shape[0]):
-        body = body_of(bodies[k])
-        if math.isinf(body.mu_s):
-            out[k] = math.inf
-            continue
-        end = math.pi if body.gt == 0.0 else TURN  # on the level both halves of a turn are alike
-        best = math.inf
-        for side in (1.0, -1.0):
-            angle, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
-            if angle >= arctangent(body.mu_s):
-                best = 0.0  # even the smallest push
-                break
-            # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.
-            _, place = highest(SPEED_ANGLE, body, 0.0, 0.0, end, side, scratch)
-            steady, rate = cone_margin_line(body, place, side)
-            if rate < 0.0:
-                best = min(best, math.sqrt(max(steady, 0.0) / -rate))
-        out[k] = best
+        out[k] = first_slip(body_of(bodies[k]), scratch)[0]
 
 
 def hop_speed(body, turns):

@@ -1,6 +1,6 @@
 """How slip dies away on the level: a little above the first slip each revolution loses the square of the excess.
 
-Near the angle where rolling first needs all friction, the force that is wanting grows from 0 to its most and back to 0: a
+Near the angle where rolling first needs all friction, the force that is missing grows from 0 to its maximum and back to 0: a
 parabola of the time, f(τ) = B(a² − τ²)/2 between τ = −a and a, with a² proportional to the excess of v². The slip velocity
 grows with C f and ends at τ = 2a: it is C B (τ + a)² (2a − τ)/6. Friction μN over it loses 9/8 μ N C B a⁴, the square of
 the excess. On the level there are two such angles a revolution, which mirror each other.
@@ -17,12 +17,13 @@ from numpy.polynomial import Chebyshev
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.contact import delassus, inertia_at_height, rolling_forces
+from hophoop.kernel.records.scratch import new_scratch
 from hophoop.results.units import Units
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
+from hophoop.theory.kernels.critical import first_slip
 from hophoop.theory.kernels.extrema import cone_margin_line
 
-ANGLES = 2_000  # of half a revolution, among which the first slip is looked for
-WINDOW, DEGREE = 0.02, 12  # rad to either side of the place found, and the degree of the polynomial there
+WINDOW, DEGREE = 0.02, 12  # rad to either side of the first slip, and the degree of the polynomial there
 
 
 class SlipDecay(NamedTuple):
@@ -40,7 +41,7 @@ class SlipDecay(NamedTuple):
     rate: float
 
     def excess(self, first: float, revolutions: int) -> float:
-        """Return what is left of an excess.
+        """Return the rest of an excess.
 
         Parameters
         ----------
@@ -77,7 +78,7 @@ def slip_decay(hoop: Hoop, plane: Plane = Plane()) -> SlipDecay:
     Examples
     --------
     >>> import hophoop as hh
-    >>> decay = hh.gaits.slip_decay(hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0))
+    >>> decay = hh.theory.slip_decay(hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0))
     >>> round(decay.omega, 9), round(decay.rate, 9)
     (2.996462703, 0.266172286)
     """
@@ -89,7 +90,10 @@ def slip_decay(hoop: Hoop, plane: Plane = Plane()) -> SlipDecay:
     body = scenario.to_body()
     if not (body.eps > 0.0 and body.kap > 0.0 and 0.0 < body.mu_s < math.inf):
         raise InputError("a hoop that slips at some speed needs hoop.load_fraction above 0 and below 1, and finite friction.")
-    angle, side, squared, curvature = _first_slip(body)
+    speed, angle, side = first_slip(body, new_scratch())
+    if not 0.0 < speed < math.inf:
+        raise InputError("this hoop begins to slip at no speed above 0: it slips from the smallest push on, or never.")
+    squared = speed * speed
     s, c = sine_cosine(angle, 0.0)
     bottom = inertia_at_height(body, 0.0)
     energy_rate = 0.5 * inertia_at_height(body, 2.0)  # of v² at the top
@@ -100,34 +104,22 @@ def slip_decay(hoop: Hoop, plane: Plane = Plane()) -> SlipDecay:
     if not stiffness > 0.0:
         raise InputError(f"plane.mu = {plane.mu_kinetic!r} must be less: the first slip of this hoop meets Painlevé's paradox.")
     freedom = (along * away - mixed * mixed) / stiffness
-    wanting = -math.sqrt(1.0 + body.mu_s**2) * cone_margin_line(body, angle, side)[1]
-    lost = 2.0 * 4.5 * body.mu_k * normal * freedom * wanting / (u * curvature)  # by the square of the excess of v²
+    missing = -math.sqrt(1.0 + body.mu_s**2) * cone_margin_line(body, angle, side)[1]
+    lost = 2.0 * 4.5 * body.mu_k * normal * freedom * missing / (u * _curvature(body, angle, side))  # by (excess of v²)²
     omega = math.sqrt((inertia_at_height(body, 2.0) * squared + 4.0 * body.eps * body.gn) / bottom)
     rate = lost * (bottom * omega / energy_rate) ** 2 / (bottom * omega)
     unit = Units.of_scenario(scenario).of("omega")
     return SlipDecay(omega * unit, rate / unit)
 
 
-def _first_slip(body: Body) -> tuple[float, float, float, float]:
-    """Return angle, side of the friction cone, v² at the top, and its second derivative over the angle, where slip begins."""
-    angles = np.linspace(0.0, math.pi, ANGLES + 1)[1:-1]
-    speeds = {side: [_squared_speed(body, th, side) for th in angles] for side in (1.0, -1.0)}
-    side = min(speeds, key=lambda one: min(speeds[one]))
-    place = int(np.argmin(speeds[side]))
-    if not 0.0 < speeds[side][place] < math.inf:
-        raise InputError("this hoop begins to slip at no speed above 0: it slips from the smallest push on, or never.")
+def _curvature(body: Body, angle: float, side: float) -> float:
+    """Return the second derivative over θ of the v² at the top with which rolling needs all friction, near its minimum."""
+
+    def squared_speed(th: float) -> float:
+        steady, rate = cone_margin_line(body, th, side)
+        return -steady / rate
+
     near = Chebyshev.interpolate(
-        lambda ths: np.array([_squared_speed(body, th, side) for th in ths]),
-        DEGREE,
-        (angles[place] - WINDOW, angles[place] + WINDOW),
+        lambda ths: np.array([squared_speed(th) for th in ths]), DEGREE, (angle - WINDOW, angle + WINDOW)
     )
-    slopes = near.deriv().roots()
-    flat = slopes.real[(abs(slopes.imag) < 1e-12) & (abs(slopes.real - angles[place]) < WINDOW)]
-    angle = float(flat[np.argmin(near(flat))])
-    return angle, side, float(near(angle)), float(near.deriv(2)(angle))
-
-
-def _squared_speed(body: Body, angle: float, side: float) -> float:
-    """Return the square of the speed at the top with which rolling needs all friction at an angle; inf if none does."""
-    steady, rate = cone_margin_line(body, angle, side)
-    return -steady / rate if rate < 0.0 else math.inf
+    return float(near.deriv(2)(angle))

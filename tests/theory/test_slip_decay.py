@@ -17,7 +17,7 @@ def passages(hoop, plane, omega, count):
 def test_a_revolution_loses_the_square_of_the_excess(gamma, mu):
     """The differences from the law shrink with the excess: they are of the next order."""
     hoop, plane = hh.Hoop.ideal(gamma), hh.Plane(mu=mu, gravity=1.0)
-    decay = hh.gaits.slip_decay(hoop, plane)
+    decay = hh.theory.slip_decay(hoop, plane)
     off = []
     for excess in (1e-3, 1e-4):
         found = passages(hoop, plane, decay.omega + excess, 1)
@@ -29,7 +29,7 @@ def test_a_revolution_loses_the_square_of_the_excess(gamma, mu):
 
 def test_below_the_first_slip_nothing_is_lost():
     hoop, plane = hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0)
-    decay = hh.gaits.slip_decay(hoop, plane)
+    decay = hh.theory.slip_decay(hoop, plane)
     assert passages(hoop, plane, decay.omega * (1 - 1e-12), 1).sequences == ("R",)
     speed = hh.theory.first_slip_speed(hoop, plane)
     top = math.sqrt(((2 + 2 * 0.75) * speed**2 + 4 * 0.75) / (2 - 2 * 0.75))
@@ -38,7 +38,7 @@ def test_below_the_first_slip_nothing_is_lost():
 
 def test_the_excess_falls_as_one_over_the_revolutions():
     hoop, plane = hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0)
-    decay = hh.gaits.slip_decay(hoop, plane)
+    decay = hh.theory.slip_decay(hoop, plane)
     count = 20_000
     found = passages(hoop, plane, decay.omega + 0.05, count)
     left = found.omega[-1] - decay.omega
@@ -50,7 +50,7 @@ def test_the_excess_falls_as_one_over_the_revolutions():
 def test_on_a_gentle_slope_the_excess_makes_up_for_what_the_slope_gives(degrees):
     """The gait's loss of a revolution, D ω·rate·excess² of energy at the bottom, is 2π sin β."""
     hoop, plane = hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0)
-    decay, slope = hh.gaits.slip_decay(hoop, plane), math.radians(degrees)
+    decay, slope = hh.theory.slip_decay(hoop, plane), math.radians(degrees)
     inertia = 2 - 2 * 0.75  # about the contact with the load at the bottom, in units of m R²
     expected = math.sqrt(2 * math.pi * math.sin(slope) / (inertia * decay.omega * decay.rate))
     found = passages(hoop, hh.Plane(gravity=1.0, slope=slope), decay.omega + expected, 4000)
@@ -58,8 +58,8 @@ def test_on_a_gentle_slope_the_excess_makes_up_for_what_the_slope_gives(degrees)
 
 
 def test_units_of_length_and_mass():
-    small = hh.gaits.slip_decay(hh.Hoop.ideal(0.75, radius=0.3, mass=2.0))
-    unit = hh.gaits.slip_decay(hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0))
+    small = hh.theory.slip_decay(hh.Hoop.ideal(0.75, radius=0.3, mass=2.0))
+    unit = hh.theory.slip_decay(hh.Hoop.ideal(0.75), hh.Plane(gravity=1.0))
     per_second = math.sqrt(hh.Plane().gravity / 0.3)
     assert small.omega == pytest.approx(unit.omega * per_second, rel=1e-14)
     assert small.rate == pytest.approx(unit.rate / per_second, rel=1e-14)
@@ -79,4 +79,4 @@ def test_units_of_length_and_mass():
 )
 def test_refusals(hoop, plane, message):
     with pytest.raises(ValueError, match=message):
-        hh.gaits.slip_decay(hoop, plane)
+        hh.theory.slip_decay(hoop, plane)
