@@ -168,3 +168,54 @@ def test_gears_are_told_apart():
 def test_every_fate_has_its_words():
     assert set(FATES) == set(FATE_CODES) == set(Fate)
     assert len({facts.sentence for facts in FATES.values()}) == len(FATES)
+
+
+FAST = 2_000.0  # √(g R)
+
+
+@pytest.mark.parametrize(
+    ("given", "fate"),
+    [
+        (scenario(FAST), Fate.ROCKS),
+        (scenario(-2.5 * FAST, gamma=0.3, restitution=0.5), Fate.ROLLS_BACK),
+        (scenario(-FAST, slope=0.1), Fate.ROCKS),
+        (scenario(FAST, gamma=0.0), Fate.ROLLS_AHEAD),
+        (scenario(-FAST, gamma=0.0, slope=0.1), Fate.UNDECIDED),
+        (scenario(FAST, gamma=0.0, slope=0.1), Fate.RUNS_AWAY),
+        (scenario(FAST, slope=math.radians(40)), Fate.RUNS_AWAY),
+        (scenario(3.0, slope=math.radians(40)), Fate.RUNS_AWAY),
+    ],
+)
+def test_a_fast_start_alone_does_not_run_away(given, fate):
+    """On the level, uphill and on a gentle slope fast motion slows down."""
+    assert hh.passages(given, 300, until_decided=True).decided == fate
+
+
+def test_under_newtons_law_bounces_may_lift_the_hoop_over_the_top():
+    """Kane's gain: it starts 0.02 m g R below the load at the top, and goes over it 10 units of time later."""
+    plane = hh.Plane(gravity=1.0, mu=2.86, restitution=0.91, impact_law="newton")
+    start = hh.Start(height=1.09, angle=2.79, vx=-1.34, omega=-1.84)
+    given = hh.Scenario(hoop=hh.Hoop.ideal(0.87), plane=plane, start=start)
+    found = hh.passages(given, 100)
+    assert found.decided == Fate.ROCKS
+    assert found.angle == pytest.approx(3.0 * math.pi, abs=1e-9)
+    assert len(hh.passages(given, 100, until_decided=True)) > 0  # not at the start, where it is below the top
+
+
+@pytest.mark.parametrize("slope", [1e-11, 3e-12, 1e-15])
+def test_rolling_that_gains_speed_in_each_revolution_is_no_gait(slope):
+    """On so gentle a slope two revolutions hardly differ, and the gait is far away."""
+    given = scenario(0.3, slope=slope)
+    found = hh.passages(given, 200)
+    assert set(found.sequences) == {"R"}
+    assert found.fate == Fate.UNDECIDED
+    assert hh.gaits.fates([given], 200).fates == (Fate.UNDECIDED,)
+
+
+def test_chaos_may_be_a_transient():
+    """At 5.14° it is chaotic for 2,000 passages and rocks after 2,500: the sentence says that it may end."""
+    given = scenario(2.721, slope=math.radians(5.14))
+    assert hh.passages(given, 2000).fate == Fate.CHAOTIC
+    assert hh.passages(given, 5000).fate == Fate.ROCKS
+    assert "so far" in FATES[Fate.CHAOTIC].sentence
+    assert "may end" in FATES[Fate.CHAOTIC].sentence

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.kernels.wells import balance_angle, is_held, rolling_potential, stays_in_well
+from hophoop.gaits.kernels.wells import is_held, rolling_potential, stays_in_well
 from hophoop.kernel.physics.contact import free_acceleration, slip_motion, slip_stiffness
+from hophoop.theory.kernels.arcs import first_maximum
 
 
 def on_slope(slope, gamma, **plane):
@@ -47,11 +48,11 @@ def random_state(random):
 def test_a_hoop_balances_at_the_top_of_its_well(slope):
     scenario = on_slope(slope, 0.6)
     body = scenario.to_body()
-    top = balance_angle(body)
+    top = first_maximum(body)
     known = [one.angle for one in hh.theory.equilibria(scenario.hoop, scenario.plane) if not one.stable]
     assert top % (2.0 * math.pi) == pytest.approx(known[0], abs=1e-12)
     assert potential(body, top) > max(potential(body, top - 0.01), potential(body, top + 0.01))
-    assert math.isnan(balance_angle(on_slope(0.7, 0.6).to_body()))  # sin β > ε: it balances nowhere
+    assert math.isnan(first_maximum(on_slope(0.7, 0.6).to_body()))  # sin β > ε: it balances nowhere
 
 
 def holds(body, angle, energy):
@@ -103,7 +104,7 @@ def test_what_is_said_to_stay_loses_energy_in_every_slip():
             continue
         stays += 1
         energy, downhill = energies(scenario, start), math.copysign(1.0, body.gt)
-        top = balance_angle(body)
+        top = first_maximum(body)
         for angle in random.uniform(top, top + 2.0 * math.pi, 200):
             free = energy - potential(body, angle)
             sine, cosine = math.sin(angle), math.cos(angle)
@@ -154,7 +155,7 @@ def test_the_lower_top_counts(slope):
     """Below the upper top but above the lower one a hoop rolls over it, downhill."""
     scenario = on_slope(slope, 0.75)
     body = scenario.to_body()
-    top = balance_angle(body)
+    top = first_maximum(body)
     tops = sorted((potential(body, angle), angle) for angle in (top, top + 2.0 * math.pi))
     angle = top + math.pi
     for energy, stays in ((tops[0][0] - 0.05, True), (tops[0][0] + 0.05, False)):

@@ -48,7 +48,9 @@ FATES: Final[dict[str, FateFacts]] = {
     Fate.RESTS: FateFacts("It comes to rest.", False, palette.GRAY),
     Fate.SLIDES_AWAY: FateFacts("It slides away: friction does not hold it.", True, palette.YELLOW),
     Fate.GAIT: FateFacts("It settles on a gait: each period is like the last one.", True, palette.VERMILION),
-    Fate.CHAOTIC: FateFacts("It goes on and never repeats itself: near motions separate exponentially.", True, palette.BLACK),
+    Fate.CHAOTIC: FateFacts(
+        "It has not repeated itself so far: near motions separate exponentially. Such chaos may end later.", True, palette.BLACK
+    ),
     Fate.RUNS_AWAY: FateFacts("It gets faster without bound.", True, palette.PURPLE),
     Fate.JAM: FateFacts("It jams: rigid-body mechanics has no motion beyond.", False, "#332288"),
     Fate.UNDETERMINED: FateFacts("The model does not determine the motion beyond.", False, "#9E9D24"),

@@ -1,11 +1,14 @@
 """The fate of a motion: what physics decides for ever, long before the end of time (docs/gaits.md#fates).
 
-* On the level energy only falls. Below the potential energy of the load at the top the hoop never gets over it again.
+* On the level energy only falls, except in bounces under Newton's law. Below the potential energy of the load at the top the
+  hoop never gets over it again.
 * On a slope a well of energy may never be left again (`wells`).
 * Rolling loses nothing: a revolution without slip on the level, or a swing between two turning points, repeats for ever.
 * On the level without hops the loss of a revolution falls with the square of the speed above the first slip, so that the slip
   never ends. With less friction in slip than in rolling it falls to a loss that is not 0, and the hoop rolls in the end.
-* A section that is reached in the same state again, with differences that shrink, has a stable gait.
+* A section that is reached in the same state again, with differences that shrink so fast that their sum is small, has a stable
+  gait. A revolution of rolling on a slope is none: it loses nothing of what the slope gives.
+* Down a slope a hoop runs away that has become many times as fast as it was.
 """
 
 from __future__ import annotations
@@ -27,11 +30,11 @@ from hophoop.gaits.kernels.layout import (
 )
 from hophoop.gaits.kernels.wells import stays_in_well
 from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import PI, TWO_PI
+from hophoop.kernel.numerics.double_double import TWO_PI
 from hophoop.kernel.numerics.trigonometry import sine_cosine
-from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
+from hophoop.kernel.physics.body import ImpactLaw, Mode
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
+from hophoop.theory.kernels.critical import first_slip
 from hophoop.vocabulary.fates import FATE_CODES, Fate
 
 (
@@ -39,18 +42,18 @@ from hophoop.vocabulary.fates import FATE_CODES, Fate
 ) = (FATE_CODES.index(fate) for fate in Fate)  # fmt: skip
 OPEN = -1  # not decided so far
 
-ROLL = int(Mode.ROLL)
+ROLL, NEWTON = int(Mode.ROLL), int(ImpactLaw.NEWTON)
 LONGEST_PERIOD = 64
 SAME, NEAR, NOISE = 1e-10, 1e-7, 1e-13  # differences of two passages of a gait: now, one period ago, and rounding
-FASTEST = 1e3  # √(g/R): a hoop that rotates faster runs away
+AHEAD = 1e-5  # the most that all differences to come may add up to
+FAST, FASTER = 1e3, 1e2  # √(g/R), and times the speed of the start: a hoop that rotates so fast down a slope runs away
 LOW = 1e-6  # R: lower hops are the end of a sequence of bounces
 FEW = 0.1  # of a difference: its limit is 0, or its own size, to this share
-ANGLES, HOLDS = 64, 0.999  # of half a revolution at which rolling is looked at, and the share of friction that it may use
 BELOW = 1e-12  # m g R: by which the energy is below that of the load at the top
 
-# What is remembered of a motion: the turning points of this phase of rolling, and all in contact.
-ROLLING_TURNS, CONTACT_TURNS = range(2)
-MEMORY = 2
+# What is remembered of a motion: the turning points of this phase of rolling, and all in contact; |θ̇| of a hoop that runs away.
+ROLLING_TURNS, CONTACT_TURNS, FASTEST = range(3)
+MEMORY = 3
 
 
 @apart
@@ -64,6 +67,19 @@ def fate_at_start(body, state):
 
 
 @apart
+def fastest_of(body, state):
+    """Return |θ̇| from which a motion down a slope runs away: many times the speed of its start."""
+    energy = kinetic_energy(body, state.th, state.om, state.vt, state.vn, state.th_low) + body.gn * state.y
+    return max(FAST, FASTER * math.sqrt(2.0 * energy))
+
+
+@inline
+def gains_in_impacts(body):
+    """Return True if an impact can create energy, as friction may under Newton's law (Kane)."""
+    return body.law == NEWTON and body.rest > 0.0 and body.mu_k > 0.0
+
+
+@apart
 def fate_at_turn(body, event, memory):
     """Return the fate after a turning point in contact."""
     rolls = event["after_mode"] == ROLL
@@ -73,7 +89,8 @@ def fate_at_turn(body, event, memory):
     if body.resist == 0.0 and memory[ROLLING_TURNS] >= 2.0:
         return ROCKS
     # The first swing may be one without slip: then the loss is known too.
-    if body.gt == 0.0 or (rolls and body.resist == 0.0 and memory[CONTACT_TURNS] < 2.0):
+    level = body.gt == 0.0 and not gains_in_impacts(body)  # `is_below_top` is enough there
+    if level or (rolls and body.resist == 0.0 and memory[CONTACT_TURNS] < 2.0):
         return OPEN
     if stays_in_well(body, event["theta"], event["slip"], 0.0):
         return ROCKS if body.resist == 0.0 else RESTS
@@ -83,7 +100,7 @@ def fate_at_turn(body, event, memory):
 @inline
 def is_below_top(body, state):
     """Return True if a hoop on the level can never again have its load at the top."""
-    if body.gt != 0.0 or body.gn == 0.0 or body.eps == 0.0 or body.mu_s == 0.0:
+    if body.gt != 0.0 or body.gn == 0.0 or body.eps == 0.0 or body.mu_s == 0.0 or gains_in_impacts(body):
         return False
     potential = potential_energy(body, 0.0, state.y, state.th)
     return potential < 0.0 and potential + kinetic_energy(body, state.th, state.om, state.vt, state.vn, state.th_low) < -BELOW
@@ -108,14 +125,14 @@ def difference(numbers, one, other, section):
 
 @apart
 def same_word(numbers, words, one, other):
-    """Return True if two passages have the same mode and word."""
+    """Return True if two passages have the same mode and sequence."""
     same = numbers[one, MODE] == numbers[other, MODE] and numbers[one, LETTERS] == numbers[other, LETTERS]
     return same and words[one, 0] == words[other, 0] and words[one, 1] == words[other, 1]
 
 
 @apart
 def period_of(numbers, words, k, section):
-    """Return the period of passage k, in passages, or 0: after it the same state and words came before, ever more exactly."""
+    """Return the period of passage k, in passages, or 0: the same state and sequences came before, ever more exactly."""
     length = numbers.shape[0]
     row = k % length
     for period in range(1, LONGEST_PERIOD + 1):
@@ -128,7 +145,7 @@ def period_of(numbers, words, k, section):
         if now > SAME:
             continue
         past = difference(numbers, before, (k - 2 * period) % length, section)
-        if past <= NEAR and now <= past + NOISE:
+        if past <= NEAR and is_near_limit(now, past):
             for part in range(1, period):
                 other = (k - part) % length
                 same = period % part == 0 and same_word(numbers, words, row, other)
@@ -136,6 +153,12 @@ def period_of(numbers, words, k, section):
                     return part
             return period_of_alternation(numbers, words, k, period, section)
     return 0
+
+
+@inline
+def is_near_limit(now, past):
+    """Return True if differences that go on as a geometric sequence have a small sum, or are rounding."""
+    return past <= NOISE or (now <= NOISE and now <= past) or now * now < AHEAD * (past - now)
 
 
 @apart
@@ -174,26 +197,12 @@ def bounces_die(numbers, k, period):
 
 
 @apart
-def rolls_slowly(body):
-    """Return True if a hoop on the level that only just gets over the top does so without slip."""
-    for k in range(1, ANGLES):
-        th = PI * k / ANGLES
-        s, c = sine_cosine(th, 0.0)
-        height = load_height(s, c)
-        u = 2.0 * body.eps * body.gn * (1.0 - c) / inertia_at_height(body, height)
-        friction, normal = rolling_forces(body, s, c, u, 0.0)
-        if not abs(friction) <= HOLDS * body.mu_s * normal:
-            return False
-    return True
-
-
-@apart
-def fate_at_passage(body, numbers, words, k, section):
+def fate_at_passage(body, numbers, words, k, section, memory, scratch):
     """Return (fate, period) after passage k; the period is 0 except in a gait."""
     length = numbers.shape[0]
     last, before = numbers[k % length], numbers[(k - 1) % length]
     om = last[OMEGA]
-    if abs(om) > FASTEST and body.gn > 0.0:
+    if abs(om) > memory[FASTEST] and om * body.gt > 0.0:
         return RUNS_AWAY, 0
     if k < 1:
         return OPEN, 0
@@ -215,12 +224,14 @@ def fate_at_passage(body, numbers, words, k, section):
                 and before[MODE] == ROLL
                 and first[MODE] == ROLL
                 and 0.0 < falls < fell
-                and rolls_slowly(body)
+                and first_slip(body, scratch)[0] > 0.0
             ):
                 return SLIPS_EVER_LESS, 0
         return OPEN, 0
     if body.eps == 0.0 and rolled and way * (om - before[OMEGA]) > 0.0:
         return RUNS_AWAY, 0
+    if rolled and body.resist == 0.0:  # it gains what the slope gives, however little
+        return OPEN, 0
     period = period_of(numbers, words, k, section)
     if period > 0:
         past = numbers[(k - period) % length]

@@ -6,6 +6,7 @@ import math
 
 from hophoop.gaits.kernels.fates import (
     CONTACT_TURNS,
+    FASTEST,
     JAM,
     LONGEST_PERIOD,
     MEMORY,
@@ -17,6 +18,7 @@ from hophoop.gaits.kernels.fates import (
     SLIDES_AWAY,
     UNDECIDED,
     UNDETERMINED,
+    fastest_of,
     fate_at_passage,
     fate_at_start,
     fate_at_turn,
@@ -204,25 +206,10 @@ def lands_no_more(section, status, fate):
 
 
 def follow_passages(body, start, bounce, request, buffers, scratch, script):
-    """Compute the passages of a section.
+    """Compute the passages of a section; return (status, passages, fate's code, period of a gait or 0).
 
-    Parameters
-    ----------
-    body : Body
-    start : State
-    bounce : float
-        v_n after the last landing before a start with a script.
-    request : Request
-    buffers : Buffers
-        Its `numbers` and `words` are filled.
-    scratch : records.Scratch
-    script : ndarray of records.EVENT
-        Length 0, or the event that starts the first phase, twice.
-
-    Returns
-    -------
-    status, passages, fate, period : int
-        Status of the motion, GOING if it goes on; the fate's code, and the period of a gait in passages, else 0.
+    The status is GOING if the motion goes on. `bounce` is v_n after the last landing before a start with a script, which has no
+    events, or twice the one that starts the first phase.
     """
     scratch.doubt[0] = math.nan
     scratch.doubt[1] = math.nan
@@ -232,7 +219,7 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
     log = new_log(buffers.events, buffers.segments, scratch)
     phase = first_phase(body, start, bounce, log, scratch, script)
     log.counts[EVENTS] = 0
-    memory[ROLLING_TURNS], memory[CONTACT_TURNS] = 0.0, 0.0
+    memory[ROLLING_TURNS], memory[CONTACT_TURNS], memory[FASTEST] = 0.0, 0.0, fastest_of(body, phase.state)
     memory[COUNT], memory[JUMPS], memory[GAP] = 0.0, 0.0, 0.0
     memory[SINCE], memory[LETTER] = phase.state.t, phase.mode
     fate, period = fate_at_start(body, phase.state), 0
@@ -262,7 +249,7 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
                 phase.mode, phase.state, False, phase.zeros, phase.opening, phase.level, phase.bounce, Ending.CONTINUES, GOING
             )
         if fate == OPEN:
-            fate, period = fate_at_passage(body, numbers, words, passages, request.section)
+            fate, period = fate_at_passage(body, numbers, words, passages, request.section, memory, scratch)
         passages += 1
         if passages < request.most:
             row = passages % numbers.shape[0]

@@ -29,9 +29,9 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.arcs import arctangent2
 from hophoop.kernel.numerics.double_double import PI, TWO_PI
 from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.theory.kernels.arcs import first_maximum
 
 PIECES, PARTS = 96, 16  # of a well, and of a piece on which the bounds are too wide
 MARGIN = 1e-9  # relative, for rounding
@@ -44,32 +44,9 @@ def rolling_potential(body, s, c, th):
 
 
 @apart
-def balance_angle(body):
-    """Return the angle near 0 at which a hoop on the slope balances with its load up, a maximum of V; nan if there is none.
-
-    There ε sin(θ + β) = −sin β.
-    """
-    if not abs(body.gt) < body.eps:
-        return math.nan
-    return -arctangent2(body.gt, body.gn) - arctangent2(body.gt, math.sqrt((body.eps - body.gt) * (body.eps + body.gt)))
-
-
-@apart
 def stays_in_well(body, th, slip, om):
-    """Return True if a hoop in contact never leaves its well of energy nor the plane; False proves nothing.
-
-    Parameters
-    ----------
-    body : Body
-        On a slope with gravity.
-    th, slip, om : float
-        θ, up to whole revolutions, v_t and θ̇ [kernel units].
-
-    Returns
-    -------
-    stays : bool
-    """
-    top = balance_angle(body)
+    """Return True if a hoop in contact never leaves its well of energy nor the plane; False proves nothing."""
+    top = first_maximum(body)
     if not (body.kap > 0.0 and 0.0 < body.mu_k < math.inf and not math.isnan(top)):
         return False
     th -= TWO_PI * math.floor((th - top) / TWO_PI)
