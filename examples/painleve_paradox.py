@@ -163,7 +163,7 @@ def search(folder: Path, cells: int) -> None:
             frictions, 1.0 - gammas, shown, cmap="viridis", vmin=limits[0], vmax=limits[1], shading="nearest", rasterized=True
         )
         figure.colorbar(mesh, ax=ax, label=label)
-        least = hh.theory.painleve_minimum([hh.Hoop.ideal(float(gamma)) for gamma in fine]).mu
+        least = [hh.theory.painleve_minimum(hh.Hoop.ideal(float(gamma))).mu for gamma in fine]
         ax.plot(least, 1.0 - fine, color=colors.BLACK, lw=1.5, label="from here on p ≤ 0 at some angle")
         ax.plot(1.0 / fine, 1.0 - fine, "--", color=colors.BLACK, lw=1.5, label="up to here a jam: μ = 1/γ")
         ax.plot([1.0], [0.25], "D", color=colors.SERIES[5], ms=6, label="the article's hoop")

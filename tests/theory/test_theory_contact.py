@@ -90,7 +90,7 @@ def test_at_the_painleve_threshold_p_is_zero(hoop, theta):
 
 def test_painleve_minimum_of_the_ideal_hoop():
     gammas = np.array([0.1, 0.5, 0.75, 0.99])
-    mu, angle = theory.painleve_minimum([hh.Hoop.ideal(gamma) for gamma in gammas])
+    mu, angle = np.transpose([theory.painleve_minimum(hh.Hoop.ideal(gamma)) for gamma in gammas])
     np.testing.assert_allclose(mu, np.sqrt(1 - gammas**2) / gammas, rtol=1e-14)
     np.testing.assert_allclose(angle, np.arccos(gammas), rtol=1e-13)
     assert mu[2] == pytest.approx(0.882, abs=5e-4)

@@ -1,7 +1,7 @@
 """Closed forms and thresholds of the loaded hoop, vectorised over their arguments.
 
-Numbers, hoops and planes broadcast against each other; all are in SI units and radians. The formulas are
-those of `hophoop.kernel.physics`; none is restated here.
+A call takes one hoop and one plane; its numbers may be arrays, which broadcast. All are in SI units and radians. The formulas
+are those of `hophoop.kernel.physics`; none is restated here.
 """
 
 from hophoop.theory.critical import (

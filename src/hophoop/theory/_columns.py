@@ -1,8 +1,9 @@
-"""Arguments of theory, broadcast against each other and put into the kernels' units."""
+"""Arguments of theory, broadcast and put into the kernels' units."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,66 +14,48 @@ from hophoop.kernel.records.layout import BODY
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 
 Floats = NDArray[np.float64]
-# One hoop or plane, or an array of them.
-Hoops = Hoop | Sequence[Hoop] | NDArray[np.object_]
-Planes = Plane | Sequence[Plane] | NDArray[np.object_]
 
 
 class Columns:
-    """Hoops, planes and numbers of one common shape, one row for each case.
+    """Numbers of one common shape, one row for each case, with one hoop and one plane.
 
-    `body` has a record of `Body` for each; `length`, `time` and `mass` are the kernels' units in SI. With `resisted` planes may
-    have rolling resistance.
+    `body` has the record of `Body` in each row; `length`, `time` and `mass` are the kernels' units in SI. With `resisted` the
+    plane may have rolling resistance.
     """
 
-    def __init__(self, hoop: Hoops, plane: Planes, *, resisted: bool = False, **numbers: ArrayLike) -> None:
-        hoops, planes = _models(hoop, Hoop, "hoop"), _models(plane, Plane, "plane")
+    def __init__(self, hoop: Hoop, plane: Plane, *, resisted: bool = False, **numbers: ArrayLike) -> None:
+        for name, value, kind in (("hoop", hoop, Hoop), ("plane", plane, Plane)):
+            if not isinstance(value, kind):
+                raise InputError.of_field(name, value, f"a {kind.__name__}")
         if not resisted:
-            for one in planes.ravel():
-                require_no_resistance(one)
+            require_no_resistance(plane)
         values = {name: _finite(name, value) for name, value in numbers.items()}
         try:
-            self.shape = np.broadcast_shapes(hoops.shape, planes.shape, *(value.shape for value in values.values()))
+            self.shape = np.broadcast_shapes(*(value.shape for value in values.values()))
         except ValueError:
-            shapes = {"hoop": hoops.shape, "plane": planes.shape}
-            shapes |= {name: value.shape for name, value in values.items()}
-            said = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
+            said = ", ".join(f"{name} {value.shape}" for name, value in values.items())
             raise InputError(f"The shapes of the arguments do not go together: {said}.") from None
-        rows, units = [], []
-        # Models are few compared with numbers: each pair is translated once, then broadcast.
-        pairs = np.broadcast_arrays(hoops, planes)
-        for one, other in zip(pairs[0].ravel(), pairs[1].ravel(), strict=True):
-            rows.append(to_body(one, other))
-            units.append((one.radius, time_unit(one, other), one.mass))
-        pair_shape = pairs[0].shape
-        self.body = self._spread(np.array(rows, BODY).reshape(pair_shape), ())
-        self.length, self.time, self.mass = np.moveaxis(
-            self._spread(np.array(units, dtype=float).reshape((*pair_shape, 3)), (3,)), -1, 0
-        )
-        self._values = {name: self._spread(value, ()) for name, value in values.items()}
-
-    def _spread(self, values: NDArray[Any], tail: tuple[int, ...]) -> NDArray[Any]:
-        whole = np.broadcast_to(values, (*self.shape, *tail)).reshape((-1, *tail))
-        return np.ascontiguousarray(whole)
+        self.length, self.time, self.mass = hoop.radius, time_unit(hoop, plane), hoop.mass
+        self._body = to_body(hoop, plane)
+        self._values = {name: np.broadcast_to(value, self.shape).flatten() for name, value in values.items()}
+        self.body = np.full(math.prod(self.shape), np.array(tuple(self._body), BODY))
 
     def __getitem__(self, name: str) -> Floats:
         return self._values[name]
 
     def bodies(self) -> list[Body]:
         """The Body of each case."""
-        return [Body(*row) for row in self.body.tolist()]
+        return [self._body] * self.body.size
 
     @property
-    def speed(self) -> Floats:
+    def speed(self) -> float:
         """Unit of speed [m/s]."""
-        result: Floats = self.length / self.time
-        return result
+        return self.length / self.time
 
     @property
-    def force(self) -> Floats:
+    def force(self) -> float:
         """Unit of force [N]."""
-        result: Floats = self.mass * self.length / (self.time * self.time)
-        return result
+        return self.mass * self.length / (self.time * self.time)
 
     def of_speed(self, name: str) -> Floats:
         """A speed in the kernels' units."""
@@ -101,18 +84,6 @@ def require_no_resistance(plane: Plane) -> None:
     given = plane.rolling_resistance
     if given > 0.0:
         raise InputError.of_field("plane.rolling_resistance", given, "0 here: with rolling resistance this is not known")
-
-
-def _models(value: Any, kind: type, name: str) -> NDArray[np.object_]:
-    if isinstance(value, kind):
-        single = np.empty((), dtype=object)
-        single[()] = value
-        return single
-    many = np.array(value, dtype=object)
-    for one in many.ravel():
-        if not isinstance(one, kind):
-            raise InputError.of_field(name, one, f"a {kind.__name__}, or an array of them")
-    return many
 
 
 def _finite(name: str, value: ArrayLike) -> Floats:

@@ -14,8 +14,8 @@ from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import run
-from hophoop.scenario import InputError, Plane
-from hophoop.theory._columns import Columns, Hoops, Planes
+from hophoop.scenario import Hoop, InputError, Plane
+from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import critical as kernels
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.phase_plane import lift_off_speeds
@@ -67,20 +67,20 @@ class _Trials:
 # --- the public face -------------------------------------------------------------------------------
 
 
-def _cases(hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> Columns:
+def _cases(hoop: Hoop, plane: Plane, **numbers: ArrayLike) -> Columns:
     cases = Columns(hoop, plane, resisted=False, **numbers)
     cases.require(lambda kap: kap > 0.0, "kap", "hoop.inertia_ratio = {} must be above 0; see massless_loss.")
     cases.require(lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0 here (level, or downhill along +x).")
     return cases
 
 
-def first_slip_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
+def first_slip_speed(hoop: Hoop, plane: Plane = Plane()) -> Any:
     """Smallest speed at the top with which the hoop slips somewhere in its first turn.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
         Level, or sloping downhill.
 
     Returns
@@ -115,13 +115,13 @@ def first_slip_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     return cases.shaped(speeds * cases.speed)
 
 
-def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any:
+def first_hop_speed(hoop: Hoop, plane: Plane = Plane(), turns: int = 1) -> Any:
     """Smallest speed at the top with which the hoop leaves the plane within its first turns.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
         Level, or sloping downhill.
     turns : int, default 1
         How far the hoop is followed, at least 1 [turns].
@@ -154,13 +154,13 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
     return cases.shaped(speeds * cases.speed)
 
 
-def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
+def immediate_hop_speed(hoop: Hoop, plane: Plane = Plane()) -> Any:
     r"""Speed at the top from which on the hoop leaves the plane at once: √(gR cos β/ε).
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
 
     Returns
     -------
@@ -184,13 +184,13 @@ def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     return cases.shaped(speeds * cases.speed)
 
 
-def critical_speeds(hoop: Hoops, plane: Planes = Plane()) -> CriticalSpeeds:
+def critical_speeds(hoop: Hoop, plane: Plane = Plane()) -> CriticalSpeeds:
     """The three critical speeds of a rolling start with the load up.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
         Level, or sloping downhill.
 
     Returns
@@ -212,15 +212,15 @@ def critical_speeds(hoop: Hoops, plane: Planes = Plane()) -> CriticalSpeeds:
     return CriticalSpeeds(first_slip_speed(hoop, plane), first_hop_speed(hoop, plane), immediate_hop_speed(hoop, plane))
 
 
-def slip_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+def slip_angle(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     """Angle at which a hoop that rolls from the top first slips.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
         Level, or sloping downhill.
 
     Returns
@@ -242,15 +242,15 @@ def slip_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
     return _first_angle(hoop, v0, plane, 0)
 
 
-def hop_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+def hop_angle(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     """Angle at which a hoop that rolls from the top first leaves the plane.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
         Level, or sloping downhill.
 
     Returns
@@ -272,7 +272,7 @@ def hop_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
     return _first_angle(hoop, v0, plane, 1)
 
 
-def _first_angle(hoop: Hoops, v0: ArrayLike, plane: Planes, which: int) -> Any:
+def _first_angle(hoop: Hoop, v0: ArrayLike, plane: Plane, which: int) -> Any:
     cases = _cases(hoop, plane, v0=v0)
     trials = _Trials()
     starts = zip(cases.bodies(), cases.of_speed("v0"), strict=True)

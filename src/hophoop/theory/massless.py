@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
 from hophoop.scenario import Hoop, Plane
-from hophoop.theory._columns import Columns, Planes
+from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import rolling as kernels
 
 
@@ -31,7 +31,7 @@ class ContactLoss(NamedTuple):
     by_friction: Any
 
 
-def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane()) -> ContactLoss:
+def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Plane = Plane()) -> ContactLoss:
     r"""Where the massless hoop (γ = 1) that rolls from the top loses its contact force.
 
     Parameters
@@ -40,7 +40,7 @@ def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane(
         Velocity of the centre at the top; 0 means the smallest push [m/s].
     radius : float or array_like, default 1
         Rim radius [m].
-    plane : Plane or array of Plane
+    plane : Plane
         Level; its static friction counts.
 
     Returns
@@ -71,16 +71,15 @@ def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane(
     (array([1.570796, 1.150811]), array([3.132092, 3.132092]))
     """
     radii = np.asarray(radius, dtype=float)
-    hoops = np.empty(radii.shape, dtype=object)
-    for index in np.ndindex(radii.shape):
-        hoops[index] = Hoop.ideal(1.0, radius=float(radii[index]))
-    cases = Columns(hoops, plane, v0=v0)
+    for one in np.unique(radii).tolist():
+        Hoop.ideal(1.0, radius=one)  # refuses what is no radius
+    cases = Columns(Hoop.ideal(1.0), plane, v0=v0, radius=radii)
     cases.require(lambda gt: gt == 0.0, "gt", "plane.slope must be 0 for the massless hoop.")
     cases.require(lambda gn: gn > 0.0, "gn", "plane.gravity must be above 0 here.")
     table = cases.new(3)
-    compiled(kernels.contact_losses)(cases.body, cases.of_speed("v0"), table)
+    compiled(kernels.contact_losses)(cases.body, cases.of_speed("v0") / np.sqrt(cases["radius"]), table)
     return ContactLoss(
         cases.shaped(table[:, 0]),
-        cases.shaped(table[:, 1] / cases.time),
+        cases.shaped(table[:, 1] / (cases.time * np.sqrt(cases["radius"]))),
         cases.shaped(table[:, 2] > 0.0),
     )

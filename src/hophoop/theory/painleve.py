@@ -14,7 +14,7 @@ from hophoop.kernel.numerics.elementwise import cosine
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.scenario.ranges import RANGES
-from hophoop.theory._columns import Columns, Hoops, require_no_resistance
+from hophoop.theory._columns import Columns, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.phase_plane import lift_off
@@ -54,14 +54,14 @@ class JamState:
     omega: float
 
 
-def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
+def painleve_threshold(theta: ArrayLike, hoop: Hoop) -> Any:
     r"""Return the kinetic friction from which slip at an angle meets Painlevé's paradox, p_σ ≤ 0, without rolling resistance.
 
     Parameters
     ----------
     theta : float or array_like
         Angle [rad]. The paradox is one of spin for sin θ > 0 and of skid for sin θ < 0, on any slope.
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
 
     Returns
     -------
@@ -94,12 +94,12 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
     return cases.shaped(thresholds)
 
 
-def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
+def painleve_minimum(hoop: Hoop) -> PainleveMinimum:
     r"""Return the minimum friction with which Painlevé's paradox exists at any angle, without rolling resistance.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
 
     Returns
     -------
@@ -109,7 +109,7 @@ def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
     Raises
     ------
     ValueError
-        If hoop is not a Hoop or an array of them.
+        If hoop is not a Hoop.
 
     Notes
     -----
@@ -130,7 +130,7 @@ def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
 
 
 def painleve_region(
-    theta: ArrayLike, mu: ArrayLike, hoop: Hoops, *, rolling_resistance: ArrayLike = 0.0, omega: ArrayLike | None = None
+    theta: ArrayLike, mu: ArrayLike, hoop: Hoop, *, rolling_resistance: ArrayLike = 0.0, omega: ArrayLike | None = None
 ) -> Any:
     """Return the direction of slip that meets Painlevé's paradox at an angle.
 
@@ -140,7 +140,7 @@ def painleve_region(
         Angle [rad].
     mu : float or array_like
         Kinetic friction, at least 0 [1].
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     rolling_resistance : float or array_like, default 0
         Couple against the rotation over R N [1].
     omega : float or array_like, optional

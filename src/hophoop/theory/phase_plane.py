@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
-from hophoop.scenario import Plane
-from hophoop.theory._columns import Columns, Hoops, Planes
+from hophoop.scenario import Hoop, Plane
+from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import phase_plane as kernels
 from hophoop.vocabulary.modes import MODE_LETTERS
 
@@ -29,7 +29,7 @@ class RollingRange(NamedTuple):
     high: Any
 
 
-def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Any:
+def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoop, plane: Plane = Plane()) -> Any:
     """The mode in which a hoop goes on from contact without slip.
 
     Parameters
@@ -38,8 +38,8 @@ def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Pla
         Angle [rad].
     omega : float or array_like
         Angular velocity [rad/s].
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
 
     Returns
     -------
@@ -63,15 +63,15 @@ def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Pla
     return cases.shaped(_LETTERS[codes])
 
 
-def rolling_range(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> RollingRange:
+def rolling_range(theta: ArrayLike, hoop: Hoop, plane: Plane = Plane()) -> RollingRange:
     """Between which angular velocities a hoop rolls at an angle: the border of roll and slip.
 
     Parameters
     ----------
     theta : float or array_like
         Angle [rad].
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
 
     Returns
     -------
@@ -101,15 +101,15 @@ def rolling_range(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Rol
     return RollingRange(cases.shaped(both[:, 0] / cases.time), cases.shaped(both[:, 1] / cases.time))
 
 
-def lift_off_speed(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Any:
+def lift_off_speed(theta: ArrayLike, hoop: Hoop, plane: Plane = Plane()) -> Any:
     """Angular velocity at which the free rim would leave the plane, f_n = 0: the border of slip and flight.
 
     Parameters
     ----------
     theta : float or array_like
         Angle [rad].
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
 
     Returns
     -------

@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
 from hophoop.results.records import utilization_of
-from hophoop.scenario import Plane
-from hophoop.theory._columns import Columns, Floats, Hoops, Planes
+from hophoop.scenario import Hoop, Plane
+from hophoop.theory._columns import Columns, Floats
 from hophoop.theory.kernels import rolling as kernels
 from hophoop.theory.kernels.arcs import TURN
 
@@ -75,17 +75,17 @@ def _rates(cases: Columns) -> Floats:
     return rates
 
 
-def rolling_speed(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+def rolling_speed(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     r"""Angular velocity of the rolling hoop, in closed form.
 
     Parameters
     ----------
     theta : float or array_like
         Angle from the outward normal to C→G [rad].
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at theta = 0; 0 means the smallest push ahead [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
 
     Returns
     -------
@@ -121,15 +121,15 @@ def rolling_speed(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = 
     return cases.shaped(_rates(cases) / cases.time)
 
 
-def max_rolling_speed(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+def max_rolling_speed(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     """Largest angular velocity of the rolling hoop on the level: at the bottom, θ = π.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
         Without slope.
 
     Returns
@@ -157,17 +157,17 @@ def max_rolling_speed(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> An
     return cases.shaped(_rates(cases) / cases.time)
 
 
-def rolling_forces(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Forces:
+def rolling_forces(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Forces:
     """Friction and normal force of the rolling hoop.
 
     Parameters
     ----------
     theta : float or array_like
         Angle [rad].
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
 
     Returns
     -------
@@ -199,9 +199,9 @@ def _force_columns(cases: Columns) -> tuple[Floats, Floats]:
 
 def friction_utilization(
     theta: ArrayLike,
-    hoop: Hoops,
+    hoop: Hoop,
     v0: ArrayLike,
-    plane: Planes = Plane(),
+    plane: Plane = Plane(),
 ) -> Any:
     """Share of the static friction that rolling uses, abs(F)/(μs N).
 
@@ -209,10 +209,10 @@ def friction_utilization(
     ----------
     theta : float or array_like
         Angle [rad].
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
 
     Returns
     -------
@@ -236,17 +236,17 @@ def friction_utilization(
     return cases.shaped(np.where(normal <= 0.0, np.inf, share))
 
 
-def rolling_energies(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Energies:
+def rolling_energies(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Energies:
     """Kinetic and potential energy of the rolling hoop; their sum does not depend on theta.
 
     Parameters
     ----------
     theta : float or array_like
         Angle [rad].
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
 
     Returns
     -------
@@ -277,15 +277,15 @@ def rolling_energies(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes
     return Energies(cases.shaped(kinetic * energy), cases.shaped((start - kinetic) * energy))
 
 
-def needed_friction(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> NeededFriction:
+def needed_friction(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> NeededFriction:
     """The static friction that a hoop needs to roll through its first turn from θ = 0.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0; 0 means the smallest push [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
         Its own friction makes no difference. Where it slopes so that the hoop turns back before a whole turn,
         the way up to there counts.
 
@@ -321,17 +321,17 @@ def needed_friction(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Need
     return NeededFriction(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
 
 
-def rolling_time(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+def rolling_time(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     """Time in which the hoop rolls from θ = 0 to an angle.
 
     Parameters
     ----------
     theta : float or array_like
         Angle; one that lies behind has a negative time [rad].
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
 
     Returns
     -------
@@ -360,15 +360,15 @@ def rolling_time(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = P
     return cases.shaped(times * cases.time)
 
 
-def rolling_period(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+def rolling_period(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     """Time of the first whole turn that a hoop rolls from θ = 0; on the level each turn takes as long.
 
     Parameters
     ----------
-    hoop : Hoop or array of Hoop
+    hoop : Hoop
     v0 : float or array_like
         Velocity of the centre at θ = 0 [m/s].
-    plane : Plane or array of Plane
+    plane : Plane
 
     Returns
     -------
@@ -389,15 +389,15 @@ def rolling_period(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
     return rolling_time(np.where(np.asarray(v0, dtype=float) < 0.0, -TURN, TURN), hoop, v0, plane)
 
 
-def rocking_period(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Any:
+def rocking_period(theta: ArrayLike, hoop: Hoop, plane: Plane = Plane()) -> Any:
     """Period of the hoop that rocks to and fro, rolling, from rest at an angle.
 
     Parameters
     ----------
     theta : float or array_like
         Angle where it is let go [rad].
-    hoop : Hoop or array of Hoop
-    plane : Plane or array of Plane
+    hoop : Hoop
+    plane : Plane
 
     Returns
     -------
