@@ -355,7 +355,7 @@ def test_overview_and_notebook(hop, tmp_path):
             assert reach <= float(x) <= wide - reach
             assert reach <= float(y) <= tall - reach
     long = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(2.8), duration=20.0)
-    assert "more</td>" in long._repr_html_()
+    assert "more</p>" in long._repr_html_()
 
 
 @pytest.mark.parametrize(
