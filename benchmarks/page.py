@@ -39,6 +39,16 @@ MOVES = """async () => {
   return hophoopLab.latencies;
 }"""
 
+FRAMES = """async () => {
+  hophoopLab.clock.play(true);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  const before = hophoopLab.frames;
+  await new Promise((resolve) => setTimeout(resolve, 4000));
+  const frames = hophoopLab.frames - before;
+  hophoopLab.clock.play(false);
+  return frames / 4;
+}"""
+
 CELLS = """async () => {
   const { scenario } = hophoopLab.film();
   const axis = (path, from, to, cells) => ({ path, from, to, cells });
@@ -82,12 +92,14 @@ def in_chromium(address: str) -> dict[str, Any]:
         page.wait_for_selector("[data-ready]")
         page.wait_for_timeout(3000)
         latencies = page.evaluate(MOVES)
+        rate = page.evaluate(FRAMES)
         found = page.evaluate(CELLS)
         browser.close()
     return {
         "first_motion_after_load_ms": round(float(np.median(first)), 1),
         "slider_to_picture_median_ms": round(float(np.median(latencies)), 1),
         "slider_to_picture_p90_ms": round(float(np.quantile(latencies, 0.9)), 1),
+        "frames_per_second": round(rate, 1),
         "map_cells_per_second": round(found["cells"] / min(found["times"]) * 1e3),
         "map_workers": found["workers"],
     }
@@ -100,7 +112,7 @@ def in_node() -> dict[str, float] | None:
         return None
     script = f"""
       import {{ readFileSync }} from "node:fs";
-      const {{ HoopModule }} = await import({json.dumps(str(HERE.parent / "lab" / "static" / "kernel.js"))});
+      const {{ HoopModule }} = await import({json.dumps(str(HERE.parent / "static" / "kernel.js"))});
       const module = new HoopModule(await WebAssembly.compile(readFileSync({json.dumps(str(HERE / MODULE))})));
       const given = {{ radius: 1, mass: 1, eccentricity: 0.75, inertia_ratio: 0.4375, ideal: true, gravity: 9.81, slope: 0,
         rolling_resistance: 0, mu_static: 1, mu_kinetic: 1, restitution: 0, impact_law: "stronge", painleve: "flight", x: 0,

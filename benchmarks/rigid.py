@@ -3,7 +3,7 @@
     python benchmarks/rigid.py
 
 Prints the median time of each, the ratio to SciPy, and the largest relative error of the event times against
-the 25-digit reference in tests/data. The kernel's time is that of a motion in a map. `benchmarks/start.py` times first runs.
+the 25-digit reference in tests/data. The kernel's time is that of a motion in a map. `benchmarks/speed.py` times first runs.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What derivatives take from the motion instead of computing it again; benchmarks/derivatives.py measures their cost."""
+"""What derivatives take from the motion instead of computing it again; benchmarks/speed.py measures their cost."""
 
 import math
 

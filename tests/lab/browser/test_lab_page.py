@@ -296,7 +296,7 @@ def test_real_parts_and_compliant_contact(visit):
 def test_the_picture_follows_the_hand(visit):
     """While the slider moves pictures come, as fast as they are computed, and the last one is of where it stopped.
 
-    How fast that is, is measured by benchmarks/lab.py: here the kernel may be compiling, and others may be at work.
+    How fast that is, is measured by benchmarks/page.py: here the kernel may be compiling, and others may be at work.
     """
     page = visit()
     last = page.evaluate(
