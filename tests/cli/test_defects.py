@@ -54,6 +54,24 @@ def test_what_a_user_can_change_is_one_sentence(error, monkeypatch):
     assert (done.exit_code, done.stderr) == (2, f"Error: {error}\n")
 
 
+@pytest.mark.parametrize(
+    "error",
+    [
+        MemoryError(),
+        RuntimeError("can't start new thread"),
+        ImportError("libm.so: failed to map segment from shared object"),
+        OSError(12, "Cannot allocate memory"),
+    ],
+    ids=lambda error: type(error).__name__,
+)
+def test_too_little_memory_is_one_sentence(error, monkeypatch):
+    monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
+    done = run("run", "--duration", "1")
+    assert done.exit_code == 2
+    assert done.stderr.count("\n") == 1
+    assert "memory" in done.stderr
+
+
 def test_an_option_replaces_the_argument_and_no_word_of_the_value():
     done = run("animate", "--out", "a.mp4", "--theme", "start = end")
     assert done.exit_code == 2

@@ -59,6 +59,26 @@ def test_a_chain_on_request(table):
     assert sum(posterior["shares"].values()) == pytest.approx(1.0)
 
 
+def test_a_chain_that_is_stopped_says_no_more_than_that(table, monkeypatch):
+    """emcee printed the traceback of each exception."""
+    from hophoop.fitting import sampling
+
+    def stopping(*given):
+        likelihood, calls = made(*given), iter(range(200))
+
+        def stops(values):
+            if next(calls, None) is None:
+                raise KeyboardInterrupt
+            return likelihood(values)
+
+        return stops
+
+    made = sampling._likelihood
+    monkeypatch.setattr(sampling, "_likelihood", stopping)
+    done = call("fit", table, "--radius", 0.3, "--fix", "restitution=0.2", "--fix", "mu_excess=0", "--sample", 50, "--quiet")
+    assert (done.exit_code, done.output) == (130, "Stopped.\n")
+
+
 def test_the_lab_opens_a_fit(table, tmp_path, monkeypatch):
     pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
     opened = []

@@ -16,6 +16,7 @@ import zarr
 import hophoop as hh
 from damage import sign, unseal
 from hophoop import io
+from hophoop._support import files
 from hophoop.results import save as export
 
 
@@ -190,8 +191,28 @@ def test_a_full_disk_is_an_error_of_the_system_in_netcdf_too(motion, tmp_path, m
         raise RuntimeError("NetCDF: HDF error")
 
     monkeypatch.setattr(xr.Dataset, "to_netcdf", full)
-    with pytest.raises(OSError, match="perhaps because the disk is full: NetCDF: HDF error"):
+    with pytest.raises(OSError, match=r"hop\.nc cannot be written: NetCDF: HDF error"):
         io.save(motion, tmp_path / "hop.nc", n=5)
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
+@pytest.mark.parametrize("error", [PermissionError(13, "Permission denied"), RuntimeError("NetCDF: HDF error")])
+def test_the_system_says_why_netcdf_fails(error):
+    """It calls a full disk 'Permission denied'."""
+    with pytest.raises(OSError, match="No space left on device"), files.netcdf_errors(Path("/dev/full")):
+        raise error
+
+
+def test_an_error_names_the_file_that_was_given(tmp_path, monkeypatch):
+    """In a folder that is read-only, removing the temporary file fails as well."""
+
+    def refuse(path, **_):
+        raise OSError(30, "Read-only file system", str(path))
+
+    monkeypatch.setattr(Path, "unlink", refuse)
+    with pytest.raises(OSError, match="Read-only") as refused, files.replacing(tmp_path / "hop.csv") as fresh:
+        fresh.write_text("text")
+    assert refused.value.filename == str(tmp_path / "hop.csv")
 
 
 def test_json_is_text_for_people_with_numbers_only(motion, tmp_path):

@@ -45,11 +45,12 @@ def replacing(target: Path) -> Iterator[Path]:
     through = there is not None and (_descriptor(target) is not None or _is_stream(there, target))
     place = Path(os.path.realpath(target)) if target.is_symlink() and not through else target
     require_folder_of(place, target)
-    with (
-        temporary_folder() if through else contextlib.nullcontext(place.parent) as folder,
-        temporary(folder / f".{uuid.uuid4().hex[:12]}.{target.name}") as fresh,
-    ):
-        try:
+    name = f".{uuid.uuid4().hex[:12]}.{target.name}"
+    try:
+        with (
+            temporary_folder() if through else contextlib.nullcontext(place.parent) as folder,
+            temporary(folder / name) as fresh,
+        ):
             yield fresh
             if through:
                 _pour(fresh, target)
@@ -59,8 +60,21 @@ def replacing(target: Path) -> Iterator[Path]:
                 if there is not None:
                     _keep(there, fresh)
                 os.replace(fresh, place)
-        except OSError as error:
-            raise _named(error, fresh, target) from None
+    except OSError as error:
+        raise _named(error, name, target) from None
+
+
+@contextmanager
+def netcdf_errors(file: Path) -> Iterator[None]:
+    """Context in which an error of netCDF becomes the system's: netCDF calls a full disk 'Permission denied' or 'HDF error'."""
+    try:
+        yield
+    except (OSError, RuntimeError) as error:
+        with file.open("ab") as probe:  # raises what the system says
+            probe.write(bytes(1 << 16))
+        if isinstance(error, OSError):
+            raise
+        raise OSError(f"{file} cannot be written: {error}.") from None
 
 
 def require_folder_of(place: Path, target: Path) -> None:
@@ -126,11 +140,11 @@ def _keep(there: os.stat_result, fresh: Path) -> None:
         fresh.chmod(mode)
 
 
-def _named(error: OSError, fresh: Path, target: Path) -> OSError:
-    """Return the error with the path that the caller gave."""
+def _named(error: OSError, name: str, target: Path) -> OSError:
+    """Return the error with the path that the caller gave, in place of the temporary one."""
     if error.errno is None:
-        return OSError(str(error).replace(str(fresh), str(target)))
-    ours = error.filename is None or fresh.name.removesuffix(target.name) in str(error.filename)
+        return OSError(str(error).replace(name, target.name))
+    ours = error.filename is None or name.removesuffix(target.name) in str(error.filename)
     return OSError(error.errno, error.strerror, str(target)) if ours else error
 
 

@@ -66,9 +66,15 @@ class Timing:
                 raise InputError.of_field(name, value, f"a positive number{limit}")
         if self.slow_width is not None and not (0.0 < self.slow_width < math.inf):
             raise InputError.of_field("slow_width", self.slow_width, "positive (s)")
+        for name in ("start", "end"):
+            value = getattr(self, name)
+            if value is not None and not math.isfinite(value):
+                raise InputError.of_field(name, value, "a finite time (s)")
         if self.step not in STEPS:
             raise InputError.of_field("step", self.step, f"one of {', '.join(STEPS)}")
         for mark in self.marks:
+            if not isinstance(mark, str) and not math.isfinite(mark):
+                raise InputError.of_field("slow_at", mark, "a finite time (s) or a kind of event")
             if isinstance(mark, str) and mark not in EVENT_NAMES:
                 raise InputError(
                     f"slow_at = {mark!r} is not a time or one of {', '.join(EVENT_NAMES)}.", field="slow_at", value=mark

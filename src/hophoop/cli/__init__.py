@@ -79,7 +79,9 @@ class Commands(TyperGroup):
             from hophoop.scenario.sentences import sentence
 
             raise Failed(sentence(error)) from error
-        except MemoryError as error:
+        except (MemoryError, RuntimeError, ImportError) as error:
+            if not _is_short_of_memory(error):
+                raise
             raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
 
     def _refuse_empty_names(self, words: list[str]) -> None:
@@ -131,6 +133,12 @@ class Commands(TyperGroup):
                     raise
                 status = _report_failure(error, stopping)
             sys.exit(status if isinstance(status, int) else DONE)
+
+
+def _is_short_of_memory(error: BaseException) -> bool:
+    """Return True for an error by which Python or the system reports too little memory."""
+    words = ("can't start new thread", "failed to map segment", "annot allocate memory")
+    return isinstance(error, MemoryError) or any(word in str(error) for word in words)
 
 
 def _report_failure(error: BaseException, stopping: Stopping) -> int:

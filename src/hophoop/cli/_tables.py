@@ -93,7 +93,7 @@ def _least_width(table: Table, console: Console) -> int:
 
     width = Measurement.get(console, console.options.update(width=10_000), table).maximum
     for column in table.columns:
-        if not column.no_wrap and column.width is None:
+        if not column.no_wrap:
             texts = [str(cell) for cell in (column.header, *column.cells)]
             width -= max(map(cell_len, texts)) - max(cell_len(word) for text in texts for word in text.split() or [""])
     return width

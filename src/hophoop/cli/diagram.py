@@ -53,7 +53,7 @@ def diagram(
 
 
 def _write(found: Diagram, out: Path | None, plot: Path | None) -> None:
-    from hophoop._support.files import replacing
+    from hophoop._support.files import netcdf_errors, replacing
 
     if plot is not None:
         from hophoop.plots.diagram import diagram as drawn
@@ -64,7 +64,8 @@ def _write(found: Diagram, out: Path | None, plot: Path | None) -> None:
     if out is not None:
         with replacing(out) as place:
             if out.suffix == ".nc":
-                found.to_xarray().to_netcdf(place, engine="netcdf4")
+                with netcdf_errors(place):
+                    found.to_xarray().to_netcdf(place, engine="netcdf4")
             else:
                 place.write_text(found.to_csv(), encoding="utf-8")
     names = " and ".join(str(path) for path in (out, plot) if path is not None)

@@ -78,6 +78,7 @@ def sample(
     begin = _places(fit, choice, likelihood, count, rng)
     moves = [(emcee.moves.DEMove(), 0.8), (emcee.moves.DESnookerMove(), 0.2)] if count > 5 else None
     sampler = emcee.EnsembleSampler(count, len(names), likelihood, moves=moves)
+    sampler.log_prob_fn = likelihood  # emcee's own prints a traceback at Ctrl-C
     sampler.random_state = np.random.RandomState(seed).get_state()
     for done, _ in enumerate(sampler.sample(begin, iterations=steps), 1):
         if progress is not None:

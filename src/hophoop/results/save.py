@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.checksum import CHECKSUM, checksum, seal
 from hophoop._support.extras import need
-from hophoop._support.files import replacing
+from hophoop._support.files import netcdf_errors, replacing
 from hophoop.kernel.native.sources import stamp
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.results.records import ArraySample, Motion
@@ -204,12 +204,10 @@ def write_json(motion: Motion, path: str | Path, more: Mapping[str, Any] | None 
 
 def _write_netcdf(groups: dict[str, Any], file: Path) -> None:
     need("netCDF4", "maps")
-    try:
+    with netcdf_errors(file):
         for name, group in groups.items():
             exact = {key: {"_FillValue": None} for key in group.variables}
             group.to_netcdf(file, mode="w" if name == "/" else "a", group=name, engine="netcdf4", encoding=exact)
-    except RuntimeError as error:  # netCDF's error when the disk is full
-        raise OSError(f"{file} cannot be written, perhaps because the disk is full: {error}.") from None
     seal(file)
 
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from hophoop._support.checksum import seal
 from hophoop._support.extras import need
-from hophoop._support.files import replacing
+from hophoop._support.files import netcdf_errors, replacing
 from hophoop._support.progress import bar
 from hophoop.maps.grid import store
 from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, make_plan, run_chunk, thread_limit, values_of
@@ -205,7 +205,8 @@ def _to_netcdf(place: Path, file: Path) -> None:
     need("netCDF4", "maps")
     dataset = need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False)
     with replacing(file) as fresh:
-        dataset.to_netcdf(fresh, engine="netcdf4")
+        with netcdf_errors(fresh):
+            dataset.to_netcdf(fresh, engine="netcdf4")
         seal(fresh)
     store.remove(place)
 
