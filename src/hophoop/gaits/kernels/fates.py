@@ -30,11 +30,11 @@ from hophoop.gaits.kernels.layout import (
 )
 from hophoop.gaits.kernels.wells import stays_in_well
 from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import TWO_PI
+from hophoop.kernel.numerics.double_double import PI, TWO_PI
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import ImpactLaw, Mode
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
-from hophoop.theory.kernels.critical import first_slip
 from hophoop.vocabulary.fates import FATE_CODES, Fate
 
 (
@@ -49,6 +49,7 @@ AHEAD = 1e-5  # the most that all differences to come may add up to
 FAST, FASTER = 1e3, 1e2  # √(g/R), and times the speed of the start: a hoop that rotates so fast down a slope runs away
 LOW = 1e-6  # R: lower hops are the end of a sequence of bounces
 FEW = 0.1  # of a difference: its limit is 0, or its own size, to this share
+ANGLES, HOLDS = 64, 0.999  # of half a revolution at which rolling is looked at, and the share of friction that it may use
 BELOW = 1e-12  # m g R: by which the energy is below that of the load at the top
 
 # What is remembered of a motion: the turning points of this phase of rolling, and all in contact; |θ̇| of a hoop that runs away.
@@ -197,7 +198,21 @@ def bounces_die(numbers, k, period):
 
 
 @apart
-def fate_at_passage(body, numbers, words, k, section, memory, scratch):
+def rolls_slowly(body):
+    """Return True if a hoop on the level that only just gets over the top does so without slip."""
+    for k in range(1, ANGLES):
+        th = PI * k / ANGLES
+        s, c = sine_cosine(th, 0.0)
+        height = load_height(s, c)
+        u = 2.0 * body.eps * body.gn * (1.0 - c) / inertia_at_height(body, height)
+        friction, normal = rolling_forces(body, s, c, u, 0.0)
+        if not abs(friction) <= HOLDS * body.mu_s * normal:
+            return False
+    return True
+
+
+@apart
+def fate_at_passage(body, numbers, words, k, section, memory):
     """Return (fate, period) after passage k; the period is 0 except in a gait."""
     length = numbers.shape[0]
     last, before = numbers[k % length], numbers[(k - 1) % length]
@@ -224,7 +239,7 @@ def fate_at_passage(body, numbers, words, k, section, memory, scratch):
                 and before[MODE] == ROLL
                 and first[MODE] == ROLL
                 and 0.0 < falls < fell
-                and first_slip(body, scratch)[0] > 0.0
+                and rolls_slowly(body)
             ):
                 return SLIPS_EVER_LESS, 0
         return OPEN, 0

@@ -249,7 +249,7 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
                 phase.mode, phase.state, False, phase.zeros, phase.opening, phase.level, phase.bounce, Ending.CONTINUES, GOING
             )
         if fate == OPEN:
-            fate, period = fate_at_passage(body, numbers, words, passages, request.section, memory, scratch)
+            fate, period = fate_at_passage(body, numbers, words, passages, request.section, memory)
         passages += 1
         if passages < request.most:
             row = passages % numbers.shape[0]
