@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import argparse
 import http.client
-import json
 import math
 import os
 import socket
@@ -20,7 +19,6 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -182,7 +180,7 @@ def _python(code: str, kernels: str) -> str:
 
 
 def lab() -> Rows:
-    """Motions of 6 s from a server on this machine, eight requests at a time, each another scenario."""
+    """The server of the page: until it answers, and until a motion of 6 s is there as netCDF."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = int(probe.getsockname()[1])
@@ -193,12 +191,12 @@ def lab() -> Rows:
         while not _answers(port):
             time.sleep(0.05)
         yield "until it answers", time.perf_counter() - began, "s"
+        connection = http.client.HTTPConnection("127.0.0.1", port)
         began = time.perf_counter()
-        with ThreadPoolExecutor(8) as visitors:
-            waits = np.concatenate(list(visitors.map(lambda k: _visit(port, k, 250), range(8))))
-        yield "motions", len(waits) / (time.perf_counter() - began), "Hz"
-        yield "median wait", 1e3 * float(np.median(waits)), "ms"
-        yield "99 % wait less than", 1e3 * float(np.quantile(waits, 0.99)), "ms"
+        connection.request("POST", "/files/motion.nc", "{}", {"Content-Type": "application/json"})
+        answer = connection.getresponse()
+        assert (answer.status, answer.read(4)[1:]) == (200, b"HDF")
+        yield "a motion as netCDF", time.perf_counter() - began, "s"
     finally:
         server.terminate()
         server.wait(10)
@@ -207,24 +205,10 @@ def lab() -> Rows:
 def _answers(port: int) -> bool:
     try:
         connection = http.client.HTTPConnection("127.0.0.1", port, timeout=1)
-        connection.request("GET", "/healthz")
+        connection.request("GET", "/")
         return connection.getresponse().status == 200
     except OSError:
         return False
-
-
-def _visit(port: int, visitor: int, count: int) -> list[float]:
-    """Waits of one visitor [s]."""
-    connection, waits = http.client.HTTPConnection("127.0.0.1", port), []
-    for k in range(count):
-        body = json.dumps({"start": {"speed": 1.0 + 0.3 * visitor + 0.001 * k}, "duration": 6.0})
-        began = time.perf_counter()
-        connection.request("POST", "/api/v1/simulate", body, {"Content-Type": "application/json"})
-        answer = connection.getresponse()
-        answer.read()
-        waits.append(time.perf_counter() - began)
-        assert answer.status == 200
-    return waits
 
 
 MEASURED = {one.__name__: one for one in (derivatives, compliant, gaits, proofs, fitting, films, start, lab)}

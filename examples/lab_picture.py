@@ -18,7 +18,7 @@ import uvicorn
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
-from hophoop.lab.server import routes
+from hophoop.lab.server.site import create_app
 
 SIZE = {"width": 1280, "height": 800}
 MOMENT = 1.3  # in the air [s]
@@ -28,7 +28,7 @@ VIEWS = {"lab": "", "lab-everything": "localStorage['hophoop-view'] = 'everythin
 
 def serve() -> tuple[uvicorn.Server, str]:
     """The lab on loopback, and its address."""
-    server = uvicorn.Server(uvicorn.Config(routes.create_app(), host="127.0.0.1", port=0, log_level="error"))
+    server = uvicorn.Server(uvicorn.Config(create_app(), host="127.0.0.1", port=0, log_level="error"))
     threading.Thread(target=server.run, daemon=True).start()
     while not server.started:
         time.sleep(0.02)

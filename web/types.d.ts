@@ -1,4 +1,4 @@
-// Shapes that several files share; generated.d.ts has those that Python sends. The classes are in the files themselves.
+// Shapes that several files share. The classes are in the files themselves.
 
 type Film = import("./lab/player/film.ts").Film;
 type Clock = import("./lab/player/clock.ts").Clock;
@@ -92,18 +92,15 @@ interface Reply<Header = FilmHeader> {
   /** Of a film: its columns at one time, where the page can compute them at once. */
   exact?(time: number): Record<string, Column>;
   /** Of a film that another computes: its columns from one time to another. */
-  samples?(window: [number, number]): Promise<Record<string, Column>>;
 }
 
 type Change = [path: string, value: unknown];
 
 type Backend = import("./lab/backend/backend.ts").Backend;
 
-// What needs Python: a server, or the kernel of a notebook.
+// What makes files that need Python: a server, or the kernel of a notebook.
 interface Python {
-  /** Results and columns of a motion in as many digits as it needs; of a window of time, the columns. */
-  motion(body: { query: string; window?: [number, number] }, signal?: AbortSignal): Promise<Reply<SentMotion>>;
-  file(name: string, query: string): Promise<Blob>;
+  file(name: string, scenario: Scenario): Promise<Blob>;
 }
 
 // What is drawn of the hoop.
@@ -291,7 +288,7 @@ interface SceneData {
 type MaybeLater<T> = T | Promise<T>;
 
 // A compliant contact as its scenario gives it; null where the default is used.
-type GivenContact = Omit<CompliantContact, "model" | "max_events">;
+type GivenContact = CompliantContact;
 
 // A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
 interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
@@ -441,12 +438,8 @@ interface Computed {
 
 // --- A scenario that has been checked: web/model ---------------------------------------------------------------------
 
-interface CheckedPlane {
-  apart: boolean; // static and kinetic friction given as two
-}
-
 interface CheckedContact {
-  model: (RigidContact | CompliantContact)["model"];
+  model: "rigid" | "compliant";
   max_events: number;
   [key: string]: any;
 }
@@ -457,6 +450,166 @@ interface Checked {
   plane: CheckedPlane;
   start: CheckedStart;
   contact: CheckedContact;
+}
+
+// --- Written by Python: static/tables.json, which the compiler checks against `Tables`, and motions --------------------
+
+type WholePart =
+  | { shape: "ring"; mass: number; inner_radius: number; outer_radius: number }
+  | { shape: "disk"; mass: number; radius: number; at: number }
+  | { shape: "point_mass"; mass: number; at: number }
+  | { shape: "rod"; mass: number; length: number; at: number; direction: "radial" | "tangential" };
+
+interface CheckedHoop {
+  radius: number;
+  mass: number;
+  load_fraction: number | null;
+  eccentricity: number;
+  inertia_ratio: number;
+  parts: WholePart[] | null;
+}
+
+interface CheckedPlane {
+  gravity: number;
+  slope: number;
+  mu: number | null;
+  mu_static: number;
+  mu_kinetic: number;
+  apart: boolean; // static and kinetic friction given as two
+  restitution: number;
+  impact_law: "stronge" | "newton" | "poisson";
+  painleve: "flight" | "impact";
+  rolling_resistance: number;
+}
+
+interface CheckedStart {
+  x: number;
+  height: number;
+  angle: number;
+  speed: number | null;
+  vx: number;
+  vy: number;
+  omega: number | null;
+}
+
+interface CompliantContact {
+  stiffness: number | null;
+  damping: number | null;
+  restitution: number | null;
+  law: "kelvin-voigt" | "hunt-crossley";
+  friction: "tanh" | "linear" | "bristle";
+  slip_speed: number | null;
+  tangential_stiffness: number | null;
+  rtol: number | null;
+}
+
+type RangeTable = { least: number; most: number; unit?: string; also?: (number | string)[] };
+type Worded = { path: string; label: string };
+type SliderInfo = Worded & { symbol: string; unit: string; help: string; least: number; most: number; step: number } & {
+  logarithmic: boolean;
+  degrees: boolean;
+  allowed: Required<Omit<RangeTable, "unit">>;
+};
+type ChoiceInfo = Worded & { options: string[][]; help: string };
+type AxisInfo = Worded & { unit: string; degrees: boolean; range: number[]; allowed: number[] };
+type Preset = { key: string; group: string; title: string; text: string; query: string };
+type Colors = typeof import("../src/hophoop/lab/static/tables.json")["setup"]["colors"] & {
+  modes: Record<string, string>;
+  mode_names: Record<string, string>;
+};
+
+interface ControlsInfo {
+  groups: Record<string, SliderInfo[]>;
+  choices: ChoiceInfo[];
+  gravities: (string | number)[][];
+  map_axes: AxisInfo[];
+}
+
+interface Setup {
+  version: string;
+  controls: ControlsInfo;
+  map_quantities: string[][];
+  presets: Preset[];
+  colors: Colors;
+}
+
+interface FieldTable {
+  kind: string;
+  unit: string;
+  nullable?: boolean;
+  required?: boolean;
+  default?: any;
+  limits?: (string | number)[][];
+  range?: RangeTable;
+  options?: string[];
+}
+
+interface Tables {
+  setup: Setup;
+  fingerprints: Record<string, string | null>;
+  schema: string;
+  scenario: {
+    sections: Record<string, string[]>;
+    models: Record<string, { place: string; fields: Record<string, FieldTable> }>;
+    parts: Record<string, string>;
+    ends: Record<string, string[]>;
+    left_out: Record<string, any>;
+    rules: ({ sentence: string; values: Record<string, any>; known: Record<string, any>; number: string } | null)[];
+    touch: number;
+    default: Record<string, any>;
+  };
+  texts: Record<string, string>;
+  words: { letters: string; modes: string[]; summed_up: string[]; signs: Record<string, string>; least_speed: number };
+  classes: { codes: Record<string, Record<string, string>> } & Record<"families" | "massless", Record<string, string>> &
+    Record<"hops" | "rolls" | "other", string>;
+  map: {
+    allowed: Record<string, RangeTable>;
+    rates: Record<string, string>;
+    quantities: Record<string, { span: string; unit: string; words: string[] }>;
+  };
+  lab: Record<string, string>;
+  limits: typeof import("../src/hophoop/lab/static/tables.json")["limits"];
+  table: { rate: number; variables: Record<string, string> };
+  shown: string[];
+}
+
+// biome-ignore format: a list
+type EventKind = "start" | "slip_start" | "stick" | "slip_reversal" | "takeoff" | "impact" | "turn" | "apex" | "bounce_limit"
+  | "painleve_inconsistent" | "painleve_indeterminate" | "jam" | "kane_gain" | "skim" | "rest" | "end";
+type ModeLetter = "R" | "S" | "K" | "H" | "M";
+type MotionStatus = "completed" | "at_rest" | "jammed" | "undetermined" | "event_limit";
+
+interface MotionState {
+  t: number;
+  x: number;
+  height: number;
+  angle: number;
+  vx: number;
+  vy: number;
+  omega: number;
+}
+
+interface MotionEvent extends MotionState {
+  kind: EventKind;
+  from: ModeLetter | null;
+  to: ModeLetter;
+  before: Record<"vx" | "vy" | "omega", number | null>;
+  impulse: Record<"normal" | "tangential", number | null>;
+  collision?: boolean;
+  gain?: number | null;
+  stable?: boolean | null;
+}
+
+interface SentMotion {
+  status: MotionStatus;
+  sequence: string;
+  fingerprint: string;
+  events: MotionEvent[];
+  final: MotionState & { mode: ModeLetter };
+  energy: Record<string, number>;
+  query: string;
+  duration: number;
+  turning: Record<string, number>;
 }
 
 // A canvas whose strokes become an SVG.

@@ -115,14 +115,14 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
     import numpy as np
 
     import hophoop as hh
-    from hophoop.lab.api import calls
+    from hophoop.lab.api.motion import columns
 
     scenario = hh.Scenario(start=hh.Start.rolling(2.0), duration=600.0)
     (answer,) = answers("film", [{"scenario": scenario.to_dict()}])
     header, whole = answer["value"]["header"], answer["value"]["arrays"]
-    part = calls.answer(calls.read("motion", {"scenario": scenario.to_dict(), "window": [299.0, 308.0]}))
-    assert (part.arrays["t"][0], part.arrays["t"][-1]) == (299.0, 308.0)
     motion = hh.simulate(scenario)
+    part = columns(motion, window=(299.0, 308.0))
+    assert (part["t"][0], part["t"][-1]) == (299.0, 308.0)
     dense = np.linspace(300.0, 306.0, 3001)
     times = dense[np.argsort(-motion.at(dense).vx)[[0, 40, 900]]].tolist()  # where it is fastest
     code = """
@@ -132,8 +132,8 @@ def test_a_long_film_is_made_finer_where_one_looks(js):
       return [before, [film.wanted(300), film.wanted(307, 4)], times.map((t) => [film.at(t).vx, film.at(t).angle]),
               film.pieces().map((piece) => [piece.film === film, piece.from, piece.to]), film.at(20).t];
     """
-    columns = {name: column.tolist() for name, column in part.arrays.items()}
-    before, wanted, after, pieces, outside = js("film.ts", code, header=header, whole=whole, part=columns, times=times)
+    listed = {name: column.tolist() for name, column in part.items()}
+    before, wanted, after, pieces, outside = js("film.ts", code, header=header, whole=whole, part=listed, times=times)
     sample = motion.at(times)
     assert before[0] == [298.0, 306.0]
     assert max(abs(np.array(before[1]) - sample.vx)) > 0.01  # what is seen without it

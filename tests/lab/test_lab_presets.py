@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.lab.api import calls
 from hophoop.lab.site import presets
 from hophoop.lab.site.setup import setup
 
@@ -15,7 +14,7 @@ PRESETS = {preset.key: preset for preset in presets.presets()}
 
 
 def kinds(key):
-    return {event.kind for event in calls.computed(PRESETS[key].scenario).events}
+    return {event.kind for event in hh.simulate(PRESETS[key].scenario).events}
 
 
 def test_the_article_is_there():
@@ -43,15 +42,15 @@ def test_presets_show_what_they_promise(key, kind):
 
 
 def test_presets_say_true_numbers():
-    gain = next(e.gain for e in calls.computed(PRESETS["kane"].scenario).events if e.kind == "kane_gain")
+    gain = next(e.gain for e in hh.simulate(PRESETS["kane"].scenario).events if e.kind == "kane_gain")
     assert 1.5 < gain < 2.5  # 'creates two joules'
     stronge = PRESETS["kane"].scenario.replace("plane.impact_law", "stronge")
-    assert not calls.computed(stronge).find("kane_gain")
-    earth, moon = (calls.computed(PRESETS[key].scenario) for key in ("hop", "moon"))
+    assert not hh.simulate(stronge).find("kane_gain")
+    earth, moon = (hh.simulate(PRESETS[key].scenario) for key in ("hop", "moon"))
     assert moon.find("takeoff")[0].t / earth.find("takeoff")[0].t == pytest.approx(2.46, abs=0.005)
-    assert calls.computed(PRESETS["jam"].scenario).status == "jammed"
+    assert hh.simulate(PRESETS["jam"].scenario).status == "jammed"
     impact = PRESETS["indeterminate"].scenario.replace("plane.painleve", "impact")
-    assert calls.computed(impact).sequence != calls.computed(PRESETS["indeterminate"].scenario).sequence
+    assert hh.simulate(impact).sequence != hh.simulate(PRESETS["indeterminate"].scenario).sequence
 
 
 def test_presets_open_from_their_links():

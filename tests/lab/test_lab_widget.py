@@ -38,13 +38,17 @@ def test_the_widget_carries_its_motion(widget, motion):
     assert packing.unpack(widget.film)[0]["sequence"] == "R"
 
 
-def test_the_widget_answers_and_keeps_the_motion(widget):
-    body = {"scenario": {}, "changes": [["start.speed", 2.0]]}
-    widget._answer(widget, {"view": "a", "number": 3, "call": "motion", "body": body}, [])
+def test_the_widget_keeps_the_motion_that_its_page_shows(widget):
+    widget.query = "start.speed=2"
+    assert widget.motion.scenario.start.speed == 2.0
+
+
+def test_the_widget_makes_files(widget):
+    body = {"name": "motion.nc", "scenario": {"duration": 0.5}}
+    widget._answer(widget, {"view": "a", "number": 3, "call": "file", "body": body}, [])
     ((content, buffers),) = widget.sent
     assert content == {"view": "a", "number": 3}
-    assert packing.unpack(buffers[0])[0]["sequence"] == "R"
-    assert widget.motion.scenario.start.speed == 2.0
+    assert packing.unpack(buffers[0])[1]["content"].tobytes()[1:4] == b"HDF"
 
 
 def test_the_widget_sends_the_module_of_derivatives_where_it_is_asked_for(widget):
@@ -57,8 +61,8 @@ def test_the_widget_sends_the_module_of_derivatives_where_it_is_asked_for(widget
 
 def test_the_widget_says_what_is_wrong(widget):
     before = widget.motion
-    body = {"scenario": {}, "changes": [["hoop.mass", -1]]}
-    widget._answer(widget, {"view": "a", "number": 4, "call": "motion", "body": body}, [])
+    body = {"name": "motion.nc", "scenario": {"hoop": {"mass": -1}}}
+    widget._answer(widget, {"view": "a", "number": 4, "call": "file", "body": body}, [])
     refused = {"status": 422, "detail": "hoop.mass = -1 must be greater than 0."}
     assert widget.sent[0][0] == {"view": "a", "number": 4, **refused}
     assert widget.motion is before
@@ -75,7 +79,7 @@ def test_the_widget_shows_a_defect_in_the_notebook(widget, monkeypatch):
     def broken(*_):
         raise ValueError("operands could not be broadcast together")
 
-    monkeypatch.setattr("hophoop.lab.api.calls.answer", broken)
+    monkeypatch.setattr("hophoop.lab.api.files.make", broken)
     with pytest.raises(ValueError, match="broadcast"):
-        widget._answer(widget, {"view": "a", "number": 5, "call": "file", "body": {"name": "motion.csv"}}, [])
+        widget._answer(widget, {"view": "a", "number": 5, "call": "file", "body": {"name": "motion.nc", "scenario": {}}}, [])
     assert widget.sent == [({"view": "a", "number": 5, "status": 500}, None)]

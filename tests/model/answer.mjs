@@ -38,12 +38,6 @@ const CALLS = {
         .join(" "),
     ),
   texts: (texts) => texts.map((text) => [plain(text), shortened(text), numberOf(text) ?? null]),
-  bounded({ name, body }) {
-    const { checked, ...options } = model.requested(body, mechanics);
-    if (name === "map") model.withinMap(checked, options);
-    else model.within(checked);
-    return null;
-  },
   rates({ scenario, path }) {
     const found = model.ratesOf(model.fromDict(scenario, mechanics), path);
     return found && { ...found, rates: bits(found.rates) };
@@ -65,23 +59,13 @@ CALLS.samples = async ({ scenario, window }) => listed(await local.samples(scena
 CALLS.theory = ({ scenario }) => local.theory(scenario);
 // what Python has computed, as the page shows it
 CALLS.shown = ({ header, arrays }) => local.shown({ header, arrays }).header;
-// a Python that says what it is asked for, with a motion that was computed before
-CALLS.served = async ({ asked, motion }) => {
+// a Python that says what it is asked for
+CALLS.served = async (asked) => {
   const said = [];
-  const python = {
-    motion: async (body) => (said.push(body), body.window ? { header: {}, arrays: { t: [7] } } : { header: motion, arrays: { t: [] } }),
-    file: async (name, query) => (said.push({ name, query }), new Blob(["of Python"])),
-  };
+  const python = { file: async (name, scenario) => (said.push({ name, scenario }), new Blob(["of Python"])) };
   const served = new Backend(kernel, mechanics, { python });
   const found = [];
-  for (const { film, samples, file, query } of asked) {
-    if (film) found.push((await served.film(film)).header);
-    else if (samples) {
-      const reply = await served.film({ scenario: samples });
-      found.push(listed(await (reply.samples ?? ((window) => served.samples(samples, window)))([1, 2])));
-    }
-    else found.push(await (await served.file(file, query)).text());
-  }
+  for (const [name, query] of asked) found.push(await (await served.file(name, query)).text());
   return { said, found };
 };
 CALLS.changes = async ({ scenario, path }) => {

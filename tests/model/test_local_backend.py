@@ -13,10 +13,12 @@ import pytest
 
 import hophoop as hh
 from hophoop._support.fingerprint import is_fingerprint
-from hophoop.lab.api import calls, files
-from hophoop.lab.api.limits import USUAL
+from hophoop.lab.api.limits import within
+from hophoop.lab.api.motion import columns, result
+from hophoop.lab.api.packing import finite
 from hophoop.lab.site import presets
 from hophoop.vocabulary.classes import class_color, class_text
+from model.asked import asked
 from model.test_page_model import answers
 from web_tools import english, needs_node
 
@@ -31,9 +33,10 @@ BODIES: list[dict[str, Any]] = [
 ]
 
 
-def of_python(name: str, body: dict[str, Any]) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    reply = calls.answer(calls.read(name, json.loads(json.dumps(body))))
-    return calls.finite(reply.header), reply.arrays or {}
+def of_python(body: dict[str, Any]) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    scenario = asked(json.loads(json.dumps(body)))
+    motion = hh.simulate(within(scenario))
+    return finite(result(motion, scenario)), columns(motion, window=body.get("window"))
 
 
 def number(value: Any) -> float:
@@ -72,7 +75,7 @@ def test_films_are_those_of_python_and_told_alike_whoever_computes_them():
     films = [answer["value"] for answer in answers("film", bodies)]
     results = []
     for body, film in zip(bodies, films, strict=True):
-        header, arrays = of_python("motion", body)
+        header, arrays = of_python(body)
         for name in RESULTS:
             alike(film["header"][name], header[name], f"{body} {name}")
         same_columns(film["arrays"], arrays, body)
@@ -86,33 +89,17 @@ def test_films_are_those_of_python_and_told_alike_whoever_computes_them():
 UNDECIDED = "start.speed=3.616628264005025"
 
 
-def test_a_motion_that_doubles_do_not_decide_is_asked_of_python_or_said():
+def test_a_motion_that_doubles_do_not_decide_is_said_and_python_makes_its_files():
     (here,) = answers("film", [{"query": UNDECIDED}])
     assert here["value"]["header"]["fingerprint"] is None
-    assert here["value"]["header"]["doubt"]
+    assert english(here["value"]["header"]["doubt"]).endswith("Run it with `--digits 30` for the exact answer.")
     (decided,) = answers("film", [{}])
     assert "doubt" not in decided["value"]["header"]
     assert is_fingerprint(decided["value"]["header"]["fingerprint"])
-    motion, _ = of_python("motion", {"query": UNDECIDED})
-    assert is_fingerprint(motion["fingerprint"])
-    scenarios = [hh.Scenario.from_query(query).to_dict() for query in (UNDECIDED, "")]
-    asked: list[dict[str, Any]] = [{"film": {"query": UNDECIDED}}, {"film": {}}]
-    asked += [{"samples": scenario} for scenario in scenarios]
-    asked += [
-        {"file": name, "query": query} for name in ("motion.json", "motion.csv", "motion.nc") for query in (UNDECIDED, "")
-    ]
-    (served,) = answers("served", [{"asked": asked, "motion": motion}])
-    said, found = served["value"]["said"], served["value"]["found"]
-    assert said[:3] == [{"query": UNDECIDED}, {"query": UNDECIDED}, {"query": UNDECIDED, "window": [1, 2]}]
-    assert [(one["name"], one["query"]) for one in said[3:]] == [
-        ("motion.json", UNDECIDED), ("motion.csv", UNDECIDED), ("motion.nc", UNDECIDED), ("motion.nc", ""),
-    ]  # fmt: skip
-    assert found[0]["fingerprint"] == motion["fingerprint"]
-    assert "doubt" not in found[0]
-    assert found[1]["sequence"].startswith("RKRSHR")  # computed here
-    assert found[2] == {"t": [7]}
-    assert len(found[3]["t"]) > 200
-    assert [text == "of Python" for text in found[4:]] == [True, False, True, False, True, True]
+    (served,) = answers("served", [[["motion.json", UNDECIDED], ["motion.nc", UNDECIDED], ["motion.nc", ""]]])
+    scenarios = [json.loads(json.dumps(hh.Scenario.from_query(query).to_dict())) for query in (UNDECIDED, "")]
+    assert served["value"]["said"] == [{"name": "motion.nc", "scenario": scenario} for scenario in scenarios]
+    assert [text == "of Python" for text in served["value"]["found"]] == [False, True, True]
 
 
 def test_a_part_of_a_film_is_finer():
@@ -120,7 +107,7 @@ def test_a_part_of_a_film_is_finer():
     windows: list[Any] = [[0, 3.5], [100.2, 101.9], [199.5, 250]]
     asked = [{"scenario": scenario.to_dict(), "window": window} for window in windows]
     for body, answer in zip(asked, answers("samples", asked), strict=True):
-        same_columns(answer["value"], of_python("motion", body)[1], body["window"])
+        same_columns(answer["value"], of_python(body)[1], body["window"])
 
 
 def test_thresholds_are_those_of_theory():
@@ -207,15 +194,18 @@ def by_hand(body: dict[str, Any]) -> Any:
     return table
 
 
-def test_files_are_those_of_python():
+def test_files_are_those_of_python(tmp_path):
     query = "plane.restitution=0.4&start.speed=3&duration=2"
     scenario = hh.Scenario.from_query(query)
     names = ("motion.toml", "motion.json", "motion.csv")
-    toml, result, table = (one["value"] for one in answers("file", [{"name": name, "query": query} for name in names]))
+    toml, events, table = (one["value"] for one in answers("file", [{"name": name, "query": query} for name in names]))
     assert hh.Scenario.loads(toml) == scenario
-    alike(json.loads(result), json.loads(files.result(scenario, USUAL)))
+    motion = hh.simulate(within(scenario))
+    alike(json.loads(events), json.loads(json.dumps(motion.to_dict())))
     ours = list(csv.reader(io.StringIO(table, newline="")))
-    theirs = list(csv.reader(io.StringIO(files.table(scenario, USUAL).decode(), newline="")))
+    hh.io.write_csv(motion, tmp_path / "motion.csv", motion.times(int(200 * motion.duration) + 1))
+    with open(tmp_path / "motion.csv", encoding="utf-8", newline="") as stream:
+        theirs = list(csv.reader(stream))
     assert ours[0] == theirs[0]
     assert table.endswith("\r\n")
     assert len(ours) == len(theirs)
@@ -240,7 +230,7 @@ def test_what_python_alone_makes_is_refused_in_a_sentence():
 def test_refusals_of_films(body, said):
     assert answers("film", [body]) == [{"error": said}]
     with pytest.raises(ValueError) as caught:
-        of_python("motion", body)
+        of_python(body)
     assert str(caught.value) == said
 
 
@@ -261,6 +251,3 @@ def test_refusals_of_maps(changes, said):
     body = {**MAP, **changes}
     (answer,) = answers("map", [body])
     assert answer["error"].startswith(said)
-    with pytest.raises(ValueError) as caught:
-        of_python("map", body)
-    assert answer["error"] == str(caught.value)

@@ -21,11 +21,11 @@ import hophoop as hh
 import random_scenarios
 from hophoop._support import errors
 from hophoop.lab import tables
-from hophoop.lab.api import calls
-from hophoop.lab.site import typescript
+from hophoop.lab.api.packing import finite
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.scenario import InputError
+from model.asked import asked
 from model.requests_drawn import NUMBERS, given_of, request
 from web_tools import bundled, needs_node
 
@@ -64,7 +64,7 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
 def of_python(body: Any) -> hh.Scenario | str:
     """The scenario by Python, or the start of the sentence that refuses it, which names the field."""
     try:
-        return calls.read("motion", body).scenario
+        return asked(body)
     except InputError as error:
         return field_of(str(error)).removeprefix("scenario.")
 
@@ -123,10 +123,6 @@ def test_the_tables_are_what_python_would_write_now():
     assert written == tables.text(), "run `python -m hophoop.lab.tables` and `npm run build` in web/"
 
 
-def test_the_types_are_those_of_the_models_now():
-    assert typescript.FILE.read_text(encoding="utf-8") == typescript.text(), "run `python -m hophoop.lab.tables`"
-
-
 def test_a_thousand_requests_are_read_alike(monkeypatch):
     kinds = compare(range(1000), monkeypatch)
     assert min(kinds["value"], kinds["error"]) > 250
@@ -183,10 +179,10 @@ def test_texts_are_made_safe_and_read_as_numbers_as_python_does():
     (answer,) = answers("texts", [texts])
     for text, (safe, short, number) in zip(texts, answer["value"], strict=True):
         try:
-            expected = calls.finite(float(text))
+            expected = finite(float(text))
         except ValueError:
             expected = None
-        read = calls.finite({"nan": math.nan, "inf": math.inf}.get(number, number)) if number is not None else None
+        read = finite({"nan": math.nan, "inf": math.inf}.get(number, number)) if number is not None else None
         assert (short, read) == (errors.shortened(text), expected), text
         assert safe == text or not text.isprintable()
     (answer,) = answers("texts", [["tab\tnew\nline \x00\x7f\u200b\ue000\U000e0001"]])

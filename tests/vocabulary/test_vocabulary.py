@@ -14,8 +14,6 @@ import hophoop as hh
 from hophoop import plots, theory
 from hophoop.kernel.records.layout import CELL, LAW
 from hophoop.lab.api import motion as film
-from hophoop.lab.api import motion_map
-from hophoop.lab.api.limits import USUAL
 from hophoop.lab.site.presets import presets
 from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
@@ -201,14 +199,7 @@ def test_only_motions_that_reach_their_end_are_ok():
 # Colours
 
 
-def test_a_class_has_one_colour_in_figures_and_in_the_lab():
-    x = motion_map.Axis.model_validate({"path": "start.speed", "from": 0.5, "to": 4.0, "cells": 12})
-    y = motion_map.Axis.model_validate({"path": "plane.mu", "from": 0.2, "to": 1.2, "cells": 10})
-    for what in ("sequence", "painleve", "ending"):
-        header, _ = motion_map.motion_map(hh.Scenario(duration=1.0), x, y, what, USUAL)
-        assert len(header["classes"]) > 1
-        for one in header["classes"]:
-            assert one["color"] == classes.class_color(one["name"], what)
+def test_a_class_has_one_colour_in_figures_and_in_maps():
     assert plots.class_color is classes.class_color
 
 

@@ -113,16 +113,20 @@ export class WorkerKernel implements Kernel {
   }
 
   async map({ count, rows }: MapCells, what: string, span: string, signal?: AbortSignal): Promise<MapValues> {
+    signal?.throwIfAborted();
     const fields = layout.cell.length;
     const values = new Float64Array(count).fill(Number.NaN);
     const sequences: string[] = [];
+    // a block that takes too long ends the others
+    const all = new AbortController();
+    signal?.addEventListener("abort", () => all.abort());
     const block = async (first: number) => {
       const size = Math.min(BLOCK, count - first);
       const part = new Float64Array(fields * size);
       for (let field = 0; field < fields; field++) {
         part.set(rows.subarray(field * count + first, field * count + first + size), field * size);
       }
-      const found = await this.maps.ask("map", [{ count: size, rows: part }, what, span], signal, [part.buffer]);
+      const found = await this.maps.ask("map", [{ count: size, rows: part }, what, span], all.signal, [part.buffer]);
       const codes = found.sequences?.map((word: string) => {
         if (!sequences.includes(word)) sequences.push(word);
         return sequences.indexOf(word);
@@ -131,7 +135,10 @@ export class WorkerKernel implements Kernel {
         values[first + k] = codes ? (codes[found.values[k]] ?? Number.NaN) : found.values[k];
     };
     const firsts = Array.from({ length: Math.ceil(count / BLOCK) }, (_, k) => k * BLOCK);
-    await Promise.all(firsts.map(block));
+    await Promise.all(firsts.map(block)).catch((error) => {
+      all.abort();
+      throw error;
+    });
     return what === "sequence" ? { values, sequences } : { values };
   }
 

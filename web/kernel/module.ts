@@ -361,7 +361,7 @@ const stateOf = (at: (name: keyof State) => number) =>
 function eventOf(row: Float64Array): MotionEvent {
   const kind = KINDS[row[EVENT.kind]];
   const from = row[EVENT.from_mode];
-  const before = (name: keyof Velocities) => finite(row[EVENT[`before_${name}`]]);
+  const before = (name: keyof MotionEvent["before"]) => finite(row[EVENT[`before_${name}`]]);
   const event: MotionEvent = {
     t: row[EVENT.t],
     kind,

@@ -95,7 +95,7 @@ function refusal(field: FieldTable, value: any): [name: string, values?: any] | 
   if (kind === "friction" && !(value >= 0)) return ["friction"];
   if (kind === "whole" && !Number.isInteger(value)) return ["whole"];
   if (kind !== "friction" && !Number.isFinite(value)) return ["finite_number"];
-  const passed = limits.find(([name, limit]) => !LIMITS[name](value, limit));
+  const passed = (limits as [string, number][]).find(([name, limit]) => !LIMITS[name](value, limit));
   if (passed) return [passed[0], { limit: passed[1] }];
   return range && !holds(range, value) ? ["range", { words: rangeText(range) }] : null;
 }

@@ -14,8 +14,7 @@ def lab(
     ] = None,
     host: Annotated[str, typer.Option(help="Address to listen on; 0.0.0.0 answers other machines as well.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port to listen on; 0 for a free one.")] = 8765,
-    workers: Annotated[int, typer.Option(help="Number of computing processes.")] = 2,
-    name: Annotated[list[str] | None, typer.Option(help="Host name of the lab, such as a proxy's; may be repeated.")] = None,
+    name: Annotated[list[str] | None, typer.Option(help="Host name of the lab; may be repeated.")] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
     film: Annotated[Path | None, typer.Option(metavar="VIDEO", help="With a fit: the tracked film, as the background.")] = None,
     export: Annotated[
@@ -54,9 +53,9 @@ def lab(
         from hophoop.lab.server.app import serve
 
         query = "" if file is None else Scenario.load(file).to_query()
-        serve(host=host, port=port, workers=workers, browser=browser, query=query, names=name or ())
+        serve(host=host, port=port, browser=browser, query=query, names=name or ())
         return
-    open_fit(found, film, host=host, port=port, workers=workers, browser=browser, names=name or ())
+    open_fit(found, film, host=host, port=port, browser=browser, names=name or ())
 
 
 def fit_of_file(file: str | None) -> Any:

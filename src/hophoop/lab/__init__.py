@@ -1,4 +1,4 @@
-"""The lab: an interactive page, its programming interface over HTTP, and the same player as a notebook widget."""
+"""The lab: an interactive page, and the same player as a notebook widget."""
 
 from typing import Any
 

@@ -1,7 +1,7 @@
 """Tables of Python's data for the page that computes in the browser, written to a file that its script is built with.
 
-``python -m hophoop.lab.tables`` writes it, the page's types of it, and Python's words into the page's English; a test fails if
-a file is out of date.
+``python -m hophoop.lab.tables`` writes it, and Python's words into the page's English; a test fails if a file is out of date.
+TypeScript checks it against the type `Tables` of web/types.d.ts.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 from types import UnionType
-from typing import Annotated, Any, Final, Literal, Union, cast, get_args, get_origin
+from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
 
 from pydantic import AfterValidator, BeforeValidator
 from pydantic.fields import FieldInfo
@@ -20,13 +20,9 @@ from pydantic.fields import FieldInfo
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.records.refusal import Refusal
-from hophoop.lab.api.files import SAMPLES_PER_SECOND
-from hophoop.lab.api.limits import USUAL
-from hophoop.lab.api.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES
-from hophoop.lab.site import typescript
-from hophoop.lab.site.controls import GRAVITIES
+from hophoop.lab.api import limits
+from hophoop.lab.site.controls import GRAVITIES, MAP_QUANTITIES
 from hophoop.lab.site.presets import GROUPS, presets
-from hophoop.lab.site.sent import FieldKind, FieldTable, LimitsTable, RangeTable, RuleTable, ScenarioTable, Tables
 from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
@@ -51,13 +47,16 @@ from hophoop.vocabulary.words import identifier, plain
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
 
-_KINDS: Final[dict[Any, FieldKind]] = {base._number: "number", base._friction: "friction", base._whole: "whole"}
+_KINDS: Final[dict[Any, str]] = {base._number: "number", base._friction: "friction", base._whole: "whole"}
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
 _LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
+SAMPLES_PER_SECOND: Final = 200  # of the table of states that the page saves [1/s]
+# Bounds that the page keeps as well.
+LIMITS = ("DURATION", "EVENTS", "PARTS", "SAMPLES", "CELLS", "CELL_EVENTS", "CHANGES", "FILM")
 
 
-def tables() -> Tables:
+def tables() -> dict[str, Any]:
     """Return everything, ready for JSON.
 
     Returns
@@ -89,8 +88,6 @@ def tables() -> Tables:
             "other": colors.GRAY,
         },
         "map": {
-            "events": MAP_EVENTS,
-            "flight_turns": FLIGHT_TURNS,
             # values that a cell may have
             "allowed": {path: _range(allowed) for path, allowed in RANGES.items()},
             # the columns of a cell that change by as much as a parameter of which a motion has derivatives
@@ -101,7 +98,7 @@ def tables() -> Tables:
             },
         },
         "lab": {name: _places(said) for name, said in LAB.items()},
-        "limits": cast("LimitsTable", {name: getattr(USUAL, name) for name in LimitsTable.__annotations__}),
+        "limits": {name.lower(): getattr(limits, name) for name in LIMITS},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
         # sliders whose values may follow from the scenario instead of being in it
         "shown": [row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start")],
@@ -151,7 +148,7 @@ def _fingerprint(scenario: Scenario) -> str | None:
     return motion.fingerprint if motion.doubt == math.inf else None
 
 
-def _scenario() -> ScenarioTable:
+def _scenario() -> dict[str, Any]:
     """Return the checks of a scenario: models with their fields and the constraints between them."""
     sections: dict[str, list[type[Frozen]]] = {
         "hoop": [Hoop],
@@ -174,14 +171,14 @@ def _scenario() -> ScenarioTable:
     }
 
 
-def _fields(model: type[Frozen]) -> dict[str, FieldTable]:
+def _fields(model: type[Frozen]) -> dict[str, dict[str, Any]]:
     return {field.alias or name: _field(field) for name, field in model.model_fields.items()}
 
 
-def _field(field: FieldInfo) -> FieldTable:
+def _field(field: FieldInfo) -> dict[str, Any]:
     kind, metadata, nullable = _taken_apart(field.annotation, list(field.metadata))
     extra = field.json_schema_extra
-    made: FieldTable = {"kind": "section", "unit": str(extra.get("unit", "1")) if isinstance(extra, dict) else ""}
+    made: dict[str, Any] = {"kind": "section", "unit": str(extra.get("unit", "1")) if isinstance(extra, dict) else ""}
     if nullable:
         made["nullable"] = True
     if field.is_required():
@@ -226,17 +223,17 @@ def _places(template: str) -> str:
     return "".join(re.findall(r"\{[^}]*\}", template))
 
 
-def _rule(rule: Rule) -> RuleTable:
+def _rule(rule: Rule) -> dict[str, Any]:
     """Return a rule; a range in its sentence is given by its ends."""
     ranges = [*((RANGES[row.path], row.unit) for row in TABLE if row.path in RANGES), (RELATIVE_STIFFNESS, "")]
     ranges.append((RELATIVE_SLIP_SPEED, ""))
     spoken = {allowed.words(unit): _range(allowed, unit) for allowed, unit in ranges}
     known = {name: spoken.get(value, value) if name == "words" else value for name, value in rule.known.items()}
-    return cast("RuleTable", _written({**rule._asdict(), "known": known}))
+    return _written({**rule._asdict(), "known": known})  # type: ignore[no-any-return]
 
 
-def _range(allowed: Range, unit: str = "") -> RangeTable:
-    made: RangeTable = {"least": allowed.least, "most": allowed.most}
+def _range(allowed: Range, unit: str = "") -> dict[str, Any]:
+    made: dict[str, Any] = {"least": allowed.least, "most": allowed.most}
     if unit not in ("", "1"):
         made["unit"] = unit
     if allowed.also:
@@ -281,4 +278,3 @@ def words() -> str:
 if __name__ == "__main__":
     FILE.write_text(text(), encoding="utf-8")
     ENGLISH.write_text(words(), encoding="utf-8")
-    typescript.FILE.write_text(typescript.text(), encoding="utf-8")

@@ -58,9 +58,12 @@ def _widget_class() -> Any:
     """Return the class, made on first use because anywidget belongs to an extra."""
     if _made:
         return _made[0]
-    anywidget = need("anywidget", "lab")
-    traitlets = need("traitlets", "lab")
-    from hophoop.lab.api import calls
+    anywidget = need("anywidget", "notebook")
+    traitlets = need("traitlets", "notebook")
+    from hophoop.lab.api import files
+    from hophoop.lab.api.limits import within
+    from hophoop.lab.api.motion import columns, result
+    from hophoop.lab.api.packing import pack
     from hophoop.lab.api.refusals import refusal
     from hophoop.lab.site import export
 
@@ -82,7 +85,7 @@ def _widget_class() -> Any:
 
         def __init__(self, motion: Trajectory, panels: list[str]) -> None:
             super().__init__(
-                film=calls.shown(motion).packed(),
+                film=pack(result(motion), columns(motion)),
                 panels=panels,
                 module=export.packed_module(),
                 worker=export.static_text("kernel.js"),
@@ -103,7 +106,7 @@ def _widget_class() -> Any:
         def motion(self, motion: Trajectory) -> None:
             self._motion = motion
             self._shown = motion.scenario.to_query()
-            self.film = calls.shown(motion).packed()
+            self.film = pack(result(motion), columns(motion))
             self.query = self._shown
 
         def _follow(self, change: Any) -> None:
@@ -112,22 +115,18 @@ def _widget_class() -> Any:
                 self._compute(Scenario.from_query(change["new"]))
 
         def _compute(self, scenario: Scenario) -> None:
-            self._motion = calls.computed(scenario)
+            self._motion = simulate(within(scenario))
             self._shown = scenario.to_query()
 
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
             reply = {"view": message.get("view"), "number": message.get("number")}
             if message.get("call") == "derivatives":  # larger than most notebooks, so only sent on request
                 content = np.frombuffer(export.packed_module(DERIVATIVES), np.uint8)
-                self.send(reply, [calls.Reply({}, {"content": content}).packed()])
+                self.send(reply, [pack({}, {"content": content})])
                 return
             try:
-                request = calls.read(message.get("call"), message.get("body"))
-                if request.call == "motion" and request.body.window is None:
-                    self._compute(request.scenario)  # kept for the notebook's next cell
-                    answered = calls.shown(self._motion, request.scenario)
-                else:
-                    answered = calls.answer(request)
+                body = message.get("body")
+                made = files.make(body["name"], Scenario.from_dict(body["scenario"]))
             except (InputError, MissingExtra) as error:
                 status, body = refusal(error)
                 self.send({**reply, "status": status, **body})
@@ -135,7 +134,7 @@ def _widget_class() -> Any:
             except Exception:
                 self.send({**reply, "status": 500})
                 raise
-            self.send(reply, [answered.packed()])
+            self.send(reply, [pack({}, {"content": np.frombuffer(made, np.uint8)})])
 
     _made.append(MotionWidget)
     return MotionWidget

@@ -22,9 +22,9 @@ EVERYTHING = "try { localStorage['hophoop-view'] ??= 'everything'; } catch { /* 
 def address():
     """The lab on loopback."""
     uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-    from hophoop.lab.server import routes
+    from hophoop.lab.server.site import create_app
 
-    config = uvicorn.Config(routes.create_app(), host="127.0.0.1", port=0, log_level="error")
+    config = uvicorn.Config(create_app(), host="127.0.0.1", port=0, log_level="error")
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, daemon=True)
     thread.start()

@@ -53,11 +53,11 @@ def test_corners_lie_where_the_camera_saw_them(filmed):
 def served(filmed):
     import uvicorn
 
-    from hophoop.lab.server import routes
+    from hophoop.lab.server.site import create_app
 
     video, fit, folder = filmed
     under = backdrop(fit, video, folder / "served.mp4")
-    server = uvicorn.Server(uvicorn.Config(routes.create_app(backdrop=under), host="127.0.0.1", port=0, log_level="error"))
+    server = uvicorn.Server(uvicorn.Config(create_app(backdrop=under), host="127.0.0.1", port=0, log_level="error"))
     thread = threading.Thread(target=server.run, daemon=True)
     thread.start()
     end = time.monotonic() + 30

@@ -108,27 +108,6 @@ def test_every_number_shown_at_a_time_is_right(visit, query):
     assert not faults, "\n".join([f"{len(faults)} of {len(times)} instants", *faults[:20]])
 
 
-UNDECIDED = "start.speed=3.616628264005025"  # the contact force is zero at the start: Python computes it in more digits
-
-
-def test_a_motion_that_python_decides_shows_two_digits_at_once_and_three_at_rest(visit):
-    """The page has samples of it alone: what is between them is interpolated, until Python has sent that very time."""
-    motion = hh.simulate(hh.Scenario.from_query(UNDECIDED))
-    page = visit(f"?{UNDECIDED}", viewport={"width": 1440, "height": 5000})
-    wait_for(page, SHOWN)
-    assert not page.evaluate("Boolean(hophoopLab.film().exact)")
-    page.evaluate("() => { for (const plot of hophoopLab.plots.plots) hophoopLab.plots.seen.set(plot.element, true); }")
-    times = [float(time) for time in np.linspace(0.0, motion.duration, 122)[1:-1] + 1e-4 * math.pi]
-    at_once = page.evaluate(SEEK, times)
-    assert [line for shown in at_once for line in wrong(shown, motion, digits=2)] == []
-    numbers = [shown[name].removesuffix(" m/s") for shown in at_once for name in ("v", "spin")]
-    assert max(len(text.translate(SIGNS).partition("·")[0].lstrip("-0.").replace(".", "")) for text in numbers) == 2
-    for time in times[10::40]:
-        page.evaluate("time => hophoopLab.clock.seek(time)", time)
-        wait_for(page, "lab.film().moment(lab.clock.time).sure")
-        assert wrong(page.evaluate(READ), motion) == []
-
-
 @also_delayed
 def test_every_number_shown_in_play_is_right(visit):
     page = visit("", viewport={"width": 1440, "height": 5000})

@@ -12,7 +12,6 @@ REFUSALS = {
     404: "server.no_match",
     408: "server.late",
     413: "server.too_much",
-    414: "server.long_address",
     415: "server.no_match",
     422: "server.no_match",
     500: "server.failed",
@@ -31,7 +30,7 @@ def test_refusals_of_the_server_are_said_in_the_language_of_the_page(visit, code
         body = {"detail": "This is English.", **({"install": "pip install files"} if status == 501 else {})}
         route.fulfill(status=status, json=body)
 
-    page.route("**/api/v1/files/**", refuse)
+    page.route("**/files/motion.nc", refuse)
     own = json.loads((WORDS / f"{code}.json").read_text(encoding="utf-8"))
     for status, key in REFUSALS.items():
         page.evaluate("hophoopLab.notice.clear()")

@@ -40,7 +40,6 @@ export class Backend {
     signal?.throwIfAborted();
     const checked = model.asked(asked, this.mechanics);
     const given = model.given(model.within(checked));
-    const { python } = this;
     const { motion, columns, pieces } = this.kernel.film
       ? await this.kernel.film(given, signal)
       : {
@@ -49,11 +48,6 @@ export class Backend {
           pieces: null,
         };
     const { doubt } = motion;
-    if (doubt !== null && python) {
-      const query = model.toQuery(checked);
-      const samples = async (window: [number, number]) => (await python.motion({ query, window })).arrays;
-      return { ...this.shown(await python.motion({ query }, signal), checked), samples };
-    }
     const omega = await this.turning(given, motion, signal);
     const header = model.headerOf(checked, motion, omega, this.mechanics);
     const instant = this.mechanics.instant?.bind(this.mechanics);
@@ -65,9 +59,9 @@ export class Backend {
   }
 
   /** How a motion that came from elsewhere is known at any time. */
-  async exact(scenario: any): Promise<Pick<Reply, "exact" | "samples">> {
-    const { exact, samples } = await this.film({ scenario });
-    return { exact, samples };
+  async exact(scenario: any): Promise<Pick<Reply, "exact">> {
+    const { exact } = await this.film({ scenario });
+    return { exact };
   }
 
   /** What a link says in spite of what is wrong in it. */
@@ -75,11 +69,9 @@ export class Backend {
     return model.readable(query, this.mechanics);
   }
 
-  /** A motion that Python has computed, for the player. `checked`: that it was computed for. */
-  shown(
-    { header: motion, arrays }: Reply<SentMotion>,
-    checked: Checked = model.fromQuery(motion.query, this.mechanics),
-  ): Reply {
+  /** A motion that Python has computed, for the player. */
+  shown({ header: motion, arrays }: Reply<SentMotion>): Reply {
+    const checked = model.fromQuery(motion.query, this.mechanics);
     const omega = (number: number) => motion.turning[number];
     return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays };
   }
@@ -143,7 +135,7 @@ export class Backend {
   async map(asked: Asked & { x: any; y: any; what: string }, signal?: AbortSignal): Promise<Reply<MapHeader>> {
     signal?.throwIfAborted();
     const { checked, x, y, what } = model.requested(asked, this.mechanics);
-    const base = model.withinMap(checked, { x, y, what });
+    const base = model.withinMap(checked, { x, y });
     const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
     return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, model.spanOf(what), signal));
   }
@@ -159,28 +151,24 @@ export class Backend {
     signal?: AbortSignal,
   ) {
     const { checked, x, y, what } = model.requested(asked, this.mechanics);
-    // what the map may cost has been asked for its cells
-    const base = model.withinMap(checked, { x: { ...x, cells: 1 }, y: { ...y, cells: 1 }, what });
+    const base = model.withinMap(checked, { x, y });
     const cells = await model.cellsAt(base, { x, y }, places, this.mechanics, signal);
     return model.codesOf(await this.kernel.map(cells, what, model.spanOf(what), signal), what, classes);
   }
 
   async file(name: string, query: string) {
-    if (!(name in OWN_FILES)) {
-      if (this.python && /\.(mp4|gif)$/.test(name)) model.withinFilm(model.asked({ query }, this.mechanics));
-      if (this.python) return this.python.file(name, query);
-      throw new model.InputError({ key: "save.needs_python", values: { name } });
-    }
-    return new Blob([await this.fileText(name, query)], { type: OWN_FILES[name] });
+    const asked = model.asked({ query }, this.mechanics);
+    if (name in OWN_FILES) return new Blob([await this.fileText(name, asked)], { type: OWN_FILES[name] });
+    if (!this.python) throw new model.InputError({ key: "save.needs_python", values: { name } });
+    if (name !== "motion.nc") model.withinFilm(asked);
+    return this.python.file(name, model.toDict(asked));
   }
 
-  async fileText(name: string, query: string) {
-    const asked = model.asked({ query }, this.mechanics);
+  async fileText(name: string, asked: Checked) {
     if (name === "motion.toml") return model.toToml(asked);
     const checked = model.within(asked);
     const given = model.given(checked);
     const motion = await this.kernel.motion(given);
-    if (motion.doubt !== null && this.python) return (await this.python.file(name, query)).text(); // as the film
     if (name === "motion.json") return model.resultText(checked, motion);
     const times = model.timesOf(motion.duration);
     return model.tableText(times, await this.kernel.samples(given, times));

@@ -1,10 +1,8 @@
-// What needs Python: motions that doubles do not decide, and some files. Its results come from the server of the page, or from
-// the kernel of the notebook.
+// Files that need Python, from the server of the page or from the kernel of the notebook.
 
 import { unpack } from "../backend/packing.ts";
 import { Refused } from "../words/words.ts";
 
-const TRIES = 4; // of a server that says it is busy
 const GONE = "backend.the_server_does_not";
 const NO_MATCH = "server.no_match";
 /** What is said of an answer that is none, by its status. */
@@ -13,7 +11,6 @@ const REFUSALS: Record<number, string> = {
   404: NO_MATCH,
   408: "server.late",
   413: "server.too_much",
-  414: "server.long_address",
   415: NO_MATCH,
   422: NO_MATCH,
   500: "server.failed",
@@ -29,35 +26,14 @@ function refused(status: number, values: Values) {
 export class Server implements Python {
   constructor(readonly base: URL) {}
 
-  async motion(body: object, signal?: AbortSignal) {
-    const asked = {
-      method: "POST",
-      headers: { "Content-Type": "application/json" },
-      body: JSON.stringify(body),
-      signal,
-    };
-    return unpack(await (await this.answered(new URL("lab/motion", this.base), asked)).arrayBuffer());
-  }
-
-  async file(name: string, query: string) {
-    return (await this.answered(new URL(`api/v1/files/${name}?${query}`, this.base))).blob();
-  }
-
-  /** What the server answers; a busy one is asked again when it says so, and one that is gone is named in words. */
-  async answered(place: URL, asked?: RequestInit) {
-    for (let left = TRIES; ; left--) {
-      const response = await fetch(place, asked).catch((error) => {
-        throw error.name === "AbortError" ? error : new Error(GONE);
-      });
-      if (response.ok) return response;
-      const again = Number(response.headers.get("Retry-After"));
-      if (response.status !== 503 || !(again > 0) || left <= 1) {
-        const { install = "" } = await response.json().catch(() => ({}));
-        throw refused(response.status, { install, count: again || 1 });
-      }
-      await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
-      asked?.signal?.throwIfAborted();
-    }
+  async file(name: string, scenario: Scenario) {
+    const asked = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(scenario) };
+    const response = await fetch(new URL(`files/${name}`, this.base), asked).catch(() => {
+      throw new Error(GONE);
+    });
+    if (response.ok) return response.blob();
+    const { install = "" } = await response.json().catch(() => ({}));
+    throw refused(response.status, { install, count: Number(response.headers.get("Retry-After")) || 1 });
   }
 }
 
@@ -94,7 +70,7 @@ export class NotebookKernel implements Python {
     else waits.resolve(unpack(buffers[0]));
   }
 
-  ask(call: "motion" | "file" | "derivatives", body: object, signal?: AbortSignal): Promise<Reply<any>> {
+  ask(call: "file" | "derivatives", body: object): Promise<Reply<any>> {
     const number = ++this.number;
     return new Promise((resolve, reject) => {
       // a saved notebook plays without a kernel, but its kernel makes no files
@@ -106,21 +82,12 @@ export class NotebookKernel implements Python {
         call === "file" ? FILE_PATIENCE : PATIENCE,
       );
       this.waiting.set(number, { resolve, reject, timer });
-      signal?.addEventListener("abort", () => {
-        clearTimeout(timer);
-        this.waiting.delete(number);
-        reject(new DOMException("superseded", "AbortError"));
-      });
       this.model.send({ view: this.view, number, call, body });
     });
   }
 
-  motion(body: object, signal?: AbortSignal) {
-    return this.ask("motion", body, signal);
-  }
-
-  async file(name: string, query: string) {
-    const { arrays } = await this.ask("file", { query, name });
+  async file(name: string, scenario: Scenario) {
+    const { arrays } = await this.ask("file", { scenario, name });
     return new Blob([arrays.content]);
   }
 

@@ -143,7 +143,7 @@ export class Controls {
     }
     this.choices = new Map(setup.choices.map((info) => [info.path, choice(info, this.onchange)]));
     this.parts = new Parts(this.onchange);
-    this.gravities = setup.gravities;
+    this.gravities = setup.gravities as [string, number][];
     this.element = h("div", { class: "controls" }, this.hoop(), this.plane(), this.start(), this.contact());
   }
 

@@ -66,6 +66,7 @@ function textOf({ fate, turns, hops, passages, mean_speed }: Fate): Said {
   const sentence = `fate.${fate}`;
   if (fate === "gait")
     return [sentence, " ", { key: "ending.gait_in", values: { turns, hops, speed: show(mean_speed, 4) } }];
-  if (fate === "undecided" || fate === "chaotic") return [sentence, " ", { key: "ending.after", values: { count: passages } }];
+  if (fate === "undecided" || fate === "chaotic")
+    return [sentence, " ", { key: "ending.after", values: { count: passages } }];
   return sentence;
 }

@@ -39,7 +39,6 @@ export class Film {
   columns: Record<string, Column>;
   /** the state at any time; without it, states between samples are interpolated */
   exact: Reply["exact"];
-  samples: ((window: [number, number]) => Promise<Record<string, Column>>) | undefined;
   t: Float64Array;
   length: number;
   radius: number;
@@ -54,7 +53,6 @@ export class Film {
     Object.assign(this, { fingerprint: null, doubt: "" }, reply.header);
     this.columns = reply.arrays;
     this.exact = reply.exact;
-    this.samples = reply.samples;
     this.t = reply.arrays.t;
     this.length = this.t.length;
     this.radius = this.values["hoop.radius"];

@@ -69,7 +69,7 @@ export class Motions {
   /** A film; one that came with a notebook is computed here too, to be exact at any time. */
   filmOf(reply: Reply) {
     const film = new Film(reply);
-    const known = reply.exact || reply.samples ? null : this.backend.exact(film.scenario);
+    const known = reply.exact ? null : this.backend.exact(film.scenario);
     known
       ?.then((found) => {
         Object.assign(film, found, { latest: null });
@@ -132,7 +132,8 @@ export class Motions {
       const instant = !window && ahead === 0 && !film.moment(time).sure;
       if (!window && !instant) continue;
       lane.refining = true;
-      this.samples(film, window ?? [time, time + INSTANT])
+      this.backend
+        .samples(film.scenario, window ?? [time, time + INSTANT])
         .then((columns) => {
           if (window) film.refine(columns);
           else film.pin(columns, time);
@@ -148,11 +149,6 @@ export class Motions {
   }
 
   /** `window`: times from and to. */
-  async samples(film: Film, window: [number, number]) {
-    if (film.samples) return film.samples(window);
-    return this.backend.samples(film.scenario, window);
-  }
-
   settle(lane: Lane) {
     lane.commit = false;
     // when the hand moved, not when the answer came

@@ -1,88 +1,53 @@
-"""Files of a motion for download, made in memory or in a temporary folder."""
+"""Files of a motion that need Python: netCDF and films, made in a temporary folder."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import Final
 
 from hophoop._support.stopping import temporary_folder
-from hophoop.io import write_csv
-from hophoop.lab.api.limits import Limits, TooMuch, within
-from hophoop.scenario import Scenario
+from hophoop.lab.api.limits import FILM, TooMuch, within
+from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.sentences import LAB
 
-SAMPLES_PER_SECOND = 200
+TYPES: Final = {"motion.nc": "application/x-netcdf", "motion.mp4": "video/mp4", "motion.gif": "image/gif"}
+"""Name of a file → its media type."""
+
 FILM_SIZE, FILM_RATE = (960, 540), 25
 
 
-class Kind(NamedTuple):
-    """How a file is made, and its media type; a slow one takes many seconds."""
+def make(name: str, scenario: Scenario) -> bytes:
+    """Compute a motion and return it as a file.
 
-    make: Callable[[Scenario, Limits], bytes]
-    media_type: str
-    slow: bool = False
+    Parameters
+    ----------
+    name : {'motion.nc', 'motion.mp4', 'motion.gif'}
+    scenario : Scenario
 
+    Returns
+    -------
+    content : bytes
 
-def toml(scenario: Scenario, limits: Limits) -> bytes:
-    """Return the scenario file."""
-    return scenario.to_toml().encode()
+    Raises
+    ------
+    ValueError
+        If there is no such file, or the motion exceeds the lab's limits.
+    ImportError
+        If a library of an extra is missing.
+    """
+    if name not in TYPES:
+        raise InputError.of_field("name", name, f"one of {', '.join(TYPES)}")
+    write: Callable[[Trajectory, Path], object] = Trajectory.save
+    if name != "motion.nc":
+        if scenario.duration > FILM:
+            raise TooMuch(LAB["film_too_long"].format(duration=scenario.duration, most=FILM))
+        from hophoop.animate import Look, Timing, film
 
-
-def result(scenario: Scenario, limits: Limits) -> bytes:
-    """Return the result file in JSON."""
-    return json.dumps(simulate(within(scenario, limits)).to_dict(), indent=1, ensure_ascii=False).encode()
-
-
-def table(scenario: Scenario, limits: Limits) -> bytes:
-    """Return sampled states as CSV; each column's heading contains the unit."""
-    motion = simulate(within(scenario, limits))
-    count = min(max(int(motion.duration * SAMPLES_PER_SECOND) + 1, 2), limits.samples)
-    return _through_file(lambda path: write_csv(motion, path, motion.times(count)), "motion.csv")
-
-
-def netcdf(scenario: Scenario, limits: Limits) -> bytes:
-    """Return the motion as netCDF for `hophoop.load`."""
-    return _through_file(simulate(within(scenario, limits)).save, "motion.nc")
-
-
-def mp4(scenario: Scenario, limits: Limits) -> bytes:
-    """Return a film."""
-    return _film(scenario, limits, "motion.mp4")
-
-
-def gif(scenario: Scenario, limits: Limits) -> bytes:
-    """Return a film as GIF."""
-    return _film(scenario, limits, "motion.gif")
-
-
-def _film(scenario: Scenario, limits: Limits, name: str) -> bytes:
-    if scenario.duration > limits.film:
-        raise TooMuch(
-            LAB["film_too_long"].format(duration=scenario.duration, most=limits.film),
-            field="duration",
-            value=scenario.duration,
-        )
-    from hophoop.animate import Look, Timing, film
-
-    motion = simulate(within(scenario, limits))
-    return _through_file(lambda path: film(motion, path, Timing(fps=FILM_RATE), Look(size=FILM_SIZE)), name)
-
-
-def _through_file(write: Callable[[Path], object], name: str) -> bytes:
+        write = lambda motion, path: film(motion, path, Timing(fps=FILM_RATE), Look(size=FILM_SIZE))  # noqa: E731
+    motion = simulate(within(scenario))
     with temporary_folder("hophoop-lab-") as folder:
-        path = folder / name
-        write(path)
-        return path.read_bytes()
-
-
-KINDS = {
-    "motion.toml": Kind(toml, "application/toml"),
-    "motion.json": Kind(result, "application/json"),
-    "motion.csv": Kind(table, "text/csv; charset=utf-8"),
-    "motion.nc": Kind(netcdf, "application/x-netcdf"),
-    "motion.mp4": Kind(mp4, "video/mp4", slow=True),
-    "motion.gif": Kind(gif, "image/gif", slow=True),
-}
+        write(motion, folder / name)
+        return (folder / name).read_bytes()

@@ -38,9 +38,20 @@ def pack(header: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> bytes:
         block += bytes(-len(block) % 8)
         blocks.append(block)
         place += len(block)
-    text = json.dumps({**header, "arrays": listing}, allow_nan=False, separators=(",", ":")).encode()
+    text = json.dumps({**finite(header), "arrays": listing}, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-(len(text) + 4) % 8)
     return struct.pack("<I", len(text)) + text + b"".join(blocks)
+
+
+def finite(value: Any) -> Any:
+    """Replace infinity and nan by None, because JSON has neither."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [finite(item) for item in value]
+    return value
 
 
 def unpack(block: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

@@ -1,4 +1,4 @@
-"""The lab's server: one process answers, others compute; on loopback by default."""
+"""Start the lab's server; on loopback by default."""
 
 from __future__ import annotations
 
@@ -9,13 +9,11 @@ import threading
 import time
 import webbrowser
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from urllib.request import urlopen
 
 from hophoop._support.extras import need
 from hophoop._support.stopping import forget
-from hophoop.lab.api.limits import USUAL
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
@@ -23,13 +21,12 @@ if TYPE_CHECKING:
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-CONNECTIONS = 1000  # maximum of simultaneous connections; further ones get the answer that the server is busy
+CONNECTIONS = 1000  # maximum of simultaneous connections; further ones are told that the server is busy
 
 
 def serve(
     host: str = LOOPBACK,
     port: int = PORT,
-    workers: int = 2,
     browser: bool = False,
     query: str = "",
     names: Sequence[str] = (),
@@ -43,14 +40,12 @@ def serve(
         Address to listen on; the default only answers this machine.
     port : int, default 8765
         Port; 0 selects a free one [1].
-    workers : int, default 2
-        Processes that compute, besides one for films; requests are independent, so any process can take any request [1].
     browser : bool, default False
         Open the page in a browser.
     query : str, default ''
         A scenario's link that the browser opens with.
     names : sequence of str, optional
-        Names under which the lab is reached, such as that of a proxy in front of it; addresses and this machine's own name are
+        Names under which the lab is reached; addresses and this machine's own name are
         known. Requests under any other name are refused.
     backdrop : Backdrop, optional
         A film to show under the hoop.
@@ -60,15 +55,12 @@ def serve(
     ValueError
         If the port is in use or a number is not allowed.
     ImportError
-        If FastAPI, Uvicorn or Pebble is missing.
+        If Starlette or Uvicorn is missing.
     """
     uvicorn = need("uvicorn", "lab")
-    need("fastapi", "lab")
-    need("pebble", "lab")
+    need("starlette", "lab")
     if not 0 <= port <= 65535:
         raise InputError.of_field("port", port, "from 0 to 65535")
-    if not 1 <= workers <= 256:
-        raise InputError.of_field("workers", workers, "from 1 to 256")
     if port == 0:
         port = _free_port(host)
     _check_free(host, port)
@@ -86,26 +78,36 @@ def serve(
     )
     if host == "0.0.0.0" and (own := _own_address()):
         print(f"Others in your network open http://{own}:{port}/.", file=sys.stderr, flush=True)
-    from hophoop.lab.server.connections import Connection, Server
-    from hophoop.lab.server.routes import create_app
+    from hophoop.lab.server.site import create_app
 
     config = uvicorn.Config(
-        create_app(replace(USUAL, processes=workers), [host, *names], backdrop=backdrop),
+        create_app([host, *names], backdrop),
         host=host,
         port=port,
-        http=Connection,
         ws="none",
         log_level="warning",
         access_log=False,
         server_header=False,
         timeout_keep_alive=30,
-        timeout_graceful_shutdown=1,
+        timeout_graceful_shutdown=5,
         limit_concurrency=CONNECTIONS,
-        h11_max_incomplete_event_size=32768,
     )
     with contextlib.suppress(KeyboardInterrupt):
-        Server(config).run()
+        _server(config).run()
     forget()  # Ctrl-C is the normal end of a server
+
+
+def _server(config: Any) -> Any:
+    """Return Uvicorn's server, which first ends all requests under way when it stops: nobody waits for their answers."""
+    import uvicorn
+
+    class Server(uvicorn.Server):
+        async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+            for task in list(self.server_state.tasks):
+                task.cancel()
+            await super().shutdown(sockets)
+
+    return Server(config)
 
 
 def _free_port(host: str) -> int:
@@ -143,7 +145,7 @@ def _open(address: str, query: str) -> None:
     """Open the browser once the page answers."""
     for _ in range(100):
         try:
-            with urlopen(address + "healthz", timeout=1):
+            with urlopen(address, timeout=1):
                 break
         except OSError:
             time.sleep(0.1)

@@ -5,8 +5,7 @@ Their words are keys of the page's tables, which `tables.english` gives in Engli
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Literal, TypedDict
+from typing import Any
 
 from hophoop.vocabulary.parameters import TABLE, Parameter, Range, section_of
 
@@ -18,68 +17,28 @@ GRAVITIES = [
     ("Weightless", 0.0),
 ]
 
+# name, words, span of the quantities that a map in the lab can show
+MAP_QUANTITIES: dict[str, tuple[str, str]] = {
+    "sequence": ("what happens in the first turn", "first_revolution"),
+    "hop_height": ("height of the first hop", "takeoff"),
+    "takeoff_angle": ("angle of take-off", "takeoff"),
+    "flight_time": ("duration of the first hop", "takeoff"),
+    "greatest_utilization": ("greatest friction utilization", "first_revolution"),
+    "energy_lost": ("energy lost", "duration"),
+    "end_angle": ("angle at the end", "duration"),
+    "painleve": ("Painlevé’s paradox or jam met", "duration"),
+    "ending": ("how it ends", "duration"),
+}
+
 GROUPS = ("hoop", "plane", "start", "contact", "motion")
 
 
-class AllowedRange(TypedDict):
-    """Values that a number may have, in SI units: a range with both ends, and single values."""
-
-    least: float
-    most: float
-    also: list[float | Literal["inf"]]
-
-
-class SliderInfo(TypedDict):
-    """A slider: its parameter, its words, its ends and step."""
-
-    path: str
-    label: str
-    symbol: str
-    unit: str
-    help: str
-    least: float
-    most: float
-    step: float
-    logarithmic: bool
-    degrees: bool
-    allowed: AllowedRange
-
-
-class ChoiceInfo(TypedDict):
-    """A parameter with a word as its value."""
-
-    path: str
-    label: str
-    options: Sequence[tuple[str, str]]
-    help: str
-
-
-class AxisInfo(TypedDict):
-    """A parameter that a map may have as an axis."""
-
-    path: str
-    label: str
-    unit: str
-    degrees: bool
-    range: tuple[float, float]
-    allowed: tuple[float, float]
-
-
-class ControlsInfo(TypedDict):
-    """All controls: sliders by section, choices, gravities and axes of maps."""
-
-    groups: dict[str, list[SliderInfo]]
-    choices: list[ChoiceInfo]
-    gravities: list[tuple[str, float]]
-    map_axes: list[AxisInfo]
-
-
-def _allowed(allowed: Range) -> AllowedRange:
-    also: list[float | Literal["inf"]] = ["inf" if value == float("inf") else value for value in allowed.also]
+def _allowed(allowed: Range) -> dict[str, Any]:
+    also = ["inf" if value == float("inf") else value for value in allowed.also]
     return {"least": allowed.least, "most": allowed.most, "also": also}
 
 
-def controls() -> ControlsInfo:
+def controls() -> dict[str, Any]:
     """Return everything that the page needs to show its controls.
 
     Returns
@@ -104,7 +63,7 @@ def controls() -> ControlsInfo:
     }
 
 
-def _slider(row: Parameter) -> SliderInfo:
+def _slider(row: Parameter) -> dict[str, Any]:
     assert row.slider is not None
     assert row.range is not None
     low, high, step = row.slider
@@ -128,7 +87,7 @@ def _rank(row: Parameter) -> tuple[int, int]:
     return ("start", "hoop", "plane").index(section_of(row)), row.axis.rank if row.axis else 0
 
 
-def _axis(row: Parameter) -> AxisInfo:
+def _axis(row: Parameter) -> dict[str, Any]:
     assert row.axis is not None
     assert row.range is not None
     least = min(row.range.least, 0.0) if 0.0 in row.range.also else row.range.least

@@ -2,54 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TypedDict
+from typing import Any
 
 from hophoop._version import __version__
-from hophoop.lab.api.motion_map import MAP_QUANTITIES
-from hophoop.lab.site.controls import ControlsInfo, controls
+from hophoop.lab.site.controls import MAP_QUANTITIES, controls
 from hophoop.lab.site.presets import presets
 from hophoop.vocabulary import colors, modes
 
 
-class PresetInfo(TypedDict):
-    """A motion of the menu."""
-
-    key: str
-    group: str
-    title: str
-    text: str
-    query: str
-
-
-class Colors(TypedDict):
-    """The colours of modes and curves."""
-
-    modes: dict[str, str]
-    mode_names: dict[str, str]
-    gravity_center: str
-    airborne: str
-    center_speed: str
-    rotation_speed: str
-    kinetic: str
-    potential: str
-    friction_loss: str
-    impact_loss: str
-    normal_force: str
-    friction_force: str
-    limit: str
-
-
-class Setup(TypedDict):
-    """The data that the page is built from."""
-
-    version: str
-    controls: ControlsInfo
-    map_quantities: list[tuple[str, str]]
-    presets: list[PresetInfo]
-    colors: Colors
-
-
-def setup() -> Setup:
+def setup() -> dict[str, Any]:
     """Return the data that the page is built from, ready for JSON.
 
     Returns
