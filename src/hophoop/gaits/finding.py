@@ -123,17 +123,7 @@ def _check(scenario: Scenario, period: int, near: float | None, section: str) ->
 
 
 def slowest_over_top(scenario: Scenario) -> float:
-    """Return θ̇ at the bottom of a hoop that would roll just over the top.
-
-    Parameters
-    ----------
-    scenario : Scenario
-
-    Returns
-    -------
-    omega : float
-        Lower bound of what a gait has at the bottom in rolling, from half of its energy [√(g/R)].
-    """
+    """Return a lower bound of a gait's θ̇ in rolling at the bottom: half of the energy that leads over the top [√(g/R)]."""
     body = scenario.to_body()
     return math.sqrt(2.0 * body.eps * body.gn / inertia_at_height(body, 0.0))
 

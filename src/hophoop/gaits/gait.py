@@ -259,17 +259,7 @@ def _counted(number: int, noun: str) -> str:
 
 
 def residual_of(found: Passages) -> float:
-    """Return the largest difference of the last passage from the start, relative to units of R and √(g/R) times 1 + θ̇.
-
-    Parameters
-    ----------
-    found : Passages
-
-    Returns
-    -------
-    difference : float
-        inf if the modes differ [1].
-    """
+    """Return the largest difference of the last passage from the start, relative to 1 + θ̇ [1]; inf in another mode."""
     start, unit = found.scenario.start, Units.of_scenario(found.scenario)
     if start.mode != found.mode[-1]:
         return math.inf

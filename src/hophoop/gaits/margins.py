@@ -36,20 +36,7 @@ class GaitMargin(NamedTuple):
 
 
 def margins_of(motion: Trajectory, section: str) -> tuple[GaitMargin, ...]:
-    """Return the margins of one period; `Gait.margins` calls this.
-
-    Parameters
-    ----------
-    motion : Trajectory
-        Of a period.
-    section : {'bottom', 'landing'}
-        At which it starts: a landing begins a phase, the bottom does not.
-
-    Returns
-    -------
-    margins : tuple of GaitMargin
-        The smallest one first, of each boundary the smallest of each phase or landing, to the distance of 400 samples.
-    """
+    """Return the margins of one period, the smallest first, to the distance of 400 samples; `Gait.margins` calls this."""
     hoop, plane = motion.scenario.hoop, motion.scenario.plane
     weight = hoop.mass * plane.gravity * math.cos(plane.slope)
     speed = math.sqrt(plane.gravity * hoop.radius)

@@ -113,18 +113,7 @@ def _edge(image: BottomMap, inside: float, known: Image, outside: float) -> _Kno
 
 
 def crossings(image: BottomMap, piece: Piece) -> Iterator[float]:
-    """Yield the θ̇ of a piece that the map returns, to rounding.
-
-    Parameters
-    ----------
-    image : BottomMap
-    piece : Piece
-
-    Yields
-    ------
-    omega : float
-        [√(g/R)].
-    """
+    """Yield the θ̇ of a piece that the map returns, to rounding [√(g/R)]."""
     points = [(piece.low, piece.at_low - piece.low)]
     points += [(omega, after - omega) for omega, after in piece.points if piece.low < omega < piece.high]
     points.append((piece.high, piece.at_high - piece.high))
@@ -175,20 +164,7 @@ def _pair(
 
 
 def root(excess: Callable[[float], float], a: float, b: float, at_a: float, at_b: float) -> float:
-    """Return a root between two points of different sign, by the secant rule within a bracket, else by bisection.
-
-    Parameters
-    ----------
-    excess : callable
-    a, b : float
-    at_a, at_b : float
-        The function there.
-
-    Returns
-    -------
-    root : float
-        The point of the last bracket with the smaller value.
-    """
+    """Return a root between two points of different sign, by the secant rule within a bracket, else by bisection."""
     for k in range(2 * ROUNDS):
         middle = 0.5 * (a + b)
         if middle in (a, b):

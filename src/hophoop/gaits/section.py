@@ -92,17 +92,7 @@ class SectionDerivative:
 
 
 def coordinates(section: str, mode: int) -> tuple[str, ...]:
-    """Return the coordinates of a passage.
-
-    Parameters
-    ----------
-    section : {'bottom', 'landing'}
-    mode : int
-
-    Returns
-    -------
-    names : tuple of str
-    """
+    """Return the names of the coordinates that a passage leaves free, by section and mode."""
     free = ("omega",) if section == "bottom" else ("angle", "omega")
     if mode == Mode.ROLL:
         return free
@@ -155,25 +145,7 @@ def derivative(scenario: Scenario, passages_on: int = 1, *, section: str = "bott
 
 
 def derivative_over(found: Passages, index: int, further: int) -> SectionDerivative:
-    """Return how a passage changes with the state at an earlier one.
-
-    Parameters
-    ----------
-    found : Passages
-    index : int
-        Of the earlier one.
-    further : int
-        How many passages further [1].
-
-    Returns
-    -------
-    derivative : SectionDerivative
-
-    Raises
-    ------
-    ValueError
-        If there are no such passages.
-    """
+    """Return how the passage `further` ones after one changes with the state there; refuse passages that are not computed."""
     if further < 1 or not 0 <= index < len(found) - further:
         raise InputError(f"passages from {index} on by {further} must be among the {len(found)} computed.")
     return _over(found, index, further)
@@ -199,28 +171,9 @@ def _product(found: Passages, index: int, further: int, sign: float) -> tuple[Fl
 
 
 def parameter_rates(found: Passages, path: str, sign: float = 1.0) -> tuple[Floats, Floats]:
-    """Return how the coordinates at the last passage change with those at the start, and with a parameter.
+    """Return the rates of the coordinates at the last passage by those at the start, and by a parameter, or nan.
 
-    Parameters
-    ----------
-    found : Passages
-        Its start is on the section.
-    path : str
-        Of the parameter; it must not change the units R and √(R/g).
-    sign : float, default 1
-        −1 for the rates towards smaller coordinates and parameter.
-
-    Returns
-    -------
-    matrix : ndarray, shape (rows, columns)
-        In units of R and √(R/g).
-    rates : ndarray, shape (rows,)
-        In these units per SI unit of the parameter. Both are nan where there is no derivative.
-
-    Raises
-    ------
-    ValueError
-        If the path is no parameter with derivatives, or one of the units.
+    In units of R and √(R/g), by the parameter per SI unit; with sign = −1 towards smaller coordinates and parameter.
     """
     directions = check_no_unit(found.scenario, path)
     matrix, rates = np.eye(1), np.zeros(1)
@@ -314,17 +267,7 @@ def _local() -> Floats:
 
 
 def lyapunov_of(found: Passages) -> Lyapunov:
-    """Return the mean rate at which near motions separate, by the derivatives from passage to passage.
-
-    Parameters
-    ----------
-    found : Passages
-
-    Returns
-    -------
-    exponent : Lyapunov
-        nan if there are fewer than 2 passages with a derivative.
-    """
+    """Return the mean rate at which near motions separate, by the derivatives from passage to passage; nan without two."""
     first = int(TRANSIENT * len(found))
     vector: Floats | None = None
     growth = []
