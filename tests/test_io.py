@@ -260,15 +260,6 @@ def test_another_version_is_read_with_a_warning(motion, tmp_path, name):
     assert loaded.at(1.0) == motion.at(1.0)
 
 
-def test_segments_of_another_meaning_are_refused(motion, tmp_path):
-    path = with_attributes(motion, tmp_path / "hop.nc", version="0.0.1")
-    with netCDF4.Dataset(path, "a") as file:
-        file["segments"]["u"][:] = 2.0 * file["segments"]["u"][:]
-    sign(path)
-    with pytest.raises(ValueError, match=r"hophoop 0\.0\.1, whose segments this version .* cannot sample\."):
-        hh.load(path)
-
-
 def test_samples_alone_are_not_a_motion(motion, tmp_path):
     motion.to_xarray(n=5).to_netcdf(tmp_path / "half.nc")
     with pytest.raises(ValueError, match=r"half\.nc is not whole: it has the samples of a motion, but not the tables"):

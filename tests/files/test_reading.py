@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
-from types import SimpleNamespace
 
 import netCDF4
 import numpy as np
@@ -97,34 +96,6 @@ def test_a_warning_about_the_version_points_at_who_loads(saved):
     with pytest.warns(UserWarning, match="was written by hophoop 0") as caught:
         hh.load(saved)
     assert [Path(warning.filename).name for warning in caught] == [Path(__file__).name]
-
-
-def test_segments_that_mean_a_little_else_are_refused(saved):
-    change(saved, version="0.0.1")
-    with netCDF4.Dataset(saved, "a") as file:
-        file["angle"][:] = np.asarray(file["angle"][:]) * (1.0 + 1e-6) + 1e-6
-    sign(saved)
-    assert re.match(r"was written by hophoop 0\.0\.1, whose segments this version .* cannot sample\.$", refusal(saved))
-
-
-@pytest.mark.parametrize("error", [KeyError, ValueError, IndexError, TypeError, AttributeError])
-def test_segments_that_cannot_be_sampled_are_refused(error):
-    def at(times):
-        raise error
-
-    samples = xr.Dataset(coords={"time": [0.0]})
-    with pytest.raises(ValueError, match="cannot sample"):
-        io._check_other_version(SimpleNamespace(version="0.0.1", at=at), Path("hop.nc"), samples)
-
-
-def test_last_digits_may_differ_between_versions():
-    # large numbers by a part of themselves, small ones by as little as the scale of the motion has
-    told = {"x": [1e3, np.nan], "height": [0.0, 0.0], "angle": [1.0, np.nan], "omega": [0.5, 1.0]}
-    now = {name: np.array(values) * (1.0 + 1e-10) + 1e-12 for name, values in told.items()}
-    motion = SimpleNamespace(version="0.0.1", at=lambda times: SimpleNamespace(**now))
-    samples = xr.Dataset({name: ("time", values) for name, values in told.items()}, coords={"time": [0.0, 1.0]})
-    with pytest.warns(UserWarning, match="may differ from its own in the last digits"):
-        io._check_other_version(motion, Path("hop.nc"), samples)
 
 
 def test_a_column_of_vectors_comes_back():
