@@ -1,4 +1,4 @@
-"""A proof ends with its time, whatever it is at: the clock is asked between all steps, of the prover and of the checker."""
+"""A proof ends with its time, whatever it is at: the clock is asked between all steps, of the guesser and of the checker."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_it_ends_in_time_wherever_the_time_is_over(name):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_few_steps_come_between_two_looks(name):
-    """Calls of functions of this package, of the prover and of the checker."""
+    """Calls of functions of this package, of the guesser and of the checker."""
     calls, most = 0, 0
 
     def clock() -> float:

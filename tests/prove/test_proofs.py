@@ -93,7 +93,7 @@ def test_what_is_not_covered_stays_undecided():
 
 
 def test_sixty_digits_of_the_hop():
-    """The checker finds the angle at the end of the time to as many digits as the prover."""
+    """The checker finds the angle at the end of the time to as many digits as are asked for."""
     proof = prove(HOP, 60)
     assert (proof.verdict, proof.digits_proved) == ("proved", 60), proof.why
     assert all(event.x.radius < Fraction(1, 10**58) for event in proof.events)

@@ -8,7 +8,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.prove import prove
-from hophoop.prove.enclosures import roots
+from hophoop.prove.checker import intervals
 
 pytest.importorskip("flint")
 
@@ -27,13 +27,13 @@ SHORT_HOPS = {
 @pytest.fixture
 def counted(monkeypatch):
     """How many intervals were looked at for an event; 10,000 are too many."""
-    counts, judge = itertools.count(1), roots._judge
+    counts, clear = itertools.count(1), intervals._clear
 
     def counting(*arguments):
         assert next(counts) < 10_000
-        return judge(*arguments)
+        return clear(*arguments)
 
-    monkeypatch.setattr(roots, "_judge", counting)
+    monkeypatch.setattr(intervals, "_clear", counting)
 
 
 @pytest.mark.parametrize("name", sorted(SHORT_HOPS))

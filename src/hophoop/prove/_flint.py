@@ -38,13 +38,6 @@ def arb(*values: Any) -> Ball:
     return library().arb(*values)
 
 
-@cache
-def ball_type() -> type:
-    """The type of balls."""
-    found: type = library().arb
-    return found
-
-
 def series(coefficients: list[Any]) -> Series:
     """A power series, cut off where the present order is."""
     return library().arb_series(coefficients)
@@ -91,17 +84,6 @@ def pi() -> Ball:
     return library().arb.pi()
 
 
-def sign(value: Ball, what: str) -> int:
-    """Sign of a number, 0 only where it is exactly zero."""
-    if value > 0:
-        return 1
-    if value < 0:
-        return -1
-    if value.is_zero():
-        return 0
-    raise Undecided(f"the sign of {what} is not certain")
-
-
 def symmetric(radius: Ball) -> Ball:
     """The interval [−radius, radius]."""
     return arb(0, radius.abs_upper())
@@ -119,8 +101,3 @@ def polynomial(values: Jet, x: Ball) -> Ball:
     for value in reversed(values):
         total = total * x + value
     return total
-
-
-def intersection(a: Ball, b: Ball) -> Ball:
-    """The intersection of two enclosures of one number."""
-    return a.intersection(b) if a.overlaps(b) else a

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
@@ -11,21 +13,20 @@ from typing import Any
 
 from hophoop._support import tables
 from hophoop._support.files import replacing
-from hophoop.kernel.physics.body import EVENT_NAMES, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
+from hophoop.prove.candidate import Candidate
 from hophoop.prove.checker.check import checked
+from hophoop.prove.checker.conventions import CLOSING, MOST_BITS, SCHEMA, Conventions
+from hophoop.prove.checker.equations import Refused
 from hophoop.prove.checker.verdict import Verdict
 from hophoop.prove.deadline import Deadline, Late
-from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
-from hophoop.prove.physics.equations import Model
+from hophoop.prove.guide import DURATION, REVOLUTION, Mark, by_digits, by_doubles
+from hophoop.prove.trail import WIDE
 from hophoop.results.event_table import change_of
 from hophoop.scenario import InputError, Rigid, Scenario
-from hophoop.vocabulary.events import sequence_of
-from hophoop.vocabulary.modes import letter_of
 from hophoop.vocabulary.words import plain
 
-SCHEMA = "hophoop-proof/1"
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 LEAST_DIGITS, MOST_DIGITS = 1, 200
 BITS_A_DIGIT = 3.3219280948873626
@@ -33,7 +34,10 @@ GUARD = 45  # bits
 CHECKER_GUARD = 40  # bits that the checker works with beyond those of the proof
 TRIES = 5
 MOST_ROWS = 12  # events that a proof shows of itself
-FACTS_AT_ONCE = 100  # are written as decimal numbers without a look at the clock
+EVENTS_AT_ONCE = 100  # are written as decimal numbers without a look at the clock
+LEAST_GUIDE = 20  # digits of the first guide in extended precision; twice as many with each attempt
+NARROW = 1e-12  # half width of brackets then
+MASSLESS = "the massless hoop has closed forms of its own, which are not covered"
 
 
 @dataclass(frozen=True)
@@ -204,7 +208,7 @@ def prove(
 ) -> Proof:
     """Prove the sequence of events of a rigid motion, with an enclosure of each.
 
-    It is proved where the enclosures are found and the checker, which shares no solver with them, accepts the certificate.
+    The computed motion suggests a certificate; the motion is proved if the checker accepts it, which shares no solver with it.
 
     Parameters
     ----------
@@ -242,16 +246,19 @@ def prove(
 
 def _prove(scenario: Scenario, digits: int, until: str, max_events: int, deadline: Deadline) -> Proof:
     problem = Problem.of(scenario)
+    if problem.massless:
+        return Proof(scenario, "undecided", MASSLESS, "", "", "", digits, 0, (), None)
     assert isinstance(scenario.contact, Rigid)
     max_events = min(max_events, scenario.contact.max_events)
     bits = int(digits * BITS_A_DIGIT) + GUARD + min(problem.tiny(), 200)
+    rough = guide = by_doubles(scenario, until, max_events)
+    wide, guide_digits = WIDE, LEAST_GUIDE
     best: Proof | None = None
     reached: list[int] = []  # how many events, attempt by attempt
     for _ in range(TRIES):
-        with precision(bits):
-            run = Run(problem, until=until, max_events=max_events, deadline=deadline).run()
-            right = _digits_of(run)
-            found = _proof(scenario, run, digits, max(0, min(digits, right - 1)), bits, deadline)
+        conventions = Conventions(scenario.to_dict(), until, 0, max_events, bits + CHECKER_GUARD)
+        walk, why = walked(conventions, guide, wide, bits, deadline)
+        found, right = _proof(scenario, walk, why, digits, deadline)
         if found.certificate is not None:
             verdict = checked(found.certificate, deadline)
             if verdict.accepted and right > digits:
@@ -260,16 +267,36 @@ def _prove(scenario: Scenario, digits: int, until: str, max_events: int, deadlin
                 found = _refused(found, verdict, deadline)
         if best is None or found.rank > best.rank:
             best = found
-        reached.append(len(run.facts))
-        if deadline.late:
-            break
-        if not run.proved and reached[-3:] == [reached[-1]] * 3:
+        reached.append(len(found.events))
+        if deadline.late or (not found.proved and reached[-3:] == [reached[-1]] * 3):
             break  # twice as many digits, twice, have not helped
-        more = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT)) if run.proved else 2 * bits
+        if found.proved:
+            more = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT))
+        else:
+            more = 2 * bits
+            guide = by_digits(problem, rough, guide_digits, until, max_events, deadline) or guide
+            wide, guide_digits = NARROW, 2 * guide_digits
         deadline.expect((more / bits) ** 2)
         bits = more
     assert best is not None
     return replace(best, why=str(Late())) if deadline.late and not best.proved else best
+
+
+def walked(
+    conventions: Conventions, guide: Sequence[Mark], wide: float, bits: int, deadline: Deadline
+) -> tuple[Candidate, str]:
+    """The checker's walk along a computed motion, and what it could not show, as a clause; empty if it came to the end."""
+    with precision(conventions.bits):
+        walk = Candidate(conventions, guide, wide, bits, deadline)
+        try:
+            walk.follow()
+        except Refused as reason:
+            return walk, f"it cannot be shown that {reason}"
+        except Late as reason:
+            return walk, str(reason)
+        except (ArithmeticError, ValueError) as error:
+            return walk, f"a step cannot be evaluated ({error})"
+    return walk, ""
 
 
 def check_digits(digits: int) -> None:
@@ -285,30 +312,14 @@ def _refused(proof: Proof, verdict: Verdict, deadline: Deadline) -> Proof:
     return replace(proof, verdict="undecided", why=why, certificate=None, events=proof.events[: verdict.events])
 
 
-def _values(fact: Fact, model: Model) -> dict[str, tuple[Ball, Ball]]:
-    """Numbers of an event in SI units, each with its unit."""
-    state, rate = fact.state, 1 / model.time
-    return {
-        "t": (state.t * model.time, model.time),
-        "x": (state.x * model.length, model.length),
-        "height": (state.y * model.length, model.length),
-        "angle": (state.th, model.length / model.length),
-        "vx": ((state.vt + state.om) * model.speed, model.speed),
-        "vy": (state.vn * model.speed, model.speed),
-        "omega": (state.om * rate, rate),
-    }
-
-
-def _digits_of(run: Run) -> int:
+def _digits_of(walk: Candidate) -> int:
     """Digits that every enclosure has."""
-    worst = 10_000
-    for fact in run.facts:
-        for value, unit in _values(fact, run.model).values():
-            size = abs(value).mid().max(unit.mid())
-            if not value.is_zero():
-                ratio = value.rad() / size
-                if not ratio.is_zero():
-                    worst = min(worst, int(-float(ratio.log()) / 2.302585092994046))
+    worst = MOST_BITS
+    with precision(walk.conventions.bits):
+        for one in walk.made:
+            for value, unit in walk.equations.in_si(one.state).values():
+                if not value.is_exact():
+                    worst = min(worst, int(-float((value.rad() / abs(value).mid().max(unit.mid())).log()) / math.log(10)))
     return worst
 
 
@@ -333,41 +344,50 @@ def enclosure(value: Ball, unit: Ball, digits: int) -> Enclosure:
     return Enclosure(middle, Context(prec=1, rounding=ROUND_CEILING).plus(radius))
 
 
-def _proof(scenario: Scenario, run: Run, digits: int, right: int, bits: int, deadline: Deadline) -> Proof:
-    events = []
-    for k, fact in enumerate(run.facts, 1):
-        if k % FACTS_AT_ONCE == 0 and deadline.used_up():
-            deadline.late, run.why = True, str(Late())
-            break
-        numbers = {name: enclosure(value, unit, max(right, 1)) for name, (value, unit) in _values(fact, run.model).items()}
-        before = None if fact.before_mode is None else letter_of(fact.before_mode)
-        events.append(ProvedEvent(EVENT_NAMES[fact.kind], before, letter_of(fact.after_mode), **numbers))
-    status = Status(run.status).name.lower() if run.proved else ""
-    kinds, modes = [fact.kind for fact in run.facts], [fact.after_mode for fact in run.facts]
-    sequence = sequence_of(kinds, modes, [fact.state.t for fact in run.facts], run.ending == "takeoff")
-    certificate = None
-    if run.proved:
-        from hophoop import __version__
+def _proof(scenario: Scenario, walk: Candidate, why: str, digits: int, deadline: Deadline) -> tuple[Proof, int]:
+    """What a walk has shown, with its certificate if it came to the end; and the digits that every enclosure has."""
+    right = _digits_of(walk)
+    stated = max(0, min(digits, right - 1))
+    events, late = enclosed(walk, stated, deadline)
+    why = why or late
+    certificate = None if why else certificate_of(walk, scenario.to_dict(), events, stated)
+    status, ending = ("", "") if certificate is None else (certificate["status"], certificate["ending"])
+    verdict = "undecided" if why else "proved"
+    return Proof(scenario, verdict, why, walk.sequence, status, ending, digits, stated, tuple(events), certificate), right
 
-        certificate = {
-            "schema": SCHEMA,
-            "version": __version__,
-            "scenario": scenario.to_dict(),
-            "until": run.until,
-            "closing": CLOSING,
-            "bits": bits + CHECKER_GUARD,
-            "digits": right,
-            "max_events": run.max_events,
-            "sequence": sequence,
-            "status": status,
-            "ending": run.ending,
-            "events": [_event_dict(event) for event in events],
-            "phases": run.witnesses,
-        }
-    return Proof(
-        scenario, "proved" if run.proved else "undecided", run.why, sequence, status, run.ending if run.proved else "",
-        digits, right, tuple(events), certificate,
-    )  # fmt: skip
+
+def enclosed(walk: Candidate, digits: int, deadline: Deadline) -> tuple[list[ProvedEvent], str]:
+    """The events of a walk with enclosures, and why some are missing."""
+    events: list[ProvedEvent] = []
+    with precision(walk.conventions.bits):
+        for k, one in enumerate(walk.made, 1):
+            if k % EVENTS_AT_ONCE == 0 and deadline.used_up():
+                deadline.late = True
+                return events, str(Late())
+            numbers = {name: enclosure(*pair, max(digits, 1)) for name, pair in walk.equations.in_si(one.state).items()}
+            events.append(ProvedEvent(one.kind, one.before, one.after, **numbers))
+    return events, ""
+
+
+def certificate_of(walk: Candidate, scenario: dict[str, Any], events: Sequence[ProvedEvent], digits: int) -> dict[str, Any]:
+    """The certificate of a walk that came to the end."""
+    from hophoop import __version__
+
+    return {
+        "schema": SCHEMA,
+        "version": __version__,
+        "scenario": scenario,
+        "until": walk.until,
+        "closing": CLOSING,
+        "bits": walk.conventions.bits,
+        "digits": digits,
+        "max_events": walk.conventions.max_events,
+        "sequence": walk.sequence,
+        "status": walk.claim["status"],
+        "ending": walk.claim["ending"],
+        "events": [_event_dict(event) for event in events],
+        "phases": walk.records,
+    }
 
 
 def _event_dict(event: ProvedEvent) -> dict[str, Any]:

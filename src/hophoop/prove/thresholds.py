@@ -3,21 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from hophoop.precise.problem import Problem
-from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, pi, precision, series
-from hophoop.prove.enclosures.maxima import Function, Highest, highest
-from hophoop.prove.enclosures.roots import exact
-from hophoop.prove.motion import REVOLUTION, Run
-from hophoop.prove.physics.equations import Model
-from hophoop.prove.proof import BITS_A_DIGIT, Enclosure, check_digits, enclosure
-from hophoop.scenario import InputError, Scenario
+from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, order, pi, precision, rational, series
+from hophoop.prove.checker.check import check
+from hophoop.prove.checker.conventions import Conventions
+from hophoop.prove.checker.equations import Equations, Refused
+from hophoop.prove.deadline import Deadline
+from hophoop.prove.guide import FIRST, REVOLUTION, Mark, by_digits, by_doubles
+from hophoop.prove.maxima import Function, Highest, highest
+from hophoop.prove.proof import (
+    BITS_A_DIGIT,
+    CHECKER_GUARD,
+    Enclosure,
+    certificate_of,
+    check_digits,
+    enclosed,
+    enclosure,
+    walked,
+)
+from hophoop.scenario import InputError, Scenario, Start
 
 GUARD_DIGITS = 12
 BITS_A_MARGIN = 2.5  # of precision, for each bit that the speed is nearer to the border
-START = 1e-9  # relative, on both sides of the double, for the border of the hop
+AROUND = (Fraction(1, 10**13), Fraction(1, 10**9))  # relative, on both sides of the double, for the border of the hop
 KEYS = ("first_slip_speed", "first_hop_speed", "immediate_hop_speed", "painleve_friction", "needed_friction")
 
 
@@ -45,7 +57,7 @@ class ProvedNumber:
 class Rolling:
     """Rolling from the top as functions of θ and of w = v0²/(gR)."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Equations) -> None:
         self.model = model
 
     def forces(self, th: Ball, w: Ball, terms: int) -> tuple[Jet, Jet]:
@@ -55,7 +67,7 @@ class Rolling:
             z = series([th, 1])
             s, c = z.sin_cos()
             whole = model.inertia(arb(1)) * w / 2 + model.height(arb(0), arb(0), arb(1))
-            found = model.rolling(s, c, 2 * (whole - model.height(z, s, c)) / model.inertia(c))
+            found = model.contact(s, c, 2 * (whole - model.height(z, s, c)) / model.inertia(c), 0)
             return coefficients(series([0]) + found.friction, terms), coefficients(series([0]) + found.normal, terms)
 
     def ratio(self, w: Ball, side: int) -> Function:
@@ -90,15 +102,15 @@ class Rolling:
 
     def sides(self) -> tuple[int, ...]:
         """Which sides of the cone have to be looked at: on the level both are mirror images."""
-        return (1,) if self.model.level else (1, -1)
+        return (1,) if self.model.gt.is_zero() else (1, -1)
 
 
 def over_turn(function: Function) -> Highest:
     """The highest value in the first turn."""
-    return highest(function, arb(0), exact((2 * pi()).upper()))
+    return highest(function, arb(0), (2 * pi()).upper().mid())
 
 
-def needed_friction(model: Model, w: Ball) -> Ball:
+def needed_friction(model: Equations, w: Ball) -> Ball:
     """The friction that rolling through the first turn needs."""
     rolling = Rolling(model)
     value = arb(0)
@@ -107,7 +119,7 @@ def needed_friction(model: Model, w: Ball) -> Ball:
     return value
 
 
-def first_slip(model: Model) -> Ball:
+def first_slip(model: Equations) -> Ball:
     """Speed at the top from which on there is slip in the first turn, in units of √(gR)."""
     if model.mu_s is None:
         raise Undecided("friction is infinite")
@@ -122,12 +134,12 @@ def first_slip(model: Model) -> Ball:
     return value.rsqrt()
 
 
-def immediate_hop(model: Model) -> Ball:
+def immediate_hop(model: Equations) -> Ball:
     """Speed at the top from which on the hoop leaves the plane at once, in units of √(gR)."""
     return (model.gn / model.eps).sqrt()
 
 
-def painleve_friction(model: Model) -> Ball:
+def painleve_friction(model: Equations) -> Ball:
     """The least friction with Painlevé's paradox at some angle."""
 
     def function(th: Ball, terms: int) -> Jet:
@@ -136,33 +148,62 @@ def painleve_friction(model: Model) -> Ball:
             lever = model.eps * s
             return coefficients(lever * (1 + model.eps * c) / (model.kap + lever * lever), terms)
 
-    return 1 / highest(function, arb(0), exact((pi()).upper())).value
+    return 1 / highest(function, arb(0), pi().upper().mid()).value
 
 
-def hop_border(problem: Problem, low: Ball, high: Ball, wanted: Ball) -> Ball:
-    """A speed of which both sides are proved: without a hop in the first turn at one end, with one at the other."""
+def hop_border(scenario: Scenario, digits: int) -> Ball:
+    """From a speed without a hop in the first turn to one with a hop [m/s]: found in extended precision, both proved."""
+    from hophoop.theory import first_hop_speed
 
-    def hops(speed: Ball) -> bool:
-        width = (high - low) / high
-        enough = 60 + int(BITS_A_MARGIN * -float(width.log()) / math.log(2))
-        for precise in (enough, 2 * enough):
-            with precision(precise):
-                run = Run(problem, {"start.speed": speed}, until=REVOLUTION, timed=False).run()
-            if run.proved:
-                return run.ending == "takeoff"
-        raise Undecided(run.why)
+    near = float(first_hop_speed(scenario.hoop, scenario.plane))
+    if not math.isfinite(near):
+        raise Undecided("no speed leads to a hop, as far as doubles can tell")
+    rolling = scenario.replace("start", Start.rolling(near))
+    problem, rough = Problem.of(rolling), by_doubles(rolling, REVOLUTION, FIRST)
 
-    if hops(low) or not hops(high):
+    def motion(speed: Fraction, apart: Fraction) -> list[Mark]:
+        """Of a speed that is so far from the border."""
+        exact = replace(problem, omega=speed / problem.radius)
+        found = by_digits(exact, rough, GUARD_DIGITS + int(-math.log10(apart / near)), REVOLUTION, FIRST, Deadline())
+        if found is None:
+            raise Undecided("the border of the hop takes too many steps")
+        return found
+
+    def hops(speed: Fraction, apart: Fraction) -> bool:
+        first = (
+            one.after == "H" for one in motion(speed, apart) if one.after == "H" or one.kind == "turn" or one.angle > 2 * pi()
+        )
+        return next(first, False)
+
+    for around in AROUND:
+        apart = around * Fraction(near)
+        low, high = Fraction(near) - apart, Fraction(near) + apart
+        if hops(high, apart) and not hops(low, apart):
+            break
+    else:
         raise Undecided("no border of the hop is where it was looked for")
-    while not high - low < wanted:
-        middle = exact((low + high) / 2)
-        try:
-            found = hops(middle)
-        except Undecided:  # too close to the threshold: a little away from it
-            middle = exact(low + (high - low) * 5 / 8)
-            found = hops(middle)
-        low, high = (low, middle) if found else (middle, high)
-    return low.union(high)
+    while high - low > low / 10 ** (digits + 2):
+        middle = (low + high) / 2
+        low, high = (low, middle) if hops(middle, high - low) else (middle, high)
+    bits = 60 + int(BITS_A_MARGIN * (digits + 2) * BITS_A_DIGIT)
+    for speed, ends in ((low, False), (high, True)):
+        why, ending = first_turn(rolling, speed, motion(speed, high - low), 10.0 ** -(digits // 2 + 4), bits)
+        if why or (ending == "takeoff") != ends:
+            raise Undecided(why or "a speed at the border of the hop ends otherwise than it was computed")
+    return rational(low).union(rational(high))
+
+
+def first_turn(scenario: Scenario, speed: Fraction, guide: Sequence[Mark], wide: float, bits: int) -> tuple[str, str]:
+    """(why the first revolution of an exact speed is not proved, or '', its ending)."""
+    exact = scenario.to_dict()
+    exact["start"]["speed"] = speed
+    conventions = Conventions(exact, REVOLUTION, 0, FIRST, bits + CHECKER_GUARD)
+    walk, why = walked(conventions, guide, wide, bits, Deadline())
+    if why:
+        return why, ""
+    events, _ = enclosed(walk, 1, Deadline())
+    verdict = check(certificate_of(walk, exact, events, 0))
+    return verdict.why, str(walk.claim["ending"])
 
 
 def thresholds(scenario: Scenario, digits: int = 30, keys: Collection[str] | None = None) -> list[ProvedNumber]:
@@ -205,13 +246,13 @@ def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[lis
         reasons |= dict.fromkeys(keys, "")
     for share in (1, 2):  # of precision: more where it was not enough
         with precision(int(share * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
-            model = Model(problem)
-            for key, statement, unit, scale, value in _numbers(scenario, problem, model, digits):
+            model = Equations(scenario.to_dict())
+            for key, statement, unit, scale, value in _numbers(scenario, model, digits):
                 if key not in keys or key not in reasons:
                     continue
                 try:
                     number = value() * scale
-                except Undecided as undecided:
+                except (Undecided, Refused) as undecided:
                     reasons[key] = str(undecided)
                     continue
                 reasons[key] = f"{digits} digits of it could not be shown"
@@ -221,9 +262,7 @@ def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[lis
     return list(found.values()), reasons
 
 
-def _numbers(
-    scenario: Scenario, problem: Problem, model: Model, digits: int
-) -> Iterator[tuple[str, str, str, Ball, Callable[[], Ball]]]:
+def _numbers(scenario: Scenario, model: Equations, digits: int) -> Iterator[tuple[str, str, str, Ball, Callable[[], Ball]]]:
     """(key, statement, unit, scale, value) of every threshold."""
     speed = model.speed
     yield (
@@ -232,7 +271,7 @@ def _numbers(
     )  # fmt: skip
     yield (
         "first_hop_speed", "Just below this speed there is no hop in the first turn, just above it there is one.", "m/s",
-        speed / speed, lambda: _hop_speed(scenario, problem, digits),
+        speed / speed, lambda: hop_border(scenario, digits),
     )  # fmt: skip
     yield (
         "immediate_hop_speed", "From this speed on the hoop leaves the plane at the top.", "m/s",
@@ -244,18 +283,8 @@ def _numbers(
     )  # fmt: skip
     start = scenario.start
     if start.speed is not None and start.angle == 0.0:
-        w = (model.start().om) ** 2
+        w = model.start.om**2
         yield (
             "needed_friction", f"Rolling through the first turn from {start.speed:g} m/s needs this friction.", "1",
             speed / speed, lambda: needed_friction(model, w),
         )  # fmt: skip
-
-
-def _hop_speed(scenario: Scenario, problem: Problem, digits: int) -> Ball:
-    """The threshold of the hop, searched next to the double that the kernel gives."""
-    from hophoop.theory import first_hop_speed
-
-    near = arb(float(first_hop_speed(scenario.hoop, scenario.plane)))
-    with precision(max(bits(), int(3 * (digits + GUARD_DIGITS) * BITS_A_DIGIT))):
-        low, high = exact(near * (1 - arb(START))), exact(near * (1 + arb(START)))
-        return hop_border(problem, low, high, near * arb(10) ** (-digits - 2))

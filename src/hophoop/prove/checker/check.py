@@ -102,17 +102,14 @@ class Walk:
             said == (kind, before, after),
             f"event {self.seen} is {kind} {before} → {after}, not {said[0]} {said[1]} → {said[2]}",
         )
-        model, state = self.equations, self.state
-        values = {
-            "t": (state.t * model.time, model.time), "x": (state.x * model.length, model.length),
-            "height": (state.y * model.length, model.length), "angle": (state.th, arb(1)),
-            "vx": ((state.vt + state.om) * model.speed, model.speed), "vy": (state.vn * model.speed, model.speed),
-            "omega": (state.om / model.time, 1 / model.time),
-        }  # fmt: skip
-        for name, (value, unit) in values.items():
+        for name, (value, unit) in self.equations.in_si(self.state).items():
             known = self.conventions.encloses(one[name], value, unit)
             require(known, f"{name} of event {self.seen} ({kind}) is where it is said to be")
-        self.last = after, state.t
+        self.note(kind, after)
+
+    def note(self, kind: str, after: str) -> None:
+        """Count an event that is verified."""
+        self.last = after, self.state.t
         if kind not in ("apex", "turn", "kane_gain", "rest"):
             self.letters.append(self.last)
         self.seen += 1
@@ -178,10 +175,14 @@ class Walk:
         except Stopped:
             require(self.claim["ending"] == "event_limit", "the ending is as said")
         require(self.seen == len(self.events) and not self.phases, "nothing follows the end")
+        require(self.claim["sequence"] == self.sequence, "the sequence is that of the events")
+
+    @property
+    def sequence(self) -> str:
+        """One letter per phase, as far as it is verified."""
         pairs = pairwise([*self.letters, self.last])  # the last event counts, whatever its kind
         found = "".join(a[0] for a, b in pairs if a[1] < b[1]) + ("H" if self.claim["ending"] == "takeoff" else "")
-        found = found or self.letters[-1][0]
-        require(self.claim["sequence"] == found, "the sequence is that of the events")
+        return found or "".join(letter for letter, _ in self.letters[-1:])
 
     def walk(self) -> None:
         """From the start, phase after phase."""

@@ -21,7 +21,6 @@ MOST_EVENTS = 10_000_000
 OWN_EVENTS = 100_000  # the limit of a scenario that names none
 USUAL_EVENTS = 4000  # the limit of a certificate that names none
 WIDEST = 3  # a radius in units of 10^−digits, relative to its number or the unit of that
-FASTEST = 1e9  # rad/s
 LONGEST, LARGEST_EXPONENT = 1000, 10_000  # of a decimal number: more only takes time
 
 KEYS = {

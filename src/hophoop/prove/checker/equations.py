@@ -90,6 +90,15 @@ class Equations:
             rational(at["omega"]) * self.time if at["omega"] else arb(0),
         )
 
+    def in_si(self, state: State) -> dict[str, tuple[Ball, Ball]]:
+        """The numbers of an event, each with its unit made of R and g."""
+        return {
+            "t": (state.t * self.time, self.time), "x": (state.x * self.length, self.length),
+            "height": (state.y * self.length, self.length), "angle": (state.th, arb(1)),
+            "vx": ((state.vt + state.om) * self.speed, self.speed), "vy": (state.vn * self.speed, self.speed),
+            "omega": (state.om / self.time, 1 / self.time),
+        }  # fmt: skip
+
     def delassus(self, s: Series, c: Series) -> tuple[Series, Series, Series]:
         """κ (W_tt, W_nn, W_tn), without the couple: of impacts."""
         arm, lever = 1 + self.eps * c, self.eps * s

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from typing import Any
 
 from hophoop.prove.checker.intervals import require
@@ -87,5 +88,5 @@ def _value(path: str, value: Any) -> None:
     least, most, *also = NUMBERS[path]
     if value == "inf" and INFINITE in also:
         return
-    is_number = isinstance(value, int | float) and not isinstance(value, bool) and not math.isnan(value)
+    is_number = isinstance(value, int | float | Fraction) and not isinstance(value, bool) and not math.isnan(value)
     require(is_number and (least <= value <= most or value in also), f"{path} is a number in its range")

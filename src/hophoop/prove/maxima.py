@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits
-from hophoop.prove.enclosures.roots import exact, refined
+from hophoop.prove.checker.intervals import root
 
 Function = Callable[[Ball, int], Jet]  # (x, terms) → Taylor coefficients, valid on the ball x
 PARTS = 64
@@ -35,7 +35,7 @@ def highest(function: Function, low: Ball, high: Ball) -> Highest:
         If a maximum is too flat to be located.
     """
     width = (high - low) / PARTS
-    marks = [low, *(exact(low + width * k) for k in range(1, PARTS)), high]
+    marks = [low, *((low + width * k).mid() for k in range(1, PARTS)), high]
     best = function(low, 1)[0]
     for mark in marks[1:]:
         best = best.max(function(mark, 1)[0])
@@ -47,7 +47,7 @@ def highest(function: Function, low: Ball, high: Ball) -> Highest:
             raise Undecided("a largest value is too flat to be told")
         verdict = _top(function, a, b, best)
         if verdict is None:
-            middle = exact((a + b) / 2)
+            middle = ((a + b) / 2).mid()
             work += [(a, middle), (middle, b)]
         else:
             tops += verdict
@@ -65,7 +65,7 @@ def _top(function: Function, a: Ball, b: Ball, best: Ball) -> list[Ball] | None:
         jet = function(whole, 3)
     except (ValueError, ZeroDivisionError):
         return None
-    middle = exact(whole)
+    middle = whole.mid()
     if jet[0] < best or function(middle, 1)[0] + jet[1] * (whole - middle) < best:
         return []
     if jet[1] > 0 or jet[1] < 0:
@@ -82,4 +82,4 @@ def _top(function: Function, a: Ball, b: Ball, best: Ball) -> list[Ball] | None:
         found = function(x, terms + 1)
         return [[(k + 1) * found[k + 1] for k in range(terms)]]
 
-    return [refined(slope, 0, a, b)]
+    return [root(slope, 0, a, b, "a top is alone")]

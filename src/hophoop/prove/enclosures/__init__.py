@@ -1,1 +1,0 @@
-"""Roots, maxima and first-order dependence on parameters, all enclosed in balls."""

@@ -1,1 +1,0 @@
-"""Rolling, slip and flight up to their next event, and what a certificate records of them."""
