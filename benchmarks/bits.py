@@ -91,7 +91,7 @@ def compute(how: str, every: int, out: Path) -> None:
         with forced(how):
             found = {each.index: bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept}
     else:
-        found = by_module(how, bits_tools.by_doubles(kept))
+        found = by_module(how, kept)
     np.savez(out, **{f"{index}-{name}": table for index, bits in found.items() for name, table in bits._asdict().items()})
 
 

@@ -32,9 +32,8 @@ from hophoop.kernel.records.cells import body_of, second_of, start_of
 from hophoop.kernel.records.layout import CELL, DURATION, EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.rigid.columns import COLUMNS
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.kernel.rigid.sampling import find_segment, sample
-from hophoop.simulation.exact_start import LATEST
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from random_scenarios import EVENTS, draw, draw_beside_a_border, scenario_of
@@ -164,7 +163,7 @@ def one_motion(cell, events, segments, scratch):
     second = second_of(cell, 0)
     body = body_of(cell, 0)
     start = start_of(cell, 0, second)
-    return compiled(run)(body, start, cell[DURATION, 0] / second, math.nan, 0, events, segments, scratch, events[:0])
+    return compiled(run)(body, start, BY_RULE, cell[DURATION, 0] / second, math.nan, 0, events, segments, scratch)
 
 
 def evaluate(cells, mirrors, kinds, worst, doubts):
@@ -180,7 +179,7 @@ def evaluate(cells, mirrors, kinds, worst, doubts):
         cell = cells[i].reshape(-1, 1)
         status, count, pieces = one_motion(cell, events, segments, scratch)
         statuses[i] = status
-        doubts[i] = scratch.doubt[1]
+        doubts[i] = scratch.doubt[0]
         for k in range(count):
             kinds[i, events[k]["kind"]] += 1
         if pieces > 0:
@@ -223,9 +222,9 @@ def work(task: tuple[int, int, int]) -> dict[str, Any]:
     for kind in range(len(KINDS)):
         for rough, tail in ((False, ""), (True, ", μ = ∞")):
             chosen = statuses[(hoops == kind) & (endless == rough)]
-            asked = int(np.sum(doubts[(hoops == kind) & (endless == rough)] <= LATEST))
+            asked = int(np.isfinite(doubts[(hoops == kind) & (endless == rough)]).sum())
             if asked:
-                result["statuses"][kind, "in doubt, decided in more digits" + tail] += asked
+                result["statuses"][kind, "in doubt" + tail] += asked
             for status, number in zip(*np.unique(chosen, return_counts=True), strict=True):
                 result["statuses"][kind, Status(status).name.lower() + tail] += int(number)
         mine = np.flatnonzero(hoops == kind)

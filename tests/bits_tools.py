@@ -138,7 +138,7 @@ def own_hashes(bits: Bits) -> list[str]:
     return [hash_of([table])[:DIGITS] for table in bits]
 
 
-def hashes_of(found: Sequence[Bits], kept: Sequence[Kept], digits: Sequence[int] = ()) -> dict[str, Any]:
+def hashes_of(found: Sequence[Bits], kept: Sequence[Kept]) -> dict[str, Any]:
     """What the file of hashes holds, from the bits of all motions in order."""
     kinds = sorted({each.kind for each in kept})
     by_kind = {kind: [bits for bits, each in zip(found, kept, strict=True) if each.kind == kind] for kind in kinds}
@@ -148,7 +148,6 @@ def hashes_of(found: Sequence[Bits], kept: Sequence[Kept], digits: Sequence[int]
             kind: {name: hash_of(bits[place] for bits in part)[:DIGITS] for place, name in enumerate(TABLES)}
             for kind, part in by_kind.items()
         },
-        "digits": list(digits),
         "motions": [" ".join(own_hashes(bits)) for bits in found],
     }
 
@@ -172,7 +171,6 @@ def differing(found: Mapping[int, Bits], tables: Sequence[str] = TABLES) -> dict
     return {name: indices for name, indices in result.items() if indices}
 
 
-def by_doubles(kept: Iterable[Kept], *kinds: str) -> list[Kept]:
-    """Those that doubles decide, which is all that a kernel by itself has; of some kinds, or of all."""
-    left_out = set(kept_hashes()["digits"])
-    return [each for each in kept if each.index not in left_out and (not kinds or each.kind in kinds)]
+def of_kinds(kept: Iterable[Kept], *kinds: str) -> list[Kept]:
+    """Those of some kinds."""
+    return [each for each in kept if each.kind in kinds]

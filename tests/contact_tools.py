@@ -39,7 +39,7 @@ def log_of(room=10):
 
 
 def phase_at(mode, state, level=5):
-    return Phase(mode, state, False, 0, 0.0, level, 0.75, 0, -1)
+    return Phase(mode, state, False, 0, 0.0, level, 0, -1)
 
 
 def events_of(log):

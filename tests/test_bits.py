@@ -14,7 +14,7 @@ import pytest
 
 import bits_tools
 import hophoop as hh
-from bits_tools import Bits, Kept, by_doubles, differing, kept_hashes, kept_scenarios
+from bits_tools import Bits, Kept, differing, kept_hashes, kept_scenarios, of_kinds
 from hophoop.kernel.native import forced
 
 CHANGELOG = Path(__file__).parents[1] / "CHANGELOG.md"
@@ -27,29 +27,23 @@ def computed(kept: Iterable[Kept], mode: str) -> dict[int, Bits]:
 
 
 @pytest.mark.compiled
-def test_motions_that_doubles_decide_have_the_kept_bits() -> None:
-    assert differing(computed(by_doubles(kept_scenarios()), "compiled")) == {}, SAY
-
-
-@pytest.mark.long
-@pytest.mark.compiled
 def test_all_bits_are_the_kept_ones() -> None:
     kept = kept_scenarios()
     found = computed(kept, "compiled")
-    told = kept_hashes()
-    assert bits_tools.hashes_of([found[each.index] for each in kept], kept, told["digits"]) == told, SAY
+    assert differing(found) == {}, SAY
+    assert bits_tools.hashes_of([found[each.index] for each in kept], kept) == kept_hashes(), SAY
 
 
 def test_interpreted_motions_have_the_kept_bits() -> None:
-    kept = by_doubles(kept_scenarios(every=40), "rigid", "border", "paradox", "resisted", "massless")
+    kept = of_kinds(kept_scenarios(every=40), "rigid", "border", "paradox", "resisted", "massless")
     assert len(kept) > 20
     assert differing(computed(kept, "interpreted")) == {}
 
 
 @pytest.mark.long
 def test_a_hundred_interpreted_motions_have_the_kept_bits() -> None:
-    kept = by_doubles(kept_scenarios(every=10))
-    assert {each.kind for each in kept} == set(kept_hashes()["kinds"]) - {"digits"}
+    kept = kept_scenarios(every=10)
+    assert {each.kind for each in kept} == set(kept_hashes()["kinds"])
     assert differing(computed(kept, "interpreted")) == {}
 
 

@@ -15,7 +15,7 @@ COVERED = (
     "kernel/numerics", "kernel/physics", "kernel/panels", "kernel/records", "kernel/rigid", "kernel/compliant",
     "scenario", "precise", "derivatives", "theory", "maps", "lab/wasm", "results/records.py", "results/units.py",
     "results/poses.py", "results/save.py", "simulation/simulate.py", "simulation/rigid.py", "simulation/compliant.py",
-    "simulation/exact_start.py", "simulation/trajectory.py", "_support/fingerprint.py",
+    "simulation/trajectory.py", "_support/fingerprint.py",
 )  # fmt: skip
 WHOLE = "whole numbers"
 WRITTEN_OUT = "products and quotients of complex numbers are written out in compliant/elimination.py"

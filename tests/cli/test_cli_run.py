@@ -391,17 +391,6 @@ def test_explain_is_refused_where_it_has_no_rules():
     assert "--errors cannot be given together with --check" in result.output
 
 
-def test_explain_says_where_it_begins():
-    """The first events of this start are decided in 20 digits, and the steps begin after them."""
-    result = run("run", "--v0", "3.6166282640049716", "--duration", "1", "--explain")
-    assert result.exit_code == 0, result.output
-    assert re.search(r"Until t = 0\.\d+ s the events are decided in more digits than doubles have\.", result.output)
-    assert "Until t" not in run("run", *HOP, "--explain").output
-    late = run("run", "--v0", "3.1598361439299016", "--duration", "4", "--explain").output
-    assert late.index("0.000000 to ") < late.index("Until t = ")
-    assert late.count("Until t = ") == 1
-
-
 def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monkeypatch):
     """From the steps of its first part; with few of them nothing is said, and standard output stays a result."""
     from hophoop.cli import _work

@@ -143,7 +143,7 @@ def test_a_dispatcher_of_motions_has_their_bits():
     start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * motion.units.time)
     end = scenario.duration / motion.units.time
     status, count, pieces = jitted(kernel.run)(
-        scenario.to_body(), start, end, math.nan, 0, events, segments, new_scratch(), events[:0]
+        scenario.to_body(), start, kernel.BY_RULE, end, math.nan, 0, events, segments, new_scratch()
     )
     assert status == Status.COMPLETED
     assert events[:count].tobytes() == motion.tables["events"].tobytes()

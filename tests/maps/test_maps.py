@@ -31,6 +31,7 @@ def cell_of(scenario):
         **{name: getattr(hoop, name) for name in ("radius", "mass", "eccentricity", "inertia_ratio")},
         **{name: getattr(plane, name) for name in ("gravity", "slope", "mu_static", "mu_kinetic", "restitution")},
         **{name: getattr(state, name) for name in ("x", "height", "angle", "vy", "omega", "slip")},
+        "mode": -1.0,  # by the rule
         "rolling_resistance": plane.rolling_resistance,
         "law": {"newton": 0, "poisson": 1, "stronge": 2}[plane.impact_law],
         "strike": plane.painleve == "impact",

@@ -160,7 +160,7 @@ class Calls:
         self.view(more, rates.size)[:] = rates.ravel()
         self.call(
             "changes", self.cell, more, n, sign, self.events, len(events), self.segments,
-            int(heads["segments"]), heads["doubt_from"], out, why,
+            int(heads["segments"]), heads["doubt"], out, why,
         )  # fmt: skip
         found = self.view(out, size).reshape(len(events), width, n).copy()
         reasons, failed = self.view(why, 2 * n).reshape(2, n).copy()

@@ -9,20 +9,20 @@ import pytest
 pytest.importorskip("wasmtime")
 
 from bits_kernels import run_module, run_page
-from bits_tools import by_doubles, differing, kept_scenarios
+from bits_tools import differing, kept_scenarios, of_kinds
 from hophoop.lab.wasm.stamp import HERE, MODULE
 from module.host import Host
 
-RIGID = ("rigid", "border", "paradox", "resisted", "massless")
+RIGID = ("rigid", "border", "paradox", "resisted", "massless", "doubt")
 
 
 def test_the_module_gives_the_kept_bits_in_wasmtime() -> None:
-    kept = by_doubles(kept_scenarios(), *RIGID)
+    kept = of_kinds(kept_scenarios(), *RIGID)
     assert len(kept) > 900
     assert differing(run_module(Host(HERE / MODULE), kept)) == {}
 
 
 def test_the_page_gives_the_kept_bits_in_chromium(browser: Any) -> None:
-    kept = by_doubles(kept_scenarios(every=4))
+    kept = kept_scenarios(every=4)
     assert {each.kind for each in kept} == {*RIGID, "compliant"}
     assert differing(run_page(browser, kept)) == {}

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from bits_kernels import PROCESSORS, code_of, program, run_program, why_no_program
-from bits_tools import by_doubles, differing, kept_scenarios
+from bits_tools import differing, kept_scenarios
 from hophoop.kernel.build.link import optimised
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 
@@ -122,5 +122,5 @@ def test_another_processor_gives_the_kept_bits(processor: str, tmp_path: Path) -
     missing = why_no_program(processor)
     if missing:
         pytest.skip(missing)
-    kept = by_doubles(kept_scenarios(every=4))
+    kept = kept_scenarios(every=4)
     assert differing(run_program(program(processor, tmp_path), kept, processor)) == {}

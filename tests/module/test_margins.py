@@ -52,7 +52,7 @@ def test_forces_are_those_of_the_states_and_signs_are_those_of_the_modes(host: H
     met = set()
     for scenario in drawn(80, 700):
         heads, _ = host.motion(cell_of(scenario))
-        if not math.isnan(heads["doubt_from"]) or scenario.contact.model != "rigid":
+        if not math.isnan(heads["doubt"]) or scenario.contact.model != "rigid":
             continue
         times = np.linspace(0.0, heads["duration"], 60)[1:-1]
         states = dict(zip(SAMPLE_COLUMNS, host.samples(int(heads["segments"]), times).T, strict=True))

@@ -68,17 +68,15 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     return answers
 
 
-def decided(answers: dict[str, Any]) -> list[tuple[hh.Trajectory, dict[str, Any]]]:
-    """Those that doubles decide: of the others Python tells in more digits."""
+def computed(answers: dict[str, Any]) -> list[tuple[hh.Trajectory, dict[str, Any]]]:
+    """Motions of both contact models, and what the page tells of them."""
     pairs = zip((*scenarios(), *compliant()), answers["found"], strict=True)
-    found = [(hh.simulate(scenario), answer) for scenario, answer in pairs if answer["motion"]["doubt"] is None]
-    assert len(found) > 50
-    return found
+    return [(hh.simulate(scenario), answer) for scenario, answer in pairs]
 
 
 @pytest.mark.long
 def test_what_is_told_of_a_motion_is_the_same(answers: dict[str, Any]) -> None:
-    for motion, answer in decided(answers):
+    for motion, answer in computed(answers):
         told = motion.to_dict()
         mine = answer["motion"]
         assert mine["duration"] == motion.duration
@@ -91,7 +89,7 @@ def test_what_is_told_of_a_motion_is_the_same(answers: dict[str, Any]) -> None:
 
 @pytest.mark.long
 def test_columns_of_a_film_are_the_same(answers: dict[str, Any]) -> None:
-    for motion, answer in decided(answers):
+    for motion, answer in computed(answers):
         theirs = film.columns(motion)
         assert answer["columns"].keys() == theirs.keys()
         for name, column in theirs.items():
@@ -112,7 +110,7 @@ def test_fingerprints_are_those_of_the_events_of_the_module(answers: dict[str, A
     places = [EVENT_COLUMNS.index(name) for name in STATE]
     for scenario, answer in zip(scenarios(), answers["found"], strict=False):
         heads, rows = host.motion(cell_of(scenario))
-        decided = math.isnan(heads["doubt_from"])
+        decided = math.isnan(heads["doubt"])
         kinds = [EVENT_NAMES[int(kind)] for kind in rows[:, EVENT_COLUMNS.index("kind")]]
         assert answer["motion"]["fingerprint"] == (fingerprint(kinds, rows[:, places]) if decided else None)
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import time
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,11 +19,6 @@ from hophoop.kernel.records.layout import MOST_PANELS, PANELS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice
-from hophoop.precise import contact
-from hophoop.precise.motion import Run
-from hophoop.precise.problem import Problem
-from hophoop.precise.series import Work, work_of_step
-from hophoop.simulation import exact_start as arbitration
 
 MASSLESS = hh.Hoop(eccentricity=1.0, inertia_ratio=0.0)
 SMOOTH = hh.Plane(gravity=0.0)
@@ -149,145 +142,6 @@ def test_a_search_for_roots_ends(monkeypatch):
     assert search(series, -2.0, 0.0, stack) == roots.NOT_FOUND
 
 
-def test_the_longer_computation_has_a_budget():
-    """Steps of many digits: more bits cost more of them, none below 1e-30."""
-    ordinary = hh.Scenario()
-    assert arbitration.steps_allowed(ordinary) == arbitration.ALL_STEPS
-    assert arbitration.steps_allowed(ordinary.replace("start.angle", 1e-100)) == 0
-    for steps in (0, 5):
-        budget = arbitration.Budget(steps)
-        assert not arbitration.script_until(ordinary, 1.0, budget).size
-        assert budget.steps == 0
-    left = []
-    for scenario in (ordinary, ordinary.replace("start.angle", 1e-20)):
-        budget = arbitration.Budget(arbitration.ALL_STEPS)
-        assert arbitration.script_until(scenario, 0.3, budget).size
-        left.append(budget.steps)
-    assert 0 < left[1] < left[0] < arbitration.ALL_STEPS
-
-
-@pytest.mark.parametrize("allowed", [100, 1000])
-def test_all_computations_share_one_budget(monkeypatch, allowed):
-    """A tie is solved for at three precisions, twice at each, and again for each decision: together within the budget."""
-    tied = hh.Scenario(
-        hoop=hh.Hoop(eccentricity=1.0, inertia_ratio=0.4),
-        plane=hh.Plane(gravity=791301.0, mu_static=0.6, mu_kinetic=0.0),
-        start=hh.Start.rolling(3.1, angle=1.8),
-        contact=hh.Rigid(max_events=40),
-    )
-    spent, asked = [], []
-    expand, decide = contact.expand, arbitration.script_until
-
-    def counted(body, *others):
-        spent.append(0.7 + (body.bits / 160.0) ** 3)
-        return expand(body, *others)
-
-    def noted(*arguments):
-        asked.append(arguments)
-        return decide(*arguments)
-
-    monkeypatch.setattr(contact, "expand", counted)
-    monkeypatch.setattr(arbitration, "script_until", noted)
-    monkeypatch.setattr(arbitration, "ALL_STEPS", allowed)
-    motion = hh.simulate(tied)
-    assert asked
-    assert 0.2 * allowed <= sum(spent) <= allowed + max(spent)  # the last one is refused
-    assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
-
-
-def counting(monkeypatch):
-    """The bits of all steps in contact that the longer computation takes from now on."""
-    taken = []
-    expand = contact.expand
-
-    def counted(body, *others):
-        taken.append(body.bits)
-        return expand(body, *others)
-
-    monkeypatch.setattr(contact, "expand", counted)
-    return taken
-
-
-def test_a_precision_that_will_take_more_than_is_left_is_not_tried(monkeypatch):
-    """Up to what 184 bits cannot tell all steps are made again at 369, twice: more than the whole budget."""
-    taken = counting(monkeypatch)
-    budget = arbitration.Budget(arbitration.ALL_STEPS)
-    assert not arbitration.script_until(kept(1327), 0.0, budget).size
-    assert budget.steps == 0
-    assert 0 < sum(map(work_of_step, taken)) < 0.25 * arbitration.ALL_STEPS
-
-
-def test_a_later_decision_that_will_take_more_than_is_left_is_not_tried(monkeypatch):
-    """It makes all steps of the one before again."""
-    taken = counting(monkeypatch)
-    scenario = hh.Scenario()
-    budget = arbitration.Budget(1.5 * cost(scenario, 0.3))
-    assert arbitration.script_until(scenario, 0.3, budget).size
-    made = len(taken)
-    assert not arbitration.script_until(scenario, 0.6, budget).size
-    assert len(taken) == made
-    enough = arbitration.Budget(5.0 * cost(scenario, 0.3))
-    assert arbitration.script_until(scenario, 0.3, enough).size
-    assert arbitration.script_until(scenario, 0.4, enough).size
-
-
-def cost(scenario, until):
-    """Steps that the decisions until a time take."""
-    budget = arbitration.Budget(arbitration.ALL_STEPS)
-    assert arbitration.script_until(scenario, until, budget).size
-    return arbitration.ALL_STEPS - budget.steps
-
-
-def test_events_without_end_are_decided_up_to_a_pause(monkeypatch):
-    """v_t without friction comes to zero in every passage of the lowest point, each a hundredth of √(R/g) after the other."""
-    taken = counting(monkeypatch)
-    scenario = kept(6770)
-    budget = arbitration.Budget(arbitration.ALL_STEPS)
-    script = arbitration.script_until(scenario, 0.0, budget)
-    assert script.size
-    assert sum(map(work_of_step, taken)) < 0.4 * arbitration.ALL_STEPS
-    beside = [abs(script[-1]["t"] - row["t"]) for row in script[:-1]]
-    assert min(beside) >= 0.5 * arbitration.BETWEEN * arbitration.CLEAR
-
-
-@pytest.mark.slow
-def test_after_a_pause_the_kernel_goes_on_as_the_longer_computation_does():
-    scenario = kept(6770)
-    longer = arbitration.script_until(scenario, 0.02, arbitration.Budget(arbitration.ALL_STEPS))
-    motion = hh.simulate(scenario.replace("contact.max_events", 12))
-    both = min(len(longer) - 1, 12)
-    assert both > len(arbitration.script_until(scenario, 0.0, arbitration.Budget(arbitration.ALL_STEPS)))
-    assert [row["kind"] for row in motion.tables["events"][:both]] == [row["kind"] for row in longer[:both]]
-    assert motion.tables["events"]["t"][:both] == pytest.approx(longer["t"][:both], rel=1e-9, abs=1e-12)
-
-
-def kept(index):
-    """A scenario that a night found."""
-    return hh.Scenario.load(Path(__file__).parents[1] / "data" / "once_open" / f"{index}.toml")
-
-
-def test_a_step_of_more_bits_costs_what_it_takes():
-    """The count of work goes with the time of a step, to a factor of two."""
-    costs = []
-    for bits in (106, 351):
-        run = Run(Problem.of(hh.Scenario(duration=1.0)), bits, False, 1e-23, work=Work(math.inf))
-        counted = []
-        run.body.work.take = counted.append
-        began = time.process_time()
-        run.run()
-        costs.append((time.process_time() - began) / len(counted) / work_of_step(bits))
-    assert 0.5 < costs[1] / costs[0] < 2.0
-
-
-def test_a_fast_start_is_clear_of_doubt_after_a_turn_or_two():
-    """9e6 rad/s: a twentieth of √(R/g) would be 70,000 turns, more than any budget."""
-    scenario = hh.Scenario(plane=hh.Plane(gravity=0.0), start=hh.Start(vx=0.3, vy=-1.0, omega=9e6), duration=9.0)
-    budget = arbitration.Budget(arbitration.ALL_STEPS)
-    script = arbitration.script_until(scenario, 0.0, budget)
-    assert script.size
-    assert script[-1]["t"] == pytest.approx(arbitration.MOST_TURNED / 9e6, rel=0.5)
-
-
 def solving(monkeypatch, change):
     """The sizes of the panels that are solved, with what `change` makes of each result."""
     solved = []
@@ -330,7 +184,6 @@ def test_a_panel_that_is_never_resolved_is_given_up(monkeypatch, omega):
 def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
     """It ends without an answer where the panels end, and not with one that is wrong."""
     solving(monkeypatch, lambda totals, count: totals._replace(tail=1.0) if count > 5 else totals)
-    # infinite friction: no more digits are asked for
     with forced("interpreted"):
         motion = hh.simulate(hh.Scenario(plane=hh.Plane(mu=math.inf), start=hh.Start.rolling(3.1)))
     assert motion.status == "undetermined"

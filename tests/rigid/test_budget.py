@@ -12,7 +12,7 @@ from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.layout import EVENT, MOST_PANELS, PANEL_LIMIT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.run import BY_RULE, run
 
 
 def test_a_budget_of_few_panels_gives_the_run_so_far() -> None:
@@ -24,7 +24,7 @@ def test_a_budget_of_few_panels_gives_the_run_so_far() -> None:
     start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * unit)
     events, segments = np.empty(64, EVENT), np.empty(256, SEGMENT)
     status, count, _ = compiled(run)(
-        scenario.to_body(), start, scenario.duration / unit, math.nan, 0, events, segments, scratch, events[:0]
+        scenario.to_body(), start, BY_RULE, scenario.duration / unit, math.nan, 0, events, segments, scratch
     )
     assert status == Status.EVENT_LIMIT
     found = events[: count - 1]  # the last one is the end of what is computed

@@ -23,7 +23,7 @@ from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.rigid import contact_phase
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.run import BY_RULE, run
 from newton_euler import accelerations
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
@@ -91,7 +91,7 @@ def test_elsewhere_what_has_no_torque_stays(th):
 def test_speeds_whose_squares_underflow_are_none():
     events = np.empty(10, EVENT)
     start = state_of(math.pi, om=1e-150)
-    status, count, _ = run(body_of(), start, 1.0, math.nan, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0])
+    status, count, _ = run(body_of(), start, BY_RULE, 1.0, math.nan, 0, events, np.empty(0, SEGMENT), new_scratch())
     assert status == Status.AT_REST
     assert events["kind"][:count].tolist() == [Event.START, Event.REST, Event.END]
 
@@ -156,7 +156,7 @@ def test_a_slow_start_in_a_short_time(offset):
     rate = math.sqrt(body.eps / (body.kap + (1.0 + body.eps) ** 2))
     events, none = np.empty(10, EVENT), np.empty(0, SEGMENT)
     for t_end in (0.5, 2.0):
-        status, count, _ = run(body, state_of(offset), t_end, math.nan, 0, events, none, new_scratch(), events[:0])
+        status, count, _ = run(body, state_of(offset), BY_RULE, t_end, math.nan, 0, events, none, new_scratch())
         assert (status, count) == (Status.COMPLETED, 2)
         assert events["angle"][1] == pytest.approx(offset * math.cosh(rate * t_end), rel=1e-13, abs=0.0)
         assert events["omega"][1] == pytest.approx(offset * rate * math.sinh(rate * t_end), rel=1e-12, abs=0.0)

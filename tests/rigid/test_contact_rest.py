@@ -94,12 +94,12 @@ def test_rest_held_by_all_the_couple_and_rest_of_a_ring_are_not_stable():
 def test_rest_is_written_as_an_event_and_lasts_to_the_end_of_time(th, stable):
     log, scratch = log_of()
     state = state_of(th)._replace(**STARTED)
-    phase = Phase(contact_phase.ROLL, state, False, 0, 0.0, 5, 0.75, 0, -1)
+    phase = Phase(contact_phase.ROLL, state, False, 0, 0.0, 5, 0, -1)
     limits = limits_of(state, 8.0, math.nan, 0)
     after = contact_phase.still_step(body_of(), phase, state, limits, log, scratch)
     assert (after.mode, after.what, after.status) == (contact_phase.ROLL, Ending.REST, Status.AT_REST)
     assert after.state == state._replace(t=8.0, t_low=0.0)
-    assert (after.bounce, after.begins) == (0.75, False)
+    assert after.begins is False
     assert log.counts[:2].tolist() == [1, 1]
     event, row = log.events[0], log.segments[0]
     assert (event["kind"], event["t"], event["stable"], event["gain"]) == (Event.REST, 3.0, stable, 0.0)
@@ -117,7 +117,7 @@ def test_after_slip_without_rotation_comes_what_the_mode_rule_says(sigma, gamma)
     limits = limits_of(phase.state, 50.0, math.nan, 0)
     log, scratch = log_of()
     after = contact_phase.still_step(body, phase, phase.state, limits, log, scratch)
-    assert (after.mode, after.what, after.status, after.bounce) == (contact_phase.ROLL, Ending.SLIP_END, -1, 0.75)
+    assert (after.mode, after.what, after.status) == (contact_phase.ROLL, Ending.SLIP_END, -1)
     assert after.begins
     assert after.state.t == pytest.approx(6.0, rel=1e-15)
     assert log.events[:1][["kind", "before_mode", "after_mode"]].tolist() == [(Event.STICK, phase.mode, contact_phase.ROLL)]

@@ -108,9 +108,9 @@ def test_without_friction_and_without_mass_there_is_no_margin():
 
 
 def test_the_first_doubt_stays():
-    record_doubt(SCRATCH, 1.0, 2.0)
-    record_doubt(SCRATCH, 3.0, 4.0)
-    assert SCRATCH.doubt.tolist() == [1.0, 2.0]
+    record_doubt(SCRATCH, 1.0)
+    record_doubt(SCRATCH, 3.0)
+    assert SCRATCH.doubt.tolist() == [1.0]
     SCRATCH.doubt[:] = math.nan
 
 

@@ -19,7 +19,7 @@ from hophoop.kernel.physics.body import Event
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.run import BY_RULE, run
 from oracles import elliptic
 from oracles.cases import rolling
 
@@ -31,7 +31,7 @@ ENDLESS = 1e9
 def motion_of(body, start, t_end=ENDLESS, span=math.nan):
     """(status, events) of the kernel."""
     events = np.empty(400, EVENT)
-    status, count, _ = compiled(run)(body, start, t_end, span, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0])
+    status, count, _ = compiled(run)(body, start, BY_RULE, t_end, span, 0, events, np.empty(0, SEGMENT), new_scratch())
     return status, events[:count]
 
 

@@ -15,7 +15,7 @@ from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.limits import angle_left, limits_of
 from hophoop.kernel.rigid.margins import MARGINS, margins_of
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.run import BY_RULE, run
 
 
 def body_of(mu, restitution=0.0):
@@ -25,7 +25,7 @@ def body_of(mu, restitution=0.0):
 def motion_of(body, angle, om, t_end=20.0):
     events, segments = np.empty(100, EVENT), np.empty(1000, SEGMENT)
     start = start_state(0.0, 0.0, angle, 0.0, 0.0, om)
-    status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, new_scratch(), events[:0])
+    status, count, pieces = run(body, start, BY_RULE, t_end, math.nan, 0, events, segments, new_scratch())
     return status, events[:count], segments[:pieces]
 
 

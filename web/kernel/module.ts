@@ -187,7 +187,7 @@ export class HoopModule implements Mechanics {
     const out = memory.room("changes", 8 * size);
     const why = memory.room("why", 16);
     const [cell, events, pieces] = ["cell", "events", "segments"].map((name) => memory.room(name, 8));
-    const doubt = head[HEAD.doubt_from];
+    const doubt = head[HEAD.doubt];
     this.call("changes", cell, more, 1, sign, events, count, pieces, segments, doubt, out, why);
     const [reason, failed] = memory.floats(why, 2);
     return {
@@ -340,7 +340,7 @@ function told({ given, head, rows, count, duration }: Computed): ComputedMotion 
   const energy = Object.fromEntries(
     [...ENERGIES, ...(given.contact ? ["spring", "damping"] : [])].map((name) => [name, head[HEAD[name]]]),
   );
-  const doubt = finite(head[HEAD.doubt_from]);
+  const doubt = finite(head[HEAD.doubt]);
   return {
     status: STATUSES[head[HEAD.status]],
     sequence: sequenceOf(events),

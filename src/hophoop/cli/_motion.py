@@ -73,10 +73,7 @@ def print_errors(motion: Trajectory, errors: EventErrors, everything: bool) -> N
 def print_phases(phases: Iterator[PhaseRecord], everything: bool) -> None:
     """Print why each phase starts and ends."""
     console = Console(highlight=False, soft_wrap=True)
-    reached = 0.0
     for phase in islice(phases, None if everything else FIRST_ROWS):
-        if phase.t_begin > reached:
-            console.print(f"Until t = {phase.t_begin:.6f} s the events are decided in more digits than doubles have.")
         console.print(
             f"{phase.t_begin:.6f} to {phase.t_end:.6f} s: {phase.word} ({phase.mode}), "
             f"θ from {math.degrees(phase.angle_begin):.3f} to {math.degrees(phase.angle_end):.3f}°"
@@ -84,7 +81,6 @@ def print_phases(phases: Iterator[PhaseRecord], everything: bool) -> None:
         for name, found in (("begins", phase.begin), ("ends", phase.end)):
             console.print(f"    {name:6s} with {_margins(found)}")
         console.print(f"    {phase.ended_by} {phase.then}")
-        reached = phase.t_end
     if next(phases, None) is not None:
         console.print(f"… These are the first {FIRST_ROWS} phases; --all explains the others, too.")
 

@@ -15,13 +15,11 @@ from hophoop.gaits.kernels.passages import SIZE, follow_passages, lands_no_more
 from hophoop.gaits.results import Passages
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.cells import second_of, start_of
+from hophoop.kernel.records.cells import mode_of, second_of, start_of
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import State
 from hophoop.scenario import InputError, Scenario, cell_of
-from hophoop.simulation.exact_start import NO_SCRIPT
-from hophoop.simulation.restart import row_of_start
 from hophoop.vocabulary.fates import FATE_CODES, Fate
 
 MOST = 10_000_000  # passages
@@ -94,14 +92,12 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     buffers = _buffers(max(count, 3))
     cells = np.array(cell_of(scenario), float).reshape(-1, 1)
     begin = start_of(cells, 0, second_of(cells, 0))
-    mode = scenario.start.mode
-    script = NO_SCRIPT if mode is None else np.repeat(row_of_start(scenario), 2)
     request = Request(SECTIONS.index(section), count, FOREVER, PANELS, until_decided)
-    body, scratch = scenario.to_body(), new_scratch()
-    status, found, fate, period = compiled(follow_passages)(body, begin, 0.0, request, buffers, scratch, script)
+    body, mode, scratch = scenario.to_body(), mode_of(cells, 0), new_scratch()
+    status, found, fate, period = compiled(follow_passages)(body, begin, mode, request, buffers, scratch)
     if lands_no_more(request.section, status, fate):
         bottom = Request(SECTIONS.index("bottom"), PATIENCE, FOREVER, PANELS, True)
-        fate = compiled(follow_passages)(body, begin, 0.0, bottom, _buffers(PATIENCE), scratch, script)[2]
+        fate = compiled(follow_passages)(body, begin, mode, bottom, _buffers(PATIENCE), scratch)[2]
     name = "going" if status < 0 else Status(status).name.lower()
     return Passages(
         scenario, section, buffers.numbers[:found], buffers.words[:found], _as_row(begin), name, FATE_CODES[fate], period

@@ -16,9 +16,9 @@ from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.results.units import Units
 from hophoop.scenario import Scenario
-from hophoop.simulation.exact_start import NO_SCRIPT
 
 ROLL = int(Mode.ROLL)
 
@@ -93,8 +93,6 @@ class BottomMap:
             Valid until the next call [1].
         """
         start = start_state(0.0, 0.0, math.pi, 0.0, 0.0, omega)
-        _, found, _, _ = compiled(follow_passages)(
-            self.body, start, 0.0, self._request, self._buffers, self._scratch, NO_SCRIPT
-        )
+        _, found, _, _ = compiled(follow_passages)(self.body, start, BY_RULE, self._request, self._buffers, self._scratch)
         rows: NDArray[np.float64] = self._buffers.numbers[:found]
         return rows

@@ -19,18 +19,19 @@ from hophoop.gaits.kernels.layout import COLUMNS
 from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
+from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import Event, Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import thread_scratch
-from hophoop.kernel.records.state import whole_angle
+from hophoop.kernel.records.state import State
 from hophoop.kernel.records.writing import state_of
-from hophoop.kernel.rigid.continued import continue_motion
+from hophoop.kernel.rigid.run import run
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.modes import MODE_LETTERS
 
 Floats = NDArray[np.float64]
-START, IMPACT, BOUNCE_LIMIT = int(Event.START), int(Event.IMPACT), int(Event.BOUNCE_LIMIT)
+IMPACT, BOUNCE_LIMIT = int(Event.IMPACT), int(Event.BOUNCE_LIMIT)
 FLIGHT = int(Mode.FLIGHT)
 MOST_EVENTS, MOST_SEGMENTS = 1024, 8192  # of one passage to the next
 BEYOND = 1e-6  # relative time by which a passage to a landing is computed further
@@ -196,17 +197,12 @@ def _row_of(found: Passages, index: int) -> Floats:
     return found.first if index < 0 else found.numbers[index]
 
 
-def _event_of(row: Floats, mode: int) -> np.ndarray:
-    """Return a passage as a START event at t = 0."""
-    event = np.zeros(1, EVENT)
-    for name in ("x", "height", "turns", "theta", "theta_low", "slip", "vy", "omega"):
-        event[name] = row[COLUMNS.index(name)]
-    event["vx"] = event["slip"] + event["omega"]
-    event["angle"] = whole_angle(state_of(event[0]))
-    event["kind"], event["after_mode"], event["before_mode"], event["collision"], event["stable"] = START, mode, -1, -1, -1
-    for name in ("vx", "vy", "omega", "slip"):
-        event[f"before_{name}"] = event[name]
-    return event
+def _state_of(row: Floats) -> State:
+    """Return the state of a passage, at t = 0."""
+    x, y, turns, th, th_low, vt, vn, om = (
+        float(row[COLUMNS.index(name)]) for name in ("x", "height", "turns", "theta", "theta_low", "slip", "vy", "omega")
+    )
+    return State(0.0, 0.0, x, 0.0, y, turns, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0, NONE)
 
 
 def _mode_of(found: Passages, index: int) -> int:
@@ -231,10 +227,7 @@ def _step(
     lasts = (after[clock] - before[clock]) + (after[low] - before[low])
     t_end = lasts * (1.0 + BEYOND) if landing else lasts
     events, segments, scratch = np.empty(MOST_EVENTS, EVENT), np.empty(MOST_SEGMENTS, SEGMENT), thread_scratch()
-    begin = _event_of(before, mode)
-    _, count, pieces = _continue(
-        body, float(before[COLUMNS.index("bounce")]), t_end, events, segments, scratch, np.append(begin, begin)
-    )
+    _, count, pieces = _run(body, _state_of(before), mode, t_end, math.nan, 0, events, segments, scratch)
     events, segments = events[:count], segments[:pieces]
     if landing:
         collided = (events["kind"] == BOUNCE_LIMIT) | ((events["kind"] == IMPACT) & (events["collision"] == 1))
@@ -288,4 +281,4 @@ def lyapunov_of(found: Passages) -> Lyapunov:
     return Lyapunov(float(np.mean(growth)), float(np.std(batches, ddof=1)) / math.sqrt(len(batches)), len(growth))
 
 
-_continue, _propagate = compiled(continue_motion), compiled(propagate_motion)
+_run, _propagate = compiled(run), compiled(propagate_motion)

@@ -67,12 +67,9 @@ WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))
 # Each group is compiled by its own process, and only if one of its sources has changed.
 GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     "motions": {
-        "hophoop.kernel.rigid.run.run": (Body, State, float, float, int, EVENTS, SEGMENTS, Scratch, EVENTS),
-        "hophoop.kernel.rigid.run.run_cell": (Tables, EVENTS),
-        "hophoop.kernel.rigid.continued.continue_motion": (Body, float, float, EVENTS, SEGMENTS, Scratch, EVENTS),
-        "hophoop.maps.grid.kernel.evaluate_block": (
-            TABLE, int, int, MapRequest, EVENTS, MapResults,
-        ),
+        "hophoop.kernel.rigid.run.run": (Body, State, int, float, float, int, EVENTS, SEGMENTS, Scratch),
+        "hophoop.kernel.rigid.run.run_cell": (Tables,),
+        "hophoop.maps.grid.kernel.evaluate_block": (TABLE, int, int, MapRequest, MapResults),
         "hophoop.kernel.records.refusal.mark_refused": (TABLE,),
         _THEORY + "critical.hop_speed": (Body, float),
     },
@@ -97,9 +94,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.derivatives.pieces.required_friction.use_changes": (Body, float, float, float, TABLE, TABLE, ROW, ROW),
     },
     "gaits": {
-        _GAITS + "passages.follow_passages": (
-            Body, State, float, REQUEST, BUFFERS, Scratch, EVENTS,
-        ),
+        _GAITS + "passages.follow_passages": (Body, State, int, REQUEST, BUFFERS, Scratch),
         _GAITS + "cells.judge_cells": (TABLE, int, int, REQUEST, CODED, TABLE),
     },
     "answers": {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast, overload
 
@@ -125,10 +125,6 @@ class EventRecord:
         numbers = _numbers(self, (*_STATE, "slip"))
         return f"<{self.kind} at t = {self.t:.9g} s, {change_of(self)}: {numbers}>"
 
-    def restart(self) -> dict[str, Any]:
-        """Return slip, mode and exact of the start that goes on from here, for `Start.of`."""
-        return _restart(self)
-
     def state_to_dict(self) -> dict[str, float | None]:
         """Return the state just after the event for JSON.
 
@@ -175,21 +171,6 @@ _FIRST, _LAST = 3, 2  # rows of the text of samples at many times
 
 def _numbers(thing: Any, names: Iterable[str]) -> str:
     return ", ".join(f"{name} = {getattr(thing, name):.6g} {QUANTITIES[name].unit}" for name in names)
-
-
-Restart: TypeAlias = Callable[[], dict[str, Any]]
-_ORIGIN = "_origin"
-
-
-def with_origin(record: Record, origin: Restart) -> Record:
-    """Attach to an event or sample what returns slip, mode and exact of the start that goes on from it."""
-    object.__setattr__(record, _ORIGIN, origin)
-    return record
-
-
-def _restart(record: Any) -> dict[str, Any]:
-    origin: Restart | None = getattr(record, _ORIGIN, None)
-    return {} if origin is None else origin()
 
 
 def event_record(row: np.void, unit: Units, t: float) -> EventRecord:
@@ -308,10 +289,6 @@ class Sample(Generic[Numbers, Letters]):
             for name in ("t", *(name for names in _LINES for name in names))
         ]
         return tables.html([["mode", str(self.mode), "Mode"], *rows], left=(0, 2))
-
-    def restart(self) -> dict[str, Any]:
-        """Return slip, mode and exact of the start that goes on from here, for `Start.of`."""
-        return _restart(self)
 
     @property
     def total(self) -> Numbers:

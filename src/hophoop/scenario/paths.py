@@ -27,7 +27,7 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
 _PARTS = (Ring, Disk, PointMass, Rod)
 _Model = TypeVar("_Model", bound=Frozen)
 
-ONWARD = ("slip", "mode", "exact")  # of a start that goes on from another motion
+ONWARD = ("slip", "mode")  # of a start that goes on from another motion
 
 # Keys that a path replaces, where a quantity can be given in several ways.
 ENDS: dict[str, Sequence[str]] = {
@@ -39,9 +39,9 @@ ENDS: dict[str, Sequence[str]] = {
     "plane.mu_static": ("mu",),
     "plane.mu_kinetic": ("mu",),
     "start.speed": ("height", "vx", "vy", "omega", *ONWARD),
-    "start.height": ("speed", "mode", "exact"),
+    "start.height": ("speed", "mode"),
     "start.vx": ("speed", *ONWARD),
-    "start.vy": ("speed", "mode", "exact"),
+    "start.vy": ("speed", "mode"),
     "start.omega": ("speed", *ONWARD),
     "contact.damping": ("restitution",),
     "contact.restitution": ("damping",),

@@ -9,11 +9,12 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Annotated, Any
 
+import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from hophoop._support.errors import InputError
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.body import Body, Mode
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.layout import CELL, CONTACT, DURATION
 from hophoop.kernel.records.refusal import refusal
@@ -26,6 +27,7 @@ from hophoop.scenario.rules import refused
 from hophoop.scenario.sentences import input_error
 from hophoop.scenario.start import Start
 from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.modes import MODE_LETTERS
 from hophoop.vocabulary.parameters import TABLE, section_of
 
 ROUNDED = 1e-9  # of the velocities: within it the slip velocity of a start agrees with the others
@@ -49,9 +51,9 @@ class Scenario(Frozen):
     Raises
     ------
     ValueError
-        If duration is not positive, or the parts do not go together: the massless hoop needs a level plane
-        without rolling resistance and rigid contact, compliant contact a finite friction, and rolling resistance is below a
-        limit that the hoop sets.
+        If duration is not positive, the mode of the start cannot hold, or the parts do not go together: the massless hoop
+        needs a level plane without rolling resistance and rigid contact, compliant contact a finite friction, and rolling
+        resistance is below a limit that the hoop sets.
 
     Examples
     --------
@@ -78,6 +80,8 @@ class Scenario(Frozen):
             raise refused(code, self, number)
         if self.start.slip is not None:
             self._check_slip(self.start.slip)
+        if rigid and self.start.mode is not None and (why := _why_not_in_mode(self)):
+            raise refuse(f"start.mode = {self.start.mode!r} cannot hold: {why}.")
         return self
 
     def _check_slip(self, slip: float) -> None:
@@ -355,8 +359,39 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
     return (
         *_HOOP_NUMBERS(hoop), *_PLANE_NUMBERS(plane), scenario.duration, scenario.contact.max_events,
         LAWS[plane.impact_law].code, plane.painleve == "impact",
-        start.x, start.height, start.angle, start.vy, start.omega, start.slip, hoop.load_fraction is not None, True,
+        start.x, start.height, start.angle, start.vy, start.omega, start.slip, _MODES[scenario.start.mode],
+        hoop.load_fraction is not None, True,
     )  # fmt: skip
+
+
+def _why_not_in_mode(scenario: Scenario) -> str:
+    """Return why a state in contact cannot have the mode of its start, beyond rounding; empty if it can."""
+    from hophoop.kernel.numerics.trigonometry import sine_cosine
+    from hophoop.kernel.physics.contact import free_acceleration
+    from hophoop.kernel.physics.modes import UNDECIDED, next_mode
+    from hophoop.kernel.records.cells import mode_of, start_of
+    from hophoop.kernel.rigid.margins import margins_of
+
+    body = to_body(scenario.hoop, scenario.plane)
+    cells = np.array([cell_of(scenario)], dtype=object).T  # Python floats, not NumPy scalars
+    state, mode = start_of(cells, 0, time_unit(scenario.hoop, scenario.plane)), mode_of(cells, 0)
+    turns_back = body.resist > 0.0 and state.om == 0.0  # the couple jumps
+    if body.kap == 0.0 or state.y > 0.0 or state.vn != 0.0 or turns_back:
+        return ""
+    u = state.om * state.om
+    rounding = ROUNDED * (body.gn + abs(body.gt) + u)
+    opening = free_acceleration(body, *sine_cosine(state.th, state.th_low), u)[1]
+    if mode == Mode.FLIGHT:
+        return "without contact the rim would enter the plane" if opening < -rounding else ""
+    found = next_mode(body, state.th, state.th_low, state.om, state.vt)
+    if Mode.SKIM < found <= UNDECIDED:  # a paradox or no answer at all, which the motion says
+        return ""
+    if mode != Mode.ROLL:
+        return "the plane would have to pull" if opening > rounding else ""
+    normal, friction, limit, *_ = margins_of(body, mode, state.th, state.th_low, state.om, state.vt, state.y)
+    if normal < -rounding:
+        return "the plane would have to pull"
+    return "rolling needs more friction than there is" if abs(friction) > limit + rounding else ""
 
 
 def contact_of(contact: Rigid | Compliant) -> tuple[float, ...]:
@@ -383,6 +418,7 @@ def _numbers(section: str) -> attrgetter[tuple[float, ...]]:
     return attrgetter(*(row.path.partition(".")[2] for row in TABLE if row.column and section_of(row) == section))
 
 
+_MODES = {None: -1, **{letter: code for code, letter in enumerate(MODE_LETTERS)}}  # of a start
 _HOOP_NUMBERS, _PLANE_NUMBERS = _numbers("hoop"), _numbers("plane")
 _NO_START = (0.0,) * (len(CELL) - DURATION)  # the other columns of a cell
 

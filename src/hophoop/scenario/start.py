@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from hophoop._support.errors import InputError
 from hophoop.scenario.base import Frozen, NonNegative, Number, alone, quantity, refuse
@@ -13,21 +13,11 @@ from hophoop.scenario.models import Hoop
 from hophoop.scenario.ranges import field_of, inside, schema_of
 from hophoop.scenario.texts import say
 
-PHASE_START = (
-    "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
-    "friction", "impact_normal", "impact_tangential", "rolling_resistance", "kind", "after_mode",
-)  # fmt: skip
-"""Columns of the event that starts a phase, in kernel units."""
-EXACT = len(PHASE_START) + 4
-"""Numbers in `Start.exact`: these columns, v_n after the last landing before, the time of the state with its low-order half,
-and the number of events after the phase's start that the state is after."""
-
 Height = Annotated[NonNegative, inside("start.height"), schema_of("start.height")]
 Place = Annotated[Number, inside("start.x"), schema_of("start.x")]
 Angle = Annotated[Number, inside("start.angle"), schema_of("start.angle")]
 Speed = Annotated[Number, inside("start.speed"), schema_of("start.speed")]
 Rate = Annotated[Number, inside("start.omega"), schema_of("start.omega")]
-Exact = Annotated[tuple[float, ...], Field(min_length=EXACT, max_length=EXACT)]
 
 
 class StartState(NamedTuple):
@@ -82,9 +72,6 @@ class Start(Frozen):
     mode : {'R', 'S', 'K', 'H'}, optional
         Phase in which the motion goes on; by default it follows from the state. It needs slip: 0 in R, at most 0 in S, at
         least 0 in K.
-    exact : tuple of float, optional
-        Written by `Start.of`: the start of the phase that the state belongs to, in full precision. It counts as long as it
-        leads to this state within rounding [1].
 
     Raises
     ------
@@ -104,13 +91,12 @@ class Start(Frozen):
     omega: Rate | None = field_of("start.omega")
     slip: Annotated[Number, inside("start.vx")] | None = quantity(None, "Slip velocity", "m/s")
     mode: Literal["R", "S", "K", "H"] | None = quantity(None, "Phase in which the motion goes on", "")
-    exact: Exact | None = quantity(None, "Start of the phase that the state belongs to, in kernel units", "1")
 
     @model_validator(mode="after")
     def _complete(self) -> Start:
         self._check_mode()
         if self.speed is not None:
-            alone("start", "speed", [name for name in (*_FREE, "slip", "mode", "exact") if name in self.model_fields_set])
+            alone("start", "speed", [name for name in (*_FREE, "slip", "mode") if name in self.model_fields_set])
             self._settle(vx=self.speed, omega=None)
         elif self.omega is None:
             raise refuse(say("no_omega"))
@@ -119,14 +105,12 @@ class Start(Frozen):
     def _written(self) -> Iterable[str]:
         if self.speed is not None:
             return ("x", "angle", "speed")
-        return ("x", "height", "angle", "vx", "vy", "omega", "slip", "mode", "exact")
+        return ("x", "height", "angle", "vx", "vy", "omega", "slip", "mode")
 
     def _check_mode(self) -> None:
         """Refuse a mode that the state cannot have."""
         mode, slip = self.mode, self.slip
         if mode is None:
-            if self.exact is not None:
-                raise refuse("start.exact needs start.mode and start.slip: Start.of writes all three.")
             return
         if slip is None:
             raise refuse(f"start.mode = {mode!r} needs start.slip, the slip velocity.")
@@ -171,8 +155,8 @@ class Start(Frozen):
         Returns
         -------
         start : Start
-            Of a rigid motion of the same hoop on the same plane it gives the bits of the motion that was not interrupted; its
-            time and losses start from 0.
+            With the same hoop and plane the motion goes on as the one that was not interrupted, within rounding. Its time and
+            losses start from 0.
 
         Raises
         ------
@@ -185,17 +169,21 @@ class Start(Frozen):
         >>> scenario = hh.Scenario()
         >>> motion = hh.simulate(scenario)
         >>> onward = hh.simulate(scenario.replace("start", hh.Start.of(motion.at(1.0))).replace("duration", 5.0))
-        >>> onward.events[-1].angle == motion.events[-1].angle
+        >>> abs(onward.events[-1].angle - motion.events[-1].angle) < 1e-12
         True
         """
         if getattr(state.t, "ndim", 0):
             raise InputError("A start is the state at one time: take motion.at(t) with a single t.", field="start")
-        if getattr(state, "mode", getattr(state, "to_mode", None)) == "M":
+        mode = str(getattr(state, "mode", getattr(state, "to_mode", None)))
+        if mode == "M":
             raise InputError("A start cannot skim the plane: mode 'M' depends on the strike that ends it.", field="start")
-        found = getattr(state, "restart", None)
-        given: dict[str, Any] = {name: float(getattr(state, name)) for name in ("x", "angle", *_FREE)}
+        given: dict[str, Any] = {name: float(getattr(state, name)) for name in ("x", "angle", *_FREE, "slip")}
         given["height"] = max(given["height"], 0.0)  # a compliant rim is below the plane
-        return cls(**given, **(found() if found is not None else {}))
+        paradox = str(getattr(state, "kind", "")).startswith("painleve")  # another event follows at the same instant
+        if not paradox and (mode == "H" or given["height"] == given["vy"] == 0.0):
+            given["mode"] = mode
+            given["slip"] = _WITHIN[mode](given["slip"])
+        return cls(**given)
 
     def state(self, hoop: Hoop) -> StartState:
         """The start as numbers, for a given hoop.
@@ -221,3 +209,5 @@ class Start(Frozen):
 
 _FREE = ("height", "vx", "vy", "omega")
 _SLIPS = {"R": "0", "S": "at most 0", "K": "at least 0"}
+# A sample at the end of slip has v_t = 0 within rounding.
+_WITHIN = {"R": lambda slip: 0.0, "S": lambda slip: min(slip, 0.0), "K": lambda slip: max(slip, 0.0), "H": float}

@@ -10,7 +10,7 @@ import numpy as np
 
 from hophoop._version import __version__
 from hophoop.kernel.physics.body import Body, Mode, Status
-from hophoop.kernel.records.cells import start_of
+from hophoop.kernel.records.cells import mode_of, start_of
 from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import State, whole_angle
@@ -20,12 +20,10 @@ from hophoop.kernel.rigid.limits import limits_of
 from hophoop.kernel.rigid.margins import MARGINS, margins_of
 from hophoop.kernel.rigid.phase import GOING, Phase
 from hophoop.kernel.rigid.run import begin, step
-from hophoop.kernel.rigid.script import repeat
 from hophoop.results.records import EventRecord
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.scenario.scenario import cell_of, to_body
-from hophoop.simulation.rigid import script_of
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.modes import MODE_LETTERS, VERBS, ModeLetter, mode_word
 
@@ -108,8 +106,7 @@ class PhaseRecord:
 def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     """Return the phases of a motion, one after the other, and the reason for the end of each.
 
-    These are the steps of the kernel that `simulate` runs, one at a time. Phases between events that need extended precision
-    are left out: the next phase then starts later than the previous one ends, and the first one later than at 0.
+    These are the steps of the kernel that `simulate` runs, one at a time.
 
     Parameters
     ----------
@@ -148,25 +145,16 @@ def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
     body = to_body(scenario.hoop, scenario.plane)
     units = Units.of_scenario(scenario)
     scratch = new_scratch()
-    start = start_of(np.array([cell_of(scenario)], dtype=object).T, 0, units.time)  # Python floats, not NumPy scalars
+    cells = np.array([cell_of(scenario)], dtype=object).T  # Python floats, not NumPy scalars
+    start = start_of(cells, 0, units.time)
     log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
     limits = limits_of(start, scenario.duration / units.time, math.nan, 0)
     with np.errstate(all="ignore"):
-        phase = begin(body, start, log, scratch)
+        phase = begin(body, start, mode_of(cells, 0), log, scratch)
     seen = 0
-    certain = True
     while phase.status == GOING and has_room(log):
         with np.errstate(all="ignore"):
             after = step(body, phase, limits, log, scratch)
-        if certain and not math.isnan(scratch.doubt[0]):
-            certain = False
-            script = script_of(scenario)
-            if len(script) > 1:  # continue after the events decided in extended precision
-                log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
-                with np.errstate(all="ignore"):
-                    phase = repeat(body, script, log, scratch)
-                seen = int(log.counts[EVENTS])
-                continue
         count = int(log.counts[EVENTS]) if has_room(log) else len(log.events)
         found = Trajectory(scenario, 0, log.events[seen:count], log.segments, __version__).events
         yield _record(body, units, phase, after, found)

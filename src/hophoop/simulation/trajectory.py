@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property, partial
-from importlib import import_module
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,7 +22,6 @@ from hophoop.results.records import (
     ScalarSample,
     Side,
     event_record,
-    with_origin,
 )
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
@@ -93,8 +91,7 @@ class Trajectory:
     @cached_property
     def events(self) -> Events:
         """All events in order: a tuple of `EventRecord`, printed as a table."""
-        found = (event_record(row, self.units, self._seconds(float(row["t"]))) for row in self._events)
-        return Events(with_origin(event, partial(_restart, "at_event", self, index)) for index, event in enumerate(found))
+        return Events(event_record(row, self.units, self._seconds(float(row["t"]))) for row in self._events)
 
     def find(self, kind: str) -> Events:
         """Return the events of one kind.
@@ -179,8 +176,7 @@ class Trajectory:
         -----
         A time belongs to an event if it equals the event's `t`. At an event that starts a phase the sample is the event's own
         state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite,
-        because θ̇ of the rim is unbounded. The energy is then that of the load. If the motion ends with an event, both
-        sides are the state at the end.
+        because θ̇ of the rim is unbounded. The energy is then that of the load.
         """
         if side not in ("left", "right"):
             raise InputError.of_field("side", side, "'left' or 'right'")
@@ -203,8 +199,7 @@ class Trajectory:
             values.pop(name, None)
         if "spring" not in values:
             values["spring"], values["damping"] = (0.0 if times.ndim == 0 else np.zeros(times.shape) for _ in range(2))
-        sample = Sample(**values)
-        return sample if times.ndim else with_origin(sample, partial(_restart, "at_time", self, float(times), side))
+        return Sample(**values)
 
     def times(self, n: int = 1000) -> Floats:
         """Return equally spaced times over the motion, both ends included.
@@ -239,7 +234,7 @@ class Trajectory:
         """
         from hophoop.simulation.event_errors import event_errors
 
-        return event_errors(self._from_state())
+        return event_errors(self)
 
     @cached_property
     def ledger(self) -> Ledger:
@@ -325,7 +320,7 @@ class Trajectory:
         """
         from hophoop.derivatives.results.sensitivity import sensitivity_of
 
-        return sensitivity_of(self._from_state(), of, wrt)
+        return sensitivity_of(self, of, wrt)
 
     def uncertainty(
         self, spread: Mapping[str, float], correlations: Mapping[tuple[str, str], float] | None = None
@@ -359,7 +354,7 @@ class Trajectory:
         """
         from hophoop.derivatives.results.uncertainty import uncertainty_of
 
-        return uncertainty_of(self._from_state(), spread, correlations)
+        return uncertainty_of(self, spread, correlations)
 
     # --- export ------------------------------------------------------------------------------------
 
@@ -481,10 +476,6 @@ class Trajectory:
         kinetic, potential = energies_after(self.scenario.to_body(), row)
         return float(kinetic) * self.units.energy, float(potential) * self.units.energy
 
-    def _from_state(self) -> Trajectory:
-        """Return the motion, computed from the state of its start if that goes on from another motion."""
-        return self if self.scenario.start.exact is None else cast("Trajectory", _restart("from_state", self))
-
     def _stored(self, t: float, left: bool) -> dict[str, float]:
         """Return the energies of the state at a time in kernel units."""
         (raw,) = self._sample(np.array([t]), left).tolist()
@@ -493,7 +484,3 @@ class Trajectory:
 
 _INTERNAL = ("theta", "theta_low")  # columns that a sample does not contain
 _LETTERS = np.array(list(MODE_LETTERS))
-
-
-def _restart(name: str, *given: Any) -> Any:
-    return getattr(import_module("hophoop.simulation.restart"), name)(*given)

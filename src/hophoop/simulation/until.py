@@ -9,13 +9,16 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.numerics.double_double import TWO_PI
+from hophoop.kernel.panels.panel import FLY, LINEAR
 from hophoop.kernel.physics.body import PASSING, Event, Mode
+from hophoop.kernel.physics.modes import slip_direction
+from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.scenario import InputError
 from hophoop.vocabulary.spans import number_after
 
 UNTILS = ("revolutions:N", "landings:N", "angle:RADIANS", "takeoff", "reversal")
-FLIGHT = int(Mode.FLIGHT)
+ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 IMPACT, TURN, END, BOUNCE_LIMIT = int(Event.IMPACT), int(Event.TURN), int(Event.END), int(Event.BOUNCE_LIMIT)
 KANE_GAIN = int(Event.KANE_GAIN)
 ROUNDS = 80  # of the search for a passage; most need 4
@@ -187,7 +190,28 @@ def _cut_at_event(events: np.ndarray, segments: np.ndarray, row: int) -> tuple[n
     _make_end(kept[row + 1 :], int(events["after_mode"][row]))
     last = events[row]
     before = (segments["t"] < last["t"]) | ((segments["t"] == last["t"]) & (segments["t_low"] < last["t_low"]))
-    return kept, segments[before]
+    return kept, np.append(segments[before], end_of(kept))
+
+
+def end_of(events: np.ndarray) -> np.ndarray:
+    """Return a segment of zero length with the state after the last event, as `kernel.rigid.run.write_end` does.
+
+    Parameters
+    ----------
+    events : ndarray of records.EVENT
+
+    Returns
+    -------
+    segments : ndarray of records.SEGMENT, shape (1,)
+    """
+    last = np.zeros(1, SEGMENT)
+    for name in set(SEGMENT.names or ()).intersection(EVENT.names or ()) - {"kind"}:
+        last[name] = events[name][-1]
+    mode = int(events["after_mode"][-1])
+    last["t_end"], last["mode"], last["sigma"] = events["t"][-1], mode, slip_direction(mode)
+    last["kind"] = LINEAR if mode in (ROLL, SPIN, SKID) else FLY
+    last["way"] = np.sign(last["omega"])
+    return last
 
 
 def _cut_at_passage(

@@ -13,7 +13,7 @@ from hophoop.kernel.physics.body import Body, Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import critical as kernels
@@ -56,7 +56,7 @@ class _Trials:
         start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
         none = np.empty(0, SEGMENT)
         _, count, _ = compiled(run)(
-            body, start, kernels.ANY_TIME, TURN, kernels.STOP, self.events, none, self.scratch, self.events[:0]
+            body, start, BY_RULE, kernels.ANY_TIME, TURN, kernels.STOP, self.events, none, self.scratch
         )  # fmt: skip
         events = self.events[:count]
         slips = events["angle"][np.isin(events["after_mode"], SLIPS)]

@@ -7,6 +7,7 @@ python tests/data/bits/generate.py hashes      compute every motion and write th
 from __future__ import annotations
 
 import json
+import math
 import sys
 from itertools import count
 from pathlib import Path
@@ -19,19 +20,18 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import bits_tools
 import hophoop as hh
 from hophoop.scenario import Plane, Rigid
-from hophoop.simulation.rigid import script_of
 from random_scenarios import draw, draw_beside_a_border
 
 SEED = 20261125
 MOST_EVENTS = 200
-# How many of each kind. Those of the last kind need arbitrary precision somewhere, which takes a second each.
-COUNTS = {"rigid": 630, "paradox": 50, "border": 50, "resisted": 150, "massless": 40, "compliant": 60, "digits": 20}
+# How many of each kind. Those of the last kind are in doubt somewhere.
+COUNTS = {"rigid": 630, "paradox": 50, "border": 50, "resisted": 150, "massless": 40, "compliant": 60, "doubt": 20}
 DEFAULTS = Plane().to_dict()
 
 
 def drawn(kind: str, index: int) -> dict[str, Any]:
     """The sections of a scenario of one kind; not every one is allowed."""
-    if kind in ("border", "digits"):
+    if kind in ("border", "doubt"):
         return draw_beside_a_border(SEED, index)[1]
     random = np.random.default_rng([SEED, index, sorted(COUNTS).index(kind)])
     _, sections = draw(SEED + sorted(COUNTS).index(kind), index)
@@ -78,8 +78,8 @@ def scenarios(kind: str, wanted: int) -> list[dict[str, Any]]:
         except ValueError:
             continue
         if kind != "compliant":
-            digits = len(script_of(scenario.model_copy(update={"contact": Rigid(max_events=MOST_EVENTS)}))) > 0
-            if digits != (kind == "digits"):
+            rigid = scenario.model_copy(update={"contact": Rigid(max_events=MOST_EVENTS)})
+            if (hh.simulate(rigid).doubt < math.inf) != (kind == "doubt"):
                 continue
         whole = scenario.to_dict()
         plane = {name: value for name, value in whole["plane"].items() if DEFAULTS.get(name) != value}
@@ -103,8 +103,7 @@ def write_scenarios() -> None:
 def write_hashes() -> None:
     """Compute all motions here."""
     kept = bits_tools.kept_scenarios()
-    digits = [each.index for each in kept if each.kind != "compliant" and len(script_of(each.scenario))]
-    told = bits_tools.hashes_of([bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept], kept, digits)
+    told = bits_tools.hashes_of([bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept], kept)
     bits_tools.HASHES.write_text(bits_tools.hashes_text(told), encoding="utf-8")
     print("events", told["events"])
 

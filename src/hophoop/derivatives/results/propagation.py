@@ -37,13 +37,12 @@ from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solu
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.physics.body import Body
+from hophoop.kernel.records.cells import mode_of, second_of, start_of
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch, thread_scratch
-from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import run
 from hophoop.results.records import Motion
-from hophoop.scenario import InputError
-from hophoop.scenario.scenario import time_unit
+from hophoop.scenario import InputError, cell_of
 from hophoop.vocabulary.quantities import QUANTITIES
 
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
@@ -269,14 +268,13 @@ def doubtful_from(motion: Motion) -> float:
         In kernel units [√(R/g)]; inf where everything is certain.
     """
     scenario = motion.scenario
-    row = motion.tables["events"][0]
-    start = start_state(*(float(row[name]) for name in ("x", "height", "angle", "slip", "vy", "omega")))
+    cells = np.array(cell_of(scenario), float).reshape(-1, 1)
     events = np.empty(len(motion.tables["events"]) + 8, EVENT)
     scratch = new_scratch()
-    second = time_unit(scenario.hoop, scenario.plane)
+    second = second_of(cells, 0)
     compiled(run)(
-        scenario.to_body(), start, scenario.duration / second, math.nan, 0, events, np.empty(0, SEGMENT), scratch,
-        np.empty(0, EVENT),
+        scenario.to_body(), start_of(cells, 0, second), mode_of(cells, 0), scenario.duration / second, math.nan, 0, events,
+        np.empty(0, SEGMENT), scratch,
     )  # fmt: skip
     doubt = float(scratch.doubt[0])
     return doubt if doubt <= motion.tables["events"]["t"][-1] else math.inf

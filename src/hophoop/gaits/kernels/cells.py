@@ -45,11 +45,12 @@ from hophoop.kernel.numerics.exponentials import logarithm
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.contact import inertia_at_height
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
-from hophoop.kernel.records.cells import body_of, scales_of, start_of
+from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
 from hophoop.kernel.records.layout import ALLOWED, EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import GOING
+from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.theory.kernels.extrema import cone_margin_line
 
 AT_REST = int(Status.AT_REST)
@@ -69,7 +70,6 @@ def judge_cells(cells, low, high, request, codes, numbers):
         np.empty(0, SEGMENT),
     )  # fmt: skip
     bottom = Request(BOTTOM, request.most, request.t_end, request.panels, request.stops)
-    script = np.empty(0, EVENT)
     scratch = new_scratch()
     for k in range(low, high):
         for i in range(len(NUMBERS)):
@@ -79,12 +79,12 @@ def judge_cells(cells, low, high, request, codes, numbers):
                 codes[k, i] = OPEN
             continue
         scales = scales_of(cells, k)
-        body, start = body_of(cells, k), start_of(cells, k, scales.time)
-        status, passages, fate, period = follow_passages(body, start, 0.0, request, buffers, scratch, script)
+        body, start, mode = body_of(cells, k), start_of(cells, k, scales.time), mode_of(cells, k)
+        status, passages, fate, period = follow_passages(body, start, mode, request, buffers, scratch)
         section = request.section
         if lands_no_more(section, status, fate):
             section = BOTTOM
-            status, passages, fate, period = follow_passages(body, start, 0.0, bottom, buffers, scratch, script)
+            status, passages, fate, period = follow_passages(body, start, mode, bottom, buffers, scratch)
         codes[k, 1] = period
         codes[k, 2] = hops_in(buffers.numbers, passages, period)
         codes[k, 3] = passages
@@ -98,7 +98,7 @@ def judge_cells(cells, low, high, request, codes, numbers):
             numbers[k, FINAL_LOSS] = buffers.memory[LOST] * scales.energy
         row = buffers.numbers[(passages - 1) % ROWS]
         if fate == UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
-            mean, error = follow_neighbours(body, row[OMEGA], bottom, buffers, scratch, script)
+            mean, error = follow_neighbours(body, row[OMEGA], bottom, buffers, scratch)
             numbers[k, LYAPUNOV] = mean
             if mean > SURE * error and mean * BATCHES * BATCH > APART:
                 fate = CHAOTIC
@@ -167,7 +167,7 @@ def fastest_rolling(body):
 
 
 @apart
-def follow_neighbours(body, om, request, buffers, scratch, script):
+def follow_neighbours(body, om, request, buffers, scratch):
     """Return the mean growth of a small difference of θ̇ per passage in rolling, and its standard error; nan without one."""
     one = Request(request.section, 1, request.t_end, request.panels, False)
     total, squares = 0.0, 0.0
@@ -176,10 +176,10 @@ def follow_neighbours(body, om, request, buffers, scratch, script):
         for _ in range(BATCH):
             near = om * (1.0 + NEIGHBOUR)
             start = start_state(0.0, 0.0, PI, 0.0, 0.0, near)
-            _, found, _, _ = follow_passages(body, start, 0.0, one, buffers, scratch, script)
+            _, found, _, _ = follow_passages(body, start, BY_RULE, one, buffers, scratch)
             beyond = buffers.numbers[0, OMEGA]
             start = start_state(0.0, 0.0, PI, 0.0, 0.0, om)
-            _, also, _, _ = follow_passages(body, start, 0.0, one, buffers, scratch, script)
+            _, also, _, _ = follow_passages(body, start, BY_RULE, one, buffers, scratch)
             if found == 0 or also == 0 or buffers.numbers[0, MODE] != ROLL:
                 return math.nan, math.nan
             growth = abs((beyond - buffers.numbers[0, OMEGA]) / (near - om))

@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 # One row per passage, in kernel units; times, positions and losses count from the start.
 COLUMNS = (
     "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
-    "friction", "impact_normal", "impact_tangential", "rolling_resistance", "mode", "bounce", "hops", "letters", "doubt",
+    "friction", "impact_normal", "impact_tangential", "rolling_resistance", "mode", "hops", "letters", "doubt",
     "highest",
 )  # fmt: skip
 (
     T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA, THETA_LOW, SLIP, VY, OMEGA,
-    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, BOUNCE, HOPS, LETTERS, DOUBT, HIGHEST,
+    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, HOPS, LETTERS, DOUBT, HIGHEST,
 ) = range(len(COLUMNS))  # fmt: skip
 
 # A word (the phases since the last passage) is packed into integers, three bits a letter, 21 letters each; 0 is no letter.

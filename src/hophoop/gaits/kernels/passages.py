@@ -25,7 +25,6 @@ from hophoop.gaits.kernels.fates import (
     is_below_top,
 )
 from hophoop.gaits.kernels.layout import (
-    BOUNCE,
     DOUBT,
     FRICTION,
     HEIGHT,
@@ -59,9 +58,8 @@ from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
 from hophoop.kernel.records.writing import count_panel, has_room, new_log
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import Limits, angle_left
-from hophoop.kernel.rigid.phase import GOING, Phase
+from hophoop.kernel.rigid.phase import GOING, continue_phase
 from hophoop.kernel.rigid.run import begin, can_follow, step
-from hophoop.kernel.rigid.script import repeat
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 TURN, APEX = int(Event.TURN), int(Event.APEX)
@@ -151,7 +149,6 @@ def write_passage(phase, numbers, words, row, memory, doubt):
     out[IMPACT_NORMAL], out[IMPACT_TANGENTIAL] = state.impact_n, state.impact_t
     out[ROLLING_RESISTANCE] = state.resisted
     out[MODE] = phase.mode
-    out[BOUNCE] = phase.bounce
     out[HOPS] = memory[JUMPS]
     out[LETTERS] = memory[COUNT]
     out[DOUBT] = doubt
@@ -171,17 +168,6 @@ def ends_at_section(before, phase, section):
     if section == LANDING:
         return before == FLIGHT and phase.what == Ending.LANDING and phase.status == GOING
     return phase.status == COMPLETED and phase.what == Ending.ANGLE_LIMIT
-
-
-@apart
-def first_phase(body, start, bounce, log, scratch, script):
-    """Return the first phase of a motion, or of one that goes on in the phase of a script's event."""
-    if script.shape[0] < 2:
-        return begin(body, start, log, scratch)
-    phase = repeat(body, script, log, scratch)
-    return Phase(
-        phase.mode, phase.state, phase.begins, phase.zeros, phase.opening, phase.level, bounce, phase.what, phase.status
-    )
 
 
 @apart
@@ -205,19 +191,17 @@ def lands_no_more(section, status, fate):
     return section == LANDING and open_end and fate in (UNDECIDED, SLIDES_AWAY, RUNS_AWAY)
 
 
-def follow_passages(body, start, bounce, request, buffers, scratch, script):
+def follow_passages(body, start, mode, request, buffers, scratch):
     """Compute the passages of a section; return (status, passages, fate's code, period of a gait or 0).
 
-    The status is GOING if the motion goes on. `bounce` is v_n after the last landing before a start with a script, which has no
-    events, or twice the one that starts the first phase.
+    The status is GOING if the motion goes on. `mode` is that of the start, or BY_RULE.
     """
     scratch.doubt[0] = math.nan
-    scratch.doubt[1] = math.nan
     limit = scratch.counts[PANEL_LIMIT]
     scratch.counts[PANEL_LIMIT] = request.panels
     numbers, words, memory = buffers.numbers, buffers.words, buffers.memory
     log = new_log(buffers.events, buffers.segments, scratch)
-    phase = first_phase(body, start, bounce, log, scratch, script)
+    phase = begin(body, start, mode, log, scratch)
     log.counts[EVENTS] = 0
     memory[ROLLING_TURNS], memory[CONTACT_TURNS], memory[FASTEST] = 0.0, 0.0, fastest_of(body, phase.state)
     memory[COUNT], memory[JUMPS], memory[GAP] = 0.0, 0.0, 0.0
@@ -245,9 +229,7 @@ def follow_passages(body, start, bounce, request, buffers, scratch, script):
         write_passage(phase, numbers, words, row, memory, scratch.doubt[0])
         if request.section != LANDING:
             cell += 1.0 if phase.state.om > 0.0 else -1.0
-            phase = Phase(
-                phase.mode, phase.state, False, phase.zeros, phase.opening, phase.level, phase.bounce, Ending.CONTINUES, GOING
-            )
+            phase = continue_phase(phase, phase.state, phase.level, Ending.CONTINUES)
         if fate == OPEN:
             fate, period = fate_at_passage(body, numbers, words, passages, request.section, memory)
         passages += 1

@@ -23,6 +23,7 @@ from hophoop.kernel.records.layout import (
     ROLLING_RESISTANCE,
     SLIP,
     SLOPE,
+    START_MODE,
     STRIKE,
     VY,
     X,
@@ -74,3 +75,8 @@ def start_of(cells, k, second):
         cells[VY, k] / speed,
         cells[OMEGA, k] * second,
     )
+
+
+def mode_of(cells, k):
+    """Return the mode at the start of a cell, −1 if the rule selects it."""
+    return int(cells[START_MODE, k])

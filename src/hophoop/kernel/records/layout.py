@@ -8,17 +8,18 @@ import numpy as np
 
 from hophoop.kernel.physics.body import Body
 
-# Rows of the array of cells, in SI units; `allowed` is 0 if the values contradict each other. `scenario.cell_of` writes them in
+# Rows of the array of cells, in SI units; `mode` is −1 if the rule selects it; `allowed` is 0 if the values
+# contradict each other. `scenario.cell_of` writes them in
 # this order: the numbers of the hoop and of the plane as the table of parameters has them, then the rest.
 CELL = (
     "eccentricity", "inertia_ratio", "radius", "mass",
     "mu_static", "mu_kinetic", "slope", "gravity", "restitution", "rolling_resistance",
-    "duration", "max_events", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "ideal", "allowed",
+    "duration", "max_events", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "mode", "ideal", "allowed",
 )  # fmt: skip
 (
     ECCENTRICITY, INERTIA_RATIO, RADIUS, MASS,
     MU_STATIC, MU_KINETIC, SLOPE, GRAVITY, RESTITUTION, ROLLING_RESISTANCE,
-    DURATION, MAX_EVENTS, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, IDEAL, ALLOWED,
+    DURATION, MAX_EVENTS, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, START_MODE, IDEAL, ALLOWED,
 ) = range(len(CELL))  # fmt: skip
 
 # The compliant contact, in SI units; nan selects the default.
@@ -103,9 +104,7 @@ class Outcome(NamedTuple):
     events: int  # number of events written; `segments` likewise
     segments: int
     doubt: float  # first time at which double precision did not suffice, nan if it always did
-    doubt_until: float
     events_full: bool
-    panels_used: bool  # True if the limit of panels was reached
 
 
 def new_table(length: int, dtype: np.dtype[Any]) -> np.ndarray:

@@ -23,7 +23,7 @@ class Scratch(NamedTuple):
     series: np.ndarray
     weights: np.ndarray
     stack: np.ndarray
-    doubt: np.ndarray  # start and end of the first doubt of a motion, nan if there is none
+    doubt: np.ndarray  # time of the first doubt of a motion, nan if there is none
     counts: np.ndarray  # numbers of events, segments and panels, and the limit of panels; see records.layout
 
 
@@ -35,7 +35,7 @@ def new_scratch():
         np.zeros(ORDER),
         np.zeros(ORDER),
         np.zeros((STACK_ROWS, STACK_COLUMNS)),
-        np.full(2, np.nan),
+        np.full(1, np.nan),
         np.array([0, 0, 0, MOST_PANELS]),
     )
 

@@ -120,14 +120,6 @@ def write_plain_event(log, kind, before, after, state):
     write_event(log, event_without_jump(kind, before, state), after, state, 0.0, -1)
 
 
-@apart
-def copy_event(log, row):
-    """Append a copy of a known event."""
-    count = next_row(log.counts, EVENTS, log.events.shape[0])
-    if count >= 0:
-        log.events[count] = row
-
-
 @inline
 def write_segment(log, mode, panel, xi, opening, state, t_end):
     """Append a segment that starts in `state`; a table of length 0 stays empty."""

@@ -277,10 +277,8 @@ def snap_to_event(body, what, state, limits, way):
 
 
 @inline
-def advance_contact(body, phase, blind, limits, log, scratch):
+def advance_contact(body, phase, limits, log, scratch):
     """Roll or slip, panel by panel, up to an event or a turning point.
-
-    With `blind` the phase is known to last until the final time, and no events are searched.
 
     Returns (ending, state, level of the next panel); the ending is CONTINUES if the log is full.
     """
@@ -303,7 +301,7 @@ def advance_contact(body, phase, blind, limits, log, scratch):
         panel, totals = fit_to_time(body, panel, totals, state, limits, scratch)
         if not totals.tail <= RESOLVED:
             return unresolved, state, level
-        xi, what = earliest_event(body, panel, totals, state, begins, blind, phase.zeros, limits, scratch)
+        xi, what = earliest_event(body, panel, totals, state, begins, phase.zeros, limits, scratch)
         if -1.0 < xi < 1.0:
             fill_inside(panel, scratch.work)
         after = snap_to_event(body, what, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.way)
@@ -372,22 +370,22 @@ def still_step(body, phase, state, limits, log, scratch):
         write_plain_event(log, STICK, phase.mode, ROLL, state)
     else:
         mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log, scratch)
-    return begin_phase(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
+    return begin_phase(body, mode, state, Ending.SLIP_END, scratch)
 
 
 @inline
 def after_rolling(body, phase, what, state, log, scratch):
     """Return the phase after rolling that has reached the friction cone or could not be resolved further."""
     if what == Ending.SEARCH_LIMIT:
-        record_doubt(scratch, state.t, state.t)
+        record_doubt(scratch, state.t)
         return end_motion(phase, ROLL, state, what, UNDETERMINED)
     if body.kap == 0.0:
         mode, state = begin_skim(body, state, log)
     else:
         mode = leave_cone(body, state, what == Ending.CONE_FORWARD, log, scratch)
         if mode in (SPIN, SKID):
-            return begin_slip_after_roll(body, phase, mode, state, what)
-    return begin_phase(body, mode, state, phase.bounce, what, scratch)
+            return begin_slip_after_roll(body, mode, state, what)
+    return begin_phase(body, mode, state, what, scratch)
 
 
 @inline
@@ -395,14 +393,14 @@ def after_slip(body, phase, what, state, log, scratch):
     """Return the phase after slip that has lifted off, ended, or reached p_σ = 0."""
     if what == Ending.LIFT_OFF:
         write_plain_event(log, TAKEOFF, phase.mode, FLIGHT, state)
-        return begin_flight_after_slip(phase, state, Ending.LIFT_OFF)
+        return begin_flight_after_slip(state, Ending.LIFT_OFF)
     if what == Ending.SLIP_END:
         mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log, scratch)
-        return begin_phase(body, mode, state, phase.bounce, Ending.SLIP_END, scratch)
+        return begin_phase(body, mode, state, Ending.SLIP_END, scratch)
     jams, mode, state = resolve_painleve_singularity(body, phase.mode, state, log, scratch)
     if jams:
         return end_motion(phase, mode, state, Ending.SINGULAR, JAMMED)
-    return begin_phase(body, mode, state, phase.bounce, Ending.SINGULAR, scratch)
+    return begin_phase(body, mode, state, Ending.SINGULAR, scratch)
 
 
 @apart
@@ -423,13 +421,13 @@ def turning_point_step(body, phase, state, level, limits, log, scratch):
     if kind == STICK and mode != FLIGHT:
         state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ reach zero together
     mode, state = resolve_mode(body, state, event_without_jump(kind, phase.mode, state), log, scratch)
-    return begin_phase(body, mode, state, phase.bounce, Ending.TURNING_POINT, scratch)
+    return begin_phase(body, mode, state, Ending.TURNING_POINT, scratch)
 
 
 @inline
 def contact_step(body, phase, limits, log, scratch):
     """Roll or slip up to an event or a turning point, and return the next phase."""
-    what, state, level = advance_contact(body, phase, False, limits, log, scratch)
+    what, state, level = advance_contact(body, phase, limits, log, scratch)
     if what == Ending.TURNING_POINT and body.resist > 0.0:
         return turning_point_step(body, phase, state, level, limits, log, scratch)
     if what == Ending.TURNING_POINT:

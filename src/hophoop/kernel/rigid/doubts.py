@@ -1,7 +1,6 @@
 """Detection of doubts: a deciding quantity is zero within the rounding of the motion, so that double precision cannot decide.
 
-The kernel records the first doubt and continues with the values in double precision. `hophoop.simulation.exact_start` decides
-in extended precision, on request.
+The kernel records the time of the first doubt and continues with the values in double precision, by the written order of ties.
 """
 
 from __future__ import annotations
@@ -21,11 +20,10 @@ NEARBY = 0.015  # relative to the range of a margin on a panel: (half the distan
 
 
 @inline
-def record_doubt(scratch, begin, end):
-    """Record the times of the first doubt of a motion."""
+def record_doubt(scratch, t):
+    """Record the time of the first doubt of a motion."""
     if math.isnan(scratch.doubt[0]):
-        scratch.doubt[0] = begin
-        scratch.doubt[1] = end
+        scratch.doubt[0] = t
 
 
 @apart

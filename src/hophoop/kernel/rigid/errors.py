@@ -19,7 +19,7 @@ from hophoop.kernel.physics.painleve import slip_coefficients
 from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
-from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.run import run
 
 ROUNDING = 4e-16  # relative rounding of a quantity at an event
@@ -48,13 +48,11 @@ def _natural_sizes(row: np.void) -> dict[str, float]:
 
 
 def _recompute(body: Body, row: np.void, t_end: float, room: int) -> np.ndarray | None:
-    """Return the events of a motion computed again from the event `row`, itself the first; None if there is no room."""
-    script = np.array([row, row], EVENT)
+    """Return the events of a motion computed again from the event `row`, which they start with; None if there is no room."""
     events = np.empty(room, EVENT)
     status, count, _ = compiled(run)(
-        body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),
-        new_scratch(), script,
-    )  # fmt: skip
+        body, state_of(row), int(row["after_mode"]), t_end, math.nan, 0, events, np.empty(0, SEGMENT), new_scratch()
+    )
     return None if status == Status.EVENT_LIMIT else events[:count]
 
 
@@ -121,7 +119,7 @@ def event_errors(body: Body, events: np.ndarray, t_end: float, reached: np.ndarr
         plain = _recompute(body, row, t_end, 2 * count + 8)
         if plain is None:
             continue
-        reach = min(_count_alike(plain, events[i:]), len(plain))
+        reach = 1 + _count_alike(plain[1:], events[i + 1 :])
         for name in CHANGED:
             if sizes[name] == 0.0 or (name in ("slip", "vy") and row[name] == 0.0):
                 continue  # zero by the definition of the event

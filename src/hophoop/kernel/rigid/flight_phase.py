@@ -99,28 +99,31 @@ def fly(body, state, opening, zeros, limits, log):
 
 
 @apart
-def is_last_bounce(body, state, after, last):
-    """Return True if the bounces to come take less than `CLOSING` of the time so far."""
+def is_last_bounce(body, state, after):
+    """Return True if the bounces to come take less than `CLOSING` of the time so far.
+
+    A short flight only changes the sign of v_n, so that v_n falls from bounce to bounce by the same ratio as in this impact.
+    """
     s, c = sine_and_cosine(state.th)
     fall = -free_acceleration(body, s, c, after.om * after.om)[1]
     if not (after.vn > 0.0 and fall > 0.0):
         return False
     if after.vn < SLOWEST_BOUNCE:
         return True
-    if not after.vn < last:
+    if not after.vn < -state.vn:
         return False
-    ratio = after.vn / last
+    ratio = after.vn / -state.vn
     return 2.0 * after.vn / (fall * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
 
 
 @inline
-def land(body, state, last, log, scratch):
-    """Return the phase after the impact of a landing; `last` is v_n after the previous bounce."""
+def land(body, state, log, scratch):
+    """Return the phase after the impact of a landing."""
     after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
-    if is_last_bounce(body, state, after, last):
+    if is_last_bounce(body, state, after):
         after, cause = end_bounces(body, state)
     mode, settled = resolve_mode(body, after, cause, log, scratch)
-    return begin_phase(body, mode, settled, after.vn, Ending.LANDING, scratch)
+    return begin_phase(body, mode, settled, Ending.LANDING, scratch)
 
 
 @inline
@@ -131,4 +134,4 @@ def flight_step(body, phase, limits, log, scratch):
     what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log)
     if what != Ending.LANDING:
         return end_motion(phase, FLIGHT, state, what, EVENT_LIMIT if what == Ending.SEARCH_LIMIT else COMPLETED)
-    return land(body, state, phase.bounce, log, scratch)
+    return land(body, state, log, scratch)

@@ -79,4 +79,4 @@ def skim_step(body, phase, limits, log, scratch):
         # a segment of zero length holds the state after the strike; before the strike θ̇ is unbounded
         write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)
         return end_motion(phase, mode, landed, Ending.LOAD_STRIKE, UNDETERMINED)
-    return begin_phase(body, mode, landed, phase.bounce, Ending.LOAD_STRIKE, scratch)
+    return begin_phase(body, mode, landed, Ending.LOAD_STRIKE, scratch)

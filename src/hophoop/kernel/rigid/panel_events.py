@@ -131,7 +131,7 @@ def tangency_rounding(body, state):
 
 
 @inline
-def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
+def end_of_slip(body, panel, state, fresh, zeros, scratch):
     """Return (ξ, ending, True if rounding may decide) where N or v_t reaches zero; lift-off if both do."""
     work = scratch.work
     for i in range(ORDER):
@@ -151,7 +151,7 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] < 0.0:
         stop = -1.0  # without friction rounding of θ may decide the direction of slip; here it is the other one
     if stop != NOT_FOUND and lift != NOT_FOUND and abs(stop - lift) < CLOSE and body.mu_k > 0.0:
-        record_doubt(scratch, state.t, state.t + totals.time)
+        record_doubt(scratch, state.t)
     if stop < lift - SIMULTANEOUS:
         return stop, Ending.SLIP_END, doubtful
     return lift, Ending.LIFT_OFF, doubtful
@@ -183,20 +183,17 @@ def end_of_time(left, scratch):
 
 
 @inline
-def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch):
+def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
     """Return (ξ, ending) of the first event on the panel; (1, CONTINUES or TURNING_POINT) if there is none.
 
     Of simultaneous events those of the contact come before the limits of angle and time.
     """
-    xi = NOT_FOUND
-    what = Ending.CONTINUES
-    if not blind:
-        if panel.sigma == 0:
-            xi, what, doubtful = end_of_rolling(body, panel, fresh, scratch)
-        else:
-            xi, what, doubtful = end_of_slip(body, panel, totals, state, fresh, zeros, scratch)
-        if doubtful and has_tangency(body, panel, state, scratch):
-            record_doubt(scratch, state.t, state.t + totals.time)
+    if panel.sigma == 0:
+        xi, what, doubtful = end_of_rolling(body, panel, fresh, scratch)
+    else:
+        xi, what, doubtful = end_of_slip(body, panel, state, fresh, zeros, scratch)
+    if doubtful and has_tangency(body, panel, state, scratch):
+        record_doubt(scratch, state.t)
     if not math.isnan(limits.span):
         found = end_of_span(panel, state, limits)
         if found < xi:

@@ -28,7 +28,6 @@ class Phase(NamedTuple):
     zeros: int  # order of the zero of v_t (slip) or of the gap (flight) at the start
     opening: float  # flight: f_n at the start, exactly 0 after a lift-off from slip
     level: int  # level of the next panel's width
-    bounce: float  # v_n after the last impact
     what: int  # Ending of the last panel
     status: int  # GOING, or the Status at the end of the motion
 
@@ -48,7 +47,7 @@ def opening_of(body, state):
 
 
 @inline
-def begin_phase(body, mode, state, bounce, what, scratch):
+def begin_phase(body, mode, state, what, scratch):
     """Start a phase; an UNDECIDED mode ends the motion."""
     opening = 0.0
     zeros = 1 if state.vt == 0.0 else 0
@@ -58,29 +57,29 @@ def begin_phase(body, mode, state, bounce, what, scratch):
     elif mode == UNDECIDED:
         status = UNDETERMINED
         if body.kap > 0.0 and not math.isinf(body.mu_s):
-            record_doubt(scratch, state.t, state.t)
-    return Phase(mode, state, True, zeros, opening, START_LEVEL, bounce, what, status)
+            record_doubt(scratch, state.t)
+    return Phase(mode, state, True, zeros, opening, START_LEVEL, what, status)
 
 
 @inline
-def begin_flight_after_slip(phase, state, what):
+def begin_flight_after_slip(state, what):
     """Start the flight after a lift-off from slip, where N, and with it f_n, is zero."""
-    return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, phase.bounce, what, GOING)
+    return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, what, GOING)
 
 
 @inline
-def begin_slip_after_roll(body, phase, mode, state, what):
+def begin_slip_after_roll(body, mode, state, what):
     """Start the slip after rolling has reached the friction cone; v̇_t is zero there too if μs = μk."""
-    return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, phase.bounce, what, GOING)
+    return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, what, GOING)
 
 
 @inline
 def continue_phase(phase, state, level, what):
     """Continue the phase from `state`."""
-    return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, phase.bounce, what, GOING)
+    return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, what, GOING)
 
 
 @inline
 def end_motion(phase, mode, state, what, status):
     """End the motion in a mode and state."""
-    return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, phase.bounce, what, status)
+    return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, what, status)

@@ -6,68 +6,111 @@ import math
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.circular import cosine
+from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.panels.panel import FLY, LINEAR, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.physics.modes import can_roll, slip_mode
-from hophoop.kernel.records.cells import body_of, second_of, start_of
-from hophoop.kernel.records.layout import DURATION, EVENTS, MAX_EVENTS, PANEL_LIMIT, PANELS, SEGMENTS, Outcome
+from hophoop.kernel.physics.contact import slip_motion
+from hophoop.kernel.physics.modes import can_roll, opening_sign, slip_direction, slip_mode
+from hophoop.kernel.physics.painleve import slip_coefficients
+from hophoop.kernel.physics.resistance import resistance_arm
+from hophoop.kernel.records.cells import body_of, mode_of, second_of, start_of
+from hophoop.kernel.records.layout import DURATION, EVENTS, MAX_EVENTS, SEGMENTS, Outcome
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import moved
-from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event
+from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event, write_segment
 from hophoop.kernel.rigid.contact_phase import contact_step
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.flight_phase import flight_step, land
 from hophoop.kernel.rigid.limits import limits_of
 from hophoop.kernel.rigid.massless_phase import begin_skim, skim_step
-from hophoop.kernel.rigid.phase import GOING, begin_phase, end_motion
-from hophoop.kernel.rigid.script import repeat
+from hophoop.kernel.rigid.panel_choice import set_anchor
+from hophoop.kernel.rigid.phase import GOING, begin_phase, continue_phase, end_motion
 from hophoop.kernel.rigid.transitions import resolve_mode
 
-ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
 START, END = int(Event.START), int(Event.END)
-UNDETERMINED, EVENT_LIMIT, BUFFER = (int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER))
+COMPLETED, UNDETERMINED, EVENT_LIMIT, BUFFER = (
+    int(end) for end in (Status.COMPLETED, Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER)
+)
 
 LARGEST = 1e150  # maximum of all quantities of a motion in its own units: the squares of larger ones overflow
 LOWEST_START = 1e-250  # a rim this low is in contact: the time to fall would underflow
+BY_RULE = -1  # instead of a mode at the start: the rule of the modes selects it
+RISING = 1e-6  # relative: slip that starts at the friction cone has v̇_t = 0 within rounding; slip that ends has more than this
 
 
 @apart
-def begin_massless(body, state, log, scratch):
-    """Start the motion of a massless hoop, which only rolls and skims."""
+def begin_massless(body, state, given, log, scratch):
+    """Start the motion of a massless hoop, which rolls, skims, and slides with its load on the plane."""
+    down = cosine(state.th) <= -1.0
+    if slip_direction(given) != 0 and down and state.om == 0.0:
+        write_plain_event(log, START, -1, given, state)
+        return begin_phase(body, given, state, Ending.CONTINUES, scratch)
     if state.y > 0.0 or state.vn != 0.0 or state.vt != 0.0:
         mode = FLIGHT
         if state.y == 0.0 and state.vn == 0.0:
             mode = slip_mode(1 if state.vt > 0.0 else -1)
         write_plain_event(log, START, FLIGHT if mode == FLIGHT else -1, mode, state)
         return end_motion(
-            begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
+            begin_phase(body, mode, state, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
         )
     mode = ROLL
     write_plain_event(log, START, -1, ROLL, state)
-    down = cosine(state.th) <= -1.0
     if down and state.om != 0.0:  # load on the plane: the rotation has no energy, so nothing determines it
         return end_motion(
-            begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
+            begin_phase(body, mode, state, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
         )
     if not down and not can_roll(body, state.th, state.om):
         mode, state = begin_skim(body, state, log)
-    return begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+    return begin_phase(body, mode, state, Ending.CONTINUES, scratch)
 
 
 @apart
-def begin(body, start, log, scratch):
-    """Start the motion: write its START event and return its first phase."""
+def goes_on_slipping(body, mode, state):
+    """Return True if a state in contact belongs to a phase of slip that does not end there."""
+    sigma = slip_direction(mode)
+    if sigma == 0 or math.isinf(body.mu_k) or opening_sign(body, state.th, state.om) >= 0:
+        return False
+    s, c = sine_cosine(state.th, state.th_low)
+    rho = resistance_arm(body, s, c, state.om, sigma)
+    if not slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)[1] > 0.0:
+        return False
+    alpha, normal, rate = slip_motion(body, s, c, state.om * state.om, sigma, rho)
+    size = body.gn + abs(body.gt) + state.om * state.om + 2.0 * abs(alpha) + body.mu_k * normal
+    return state.vt != 0.0 or sigma * rate > -RISING * size
+
+
+@apart
+def begin_in_mode(body, mode, state, log, scratch):
+    """Start the motion in the mode of a state of another motion, which the rule may miss by rounding.
+
+    Rolling whose friction is used up in this state ends at once.
+    """
+    write_plain_event(log, START, -1, mode, state)
+    phase = begin_phase(body, mode, state, Ending.CONTINUES, scratch)
+    if mode != ROLL:
+        return phase
+    s, c = sine_cosine(state.th, state.th_low)
+    return continue_phase(phase, set_anchor(body, 0, state, s, c, scratch), phase.level, Ending.CONTINUES)
+
+
+@apart
+def begin(body, start, given, log, scratch):
+    """Start the motion, in a given mode or BY_RULE: write its START event and return its first phase."""
     state = start
     if 0.0 < state.y < LOWEST_START:
         state = moved(state, state.t, state.t_low, state.x, state.x_low, 0.0, state.turns, state.th, state.th_low)
     if body.kap == 0.0:
-        return begin_massless(body, state, log, scratch)
-    if state.y > 0.0 or state.vn != 0.0:
+        return begin_massless(body, state, given, log, scratch)
+    if state.y > 0.0 or state.vn != 0.0 or given == FLIGHT:
         write_plain_event(log, START, FLIGHT, FLIGHT, state)
         if state.y == 0.0 and state.vn < 0.0:
-            return land(body, state, 0.0, log, scratch)
-        return begin_phase(body, FLIGHT, state, 0.0, Ending.CONTINUES, scratch)
+            return land(body, state, log, scratch)
+        return begin_phase(body, FLIGHT, state, Ending.CONTINUES, scratch)
+    if (given == ROLL and state.vt == 0.0) or goes_on_slipping(body, given, state):
+        return begin_in_mode(body, given, state, log, scratch)
     mode, state = resolve_mode(body, state, event_without_jump(START, -1, state), log, scratch)
-    return begin_phase(body, mode, state, 0.0, Ending.CONTINUES, scratch)
+    return begin_phase(body, mode, state, Ending.CONTINUES, scratch)
 
 
 @inline
@@ -88,6 +131,18 @@ def can_follow(before, after, t_end):
     return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # False for nan
 
 
+@apart
+def write_end(log, mode, phase):
+    """Write a segment of zero length with the state after the event that ends the motion.
+
+    Without an answer of the model the contact forces are not known: the segment then has none, as in flight.
+    """
+    contact = phase.status == COMPLETED and mode in (ROLL, SPIN, SKID)
+    way = 1.0 if phase.state.om > 0.0 else -1.0 if phase.state.om < 0.0 else 0.0
+    panel = no_panel(LINEAR if contact else FLY, slip_direction(mode), way)
+    write_segment(log, mode, panel, 0.0, 0.0, phase.state, phase.state.t)
+
+
 @inline
 def follow(body, phase, limits, log, scratch):
     """Go from phase to phase until the motion ends; return what `run` does."""
@@ -100,8 +155,11 @@ def follow(body, phase, limits, log, scratch):
             break
         phase = after
     if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also if the panels are used up: END is at the state reached
-        last = log.events[log.counts[EVENTS] - 1]["after_mode"]
-        write_plain_event(log, END, last, last, phase.state)
+        last = log.events[log.counts[EVENTS] - 1]
+        mode, ends = last["after_mode"], last["t"] == phase.state.t
+        write_plain_event(log, END, mode, mode, phase.state)
+        if ends:
+            write_end(log, mode, phase)
     count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else log.events.shape[0]
     if log.counts[SEGMENTS] < 0:
         return BUFFER, count, log.segments.shape[0]
@@ -110,16 +168,18 @@ def follow(body, phase, limits, log, scratch):
     return phase.status if phase.status != GOING else EVENT_LIMIT, count, log.counts[SEGMENTS]
 
 
-def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
+def run(body, start, mode, t_end, angle_span, stop, events, segments, scratch):
     """Compute a motion up to the final time, an end by the physics, or a limit.
 
     Parameters
     ----------
     body : Body
     start : State
-        At t = 0; the rim is on the plane (y = 0) or above it.
+        The rim is on the plane (y = 0) or above it.
+    mode : int
+        Mode at the start, or BY_RULE.
     t_end : float
-        Duration; all quantities are in kernel units.
+        Time at which the motion ends; all quantities are in kernel units.
     angle_span : float
         The motion also ends when θ has changed by this much (nan: no limit).
     stop : int
@@ -128,9 +188,6 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
         Filled; segments of length 0 are not written, if only events are wanted.
     scratch : records.Scratch
         Its `doubt` holds nan afterwards if double precision sufficed.
-    script : ndarray of records.EVENT
-        Known first events, or length 0. The last row is a state inside a phase, or the last event once more: the computation
-        starts there.
 
     Returns
     -------
@@ -139,17 +196,12 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
         later segments exist; or the limit of panels or of the size of quantities was reached.
     """
     scratch.doubt[0] = math.nan
-    scratch.doubt[1] = math.nan
     log = new_log(events, segments, scratch)
     limits = limits_of(start, t_end, angle_span, stop)
-    if script.shape[0] > 1:
-        phase = repeat(body, script, log, scratch)
-    else:
-        phase = begin(body, start, log, scratch)
-    return follow(body, phase, limits, log, scratch)
+    return follow(body, begin(body, start, mode, log, scratch), limits, log, scratch)
 
 
-def run_cell(tables, script):
+def run_cell(tables):
     """Compute the motion of a cell up to its duration."""
     scratch = new_scratch()
     cell = tables.cell
@@ -159,10 +211,7 @@ def run_cell(tables, script):
     if events.shape[0] > most:
         events = events[:most]
     status, count, pieces = run(
-        body_of(cell, 0), start_of(cell, 0, second), cell[DURATION, 0] / second, math.nan, 0, events, tables.segments,
-        scratch, script,
+        body_of(cell, 0), start_of(cell, 0, second), mode_of(cell, 0), cell[DURATION, 0] / second, math.nan, 0, events,
+        tables.segments, scratch,
     )  # fmt: skip
-    counts = scratch.counts
-    return Outcome(
-        status, count, pieces, scratch.doubt[0], scratch.doubt[1], counts[EVENTS] < 0, counts[PANELS] >= counts[PANEL_LIMIT]
-    )
+    return Outcome(status, count, pieces, scratch.doubt[0], scratch.counts[EVENTS] < 0)

@@ -97,7 +97,7 @@ def resolve_mode(body, state, cause, log, scratch):
         if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as at the phase's start
             state = with_velocities(state, state.vt, state.vn, 0.0)
         if mode_is_in_doubt(body, state):
-            record_doubt(scratch, state.t, state.t)
+            record_doubt(scratch, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
         if cause.kind == STICK and body.mu_s == 0.0 and mode == cause.mode:
             mode = slip_mode(-slip_direction(mode))  # slip that has ended does not continue, even if rounding suggests so
@@ -166,7 +166,7 @@ def leave_cone(body, state, ahead, log, scratch):
     s, c = sine_and_cosine(state.th)
     opens = free_acceleration(body, s, c, u)[1]
     if abs(opens) <= CLOSE * (body.gn + u) and not math.isinf(body.mu_s):
-        record_doubt(scratch, state.t, state.t)
+        record_doubt(scratch, state.t)
     if opens >= 0.0:
         mode = FLIGHT
         write_plain_event(log, TAKEOFF, ROLL, FLIGHT, state)

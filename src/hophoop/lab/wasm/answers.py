@@ -10,7 +10,7 @@ from numba import carray
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
 from hophoop.kernel.records.cells import body_of, scales_of
-from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, MapRequest, MapResults
+from hophoop.kernel.records.layout import CELL, CONTACT, MapRequest, MapResults
 from hophoop.kernel.records.refusal import mark_refused, refusal
 from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
 from hophoop.lab.wasm.layout import PART, THRESHOLDS
@@ -122,7 +122,7 @@ def map_cells(cells, n, span, stop, timed, quantities, numbers, words, sequences
     columns = carray(cells, (ROWS, n))
     mark_refused(columns)
     results = MapResults(carray(numbers, (n, NUMBER_COUNT)), carray(words, (n, WORD_COUNT)), carray(sequences, (n, INTEGERS)))
-    evaluate_block(columns, 0, n, MapRequest(span, stop, timed != 0, quantities), np.empty(0, EVENT), results)
+    evaluate_block(columns, 0, n, MapRequest(span, stop, timed != 0, quantities), results)
 
 
 def ideal_hoop(load_fraction, out):

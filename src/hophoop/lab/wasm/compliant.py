@@ -97,8 +97,7 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     head[2] = pieces
     head[3] = seconds(records[count - 1]["t"], t_end, duration, scales.time)
     head[4] = math.nan
-    head[5] = math.nan
-    head[6] = pieces
+    head[5] = pieces
     first = np.empty((1, RAW_WIDTH))
     last = np.empty((1, RAW_WIDTH))
     if pieces > 0:

@@ -20,7 +20,7 @@ from hophoop.vocabulary.words import identifier
 
 # Data of a motion besides its events: SI units, and counts.
 HEADS = (
-    "status", "events", "segments", "duration", "doubt_from", "doubt_until", "panels",
+    "status", "events", "segments", "duration", "doubt", "panels",
     "kinetic", "potential", "spring", "damping", "friction", "impact_normal", "impact_tangential", "residual",
     "rolling_resistance",
 )  # fmt: skip

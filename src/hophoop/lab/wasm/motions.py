@@ -10,8 +10,8 @@ from numba import carray
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.energy import energies_after
 from hophoop.kernel.physics.friction import utilization
-from hophoop.kernel.records.cells import body_of, scales_of, start_of
-from hophoop.kernel.records.layout import CELL, DURATION, EVENT, MAX_EVENTS, PANELS
+from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
+from hophoop.kernel.records.layout import CELL, DURATION, MAX_EVENTS, PANELS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.times import kernel_times
 from hophoop.kernel.rigid.columns import COLUMNS
@@ -69,16 +69,16 @@ def write_energies(body, scales, first, last, energies, first_spring, head):
     unit = scales.energy
     begin_kinetic, begin_potential = energies_after(body, first)
     kinetic, potential, spring, damping, friction, rolling = energies
-    head[7] = kinetic * unit
-    head[8] = potential * unit
-    head[9] = spring * unit
-    head[10] = damping * unit
-    head[11] = friction * unit
-    head[12] = last["impact_normal"] * unit
-    head[13] = last["impact_tangential"] * unit
-    head[15] = rolling * unit
-    now = head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[13] + head[15]
-    head[14] = now - (begin_kinetic * unit + begin_potential * unit + first_spring * unit)
+    head[6] = kinetic * unit
+    head[7] = potential * unit
+    head[8] = spring * unit
+    head[9] = damping * unit
+    head[10] = friction * unit
+    head[11] = last["impact_normal"] * unit
+    head[12] = last["impact_tangential"] * unit
+    head[14] = rolling * unit
+    now = head[6] + head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[14]
+    head[13] = now - (begin_kinetic * unit + begin_potential * unit + first_spring * unit)
 
 
 def motion(given, events, most_events, segments, most_segments, table, heads):
@@ -98,9 +98,8 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
     duration = cells[DURATION, 0]
     t_end = duration / scales.time
     scratch = new_scratch()
-    script = np.empty(0, EVENT)
     start = start_of(cells, 0, scales.time)
-    status, count, length = run(body, start, t_end, math.nan, 0, records, pieces, scratch, script)
+    status, count, length = run(body, start, mode_of(cells, 0), t_end, math.nan, 0, records, pieces, scratch)
     for k in range(count):
         write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), rows[k])
     head[0] = status
@@ -108,8 +107,7 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
     head[2] = length
     head[3] = seconds(records[count - 1]["t"], t_end, duration, scales.time)
     head[4] = scratch.doubt[0] * scales.time
-    head[5] = scratch.doubt[1] * scales.time
-    head[6] = scratch.counts[PANELS]
+    head[5] = scratch.counts[PANELS]
     final = records[count - 1]
     end_kinetic, end_potential = energies_after(body, final)
     energies = (end_kinetic, end_potential, 0.0, 0.0, final["friction"], final["rolling_resistance"])

@@ -24,10 +24,12 @@ from hophoop.kernel.records.layout import (
     OMEGA,
     RADIUS,
     SLIP,
+    START_MODE,
     STRIKE,
     VY,
 )
 from hophoop.kernel.records.refusal import mark_refused
+from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.laws import LAWS
@@ -100,11 +102,12 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         cells[VY] = 0.0
         cells[OMEGA] = free["vx"] / cells[RADIUS]
         cells[SLIP] = 0.0
-    else:
+    elif start.slip is None or any(path.startswith("start.") for path in paths):
         cells[HEIGHT] = free["height"]
         cells[VY] = free["vy"]
         cells[OMEGA] = free["omega"]
         cells[SLIP] = free["vx"] - cells[RADIUS] * cells[OMEGA]
+        cells[START_MODE] = BY_RULE
     compiled(mark_refused)(cells)
     return cells
 

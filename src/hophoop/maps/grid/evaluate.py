@@ -43,7 +43,6 @@ from hophoop.maps.grid.quantities import (
 from hophoop.maps.grid.settled import SPANS as SETTLED_SPANS
 from hophoop.maps.grid.settled import check_settled, evaluate_settled
 from hophoop.scenario import InputError, Scenario, parameter
-from hophoop.simulation.exact_start import LATEST, NO_SCRIPT, Decisions
 
 CHUNK_CELLS = 65536
 
@@ -53,11 +52,6 @@ def values_of(results: MapResults, quantity: Quantity) -> NDArray[Any]:
     source = results.words if quantity.is_code else results.numbers
     values: NDArray[Any] = source[:, quantity.column].astype(quantity.dtype)
     return values
-
-
-# Maximum number of cells per chunk decided in extended precision, at a few tenths of a second each; further ones keep the
-# results of doubles.
-MOST_DECIDED = 500
 
 
 class Plan(NamedTuple):
@@ -189,10 +183,10 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, *, serial: boo
     if span.name in SETTLED_SPANS:
         _on_all_cores(count, lambda low, high: evaluate_settled(cells, low, high, span.name, results))
     elif serial:
-        compiled(kernel.evaluate_block)(cells, 0, count, request, NO_SCRIPT, results)
+        compiled(kernel.evaluate_block)(cells, 0, count, request, results)
     else:
         evaluate = compiled(kernel.evaluate_block)
-        _on_all_cores(count, lambda low, high: evaluate(cells, low, high, request, NO_SCRIPT, results))
+        _on_all_cores(count, lambda low, high: evaluate(cells, low, high, request, results))
     return results
 
 
@@ -206,39 +200,6 @@ def _empty_results(count: int) -> MapResults:
         np.empty((count, len(kernel.WORDS)), np.int32),
         np.empty((count, kernel.INTEGERS), np.uint64),
     )
-
-
-def decide(
-    cells: NDArray[np.float64],
-    span: Span,
-    flags: int,
-    results: MapResults,
-    scenario_at: Callable[[int], Scenario],
-) -> None:
-    """Recompute cells that doubles do not decide, with their first events in extended precision.
-
-    Parameters
-    ----------
-    cells : ndarray, shape (len(CELL), n)
-        [SI].
-    span : Span
-    flags : int
-    results : MapResults
-        Of these cells; changed in place.
-    scenario_at : callable
-        The scenario of a cell, by its index.
-    """
-    until = results.numbers[:, kernel.DOUBT_UNTIL]
-    for k in np.flatnonzero(until <= LATEST)[:MOST_DECIDED].tolist():
-        decisions = Decisions(scenario_at(k))
-        while (script := decisions.script(float(until[k]))) is not None:
-            compiled(kernel.evaluate_block)(cells, k, k + 1, _request(span, flags), script, results)
-
-
-def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> Scenario:
-    for path in ordered(list(values)):
-        base = base.replace(path, values[path].reshape(-1)[k].item())
-    return base
 
 
 def _on_all_cores(count: int, evaluate: Callable[[int, int], None]) -> None:
@@ -283,8 +244,6 @@ def run_chunk(plan: Plan, index: int, *, serial: bool = False) -> tuple[Chunk, M
     cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
     flags = flags_of(plan.quantities)
     results = run_cells(cells, plan.span, flags, serial=serial)
-    if plan.span.name not in SETTLED_SPANS:
-        decide(cells, plan.span, flags, results, lambda k: _scenario_at(plan.base, values, k))
     return chunk, results
 
 
@@ -339,8 +298,6 @@ def points(
     _check_span(base, chosen, part)
     # few points are not worth waking all threads
     raw = run_cells(cells, part, flags_of(chosen), serial=count <= kernel.BLOCK)
-    if part.name not in SETTLED_SPANS:
-        decide(cells, part, flags_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
     results = {}
     for quantity in chosen:
         if quantity.name == "sequence":

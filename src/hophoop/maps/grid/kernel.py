@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hophoop.kernel.physics.body import PASSING, Body, Event, Mode, Status
-from hophoop.kernel.records.cells import body_of, scales_of, start_of
+from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
 from hophoop.kernel.records.layout import ALLOWED, DURATION, EVENT, EVENTS, MAX_EVENTS, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import whole_angle
@@ -25,12 +25,12 @@ from hophoop.maps.grid.friction_utilization import greatest_utilization
 NUMBERS = (
     "time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost",
     "greatest_utilization", "takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance",
-    "landing_angle", "landing_loss", "doubt_until",
+    "landing_angle", "landing_loss",
 )  # fmt: skip
 (
     TIME, END_ANGLE, END_SPEED, DISTANCE, DISTANCE_ROLLED, REVOLUTIONS_TO_ROLLING, ENERGY_LOST,
     GREATEST_UTILIZATION, TAKEOFF_TIME, TAKEOFF_ANGLE, HOP_HEIGHT, FLIGHT_TIME, FLIGHT_DISTANCE,
-    LANDING_ANGLE, LANDING_LOSS, DOUBT_UNTIL,
+    LANDING_ANGLE, LANDING_LOSS,
 ) = range(len(NUMBERS))  # fmt: skip
 WORDS = ("status", "ending", "first_event", "hop", "painleve")
 STATUS_WORD, ENDING_WORD, FIRST_EVENT_WORD, HOP_WORD, PAINLEVE_WORD = range(len(WORDS))
@@ -225,7 +225,7 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
         reduce_flight(motion, hop, scales, workspace, numbers, k)
 
 
-def evaluate_cell(cells, k, request, events, workspace, script, results):
+def evaluate_cell(cells, k, request, events, workspace, results):
     """Compute one cell; return False where `events` is too short for its motion.
 
     `workspace.passing` takes 2 more events, and `workspace.segments` has length 0. This allocates no arrays, so that a GPU can
@@ -247,7 +247,8 @@ def evaluate_cell(cells, k, request, events, workspace, script, results):
     most = int(cells[MAX_EVENTS, k])
     if events.shape[0] > most:
         events = events[:most]
-    status, count, _ = run(body, start, t_end, angle_span, stop, events, workspace.segments, scratch, script)
+    mode = mode_of(cells, k)
+    status, count, _ = run(body, start, mode, t_end, angle_span, stop, events, workspace.segments, scratch)
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
         count = beyond + 1
@@ -259,15 +260,14 @@ def evaluate_cell(cells, k, request, events, workspace, script, results):
     cut = hop >= 0 and stop & STOP_AT_TAKEOFF != 0 and events[hop]["t"] == 0.0
     motion = ComputedMotion(body, status, events, hop + 1 if cut else count, cut, t_end)
     reduce_motion(motion, request, hop, scales, workspace, results, k)
-    results.numbers[k, DOUBT_UNTIL] = scratch.doubt[1]
     return True
 
 
-def evaluate_block(cells, low, high, request, script, results):
-    """Compute the cells from `low` to `high`; a `script` of first events is for a single cell."""
+def evaluate_block(cells, low, high, request, results):
+    """Compute the cells from `low` to `high`."""
     usual = np.empty(FIRST_EVENTS, EVENT)
     workspace = Workspace(np.empty(2, EVENT), np.empty(0, SEGMENT), new_scratch())
     for k in range(low, high):
         events = usual
-        while not evaluate_cell(cells, k, request, events, workspace, script, results):
+        while not evaluate_cell(cells, k, request, events, workspace, results):
             events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[MAX_EVENTS, k])), EVENT)

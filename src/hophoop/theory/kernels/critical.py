@@ -13,7 +13,7 @@ from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
 from hophoop.theory.kernels.phase_plane import lift_off
@@ -58,7 +58,6 @@ def hop_speed(body, turns):
         return most
     events = np.empty(EVENTS, EVENT)
     segments = np.empty(0, SEGMENT)
-    script = np.empty(0, EVENT)
     scratch = new_scratch()
     low = 0.0
     high = most
@@ -68,7 +67,7 @@ def hop_speed(body, turns):
         if not low < speed < high:
             return high
         start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, speed)
-        _, count, _ = run(body, start, ANY_TIME, turns * TURN, STOP, events, segments, scratch, script)
+        _, count, _ = run(body, start, BY_RULE, ANY_TIME, turns * TURN, STOP, events, segments, scratch)
         if np.any(events[:count]["after_mode"] == FLIGHT):
             high = speed
             trial = TRIALS
