@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import time
 
 import numpy as np
 import pytest
@@ -19,6 +20,9 @@ from hophoop.kernel.records.layout import MOST_PANELS, PANELS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice
+from hophoop.precise.motion import Run
+from hophoop.precise.problem import Problem
+from hophoop.precise.series import Work, work_of_step
 
 MASSLESS = hh.Hoop(eccentricity=1.0, inertia_ratio=0.0)
 SMOOTH = hh.Plane(gravity=0.0)
@@ -140,6 +144,19 @@ def test_a_search_for_roots_ends(monkeypatch):
     assert math.cos(4 * found + 1.0) == pytest.approx(0.0, abs=1e-7)
     monkeypatch.setattr(roots, "MOST_INTERVALS", 1)
     assert search(series, -2.0, 0.0, stack) == roots.NOT_FOUND
+
+
+def test_a_step_of_more_bits_costs_what_it_takes():
+    """The count of work goes with the time of a step, to a factor of two."""
+    costs = []
+    for bits in (106, 351):
+        run = Run(Problem.of(hh.Scenario(duration=1.0)), bits, False, 1e-23, work=Work(math.inf))
+        counted = []
+        run.body.work.take = counted.append
+        began = time.process_time()
+        run.run()
+        costs.append((time.process_time() - began) / len(counted) / work_of_step(bits))
+    assert 0.5 < costs[1] / costs[0] < 2.0
 
 
 def solving(monkeypatch, change):

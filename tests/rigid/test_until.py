@@ -157,3 +157,26 @@ def test_unknown_ends(bad):
 def test_compliant_contact():
     with pytest.raises(ValueError, match=r"^until = 'takeoff' needs rigid contact"):
         hh.simulate(HOPS.replace("contact.model", "compliant"), until="takeoff")
+
+
+@pytest.mark.parametrize("until", UNTILS)
+def test_the_sample_at_the_end_is_the_state_after_its_event(until):
+    """Mode, state and forces; from the left those before. A motion goes on from either as it was."""
+    goes_on = HOPS if until != "reversal" else HOPS.with_values({"plane.slope": 0.0, "start.angle": 2.0, "start.speed": 0.3})
+    motion, whole = hh.simulate(goes_on, until=until), hh.simulate(goes_on)
+    end, after, before = motion.events[-1], motion.at(motion.duration), motion.at(motion.duration, "left")
+    assert motion.ending == until
+    assert (after.mode, after.t) == (end.to_mode, motion.duration)
+    for name in ("x", "height", "angle", "vx", "vy", "omega", "slip"):
+        assert getattr(after, name) == getattr(end, name)
+    same = whole.at(motion.duration)
+    assert after.mode == same.mode
+    for name in ("normal_force", "friction_force", "kinetic", "potential", "friction", "vy", "slip"):
+        assert getattr(after, name) == pytest.approx(getattr(same, name), abs=1e-9)
+    if until.partition(":")[0] in ("landings", "takeoff"):
+        assert before.mode != after.mode
+    left = min(1.0, whole.duration - motion.duration)
+    for state in (after, before, end):
+        onward = hh.simulate(goes_on.with_values({"start": hh.Start.of(state), "duration": left}))
+        assert onward.at(left).angle == pytest.approx(whole.at(motion.duration + left).angle, abs=1e-10)
+        assert (onward.at(np.linspace(0.0, left, 200)).normal_force >= 0.0).all()

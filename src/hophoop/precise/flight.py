@@ -45,6 +45,7 @@ def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Numb
             return Landing(state._replace(t=t_end), False, apex)
         exponent = _exponent(body, state, opening, left)
         bits = body.bits + max(0, -3 * exponent) + 16
+        body.work.take(bits)
         series = gap_series(body, state, opening, exponent, _order(body, state, exponent, bits), bits)
         scale = max(map(abs, series))
         judge_here = Judge(body.bits, judge.last)

@@ -23,7 +23,7 @@ from hophoop.precise.rules import (
     slip_mode,
     turning_acceleration,
 )
-from hophoop.precise.series import Judge
+from hophoop.precise.series import Judge, Work
 
 
 @dataclass
@@ -63,6 +63,8 @@ class Run:
         End of time, in units of √(R/g), if it is not the scenario's.
     max_events : int, optional
         The motion stops after so many events, if it is not the scenario's number.
+    work : Work, optional
+        What its steps are taken from; without end by default.
     """
 
     def __init__(
@@ -73,9 +75,10 @@ class Run:
         closing: Any,
         until: Any = None,
         max_events: int | None = None,
+        work: Work | None = None,
     ) -> None:
         self.problem = problem
-        self.body = Body(problem, bits)
+        self.body = Body(problem, bits, work)
         self.judge = Judge(bits, last)
         ctx = self.body.ctx
         self.closing = ctx.mpf(closing)

@@ -58,6 +58,7 @@ def scaled(values: Sequence[int], exponent: int) -> list[int]:
 
 def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: int) -> Step | None:
     """Rolling (sigma = 0) or slip from a state; None where the coefficients grow beyond any use."""
+    body.work.take(body.bits)
     fixed = body.fixed
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)

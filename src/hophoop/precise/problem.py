@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from mpmath import MPContext
 
+from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
 from hophoop.vocabulary.laws import LAWS
 from hophoop.vocabulary.modes import MODE_LETTERS
@@ -172,11 +173,14 @@ class Body:
     problem : Problem
     bits : int
         Working precision.
+    work : Work, optional
+        What its steps of contact and flight are taken from; without end by default.
     """
 
-    def __init__(self, problem: Problem, bits: int) -> None:
+    def __init__(self, problem: Problem, bits: int, work: Work | None = None) -> None:
         self.problem = problem
         self.bits = bits
+        self.work = Work(math.inf) if work is None else work
         self.ctx = ctx = MPContext()
         ctx.prec = bits
         self.eps, self.kap, self.rest = (self.number(n) for n in (problem.eps, problem.kap, problem.rest))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -10,12 +11,13 @@ from hophoop.kernel.physics.body import Status
 from hophoop.precise.contact import Stiff
 from hophoop.precise.motion import Record, Run
 from hophoop.precise.problem import Body, Number, PreciseState, Problem
-from hophoop.precise.series import MorePrecision
+from hophoop.precise.series import MorePrecision, Work, work_of_step
 from hophoop.scenario import InputError, Scenario
 
 LEAST_DIGITS, MOST_DIGITS = 15, 1000
 BITS_A_DIGIT = 3.3219280948873626
 GUARD = 12  # digits beyond those asked for
+SURE = 0.9  # of the work that steps took, what as many take again for certain
 SECOND = 11  # bits that the second solution has more than the first: other roundings, other orders, other steps
 CLOSING_GUARD = 3  # digits: bounces are closed when their rest is this far below the digits asked for
 MOST_TRIES = 8
@@ -96,6 +98,7 @@ def solve(
     until: Any = None,
     max_events: int | None = None,
     closing: float | None = None,
+    most_steps: float | None = None,
 ) -> Solution:
     """Compute a rigid motion to a number of digits.
 
@@ -112,6 +115,9 @@ def solve(
     closing : float, optional
         A sequence of bounces is closed when its rest takes less than this part of the time so far; by default
         10^(−digits − 3) [1].
+    most_steps : float, optional
+        Steps of contact and flight that all computations may take together, at all their precisions: one with more than 106
+        bits counts for as many as take its time [1].
 
     Returns
     -------
@@ -122,9 +128,11 @@ def solve(
     ------
     ValueError
         If digits is not a whole number in its range, or the contact is compliant.
+    ArithmeticError
+        If it needs more steps than are allowed.
     """
     check(scenario, digits)
-    return solve_problem(Problem.of(scenario), digits, until, max_events, closing)
+    return solve_problem(Problem.of(scenario), digits, until, max_events, closing, most_steps)
 
 
 def solve_problem(
@@ -133,6 +141,7 @@ def solve_problem(
     until: Any = None,
     max_events: int | None = None,
     closing: float | None = None,
+    most_steps: float | None = None,
 ) -> Solution:
     """Compute the motion of exact numbers, which need not be doubles; see `solve`."""
     if closing is None:
@@ -141,8 +150,9 @@ def solve_problem(
         closing_at = closing
     base = int((digits + GUARD) * BITS_A_DIGIT) + problem.tiny()
     best: Solution | None = None
+    work = Work(math.inf if most_steps is None else most_steps)
     for _ in range(MOST_TRIES):
-        runs = _pair(problem, base, closing_at, until, max_events)
+        runs = _pair(problem, base, closing_at, until, max_events, work)
         if runs is None:  # what happens differs between the two: neither can be trusted
             base *= 2
             continue
@@ -179,16 +189,23 @@ def _levels(base: int) -> Iterator[tuple[int, bool]]:
     yield base * 3, True
 
 
-def _pair(problem: Problem, base: int, closing: Any, until: Any, max_events: int | None) -> tuple[Run, Run] | None:
+def _pair(problem: Problem, base: int, closing: Any, until: Any, max_events: int | None, work: Work) -> tuple[Run, Run] | None:
     """The motion at two working precisions; None where the events are not the same."""
+    steps = 0.0  # up to the undecided quantity of the level before; all of them are made again
     for bits, last in _levels(base):
-        rough, fine = (Run(problem, b, last, closing, until, max_events) for b in (bits, bits + SECOND))
+        rough, fine = (Run(problem, b, last, closing, until, max_events, work) for b in (bits, bits + SECOND))
+        price, other = work_of_step(bits), work_of_step(bits + SECOND)
+        work.need(SURE * steps * (price + other))
+        begin = work.left
         try:
-            rough.run()
+            with work.kept_back(SURE / (1.0 + SURE)):  # for the second one, which takes as much
+                rough.run()
+            price += other
             fine.run()
         except (MorePrecision, Stiff):
             if last:
                 return None
+            steps = (begin - work.left) / price
             continue
         return (rough, fine) if _signature(rough) == _signature(fine) else None
     return None
