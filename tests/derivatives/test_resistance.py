@@ -39,10 +39,6 @@ ROCKS = hh.Scenario(hoop=hh.Hoop.ideal(0.5), start=hh.Start.rolling(0.3, angle=2
 HELD = hh.Scenario(
     plane=hh.Plane(slope=0.1, mu=0.5, rolling_resistance=0.1), start=hh.Start.rolling(0.0, angle=3.0), duration=2.0
 )  # fmt: skip
-AT_REST = hh.Scenario(
-    hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(mu=0.15, rolling_resistance=0.05), start=hh.Start(vx=0.0, omega=0.0, angle=1.0),
-    duration=1.5,
-)  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -52,8 +48,6 @@ AT_REST = hh.Scenario(
         # a push along its way, and against it
         pytest.param(HELD, "start.speed", 1.0, ["rest.t", "rest.angle", "end.x"], marks=pytest.mark.long),
         pytest.param(HELD, "start.speed", -1.0, ["rest.t", "rest.angle", "end.x"], marks=pytest.mark.long),
-        (AT_REST, "start.vx", 1.0, ["stick.t", "stick.angle", "end.slip"]),
-        (AT_REST, "start.vx", -1.0, ["stick.t", "stick.angle", "end.slip"]),
     ],
 )
 def test_derivatives_to_one_side(scenario, path, side, of):
@@ -120,36 +114,6 @@ def test_the_couple_has_no_unit_of_its_own():
     assert by_mass == pytest.approx([0.0, 0.0, 0.0, value[3]], abs=1e-11)
 
 
-@pytest.mark.parametrize(
-    "scenario",
-    [
-        hh.Scenario(
-            plane=hh.Plane(rolling_resistance=0.05), start=hh.Start(height=0.1, vx=2.0, omega=1.0, angle=2.5), duration=0.5,
-        ),
-        hh.Scenario(
-            hoop=hh.Hoop.ideal(0.3), plane=hh.Plane(mu=0.1, rolling_resistance=0.1),
-            start=hh.Start(height=0.1, vx=2.0, omega=4.0, angle=2.5), duration=0.4,
-        ),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("law", ["stronge", "newton", "poisson"])
-def test_restitution_that_is_zero(scenario, law):
-    """In the first bounce the couple does not act: a difference of the order e, which motions with a small e show."""
-    scenario = scenario.with_values({"plane.impact_law": law})
-    motion = hh.simulate(scenario)
-    end = scenario.duration
-    fields = ("x", "angle", "omega", "slip", "rolling_resistance")
-    larger = motion.sensitivity([f"at({end}).{field}" for field in fields], "plane.restitution").larger[:, 0]
-    small, smaller = (hh.simulate(scenario.with_values({"plane.restitution": e})).at(end) for e in (2e-5, 1e-5))
-    still = motion.at(end)
-    for k, field in enumerate(fields):
-        by_small, by_smaller = (
-            (getattr(each, field) - getattr(still, field)) / e for each, e in ((small, 2e-5), (smaller, 1e-5))
-        )
-        assert larger[k] == pytest.approx(2 * by_smaller - by_small, rel=1e-3, abs=1e-5), field
-    assert abs(larger[1]) > 1e-3
-
-
 def test_the_edge_of_rest():
     """Where the couple is just enough to hold the hoop, or just not, the least change decides which."""
     angle = math.pi - math.asin(0.05 / 0.75)
@@ -164,12 +128,6 @@ def test_the_edge_of_rest():
     assert hh.simulate(inside).status == "at_rest"
     result = hh.sensitivity(inside, "end.angle", ["start.angle", RESISTANCE, "hoop.load_fraction", "start.speed"])
     assert result.derivatives[0].tolist() == [1.0, 0.0, 0.0, 0.0]  # a small push is stopped at once
-
-
-def test_a_hoop_at_rest_that_slips_and_turns():
-    """Which of the two little motions ends first is not gone into."""
-    rolling = AT_REST.with_values({"plane.mu": 0.9})
-    assert hh.sensitivity(rolling, "end.x", "start.omega").reasons == ((REASONS[Reason.BORDER],),)
 
 
 def test_the_massless_hoop_can_have_none():

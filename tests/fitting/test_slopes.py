@@ -125,3 +125,18 @@ def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
     rise = [(loss(one + step, True) - loss(one - step, True)) / (4 * step) for one in off]
     assert influence(off) == pytest.approx(rise, rel=1e-7, abs=1e-9)
     assert influence_slope(off) == pytest.approx((influence(off + step) - influence(off - step)) / (2 * step), rel=1e-7)
+
+
+def test_a_landing_without_restitution_leaves_differences_of_the_restitution_only():
+    track = filmed(hopping(plane=hh.Plane(mu=0.9), duration=0.9))
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH | {"restitution": 0.0}
+    names = ("gamma", "speed", "mu_kinetic", "restitution")
+    missing = np.isnan(exact_slopes(problem, values, names)).any(axis=0)
+    assert missing.tolist() == [False, False, False, True]
+    column = slopes(problem, Choice(values, names, {}, {}), names)[:, 3]
+    step = PARAMETERS["restitution"].step
+    above, still = (problem.residuals({**values, "restitution": e}) for e in (step, 0.0))
+    np.testing.assert_array_equal(column, (above - still) / step)
+    assert np.abs(column).max() > 0.0

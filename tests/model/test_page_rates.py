@@ -97,8 +97,8 @@ def test_derivatives_of_all_events_are_those_of_python() -> None:
         motion = hh.simulate(scenario)
         assert math.isinf(motion.doubt)
         _, smaller, larger = expected
-        upward = propagate(motion, (path,), edges=True)
-        downward = propagate(motion, (path,), -1.0, edges=True) if upward.one_sided else upward
+        upward = propagate(motion, (path,))
+        downward = propagate(motion, (path,), -1.0) if upward.one_sided else upward
         assert found["count"] == len(motion.events)
         for name, side, allowed in (("larger", upward, larger), ("smaller", downward, smaller)):
             assert (found[name] is not None) == allowed

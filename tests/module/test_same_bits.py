@@ -300,7 +300,7 @@ def test_changes(changing: Calls, computed: list[tuple[hh.Scenario, hh.Trajector
             continue
         for sign in (1.0, -1.0):
             mine, reasons, failed = changing.changes(cell_of(scenario), rates_of(scenario, WRT), sign)
-            theirs = propagate(motion, WRT, sign, edges=True)
+            theirs = propagate(motion, WRT, sign)
             assert reasons.tolist() == theirs.reasons.tolist()
             assert failed.tolist() == theirs.failed.tolist()
             for index in range(len(motion.events)):

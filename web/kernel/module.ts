@@ -177,7 +177,7 @@ export class HoopModule implements Mechanics {
     const more = memory.put("rates", rates);
     const larger = this.side(computed, more, 1);
     const { reason, sided } = larger;
-    const smaller = sided || reason === "border" || reason === "contact" ? this.side(computed, more, -1) : larger;
+    const smaller = sided || reason === "border" ? this.side(computed, more, -1) : larger;
     return { count: computed.count, larger, smaller };
   }
 

@@ -10,7 +10,6 @@ from hophoop.derivatives.events.conditions import (
     fail_all,
     go_with_jam,
     is_on_border,
-    lose_slip,
     meet_cone,
     meet_jam,
     meet_opening,
@@ -18,9 +17,8 @@ from hophoop.derivatives.events.conditions import (
     meet_time,
     part_at_rest,
 )
-from hophoop.derivatives.events.impact import NONE, SIDED, Blow, closing_impulse_change, impact_change
+from hophoop.derivatives.events.impact import NONE, PLASTIC, SIDED, Blow, closing_impulse_change, impact_change
 from hophoop.derivatives.events.massless import follow_strike, skim_rates
-from hophoop.derivatives.events.start_in_contact import let_fall, stop_throw
 from hophoop.derivatives.layout import (
     BEFORE_OM,
     BEFORE_VN,
@@ -33,8 +31,6 @@ from hophoop.derivatives.layout import (
     OM,
     P_N,
     P_T,
-    RESISTED,
-    REST,
     STATE_ROWS,
     TH,
     VN,
@@ -42,14 +38,14 @@ from hophoop.derivatives.layout import (
     Reason,
     Y,
 )
-from hophoop.derivatives.pieces.flight_and_rest import accelerations, motion_against, resisted_motion, skims_plane
+from hophoop.derivatives.pieces.flight_and_rest import accelerations, skims_plane
 from hophoop.derivatives.pieces.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.circular import sine
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, SKIMMING
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import free_acceleration, rolling_forces
+from hophoop.kernel.physics.contact import rolling_forces
 from hophoop.kernel.physics.impact import impact
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.physics.resistance import resistance_arm
@@ -66,43 +62,24 @@ START, BOUNCE_LIMIT, JAM, SKIM_START, REST_EVENT, END_EVENT = (
 )
 PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
 GRAZE, BORDER, CONTACT, SINGULAR = (int(why) for why in (Reason.GRAZE, Reason.BORDER, Reason.CONTACT, Reason.SINGULAR))
-MASSLESS, FRICTIONLESS, ENDED, PLASTIC = (
-    int(why) for why in (Reason.MASSLESS, Reason.FRICTIONLESS, Reason.ENDED, Reason.PLASTIC)
-)
+MASSLESS, FRICTIONLESS, ENDED = (int(why) for why in (Reason.MASSLESS, Reason.FRICTIONLESS, Reason.ENDED))
 
 
 @apart
-def begin_lifted(body, mode, state, tangents, reasons, k):
-    """Propagate a start in contact whose rim is lifted or launched: it flies off, or lands again and has other events."""
-    if mode == FLIGHT and tangents[Y, k] >= 0.0 and tangents[VN, k] >= 0.0:
-        reasons[k] = SIDED
-        return
-    sigma = slip_direction(mode)
-    exists = False
-    if body.kap > 0.0 and mode != FLIGHT and mode != SKIM:
-        if tangents[VN, k] != 0.0:
-            exists = stop_throw(body, sigma, state, tangents, k)
-        else:
-            exists = let_fall(body, sigma, state, tangents, k)
-    if exists:
-        reasons[k] = CONTACT
-    else:
-        fail(tangents, reasons, k, CONTACT)
-
-
-@apart
-def begin_changes(body, row, parameter_tangents, tangents, reasons):
+def begin_changes(body, row, tangents, reasons):
     """Propagate a changed start to the start of its first piece."""
     state = state_of(row)
     if state.y > 0.0 or state.vn != 0.0:
         return
     mode = row["after_mode"]
+    touches = mode != FLIGHT and mode != SKIM
+    slips_freely = touches and body.mu_k == 0.0 and slip_direction(mode) != 0
     for k in range(tangents.shape[1]):
         if tangents[Y, k] != 0.0 or tangents[VN, k] != 0.0:
-            begin_lifted(body, mode, state, tangents, reasons, k)
-    if mode != FLIGHT and mode != SKIM and state.vt == 0.0:
-        lose_slip(body, state, slip_direction(mode), parameter_tangents, tangents, reasons)
-    if mode != FLIGHT and mode != SKIM:
+            fail(tangents, reasons, k, CONTACT)
+        elif touches and state.vt == 0.0 and tangents[VT, k] != 0.0 and not slips_freely:
+            fail(tangents, reasons, k, BORDER)
+    if touches:
         part_at_rest(body, slip_direction(mode), state, tangents, reasons)
     if is_on_border(body, state):
         fail_all(tangents, reasons, BORDER)
@@ -118,44 +95,6 @@ def end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
         for k in range(tangents.shape[1]):
             if parameter_tangents[EPS, k] != 0.0 or parameter_tangents[KAP, k] != 0.0:
                 fail(tangents, reasons, k, MASSLESS)
-
-
-@apart
-def stays_with_small_bounces(row):
-    """Return True if the motion after a landing with e = 0 is the same to first order in a small e.
-
-    The bounces last a time of order e, at whose end the same quantities are zero as without them, N and F having done what
-    their impulses do. So the state differs by the order e², where the contact goes on and its slip keeps its direction;
-    except for the couple of rolling resistance, see `bounce_freely`.
-    """
-    mode = row["after_mode"]
-    return row["collision"] == 1 and mode != FLIGHT and mode != SKIM and (mode == ROLL or row["slip"] != 0.0)
-
-
-@apart
-def bounce_freely(body, row, before, drest, tangents, k):
-    """The time 2 v_n/abs(f_n) of the first bounce after a landing with a small e has no rolling resistance.
-
-    Returns whether that is all: a hoop that rolls must do so again after it, and a hoop at rest would begin to turn.
-    """
-    after = state_of(row)
-    s, c = sine_cosine(after.th, after.th_low)
-    small = 2.0**-30  # v_n after the landing is in proportion to e
-    thrown = impact(body, small, s, c, before.vt, before.vn)
-    along, away = free_acceleration(body, s, c, after.om * after.om)
-    rolls = row["after_mode"] == ROLL
-    if after.om == 0.0 or not away < 0.0:
-        return False
-    if rolls and not (thrown[0] == 0.0 and impact(body, 0.0, s, c, -2.0 * along / away, -1.0)[0] == 0.0):
-        return False
-    time = -2.0 * thrown[1] / (small * away) * drest
-    sigma = slip_direction(row["after_mode"])
-    with_couple = resisted_motion(body, sigma, after, 0.0)
-    without = motion_against(body, sigma, after, 0.0)
-    tangents[OM, k] -= (with_couple[0] - without[0]) * time
-    tangents[VT, k] -= (with_couple[1] - without[1]) * time
-    tangents[RESISTED, k] -= with_couple[3] * time
-    return True
 
 
 @apart
@@ -191,11 +130,10 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
         if reason == SIDED:
             if reasons[k] == NONE:
                 reasons[k] = SIDED
-        elif (
-            reason == PLASTIC
-            and stays_with_small_bounces(row)
-            and (body.resist == 0.0 or bounce_freely(body, row, before, parameter_tangents[REST, k], tangents, k))
-        ):
+        elif reason == PLASTIC:  # time and place of the landing do not change
+            for i in (OM, VT, VN, IMPACT_N, IMPACT_T):
+                tangents[i, k] = math.nan
+            event_tangents[P_N, k] = event_tangents[P_T, k] = math.nan
             if reasons[k] <= 0:
                 reasons[k] = PLASTIC
         elif reason != NONE:
@@ -236,7 +174,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
         follow_strike(body, state_of(piece), length_of(piece), parameter_tangents, tangents, event_tangents)
         return
     if kind == START:
-        begin_changes(body, row, parameter_tangents, tangents, reasons)
+        begin_changes(body, row, tangents, reasons)
         keep_before(tangents, event_tangents)
         return
     rates = (0.0, 0.0, 0.0, 0.0)
@@ -307,8 +245,6 @@ def pass_apex(body, row, piece, parameter_tangents, tangents, event_tangents, re
 def propagate_tangents(body, motion, parameter_tangents, tangents, solution, workspace):
     """Fill in the derivatives at all events and at the starts of all pieces of a motion.
 
-    After a landing with e = 0 the states go on, as they change with a larger e; the events there are others.
-
     Parameters
     ----------
     body : Body
@@ -355,6 +291,7 @@ def propagate_tangents(body, motion, parameter_tangents, tangents, solution, wor
         for k in range(tangents.shape[1]):
             if reasons[k] > 0 and failed[k] < 0:
                 failed[k] = i
+                fail(tangents, reasons, k, reasons[k])
     while done < segments.shape[0]:  # of no length, at the very end
         at_segments[done] = tangents
         done += 1

@@ -44,8 +44,10 @@ def _of_motion(problem: Problem, motion: Trajectory, values: dict[str, float], g
     """Columns of parameters of the scenario, each a group of its numbers."""
     paths = tuple(dict.fromkeys(path for group in groups for path in group))
     rated = propagate(motion, paths).at_times(problem.moments(motion, values), ("x", "height", "angle"))
-    together = np.array([[float(path in group) for group in groups] for path in paths])
-    change = {field: rates @ together for field, (_, rates) in rated.items()}
+    places = [[paths.index(path) for path in group] for group in groups]
+    change = {
+        field: np.stack([rates[:, of_group].sum(axis=1) for of_group in places], axis=-1) for field, (_, rates) in rated.items()
+    }
     return _residual_changes(problem, values, rated["angle"][0][:, None], change)
 
 

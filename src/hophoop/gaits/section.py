@@ -242,7 +242,7 @@ def _step(
     parameters[:, len(columns) :] = sign * changes
     solution = new_solution(len(events), len(segments), width)
     known = KnownMotion(events, segments, float(events["t"][-1]), math.inf)
-    _propagate(body, known, parameters, tangents, False, solution, Workspace(scratch, _local()))
+    _propagate(body, known, parameters, tangents, solution, Workspace(scratch, _local()))
     last = sign * solution.at_events[-1]
     if not landing:
         state = state_of(events[-1])

@@ -81,7 +81,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     },
     "derivatives": {
         "hophoop.derivatives.events.ending.propagate_motion": (
-            Body, Named("hophoop.derivatives.workspace.KnownMotion", (EVENTS, SEGMENTS, float, float)), TABLE, TABLE, bool,
+            Body, Named("hophoop.derivatives.workspace.KnownMotion", (EVENTS, SEGMENTS, float, float)), TABLE, TABLE,
             Named("hophoop.derivatives.workspace.Solution", (CUBE, CUBE, COUNTS, COUNTS)), WORKSPACE,
         ),
         "hophoop.derivatives.pieces.sampling.sample_tangents": (

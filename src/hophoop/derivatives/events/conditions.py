@@ -10,7 +10,7 @@ from hophoop.derivatives.pieces.forces import by_angle, change_of, rolling_slope
 from hophoop.derivatives.pieces.panels import momentum_change
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.trigonometry import sine_cosine
-from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness, slip_torque_arm
+from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_stiffness, slip_torque_arm
 from hophoop.kernel.physics.painleve import stiffness_slope
 from hophoop.kernel.physics.resistance import resistance_arm, torque_at_rest
 
@@ -166,41 +166,6 @@ def is_on_border(body, state):
         return abs(normal) <= scale
     margin = body.mu_s * normal - abs(friction)
     return abs(margin) <= scale * (1.0 + body.mu_s) or abs(normal) <= scale or (margin < 0.0 and opening <= scale)
-
-
-@apart
-def lose_slip(body, state, mode_sigma, parameter_tangents, tangents, reasons):
-    """A slip that is no more than the change of a start without slip: friction ends it at once, or it goes on.
-
-    What it does before it ends depends on its direction, so that such a change holds for one side only.
-    """
-    s, c = sine_cosine(state.th, state.th_low)
-    for k in range(tangents.shape[1]):
-        given = tangents[VT, k]
-        sigma = 1 if given > 0.0 else -1
-        if given == 0.0 or math.isnan(given) or (body.mu_k == 0.0 and mode_sigma != 0):
-            continue
-        if sigma == mode_sigma:
-            if reasons[k] == NONE:
-                reasons[k] = SIDED
-            continue
-        if body.kap == 0.0 or math.isinf(body.mu_k):
-            fail(tangents, reasons, k, BORDER)
-            continue
-        if state.om == 0.0 and body.resist > 0.0 and tangents[OM, k] != 0.0:  # which of both ends first is not resolved
-            fail(tangents, reasons, k, BORDER)
-            continue
-        rho = resistance_arm(body, s, c, state.om, sigma)
-        normal = slip_motion(body, s, c, state.om * state.om, sigma, rho)[1]
-        rates = resisted_motion(body, sigma, state, 0.0)
-        braking = rates[1]
-        if not (normal > 0.0 and sigma * braking < 0.0 and slip_stiffness(body, s, c, sigma, rho) > 0.0):
-            fail(tangents, reasons, k, BORDER)
-            continue
-        step_along(tangents, k, -given / braking, state, rates)
-        tangents[VT, k] = 0.0
-        if reasons[k] == NONE:
-            reasons[k] = SIDED
 
 
 @apart

@@ -30,24 +30,20 @@ TOUCH = 1e-9  # of the radius: a smaller gap is none
 
 
 @apart
-def motion_against(body, sigma, state, rho):
-    """(θ̈, v̇_t, 0, power lost to rolling resistance) in rolling (sigma = 0) or slip with the couple −ρ N."""
+def resisted_motion(body, sigma, state, way):
+    """(θ̈, v̇_t, 0, power lost to rolling resistance) in rolling (sigma = 0) or slip.
+
+    `way` is where a hoop turns that is at rest, 0 where it is held or not known.
+    """
     s, c = sine_cosine(state.th, state.th_low)
     u = state.om * state.om
+    rho = way * body.resist
+    if state.om != 0.0 or way == 0.0:
+        rho = resistance_arm(body, s, c, state.om, sigma)
     if sigma == 0:
         return rolling_acceleration(body, s, c, u, rho), 0.0, 0.0, rho * state.om * rolling_forces(body, s, c, u, rho)[1]
     turning, normal, along = slip_motion(body, s, c, u, sigma, rho)
     return turning, along, 0.0, rho * state.om * normal
-
-
-@apart
-def resisted_motion(body, sigma, state, way):
-    """`motion_against` the couple there is; `way` is where a hoop turns that is at rest, 0 where it is held or not known."""
-    rho = way * body.resist
-    if state.om != 0.0 or way == 0.0:
-        s, c = sine_cosine(state.th, state.th_low)
-        rho = resistance_arm(body, s, c, state.om, sigma)
-    return motion_against(body, sigma, state, rho)
 
 
 @apart

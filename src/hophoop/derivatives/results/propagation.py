@@ -48,7 +48,7 @@ from hophoop.vocabulary.quantities import QUANTITIES
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
 
-BORDER, CONTACT = int(Reason.BORDER), int(Reason.CONTACT)
+BORDER = int(Reason.BORDER)
 
 
 def unit_of(field: str) -> str:
@@ -109,7 +109,7 @@ class TangentSolution:
     @property
     def one_sided(self) -> list[int]:
         """The directions that may have another derivative towards smaller parameters."""
-        return [k for k, reason in enumerate(self.reasons.tolist()) if reason < 0 or reason in (BORDER, CONTACT)]
+        return [k for k, reason in enumerate(self.reasons.tolist()) if reason < 0 or reason == BORDER]
 
     def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> WithDerivatives:
         """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
@@ -280,7 +280,7 @@ def doubtful_from(motion: Motion) -> float:
     return doubt if doubt <= motion.tables["events"]["t"][-1] else math.inf
 
 
-def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool = False) -> TangentSolution:
+def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> TangentSolution:
     """Propagate the derivatives of a motion with respect to some parameters.
 
     Parameters
@@ -290,9 +290,6 @@ def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bo
     paths : sequence of str
     sign : float, default 1
         −1 for the derivatives towards smaller parameters, in the sign convention of those towards larger ones [1].
-    edges : bool, default False
-        Keep also how states change with a restitution that is 0 and becomes larger, behind a landing, and with a rim that is
-        lifted or launched from a start in contact.
 
     Returns
     -------
@@ -311,6 +308,6 @@ def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bo
     known = KnownMotion(events, segments, scenario.duration / motion.units.time, motion.kernel_doubt)
     found = new_solution(len(events), len(segments), len(paths))
     compiled(propagate_motion)(
-        scenario.to_body(), known, sign * given.parameter_tangents, sign * given.start, edges, found, new_workspace()
+        scenario.to_body(), known, sign * given.parameter_tangents, sign * given.start, found, new_workspace()
     )
     return TangentSolution(motion, given, sign * found.at_events, sign * found.at_segments, found.reasons, found.failed)

@@ -196,7 +196,7 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
         If a name is unknown, the motion has no such event, or its contact is compliant.
     """
     quantities, paths = names_of(of, "of"), names_of(wrt, "wrt")
-    larger = propagate(motion, paths, edges=True)
+    larger = propagate(motion, paths)
     reads = [quantity(motion, name) for name in quantities]
     derived = [read(larger) for read in reads]
     values = np.array([each.value for each in derived])
@@ -204,7 +204,7 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
     downward = np.array([_downward(each) for each in derived])
     sides = larger.one_sided
     if sides:
-        smaller = propagate(motion, [paths[k] for k in sides], -1.0, edges=True)
+        smaller = propagate(motion, [paths[k] for k in sides], -1.0)
         downward[:, sides] = np.array([_downward(read(smaller)) for read in reads])
     at = [value_of(motion.scenario, path) for path in paths]
     sided = [allowed_sides(motion.scenario, path, value) for path, value in zip(paths, at, strict=True)]
@@ -221,8 +221,7 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
         own = _reason(larger, k)
         at_edge, fixed = not all(sided[k]), not any(sided[k])
         for i in np.flatnonzero(~same[:, k]).tolist():
-            both = own == REASONS[Reason.CONTACT] and np.isfinite(upward[i, k]) and np.isfinite(downward[i, k])
-            reasons[i][k] = EDGE if fixed or (at_edge and not neither[i][k]) else SIDED if both else own
+            reasons[i][k] = EDGE if fixed or (at_edge and not neither[i][k]) else own
     return Sensitivity(
         motion.scenario, quantities, paths, values, np.array(at),
         derivatives, downward, upward, tuple(map(tuple, reasons)),

@@ -83,7 +83,7 @@ def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, 
     if pieces > 0 and not math.isnan(doubt):
         kernel_times(parts["t"], parts[-1]["t_end"], np.full(1, doubt), scales.time, when)
     motion = KnownMotion(rows, parts, cells[DURATION, 0] / scales.time, when[0])
-    propagate_motion(body, motion, by, start, True, solution, Workspace(new_scratch(), np.zeros((ROWS, ORDER))))
+    propagate_motion(body, motion, by, start, solution, Workspace(new_scratch(), np.zeros((ROWS, ORDER))))
     for i in range(count):
         write_changes(rows[i], scales, units, sign, solution.at_events[i], table[i])
     for k in range(n):
