@@ -6,6 +6,7 @@ import pytest
 from hypothesis import strategies as st
 
 import hophoop as hh
+from hophoop.kernel.physics.ranges import MOST_HEIGHT, MOST_SPEED
 from hophoop.scenario import sentence
 from hophoop.scenario.ranges import RANGES
 
@@ -79,15 +80,17 @@ def scenarios(draw):
             ]
         )
     )
+    fastest = min(0.9 * MOST_SPEED * math.sqrt(hoop.radius * (plane.gravity or 1.0)), RANGES["start.speed"].most)
+    speed = st.floats(-fastest, fastest)
     start = draw(
         st.sampled_from(
             [
-                hh.Start.rolling(draw(ranged("start.speed")), angle=draw(ranged("start.angle"))),
+                hh.Start.rolling(draw(speed), angle=draw(ranged("start.angle"))),
                 hh.Start(
                     x=draw(ranged("start.x")),
-                    height=draw(ranged("start.height")),
-                    vy=draw(ranged("start.vy")),
-                    omega=draw(ranged("start.omega")),
+                    height=draw(st.floats(0.0, min(MOST_HEIGHT * hoop.radius, RANGES["start.height"].most))),
+                    vy=draw(speed),
+                    omega=draw(speed) / max(hoop.radius, 1.0),
                 ),
                 hh.Start(),
             ]

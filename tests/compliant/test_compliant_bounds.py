@@ -64,16 +64,16 @@ def kept(index: int) -> hh.Scenario:
 
 
 def test_an_angle_keeps_its_digits_through_a_flight_of_many_turns():
-    """Beside 7·10¹³ rad the last digit of one double is 0.01 rad, and the energy off by 10⁻³."""
+    """Next to 5·10¹¹ rad the last digit of one double is 10⁻⁴ rad."""
     plane = hh.Plane(mu=0.3, gravity=1e-4)
-    start = hh.Start(height=1e6, angle=0.3, omega=-1e5, vx=0.0)
+    start = hh.Start(height=1e6, angle=0.3, omega=-9e3, vx=0.0)
     motion = hh.simulate(
         hh.Scenario(
             plane=plane, start=start, duration=1e9, contact=hh.Compliant(stiffness=1e8, friction="linear", max_events=60)
         )
     )
     assert len(motion.sequence) > 2
-    assert abs(motion.events[-1].angle) > 5e13
+    assert abs(motion.events[-1].angle) > 5e11
     assert abs(motion.ledger.residual) <= 1e-6 * motion.ledger.range
 
 

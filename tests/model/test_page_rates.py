@@ -25,7 +25,8 @@ EDGES = [
     "plane.mu_static=inf&plane.mu_kinetic=0.5", "plane.mu_static=0.6&plane.mu_kinetic=0.5", "start.speed=0",
     "plane.slope=1.57", "start.vx=1&start.omega=0", "start.vx=1&start.omega=-0.0&hoop.radius=0.3",
     "start.speed=-1e6&duration=1e-9", "hoop.mass=1e12", "hoop.eccentricity=1&hoop.inertia_ratio=0",
-    "hoop.eccentricity=0&hoop.inertia_ratio=1", "plane.rolling_resistance=0.02", "plane.gravity=1e-6&hoop.radius=1e-6",
+    "hoop.eccentricity=0&hoop.inertia_ratio=1", "plane.rolling_resistance=0.02",
+    "plane.gravity=1e-6&hoop.radius=1e-6&start.speed=0.1",
     "hoop.eccentricity=0.3&hoop.inertia_ratio=1e-12", "hoop.eccentricity=0.3&hoop.inertia_ratio=1e6",
 ]  # fmt: skip
 

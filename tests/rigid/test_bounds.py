@@ -89,14 +89,14 @@ def test_a_strike_that_rebounds_ends_with_a_finite_state(rest):
 @pytest.mark.slow
 @pytest.mark.compiled
 def test_panels_are_used_up():
-    """16 000 turns a millisecond: the motion ends with what has been computed, and says where."""
-    motion = hh.simulate(hh.Scenario(hoop=hh.Hoop.ideal(0.0, radius=1e-6), start=hh.Start.rolling(1e6), duration=1e9))
+    """16 turns a millisecond for 30 years: the motion ends with what has been computed, and says where."""
+    motion = hh.simulate(hh.Scenario(hoop=hh.Hoop.ideal(0.0, radius=1e-2), start=hh.Start.rolling(1e3), duration=1e9))
     assert motion.status == "event_limit"
     assert 0.9 * MOST_PANELS <= 2 * len(motion.tables["segments"]) <= MOST_PANELS
     end = motion.events[-1]
     assert end.kind == "end"
     assert end.t == motion.duration
-    assert end.x == pytest.approx(1e6 * end.t, rel=1e-12)  # ε = 0: it rolls on evenly
+    assert end.x == pytest.approx(1e3 * end.t, rel=1e-12)  # ε = 0: it rolls on evenly
     assert is_finite(motion)
 
 
@@ -116,18 +116,18 @@ def test_turns_of_a_flight_are_used_up(contact):
 
 @pytest.mark.parametrize("gravity", [9.81, 0.0])
 def test_a_flight_of_many_turns_keeps_its_law(gravity):
-    """10⁶ and 10⁹ turns up in the air are not looked at; where G is, and the energy, is right to rounding."""
+    """10⁶ and 10⁷ turns up in the air are not looked at; where G is, and the energy, is right to rounding."""
     plane = hh.Plane(gravity=gravity)
-    start = hh.Start(height=1e3, vy=10.0, omega=1e7)
+    start = hh.Start(height=1e3, vy=10.0, omega=1e6)
     motion = hh.simulate(hh.Scenario(plane=plane, start=start, duration=100.0, contact=hh.Rigid(max_events=4)))
     rise = 10.0  # of G, as sin θ = 0
     if gravity:
         impact = motion.find("impact")[0]
         # the rim is lowest beside G where the load is at the top, once a turn
         lowest = (rise + math.sqrt(rise**2 + 2 * gravity * 1e3)) / gravity
-        assert lowest * (1 - 1e-12) <= impact.t <= lowest + 2 * math.pi / 1e7
+        assert lowest * (1 - 1e-12) <= impact.t <= lowest + 2 * math.pi / 1e6
         apex = motion.find("apex")[0]
-        assert apex.t == pytest.approx(rise / gravity, abs=2 * math.pi / 1e7)
+        assert apex.t == pytest.approx(rise / gravity, abs=2 * math.pi / 1e6)
         assert apex.height == pytest.approx(1e3 + 0.5 * rise**2 / gravity + 1.5, rel=1e-9)
     else:
         assert motion.status == "completed"

@@ -80,13 +80,6 @@ def test_a_massless_hoop_rolls_or_skims_from_the_start(angle, om, mode, status):
     assert phase == Phase(mode, state, status == GOING, 1, 0.0, START_LEVEL, Ending.CONTINUES, status)
 
 
-@pytest.mark.parametrize("height", [1e-300, 1e-260])
-def test_a_rim_whose_fall_would_underflow_is_on_the_plane(height):
-    phase, events = begin(body_of(), state_of(0.5, y=height))
-    assert events == [(Event.START, NOWHERE, Mode.ROLL)]
-    assert phase.state == state_of(0.5)
-
-
 @pytest.mark.parametrize(
     "given", [{"y": 1e-200}, {"y": 0.5, "vn": -0.5}, {"y": 1.0, "vn": -0.5}, {"vn": 0.5}, {"y": 0.5, "vt": 0.5}]
 )

@@ -140,7 +140,7 @@ def test_units():
     assert skim.omega == pytest.approx(math.sqrt(1.6 / 0.25), rel=1e-12)
 
 
-@pytest.mark.parametrize("speed", [1.0, 30.0, 1e4, 1e6])
+@pytest.mark.parametrize("speed", [1.0, 30.0, 1e4])
 @pytest.mark.parametrize("gravity", [0.0, 1.4e-4, 9.81])
 def test_the_load_falls_for_as_long_as_its_parabola_says(speed, gravity):
     """The fall ends where R (1 + cos θ) is used up; of a fast one with little gravity the duration was rounding."""

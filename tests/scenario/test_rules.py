@@ -36,6 +36,8 @@ BROKEN = {
     Refusal.TANGENTIAL_STIFFNESS: f"{COMPLIANT}&contact.tangential_stiffness=1e17",
     Refusal.SLIP_SPEED: f"{COMPLIANT}&contact.slip_speed=1e-12",
     Refusal.TOO_SOFT: f"{COMPLIANT}&contact.stiffness=100&start.height=1e6",
+    Refusal.TOO_FAST: "hoop.radius=1e-3&start.vx=1e6",
+    Refusal.TOO_HIGH: "hoop.radius=0.5&start.height=1e6",
 }
 
 

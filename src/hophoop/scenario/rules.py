@@ -8,7 +8,7 @@ from typing import Any, Final, NamedTuple
 
 from pydantic_core import PydanticCustomError
 
-from hophoop.kernel.physics.ranges import MOST_DEPTH
+from hophoop.kernel.physics.ranges import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
 from hophoop.kernel.records.refusal import Refusal
 from hophoop.scenario.base import refuse
 from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
@@ -68,6 +68,8 @@ RULES: Final[dict[Refusal, Rule]] = {
         "relative_contact", {"value": "contact.slip_speed"}, {"name": "slip_speed", **_SLIP_SPEED}, "relative"
     ),
     Refusal.TOO_SOFT: Rule("too_soft", {"stiffness": "contact.stiffness"}, {"most": MOST_DEPTH}, "depth"),
+    Refusal.TOO_FAST: Rule("too_fast", {}, {"most": MOST_SPEED}, "speed"),
+    Refusal.TOO_HIGH: Rule("too_high", {"height": "start.height"}, {"most": MOST_HEIGHT}, "relative"),
 }  # fmt: skip
 
 

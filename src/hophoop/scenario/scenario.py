@@ -16,7 +16,7 @@ from hophoop._support.errors import InputError
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Body, Mode
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.layout import CELL, CONTACT, DURATION
+from hophoop.kernel.records.layout import CONTACT
 from hophoop.kernel.records.refusal import refusal
 from hophoop.scenario.base import Frozen, Positive, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
@@ -72,15 +72,12 @@ class Scenario(Frozen):
 
     @model_validator(mode="after")
     def _fitting(self) -> Scenario:
-        rigid = isinstance(self.contact, Rigid)
-        # for a rigid contact no rule needs the start, which takes most of the time of a cell
-        cell = (*_HOOP_NUMBERS(self.hoop), *_PLANE_NUMBERS(self.plane), *_NO_START) if rigid else cell_of(self)
-        code, number = refusal(cell, contact_of(self.contact))
+        code, number = refusal(cell_of(self), contact_of(self.contact))
         if code:
             raise refused(code, self, number)
         if self.start.slip is not None:
             self._check_slip(self.start.slip)
-        if rigid and self.start.mode is not None and (why := _why_not_in_mode(self)):
+        if isinstance(self.contact, Rigid) and self.start.mode is not None and (why := _why_not_in_mode(self)):
             raise refuse(f"start.mode = {self.start.mode!r} cannot hold: {why}.")
         return self
 
@@ -420,7 +417,6 @@ def _numbers(section: str) -> attrgetter[tuple[float, ...]]:
 
 _MODES = {None: -1, **{letter: code for code, letter in enumerate(MODE_LETTERS)}}  # of a start
 _HOOP_NUMBERS, _PLANE_NUMBERS = _numbers("hoop"), _numbers("plane")
-_NO_START = (0.0,) * (len(CELL) - DURATION)  # the other columns of a cell
 
 
 def time_unit(hoop: Hoop, plane: Plane) -> float:

@@ -66,6 +66,8 @@ TEXTS: Final[dict[str, str]] = {
         "contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e} radii into the plane, at the speed "
         "of the start, and must be high enough for at most {most:g}."
     ),
+    "too_fast": "start has a speed of {speed:.3g} √(g R), with R of the hoop, and must have at most {most:g} √(g R).",
+    "too_high": "start.height = {height!r} is {relative:.3g} radii of this hoop and must be at most {most:g} radii.",
     # paths
     "no_parameter": "{path} is not a parameter of a scenario; known are {known}.",
     "no_section_parts": "{path} is not a parameter of a scenario: {section} has no parts.",

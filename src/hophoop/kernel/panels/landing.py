@@ -13,13 +13,11 @@ from typing import NamedTuple
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.arcs import arccosine
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.numerics.double_double import turns_and_rest
 from hophoop.kernel.physics.flight import MANY_TURNS, flight_rates
 
 MOST_BENDS = 20_000  # maximum of arcs between inflections per flight: about 10,000 revolutions close to the plane
 MANY = 3_000.0  # rad: in a longer flight, times are skipped at which the rim is too high to land at any angle
 MOST_STEPS = 200  # towards a root; a step that leaves the bracket is replaced by a halving
-MANY_RADIANS = 1e15  # a larger angle has too few digits to subtract the revolutions in double precision
 NEAR = 9.0  # rad before the apex and before the plane at which the search starts: more than one revolution
 RESOLVED_TIME = 2e-16  # relative accuracy of a root
 
@@ -106,7 +104,7 @@ def downcrossing_between(body, flight, first, last, level):
     tau = low + parabola_downcrossing(value, slope, bend)
     if not low < tau < high:
         drop = value - target_function(last, level, way)[0]
-        # in a flight of 10¹⁶ rad both ends may have the same time
+        # both ends of an arc may have the same gap
         tau = low + (high - low) * (value / drop) if drop > 0.0 else low
     before = 0.0
     for _ in range(MOST_STEPS):
@@ -193,9 +191,7 @@ def search_start(body, flight, rise, start, never):
 @inline
 def angle_from_top(angle):
     """Return the angle reduced to within half a revolution of the top."""
-    if abs(angle) < MANY_RADIANS:
-        return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
-    return turns_and_rest(angle)[1]
+    return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
 
 
 @apart

@@ -12,7 +12,7 @@ from hophoop.kernel.physics.compliant import STIFFNESS as USUAL_STIFFNESS
 from hophoop.kernel.physics.compliant import sinking
 from hophoop.kernel.physics.ranges import INERTIA_RATIO as INERTIA_RANGE
 from hophoop.kernel.physics.ranges import MASS as MASS_RANGE
-from hophoop.kernel.physics.ranges import MOST_DEPTH
+from hophoop.kernel.physics.ranges import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
 from hophoop.kernel.physics.ranges import SLIP_SPEED as SLIP_RANGE
 from hophoop.kernel.physics.ranges import SLOPE as SLOPE_RANGE
 from hophoop.kernel.physics.ranges import STIFFNESS as STIFFNESS_RANGE
@@ -59,12 +59,14 @@ class Refusal(IntEnum):
     TANGENTIAL_STIFFNESS = 14
     SLIP_SPEED = 15
     TOO_SOFT = 16
+    TOO_FAST = 17
+    TOO_HIGH = 18
 
 
 (
     NONE, HOOP_MASS, LOAD_INERTIA, PARTS_INERTIA, MASSLESS_ECCENTRICITY, KINETIC_ABOVE_STATIC, VERTICAL, STEEP,
     MASSLESS_SLOPE, MASSLESS_RESISTANCE, RESISTANCE, MASSLESS_COMPLIANT, COMPLIANT_FRICTION, STIFFNESS,
-    TANGENTIAL_STIFFNESS, SLIP_SPEED, TOO_SOFT,
+    TANGENTIAL_STIFFNESS, SLIP_SPEED, TOO_SOFT, TOO_FAST, TOO_HIGH,
 ) = (int(rule) for rule in Refusal)  # fmt: skip
 
 
@@ -111,13 +113,26 @@ def refusal(cell, contact):
         most = most_resistance(cell[ECCENTRICITY], cell[INERTIA_RATIO])
         if not resist < most:
             return RESISTANCE, most
-    if len(contact) == 0:
-        return NONE, 0.0
+    code, number = start_refusal(cell)
+    if code != NONE or len(contact) == 0:
+        return code, number
     if massless:
         return MASSLESS_COMPLIANT, 0.0
     if cell[MU_STATIC] == math.inf:
         return COMPLIANT_FRICTION, 0.0
     return contact_refusal(cell, contact)
+
+
+def start_refusal(cell):
+    """Return the rule that a start breaks because it is too fast or too high for its hoop, as `refusal` does."""
+    radius = cell[RADIUS]
+    unit = math.sqrt(radius * (cell[GRAVITY] if cell[GRAVITY] > 0.0 else 1.0))
+    rim = radius * cell[OMEGA]
+    speed = max(abs(cell[SLIP] + rim), abs(rim), abs(cell[VY])) / unit
+    if speed > MOST_SPEED:
+        return TOO_FAST, speed
+    height = cell[HEIGHT] / radius
+    return (TOO_HIGH, height) if height > MOST_HEIGHT else (NONE, 0.0)
 
 
 def contact_refusal(cell, contact):

@@ -6,14 +6,13 @@ import math
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.numerics.double_double import plus
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.landing import first_landing
 from hophoop.kernel.panels.panel import FLY, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.physics.flight import flight_displacement, flight_gap
-from hophoop.kernel.records.state import at_time, flown, moved, time_left, with_velocities
+from hophoop.kernel.records.state import at_time, flown, time_left, with_velocities
 from hophoop.kernel.records.writing import write_plain_event, write_segment
 from hophoop.kernel.rigid.ending import Ending
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, angle_left, at_span
@@ -26,38 +25,21 @@ COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 # A sequence of bounces is closed when the bounces to come would take less than this fraction of the time so far.
 CLOSING = 1e-12
 SLOWEST_BOUNCE = 1e-100  # the heights of slower bounces come close to underflow
-# rad: after a longer rotation time is too coarse to give the angle to 1e-7 rad, which shows in v_n
-BLURRED = 1e9
+LONGEST_FLIGHT = 1e9  # rad: after a longer rotation time is too coarse to give the angle to 1e-7 rad
 
 
 @apart
 def apex_state(body, state, opening, apex):
     """Return the state at the apex of a flight."""
     s, c = sine_cosine(state.th, state.th_low)
-    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)
+    y = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)[0]
     along, vt = flight_displacement(body, state.vt, state.om, s, c, apex)
-    if abs(state.om * apex) < BLURRED:
-        vn = 0.0  # else v_n stays as it is at this time, so that it is consistent with the angle
-    return flown(state, along, y, apex, vt, vn)
-
-
-@apart
-def mirror_to_approach(body, state):
-    """Return the state before a landing with θ replaced by −θ, where the gap is the same and the rim approaches.
-
-    For flights of so many revolutions that rounding decides the angle at landing. The centre of gravity, at ε sin θ and ε cos θ
-    from the rim's centre, keeps its position and its velocity, which is v_n − ε θ̇ sin θ.
-    """
-    s, _ = sine_cosine(state.th, state.th_low)
-    x, x_low = plus(state.x, state.x_low, 2.0 * body.eps * s)
-    vn = state.vn - 2.0 * body.eps * state.om * s
-    after = moved(state, state.t, state.t_low, x, x_low, state.y, state.turns, -state.th, -state.th_low)
-    return with_velocities(after, state.vt, vn, state.om)
+    return flown(state, along, y, apex, vt, 0.0)
 
 
 @apart
 def fly(body, state, opening, zeros, limits, log):
-    """Fly until the landing, the time limit or the angle limit.
+    """Fly until the landing, the time limit, the angle limit or `LONGEST_FLIGHT`.
 
     `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
     derivatives of the gap that vanish there.
@@ -72,6 +54,9 @@ def fly(body, state, opening, zeros, limits, log):
         if until < limit:
             limit = until
             what = Ending.ANGLE_LIMIT
+    if abs(state.om) * limit > LONGEST_FLIGHT:
+        limit = LONGEST_FLIGHT / abs(state.om)
+        what = Ending.SEARCH_LIMIT
     landing, apex, seen = first_landing(body, state.th, state.om, state.y, state.vn, opening, zeros, limit)
     tau = limit
     if seen < limit:
@@ -89,7 +74,7 @@ def fly(body, state, opening, zeros, limits, log):
         y = 0.0
     after = flown(state, along, y, tau, vt, vn)
     if what == Ending.LANDING and vn > 0.0:
-        after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) < BLURRED else mirror_to_approach(body, after)
+        after = with_velocities(after, vt, 0.0, state.om)
     if what == Ending.TIME_LIMIT:
         after = at_time(after, limits.t_end)
     elif what == Ending.ANGLE_LIMIT:

@@ -16,7 +16,6 @@ from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.cells import body_of, mode_of, second_of, start_of
 from hophoop.kernel.records.layout import DURATION, EVENTS, MAX_EVENTS, SEGMENTS, Outcome
 from hophoop.kernel.records.scratch import new_scratch
-from hophoop.kernel.records.state import moved
 from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event, write_segment
 from hophoop.kernel.rigid.contact_phase import contact_step
 from hophoop.kernel.rigid.ending import Ending
@@ -34,7 +33,6 @@ COMPLETED, UNDETERMINED, EVENT_LIMIT, BUFFER = (
 )
 
 LARGEST = 1e150  # maximum of all quantities of a motion in its own units: the squares of larger ones overflow
-LOWEST_START = 1e-250  # a rim this low is in contact: the time to fall would underflow
 BY_RULE = -1  # instead of a mode at the start: the rule of the modes selects it
 RISING = 1e-6  # relative: slip that starts at the friction cone has v̇_t = 0 within rounding; slip that ends has more than this
 
@@ -98,8 +96,6 @@ def begin_in_mode(body, mode, state, log, scratch):
 def begin(body, start, given, log, scratch):
     """Start the motion, in a given mode or BY_RULE: write its START event and return its first phase."""
     state = start
-    if 0.0 < state.y < LOWEST_START:
-        state = moved(state, state.t, state.t_low, state.x, state.x_low, 0.0, state.turns, state.th, state.th_low)
     if body.kap == 0.0:
         return begin_massless(body, state, given, log, scratch)
     if state.y > 0.0 or state.vn != 0.0 or given == FLIGHT:
