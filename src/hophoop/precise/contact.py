@@ -169,8 +169,6 @@ def first_event(
         return None
     events.sort()
     first = events[0]
-    if body.massless:  # F/N = tan(θ/2): both margins vanish where N does, and both mean the same
-        return first[2], first[0]
     for other in events[1:]:
         if judge.sign(other[0] - first[0], 1 << bits) == 0 and other[1] < first[1]:
             first = other

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.precise import massless
 from hophoop.precise.contact import Advance, Stopped, advance
 from hophoop.precise.flight import fly
 from hophoop.precise.impact import impact
@@ -245,12 +244,8 @@ class Run:
                 self.slip_zeros = 2 if self.problem.mu_s == self.problem.mu_k else 1
         elif state.y > 0 or state.vn != 0:
             self.write(Event.START, Mode.FLIGHT, Mode.FLIGHT)
-            if self.problem.massless:
-                raise Stopped(Status.UNDETERMINED)
             if state.y == 0 and state.vn < 0:
                 self.land()
-        elif self.problem.massless:
-            massless.begin(self)
         else:
             self.settle(Event.START, None)
 
@@ -265,9 +260,6 @@ class Run:
             if not landing.lands:
                 raise Stopped(Status.COMPLETED)
             self.land()
-            return
-        if self.mode == Mode.SKIM:
-            massless.skim(self)
             return
         if self.state.om == 0 and self.is_still():
             self.stand()
@@ -339,8 +331,6 @@ class Run:
         elif done.what == Advance.JAM:
             self.write(Event.JAM, was, was)
             raise Stopped(Status.JAMMED)
-        elif self.problem.massless:
-            massless.let_go(self)
         else:
             self.leave_cone(done.what)
 

@@ -190,7 +190,6 @@ class Body:
         weight = 1 if problem.gravity else 0
         slope = self.number(problem.slope)
         self.gn, self.gt = weight * ctx.cos(slope), weight * ctx.sin(slope)
-        self.massless = problem.massless
         self.zero, self.one = ctx.mpf(0), ctx.mpf(1)
         self.fixed = Fixed(
             bits,

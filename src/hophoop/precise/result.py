@@ -191,7 +191,6 @@ def _change(event: PreciseEvent) -> str:
 
 
 def _text(value: Decimal) -> str | None:
-    # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
     return str(value) if value.is_finite() else None
 
 

@@ -127,7 +127,7 @@ def solve(
     Raises
     ------
     ValueError
-        If digits is not a whole number in its range, or the contact is compliant.
+        If digits is not a whole number in its range, the contact is compliant or the hoop massless.
     ArithmeticError
         If it needs more steps than are allowed.
     """
@@ -177,6 +177,13 @@ def check(scenario: Scenario, digits: int) -> None:
     if scenario.contact.model != "rigid":
         raise InputError(
             f"digits = {digits!r} needs rigid contact: a compliant contact is solved in double precision only.",
+            field="digits",
+            value=digits,
+        )
+    if scenario.hoop.massless:
+        raise InputError(
+            f"digits = {digits!r} needs a rim with mass: the massless hoop (hoop.inertia_ratio = 0) has closed forms and is "
+            "solved in double precision only.",
             field="digits",
             value=digits,
         )

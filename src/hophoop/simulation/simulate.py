@@ -102,7 +102,7 @@ def simulate(
     ------
     ValueError
         If the duration is not positive, the parts contradict each other, a scenario is given together with a part, until is
-        unknown, digits is out of range, or digits or until is given with a compliant contact.
+        unknown, digits is out of range or given for the massless hoop, or digits or until is given with a compliant contact.
 
     Examples
     --------
