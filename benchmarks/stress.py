@@ -86,6 +86,7 @@ def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
         "vy": start.get("vy", 0.0),
         "omega": sign * omega,
         "slip": sign * slip,
+        "mode": BY_RULE,
         "duration": sections["duration"],
         "max_events": EVENTS,
         "ideal": "load_fraction" in hoop,

@@ -377,7 +377,8 @@ def _why_not_in_mode(scenario: Scenario) -> str:
         return ""
     u = state.om * state.om
     rounding = ROUNDED * (body.gn + abs(body.gt) + u)
-    opening = free_acceleration(body, *sine_cosine(state.th, state.th_low), u)[1]
+    s, c = sine_cosine(state.th, state.th_low)
+    opening = free_acceleration(body, s, c, u)[1]
     if mode == Mode.FLIGHT:
         return "without contact the rim would enter the plane" if opening < -rounding else ""
     found = next_mode(body, state.th, state.th_low, state.om, state.vt)
@@ -415,7 +416,7 @@ def _numbers(section: str) -> attrgetter[tuple[float, ...]]:
     return attrgetter(*(row.path.partition(".")[2] for row in TABLE if row.column and section_of(row) == section))
 
 
-_MODES = {None: -1, **{letter: code for code, letter in enumerate(MODE_LETTERS)}}  # of a start
+_MODES: dict[str | None, int] = {None: -1} | {letter: code for code, letter in enumerate(MODE_LETTERS)}  # of a start
 _HOOP_NUMBERS, _PLANE_NUMBERS = _numbers("hoop"), _numbers("plane")
 
 

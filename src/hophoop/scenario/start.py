@@ -182,7 +182,7 @@ class Start(Frozen):
         paradox = str(getattr(state, "kind", "")).startswith("painleve")  # another event follows at the same instant
         if not paradox and (mode == "H" or given["height"] == given["vy"] == 0.0):
             given["mode"] = mode
-            given["slip"] = _WITHIN[mode](given["slip"])
+            given["slip"] = _slip_within(mode, given["slip"])
         return cls(**given)
 
     def state(self, hoop: Hoop) -> StartState:
@@ -209,5 +209,10 @@ class Start(Frozen):
 
 _FREE = ("height", "vx", "vy", "omega")
 _SLIPS = {"R": "0", "S": "at most 0", "K": "at least 0"}
-# A sample at the end of slip has v_t = 0 within rounding.
-_WITHIN = {"R": lambda slip: 0.0, "S": lambda slip: min(slip, 0.0), "K": lambda slip: max(slip, 0.0), "H": float}
+
+
+def _slip_within(mode: str, slip: float) -> float:
+    """Return a slip velocity that its mode allows: at the end of slip a sample has 0 within rounding [m/s]."""
+    if mode == "S":
+        return min(slip, 0.0)
+    return max(slip, 0.0) if mode == "K" else 0.0 if mode == "R" else slip

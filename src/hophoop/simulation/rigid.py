@@ -95,7 +95,7 @@ def _simulated(scenario: Scenario) -> RigidMotion:
             break
     events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
     doubt = math.inf if math.isnan(outcome.doubt) else outcome.doubt
-    return RigidMotion(outcome.status, events, segments if len(segments) else end_of(events), doubt)
+    return RigidMotion(outcome.status, events, segments if len(segments) else end_of(events, False), doubt)
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool = False) -> np.ndarray:

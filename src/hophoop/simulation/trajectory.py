@@ -176,7 +176,8 @@ class Trajectory:
         -----
         A time belongs to an event if it equals the event's `t`. At an event that starts a phase the sample is the event's own
         state, to the last bit. Just before the load of a massless hoop strikes the plane, `omega` and `vx` are infinite,
-        because θ̇ of the rim is unbounded. The energy is then that of the load.
+        because θ̇ of the rim is unbounded. The energy is then that of the load. At a jam, where N is infinite, both sides are
+        the state before it.
         """
         if side not in ("left", "right"):
             raise InputError.of_field("side", side, "'left' or 'right'")

@@ -190,15 +190,17 @@ def _cut_at_event(events: np.ndarray, segments: np.ndarray, row: int) -> tuple[n
     _make_end(kept[row + 1 :], int(events["after_mode"][row]))
     last = events[row]
     before = (segments["t"] < last["t"]) | ((segments["t"] == last["t"]) & (segments["t_low"] < last["t_low"]))
-    return kept, np.append(segments[before], end_of(kept))
+    return kept, np.append(segments[before], end_of(kept, True))
 
 
-def end_of(events: np.ndarray) -> np.ndarray:
+def end_of(events: np.ndarray, forces: bool) -> np.ndarray:
     """Return a segment of zero length with the state after the last event, as `kernel.rigid.run.write_end` does.
 
     Parameters
     ----------
     events : ndarray of records.EVENT
+    forces : bool
+        Whether the contact forces of its mode are known.
 
     Returns
     -------
@@ -209,7 +211,7 @@ def end_of(events: np.ndarray) -> np.ndarray:
         last[name] = events[name][-1]
     mode = int(events["after_mode"][-1])
     last["t_end"], last["mode"], last["sigma"] = events["t"][-1], mode, slip_direction(mode)
-    last["kind"] = LINEAR if mode in (ROLL, SPIN, SKID) else FLY
+    last["kind"] = LINEAR if forces and mode in (ROLL, SPIN, SKID) else FLY
     last["way"] = np.sign(last["omega"])
     return last
 

@@ -28,8 +28,8 @@ from hophoop.kernel.rigid.transitions import resolve_mode
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
 START, END = int(Event.START), int(Event.END)
-COMPLETED, UNDETERMINED, EVENT_LIMIT, BUFFER = (
-    int(end) for end in (Status.COMPLETED, Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER)
+COMPLETED, JAMMED, UNDETERMINED, EVENT_LIMIT, BUFFER = (
+    int(end) for end in (Status.COMPLETED, Status.JAMMED, Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER)
 )
 
 LARGEST = 1e150  # maximum of all quantities of a motion in its own units: the squares of larger ones overflow
@@ -131,7 +131,8 @@ def can_follow(before, after, t_end):
 def write_end(log, mode, phase):
     """Write a segment of zero length with the state after the event that ends the motion.
 
-    Without an answer of the model the contact forces are not known: the segment then has none, as in flight.
+    Without an answer of the model the contact forces are not known: the segment then has none, as in flight. At a jam N is
+    infinite, and no segment is written.
     """
     contact = phase.status == COMPLETED and mode in (ROLL, SPIN, SKID)
     way = 1.0 if phase.state.om > 0.0 else -1.0 if phase.state.om < 0.0 else 0.0
@@ -154,7 +155,7 @@ def follow(body, phase, limits, log, scratch):
         last = log.events[log.counts[EVENTS] - 1]
         mode, ends = last["after_mode"], last["t"] == phase.state.t
         write_plain_event(log, END, mode, mode, phase.state)
-        if ends:
+        if ends and phase.status != JAMMED:
             write_end(log, mode, phase)
     count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else log.events.shape[0]
     if log.counts[SEGMENTS] < 0:
