@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from decimal import Decimal, localcontext
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -108,7 +108,8 @@ def _multiplier(gait: Gait, state: State, digits: int) -> tuple[Decimal, Decimal
 
 def _image(gait: Gait, state: State, digits: int) -> State:
     """Return the coordinates after a period, θ within the revolution of the start."""
-    problem = replace(Problem.of(gait.scenario), **{name: Fraction(value) for name, value in state.items()})
+    exact: dict[str, Any] = {name: Fraction(value) for name, value in state.items()}
+    problem = replace(Problem.of(gait.scenario), **exact)
     if gait.section == "bottom":
         problem = replace(problem, angle=Fraction(_pi(digits + 2 * SPARE)))
         solution, last = _to_bottom(gait, problem, digits)

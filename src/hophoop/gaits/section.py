@@ -88,7 +88,7 @@ class SectionDerivative:
             raise InputError(f"multipliers need equal coordinates at both passages, not {self.columns} and {self.rows}.")
         if not np.isfinite(self.matrix).all():
             return np.full(len(self.rows), math.nan)
-        found: Floats = np.linalg.eigvals(self.matrix)
+        found = cast("Floats | NDArray[np.complex128]", np.linalg.eigvals(self.matrix))
         return found[np.argsort(-np.abs(found), kind="stable")]
 
 

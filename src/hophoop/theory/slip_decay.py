@@ -117,7 +117,7 @@ def _curvature(body: Body, angle: float, side: float) -> float:
 
     def squared_speed(th: float) -> float:
         steady, rate = cone_margin_line(body, th, side)
-        return -steady / rate
+        return float(-steady / rate)
 
     near = Chebyshev.interpolate(
         lambda ths: np.array([squared_speed(th) for th in ths]), DEGREE, (angle - WINDOW, angle + WINDOW)
