@@ -182,7 +182,7 @@ FAST = 2_000.0  # √(g R)
         (scenario(FAST, gamma=0.0), Fate.ROLLS_AHEAD),
         (scenario(-FAST, gamma=0.0, slope=0.1), Fate.UNDECIDED),
         (scenario(FAST, gamma=0.0, slope=0.1), Fate.RUNS_AWAY),
-        (scenario(FAST, slope=math.radians(40)), Fate.RUNS_AWAY),
+        (scenario(20.0, slope=math.radians(40)), Fate.RUNS_AWAY),
         (scenario(3.0, slope=math.radians(40)), Fate.RUNS_AWAY),
     ],
 )

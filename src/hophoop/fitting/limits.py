@@ -40,7 +40,8 @@ class End(NamedTuple):
 def unobserved(motion: Trajectory) -> set[str]:
     """Return parameters of the contact that a motion does not determine: friction without slip, restitution without impact."""
     slips = {"S", "K"} & set(motion.sequence)
-    return (set() if slips else {"mu_kinetic", "mu_excess"}) | (set() if motion.find("impact") else {"restitution"})
+    lands = motion.find("impact") or motion.find("bounce_limit")  # bounces too small to count end at once
+    return (set() if slips else {"mu_kinetic", "mu_excess"}) | (set() if lands else {"restitution"})
 
 
 def one_sided_limits(

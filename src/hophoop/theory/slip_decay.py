@@ -12,8 +12,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import Chebyshev
 
+from hophoop.kernel.numerics.collocation import ORDER, coefficients, value_slope_bend
+from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.contact import delassus, inertia_at_height, rolling_forces
@@ -23,7 +24,7 @@ from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.theory.kernels.critical import first_slip
 from hophoop.theory.kernels.extrema import cone_margin_line
 
-WINDOW, DEGREE = 0.02, 12  # rad to either side of the first slip, and the degree of the polynomial there
+WINDOW = 0.02  # rad to either side of the first slip, where a polynomial of degree 15 is differentiated
 
 
 class SlipDecay(NamedTuple):
@@ -104,10 +105,10 @@ def slip_decay(hoop: Hoop, plane: Plane = Plane()) -> SlipDecay:
     if not stiffness > 0.0:
         raise InputError(f"plane.mu = {plane.mu_kinetic!r} must be less: the first slip of this hoop meets Painlevé's paradox.")
     freedom = (along * away - mixed * mixed) / stiffness
-    missing = -math.sqrt(1.0 + body.mu_s**2) * cone_margin_line(body, angle, side)[1]
+    missing = -math.sqrt(1.0 + body.mu_s * body.mu_s) * cone_margin_line(body, angle, side)[1]
     lost = 2.0 * 4.5 * body.mu_k * normal * freedom * missing / (u * _curvature(body, angle, side))  # by (excess of v²)²
     omega = math.sqrt((inertia_at_height(body, 2.0) * squared + 4.0 * body.eps * body.gn) / bottom)
-    rate = lost * (bottom * omega / energy_rate) ** 2 / (bottom * omega)
+    rate = lost * bottom * omega / (energy_rate * energy_rate)
     unit = Units.of_scenario(scenario).of("omega")
     return SlipDecay(omega * unit, rate / unit)
 
@@ -119,7 +120,6 @@ def _curvature(body: Body, angle: float, side: float) -> float:
         steady, rate = cone_margin_line(body, th, side)
         return float(-steady / rate)
 
-    near = Chebyshev.interpolate(
-        lambda ths: np.array([squared_speed(th) for th in ths]), DEGREE, (angle - WINDOW, angle + WINDOW)
-    )
-    return float(near.deriv(2)(angle))
+    series = np.empty(ORDER)
+    coefficients(np.array([squared_speed(angle + WINDOW * node) for node in NODES.tolist()]), series)
+    return float(value_slope_bend(series, 0.0)[2]) / (WINDOW * WINDOW)

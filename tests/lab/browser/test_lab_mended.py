@@ -132,7 +132,7 @@ def test_a_server_that_is_gone_is_named_and_no_step_is_lost(visit):
         """async () => {
           const { fetch } = globalThis;
           globalThis.fetch = async () => { throw new TypeError("Failed to fetch"); };
-          try { await hophoopLab.backend.python.motion({ query: "" }); return ""; } catch (error) { return error.message; }
+          try { await hophoopLab.backend.python.file("motion.nc", {}); return ""; } catch (error) { return error.message; }
           finally { globalThis.fetch = fetch; }
         }"""
     )

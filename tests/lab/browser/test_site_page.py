@@ -174,7 +174,7 @@ def test_the_embed_page_speaks_the_visitors_language(browser, address):
 
 def test_what_doubles_do_not_decide_is_said(visit):
     page = visit("?start.speed=3.616628264005025")
-    assert "depends on more digits" in page.locator(".story .hint:not(.fingerprint)").inner_text()
+    assert "doubles cannot decide" in page.locator(".story .hint:not(.fingerprint)").inner_text()
     page.evaluate("hophoopLab.motions.change([['start.speed', 3.1]], true)")
     wait_for(page, "lab.film().values['start.speed'] === 3.1 && !lab.surrounding")
     assert not page.locator(".story .hint:not(.fingerprint)").is_visible()
