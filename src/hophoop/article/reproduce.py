@@ -142,6 +142,7 @@ def _films(out: Path) -> Iterator[Callable[[Progress], list[Path]]]:
 @contextmanager
 def _other_process() -> Iterator[ProcessPoolExecutor]:
     """A pool of one process, which ends with the block or with this process, whatever it is doing."""
+    _track_semaphores_quietly()
     others = multiprocessing.active_children()
     pool = ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), _be_quiet_and_mortal)
 
@@ -154,6 +155,22 @@ def _other_process() -> Iterator[ProcessPoolExecutor]:
 
     with undoing(end):
         yield pool
+
+
+def _track_semaphores_quietly() -> None:
+    """Start Python's tracker of semaphores without the terminal: after a stop it warns of those that have just gone."""
+    if os.name != "posix":
+        return
+    from multiprocessing import resource_tracker
+
+    terminal, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 2)
+        resource_tracker.ensure_running()
+    finally:
+        os.dup2(terminal, 2)
+        os.close(terminal)
+        os.close(nowhere)
 
 
 def _be_quiet_and_mortal() -> None:
