@@ -88,6 +88,7 @@ def compare(motion, state):
     return again, compared
 
 
+@pytest.mark.compiled
 def test_random_cuts_and_their_second_generation():
     """400 cuts, at a random time or event, from the left or the right; half of them are cut again."""
     compared = cuts = 0
