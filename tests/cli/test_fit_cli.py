@@ -139,7 +139,7 @@ def test_a_plan(tmp_path):
     done = call(*options)
     assert done.exit_code == 0, done.output
     assert "mu_excess" in done.stdout
-    answers = [call(*options, "--json"), call(*options, "--json", "--no-marker")]
+    answers = [call(*options, "--json"), call(*options, "--json", "--no-marker", "--fix", "restitution")]
     assert [done.exit_code for done in answers] == [0, 0], [done.output for done in answers]
     better, worse = (json.loads(done.stdout) for done in answers)
     assert worse["errors"]["gamma"] > better["errors"]["gamma"]

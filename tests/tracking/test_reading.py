@@ -132,7 +132,7 @@ def test_a_saved_track_is_the_same(tmp_path):
     track = own()
     track.save(tmp_path / "track.json")
     back = read_track(tmp_path / "track.json")
-    for name in ("t", "centre", "marker", "angle", "centre_error", "marker_error", "angle_error", "pixel", "marker_pixel"):
+    for name in dict.fromkeys(attribute for attribute, _, _ in COLUMNS.values()):
         np.testing.assert_array_equal(getattr(back, name), getattr(track, name))
     for name in ("state", "radius", "slope", "placed", "view", "source", "notes"):
         assert getattr(back, name) == getattr(track, name)

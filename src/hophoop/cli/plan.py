@@ -34,7 +34,7 @@ def plan(
         list[str] | None,
         typer.Option(metavar="NAME", help="Another parameter to fit, such as slope; may be repeated.", rich_help_panel=FILM),
     ] = None,
-    fixed: Annotated[
+    fix: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="A known parameter; may be repeated.", rich_help_panel=FILM)
     ] = None,
     hoop_known: Annotated[
@@ -55,7 +55,7 @@ def plan(
         sigma_angle=None if no_marker else sigma_angle,
         sigma_scale=sigma_scale,
         free=tuple(free or ()),
-        fixed=tuple(fixed or ()),
+        fixed=tuple(fix or ()),
         hoop_known=hoop_known,
     )
     if json:

@@ -120,6 +120,8 @@ COLUMNS: dict[str, tuple[str, int | None, str]] = {
     "marker_x": ("marker", 0, "m"),
     "marker_y": ("marker", 1, "m"),
     "sigma_marker": ("marker_error", None, "m"),
+    "omega": ("omega", None, "rad/s"),
+    "sigma_omega": ("omega_error", None, "rad/s"),
     "column": ("pixel", 0, "pixel"),
     "row": ("pixel", 1, "pixel"),
     "marker_column": ("marker_pixel", 0, "pixel"),
@@ -148,6 +150,8 @@ class Track:
         Standard deviations of each of the marker's coordinates [m] and of the angle [rad].
     pixel, marker_pixel : ndarray, shape (n, 2)
         Centre and marker in the picture: column and row [pixel].
+    omega, omega_error : ndarray, shape (n,)
+        Angular velocity, clockwise, of a sensor on the hoop, and its standard deviation [rad/s].
     state : tuple of str
         'found', 'no marker' or 'lost' for each frame.
     radius : float
@@ -175,6 +179,8 @@ class Track:
     angle_error: Floats
     pixel: Floats
     marker_pixel: Floats
+    omega: Floats
+    omega_error: Floats
     state: tuple[str, ...]
     radius: float = float("nan")
     slope: float = float("nan")
@@ -285,7 +291,7 @@ def track_of(
     for name in PAIRS:
         arrays[name][~np.isfinite(arrays[name]).all(axis=1)] = np.nan
     placed = np.isfinite(arrays["centre"][:, 0])
-    marked = np.isfinite(arrays["marker"][:, 0]) | np.isfinite(arrays["angle"])
+    marked = np.isfinite([arrays["marker"][:, 0], arrays["angle"], arrays["omega"]]).any(axis=0)
     if not (placed | marked).any():
         raise InputError(f"{others.get('source') or 'The track'} has the hoop in no row.")
     if state is None:
