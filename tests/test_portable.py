@@ -24,7 +24,6 @@ EXACT = "integers, fractions and numbers of mpmath"
 # File or folder → what it does → why that is the same everywhere.
 ALLOWED = {
     "kernel/numerics/generate.py": {"**": MPMATH, "sum": MPMATH},
-    "kernel/numerics/generate_elementary.py": {"**": MPMATH},
     "kernel/numerics/double_angles.py": {"**": "a power of two"},
     "kernel/numerics/trigonometry.py": {"**": "a power of −1"},
     "kernel/compliant/elimination.py": {"complex": WRITTEN_OUT},

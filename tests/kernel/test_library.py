@@ -69,7 +69,7 @@ def test_no_entry_is_unknown_to_python():
 
 def test_sources_are_those_that_the_build_reads():
     files = [file.relative_to(sources.PACKAGE).as_posix() for file in sources.files()]
-    some = {"kernel/rigid/run.py", "kernel/numerics/constants.py", "maps/grid/kernel.py", "kernel/native/marks.py"}
+    some = {"kernel/rigid/run.py", "kernel/numerics/tables.json", "maps/grid/kernel.py", "kernel/native/marks.py"}
     assert some <= set(files)
     assert all((sources.PACKAGE / file).is_file() for file in files)
 
@@ -246,6 +246,7 @@ import numpy as np
 import hophoop as hh
 from hophoop import theory
 from hophoop.kernel.native.library import Library
+from hophoop.kernel.numerics import elementwise
 from hophoop.maps import sweep
 
 names, call = set(), Library.call
@@ -257,6 +258,7 @@ def take(*values):
         digest.update((np.asarray(value, dtype=float) + 0.0).tobytes())
 take(theory.first_slip_speed(hoop, plane), theory.first_hop_speed(hoop, plane), theory.needed_friction(hoop, 1.0, plane)[0])
 angles = [0.5, 1.0, 3.0]
+take(*elementwise.sine_and_cosine(np.array(angles)))
 take(theory.rolling_time(angles, hoop, 2.0, plane), theory.rolling_speed(angles, hoop, 2.0, plane))
 take(*theory.rolling_forces(angles, hoop, 2.0, plane), *theory.rolling_energies(angles, hoop, 2.0, plane))
 take(theory.rocking_period([2.5, 3.0], hoop, plane), theory.massless_loss([0.5, 1.0, 2.0]).angle)

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev
 
-from hophoop.kernel.native.marks import source_of
 from hophoop.kernel.numerics import collocation as col
 from hophoop.kernel.numerics import roots as search
 from hophoop.kernel.panels import panel
@@ -115,47 +114,33 @@ def test_a_series_and_its_derivatives(xi):
         assert col.end_values(series)[int(xi) + 1] == pytest.approx(value, rel=1e-15)
 
 
-ROWS = {
-    "smooth": np.cos(1.3 * col.NODES) + 0.2,
-    "random": np.random.default_rng(6).normal(size=col.ORDER),
-    "wide": 10.0 ** np.random.default_rng(7).uniform(-300, 300, col.ORDER),
-    "zero": np.zeros(col.ORDER),
-    "no number": np.where(np.arange(col.ORDER) % 5 == 2, np.nan, 0.3),
-    "infinite": np.where(np.arange(col.ORDER) == 9, np.inf, 0.3),
-    "signed zeros": np.where(np.arange(col.ORDER) % 2 == 0, -0.0, 1e-320),
-}
+def test_products_and_tails_of_a_panel():
+    """Against NumPy's sums, for values of any size."""
+    random = np.random.default_rng(6)
+    for values in (np.cos(1.3 * col.NODES) + 0.2, random.normal(size=col.ORDER), 10.0 ** random.uniform(-300, 300, col.ORDER)):
+        for matrix in (col.ANTIDERIVATIVE_T, col.REMAINDER_T, col.SERIES_T, search.LEFT_T):
+            out = np.full(col.ORDER, 7.0)
+            col.product(matrix, values, out)
+            np.testing.assert_allclose(out, matrix.T @ values, atol=1e-14 * np.abs(values).max())
+        for scale in (0.0, 2.5, np.inf):
+            tail = np.abs(col.SERIES[-3:] @ values).max() / max(scale, np.abs(values).max())
+            assert col.truncation_error(values, scale) == pytest.approx(tail, abs=1e-15)
+    values[5] = np.nan
+    assert col.truncation_error(values, 1.0) == np.inf
 
 
-def same_bits(kernel, *arguments):
-    """What the loop and the whole arrays of a kernel give: what is returned, and what is written into a row."""
-    outcomes = []
-    for function in (source_of(kernel), kernel):
-        out = np.full(col.ORDER, 7.0)
-        with np.errstate(all="ignore"):
-            given = function(*arguments, *([out] if kernel is not col.truncation_error else []))
-        outcomes.append(np.append(out, np.nan if given is None else given).view(np.uint64).tolist())
-    return outcomes[0] == outcomes[1]
+@pytest.mark.parametrize("size", [0.9, 20.0])
+def test_a_row_divided_by_exponentials(size):
+    values = size * np.random.default_rng(8).uniform(-1.0, 1.0, col.ORDER)
+    out, row = np.empty(col.ORDER), np.linspace(-1.0, 2.0, col.ORDER)
+    col.divided_by_exponentials(values, out, row)
+    np.testing.assert_allclose(out, np.exp(values), rtol=5e-16)
+    np.testing.assert_allclose(row * np.exp(values), np.linspace(-1.0, 2.0, col.ORDER), rtol=1e-14)
 
 
-@pytest.mark.parametrize("row", ROWS.values(), ids=ROWS)
-def test_whole_arrays_give_the_bits_of_the_loops(row):
-    """Interpreted kernels do whole rows at a time where that is quicker; their loops are what is compiled."""
-    for matrix in (col.ANTIDERIVATIVE_T, col.REMAINDER_T, col.SERIES_T, search.LEFT_T):
-        assert same_bits(col.product, matrix, row)
-    for scale in (0.0, 2.5, np.inf):
-        assert same_bits(col.truncation_error, row, scale)
-    if np.nanmax(np.abs(row)) < 700.0:  # beyond, Python's exponential raises an error
-        assert same_bits(col.exponentials, row)
-        assert same_bits(col.exponentials, row / 3.0)
-        for scale in (1.0, 3.0):
-            divided = []
-            for function in (source_of(col.divided_by_exponentials), col.divided_by_exponentials):
-                out, other = np.empty(col.ORDER), np.linspace(-1.0, 2.0, col.ORDER)
-                with np.errstate(all="ignore"):
-                    function(row / scale, out, other)
-                if np.isfinite(row).all():
-                    np.testing.assert_allclose(other * np.exp(row / scale), np.linspace(-1.0, 2.0, col.ORDER), rtol=1e-14)
-                divided.append(np.concatenate([out, other]).view(np.uint64).tolist())
-            assert divided[0] == divided[1]
-    for xi in row[np.abs(row) < 2.0]:
-        assert same_bits(col.lagrange, xi)
+@pytest.mark.parametrize("xi", [-1.0, -0.7, 1e-9, 0.999])
+def test_interpolation_is_exact_for_polynomials(xi):
+    weights = np.empty(col.ORDER)
+    col.lagrange(xi, weights)
+    for degree in range(col.ORDER):
+        assert weights @ col.NODES**degree == pytest.approx(xi**degree, abs=1e-14)

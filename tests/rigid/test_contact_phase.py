@@ -14,7 +14,7 @@ import hophoop as hh
 from contact_tools import STARTED, body_of, sines_of, state_of
 from hophoop.kernel.native import forced
 from hophoop.kernel.numerics.collocation import ORDER, lagrange
-from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
 from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR
 from hophoop.kernel.physics.body import Event, Status

@@ -10,8 +10,8 @@ import pytest
 from numpy.polynomial import chebyshev
 
 import hophoop as hh
-from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.roots import NOT_FOUND
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import A, B
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state

@@ -11,8 +11,8 @@ from scipy.optimize import brentq, minimize_scalar
 
 import hophoop as hh
 from contact_tools import sines_of
-from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.roots import NOT_FOUND
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_panel
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state

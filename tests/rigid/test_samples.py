@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.native import forced
-from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import SEGMENT

@@ -98,6 +98,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         _GAITS + "cells.judge_cells": (TABLE, int, int, REQUEST, CODED, TABLE),
     },
     "answers": {
+        "hophoop.kernel.numerics.elementwise.fill": (int, ROW, ROW, ROW),
         "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),
         "hophoop.kernel.records.times.kernel_times": (ROW, float, ROW, float, ROW),
         "hophoop.kernel.physics.friction.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),

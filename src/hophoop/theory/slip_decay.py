@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.numerics.collocation import ORDER, coefficients, value_slope_bend
-from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.contact import delassus, inertia_at_height, rolling_forces

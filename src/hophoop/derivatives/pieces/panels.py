@@ -35,7 +35,7 @@ from hophoop.derivatives.workspace import (
 )
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.collocation import ORDER, dot, exponentials, lagrange, product
-from hophoop.kernel.numerics.constants import ANTIDERIVATIVE_T, NODES, WEIGHTS
+from hophoop.kernel.numerics.tables import ANTIDERIVATIVE_T, NODES, WEIGHTS
 from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine
 from hophoop.kernel.panels.panel import (
     ARM,

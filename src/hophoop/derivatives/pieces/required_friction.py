@@ -9,7 +9,7 @@ from hophoop.derivatives.pieces.forces import by_angle, change_of, rolling_slope
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER
-from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import COSINE, SINE, U, fill_inside
 from hophoop.kernel.physics.resistance import resistance_arm

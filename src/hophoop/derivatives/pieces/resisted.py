@@ -22,7 +22,7 @@ from hophoop.derivatives.workspace import (
 )
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.collocation import ORDER, dot
-from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine
 from hophoop.kernel.panels.panel import (
     ARRIVE,

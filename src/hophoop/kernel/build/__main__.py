@@ -97,7 +97,8 @@ def compile_group(group: str, targets: Sequence[str], folder: Path) -> None:
         for level in TARGETS[name].levels:
             (folder / f"{group}-{name}-{level}.o").write_bytes(object_of(text, names, TARGETS[name], level))
     imported = {Path(file) for module in list(sys.modules.values()) if (file := getattr(module, "__file__", None))}
-    _describe(folder / f"{group}.json", told, [file for file in files() if file in imported])  # it depends on no other sources
+    # it depends on no other sources
+    _describe(folder / f"{group}.json", told, [file for file in files() if file in imported or file.suffix == ".json"])
 
 
 def _describe(file: Path, entries: dict[str, Any], sources: Sequence[Path]) -> None:

@@ -18,10 +18,10 @@ from hophoop.kernel.compliant.phase import (
 from hophoop.kernel.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
-from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.double_double import turns_and_rest
 from hophoop.kernel.numerics.exponentials import exponential
 from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.landing import first_landing
 from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force

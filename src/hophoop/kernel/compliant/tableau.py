@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop.kernel.numerics.constants import RADAU_A as A
-from hophoop.kernel.numerics.constants import RADAU_A_INVERSE as A_INVERSE
-from hophoop.kernel.numerics.constants import RADAU_DEFECT as DEFECT
-from hophoop.kernel.numerics.constants import RADAU_ERROR as ERROR
-from hophoop.kernel.numerics.constants import RADAU_FROM_PAIR, RADAU_LAMBDA, RADAU_TO_PAIR
-from hophoop.kernel.numerics.constants import RADAU_FROM_REAL as FROM_REAL
-from hophoop.kernel.numerics.constants import RADAU_GAMMA as GAMMA
-from hophoop.kernel.numerics.constants import RADAU_NODES as NODES
-from hophoop.kernel.numerics.constants import RADAU_POWERS as POWERS
-from hophoop.kernel.numerics.constants import RADAU_TO_REAL as TO_REAL
+from hophoop.kernel.numerics.tables import RADAU_A as A
+from hophoop.kernel.numerics.tables import RADAU_A_INVERSE as A_INVERSE
+from hophoop.kernel.numerics.tables import RADAU_DEFECT as DEFECT
+from hophoop.kernel.numerics.tables import RADAU_ERROR as ERROR
+from hophoop.kernel.numerics.tables import RADAU_FROM_PAIR, RADAU_LAMBDA, RADAU_TO_PAIR
+from hophoop.kernel.numerics.tables import RADAU_FROM_REAL as FROM_REAL
+from hophoop.kernel.numerics.tables import RADAU_GAMMA as GAMMA
+from hophoop.kernel.numerics.tables import RADAU_NODES as NODES
+from hophoop.kernel.numerics.tables import RADAU_POWERS as POWERS
+from hophoop.kernel.numerics.tables import RADAU_TO_REAL as TO_REAL
 
 STAGES = len(NODES)
 PAIRS = len(RADAU_LAMBDA)

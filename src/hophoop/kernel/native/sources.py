@@ -16,8 +16,9 @@ ROOMS = (
     "theory/kernels", "gaits/kernels", "derivatives", "derivatives/events", "derivatives/pieces",
 )  # fmt: skip
 FILES = (
-    "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/entries.py", "kernel/native/marks.py", "lab/wasm/nrt.c",
-    "kernel/build/numba_code.py", "kernel/build/entry_code.py", "kernel/build/link.py", "kernel/build/level.c",
+    "kernel/numerics/tables.json", "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/entries.py",
+    "kernel/native/marks.py", "lab/wasm/nrt.c", "kernel/build/numba_code.py", "kernel/build/entry_code.py",
+    "kernel/build/link.py", "kernel/build/level.c",
 )  # fmt: skip
 
 

@@ -18,7 +18,7 @@ import math
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.double_double import quick_sum, two_product, two_sum
-from hophoop.kernel.numerics.elementary_constants import ARCTANGENTS, PI_HIGH, PI_LOW
+from hophoop.kernel.numerics.tables import ARCTANGENTS, PI_HIGH, PI_LOW
 
 HALF_PI_HIGH, HALF_PI_LOW = 0.5 * PI_HIGH, 0.5 * PI_LOW
 A3, A5, A7, A9 = -1.0 / 3.0, 0.2, -1.0 / 7.0, 1.0 / 9.0

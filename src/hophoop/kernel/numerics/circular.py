@@ -20,9 +20,9 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline, interpreted_as
+from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.double_double import SPLITTER, TWO_PI, TWO_PI_LOW, multiply, plus, two_product, two_sum
-from hophoop.kernel.numerics.elementary_constants import ANGLE_1, ANGLE_2, ANGLE_3, ANGLE_INVERSE, REVOLUTIONS, SINES
+from hophoop.kernel.numerics.tables import ANGLE_1, ANGLE_2, ANGLE_3, ANGLE_INVERSE, REVOLUTIONS, SINES
 from hophoop.kernel.numerics.words import FRACTION, HIDDEN, word_of
 
 INTEGER = 6755399441055744.0  # 1.5 · 2^52: adding and subtracting it rounds to an integer, which is in the last bits of the sum
@@ -171,55 +171,6 @@ def rare(x):
     return s, s_rest, c, c_rest
 
 
-_SINES = [tuple(row) for row in SINES.tolist()]
-
-
-def _both_by_floats(x):
-    x = float(x)
-    if abs(x) <= TINY:
-        return x, 1.0
-    if not abs(x) < NEAR:
-        s, s_rest, c, c_rest = rare(x)
-        return s + s_rest, c + c_rest
-    k = (x * ANGLE_INVERSE + INTEGER) - INTEGER
-    a = x - k * ANGLE_1
-    b = k * ANGLE_2
-    r = a - b
-    part = SPLITTER * r
-    r1 = part - (part - r)
-    r2 = (r - r1) + (((a - r) - b) - k * ANGLE_3)
-    z = r * r
-    sine = r * z * (S3 + z * (S5 + z * S7))
-    cosine = z * (C2 + z * (C4 + z * C6))
-    k = int(k)
-    j = k & 127
-    s1, s2 = _SINES[j]
-    c1, c2 = _SINES[128 - j]
-    product = c1 * r1
-    s = s1 + product
-    s += (product - (s - s1)) + (s2 + ((c1 * r2 + c2 * r) + ((c1 + c2) * sine + (s1 + s2) * cosine)))
-    product = s1 * r1
-    c = c1 - product
-    c += ((c1 - c) - product) + (c2 + (((c1 + c2) * cosine - (s1 + s2) * sine) - (s1 * r2 + s2 * r)))
-    quarter = k & 384
-    if quarter == 0:
-        return s, c
-    if quarter == 128:
-        return c, -s
-    if quarter == 256:
-        return -s, -c
-    return -c, s
-
-
-def _sine_by_floats(x):
-    return _both_by_floats(x)[0]
-
-
-def _cosine_by_floats(x):
-    return _both_by_floats(x)[1]
-
-
-@interpreted_as(_both_by_floats)
 @apart
 def sine_and_cosine(x):
     """Return (sin x, cos x) of an angle [rad]."""
@@ -231,7 +182,6 @@ def sine_and_cosine(x):
     return s + s_rest, c + c_rest
 
 
-@interpreted_as(_sine_by_floats)
 @apart
 def sine(x):
     """Return sin x of an angle [rad]."""
@@ -242,7 +192,6 @@ def sine(x):
     return _sine_at(k >> 7, k & 127, r, low)
 
 
-@interpreted_as(_cosine_by_floats)
 @apart
 def cosine(x):
     """Return cos x of an angle [rad]."""

@@ -10,9 +10,9 @@ import math
 
 import numpy as np
 
-from hophoop.kernel.native import apart, inline, interpreted_as
-from hophoop.kernel.numerics.constants import ANTIDERIVATIVE_T, NODES, SERIES, WEIGHTS
+from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.exponentials import exponential
+from hophoop.kernel.numerics.tables import ANTIDERIVATIVE_T, NODES, SERIES, WEIGHTS
 
 ORDER = len(NODES)
 PARTS = 0.5 * (1.0 + NODES)  # fraction of the panel before each node
@@ -26,15 +26,6 @@ EXP_3, EXP_4, EXP_5, EXP_6, EXP_7, EXP_8, EXP_9, EXP_10 = (1.0 / math.factorial(
 EXP_11, EXP_12, EXP_13, EXP_14, EXP_15, EXP_16, EXP_17, EXP_18 = (1.0 / math.factorial(k) for k in range(11, 19))
 
 
-def _product_by_arrays(matrix_t, values, out):
-    terms = matrix_t * values[:ORDER, None]
-    pairs = terms[::2] + terms[1::2]
-    fours = pairs[::2] + pairs[1::2]
-    eights = fours[::2] + fours[1::2]
-    np.add(eights[0], eights[1], out=out[:ORDER])
-
-
-@interpreted_as(_product_by_arrays)
 @inline
 def product(matrix_t, values, out):
     """Compute out = matrix · values for a transposed matrix; 8 columns per pass keep the sums in registers.
@@ -99,27 +90,6 @@ def smallest(values):
     return min(min(l0, l1), min(l2, l3))
 
 
-def _exponentials_by_arrays(values, out):
-    if not max(0.0, np.fmax.reduce(np.abs(values))) <= 1.0:
-        for i in range(ORDER):
-            out[i] = exponential(values[i])
-        return
-    square = values * values
-    even = EXP_18 * square + EXP_16
-    odd = EXP_17 * square + EXP_15
-    for even_next, odd_next in (
-        (EXP_14, EXP_13),
-        (EXP_12, EXP_11),
-        (EXP_10, EXP_9),
-        (EXP_8, EXP_7),
-        (EXP_6, EXP_5),
-        (EXP_4, EXP_3),
-    ):
-        even = even * square + even_next
-        odd = odd * square + odd_next
-    out[:] = 1.0 + (values + (0.5 * square + square * (even * square + odd * values)))
-
-
 @inline
 def _small_exponential(x):
     """Return exp x for abs(x) ≤ 1 by a series that vectorizes over the nodes."""
@@ -152,7 +122,6 @@ def _largest(values):
     return largest
 
 
-@interpreted_as(_exponentials_by_arrays)
 @inline
 def exponentials(values, out):
     """Compute out = exp(values)."""
@@ -164,12 +133,6 @@ def exponentials(values, out):
         out[i] = _small_exponential(values[i])
 
 
-def _divided_by_arrays(values, out, row):
-    _exponentials_by_arrays(values, out)
-    row[:ORDER] /= out[:ORDER]
-
-
-@interpreted_as(_divided_by_arrays)
 @inline
 def divided_by_exponentials(values, out, row):
     """Compute out = exp(values) and divide `row` by it, in one loop that vectorizes over the nodes."""
@@ -215,14 +178,6 @@ def coefficients(values, out):
     product(SERIES_T, values, out)
 
 
-def _tail_by_arrays(values, scale):
-    scale = max(scale, np.fmax.reduce(np.abs(values)))
-    a, b, c = np.add.accumulate(TAIL * values, axis=1)[:, -1]
-    ratio = max(abs(a), abs(b), abs(c)) / scale
-    return ratio if ratio < np.inf else np.inf
-
-
-@interpreted_as(_tail_by_arrays)
 @inline
 def truncation_error(values, scale):
     """Return the size of the last 3 Chebyshev coefficients relative to `scale` or the largest value; inf for nan."""
@@ -269,18 +224,6 @@ def left_value(series):
     return end_values(series)[0]
 
 
-def _lagrange_by_arrays(xi, out):
-    double = 2.0 * xi
-    chebyshev = [1.0, xi]
-    for _ in range(2, ORDER):
-        chebyshev.append(double * chebyshev[-1] - chebyshev[-2])
-    terms = SERIES * np.array(chebyshev)[:, None]
-    terms[0] = SERIES[0]
-    # from left to right, in the order of the loop
-    out[:] = np.add.accumulate(terms)[-1]
-
-
-@interpreted_as(_lagrange_by_arrays)
 @inline
 def lagrange(xi, out):
     """Compute the weights that interpolate node values at ξ: the rows of `SERIES`, each times its T_k(ξ).

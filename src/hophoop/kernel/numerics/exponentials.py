@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline, interpreted_as
+from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.circular import INTEGER, INTEGER_WORD
 from hophoop.kernel.numerics.double_double import SPLITTER, multiply, quick_sum, two_product, two_sum
-from hophoop.kernel.numerics.elementary_constants import (
+from hophoop.kernel.numerics.tables import (
     LN2_HIGH,
     LN2_LOW,
     LOG2_E_HIGH,
@@ -100,31 +100,6 @@ def _exponential_rare(x):
     return rounded(m, high, rest)
 
 
-_POWERS = [tuple(row) for row in POWERS.tolist()]
-
-
-def _exponential_by_floats(x):
-    x = float(x)
-    if not LEAST < x < MOST:
-        return _exponential_rare(x)
-    k = (x * OCTAVE_INVERSE + INTEGER) - INTEGER
-    a = x - k * OCTAVE_1
-    b = k * OCTAVE_2
-    r = a - b
-    part = SPLITTER * r
-    r1 = part - (part - r)
-    r2 = (r - r1) + ((a - r) - b)
-    z = r * r
-    curve = z * ((E2 + r * E3) + z * ((E4 + r * E5) + z * E6))
-    whole = int(k)
-    t1, t2 = _POWERS[whole & 63]
-    product = t1 * r1
-    total = t1 + product
-    error = product - (total - t1)
-    return math.ldexp(total + (error + (t2 + ((t1 * r2 + t2 * r) + (t1 + t2) * curve))), whole >> 6)
-
-
-@interpreted_as(_exponential_by_floats)
 @apart
 def exponential(x):
     """Return exp x."""

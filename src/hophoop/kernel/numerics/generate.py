@@ -1,13 +1,15 @@
-"""Generator of `constants.py`, the solver's tables with 60 digits: `python -m hophoop.kernel.numerics.generate`.
+"""Generator of `tables.json`, the tables of the kernels with 60 digits: `python -m hophoop.kernel.numerics.generate`.
 
-Each entry is the double nearest to the exact value, so that no table depends on a BLAS, a C library or a processor. Only mpmath
+Each entry is rounded once, to the nearest double, so that no table depends on a BLAS, a C library or a processor. Only mpmath
 computes here; it has its own integer arithmetic. Quadrature nodes are rounded first, and all tables use the rounded nodes, at
 which the kernels evaluate.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -19,10 +21,16 @@ WIDEST = "0.9"  # rad, the widest panel
 LEVELS = 96  # widths of panels, each narrower than the previous one by √2
 STAGES = 5  # of Radau IIA
 ZERO = "1e-45"  # a smaller entry is rounding of an exact 0
-PER_LINE = 5
+ANGLES = 128  # steps of the angle in a right angle, in the table of sines
+POWERS = 64  # parts of an octave in the table of powers of 2
+SHORT = 26  # bits of a table's high parts: the product with 27 bits is exact
+GRID = 128  # significands of logarithms are near multiples of 1/GRID, from FIRST/GRID to LAST/GRID: √½ to √2
+FIRST, LAST = 90, 182
+ARCS = 64  # tangents are near multiples of 1/ARCS
+CHUNK = 30  # bits per digit of 1/2π
 
 Matrix = Any  # mpmath has no type hints
-Table = float | list[Any]
+Table = float | list[Any]  # digits of 1/2π are integers
 
 
 def nearest(values: Any) -> Table:
@@ -113,10 +121,10 @@ def panels(nodes: Sequence[float]) -> dict[str, Table]:
 
     return {
         "WIDTHS": list(widths),
-        "SINES": nearest([[mp.sin(offset) for offset in row] for row in offsets]),
-        "VERSINES": nearest([[versine(offset) for offset in row] for row in offsets]),
-        "FAR_SINES": nearest([mp.sin(mp.mpf(width)) for width in widths]),
-        "FAR_VERSINES": nearest([versine(mp.mpf(width)) for width in widths]),
+        "NODE_SINES": nearest([[mp.sin(offset) for offset in row] for row in offsets]),
+        "NODE_VERSINES": nearest([[versine(offset) for offset in row] for row in offsets]),
+        "END_SINES": nearest([mp.sin(mp.mpf(width)) for width in widths]),
+        "END_VERSINES": nearest([versine(mp.mpf(width)) for width in widths]),
     }
 
 
@@ -178,64 +186,86 @@ def radau() -> dict[str, Table]:
     }
 
 
+def _exact(value: Any) -> Fraction:
+    sign, digits, exponent, _ = value._mpf_
+    return Fraction(-int(digits) if sign else int(digits)) * Fraction(2) ** exponent
+
+
+def short(value: Any, bits: int) -> float:
+    """Return the nearest double with this many bits."""
+    exact = _exact(value)
+    if exact == 0:
+        return 0.0
+    scale = Fraction(1)
+    while abs(exact) * scale < 2 ** (bits - 1):
+        scale *= 2
+    while abs(exact) * scale >= 2**bits:
+        scale /= 2
+    return float(round(exact * scale) / scale)
+
+
+def split(value: Any, *bits: int) -> list[float]:
+    """Return the value as a sum of doubles with this many bits each, and a last one with all bits."""
+    found = []
+    for count in bits:
+        found.append(short(value, count))
+        value -= mp.mpf(found[-1])
+    return [*found, float(value)]
+
+
+def coarse(value: Any) -> list[float]:
+    """Return the value as a multiple of 2⁻⁴², so that e ln 2 is exact for an exponent e, and the remainder."""
+    high = float(round(_exact(value) * 2**42) / Fraction(2**42))
+    return [high, float(value - mp.mpf(high))]
+
+
+def elementary() -> dict[str, Table]:
+    """Return the tables of sine, exponential, logarithm, arctangent and hyperbolic functions."""
+    ln2, angle = mp.log(2), mp.pi / (2 * ANGLES)
+    sines = [mp.sin(j * angle) for j in range(ANGLES)] + [mp.mpf(1)]
+    # 1100 bits reach the largest double, plus 53 for its own bits and 210 for the digits after the point
+    with mp.workprec(1600):
+        bits = int(mp.floor(mp.ldexp(1 / (2 * mp.pi), CHUNK * 46)))
+    logarithms = []
+    for j in range(FIRST, LAST + 1):
+        inverse = short(mp.mpf(GRID) / j, 10)
+        logarithms.append([inverse, *coarse(-mp.log(mp.mpf(inverse)))])
+    double_doubles = {"PI": +mp.pi, "LOG2_E": 1 / ln2}
+    found: dict[str, Table] = {name: [float(x), float(x - mp.mpf(float(x)))] for name, x in double_doubles.items()}
+    return found | {
+        "ANGLE_INVERSE": float(1 / angle),
+        "ANGLE": split(angle, 39, 39),
+        "SINES": [split(value, SHORT) for value in sines],
+        "REVOLUTIONS": [0, 0, *(bits >> CHUNK * (45 - i) & (1 << CHUNK) - 1 for i in range(46))],
+        "OCTAVE_INVERSE": float(POWERS / ln2),
+        "OCTAVE": split(ln2 / POWERS, 36),
+        "POWERS": [split(mp.mpf(2) ** (mp.mpf(j) / POWERS), SHORT) for j in range(POWERS)],
+        "LN2": coarse(ln2),
+        "LOGARITHMS": logarithms,
+        "ARCTANGENTS": [split(mp.atan(mp.mpf(j) / ARCS), 53) for j in range(ARCS + 1)],
+        "TANH_SERIES": [float(value) for value in mp.taylor(mp.tanh, 0, 23)[3::2]],
+        "SINH_SERIES": [float(1 / mp.factorial(2 * k + 3)) for k in range(7)],
+    }
+
+
 def tables() -> dict[str, Table]:
-    """Return all tables by name: a float, or nested lists of floats."""
+    """Return all tables by name: a number, or nested lists of numbers."""
     with mp.workdps(DIGITS):
         found = collocation()
         nodes = found["NODES"]
         assert isinstance(nodes, list)
-        return found | panels(nodes) | radau()
+        return found | panels(nodes) | radau() | elementary()
 
 
-def flat(table: Table) -> list[float]:
-    """Return the entries of a table in order."""
-    return [table] if isinstance(table, float) else [entry for part in table for entry in flat(part)]
-
-
-def shape(table: Table) -> tuple[int, ...]:
-    """Return the lengths of a table along each dimension."""
-    return () if isinstance(table, float) else (len(table), *shape(table[0]))
-
-
-def source(found: dict[str, Table], about: str) -> str:
-    """Return the Python source of a module with these tables.
-
-    Parameters
-    ----------
-    found : dict
-        Name → table.
-    about : str
-        First line of the module's docstring.
-    """
-    lines = [
-        f'"""{about}"""',
-        "",
-        "import numpy as np",
-        "",
-        "",
-        "def _table(text: str, *shape: int) -> np.ndarray:",
-        "    return np.array([float.fromhex(entry) for entry in text.split()]).reshape(shape)",
-        "",
-    ]
-    for name, table in found.items():
-        if isinstance(table, float):
-            lines += ["", f'{name} = float.fromhex("{table.hex()}")']
-            continue
-        entries = [entry.hex() for entry in flat(table)]
-        text = [" ".join(entries[i : i + PER_LINE]) for i in range(0, len(entries), PER_LINE)]
-        size = ", ".join(str(length) for length in shape(table))
-        lines += ["", f'{name} = _table("""', *text, f'""", {size})']
-    return "\n".join(lines) + "\n"
-
-
-ABOUT = "Tables of the solver, each entry correctly rounded; written by `python -m hophoop.kernel.numerics.generate`."
-
-
-def main() -> None:
-    """Write the module of constants."""
-    target = Path(__file__).with_name("constants.py")
-    target.write_text(source(tables(), ABOUT), encoding="utf-8", newline="\n")
+def text() -> str:
+    """Return the content of `tables.json`: a line per row, with the shortest decimals that give the same doubles."""
+    lines = []
+    for name, table in tables().items():
+        rows = table if isinstance(table, list) and isinstance(table[0], list) else None
+        content = json.dumps(table) if rows is None else "[\n" + ",\n".join(json.dumps(row) for row in rows) + "\n]"
+        lines.append(f'"{name}": {content}')
+    return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 if __name__ == "__main__":
-    main()
+    Path(__file__).with_name("tables.json").write_text(text(), encoding="utf-8", newline="\n")

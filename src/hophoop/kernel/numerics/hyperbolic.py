@@ -10,8 +10,8 @@ import math
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.arcs import root_of
 from hophoop.kernel.numerics.double_double import add, divide, multiply, plus, quick_sum, two_product, two_sum
-from hophoop.kernel.numerics.elementary_constants import LN2_HIGH, LN2_LOW, SINH_SERIES, TANH_SERIES
 from hophoop.kernel.numerics.exponentials import growth, logarithm_parts, rounded
+from hophoop.kernel.numerics.tables import LN2_HIGH, LN2_LOW, SINH_SERIES, TANH_SERIES
 from hophoop.kernel.numerics.words import power_of_two
 
 SMALL_TANGENT = 0.125

@@ -9,7 +9,7 @@ import math
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.collocation import ORDER, end_values, product, value_slope_bend
-from hophoop.kernel.numerics.constants import LEFT_T, RIGHT_T
+from hophoop.kernel.numerics.tables import LEFT_T, RIGHT_T
 
 MOST_INTERVALS = 4096  # maximum per search; a polynomial above rounding needs a few tens
 DEPTH = 60  # halvings of a panel before a multiple root is given up

@@ -13,15 +13,14 @@ import numpy as np
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.collocation import ORDER, antiderivative
-from hophoop.kernel.numerics.constants import FAR_SINES, FAR_VERSINES, NODES, VERSINES, WIDTHS
-from hophoop.kernel.numerics.constants import SINES as FORWARD_SINES
 from hophoop.kernel.numerics.double_double import plus
 from hophoop.kernel.numerics.exponentials import power
+from hophoop.kernel.numerics.tables import END_SINES, END_VERSINES, NODE_SINES, NODE_VERSINES, NODES, WIDTHS
 from hophoop.kernel.numerics.trigonometry import SMALL, sine_and_versine, small_turn_deficits, turn
 from hophoop.kernel.physics.roll import rest_curvature
 
 LEVELS = len(WIDTHS)  # widths 0.9 rad · 2^(−k/2)
-SINES = np.stack([-FORWARD_SINES, FORWARD_SINES])  # backward and forward
+SINES = np.stack([-NODE_SINES, NODE_SINES])  # backward and forward
 HALVES = np.repeat(WIDTHS[:, None] / 2, ORDER, axis=1)
 
 
@@ -101,7 +100,7 @@ def fill_geometry(panel, work):
             return
         # one loop per row: each compiles to one block copy, which the next reader of the row need not wait for
         table = SINES[1 if way > 0.0 else 0, panel.level]
-        other = VERSINES[panel.level]
+        other = NODE_VERSINES[panel.level]
         halves = HALVES[panel.level]
         for i in range(ORDER):
             sines[i] = table[i]
@@ -211,7 +210,7 @@ def arriving_panel(body, before, ahead):
 def sine_versine_of_offset(panel, xi):
     """Return (sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; a whole LINEAR panel takes them from the table."""
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
-        return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
+        return panel.way * END_SINES[panel.level], END_VERSINES[panel.level]
     angle = angle_at(panel, xi)
     return sine_and_versine(angle)
 

@@ -6,7 +6,7 @@ import math
 
 from hophoop.kernel.native import inline
 from hophoop.kernel.numerics.collocation import ORDER, total, truncation_error
-from hophoop.kernel.numerics.constants import NODES
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import rotated, turn_deficits
 from hophoop.kernel.panels.panel import (
     ARRIVE,

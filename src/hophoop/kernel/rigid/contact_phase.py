@@ -7,8 +7,8 @@ import math
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.circular import cosine, sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, antiderivative, dot, lagrange
-from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine, turn
 from hophoop.kernel.panels.anchor import (
     NONE,

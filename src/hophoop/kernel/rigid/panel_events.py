@@ -6,8 +6,8 @@ import math
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.collocation import ORDER, PARTS, antiderivative, coefficients, extremes, left_value
-from hophoop.kernel.numerics.constants import NODES
 from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
+from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import rotated
 from hophoop.kernel.panels.panel import (
     ARRIVE,

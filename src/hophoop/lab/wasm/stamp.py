@@ -13,8 +13,8 @@ HERE = Path(__file__).parent
 MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layout.json"
 # Files of other packages that determine the modules' bytes, and files that control their compilation.
 FILES = (
-    "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/native/marks.py", "lab/wasm/nrt.c",
-    "kernel/build/browser.py", "kernel/build/link.py", "kernel/build/numba_code.py",
+    "kernel/numerics/tables.json", "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/native/marks.py",
+    "lab/wasm/nrt.c", "kernel/build/browser.py", "kernel/build/link.py", "kernel/build/numba_code.py",
 )  # fmt: skip
 
 

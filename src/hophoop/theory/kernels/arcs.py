@@ -13,7 +13,7 @@ import numpy as np
 from hophoop.kernel.numerics.arcs import arcsine, arctangent2, hypotenuse
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
-from hophoop.kernel.numerics.constants import NODES, WEIGHTS
+from hophoop.kernel.numerics.tables import NODES, WEIGHTS
 from hophoop.kernel.physics.contact import rolling_acceleration
 from hophoop.kernel.physics.roll import rolling_u
 

@@ -5,24 +5,22 @@ import pytest
 from numpy.polynomial import chebyshev, legendre
 
 from hophoop.kernel.compliant import tableau
-from hophoop.kernel.numerics import constants, generate
+from hophoop.kernel.numerics import generate, tables
 from hophoop.kernel.panels.panel import SINES
 
-POINTS = constants.NODES
+POINTS = tables.NODES
 
 
 def test_the_generator_writes_these_tables():
-    text = generate.source(generate.tables(), generate.ABOUT)
-    with open(constants.__file__, encoding="utf-8", newline="") as file:
-        assert file.read() == text
+    assert tables.FILE.read_bytes() == generate.text().encode()
 
 
 def test_quadrature_is_that_of_gauss():
     nodes, weights = legendre.leggauss(16)
     np.testing.assert_allclose(POINTS, nodes, rtol=1e-15)
-    np.testing.assert_allclose(constants.WEIGHTS, weights, rtol=1e-14)
+    np.testing.assert_allclose(tables.WEIGHTS, weights, rtol=1e-14)
     assert np.array_equal(POINTS, -POINTS[::-1])
-    assert np.array_equal(constants.WEIGHTS, constants.WEIGHTS[::-1])
+    assert np.array_equal(tables.WEIGHTS, tables.WEIGHTS[::-1])
 
 
 @pytest.mark.parametrize("degree", range(16))
@@ -30,22 +28,22 @@ def test_series_antiderivative_and_halves_of_a_polynomial(degree):
     series = np.zeros(16)
     series[degree] = 1.0
     values = chebyshev.chebval(POINTS, series)
-    np.testing.assert_allclose(constants.SERIES @ values, series, atol=5e-15)
+    np.testing.assert_allclose(tables.SERIES @ values, series, atol=5e-15)
     integral = chebyshev.chebint(series, lbnd=-1)
-    np.testing.assert_allclose(constants.ANTIDERIVATIVE_T.T @ values, chebyshev.chebval(POINTS, integral), atol=2e-15)
-    for table, place in ((constants.LEFT_T, -1.0), (constants.RIGHT_T, 1.0)):
+    np.testing.assert_allclose(tables.ANTIDERIVATIVE_T.T @ values, chebyshev.chebval(POINTS, integral), atol=2e-15)
+    for table, place in ((tables.LEFT_T, -1.0), (tables.RIGHT_T, 1.0)):
         half = chebyshev.chebval(POINTS, table.T @ series)
         np.testing.assert_allclose(half, chebyshev.chebval(0.5 * (POINTS + place), series), atol=5e-15)
 
 
 def test_panels_are_tabulated_at_their_nodes():
     widths = 0.9 * 2.0 ** (-0.5 * np.arange(96))
-    np.testing.assert_allclose(constants.WIDTHS, widths, rtol=1e-15)
+    np.testing.assert_allclose(tables.WIDTHS, widths, rtol=1e-15)
     offsets = widths[:, None] * (1.0 + POINTS) / 2.0
-    np.testing.assert_allclose(constants.SINES, np.sin(offsets), rtol=1e-15)
-    np.testing.assert_allclose(constants.VERSINES, 2.0 * np.sin(0.5 * offsets) ** 2, rtol=1e-15)
-    np.testing.assert_allclose(constants.FAR_SINES, np.sin(widths), rtol=1e-15)
-    np.testing.assert_allclose(constants.FAR_VERSINES, 2.0 * np.sin(0.5 * widths) ** 2, rtol=1e-15)
+    np.testing.assert_allclose(tables.NODE_SINES, np.sin(offsets), rtol=1e-15)
+    np.testing.assert_allclose(tables.NODE_VERSINES, 2.0 * np.sin(0.5 * offsets) ** 2, rtol=1e-15)
+    np.testing.assert_allclose(tables.END_SINES, np.sin(widths), rtol=1e-15)
+    np.testing.assert_allclose(tables.END_VERSINES, 2.0 * np.sin(0.5 * widths) ** 2, rtol=1e-15)
     assert np.array_equal(SINES[0], -SINES[1])
 
 
