@@ -119,6 +119,11 @@ def test_no_good_fit_is_status_1(table):
         (["--save", "fit.txt"], "--save = fit.txt must end in .json"),
         (["--hoop", "absent.toml"], "absent.toml"),
         (["--angle-unit", "turn"], "--angle-unit = 'turn'"),
+        (["--column", "x"], "--column x must be a name and a value"),
+        (["--column", "speed=x [m]"], "--column cannot name 'speed'; it can name frame, t, x, y"),
+        (["--column", "x=across"], "has no column 'across': its columns are t [s], x [m], "),
+        (["--rate", "-1"], "--rate = -1.0 must be a number above 0"),
+        (["--from", "2"], "has times from 0 to 0.391667 s, of which 0 are in the window"),
     ],
 )
 def test_bad_input_is_one_sentence(table, tmp_path, monkeypatch, arguments, message):
@@ -132,6 +137,18 @@ def test_a_file_without_radius_is_asked_for_it(table):
     done = call("fit", table)
     assert done.exit_code == 2
     assert "The radius of the hoop is missing" in done.output
+
+
+def test_a_window_of_a_table_whose_columns_are_named(table, tmp_path):
+    lines = table.read_text(encoding="utf-8").splitlines()
+    head = lines[0].replace("t [s]", "clock [s]").replace(",x [m],", ",across [m],")
+    held = [f"{t:.6f},0,0.3,0.2,0.001,0.001,0.001,found" for t in np.arange(-24, 0) / 120]
+    file = tmp_path / "video.csv"
+    file.write_text("\n".join([head, *held, *lines[1:]]), encoding="utf-8")
+    options = ["--radius", 0.3, "--quiet", "--json", "--column", "t=clock [s]", "--column", "x=across [m]", "--from", -1e-9]
+    done = call("fit", file, *options)
+    assert done.exit_code == 0, done.output
+    assert json.loads(done.stdout)["values"]["gamma"] == pytest.approx(0.6, abs=0.02)
 
 
 def test_a_plan(tmp_path):

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._output import print_json
+from hophoop.cli._output import named_options, print_json
 from hophoop.cli._tables import print_parameters
 from hophoop.vocabulary.laws import NAMED
 
@@ -19,7 +19,7 @@ def fit(
         Path,
         typer.Argument(
             metavar="DATA",
-            help="A track of `hophoop track` (.json, .csv), Tracker's export, or a table with named columns.",
+            help="A track of `hophoop track` (.json, .csv), or a table with named columns of any program.",
             show_default=False,
         ),
     ],
@@ -48,10 +48,26 @@ def fit(
         typer.Option(help="Standard deviation of each coordinate, m, if the data lack it.", rich_help_panel=DATA),
     ] = None,
     sigma_angle: Annotated[float | None, typer.Option(help="Standard deviation of angles, rad.", rich_help_panel=DATA)] = None,
+    since: Annotated[
+        float | None, typer.Option("--from", help="Time from which the motion is free, s.", rich_help_panel=DATA)
+    ] = None,
+    until: Annotated[float | None, typer.Option("--to", help="Time up to which it is free, s.", rich_help_panel=DATA)] = None,
+    column: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=HEAD",
+            help="Column of t, frame, x, y, marker_x, marker_y, angle or omega, as the table spells it; may be repeated.",
+            rich_help_panel=DATA,
+        ),
+    ] = None,
+    rate: Annotated[
+        float | None, typer.Option(help="Frames per second, if the table has frames instead of times.", rich_help_panel=DATA)
+    ] = None,
     centre: Annotated[str | None, typer.Option(help="Name of the point at the centre.", rich_help_panel=DATA)] = None,
     marker: Annotated[str | None, typer.Option(help="Name of the point at the marker.", rich_help_panel=DATA)] = None,
     angle_unit: Annotated[
-        str | None, typer.Option(help="Unit of angles, rad or deg, if the data lack it.", rich_help_panel=DATA)
+        str | None,
+        typer.Option(help="Unit of angles and angular velocities, rad or deg, if the data lack it.", rich_help_panel=DATA),
     ] = None,
     hoop: Annotated[
         str, typer.Option(help="ideal, general, or a scenario file with the hoop's measured parts.", rich_help_panel=MODEL)
@@ -104,8 +120,21 @@ def fit(
         check_ending("--save", save, (".json",))
     if film is not None and out is None and not lab:
         raise InputError("--film needs --out, the folder of the page, or --lab.")
-    reading = Reading(centre=centre, marker=marker, angle_unit=angle_unit, radius=radius, sigma=sigma, sigma_angle=sigma_angle)
-    track = read_track(data, reading)
+    columns = dict(_pairs("--column", column))
+    with named_options({"since": "--from", "until": "--to", "columns": "--column"}):
+        reading = Reading(
+            centre=centre,
+            marker=marker,
+            columns=columns,
+            rate=rate,
+            since=since,
+            until=until,
+            angle_unit=angle_unit,
+            radius=radius,
+            sigma=sigma,
+            sigma_angle=sigma_angle,
+        )
+        track = read_track(data, reading)
     with waiting("fitting", quiet=quiet or json):
         found = find(
             track,

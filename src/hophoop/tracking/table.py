@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -195,6 +195,35 @@ class Track:
         """True for each frame in which the hoop was found [1]."""
         return np.array([word != LOST for word in self.state])
 
+    def between(self, since: float | None = None, until: float | None = None) -> Track:
+        """Return the part of the track between two times, such as between hand and wall.
+
+        Parameters
+        ----------
+        since, until : float, optional
+            Times of the first and the last frame to keep [s].
+
+        Returns
+        -------
+        track : Track
+
+        Raises
+        ------
+        ValueError
+            If fewer than 3 frames are left.
+        """
+        low, high = -np.inf if since is None else since, np.inf if until is None else until
+        keep = (self.t >= low) & (self.t <= high)
+        if keep.all():
+            return self
+        if keep.sum() < 3:
+            raise InputError(
+                f"{self.source or 'The track'} has times from {self.t[0]:g} to {self.t[-1]:g} s, of which {int(keep.sum())} "
+                "are in the window; at least 3 are needed."
+            )
+        arrays = {name: getattr(self, name)[keep] for name in dict.fromkeys(name for name, _, _ in COLUMNS.values())}
+        return replace(self, **arrays, state=tuple(word for word, kept in zip(self.state, keep, strict=True) if kept))
+
     def to_dict(self) -> dict[str, Any]:
         """Convert to a dictionary, nan as None.
 
@@ -291,7 +320,7 @@ def track_of(
     for name in PAIRS:
         arrays[name][~np.isfinite(arrays[name]).all(axis=1)] = np.nan
     placed = np.isfinite(arrays["centre"][:, 0])
-    marked = np.isfinite([arrays["marker"][:, 0], arrays["angle"], arrays["omega"]]).any(axis=0)
+    marked = np.isfinite(arrays["marker"][:, 0]) | np.isfinite(arrays["angle"]) | np.isfinite(arrays["omega"])
     if not (placed | marked).any():
         raise InputError(f"{others.get('source') or 'The track'} has the hoop in no row.")
     if state is None:
