@@ -21,8 +21,9 @@ def small(monkeypatch):
 def test_all_films_are_made(tmp_path, small):
     told = []
     paths = article_films(tmp_path / "films", lambda *pair: told.append(pair))
-    assert [path.name for path in paths] == [f"{film.name}.mp4" for film in ARTICLE_FILMS]
-    assert told == [(k + 1, 6) for k in range(6)]
+    assert [path.name for path in paths] == [*(f"{film.name}.mp4" for film in ARTICLE_FILMS), "v3.1-3d.html"]
+    assert told == [(k + 1, 7) for k in range(7)]
+    assert paths.pop().read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     for path, film in zip(paths, ARTICLE_FILMS, strict=True):
         pictures, _ = decoded(path)
         assert len(pictures) >= film.duration * film.share * (2 if film.three_d else 4)
@@ -30,6 +31,13 @@ def test_all_films_are_made(tmp_path, small):
         with Image.open(path.with_suffix(".png")) as still:
             assert still.size == (128, 72)
             assert np.asarray(still).std() > 5.0
+
+
+def test_without_pyvista_the_film_in_3d_is_a_page_that_turns(tmp_path, small, monkeypatch):
+    monkeypatch.setattr(article, "find_spec", lambda name: None)
+    monkeypatch.setattr(article, "ARTICLE_FILMS", ARTICLE_FILMS[-1:])
+    assert [path.name for path in article_films(tmp_path)] == ["v3.1-3d.html"]
+    assert [path.name for path in tmp_path.iterdir()] == ["v3.1-3d.html"]
 
 
 def test_the_runs_are_the_articles():

@@ -275,6 +275,8 @@ def page(tmp_path, statements, runs):
         made.append(tmp_path / "films" / f"{film.name}.mp4")
         made[-1].write_bytes(b"film")
         made[-1].with_suffix(".png").write_bytes(b"still")
+    made.append(tmp_path / "films" / "v3.1-3d.html")
+    made[-1].write_text("<!DOCTYPE html>", encoding="utf-8")
     return report.page(statements, tmp_path, made, runs)
 
 
@@ -284,7 +286,8 @@ def test_the_page_is_whole_and_asks_nothing_of_the_network(page, statements):
     places = re.findall(r'(?:src|href|poster)="([^"]*)"', page)
     outside = {place for place in places if place.startswith(("http", "//"))}
     assert outside == {report.ARTICLE_URL}  # a link, which nothing loads
-    assert not re.search(r"<(script|link|iframe)", page)
+    assert not re.search(r"<(script|link)", page)
+    assert re.findall(r'<iframe[^>]* src="([^"]*)"', page) == ["films/v3.1-3d.html"]
     numbers = [int(number) for number in re.findall(r"<b>Figure (\d+)\.</b>", page)]
     assert numbers == list(range(1, len(FIGURES) + 1))
     ids = re.findall(r" id=['\"]([^'\"]+)", page)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Final
 
@@ -16,6 +17,7 @@ from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.scene3d import Film3D
+from hophoop.animate.web import scene
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
@@ -84,6 +86,8 @@ def article_films(
 ) -> list[Path]:
     """Make all films of the article: five in 2D and one in 3D, each with a poster, a picture of the same name.
 
+    The one in 3D is also a page that turns in a browser, and only this page without the extra ``films3d``.
+
     Parameters
     ----------
     out_dir : str or Path
@@ -96,7 +100,7 @@ def article_films(
     Returns
     -------
     paths : list of Path
-        In the order of the article.
+        In the order of the article, the page last.
 
     Raises
     ------
@@ -113,18 +117,27 @@ def article_films(
                 f"scenarios names {name!r}, which is not one of {', '.join(names)}.", field="scenarios", value=name
             )
     Path(out_dir).mkdir(parents=True, exist_ok=True)
-    paths = []
-    for done, each in enumerate(ARTICLE_FILMS):
-        paths.append(make_film(each, Path(out_dir), given.get(each.name)))
+    paths, steps = [], article_steps()
+    for done, (film, suffix) in enumerate(steps):
+        paths.append(make_film(film, suffix, Path(out_dir), given.get(film.name)))
         if progress is not None:
-            progress(done + 1, len(ARTICLE_FILMS))
+            progress(done + 1, len(steps))
     return paths
 
 
-def make_film(film: ArticleFilm, folder: Path, scenario: Scenario | None = None) -> Path:
-    """Make one film of the article and its poster in a folder; return its path."""
-    path = folder / f"{film.name}.mp4"
-    _make(film, simulate(scenario or film.scenario), path)
+def article_steps() -> list[tuple[ArticleFilm, str]]:
+    """Return the films that can be made here and the endings of their files: mp4, and html for a page that turns."""
+    drawn = [film for film in ARTICLE_FILMS if not film.three_d or find_spec("pyvista")]
+    return [*((film, "mp4") for film in drawn), *((film, "html") for film in ARTICLE_FILMS if film.three_d)]
+
+
+def make_film(film: ArticleFilm, suffix: str, folder: Path, scenario: Scenario | None = None) -> Path:
+    """Make one film of the article and its poster, or its page, in a folder; return its path."""
+    path = folder / f"{film.name}.{suffix}"
+    motion = simulate(scenario or film.scenario)
+    if suffix == "html":
+        return scene(motion, path, film.timing)
+    _make(film, motion, path)
     return path
 
 

@@ -141,7 +141,7 @@ def film_3d(
     ValueError
         If the settings do not fit the motions or the format.
     ImportError
-        If the extra 'films' is not installed.
+        If the extra 'films3d' is not installed.
     """
     timing = _with_frame_rate(timing, path, FPS_3D)
     check_film(format_of(path), look.size, timing.frame_rate)
@@ -207,7 +207,7 @@ def player(motions: Motions, timing: Timing = Timing(), look: Look | Look3D = Lo
     ValueError
         If the settings do not fit the motions.
     ImportError
-        If the extra 'films' is not installed.
+        If the extra 'films' is not installed; for a `Look3D`, 'films3d'.
     """
     with temporary_folder() as folder:
         path = folder / "film.mp4"

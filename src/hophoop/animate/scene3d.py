@@ -105,7 +105,7 @@ class Film3D:
         if len(slopes) > 1:
             raise InputError.of_field("plane.slope", sorted(slopes), "the same in all motions of one scene")
         self._slope = slopes.pop()
-        self._pyvista = need("pyvista", "films")
+        self._pyvista = need("pyvista", "films3d")
         self.canvas = Canvas(look.size, self.theme.background)
         labels = labels_of(motions, look.labels)
         ends = [min(float(t[-1]), motion.duration) for t, motion in zip(self.clock.times, motions, strict=True)]
@@ -219,9 +219,9 @@ class Film3D:
     # --- the scene -----------------------------------------------------------------------------
 
     def _open(self) -> None:
-        logger = need("vtkmodules.vtkCommonCore", "films").vtkLogger
-        support = need("vtkmodules.util.numpy_support", "films")
-        array = need("vtkmodules.vtkCommonCore", "films").vtkUnsignedCharArray
+        logger = need("vtkmodules.vtkCommonCore", "films3d").vtkLogger
+        support = need("vtkmodules.util.numpy_support", "films3d")
+        array = need("vtkmodules.vtkCommonCore", "films3d").vtkUnsignedCharArray
         before = logger.GetCurrentVerbosityCutoff()
         # without a display VTK warns, and renders in software
         logger.SetStderrVerbosity(logger.VERBOSITY_ERROR)

@@ -67,11 +67,11 @@ DARK_TEXT = 0.45  # minimum lightness of a colour under black letters
 def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], runs: Runs | None = None) -> str:
     """Return the page, with the figures in `folder` and links to the films.
 
-    folder: folder with ``figures/NAME.svg``; films: existing films; a picture of the same name is the poster; runs: the
-    motions, if already computed.
+    folder: folder with ``figures/NAME.svg``; films: existing films and pages that turn; a picture of the same name is the
+    poster; runs: the motions, if already computed.
     """
     runs = runs or Runs()
-    there = {path.stem: path for path in films}
+    there = {path.name: path for path in films}
     order: list[str] = []
 
     def number(name: str) -> int:
@@ -143,19 +143,19 @@ def _figure(figure: ArticleFigure, folder: Path) -> _Figure:
 
 
 class _Film(NamedTuple):
-    """A film of the page; a picture of the same name is its poster."""
+    """A film of the page; a picture of the same name is its poster, a page of the same name turns."""
 
     name: str
     caption: str
-    there: bool
-    place: str = ""
-    poster: str = ""
+    place: str
+    poster: str
+    turning: str
 
 
 def _film(name: str, caption: str, there: Mapping[str, Path], folder: Path) -> _Film:
-    if name not in there:
-        return _Film(name, caption, there=False)
-    path = there[name]
-    still = path.with_suffix(".png")
-    poster = still.relative_to(folder).as_posix() if still.exists() else ""
-    return _Film(name, caption, True, path.relative_to(folder).as_posix(), poster)
+    def place(path: Path | None) -> str:
+        return path.relative_to(folder).as_posix() if path is not None and path.exists() else ""
+
+    path = there.get(f"{name}.mp4")
+    poster = path and path.with_suffix(".png")
+    return _Film(name, caption, place(path), place(poster), place(there.get(f"{name}.html")))

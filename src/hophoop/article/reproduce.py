@@ -40,6 +40,7 @@ class Reproduction:
         Folder of the report; open ``index.html`` in it.
     statements : tuple of Statement
     films : tuple of Path
+        Films, and the page that turns.
     without_films : str
         Reason for missing films, otherwise empty.
     """
@@ -66,8 +67,8 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     progress : callable, optional
         Called with the name of a stage ('statements', 'figures', 'films'), the number of steps done and of all.
     with_films : bool, default True
-        Whether to make films, if the extra ``films`` is installed: in another process, so that a script that calls this needs
-        the usual ``if __name__ == "__main__":``.
+        Whether to make films, if the extra ``films`` is installed, and the one in 3D with ``films3d``. Another process makes
+        them, so a script that calls this needs the usual ``if __name__ == "__main__":``.
 
     Returns
     -------
@@ -115,26 +116,27 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
 def _films(out: Path) -> Iterator[Callable[[Progress], list[Path]]]:
     """Start the films in another process; the context has a function that waits for them and returns their paths."""
     need("av", "films")
-    from hophoop.animate.article import ARTICLE_FILMS, make_film
+    from hophoop.animate.article import article_steps, make_film
 
     fresh = out.with_name(f".{out.name}-new")  # until all are complete
     shutil.rmtree(fresh, ignore_errors=True)  # left by a killed process
     with temporary(fresh), _other_process() as pool:
         fresh.mkdir(parents=True)
+        steps = article_steps()
         with ignored_by_children():
-            begun = [pool.submit(make_film, film, fresh) for film in ARTICLE_FILMS]
+            begun = [pool.submit(make_film, film, suffix, fresh) for film, suffix in steps]
 
         def finish(progress: Progress) -> list[Path]:
-            for done, (film, future) in enumerate(zip(ARTICLE_FILMS, begun, strict=True)):
+            for done, ((film, suffix), future) in enumerate(zip(steps, begun, strict=True)):
                 try:
                     future.result()
                 except BrokenProcessPool:
-                    make_film(film, fresh)
+                    make_film(film, suffix, fresh)
                 progress("films", done + 1, len(begun))
             out.mkdir(exist_ok=True)
             for still in fresh.glob("*.png"):
                 still.replace(out / still.name)
-            return [(fresh / f"{film.name}.mp4").replace(out / f"{film.name}.mp4") for film in ARTICLE_FILMS]
+            return [(fresh / f"{film.name}.{suffix}").replace(out / f"{film.name}.{suffix}") for film, suffix in steps]
 
         yield finish
 
