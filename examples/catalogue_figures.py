@@ -133,7 +133,8 @@ def draw_plane(path: Path) -> None:
     from matplotlib.patheffects import withStroke
 
     from hophoop.plots.style import ON_COLOR
-    from hophoop.vocabulary.labels import PARAMETERS, with_unit
+    from hophoop.vocabulary.parameters import FIGURE_LABELS
+    from hophoop.vocabulary.quantities import with_unit
 
     hoop = json.loads(files("hophoop.maps").joinpath("catalogue.json").read_text(encoding="utf-8"))["hoops"][repr(REFERENCE)]
     (least, most), (slowest, fastest) = hoop["mu_range"], hoop["speed_range"]
@@ -148,8 +149,8 @@ def draw_plane(path: Path) -> None:
         limits = ax.get_xlim(), ax.get_ylim()
         ax.plot(*zip(*places, strict=True), "o", ms=3.2, mfc="white", mec="black", mew=0.7, gid=f"{ON_COLOR}-places")
         ax.set(xlim=limits[0], ylim=limits[1])
-        ax.set_xlabel(PARAMETERS["plane.mu"])
-        ax.set_ylabel(with_unit(PARAMETERS["start.speed"], "m/s"))
+        ax.set_xlabel(FIGURE_LABELS["plane.mu"])
+        ax.set_ylabel(with_unit(FIGURE_LABELS["start.speed"], "m/s"))
     white = [withStroke(linewidth=1.6, foreground="white")]
     for k, (sequence, ending, mu, speed) in enumerate(names_in_the_plane(speeds)):
         text = sequence + "\nreversal" * (ending == "reversal")

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import hophoop as hh
-from hophoop.vocabulary import colors, modes
+from hophoop.vocabulary import colors, names
 
 SLOWER, HOLD = 2.4, 1.0  # seconds of picture for one second of motion; seconds that the last pose stays
 STEPS = 64
@@ -43,7 +43,7 @@ def turn(k):
 
 
 def word(event):
-    return modes.mode_word(event.to_mode, event.omega)
+    return names.mode_word(event.to_mode, event.omega)
 
 
 begins = [event for event in motion.events if event.kind == "start" or event.from_mode != event.to_mode]
@@ -76,7 +76,7 @@ for event, following in zip(begins, [*begins[1:], motion.events[-1]], strict=Tru
     ink = colors.mode_color(word(event))
     ground.append(f'<path d="M{event.x:.3f},0.06H{following.x:.3f}" stroke="{ink}" stroke-width=".12"/>')
     middle = (event.x + following.x) / 2.0
-    ground.append(f'<text x="{middle:.2f}" y=".5" fill="currentColor">{modes.VERBS[word(event)]}</text>')
+    ground.append(f'<text x="{middle:.2f}" y=".5" fill="currentColor">{names.WORDS[word(event)].verb}</text>')
 
 takeoff, landing = motion.find("takeoff")[0].t, motion.find("impact")[0].t
 airborne = np.flatnonzero((times >= takeoff) & (times <= landing))

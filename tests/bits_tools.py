@@ -15,10 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import hophoop as hh
-from hophoop.kernel.physics.body import Status
+from hophoop.kernel.physics.body import MODE_LETTERS, Status
 from hophoop.kernel.records.layout import EVENT
 from hophoop.lab.wasm.layout import SAMPLE_COLUMNS
-from hophoop.vocabulary.modes import MODE_LETTERS
 
 FOLDER = Path(__file__).parent / "data" / "bits"
 SCENARIOS, HASHES = FOLDER / "scenarios.json", FOLDER / "hashes.json"

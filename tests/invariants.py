@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.kernel.physics.body import PASSING, Event
 from hophoop.results.records import ArraySample, Ledger, Sample
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.events import PASSING_KINDS
 from hophoop.vocabulary.quantities import LOSSES
 
 Floats = NDArray[np.float64]
@@ -112,7 +112,7 @@ def _course(motion: Trajectory) -> _Course:
     modes = np.array([event.to_mode for event in motion.events])
     letters = modes[np.searchsorted(kernel_t, instants[:-1], side="right") - 1]
     letters[long] = middle.mode
-    begins = {float(at) for at, event in zip(kernel_t, motion.events, strict=False) if event.kind not in PASSING_KINDS}
+    begins = {float(at) for at, event in zip(kernel_t, motion.events, strict=False) if Event[event.kind.upper()] not in PASSING}
     begin = [at in begins for at in instants[:-1].tolist()]
     contact = motion.scenario.contact
     kind = "rigid" if contact.model == "rigid" else contact.friction

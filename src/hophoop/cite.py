@@ -10,9 +10,10 @@ from functools import cache
 from pathlib import Path
 
 import hophoop
+from hophoop.kernel.physics.body import ImpactLaw
 from hophoop.scenario import Compliant
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.names import LAWS
 
 __all__ = ["cite", "bibtex", "references", "Reference"]
 
@@ -145,7 +146,7 @@ def _reasons(motion: Trajectory) -> Iterator[tuple[str, str]]:
         yield "ArroyoAparicio2023", "general eccentric cylinders on a slope"
     if "impact" in kinds or "bounce_limit" in kinds:
         yield "Routh1877", "the impulse of an impact with friction"
-        law = LAWS[plane.impact_law]
+        law = LAWS[ImpactLaw[plane.impact_law.upper()]]
         if plane.restitution > 0.0 and law.reference is not None:
             yield law.reference
     if "kane_gain" in kinds:

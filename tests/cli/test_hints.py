@@ -45,7 +45,7 @@ def test_a_name_of_python_leads_to_the_option(command, option, right):
 def test_the_letters_are_explained_without_symbols():
     done = CliRunner().invoke(app, ["run", "--v0", "3.1", "--duration", "2"])
     text = " ".join(done.stdout.split())
-    assert "(R roll, S slip backward, K slip forward, H flight (a hop), M skim)" in text
+    assert "(R roll, S spin, K skid, H flight, M skim)" in text
 
 
 def test_a_port_in_use_leads_to_a_free_one():

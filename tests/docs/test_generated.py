@@ -12,7 +12,7 @@ import pytest
 from hophoop.results.records import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import paths
 from hophoop.scenario.ranges import RANGES
-from hophoop.vocabulary import events, statuses
+from hophoop.vocabulary import names
 from hophoop.vocabulary.parameters import Range
 from page_tools import options
 
@@ -74,7 +74,7 @@ def test_a_mark_that_nobody_makes_is_an_error():
 def test_the_reference_has_every_kind_of_event_and_every_status():
     text = (Path(__file__).parents[2] / "docs" / "api.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)
-    assert rows == [*events.EVENTS, *statuses.STATUSES]
+    assert rows == [*names.EVENTS, *names.STATUSES]
 
 
 @pytest.mark.parametrize("record", [EventRecord, Velocity, Sample, Ledger, EventErrors])

@@ -8,7 +8,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.article.inks import for_both
-from hophoop.vocabulary.fates import Fate
+from hophoop.vocabulary.names import Fate
 
 BASE = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(gravity=1.0))
 

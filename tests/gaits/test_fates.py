@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.vocabulary.fates import FATE_CODES, FATES, Fate
+from hophoop.vocabulary.names import FATE_CODES, FATES, Fate
 
 
 def scenario(speed=3.1, angle=0.0, gamma=0.75, **plane):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.vocabulary.fates import Fate
+from hophoop.vocabulary.names import Fate
 
 SEED = 7
 LATE = 2000.0  # √(R/g), for which a motion is followed on from its last passage

@@ -171,7 +171,7 @@ def test_theory_says_what_can_be_said_on_every_slope():
 
 
 def test_motions_of_a_massless_hoop_are_told_apart_by_colour():
-    from hophoop.vocabulary.classes import class_color
+    from hophoop.vocabulary.colors import class_color
 
     colors = [class_color(name) for name in ("RMR", "MR", "RMKR", "MKR", "R")]
     parts = [[int(color[i : i + 2], 16) for i in (1, 3, 5)] for color in colors]

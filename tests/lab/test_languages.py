@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.lab import tables
 from hophoop.scenario import paths
-from hophoop.vocabulary.events import EVENT_KINDS
-from hophoop.vocabulary.modes import WORDS
+from hophoop.vocabulary.names import WORDS
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -95,7 +95,7 @@ def test_no_key_is_a_path_of_a_scenario():
 
 
 def known_to_python(part):
-    return part in {*map(str, EVENT_KINDS), *WORDS} or part in {"start_flight", "start_skim"}
+    return part in {*map(str, EVENT_NAMES), *WORDS} or part in {"start_flight", "start_skim"}
 
 
 def built(key):

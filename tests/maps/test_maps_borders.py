@@ -10,8 +10,8 @@ from hophoop import maps
 from hophoop.maps.boundaries.classes import Classifier, make_window
 from hophoop.maps.boundaries.following import follow
 from hophoop.plots.maps import motion_map
-from hophoop.vocabulary.classes import CODES, class_color
-from hophoop.vocabulary.modes import WORDS
+from hophoop.vocabulary.colors import CODES, class_color
+from hophoop.vocabulary.names import WORDS
 
 WINDOW = {"plane.mu": (0.05, 2.0), "start.speed": (0.05, 5.0)}
 

@@ -7,9 +7,8 @@ import pytest
 
 import hophoop as hh
 from hophoop.gaits.kernels.cells import fastest_rolling
-from hophoop.vocabulary.classes import CODES
-from hophoop.vocabulary.fates import Fate
-from hophoop.vocabulary.words import identifier
+from hophoop.vocabulary.colors import CODES
+from hophoop.vocabulary.names import Fate, identifier
 
 pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
 

@@ -17,7 +17,8 @@ from hophoop.lab.api.limits import within
 from hophoop.lab.api.motion import columns, result
 from hophoop.lab.api.packing import finite
 from hophoop.lab.site import presets
-from hophoop.vocabulary.classes import class_color, class_text
+from hophoop.vocabulary.colors import class_color
+from hophoop.vocabulary.names import class_text
 from model.asked import asked
 from model.test_page_model import answers
 from web_tools import english, needs_node

@@ -13,7 +13,7 @@ from hophoop.gaits.computing import FOREVER, PANELS, judged
 from hophoop.gaits.kernels.layout import BOTTOM, CODES, Request
 from hophoop.lab.wasm.layout import FATE_COLUMNS
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
-from hophoop.vocabulary.fates import FATE_CODES, Fate
+from hophoop.vocabulary.names import FATE_CODES, Fate
 
 pytest.importorskip("wasmtime")
 

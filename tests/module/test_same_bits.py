@@ -12,7 +12,7 @@ import hophoop as hh
 from hophoop import maps
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.kernel.compliant.parameters import chosen_in_si
-from hophoop.kernel.physics.body import EVENT_NAMES, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.margins import MARGINS
@@ -28,7 +28,7 @@ from hophoop.scenario.parts import combine
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.compliant import to_compliance
 from hophoop.simulation.phases import margins
-from hophoop.vocabulary.modes import MODE_LETTERS, mode_words
+from hophoop.vocabulary.names import mode_words
 
 pytest.importorskip("wasmtime")
 

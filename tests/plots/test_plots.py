@@ -18,7 +18,7 @@ from hophoop.article import compliant_figures as compliant
 from hophoop.plots.curves import curve, phases, turning
 from hophoop.plots.marks import clusters
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.modes import mode_word
+from hophoop.vocabulary.names import mode_word
 
 matplotlib.use("agg")
 

@@ -20,7 +20,7 @@ from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.precise.problem import Problem
 from hophoop.results.poses import poses_of
 from hophoop.scenario import cell_of, paths
-from hophoop.vocabulary import classes, colors, events, laws, modes, parameters, statuses
+from hophoop.vocabulary import colors, names, parameters
 
 ROOT = Path(__file__).parents[2]
 
@@ -51,24 +51,24 @@ def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
     assert state.omega == pytest.approx(-0.791, abs=1e-3)
     assert state.mode == "S"  # v_t < 0: the letter is its sign
     assert expected_word(state) == "skid"
-    assert modes.mode_word(state.mode, state.omega) == "skid"
+    assert names.mode_word(state.mode, state.omega) == "skid"
     assert poses_of(rocking, [7.5]).words[0] == "skid"
     assert next(piece.word for piece in phases(rocking) if piece.t < 7.5 < piece.end_t) == "skid"
     columns = film.columns(rocking)
-    assert modes.MODE_WORDS[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
+    assert names.MODE_WORDS[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
 
 
 @pytest.mark.parametrize("t", [1.0, 2.5, 3.3, 4.2, 5.9, 7.5, 8.6])
 def test_each_word_shown_is_that_of_v_t_and_rotation(rocking, t):
     state = rocking.at(t)
     if state.mode in ("S", "K"):
-        assert modes.mode_word(state.mode, state.omega) == expected_word(state)
+        assert names.mode_word(state.mode, state.omega) == expected_word(state)
 
 
 def test_many_words_are_the_single_ones(rocking):
     sample = rocking.at(rocking.times(500))
-    many = modes.mode_words(sample.mode, sample.omega)
-    assert list(many) == [modes.mode_word(str(m), w) for m, w in zip(sample.mode, sample.omega, strict=True)]
+    many = names.mode_words(sample.mode, sample.omega)
+    assert list(many) == [names.mode_word(str(m), w) for m, w in zip(sample.mode, sample.omega, strict=True)]
     assert {"roll", "spin", "skid"} <= set(many)
 
 
@@ -86,43 +86,43 @@ def test_a_slip_in_which_the_hoop_turns_back_changes_its_word():
 
 
 def test_a_direction_is_that_of_the_coming_rotation():
-    np.testing.assert_array_equal(modes.coming_rotation([0.0, 2.0, 0.0, -1.0, 0.0]), [1, 1, -1, -1, -1])
-    np.testing.assert_array_equal(modes.coming_rotation([0.0, 0.0]), [0, 0])
+    np.testing.assert_array_equal(names.coming_rotation([0.0, 2.0, 0.0, -1.0, 0.0]), [1, 1, -1, -1, -1])
+    np.testing.assert_array_equal(names.coming_rotation([0.0, 0.0]), [0, 0])
 
 
 def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
     scenario = hh.Scenario(plane=hh.Plane(mu=0.3))
     angles, rates = np.linspace(-3.0, 3.0, 60), np.linspace(-8.0, 8.0, 40)[:, None]
-    words = modes.mode_words(theory.mode_of(angles, rates, scenario.hoop, scenario.plane), rates)
+    words = names.mode_words(theory.mode_of(angles, rates, scenario.hoop, scenario.plane), rates)
     np.testing.assert_array_equal(words, words[::-1, ::-1])
     letters = theory.mode_of(1.0, np.array([2.0, -2.0]), scenario.hoop, scenario.plane)
-    assert set(modes.mode_words(letters, [2.0, -2.0])) <= set(modes.MODE_WORDS)
+    assert set(names.mode_words(letters, [2.0, -2.0])) <= set(names.MODE_WORDS)
 
 
 def test_an_unknown_letter_is_refused():
     with pytest.raises(ValueError, match=r"letter = 'X' must be one of R, S, K, H, M\."):
-        modes.mode_word("X", 1.0)
+        names.mode_word("X", 1.0)
     with pytest.raises(ValueError, match="word = 'S' must be one of roll, spin"):
         colors.mode_color("S")
 
 
 def test_a_phase_has_one_word_in_motions_and_maps():
     for letter in "RSKHM":
-        assert modes.LETTERS[letter] == modes.mode_word(letter, 1.0)
-    assert classes.class_text("RSH") == "roll → spin → flight"
+        assert names.LETTERS[letter] == names.mode_word(letter, 1.0)
+    assert names.class_text("RSH") == "roll → spin → flight"
     # 'hop' is a flight from take-off to landing, as the glossary has it; nothing that is shown says airborne
     shown = (ROOT / "web" / "words" / "de.json").read_text(encoding="utf-8")
     assert "airborne" not in shown
 
 
 def test_every_kind_of_mode_event_and_status_has_its_words():
-    from hophoop.kernel.physics.body import EVENT_NAMES, Mode, Status
+    from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES, Mode
 
-    assert tuple(modes.MODES) == tuple(Mode)
-    assert set(modes.MODE_WORDS) == set(modes.WORDS)
-    assert tuple(modes.ModeLetter) == modes.MODE_LETTERS
-    assert tuple(events.EVENTS) == EVENT_NAMES
-    assert tuple(statuses.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
+    assert tuple(names.MODES) == tuple(Mode)
+    assert set(names.MODE_WORDS) == set(names.WORDS)
+    assert len(MODE_LETTERS) == len(Mode)
+    assert tuple(names.EVENTS) == EVENT_NAMES
+    assert tuple(names.STATUSES) == STATUS_NAMES
 
 
 def letters_of(motion):
@@ -143,16 +143,16 @@ def test_events_that_end_no_phase_are_not_in_the_sequence(passing):
     assert motion.find(passing)
     assert motion.sequence == letters_of(motion)
     kinds, modes, times = (motion.tables["events"][name].tolist() for name in ("kind", "after_mode", "t"))
-    assert events.sequence_of(kinds, modes, times) == motion.sequence
+    assert names.sequence_of(kinds, modes, times) == motion.sequence
 
 
 def test_a_sequence_in_another_arithmetic_and_at_its_edges():
     start, end, roll, flight = 0, 15, 0, 3
     times = [Decimal("1e-400"), Decimal("2e-400")]
-    assert events.sequence_of([start, end], [roll, roll], times) == "R"
-    assert events.sequence_of([start, end], [flight, roll], [1.0, 1.0]) == "R"  # nothing lasts: the last mode
-    assert events.sequence_of([start, end], [roll, flight], [0.0, 1.0], takes_off=True) == "RH"
-    assert events.sequence_of([], [], []) == ""
+    assert names.sequence_of([start, end], [roll, roll], times) == "R"
+    assert names.sequence_of([start, end], [flight, roll], [1.0, 1.0]) == "R"  # nothing lasts: the last mode
+    assert names.sequence_of([start, end], [roll, flight], [0.0, 1.0], takes_off=True) == "RH"
+    assert names.sequence_of([], [], []) == ""
 
 
 def test_the_events_that_end_no_phase_are_spelt_once():
@@ -171,26 +171,26 @@ def test_the_events_that_end_no_phase_are_spelt_once():
 def test_every_law_of_impact_has_its_row():
     from hophoop.kernel.physics.body import ImpactLaw
 
-    assert {name: law.code for name, law in laws.LAWS.items()} == {law.name.lower(): law for law in ImpactLaw}
-    assert tuple(laws.LAWS) == typing.get_args(hh.Plane.model_fields["impact_law"].annotation)
-    assert laws.NAMED == "stronge, newton or poisson"
+    assert {law.name.lower(): law for law in ImpactLaw} == names.LAW_CODES
+    assert tuple(names.LAW_CODES) == typing.get_args(hh.Plane.model_fields["impact_law"].annotation)
+    assert names.NAMED_LAWS == "stronge, newton or poisson"
     described = (ROOT / "docs" / "references.bib").read_text(encoding="utf-8")
-    for law in laws.LAWS.values():
+    for law in names.LAWS.values():
         assert law.reference is None or f"{{{law.reference[0]}," in described
 
 
-@pytest.mark.parametrize("law", laws.LAWS)
+@pytest.mark.parametrize("law", names.LAW_CODES)
 def test_a_law_is_the_same_wherever_it_is_named(law):
     scenario = hh.Scenario(plane=hh.Plane(impact_law=law))
-    assert scenario.to_body().law == Problem.of(scenario).law == laws.LAWS[law].code
+    assert scenario.to_body().law == Problem.of(scenario).law == names.LAW_CODES[law]
     cells = make_cells(hh.Scenario(), {"plane.impact_law": np.array([law])}, 1)
-    assert cells[LAW, 0] == laws.LAWS[law].code
+    assert cells[LAW, 0] == names.LAW_CODES[law]
     layout = json.loads((ROOT / "src/hophoop/lab/wasm/layout.json").read_text(encoding="utf-8"))
-    assert layout["impact_laws"].index(law) == laws.LAWS[law].code
+    assert layout["impact_laws"].index(law) == names.LAW_CODES[law]
 
 
 def test_only_motions_that_reach_their_end_are_ok():
-    assert [status for status, facts in statuses.STATUSES.items() if facts.ok] == ["completed", "at_rest"]
+    assert [status for status, facts in names.STATUSES.items() if facts.ok] == ["completed", "at_rest"]
     jammed = hh.simulate(next(preset.scenario for preset in presets() if preset.key == "jam"))
     assert (jammed.status, jammed.ok) == ("jammed", False)
     assert hh.simulate(hh.Scenario(duration=0.1)).ok
@@ -200,7 +200,7 @@ def test_only_motions_that_reach_their_end_are_ok():
 
 
 def test_a_class_has_one_colour_in_figures_and_in_maps():
-    assert plots.class_color is classes.class_color
+    assert plots.class_color is colors.class_color
 
 
 # The share of friction in use

@@ -13,7 +13,7 @@ from hophoop.animate.themes import Theme
 from hophoop.plots.marks import center_of_label, clusters
 from hophoop.results.poses import Floats, to_world
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.events import EVENTS, MARKS
+from hophoop.vocabulary.names import EVENTS, MARKS
 
 KINDS = tuple(kind for kind, facts in EVENTS.items() if facts.filmed)
 FLASH = 0.5  # duration of the ring [s of film]

@@ -14,7 +14,7 @@ from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, tim
 from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.statuses import STATUSES
+from hophoop.vocabulary.names import STATUSES
 
 STEPS = ("time", "angle")
 USUAL_RATE = 60.0

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hophoop.animate.canvas import Canvas, Rectangle
-from hophoop.vocabulary.modes import PARTICIPLES
+from hophoop.vocabulary.names import WORDS
 
 MARGIN, GAP = 22.0, 26.0  # at the sides, and between texts and keys [units]
 BAR_WORDS, NORMAL, FRICTION = "speed of the ring's points, m/s", "normal force", "friction"  # of the keys
@@ -50,7 +50,7 @@ class Layout:
 def state_width(canvas: Canvas, extra: str) -> float:
     """Width of a line on a state: mode, time, angle and one more text [pixels]."""
     u = canvas.unit
-    words = max(canvas.text_width(word, MODE_FONT, "bold") for word in PARTICIPLES.values()) + TAGGED_MODE * u
+    words = max(canvas.text_width(word.participle, MODE_FONT, "bold") for word in WORDS.values()) + TAGGED_MODE * u
     column = COLUMNS[2 if extra else 1] * u
     return float(max(words, column + canvas.text_width(extra or "θ = −1000.0°", FONT)))
 

@@ -16,7 +16,7 @@ from hophoop.plots.curves import curve
 from hophoop.results.poses import Floats, Poses
 from hophoop.results.records import ArraySample
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary import colors, quantities
 
 # Opacity of the future part of a curve
 AHEAD = 0.28
@@ -220,7 +220,7 @@ def _velocity(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
         linewidth=1.8,
         label="Rθ̇",
     )
-    axes.set_ylabel(labels.VELOCITY)
+    axes.set_ylabel(quantities.VELOCITY)
     _over_time(axes, sample.t)
 
 
@@ -233,21 +233,21 @@ def _energy(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
         (sample.normal_loss, colors.IMPACT_LOSS, "impacts, normal" if motion.scenario.contact.model == "rigid" else "damper"),
     ):
         axes.plot(sample.t, values, color=color, linewidth=1.8, label=label)
-    axes.set_ylabel(labels.ENERGY)
+    axes.set_ylabel(quantities.ENERGY)
     _over_time(axes, sample.t)
 
 
 def _forces(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     axes.plot(sample.t, sample.normal_force, color=colors.NORMAL_FORCE, linewidth=1.8, label="normal")
     axes.plot(sample.t, sample.friction_force, color=colors.FRICTION_FORCE, linewidth=1.8, label="friction")
-    axes.set_ylabel(labels.FORCE)
+    axes.set_ylabel(quantities.FORCE)
     _over_time(axes, sample.t)
 
 
 def _utilization(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     share = sample.utilization(motion.scenario.plane)
     axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
-    axes.set_ylabel(labels.UTILIZATION)
+    axes.set_ylabel(quantities.UTILIZATION)
     _over_time(axes, sample.t)
     axes.set_ylim(0.0, 1.15)
     axes.set_yticks([0.0, 0.5, 1.0])
@@ -256,13 +256,13 @@ def _utilization(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
 def _phase(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
     (line,) = axes.plot(np.degrees(sample.angle), sample.omega, color=colors.BLACK, linewidth=1.6)
     line.hophoop_times = sample.t
-    axes.set_xlabel(labels.ANGLE)
+    axes.set_xlabel(quantities.ANGLE)
     axes.set_ylabel("θ̇ (rad/s)")
 
 
 def _over_time(axes: Any, times: Floats) -> None:
     axes.set_xlim(times[0], times[-1] if times[-1] > times[0] else times[0] + 1.0)
-    axes.set_xlabel(labels.TIME)
+    axes.set_xlabel(quantities.TIME)
 
 
 DRAWN = {

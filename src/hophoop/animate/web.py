@@ -24,8 +24,7 @@ from hophoop.results.poses import Floats, load_distance, poses_of
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.events import EVENTS
-from hophoop.vocabulary.modes import FLIGHT, MODE_WORDS, PARTICIPLES
+from hophoop.vocabulary.names import EVENTS, FLIGHT, MODE_WORDS, WORDS
 
 TRACE_POINTS = 4000
 
@@ -125,7 +124,7 @@ def scene_data(
             "friction": theme.visible(colors.FRICTION_FORCE),
         },
         "flight": MODE_WORDS.index(FLIGHT),
-        "modes": [[PARTICIPLES[word], colors.mode_color(word)] for word in MODE_WORDS],
+        "modes": [[WORDS[word].participle, colors.mode_color(word)] for word in MODE_WORDS],
         "hoops": hoops,
     }
 

@@ -26,7 +26,7 @@ from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
 from hophoop.results.poses import Floats, Poses
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.modes import PARTICIPLES
+from hophoop.vocabulary.names import WORDS
 
 
 def shades_of(speeds: Floats, top: float) -> Floats:
@@ -71,7 +71,7 @@ def draw_state(canvas: Canvas, theme: Theme, place: tuple[float, float], line: S
         draw_tag(canvas, theme, spot, line.tag, colors.mode_color(line.mode))
     else:
         canvas.disc(spot, 8.0 * u, colors.mode_color(line.mode), theme.ink, 0.8)
-    said = line.end or PARTICIPLES[line.mode]
+    said = line.end or WORDS[line.mode].participle
     if before + canvas.text_width(said, MODE_FONT, "bold") <= room:
         canvas.text(x + before, y, said, TextStyle(theme.ink, MODE_FONT, weight="bold"))
     turned = f"θ = {math.degrees(line.angle):.1f}°"

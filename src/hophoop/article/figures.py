@@ -16,7 +16,7 @@ from hophoop.article.runs import LONG, Runs
 from hophoop.article.scenarios import title
 from hophoop.plots.style import finish
 from hophoop.simulation.simulate import simulate
-from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary import colors, quantities
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -116,7 +116,7 @@ def _slow_end(runs: Runs, ax: Axes) -> None:
     late = t[t > 10.0]
     ax.loglog(late, law / late, color=colors.LIMIT, lw=1.4, ls=(0, (5, 2)), label=f"{law:.0f} J s / t")
     ax.set_xlim(0.5, LONG * 1.2)
-    finish(ax, labels.TIME, "Energy above rolling at the critical speed (J)")
+    finish(ax, quantities.TIME, "Energy above rolling at the critical speed (J)")
 
 
 PART1, PART2, PART3, PART4 = (

@@ -26,7 +26,7 @@ from hophoop.plots.curves import phases
 from hophoop.scenario import Scenario
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.modes import FLIGHT, ROLL, SKID, SPIN
+from hophoop.vocabulary.names import FLIGHT, ROLL, SKID, SPIN
 
 ARTICLE_URL = "https://www.comsol.com/blogs/the-physics-of-a-hopping-hoop"
 STARTS = ("slip_start", "takeoff")  # events of the table of motions

@@ -27,7 +27,7 @@ ENDLESS = 4000  # width of a pipe for numbers of up to 1000 digits
 
 def no_answer(duration: float, status: str) -> str:
     """Sentence on why a motion ended without an answer."""
-    from hophoop.vocabulary.statuses import STATUSES
+    from hophoop.vocabulary.names import STATUSES
 
     return f"The motion ends at t = {duration:.9g} s, {status}. {STATUSES[status].sentence}"
 
@@ -58,7 +58,7 @@ def print_motion(motion: Trajectory, everything: bool) -> None:
 
 def print_errors(motion: Trajectory, errors: EventErrors, everything: bool) -> None:
     """Print the estimated error of each event."""
-    from hophoop.vocabulary.words import plain
+    from hophoop.vocabulary.names import plain
 
     events = motion.events
 
@@ -99,17 +99,17 @@ def _format(number: float) -> str:
 
 
 def _summary(motion: Trajectory) -> Table:
-    from hophoop.vocabulary.labels import normal_loss
-    from hophoop.vocabulary.modes import LETTERS_SENTENCE
-    from hophoop.vocabulary.words import plain
+    from hophoop.vocabulary.names import LETTERS, plain
+    from hophoop.vocabulary.quantities import normal_loss
 
     ledger = motion.ledger
     normal = normal_loss(motion.scenario.contact.model).removeprefix("lost ")
     resists = motion.scenario.plane.rolling_resistance > 0.0
     rolling = f", to rolling resistance {ledger.rolling_resistance:.6g} J" if resists else ""
     table = Table.grid(padding=(0, 2))
+    letters = ", ".join(f"{letter} {word}" for letter, word in LETTERS.items() if letter != "+")
     phases = motion.sequence if len(motion.sequence) <= 60 else motion.sequence[:59] + "…"
-    table.add_row("phases", f"{phases}   ({LETTERS_SENTENCE})")
+    table.add_row("phases", f"{phases}   ({letters})")
     table.add_row("status", plain(motion.status))
     table.add_row(
         "energy",

@@ -9,7 +9,7 @@ import typer
 
 from hophoop.cli._output import named_options, print_json
 from hophoop.cli._tables import print_parameters
-from hophoop.vocabulary.laws import NAMED
+from hophoop.vocabulary.names import NAMED_LAWS
 
 OUTPUT, DATA, MODEL = "Output", "Data", "Model"
 
@@ -96,7 +96,7 @@ def fit(
         ),
     ] = None,
     gravity: Annotated[float, typer.Option(help="Gravity, m/s².", rich_help_panel=MODEL)] = 9.81,
-    law: Annotated[str, typer.Option(help=f"Impact law: {NAMED}.", rich_help_panel=MODEL)] = "stronge",
+    law: Annotated[str, typer.Option(help=f"Impact law: {NAMED_LAWS}.", rich_help_panel=MODEL)] = "stronge",
     sample: Annotated[
         int | None,
         typer.Option(metavar="STEPS", help="Sample the posterior with emcee, about 1000 steps.", rich_help_panel=MODEL),

@@ -10,7 +10,7 @@ import typer
 from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, no_answer, print_events
 from hophoop.cli._output import print_json, write_json
 from hophoop.results.event_table import change_of
-from hophoop.vocabulary.words import plain
+from hophoop.vocabulary.names import plain
 
 if TYPE_CHECKING:
     from hophoop.precise import Agreement, PreciseEvent, PreciseMotion

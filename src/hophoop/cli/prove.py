@@ -120,7 +120,7 @@ def _show(proof: Proof) -> None:
     """Print the events with their enclosures."""
     from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, print_events
     from hophoop.results.event_table import change_of
-    from hophoop.vocabulary.words import plain
+    from hophoop.vocabulary.names import plain
 
     def cells(event: ProvedEvent) -> list[str]:
         return [plain(event.kind), change_of(event), *map(str, (event.t, event.angle, event.x, event.vx, event.omega))]

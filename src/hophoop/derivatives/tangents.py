@@ -52,18 +52,6 @@ from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.state import with_velocities
 from hophoop.kernel.records.writing import state_of
 
-ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
-SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF, IMPACT, TURN, APEX = (
-    int(kind)
-    for kind in (Event.SLIP_START, Event.STICK, Event.SLIP_REVERSAL, Event.TAKEOFF, Event.IMPACT, Event.TURN, Event.APEX)
-)
-START, BOUNCE_LIMIT, JAM, SKIM_START, REST_EVENT, END_EVENT = (
-    int(kind) for kind in (Event.START, Event.BOUNCE_LIMIT, Event.JAM, Event.SKIM, Event.REST, Event.END)
-)
-PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
-GRAZE, BORDER, CONTACT, SINGULAR = (int(why) for why in (Reason.GRAZE, Reason.BORDER, Reason.CONTACT, Reason.SINGULAR))
-MASSLESS, FRICTIONLESS, ENDED = (int(why) for why in (Reason.MASSLESS, Reason.FRICTIONLESS, Reason.ENDED))
-
 
 @apart
 def begin_changes(body, row, tangents, reasons):
@@ -72,17 +60,17 @@ def begin_changes(body, row, tangents, reasons):
     if state.y > 0.0 or state.vn != 0.0:
         return
     mode = row["after_mode"]
-    touches = mode != FLIGHT and mode != SKIM
+    touches = mode != Mode.FLIGHT and mode != Mode.SKIM
     slips_freely = touches and body.mu_k == 0.0 and slip_direction(mode) != 0
     for k in range(tangents.shape[1]):
         if tangents[Y, k] != 0.0 or tangents[VN, k] != 0.0:
-            fail(tangents, reasons, k, CONTACT)
+            fail(tangents, reasons, k, Reason.CONTACT)
         elif touches and state.vt == 0.0 and tangents[VT, k] != 0.0 and not slips_freely:
-            fail(tangents, reasons, k, BORDER)
+            fail(tangents, reasons, k, Reason.BORDER)
     if touches:
         part_at_rest(body, slip_direction(mode), state, tangents, reasons)
     if is_on_border(body, state):
-        fail_all(tangents, reasons, BORDER)
+        fail_all(tangents, reasons, Reason.BORDER)
 
 
 @apart
@@ -91,17 +79,17 @@ def end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
     s, c = sine_cosine(before.th, before.th_low)
     friction = rolling_forces(body, s, c, before.om * before.om, resistance_arm(body, s, c, before.om, 0))[0]
     meet_cone(body, before, rates, 1.0 if friction > 0.0 else -1.0, parameter_tangents, tangents, reasons)
-    if row["kind"] == SKIM_START:
+    if row["kind"] == Event.SKIM:
         for k in range(tangents.shape[1]):
             if parameter_tangents[EPS, k] != 0.0 or parameter_tangents[KAP, k] != 0.0:
-                fail(tangents, reasons, k, MASSLESS)
+                fail(tangents, reasons, k, Reason.MASSLESS)
 
 
 @apart
 def collide_changes(body, rest, row, before, parameter_tangents, tangents, event_tangents, reasons):
     """All directions through an impact."""
     s, c = sine_cosine(before.th, before.th_low)
-    closes = row["kind"] == BOUNCE_LIMIT
+    closes = row["kind"] == Event.BOUNCE_LIMIT
     blow = Blow(rest, s, c, before.vt, before.vn)
     vn = impact(body, rest, s, c, before.vt, before.vn)[1]
     for k in range(tangents.shape[1]):
@@ -167,13 +155,13 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
     mode = row["before_mode"]
     after = state_of(row)
     before = with_velocities(after, row["before_slip"], row["before_vy"], row["before_omega"])
-    if kind == IMPACT and mode == SKIM:
+    if kind == Event.IMPACT and mode == Mode.SKIM:
         for k in range(tangents.shape[1]):
             for i in range(STATE_ROWS):
                 tangents[i, k] = past.fresh[i, k]
         follow_strike(body, state_of(piece), length_of(piece), parameter_tangents, tangents, event_tangents)
         return
-    if kind == START:
+    if kind == Event.START:
         begin_changes(body, row, tangents, reasons)
         keep_before(tangents, event_tangents)
         return
@@ -181,44 +169,44 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
     way = piece["way"] if passed and is_panel(piece) else 0.0
     # the couple changes its sign where the hoop turns round, and with it the forces: what follows is decided anew
     turned = body.resist > 0.0 and way != 0.0 and before.om == 0.0
-    if mode == SKIM:
+    if mode == Mode.SKIM:
         rates = skim_rates(body, before)
     elif mode >= 0 and not (passed and piece["kind"] == HOLD and piece["sigma"] == 0):
         rates = accelerations(body, mode, before, way)
-    if turned and kind != END_EVENT:
+    if turned and kind != Event.END:
         pass
-    elif mode == ROLL and (kind in (SLIP_START, TAKEOFF) or (kind == SKIM_START and passed)):
+    elif mode == Mode.ROLL and (kind in (Event.SLIP_START, Event.TAKEOFF) or (kind == Event.SKIM and passed)):
         end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
-    elif kind == TAKEOFF and before.vt != 0.0:
+    elif kind == Event.TAKEOFF and before.vt != 0.0:
         meet_opening(body, before, rates, parameter_tangents, tangents, reasons)
-    elif kind in (STICK, SLIP_REVERSAL, TAKEOFF):
+    elif kind in (Event.STICK, Event.SLIP_REVERSAL, Event.TAKEOFF):
         meet_row(VT, rates[1], 1e-300 + body.gn + abs(body.gt) + before.om * before.om, before, rates, tangents, reasons)
-    elif (kind == IMPACT and mode == FLIGHT and row["collision"] == 1) or kind == BOUNCE_LIMIT:
+    elif (kind == Event.IMPACT and mode == Mode.FLIGHT and row["collision"] == 1) or kind == Event.BOUNCE_LIMIT:
         meet_row(Y, before.vn, 1e-300, before, rates, tangents, reasons)
-    elif kind == JAM:
+    elif kind == Event.JAM:
         meet_jam(body, slip_direction(mode), after, before, parameter_tangents, tangents)
-    elif kind == PAINLEVE_INCONSISTENT and passed:
-        fail_all(tangents, reasons, SINGULAR)
-    elif kind == REST_EVENT and body.mu_s == 0.0:
-        fail_all(tangents, reasons, FRICTIONLESS)
-    elif kind == END_EVENT:
+    elif kind == Event.PAINLEVE_INCONSISTENT and passed:
+        fail_all(tangents, reasons, Reason.SINGULAR)
+    elif kind == Event.REST and body.mu_s == 0.0:
+        fail_all(tangents, reasons, Reason.FRICTIONLESS)
+    elif kind == Event.END:
         if row["t"] == t_end:
             meet_time(parameter_tangents, END, before, rates, tangents)
-        elif mode == ROLL and math.isinf(body.mu_s):  # N = 0, but free motion would enter the plane
+        elif mode == Mode.ROLL and math.isinf(body.mu_s):  # N = 0, but free motion would enter the plane
             end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
         elif passed:
-            fail_all(tangents, reasons, ENDED)
+            fail_all(tangents, reasons, Reason.ENDED)
     keep_before(tangents, event_tangents)
-    if kind == SKIM_START and sine(before.th) == 0.0:
-        fail_all(tangents, reasons, MASSLESS)
-    if kind == IMPACT:
+    if kind == Event.SKIM and sine(before.th) == 0.0:
+        fail_all(tangents, reasons, Reason.MASSLESS)
+    if kind == Event.IMPACT:
         collide_changes(body, body.rest, row, before, parameter_tangents, tangents, event_tangents, reasons)
-    elif kind == BOUNCE_LIMIT:
+    elif kind == Event.BOUNCE_LIMIT:
         collide_changes(body, 0.0, row, before, parameter_tangents, tangents, event_tangents, reasons)
-    settled = (kind in (IMPACT, STICK, SLIP_REVERSAL, BOUNCE_LIMIT) or turned) and row["after_mode"] != FLIGHT
-    if settled and kind != END_EVENT:
+    settles = kind in (Event.IMPACT, Event.STICK, Event.SLIP_REVERSAL, Event.BOUNCE_LIMIT) or turned
+    if settles and row["after_mode"] != Mode.FLIGHT and kind != Event.END:
         if is_on_border(body, after):
-            fail_all(tangents, reasons, BORDER)
+            fail_all(tangents, reasons, Reason.BORDER)
         part_at_rest(body, slip_direction(row["after_mode"]), after, tangents, reasons)
 
 
@@ -226,7 +214,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
 def keep_after(row, tangents, event_tangents):
     """Record the tangents just after an event; at the start those that were given."""
     for k in range(tangents.shape[1]):
-        if row["kind"] != START or math.isnan(tangents[TH, k]):
+        if row["kind"] != Event.START or math.isnan(tangents[TH, k]):
             for i in range(STATE_ROWS):
                 event_tangents[i, k] = tangents[i, k]
 
@@ -237,7 +225,7 @@ def pass_apex(body, row, piece, parameter_tangents, tangents, event_tangents, re
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]
     state = follow_without_panel(body, piece, tau, parameter_tangents, tangents)
     state = with_velocities(state, state.vt, 0.0, state.om)
-    rates = accelerations(body, FLIGHT, state, 0.0)
+    rates = accelerations(body, Mode.FLIGHT, state, 0.0)
     meet_row(VN, rates[2], 1e-300 + body.gn + state.om * state.om, state, rates, tangents, reasons)
     keep_before(tangents, event_tangents)
 
@@ -263,7 +251,7 @@ def propagate_tangents(body, motion, parameter_tangents, tangents, solution, wor
     for i in range(events.shape[0]):
         row = events[i]
         event_tangents = at_events[i]
-        if row["kind"] == APEX:
+        if row["kind"] == Event.APEX:
             event_tangents[:STATE_ROWS] = tangents
             pass_apex(body, row, segments[done], parameter_tangents, event_tangents[:STATE_ROWS], event_tangents, reasons)
             continue
@@ -272,13 +260,13 @@ def propagate_tangents(body, motion, parameter_tangents, tangents, solution, wor
         while done < segments.shape[0] and is_before(segments[done]["t"], segments[done]["t_low"], row):
             piece = segments[done]
             at_segments[done] = tangents
-            if row["kind"] == JAM:
+            if row["kind"] == Event.JAM:
                 if piece["kind"] == LINEAR and not goes_along:
                     go_with_jam(body, piece["sigma"], state_of(piece), state_of(row), parameter_tangents, tangents)
                 goes_along = piece["kind"] == LINEAR
-            strikes = piece["kind"] == SKIMMING and row["kind"] == IMPACT
+            strikes = piece["kind"] == SKIMMING and row["kind"] == Event.IMPACT
             if piece["kind"] == FLY and skims_plane(body, piece["opening"], state_of(piece), length_of(piece)):
-                fail_all(tangents, reasons, GRAZE)
+                fail_all(tangents, reasons, Reason.GRAZE)
             if not strikes:
                 follow_piece(body, piece, parameter_tangents, tangents, workspace)
             done += 1

@@ -18,7 +18,7 @@ from hophoop.fitting.result import GIVEN, Fit
 from hophoop.tracking import overlay
 from hophoop.tracking.plots import Curve, plot
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.modes import mode_words
+from hophoop.vocabulary.names import mode_words
 
 Floats = NDArray[np.float64]
 

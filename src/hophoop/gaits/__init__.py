@@ -9,7 +9,7 @@ from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.gaits.return_map import MapEnd, MapPiece, ReturnMap, return_map
 from hophoop.gaits.section import SectionDerivative, derivative
 from hophoop.gaits.special import Special
-from hophoop.vocabulary.fates import Fate
+from hophoop.vocabulary.names import Fate
 
 __all__ = [
     "passages",

@@ -20,7 +20,7 @@ from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import State
 from hophoop.scenario import InputError, Scenario, cell_of
-from hophoop.vocabulary.fates import FATE_CODES, Fate
+from hophoop.vocabulary.names import FATE_CODES, Fate
 
 MOST = 10_000_000  # passages
 FOREVER = 1e9  # √(R/g): a motion that takes longer from passage to passage is given up

@@ -19,7 +19,7 @@ from hophoop.gaits.finding import FASTEST, slowest_over_top
 from hophoop.gaits.results import ENOUGH, Passages
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
-from hophoop.vocabulary.fates import FATES, Fate
+from hophoop.vocabulary.names import FATES, Fate
 
 if TYPE_CHECKING:
     import xarray

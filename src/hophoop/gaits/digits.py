@@ -15,14 +15,13 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.section import coordinates
-from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.body import MODE_LETTERS, Event, Status
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Problem
 from hophoop.precise.result import Units
 from hophoop.precise.solver import Solution, solve_problem
 from hophoop.scenario import InputError, time_unit
-from hophoop.vocabulary.events import sequence_of
-from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.names import sequence_of
 
 if TYPE_CHECKING:
     from hophoop.gaits.gait import Gait

@@ -12,10 +12,10 @@ from hophoop.gaits.computing import passages
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.results import Passages
 from hophoop.gaits.section import coordinates, parameter_rates
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.scenario.paths import parameter
-from hophoop.vocabulary.modes import MODE_LETTERS
 
 Pair = NDArray[np.float64]
 SOLVED = 1e-13  # largest residual of a solution, in units of R and √(R/g)

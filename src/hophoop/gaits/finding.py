@@ -14,11 +14,11 @@ from hophoop.gaits.orbits import BottomMap
 from hophoop.gaits.pieces import crossings, pieces
 from hophoop.gaits.results import Passages
 from hophoop.gaits.section import coordinates, derivative
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.kernel.physics.contact import inertia_at_height
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
-from hophoop.vocabulary.fates import Fate
-from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.names import Fate
 
 Progress = Callable[[float], object]
 

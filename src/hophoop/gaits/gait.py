@@ -16,12 +16,12 @@ from hophoop._support.errors import check_whole
 from hophoop.gaits.margins import GaitMargin, margins_of
 from hophoop.gaits.results import Passages
 from hophoop.gaits.section import SectionDerivative, coordinates, derivative
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.results.units import Units
 from hophoop.scenario import Scenario
 from hophoop.scenario.start import StartState
 from hophoop.simulation.phases import PhaseRecord, phases
 from hophoop.simulation.simulate import simulate
-from hophoop.vocabulary.modes import MODE_LETTERS
 
 if TYPE_CHECKING:
     from hophoop.gaits.branch import Branch

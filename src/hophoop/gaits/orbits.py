@@ -20,8 +20,6 @@ from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.results.units import Units
 from hophoop.scenario import Scenario
 
-ROLL = int(Mode.ROLL)
-
 
 class Image(NamedTuple):
     """What becomes of a θ̇ at the bottom after some passages.
@@ -75,7 +73,7 @@ class BottomMap:
         """
         found = self.rows(omega)
         words = self._buffers.words[: len(found)].tobytes()
-        if len(found) < self.count or found[-1, MODE] != ROLL:
+        if len(found) < self.count or found[-1, MODE] != Mode.ROLL:
             return Image(math.nan, words)
         return Image(float(found[-1, OMEGA]), words + found[-1:, TURNS].tobytes())
 

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from hophoop._support.extras import need
 from hophoop.gaits.kernels.layout import COLUMNS, LETTERS_PER_INTEGER, MORE
 from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
-from hophoop.vocabulary.fates import Fate
-from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.names import Fate
 
 if TYPE_CHECKING:
     import xarray

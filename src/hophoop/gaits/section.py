@@ -21,7 +21,7 @@ from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.anchor import NONE
-from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.body import MODE_LETTERS, Event, Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import thread_scratch
 from hophoop.kernel.records.state import State
@@ -29,11 +29,8 @@ from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.run import run
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.modes import MODE_LETTERS
 
 Floats = NDArray[np.float64]
-IMPACT, BOUNCE_LIMIT = int(Event.IMPACT), int(Event.BOUNCE_LIMIT)
-FLIGHT = int(Mode.FLIGHT)
 MOST_EVENTS, MOST_SEGMENTS = 1024, 8192  # of one passage to the next
 BEYOND = 1e-6  # relative time by which a passage to a landing is computed further
 ON_SECTION = 1e-9  # rad: within it a start is on the section
@@ -98,7 +95,7 @@ def coordinates(section: str, mode: int) -> tuple[str, ...]:
     free = ("omega",) if section == "bottom" else ("angle", "omega")
     if mode == Mode.ROLL:
         return free
-    return (*free, "slip", "vy") if mode == FLIGHT else (*free, "slip")
+    return (*free, "slip", "vy") if mode == Mode.FLIGHT else (*free, "slip")
 
 
 def derivative(scenario: Scenario, passages_on: int = 1, *, section: str = "bottom") -> SectionDerivative:
@@ -231,7 +228,7 @@ def _step(
     _, count, pieces = _run(body, _state_of(before), mode, t_end, math.nan, 0, events, segments, scratch)
     events, segments = events[:count], segments[:pieces]
     if landing:
-        collided = (events["kind"] == BOUNCE_LIMIT) | ((events["kind"] == IMPACT) & (events["collision"] == 1))
+        collided = (events["kind"] == Event.BOUNCE_LIMIT) | ((events["kind"] == Event.IMPACT) & (events["collision"] == 1))
         events = events[: int(np.flatnonzero(collided)[-1]) + 1] if collided.any() else events[:0]
     columns, rows = coordinates(found.section, mode), coordinates(found.section, last_mode)
     width = len(columns) + changes.shape[1]

@@ -19,8 +19,10 @@ from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.kernel.records.refusal import Refusal
 from hophoop.lab.api import limits
+from hophoop.lab.api.limits import LAB
 from hophoop.lab.site.controls import GRAVITIES, MAP_QUANTITIES
 from hophoop.lab.site.presets import GROUPS, presets
 from hophoop.lab.site.setup import setup
@@ -35,14 +37,10 @@ from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFN
 from hophoop.scenario.rules import RULES, Rule
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
-from hophoop.vocabulary import classes, colors, modes
-from hophoop.vocabulary.events import EVENT_KINDS, EVENTS, SIGNS
-from hophoop.vocabulary.fates import FATES
+from hophoop.vocabulary import colors, names
+from hophoop.vocabulary.names import EVENTS, FATES, SIGNS, STATUSES, identifier, plain
 from hophoop.vocabulary.parameters import TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
-from hophoop.vocabulary.sentences import LAB, LEAST_SPEED
-from hophoop.vocabulary.statuses import STATUSES
-from hophoop.vocabulary.words import identifier, plain
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
@@ -51,6 +49,7 @@ _KINDS: Final[dict[Any, str]] = {base._number: "number", base._friction: "fricti
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
 _LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
+LEAST_SPEED: Final = 1e-9  # critical speeds below this are not shown as speeds [m/s]
 SAMPLES_PER_SECOND: Final = 200  # of the table of states that the page saves [1/s]
 # Bounds that the page keeps as well.
 LIMITS = ("DURATION", "EVENTS", "PARTS", "SAMPLES", "CELLS", "CELL_EVENTS", "CHANGES", "FILM")
@@ -73,18 +72,18 @@ def tables() -> dict[str, Any]:
         # the sentences are in web/words; here is how their values are written
         "texts": {name: _places(said) for name, said in TEXTS.items()},
         "words": {
-            "letters": "".join(modes.MODE_LETTERS),
-            "modes": modes.MODE_WORDS,
-            "summed_up": [kind for kind in EVENT_KINDS if EVENTS[kind].summed_up],
+            "letters": "".join(MODE_LETTERS),
+            "modes": names.MODE_WORDS,
+            "summed_up": [kind for kind in EVENT_NAMES if EVENTS[kind].summed_up],
             "signs": SIGNS,
             "least_speed": LEAST_SPEED,
         },
         "classes": {
-            "codes": classes.CODES,
-            "families": classes.FAMILIES,
-            "massless": classes.MASSLESS,
-            "hops": classes.HOPS,
-            "rolls": classes.ROLLS,
+            "codes": colors.CODES,
+            "families": colors.FAMILIES,
+            "massless": colors.MASSLESS,
+            "hops": colors.HOPS,
+            "rolls": colors.ROLLS,
             "other": colors.GRAY,
         },
         "map": {
@@ -114,11 +113,11 @@ def english() -> dict[str, str | dict[str, str]]:
         A text, or one for each plural; {places} without the format of their values.
     """
     found: dict[str, str] = {
-        **{f"mode.{word}": word for word in modes.WORDS},
-        **{f"verb.{word}": verb for word, verb in modes.VERBS.items()},
+        **{f"mode.{word}": word for word in names.WORDS},
+        **{f"verb.{word}": facts.verb for word, facts in names.WORDS.items()},
         **{f"event.{kind}": event.label for kind, event in EVENTS.items()},
         **{f"status.{status}": facts.sentence for status, facts in STATUSES.items() if facts.sentence},
-        **{f"class.{word}": plain(word) for what in MAP_QUANTITIES for word in classes.CODES.get(what, ())},
+        **{f"class.{word}": plain(word) for what in MAP_QUANTITIES for word in colors.CODES.get(what, ())},
         **{f"fate.{identifier(fate)}": facts.sentence for fate, facts in FATES.items()},
         **{f"reason.{reason.name.lower()}": text for reason, text in REASONS.items()},
         "reason.edge": EDGE,

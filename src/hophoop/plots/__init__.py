@@ -13,7 +13,7 @@ from hophoop.plots.plane import phase_plane
 from hophoop.plots.return_map import return_map
 from hophoop.plots.strobe import strobe
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.classes import class_color
+from hophoop.vocabulary.colors import class_color
 
 __all__ = [
     "velocities",

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hophoop.results.records import ArraySample, Sample
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.modes import coming_rotation, mode_word, mode_words
+from hophoop.vocabulary.names import coming_rotation, mode_word, mode_words
 
 # Samples per unit of time √(R/g); about 470 per second for the reference hoop.
 DENSITY = 150

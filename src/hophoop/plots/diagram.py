@@ -9,7 +9,7 @@ import numpy as np
 from hophoop.gaits.diagram import Attractor, Diagram
 from hophoop.plots.style import ON_PAPER, finish, new_axes, parameter_axis
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.fates import FATES, Fate
+from hophoop.vocabulary.names import FATES, Fate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

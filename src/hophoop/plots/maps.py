@@ -18,9 +18,10 @@ from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.style import ON_COLOR, SMALL, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.classes import SEQUENCE, class_color
-from hophoop.vocabulary.labels import PARAMETERS, with_unit
-from hophoop.vocabulary.words import plain
+from hophoop.vocabulary.colors import class_color
+from hophoop.vocabulary.names import SEQUENCE, plain
+from hophoop.vocabulary.parameters import FIGURE_LABELS
+from hophoop.vocabulary.quantities import with_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -120,7 +121,7 @@ def _title(dataset: Any, axes: Sequence[str]) -> str:
 
 
 def _label(dataset: Any, name: str) -> str:
-    text = PARAMETERS.get(name, dataset[name].attrs.get("long_name", name))
+    text = FIGURE_LABELS.get(name, dataset[name].attrs.get("long_name", name))
     return with_unit(str(text), dataset[name].attrs.get("units", "1"))
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.events import EVENTS, MARKS
+from hophoop.vocabulary.names import EVENTS, MARKS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

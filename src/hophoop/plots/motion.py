@@ -13,8 +13,7 @@ from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against,
 from hophoop.results.records import ArraySample
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary import colors
-from hophoop.vocabulary import labels as axis_labels
+from hophoop.vocabulary import colors, quantities
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -73,7 +72,7 @@ def velocities(
         across, radius * sample.omega, color=colors.ROTATION_SPEED, lw=LINE, ls=(0, (4, 1.6)),
         label=r"rotation, $R\dot\theta$",
     )  # fmt: skip
-    _frame(ax, motion, against, axis_labels.VELOCITY, modes)
+    _frame(ax, motion, against, quantities.VELOCITY, modes)
     return ax
 
 
@@ -133,7 +132,7 @@ def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = N
             color=colors.IMPACT_LOSS,
             lw=LINE,
             ls=(0, (3, 1.2, 1, 1.2, 1, 1.2)),
-            label=axis_labels.normal_loss(motion.scenario.contact.model),
+            label=quantities.normal_loss(motion.scenario.contact.model),
         )
     if np.any(sample.rolling_resistance > 0.0):
         ax.plot(
@@ -146,7 +145,7 @@ def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = N
         )
     if np.any(sample.spring > 0.0):
         ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")
-    _frame(ax, motion, against, axis_labels.ENERGY, modes)
+    _frame(ax, motion, against, quantities.ENERGY, modes)
     return ax
 
 
@@ -207,7 +206,7 @@ def contact_forces(
             ls=dash,
             label=f"friction{name}",
         )
-    _frame(ax, _widest(many, against), against, axis_labels.FORCE, modes and len(many) == 1)
+    _frame(ax, _widest(many, against), against, quantities.FORCE, modes and len(many) == 1)
     return ax
 
 
@@ -267,7 +266,7 @@ def friction_utilization(
             label=label,
         )
     ax.set_ylim(-1.15, 1.15)
-    _frame(ax, _widest(many, against), against, rf"{axis_labels.UTILIZATION}, $F/(\mu N)$", modes and len(many) == 1)
+    _frame(ax, _widest(many, against), against, rf"{quantities.UTILIZATION}, $F/(\mu N)$", modes and len(many) == 1)
     return ax
 
 
@@ -308,7 +307,7 @@ def gap(
     draw_bands(ax, uncertainty, sample, against, {"height": (1.0, colors.BLACK)})
     ax.plot(_across(sample, against), sample.height, color=colors.BLACK, lw=LINE)
     ax.set_ylim(bottom=min(0.0, float(np.min(sample.height))))
-    _frame(ax, motion, against, axis_labels.GAP, modes)
+    _frame(ax, motion, against, quantities.GAP, modes)
     return ax
 
 

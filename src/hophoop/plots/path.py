@@ -14,7 +14,7 @@ from hophoop.plots.style import new_axes
 from hophoop.results.poses import Floats, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop, InputError
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary import colors, quantities
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -88,8 +88,8 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
     ax.set_aspect("equal")
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
-    ax.set_xlabel(labels.PLACE if slope == 0.0 else labels.DISTANCE)
-    ax.set_ylabel(labels.HEIGHT)
+    ax.set_xlabel(quantities.PLACE if slope == 0.0 else quantities.DISTANCE)
+    ax.set_ylabel(quantities.HEIGHT)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     _legend(ax, motion, moments)

@@ -15,10 +15,8 @@ from hophoop.plots.naming import name_curves
 from hophoop.plots.style import degrees, new_axes
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary import colors
-from hophoop.vocabulary import labels as labels_of
-from hophoop.vocabulary.events import MARKS
-from hophoop.vocabulary.modes import FLIGHT, MODE_WORDS, ROLL, SKID, SKIM, SPIN, mode_words
+from hophoop.vocabulary import colors, quantities
+from hophoop.vocabulary.names import FLIGHT, MARKS, MODE_WORDS, ROLL, SKID, SKIM, SPIN, mode_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -94,8 +92,8 @@ def phase_plane(
     ax.set_xlim(*np.degrees(angles))
     ax.set_ylim(low, high)
     degrees(ax, math.degrees(angles[1] - angles[0]))
-    ax.set_xlabel(labels_of.ANGLE)
-    ax.set_ylabel(labels_of.ROTATION)
+    ax.set_xlabel(quantities.ANGLE)
+    ax.set_ylabel(quantities.ROTATION)
     _legend(ax, shown)
     if labels is not None:
         borders = [np.asarray(line.get_xydata(), dtype=float) for line in ax.get_lines()[:drawn]]

@@ -9,9 +9,9 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.return_map import ReturnMap
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.plots.style import finish, new_axes
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.modes import MODE_LETTERS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -14,8 +14,8 @@ from hophoop.plots.style import ON_PAPER, new_axes
 from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary import colors, labels
-from hophoop.vocabulary.modes import FLIGHT
+from hophoop.vocabulary import colors, quantities
+from hophoop.vocabulary.names import FLIGHT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -89,8 +89,8 @@ def strobe(
     ax.set_aspect("equal")
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
-    ax.set_xlabel(labels.PLACE if slope == 0.0 else labels.DISTANCE)
-    ax.set_ylabel(labels.HEIGHT)
+    ax.set_xlabel(quantities.PLACE if slope == 0.0 else quantities.DISTANCE)
+    ax.set_ylabel(quantities.HEIGHT)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     _draw_hoops(ax, motion, flashes, color)
@@ -167,7 +167,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
         scale = need("matplotlib.cm", "plots").ScalarMappable(need("matplotlib.colors", "plots").Normalize(0.0, top), shades)
         ax.figure.colorbar(
             scale, ax=ax, orientation="horizontal", shrink=0.4, aspect=40, pad=0.02,
-            label=labels.POINT_SPEED,
+            label=quantities.POINT_SPEED,
         )  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from hophoop.plots.curves import Phase, phases, turning
 from hophoop.plots.marks import mark_events
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary import colors, quantities
 from hophoop.vocabulary.parameters import PARAMETERS
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def parameter_axis(path: str) -> tuple[float, str]:
     if row is None:
         return 1.0, path
     angular = row.unit == "rad"
-    return (math.degrees(1.0) if angular else 1.0), labels.with_unit(row.figure or row.label, "°" if angular else row.unit)
+    return (math.degrees(1.0) if angular else 1.0), quantities.with_unit(row.figure or row.label, "°" if angular else row.unit)
 
 
 def check_against(against: str) -> None:
@@ -109,14 +109,14 @@ def abscissa(ax: Axes, motion: Trajectory, against: Against) -> str:
     """Set the scale of time or angle to the motion, and return its label."""
     if against == "time":
         ax.set_xlim(0.0, motion.duration or 1.0)
-        return labels.TIME
+        return quantities.TIME
     marks = [phase.angle for phase in phases(motion)] + [phase.end_angle for phase in phases(motion)]
     turns = [math.degrees(event.angle) for event in motion.events]
     low, high = min(*marks, *turns), max(*marks, *turns)
     if high > low:
         ax.set_xlim(low, high)
         degrees(ax, high - low)
-    return labels.ANGLE
+    return quantities.ANGLE
 
 
 def degrees(ax: Axes, span: float) -> None:

@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 from mpmath import MPContext
 
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
-from hophoop.vocabulary.laws import LAWS
-from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.names import LAW_CODES
 
 Number = Any  # an mpf of the context of a run
 
@@ -69,7 +69,7 @@ class Problem:
             mu_k=_friction(plane.mu_kinetic),
             rest=Fraction(plane.restitution),
             resist=Fraction(plane.rolling_resistance),
-            law=LAWS[plane.impact_law].code,
+            law=LAW_CODES[plane.impact_law],
             strike=plane.painleve == "impact",
             x=Fraction(start.x),
             height=Fraction(start.height),

@@ -7,14 +7,13 @@ from decimal import Decimal
 from functools import cached_property
 from typing import Any
 
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.events import EVENT_KINDS, EventKind, sequence_of
-from hophoop.vocabulary.modes import MODE_LETTERS, ModeLetter
+from hophoop.vocabulary.names import STATUSES, sequence_of
 from hophoop.vocabulary.quantities import QUANTITIES
-from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
 
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
@@ -27,9 +26,9 @@ class PreciseEvent:
     ----------
     t : Decimal
         Time [s].
-    kind : EventKind
+    kind : str
         One of the kinds of the file format, such as 'slip_start'.
-    from_mode, to_mode : ModeLetter or None
+    from_mode, to_mode : str or None
         Letters of the modes before and after.
     x, height, angle : Decimal
         Centre along the plane [m], gap [m], θ [rad].
@@ -53,9 +52,9 @@ class PreciseEvent:
     """
 
     t: Decimal
-    kind: EventKind
-    from_mode: ModeLetter | None
-    to_mode: ModeLetter
+    kind: str
+    from_mode: str | None
+    to_mode: str
     x: Decimal
     height: Decimal
     angle: Decimal
@@ -92,7 +91,7 @@ class PreciseMotion:
         Its doubles are taken as the exact numbers that they are.
     digits : int
         Digits asked for [1].
-    status : MotionStatus
+    status : str
         How the motion ended: completed, at_rest, jammed, undetermined or event_limit.
     sequence : str
         One letter per phase: R roll, S spin, K skid, H flight (hop), M skim.
@@ -108,7 +107,7 @@ class PreciseMotion:
 
     scenario: Scenario
     digits: int
-    status: MotionStatus
+    status: str
     sequence: str
     events: tuple[PreciseEvent, ...]
     energy: dict[str, Decimal]
@@ -147,8 +146,8 @@ class PreciseMotion:
         ValueError
             If there is no such kind.
         """
-        if kind not in EVENT_KINDS:
-            raise InputError.of_field("kind", kind, ", ".join(EVENT_KINDS), rule="is not one of")
+        if kind not in EVENT_NAMES:
+            raise InputError.of_field("kind", kind, ", ".join(EVENT_NAMES), rule="is not one of")
         return tuple(event for event in self.events if event.kind == kind)
 
     def to_dict(self) -> dict[str, Any]:
@@ -273,7 +272,7 @@ def _event(record: Record, right: int, units: Units) -> PreciseEvent:
         "gain": record.gain,
     }
     return PreciseEvent(
-        kind=EVENT_KINDS[record.kind],
+        kind=EVENT_NAMES[record.kind],
         from_mode=None if record.before_mode is None else MODE_LETTERS[record.before_mode],
         to_mode=MODE_LETTERS[record.after_mode],
         collision=record.collision,
@@ -358,9 +357,9 @@ def motion_of(scenario: Scenario, solution: Solution, digits: int, version: str,
     units = Units(solution.body, digits)
     events = tuple(_event(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True))
     energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
-    status = MOTION_STATUSES[solution.status]
+    status = STATUS_NAMES[solution.status]
     kinds, modes = [record.kind for record in solution.records], [record.after_mode for record in solution.records]
     sequence = sequence_of(kinds, modes, [record.state.t for record in solution.records])
     if ending is None:
-        ending = "duration" if status == MotionStatus.COMPLETED else str(status)
+        ending = "duration" if status == "completed" else str(status)
     return PreciseMotion(scenario, digits, status, sequence, events, energy, version, ending)

@@ -6,14 +6,13 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from hophoop.kernel.physics.body import EVENT_NAMES
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.precise.problem import Number, Problem
 from hophoop.precise.solver import Solution, solve_problem
 from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline
 from hophoop.scenario import Scenario
 from hophoop.simulation.simulate import simulate
-from hophoop.vocabulary.modes import letter_of
 
 DURATION, REVOLUTION = "duration", "revolution"
 LONGEST = 1e4  # √(R/g), of a revolution
@@ -68,7 +67,7 @@ def _marks(solution: Solution) -> list[Mark]:
     """The events of a solution."""
     with precision(solution.bits + GUARD):
         return [
-            Mark(EVENT_NAMES[one.kind], letter_of(one.after_mode), *(_ball(getattr(one.state, name)) for name in STATE))
+            Mark(EVENT_NAMES[one.kind], MODE_LETTERS[one.after_mode], *(_ball(getattr(one.state, name)) for name in STATE))
             for one in solution.records
         ]
 

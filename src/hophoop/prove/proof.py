@@ -25,7 +25,7 @@ from hophoop.prove.guide import DURATION, REVOLUTION, Mark, by_digits, by_double
 from hophoop.prove.trail import WIDE
 from hophoop.results.event_table import change_of
 from hophoop.scenario import InputError, Rigid, Scenario
-from hophoop.vocabulary.words import plain
+from hophoop.vocabulary.names import plain
 
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 LEAST_DIGITS, MOST_DIGITS = 1, 200

@@ -16,12 +16,9 @@ if TYPE_CHECKING:
         ScalarSample,
         Velocity,
     )  # fmt: skip
-    from hophoop.vocabulary.events import EventKind
-    from hophoop.vocabulary.modes import ModeLetter
-    from hophoop.vocabulary.statuses import MotionStatus
 
 __all__ = [
-    "ArraySample", "EventErrors", "EventKind", "EventRecord", "Events", "Ledger", "ModeLetter", "Motion", "MotionStatus",
+    "ArraySample", "EventErrors", "EventRecord", "Events", "Ledger", "Motion",
     "Sample", "ScalarSample", "Velocity",
 ]  # fmt: skip
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from hophoop._support import tables
-from hophoop.vocabulary.words import plain
+from hophoop.vocabulary.names import plain
 
 if TYPE_CHECKING:
     from hophoop.precise import PreciseEvent

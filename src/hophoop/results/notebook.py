@@ -14,7 +14,7 @@ from hophoop.results.poses import Floats, Poses, poses_of, to_world
 from hophoop.results.records import Motion
 from hophoop.scenario import describe
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.words import plain
+from hophoop.vocabulary.names import plain
 
 MOST_ROWS = 12
 MOST_HOOPS = 10

@@ -13,7 +13,7 @@ from hophoop.kernel.numerics.elementwise import hypotenuse, sine_and_cosine
 from hophoop.results.records import ArraySample, Motion
 from hophoop.scenario import Hoop, PointMass, Ring
 from hophoop.scenario.scenario import time_unit
-from hophoop.vocabulary.modes import coming_rotation, mode_words
+from hophoop.vocabulary.names import coming_rotation, mode_words
 
 Floats = NDArray[np.float64]
 GRID = 200_000  # maximum number of times at which a motion is sampled for a search

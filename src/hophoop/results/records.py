@@ -12,18 +12,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support import tables
 from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.kernel.physics.friction import utilizations
 from hophoop.results.event_table import change_of, text_table
 from hophoop.results.units import Units
 from hophoop.scenario import Plane, Scenario
-from hophoop.vocabulary.events import EVENT_KINDS, EventKind
-from hophoop.vocabulary.modes import MODE_LETTERS, ModeLetter
 from hophoop.vocabulary.quantities import EVENT_NUMBERS, FRICTION_LOSS, QUANTITIES, held_by
-from hophoop.vocabulary.statuses import MotionStatus
 
 Side = Literal["left", "right"]
 Numbers = TypeVar("Numbers", float, NDArray[np.float64])
-Letters = TypeVar("Letters", ModeLetter, NDArray[np.str_])
+Letters = TypeVar("Letters", str, NDArray[np.str_])
 Record = TypeVar("Record")
 
 
@@ -57,11 +55,11 @@ class EventRecord:
     ----------
     t : float
         Time [s].
-    kind : EventKind
+    kind : str
         Kind of event, such as 'slip_start'.
-    from_mode : ModeLetter or None
+    from_mode : str or None
         Letter of the mode before; None at the start.
-    to_mode : ModeLetter
+    to_mode : str
         Letter of the mode after.
     x : float
         Position of the centre along the plane [m].
@@ -100,9 +98,9 @@ class EventRecord:
     """
 
     t: float
-    kind: EventKind
-    from_mode: ModeLetter | None
-    to_mode: ModeLetter
+    kind: str
+    from_mode: str | None
+    to_mode: str
     x: float
     height: float
     angle: float
@@ -180,7 +178,7 @@ def event_record(row: np.void, unit: Units, t: float) -> EventRecord:
     before_mode = int(row["before_mode"])
     return EventRecord(
         t=t,
-        kind=EVENT_KINDS[row["kind"]],
+        kind=EVENT_NAMES[row["kind"]],
         from_mode=MODE_LETTERS[before_mode] if before_mode >= 0 else None,
         to_mode=MODE_LETTERS[row["after_mode"]],
         before=before,
@@ -345,7 +343,7 @@ def _rows_of(sample: Any, first: int, last: int) -> list[list[str]]:
     return rows
 
 
-ScalarSample: TypeAlias = Sample[float, ModeLetter]
+ScalarSample: TypeAlias = Sample[float, str]
 ArraySample: TypeAlias = Sample[NDArray[np.float64], NDArray[np.str_]]
 
 
@@ -395,7 +393,7 @@ class Motion(Protocol):
     until: str | None
 
     @property
-    def status(self) -> MotionStatus:
+    def status(self) -> str:
         """How the motion ended."""
 
     @property

@@ -23,10 +23,10 @@ from hophoop._support.checksum import CHECKSUM, checksum, seal
 from hophoop._support.extras import need
 from hophoop._support.files import netcdf_errors, replacing
 from hophoop.kernel.native.sources import stamp
-from hophoop.kernel.physics.body import EVENT_NAMES
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.results.records import ArraySample, Motion
 from hophoop.scenario import InputError
-from hophoop.vocabulary.modes import MODE_LETTERS, MODE_WORDS
+from hophoop.vocabulary.names import MODE_WORDS
 from hophoop.vocabulary.quantities import COLUMNS, EVENT_NUMBERS, EVENT_UNITS, held_by
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from hophoop._support.errors import InputError
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.body import Body, Mode
+from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.layout import CONTACT
 from hophoop.kernel.records.refusal import refusal
@@ -26,8 +26,7 @@ from hophoop.scenario.ranges import field_of, inside, schema_of
 from hophoop.scenario.rules import refused
 from hophoop.scenario.sentences import input_error
 from hophoop.scenario.start import Start
-from hophoop.vocabulary.laws import LAWS
-from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
 
 ROUNDED = 1e-9  # of the velocities: within it the slip velocity of a start agrees with the others
@@ -331,7 +330,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         gn=weight * c,
         gt=weight * s,
         rest=plane.restitution,
-        law=LAWS[plane.impact_law].code,
+        law=LAW_CODES[plane.impact_law],
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
         ideal=hoop.load_fraction is not None,
@@ -355,7 +354,7 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
     start = scenario.start.state(hoop)
     return (
         *_HOOP_NUMBERS(hoop), *_PLANE_NUMBERS(plane), scenario.duration, scenario.contact.max_events,
-        LAWS[plane.impact_law].code, plane.painleve == "impact",
+        LAW_CODES[plane.impact_law], plane.painleve == "impact",
         start.x, start.height, start.angle, start.vy, start.omega, start.slip, _MODES[scenario.start.mode],
         hoop.load_fraction is not None, True,
     )  # fmt: skip

@@ -36,7 +36,6 @@ from hophoop.kernel.records.layout import SEGMENT as RIGID_SEGMENT
 from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import contact_of, time_unit, to_body
 
-EVENT_LIMIT = int(Status.EVENT_LIMIT)
 FIRST_EVENTS = 256
 FIRST_ROWS = 20_000  # 9 MB, of which the system only provides the part that is written
 
@@ -74,7 +73,7 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
         if pieces > room:
             room = MAX_STEPS
             continue
-        if status != EVENT_LIMIT or count < size or size == limit:
+        if status != Status.EVENT_LIMIT or count < size or size == limit:
             break
         size = min(8 * size, limit)
     if pieces == 0:  # the limit was reached before any time passed: a segment of zero length holds the start

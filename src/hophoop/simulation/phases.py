@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hophoop._version import __version__
-from hophoop.kernel.physics.body import Body, Mode, Status
+from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode, Status
 from hophoop.kernel.records.cells import mode_of, start_of
 from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
@@ -25,7 +25,7 @@ from hophoop.results.units import Units
 from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.modes import MODE_LETTERS, VERBS, ModeLetter, mode_word
+from hophoop.vocabulary.names import WORDS, mode_word
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class PhaseRecord:
 
     Attributes
     ----------
-    mode : ModeLetter
+    mode : str
         R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
     word : str
         Name of the mode, which depends on the rotation: roll, spin, skid, flight or skim.
@@ -86,7 +86,7 @@ class PhaseRecord:
         Events at its end, and an apex inside it.
     """
 
-    mode: ModeLetter
+    mode: str
     word: str
     t_begin: float
     t_end: float
@@ -265,7 +265,7 @@ def _then(body: Body, units: Units, after: Phase) -> str:
         return ""
     letter = MODE_LETTERS[after.mode]
     found = margins(body, units, after.mode, after.state)
-    verb = VERBS[mode_word(letter, after.state.om)]
+    verb = WORDS[mode_word(letter, after.state.om)].verb
     if after.mode == Mode.ROLL:
         limit = "infinite friction" if math.isinf(body.mu_s) else f"μs N = {found.friction_limit:.6g} N"
         return f"It {verb}: that needs F = {found.friction_force:.6g} N of {limit}, with N > 0."

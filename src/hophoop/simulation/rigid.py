@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Mode, Status
+from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.layout import CELL, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
 from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.scenario import Scenario
@@ -20,8 +20,6 @@ from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation.until import Until, cut, end_of
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
-ROLL, SPIN, SKID = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID)
-BUFFER, EVENT_LIMIT, COMPLETED = (int(status) for status in (Status.BUFFER, Status.EVENT_LIMIT, Status.COMPLETED))
 
 
 class _Own(threading.local):
@@ -75,8 +73,8 @@ def _simulated_until(scenario: Scenario, until: Until) -> RigidMotion:
         found = cut(until, motion.events, motion.segments, partial(sampled, scenario, motion.segments))
         if found is not None:
             doubt = motion.doubt if motion.doubt <= found[0]["t"][-1] else math.inf
-            return RigidMotion(COMPLETED, found[0], found[1], doubt)
-        if not (motion.status == EVENT_LIMIT and len(motion.events) == most < whole):
+            return RigidMotion(Status.COMPLETED, found[0], found[1], doubt)
+        if not (motion.status == Status.EVENT_LIMIT and len(motion.events) == most < whole):
             return motion
         most = min(4 * most, whole)
 
@@ -87,7 +85,7 @@ def _simulated(scenario: Scenario) -> RigidMotion:
     _fill(tables.cell.base, 0, *cell_of(scenario))
     while True:
         outcome = _run(tables)
-        if outcome.status == BUFFER:
+        if outcome.status == Status.BUFFER:
             tables = tables._replace(segments=new_table(min(16 * len(tables.segments), MOST_PANELS), SEGMENT))
         elif outcome.events_full and len(tables.events) < scenario.contact.max_events:
             tables = tables._replace(events=new_table(min(4 * len(tables.events), scenario.contact.max_events), EVENT))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.fingerprint import STATE, fingerprint
-from hophoop.kernel.physics.body import EVENT_NAMES
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES
 from hophoop.kernel.physics.energy import energies_after
 from hophoop.results.records import (
     ArraySample,
@@ -25,11 +25,8 @@ from hophoop.results.records import (
 )
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.events import sequence_of
-from hophoop.vocabulary.modes import MODE_LETTERS
+from hophoop.vocabulary.names import STATUSES, plain, sequence_of
 from hophoop.vocabulary.quantities import LOSSES
-from hophoop.vocabulary.statuses import MOTION_STATUSES, STATUSES, MotionStatus
-from hophoop.vocabulary.words import plain
 
 if TYPE_CHECKING:
     import xarray
@@ -67,14 +64,14 @@ class Trajectory:
     # --- events ------------------------------------------------------------------------------------
 
     @property
-    def status(self) -> MotionStatus:
+    def status(self) -> str:
         """How the motion ended: completed, at_rest, jammed, undetermined or event_limit."""
-        return MOTION_STATUSES[self._status]
+        return STATUS_NAMES[self._status]
 
     @property
     def ending(self) -> str:
         """What ended the motion: 'duration', what `until` asked for, such as 'landings:2', or else its status."""
-        if self.status != MotionStatus.COMPLETED:
+        if self.status != "completed":
             return str(self.status)
         return self.until if self.until is not None and self.duration < self.scenario.duration else "duration"
 

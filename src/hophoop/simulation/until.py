@@ -15,12 +15,9 @@ from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.scenario import InputError
-from hophoop.vocabulary.spans import number_after
+from hophoop.vocabulary.names import number_after
 
 UNTILS = ("revolutions:N", "landings:N", "angle:RADIANS", "takeoff", "reversal")
-ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
-IMPACT, TURN, END, BOUNCE_LIMIT = int(Event.IMPACT), int(Event.TURN), int(Event.END), int(Event.BOUNCE_LIMIT)
-KANE_GAIN = int(Event.KANE_GAIN)
 ROUNDS = 80  # of the search for a passage; most need 4
 
 
@@ -93,14 +90,14 @@ def is_met(until: Until, kind: int, after_mode: int, height: float, vy: float, c
     met : bool
     """
     if until.word == "landings":
-        return kind == BOUNCE_LIMIT or (kind == IMPACT and collision == 1)
+        return kind == Event.BOUNCE_LIMIT or (kind == Event.IMPACT and collision == 1)
     if until.word == "reversal":
-        return kind == TURN
+        return kind == Event.TURN
     return (
         until.word == "takeoff"
         and kind not in PASSING
-        and kind != END
-        and after_mode == FLIGHT
+        and kind != Event.END
+        and after_mode == Mode.FLIGHT
         and height == 0.0
         and not vy < 0.0
     )
@@ -125,7 +122,7 @@ def first_met(until: Until, events: np.ndarray) -> int | None:
         if is_met(until, *numbers):
             left -= 1.0
             if left <= 0.0:
-                gained = row + 1 < len(events) and events[row + 1]["kind"] == KANE_GAIN
+                gained = row + 1 < len(events) and events[row + 1]["kind"] == Event.KANE_GAIN
                 return row + 1 if gained else row
     return None
 
@@ -179,7 +176,7 @@ def cut(until: Until, events: np.ndarray, segments: np.ndarray, sampled: Sampled
         return None
     row = int(beyond[0])
     target = start + ahead if events["angle"][row] >= start + ahead else start - back
-    if events["angle"][row] == target and events["kind"][row] != END:
+    if events["angle"][row] == target and events["kind"][row] != Event.END:
         return _cut_at_event(events, segments, row)
     return _cut_at_passage(events, segments, row - 1, target, sampled)
 
@@ -211,7 +208,7 @@ def end_of(events: np.ndarray, forces: bool) -> np.ndarray:
         last[name] = events[name][-1]
     mode = int(events["after_mode"][-1])
     last["t_end"], last["mode"], last["sigma"] = events["t"][-1], mode, slip_direction(mode)
-    last["kind"] = LINEAR if forces and mode in (ROLL, SPIN, SKID) else FLY
+    last["kind"] = LINEAR if forces and mode in (Mode.ROLL, Mode.SPIN, Mode.SKID) else FLY
     last["way"] = np.sign(last["omega"])
     return last
 
@@ -256,7 +253,7 @@ def _time_of_passage(low: float, high: float, way: float, target: float, sampled
 
 def _make_end(rows: np.ndarray, mode: int) -> None:
     """Make the END of a motion from a row, in its state."""
-    rows["kind"], rows["before_mode"], rows["after_mode"] = END, mode, mode
+    rows["kind"], rows["before_mode"], rows["after_mode"] = Event.END, mode, mode
     for name in ("vx", "vy", "omega", "slip"):
         rows[f"before_{name}"] = rows[name]
     for name in ("impulse_normal", "impulse_tangential", "gain"):

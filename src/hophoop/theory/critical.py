@@ -20,7 +20,7 @@ from hophoop.theory.kernels import critical as kernels
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.phase_plane import lift_off_speeds
 
-SLIPS = [int(Mode.SPIN), int(Mode.SKID)]
+SLIPS = [Mode.SPIN, Mode.SKID]
 
 
 class CriticalSpeeds(NamedTuple):
@@ -60,7 +60,7 @@ class _Trials:
         )  # fmt: skip
         events = self.events[:count]
         slips = events["angle"][np.isin(events["after_mode"], SLIPS)]
-        hops = events["angle"][events["after_mode"] == kernels.FLIGHT]
+        hops = events["angle"][events["after_mode"] == Mode.FLIGHT]
         return (slips[0] if len(slips) else math.nan), (hops[0] if len(hops) else math.nan)
 
 

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.scenario import Hoop, Plane
 from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import phase_plane as kernels
-from hophoop.vocabulary.modes import MODE_LETTERS
 
 _LETTERS = np.array([*MODE_LETTERS, "?"])
 

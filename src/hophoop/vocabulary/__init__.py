@@ -1,1 +1,1 @@
-"""Tables of facts, one row per parameter, mode, kind of event, quantity, law and status, for all other packages."""
+"""Tables of facts for all other packages: parameters, names of what the kernel numbers, quantities, colours."""

@@ -5,18 +5,27 @@ Plain strings and numbers, without Matplotlib, so that any front end can use the
 
 from __future__ import annotations
 
+import zlib
 from typing import Final
 
 from hophoop._support.errors import InputError
-from hophoop.vocabulary.modes import WORDS
+from hophoop.kernel.physics.body import Event, Status
+from hophoop.vocabulary.names import FLIGHT, ROLL, SEQUENCE, SKID, SKIM, SPIN, Fate, identifier
 
-# other packages use these as `colors.GRAY`
-from hophoop.vocabulary.palette import (  # isort: skip
-    BLACK as BLACK, BLUE as BLUE, GRAY as GRAY, GREEN as GREEN, LIGHT_GRAY as LIGHT_GRAY, ORANGE as ORANGE,
-    PURPLE as PURPLE, SKY as SKY, VERMILION as VERMILION, YELLOW as YELLOW,
-)  # fmt: skip
+# The colours of Okabe and Ito (2008), distinct with every kind of colour blindness, and two grays.
+BLACK: Final = "#000000"
+ORANGE: Final = "#E69F00"
+SKY: Final = "#56B4E9"
+GREEN: Final = "#009E73"
+YELLOW: Final = "#F0E442"
+BLUE: Final = "#0072B2"
+VERMILION: Final = "#D55E00"
+PURPLE: Final = "#CC79A7"
 
-MODES: Final = {word: facts.color for word, facts in WORDS.items()}
+GRAY: Final = "#6E6E6E"
+LIGHT_GRAY: Final = "#D9D9D9"
+
+MODES: Final = {ROLL: BLUE, SPIN: ORANGE, SKID: PURPLE, FLIGHT: VERMILION, SKIM: YELLOW}
 """Colour of each mode, by its word: what spins is orange in both directions of rolling."""
 
 LOAD: Final = BLACK  # trace of the load, and the load itself
@@ -91,3 +100,108 @@ def mode_color(word: str) -> str:
     if word not in MODES:
         raise InputError.of_field("word", word, f"one of {', '.join(MODES)}")
     return MODES[word]
+
+
+# --- maps -------------------------------------------------------------------------------------------
+
+STATUSES: Final = {
+    Status.COMPLETED: BLUE,
+    Status.AT_REST: SKY,
+    Status.JAMMED: BLACK,
+    Status.UNDETERMINED: YELLOW,
+    Status.EVENT_LIMIT: PURPLE,
+}
+FIRST_EVENTS: Final = {
+    Event.SLIP_START: ORANGE,
+    Event.STICK: BLUE,
+    Event.SLIP_REVERSAL: PURPLE,
+    Event.TAKEOFF: VERMILION,
+    Event.IMPACT: YELLOW,
+    Event.TURN: GREEN,
+    Event.JAM: BLACK,
+    Event.REST: LIGHT_GRAY,
+    Event.END: SKY,
+}
+FATES: Final = {
+    Fate.ROLLS_AHEAD: BLUE,
+    Fate.ROLLS_BACK: SKY,
+    Fate.SLIPS_EVER_LESS: ORANGE,
+    Fate.ROCKS: GREEN,
+    Fate.RESTS: GRAY,
+    Fate.SLIDES_AWAY: YELLOW,
+    Fate.GAIT: VERMILION,
+    Fate.CHAOTIC: BLACK,
+    Fate.RUNS_AWAY: PURPLE,
+    Fate.JAM: "#332288",
+    Fate.UNDETERMINED: "#9E9D24",
+    Fate.UNDECIDED: LIGHT_GRAY,
+}
+# Colours of words of coded quantities, by quantity.
+CODES: Final[dict[str, dict[str, str]]] = {
+    "hop": {"no": LIGHT_GRAY, "yes": VERMILION},
+    "painleve": {"no": LIGHT_GRAY, "yes": BLACK},
+    "ending": {
+        "duration": GRAY, "revolutions": BLUE, "reversal": GREEN,
+        "takeoff": VERMILION, "rest": SKY, "jam": BLACK,
+        "undetermined": YELLOW, "event_limit": PURPLE,
+    },
+    "status": {status.name.lower(): color for status, color in STATUSES.items()},
+    "first_event": {kind.name.lower(): color for kind, color in FIRST_EVENTS.items()},
+    "fate": {identifier(fate): color for fate, color in FATES.items()},
+}  # fmt: skip
+# Colours of sequences, none of them a single mode's; told apart with every kind of colour blindness.
+HOPS: Final = "#332288"  # indigo
+ROLLS: Final = "#66CCCC"  # cyan
+# Of motions that do not hop, by their first slip and their last phase.
+FAMILIES: Final = {
+    "SR": "#009966", "SS": "#9E9D24", "SK": "#CCCC99",
+    "KR": "#663300", "KS": "#1A1A40", "KK": "#3366FF",
+}  # fmt: skip
+# Of massless motions, by whether they roll before they skim, and whether they slip.
+MASSLESS: Final = {"rolls": "#9E9D24", "rolls, slips": "#663300", "": "#009966", "slips": "#332288"}
+
+
+def class_color(name: str, quantity: str = SEQUENCE) -> str:
+    """Return the colour of a class of motion, the same in every map.
+
+    A class is given by letters alone, which determine its colour; it is no mode's colour.
+
+    Parameters
+    ----------
+    name : str
+        A sequence such as ``"RKRSH"``, or a word of another quantity.
+    quantity : str, default 'sequence'
+        The map's quantity that the name is one of.
+
+    Returns
+    -------
+    color : str
+        As ``#RRGGBB``. Sequences that hop are indigo and those that only roll cyan; the others differ by
+        their first slip and by how they end, and the more phases, the darker they are.
+
+    Examples
+    --------
+    >>> class_color("R"), class_color("RKRSH") == class_color("RKRSR")
+    ('#c6ebeb', False)
+    >>> class_color("yes", "hop")
+    '#D55E00'
+    """
+    if quantity != SEQUENCE:
+        return CODES.get(quantity, {}).get(name, GRAY)
+    first = next((letter for letter in name if letter in "SK"), "R")
+    if "M" in name:
+        does = [word for word, there in (("rolls", name.startswith("R")), ("slips", "S" in name or "K" in name)) if there]
+        ink = MASSLESS[", ".join(does)]
+    else:
+        ink = HOPS if name.endswith("H") else FAMILIES.get(first + name[-1:], ROLLS)
+    base = [int(ink[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
+    middle = sum(base) / 3.0
+    depth = min(len(name) - 1, 9) / 9.0
+    # classes of equal length and family differ slightly, by their names
+    drift = (zlib.crc32(name.encode()) % 1000) / 1000.0
+    light, dark = 0.62 - 0.62 * min(2.0 * depth, 1.0), max(2.0 * depth - 1.0, 0.0) * 0.5
+    shades = []
+    for part in base:
+        mixed = (1.0 - 0.2 * drift) * part + 0.2 * drift * middle
+        shades.append(min(max((mixed + (1.0 - mixed) * light) * (1.0 - dark), 0.0), 1.0))
+    return "#" + "".join(f"{round(255 * shade):02x}" for shade in shades)

@@ -11,7 +11,7 @@ import math
 from typing import Final, NamedTuple
 
 from hophoop.kernel.physics.ranges import INERTIA_RATIO, MASS, SLOPE
-from hophoop.vocabulary.laws import LATEST_FIRST, LAWS, NAMED
+from hophoop.vocabulary.names import LAWS, NAMED_LAWS
 
 WORD: Final = ""
 """The unit of a parameter that is a word."""
@@ -183,8 +183,9 @@ TABLE: Final = (
         Slider(0.0, 0.2, 0.001), Axis(0.0, 0.1), column="rolling_resistance", derivative=True, left_out=True,
     ),
     Parameter(
-        "plane.impact_law", "Law of restitution", WORD, next(iter(LAWS)), label="Law of impact",
-        options=(Option("--law", f"{NAMED}."),), choices=tuple((name, LAWS[name].label) for name in LATEST_FIRST),
+        "plane.impact_law", "Law of restitution", WORD, next(iter(LAWS)).name.lower(), label="Law of impact",
+        options=(Option("--law", f"{NAMED_LAWS}."),),
+        choices=tuple((law.name.lower(), LAWS[law].label) for law in sorted(LAWS, reverse=True)),
     ),
     Parameter(
         "plane.painleve", "What follows an indeterminate contact", WORD, "flight", label="Painlevé: two solutions",
@@ -263,6 +264,8 @@ TABLE: Final = (
 )  # fmt: skip
 PARAMETERS: Final = {row.path: row for row in TABLE}
 """By path."""
+FIGURE_LABELS: Final = {row.path: row.figure for row in TABLE if row.figure}
+"""Short names by path, for the axes of maps."""
 
 
 def section_of(row: Parameter) -> str:

@@ -8,7 +8,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.lab.site.presets import presets
-from hophoop.vocabulary.fates import FATES
+from hophoop.vocabulary.names import FATES
 from lab_page_tools import expect, picture, wait_for
 
 WHERE = {

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.vocabulary.modes import mode_word
+from hophoop.vocabulary.names import mode_word
 from lab_page_tools import SHOWN, wait_for
 
 

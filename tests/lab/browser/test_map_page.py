@@ -9,7 +9,7 @@ import pytest
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
 import hophoop as hh  # noqa: E402
-from hophoop.vocabulary.classes import class_text  # noqa: E402
+from hophoop.vocabulary.names import class_text  # noqa: E402
 from lab_page_tools import colors_on, picture, wait_for  # noqa: E402
 
 

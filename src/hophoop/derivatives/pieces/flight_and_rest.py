@@ -24,7 +24,6 @@ from hophoop.kernel.physics.flight import flight_gap
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.physics.resistance import resistance_arm
 
-ROLL, FLIGHT = int(Mode.ROLL), int(Mode.FLIGHT)
 SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
 TOUCH = 1e-9  # of the radius: a smaller gap is none
 
@@ -49,13 +48,13 @@ def resisted_motion(body, sigma, state, way):
 @apart
 def accelerations(body, mode, state, way):
     """(θ̈, v̇_t, v̇_n, power lost to rolling resistance) of a state in a mode; `way` as in `resisted_motion`."""
-    if mode != FLIGHT and body.resist > 0.0:
+    if mode != Mode.FLIGHT and body.resist > 0.0:
         return resisted_motion(body, slip_direction(mode), state, way)
     s, c = sine_cosine(state.th, state.th_low)
     u = state.om * state.om
-    if mode == ROLL:
+    if mode == Mode.ROLL:
         return rolling_acceleration(body, s, c, u, 0.0), 0.0, 0.0, 0.0
-    if mode == FLIGHT:
+    if mode == Mode.FLIGHT:
         along, away = free_acceleration(body, s, c, u)
         return 0.0, along, away, 0.0
     if body.kap == 0.0:  # the massless hoop that slides with its load on the plane

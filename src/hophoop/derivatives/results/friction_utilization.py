@@ -23,8 +23,7 @@ from hophoop.kernel.physics.body import Body, Event, Mode
 from hophoop.kernel.records.scratch import thread_scratch
 
 Floats = NDArray[np.float64]
-ROLL = int(Mode.ROLL)
-SLIPS = (int(Mode.SPIN), int(Mode.SKID))
+SLIPS = (Mode.SPIN, Mode.SKID)
 TIED = 1e-9  # relative to 1: maxima that differ by less are one
 
 
@@ -97,13 +96,13 @@ def settled_by(body: Body, events: np.ndarray) -> tuple[float, int]:
     bounded = 0.0 < body.mu_s < math.inf
     kinds, before, after, times = (events[name].tolist() for name in ("kind", "before_mode", "after_mode", "t"))
     for k, kind in enumerate(kinds):
-        if kind == Event.SLIP_START or (kind == Event.TAKEOFF and before[k] == ROLL):
+        if kind == Event.SLIP_START or (kind == Event.TAKEOFF and before[k] == Mode.ROLL):
             return float(bounded), k
     lasting = [k for k in range(len(kinds) - 1) if times[k + 1] > times[k]]
     for k in lasting:
         if after[k] in SLIPS and body.mu_k > 0.0:
             return 1.0, k
-    rolling = [k for k in lasting if after[k] == ROLL]
+    rolling = [k for k in lasting if after[k] == Mode.ROLL]
     if not rolling:
         return math.nan, 0
     return 0.0, -1 if bounded else rolling[0]
@@ -125,7 +124,7 @@ def greatest_peaks(body: Body, events: np.ndarray, segments: np.ndarray, scratch
     found = [
         peak
         for k in range(len(events) - 1)
-        if events["after_mode"][k] == ROLL and events["t"][k + 1] > events["t"][k]
+        if events["after_mode"][k] == Mode.ROLL and events["t"][k + 1] > events["t"][k]
         for peak in peaks_of(body, events, segments, k, scratch)
     ]
     most = max(peak.need for peak in found)

@@ -15,7 +15,7 @@ from hophoop.kernel.numerics.elementwise import cosine, sine
 from hophoop.kernel.physics.body import EVENT_NAMES, PASSING, Event, Mode
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
-from hophoop.vocabulary.events import phase_starts
+from hophoop.vocabulary.names import phase_starts
 
 HOP = {
     "height": ("Greatest gap", "m"),

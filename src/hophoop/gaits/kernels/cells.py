@@ -38,11 +38,11 @@ from hophoop.gaits.kernels.layout import (
     T,
     X,
 )
-from hophoop.gaits.kernels.passages import LOST, ROLL, ROWS, SIZE, TURNED, follow_passages, hops_in, lands_no_more, turns_in
+from hophoop.gaits.kernels.passages import LOST, ROWS, SIZE, TURNED, follow_passages, hops_in, lands_no_more, turns_in
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.double_double import PI
 from hophoop.kernel.numerics.exponentials import logarithm
-from hophoop.kernel.physics.body import Status
+from hophoop.kernel.physics.body import Mode, Status
 from hophoop.kernel.physics.contact import inertia_at_height
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
@@ -52,8 +52,6 @@ from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import GOING
 from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.theory.kernels.extrema import cone_margin_line
-
-AT_REST = int(Status.AT_REST)
 
 BATCHES, BATCH = 20, 30  # of passages over which neighbours of an undecided motion are followed
 NEIGHBOUR = 1e-7  # relative distance of a neighbour
@@ -94,10 +92,10 @@ def judge_cells(cells, low, high, request, codes, numbers):
         write_numbers(buffers, fate, period, passages, scales, numbers, k)
         if fate == SLIPS_EVER_LESS:
             numbers[k, FINAL_LOSS] = loss_until_rolling(body, start) * scales.energy
-        if fate == RESTS and status == AT_REST:
+        if fate == RESTS and status == Status.AT_REST:
             numbers[k, FINAL_LOSS] = buffers.memory[LOST] * scales.energy
         row = buffers.numbers[(passages - 1) % ROWS]
-        if fate == UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
+        if fate == UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == Mode.ROLL and body.gt != 0.0:
             mean, error = follow_neighbours(body, row[OMEGA], bottom, buffers, scratch)
             numbers[k, LYAPUNOV] = mean
             if mean > SURE * error and mean * BATCHES * BATCH > APART:
@@ -121,7 +119,7 @@ def write_numbers(buffers, fate, period, passages, scales, numbers, k):
         for i in range(period):
             highest = max(highest, rows[(passages - 1 - i) % ROWS, HIGHEST])
         numbers[k, FINAL_HOP_HEIGHT] = highest * scales.length
-        if last[MODE] == ROLL:
+        if last[MODE] == Mode.ROLL:
             numbers[k, FINAL_OMEGA] = last[OMEGA] * scales.rate
     swings = fate == ROCKS and memory[ROLLING_TURNS] >= 2.0
     if swings or fate in (ROLLS_AHEAD, ROLLS_BACK):
@@ -180,7 +178,7 @@ def follow_neighbours(body, om, request, buffers, scratch):
             beyond = buffers.numbers[0, OMEGA]
             start = start_state(0.0, 0.0, PI, 0.0, 0.0, om)
             _, also, _, _ = follow_passages(body, start, BY_RULE, one, buffers, scratch)
-            if found == 0 or also == 0 or buffers.numbers[0, MODE] != ROLL:
+            if found == 0 or also == 0 or buffers.numbers[0, MODE] != Mode.ROLL:
                 return math.nan, math.nan
             growth = abs((beyond - buffers.numbers[0, OMEGA]) / (near - om))
             if not growth > 0.0:

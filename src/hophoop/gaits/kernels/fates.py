@@ -35,14 +35,13 @@ from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.physics.body import ImpactLaw, Mode
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
-from hophoop.vocabulary.fates import FATE_CODES, Fate
+from hophoop.vocabulary.names import FATE_CODES, Fate
 
 (
     ROLLS_AHEAD, ROLLS_BACK, SLIPS_EVER_LESS, ROCKS, RESTS, SLIDES_AWAY, GAIT, CHAOTIC, RUNS_AWAY, JAM, UNDETERMINED, UNDECIDED,
 ) = (FATE_CODES.index(fate) for fate in Fate)  # fmt: skip
 OPEN = -1  # not decided so far
 
-ROLL, NEWTON = int(Mode.ROLL), int(ImpactLaw.NEWTON)
 LONGEST_PERIOD = 64
 SAME, NEAR, NOISE = 1e-10, 1e-7, 1e-13  # differences of two passages of a gait: now, one period ago, and rounding
 AHEAD = 1e-5  # the most that all differences to come may add up to
@@ -77,13 +76,13 @@ def fastest_of(body, state):
 @inline
 def gains_in_impacts(body):
     """Return True if an impact can create energy, as friction may under Newton's law (Kane)."""
-    return body.law == NEWTON and body.rest > 0.0 and body.mu_k > 0.0
+    return body.law == ImpactLaw.NEWTON and body.rest > 0.0 and body.mu_k > 0.0
 
 
 @apart
 def fate_at_turn(body, event, memory):
     """Return the fate after a turning point in contact."""
-    rolls = event["after_mode"] == ROLL
+    rolls = event["after_mode"] == Mode.ROLL
     memory[CONTACT_TURNS] += 1.0
     if rolls:
         memory[ROLLING_TURNS] += 1.0
@@ -223,7 +222,7 @@ def fate_at_passage(body, numbers, words, k, section, memory):
         return OPEN, 0
     way = 1.0 if om > 0.0 else -1.0
     revolved = way * ((last[TURNS] - before[TURNS]) * TWO_PI + (last[THETA] - before[THETA])) > 3.0
-    rolled = section != LANDING and revolved and last[LETTERS] == 1.0 and last[MODE] == ROLL
+    rolled = section != LANDING and revolved and last[LETTERS] == 1.0 and last[MODE] == Mode.ROLL
     if body.gt == 0.0 and section == LANDING:
         return OPEN, 0
     if body.gt == 0.0:
@@ -235,9 +234,9 @@ def fate_at_passage(body, numbers, words, k, section, memory):
             first = numbers[(k - 2) % length]
             fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
             if (
-                last[MODE] == ROLL
-                and before[MODE] == ROLL
-                and first[MODE] == ROLL
+                last[MODE] == Mode.ROLL
+                and before[MODE] == Mode.ROLL
+                and first[MODE] == Mode.ROLL
                 and 0.0 < falls < fell
                 and rolls_slowly(body)
             ):

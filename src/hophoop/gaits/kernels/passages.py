@@ -61,11 +61,6 @@ from hophoop.kernel.rigid.limits import Limits, angle_left
 from hophoop.kernel.rigid.phase import GOING, continue_phase
 from hophoop.kernel.rigid.run import begin, can_follow, step
 
-ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
-TURN, APEX = int(Event.TURN), int(Event.APEX)
-COMPLETED, AT_REST, JAMMED, UNDETERMINED_STATUS, EVENT_LIMIT = (
-    int(status) for status in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED, Status.EVENT_LIMIT)
-)
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
 
 ROUNDING = 4e-15  # rad per revolution: within it a start is on the section, and not about to pass it
@@ -114,16 +109,16 @@ def note_events(body, log, words, row, memory):
     for i in range(log.counts[EVENTS]):
         event = log.events[i]
         kind = event["kind"]
-        if kind == TURN and event["after_mode"] != FLIGHT:
+        if kind == Event.TURN and event["after_mode"] != Mode.FLIGHT:
             found = fate_at_turn(body, event, memory)
             if fate == OPEN:
                 fate = found
-        if kind == APEX:
+        if kind == Event.APEX:
             memory[GAP] = max(memory[GAP], event["height"])
         if kind in PASSING:
             continue
         memory[ROLLING_TURNS] = 0.0
-        if event["after_mode"] == FLIGHT and event["height"] == 0.0 and not event["vy"] < 0.0:
+        if event["after_mode"] == Mode.FLIGHT and event["height"] == 0.0 and not event["vy"] < 0.0:
             memory[JUMPS] += 1.0
         if event["t"] > memory[SINCE]:
             add_letter(words, row, memory, memory[LETTER])
@@ -166,19 +161,19 @@ def clear_word(words, row):
 def ends_at_section(before, phase, section):
     """Return True if a step has reached the section."""
     if section == LANDING:
-        return before == FLIGHT and phase.what == Ending.LANDING and phase.status == GOING
-    return phase.status == COMPLETED and phase.what == Ending.ANGLE_LIMIT
+        return before == Mode.FLIGHT and phase.what == Ending.LANDING and phase.status == GOING
+    return phase.status == Status.COMPLETED and phase.what == Ending.ANGLE_LIMIT
 
 
 @apart
 def fate_without_passages(body, phase, revolutions):
     """Return the fate of a motion that passes its section no more."""
     status = phase.status
-    if status == AT_REST:
+    if status == Status.AT_REST:
         return RESTS
-    if status == JAMMED:
+    if status == Status.JAMMED:
         return JAM
-    if status == UNDETERMINED_STATUS:
+    if status == Status.UNDETERMINED:
         return UNDETERMINED
     if abs(body.gt) > body.mu_s * body.gn:  # friction cannot hold it: it gets faster and faster
         return RUNS_AWAY if revolutions > 2.0 else SLIDES_AWAY
@@ -187,7 +182,7 @@ def fate_without_passages(body, phase, revolutions):
 
 def lands_no_more(section, status, fate):
     """Return True if a motion that is judged at landings has gone on without any: what becomes of it is seen at the bottom."""
-    open_end = status in (EVENT_LIMIT, COMPLETED)
+    open_end = status in (Status.EVENT_LIMIT, Status.COMPLETED)
     return section == LANDING and open_end and fate in (UNDECIDED, SLIDES_AWAY, RUNS_AWAY)
 
 
@@ -212,7 +207,8 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     while phase.status == GOING and has_room(log) and passages < request.most and not (request.stops and fate != OPEN):
         before = phase.mode
         count_panel(log)
-        limits = limits_in_cell(request.t_end, cell, request.section != LANDING and before != FLIGHT and before != SKIM)
+        in_contact = before != Mode.FLIGHT and before != Mode.SKIM
+        limits = limits_in_cell(request.t_end, cell, request.section != LANDING and in_contact)
         after = step(body, phase, limits, log, scratch)
         if not can_follow(phase.state, after.state, request.t_end):
             break
@@ -223,7 +219,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
         if fate == OPEN:
             fate = found
         if not ends_at_section(before, phase, request.section):
-            if before in (FLIGHT, SKIM):
+            if before in (Mode.FLIGHT, Mode.SKIM):
                 cell = cell_of(phase.state)
             continue
         write_passage(phase, numbers, words, row, memory, scratch.doubt[0])
@@ -239,7 +235,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
         log.counts[PANELS] = 0
     status = phase.status
     if status == GOING and not (passages >= request.most or (request.stops and fate != OPEN)):
-        status = EVENT_LIMIT
+        status = Status.EVENT_LIMIT
     if fate == OPEN:
         fate = fate_without_passages(body, phase, abs(phase.state.turns - start.turns))
     scratch.counts[PANEL_LIMIT] = limit

@@ -37,6 +37,9 @@ class Mode(IntEnum):
     SKIM = 4
 
 
+MODE_LETTERS = ("R", "S", "K", "H", "M")  # S: v_t < 0, K: v_t > 0
+
+
 class Event(IntEnum):
     """Kinds of events, in the order in which simultaneous ones are written."""
 
@@ -72,6 +75,9 @@ class Status(IntEnum):
     UNDETERMINED = 3
     EVENT_LIMIT = 4
     BUFFER = 5
+
+
+STATUS_NAMES = tuple(status.name.lower() for status in Status if status != Status.BUFFER)
 
 
 class ImpactLaw(IntEnum):

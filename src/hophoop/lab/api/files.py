@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import Final
 
 from hophoop._support.stopping import temporary_folder
-from hophoop.lab.api.limits import FILM, TooMuch, within
+from hophoop.lab.api.limits import FILM, LAB, TooMuch, within
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.sentences import LAB
 
 TYPES: Final = {"motion.nc": "application/x-netcdf", "motion.mp4": "video/mp4", "motion.gif": "image/gif"}
 """Name of a file → its media type."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from hophoop.maps.grid.axes import TWO_AXES
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.sentences import LAB
 
 DURATION: Final = 600.0  # of a motion [s]
 EVENTS: Final = 20_000  # of a motion [1]
@@ -15,6 +15,20 @@ CELLS: Final = 65_536  # of a map [1]
 CELL_EVENTS: Final = 2000  # of a motion in a map [1]
 CHANGES: Final = 200  # of a scenario in one request [1]
 FILM: Final = 20.0  # duration of a film [s]
+
+LAB: Final[dict[str, str]] = {
+    "too_long": "duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",
+    "too_many_parts": "hoop.parts has {parts} parts and must have at most {most} in the lab.",
+    "too_many_changes": "changes has {pairs} pairs and must have at most {most} in the lab.",
+    "too_many_cells": "x.cells times y.cells = {cells} must be at most {most} in the lab.",
+    "equal_axes": "x.path and y.path are both {path!r} and must differ.",
+    "two_axes": TWO_AXES,
+    "rigid_maps": "contact.model = 'compliant' must be 'rigid' for a map.",
+    "doubt": "After {time} s doubles cannot decide what happens next. Run it with `--digits 30` for the exact answer.",
+    "compliant_changes": "With a compliant contact no derivatives are computed: choose the rigid contact model.",
+    "film_too_long": "duration = {duration:g} must be at most {most:g} s for a film from the lab.",
+}
+"""Refusals of the lab, filled by Python and by the page as by `str.format`. What the page says of a motion is in web/words."""
 
 
 class TooMuch(InputError):

@@ -11,7 +11,7 @@ import numpy as np
 from hophoop.lab.api.packing import PRECISE
 from hophoop.scenario import Scenario
 from hophoop.simulation.trajectory import Floats, Trajectory
-from hophoop.vocabulary.modes import MODE_WORDS, coming_rotation, mode_words
+from hophoop.vocabulary.names import MODE_WORDS, coming_rotation, mode_words
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",

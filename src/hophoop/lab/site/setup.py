@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from hophoop._version import __version__
+from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.lab.site.controls import MAP_QUANTITIES, controls
 from hophoop.lab.site.presets import presets
-from hophoop.vocabulary import colors, modes
+from hophoop.vocabulary import colors
 
 
 def setup() -> dict[str, Any]:
@@ -34,8 +35,8 @@ def setup() -> dict[str, Any]:
         ],
         "colors": {
             # by the letters of a hoop that rolls forward; each mode is shown with the letter of its word
-            "modes": dict(zip(modes.MODE_LETTERS, colors.MODES.values(), strict=True)),
-            "mode_names": {letter: f"mode.{word}" for letter, word in zip(modes.MODE_LETTERS, colors.MODES, strict=True)},
+            "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
+            "mode_names": {letter: f"mode.{word}" for letter, word in zip(MODE_LETTERS, colors.MODES, strict=True)},
             "gravity_center": colors.GRAVITY_CENTER,
             "airborne": colors.GRAVITY_CENTER_AIRBORNE,
             "center_speed": colors.CENTER_SPEED,

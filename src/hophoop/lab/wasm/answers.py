@@ -26,7 +26,6 @@ from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
 from hophoop.theory.kernels.rows import table_of
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
-SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 PART_WIDTH, CONTACT_WIDTH = len(PART), len(CONTACT)
 
 
@@ -111,9 +110,9 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
             rate[0] = omega * scales.time
             following_modes(rows, angle, rate, found)
             mode = found[0]
-            if mode in (SPIN, SKID):  # the word of a slip depends on sign(v_t θ̇)
-                ahead = (mode == SPIN and omega > 0.0) or (mode == SKID and omega < 0.0)
-                mode = SPIN if ahead else SKID
+            if mode in (Mode.SPIN, Mode.SKID):  # the word of a slip depends on sign(v_t θ̇)
+                ahead = (mode == Mode.SPIN and omega > 0.0) or (mode == Mode.SKID and omega < 0.0)
+                mode = Mode.SPIN if ahead else Mode.SKID
             codes[j, i] = mode
 
 

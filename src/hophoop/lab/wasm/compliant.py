@@ -32,7 +32,6 @@ RAW_WIDTH = len(sampling.COLUMNS)
 SPRING, DAMPER, KINETIC, POTENTIAL, FRICTION, RESISTED = (
     sampling.COLUMNS.index(name) for name in ("spring", "damping", "kinetic", "potential", "friction", "rolling_resistance")
 )
-BUFFER = int(Status.BUFFER)
 
 
 def contact_of(cells, contact, body, scales):
@@ -92,7 +91,7 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
         write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), lines[k])
     for k in range(min(pieces, most_rows)):
         kept[k] = found[k]
-    head[0] = BUFFER if pieces > most_rows else status
+    head[0] = Status.BUFFER if pieces > most_rows else status
     head[1] = count
     head[2] = pieces
     head[3] = seconds(records[count - 1]["t"], t_end, duration, scales.time)

@@ -8,15 +8,13 @@ from typing import Any
 from hophoop.derivatives.layout import Reason
 from hophoop.gaits.kernels import layout as fates
 from hophoop.kernel.compliant.records import WIDTH
-from hophoop.kernel.physics.body import EVENT_NAMES, PASSING, ImpactLaw, Status
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, PASSING, ImpactLaw, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
 from hophoop.kernel.rigid.margins import MARGINS
 from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, LETTERS_PER_INTEGER, MORE, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
-from hophoop.vocabulary.fates import FATE_CODES
-from hophoop.vocabulary.modes import MODE_LETTERS
-from hophoop.vocabulary.words import identifier
+from hophoop.vocabulary.names import FATE_CODES, identifier
 
 # Data of a motion besides its events: SI units, and counts.
 HEADS = (

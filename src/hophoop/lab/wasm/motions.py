@@ -23,7 +23,6 @@ from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
 RAW_WIDTH, MARGIN_WIDTH = len(COLUMNS), len(MARGINS)
 RESISTED, KINETIC, POTENTIAL = (COLUMNS.index(name) for name in ("rolling_resistance", "kinetic", "potential"))
-SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
 
 def seconds(t, t_end, duration, second):
@@ -131,7 +130,7 @@ def write_state(body, scales, raw, row):
     row[10] = raw[10] * unit
     row[11] = raw[11] * unit
     row[12] = raw[12] * unit
-    slips = mode in (SPIN, SKID)
+    slips = mode in (Mode.SPIN, Mode.SKID)
     row[17] = utilization(slips, row[8], row[9], body.mu_s, body.mu_k)
     row[18] = raw[RESISTED] * unit  # the same column in both contact models
 

@@ -15,7 +15,6 @@ from hophoop.kernel.numerics.elementwise import exponential
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.scenario.models import Rigid
 from hophoop.scenario.paths import contradiction
-from hophoop.vocabulary.sentences import LAB
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 MOST_VALUES = 100_000_000  # on one axis, since its values are in memory
@@ -24,6 +23,7 @@ SIDE = 256
 LN_10 = float.fromhex("0x1.26bb1bbb55516p+1")
 LOWEST_DECADE, HIGHEST_DECADE = -323, 308  # of doubles
 TENS = np.array([float(f"1e{decade}") for decade in range(LOWEST_DECADE, HIGHEST_DECADE + 1)])
+TWO_AXES = "{one} and {other} cannot both be axes: they say the same thing in two ways."
 
 
 class Axis(NamedTuple):
@@ -294,7 +294,7 @@ def _extremes(axis: Axis) -> tuple[Any, ...]:
 def _check_pairs(axes: Sequence[Axis]) -> None:
     pair = contradiction(axis.path for axis in axes)
     if pair is not None:
-        raise InputError(LAB["two_axes"].format(one=pair[0], other=pair[1]))
+        raise InputError(TWO_AXES.format(one=pair[0], other=pair[1]))
 
 
 class Chunk(NamedTuple):

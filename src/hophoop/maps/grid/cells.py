@@ -32,7 +32,7 @@ from hophoop.kernel.records.refusal import mark_refused
 from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
-from hophoop.vocabulary.laws import LAWS
+from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
 
 Array = NDArray[Any]
@@ -86,7 +86,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
             cells[MU_STATIC] = array
             cells[MU_KINETIC] = array
         elif path == "plane.impact_law":
-            cells[LAW] = [LAWS[word].code for word in array]
+            cells[LAW] = [LAW_CODES[word] for word in array]
         elif path == "plane.painleve":
             cells[STRIKE] = array == "impact"
         elif path == "start.speed":

@@ -13,9 +13,6 @@ from hophoop.kernel.physics.roll import rolling_u
 SAMPLES_PER_RADIAN = 24
 RESISTED_SAMPLES_PER_RADIAN = 120
 
-ROLL, SPIN, SKID = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID)
-SLIP_START, TAKEOFF = int(Event.SLIP_START), int(Event.TAKEOFF)
-
 
 def required_friction(body, th0, u0, offset):
     """Return abs(F)/N at an angle that rolling reaches."""
@@ -117,7 +114,7 @@ def greatest_utilization(body, events, last):
     result = math.nan
     for i in range(last + 1):
         row = events[i]
-        if row["kind"] == SLIP_START or (row["kind"] == TAKEOFF and row["before_mode"] == ROLL):
+        if row["kind"] == Event.SLIP_START or (row["kind"] == Event.TAKEOFF and row["before_mode"] == Mode.ROLL):
             # rolling reaches the friction cone at its end
             return utilization(False, body.mu_s, 1.0, body.mu_s, body.mu_k) if body.mu_s < math.inf else 0.0
     for i in range(last):
@@ -125,13 +122,13 @@ def greatest_utilization(body, events, last):
         if not events[i + 1]["t"] > row["t"]:
             continue
         used = math.nan
-        if row["after_mode"] == ROLL:
+        if row["after_mode"] == Mode.ROLL:
             used = 0.0
             if 0.0 < body.mu_s < math.inf:
                 turned = events[i + 1]["angle"] - row["angle"]
                 need = maximum_required_friction(body, row["angle"], row["omega"], turned)
                 used = utilization(False, need, 1.0, body.mu_s, body.mu_k)
-        elif row["after_mode"] == SPIN or row["after_mode"] == SKID:
+        elif row["after_mode"] == Mode.SPIN or row["after_mode"] == Mode.SKID:
             used = utilization(True, body.mu_k, 1.0, body.mu_s, body.mu_k)
         if not used <= result and not math.isnan(used):
             result = min(used, 1.0)

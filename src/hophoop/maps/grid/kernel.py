@@ -52,15 +52,6 @@ FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and th
 # Time limit where none is requested, so that endless sliding ends too. In kernel units.
 FOREVER = 1e9
 
-ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
-START, SLIP_START, TAKEOFF, IMPACT, TURN = (
-    int(kind) for kind in (Event.START, Event.SLIP_START, Event.TAKEOFF, Event.IMPACT, Event.TURN)
-)
-APEX, JAM, REST = int(Event.APEX), int(Event.JAM), int(Event.REST)
-INCONSISTENT, INDETERMINATE = int(Event.PAINLEVE_INCONSISTENT), int(Event.PAINLEVE_INDETERMINATE)
-COMPLETED, AT_REST, JAMMED = int(Status.COMPLETED), int(Status.AT_REST), int(Status.JAMMED)
-UNDETERMINED, EVENT_LIMIT = int(Status.UNDETERMINED), int(Status.EVENT_LIMIT)
-
 
 class ComputedMotion(NamedTuple):
     """A computed motion, possibly truncated."""
@@ -88,7 +79,7 @@ def is_passing(kind):
 
 def leaves_plane(row):
     """Return True if the rim leaves the plane at this event."""
-    return row["after_mode"] == FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
+    return row["after_mode"] == Mode.FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
 
 
 def add_letter(sequences, k, length, mode):
@@ -119,7 +110,7 @@ def reduce_flight(motion, hop, scales, workspace, numbers, k):
     numbers[k, FLIGHT_TIME] = (landed.t - state.t) * scales.time
     numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * scales.length
     numbers[k, LANDING_ANGLE] = whole_angle(landed)
-    after, _ = collide(body, body.rest, landed, IMPACT, FLIGHT, 1)
+    after, _ = collide(body, body.rest, landed, Event.IMPACT, Mode.FLIGHT, 1)
     loss = (after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)
     numbers[k, LANDING_LOSS] = loss * scales.energy
 
@@ -140,21 +131,21 @@ def ending_of(motion, request):
     status = motion.status
     events = motion.events
     count = motion.length
-    if status == AT_REST:
+    if status == Status.AT_REST:
         return BY_REST
-    if status == JAMMED:
+    if status == Status.JAMMED:
         return BY_JAM
-    if status == UNDETERMINED:
+    if status == Status.UNDETERMINED:
         return BY_DOUBT
-    if status == EVENT_LIMIT:
+    if status == Status.EVENT_LIMIT:
         return BY_EVENTS
     end = events[count - 1]
     if count > 1:
         before = events[count - 2]
         if before["t"] == end["t"]:
-            if request.stop & STOP_AT_TURN and before["kind"] == TURN:
+            if request.stop & STOP_AT_TURN and before["kind"] == Event.TURN:
                 return BY_REVERSAL
-            if request.stop & STOP_AT_TAKEOFF and before["after_mode"] == FLIGHT:
+            if request.stop & STOP_AT_TAKEOFF and before["after_mode"] == Mode.FLIGHT:
                 return BY_TAKEOFF
     return BY_TIME if end["t"] >= motion.t_end else BY_ANGLE
 
@@ -183,29 +174,30 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
     ended = events[last]["t"]
     for i in range(motion.length):
         row = events[i]
-        if i > 0 and first < 0 and row["kind"] != APEX:
+        if i > 0 and first < 0 and row["kind"] != Event.APEX:
             first = row["kind"]
-        if row["kind"] == INCONSISTENT or row["kind"] == INDETERMINATE or row["kind"] == JAM:
+        kind = row["kind"]
+        if kind == Event.PAINLEVE_INCONSISTENT or kind == Event.PAINLEVE_INDETERMINATE or kind == Event.JAM:
             painleve = 1
-        if row["kind"] == REST:
+        if row["kind"] == Event.REST:
             ended = row["t"]
-        if i < last and row["after_mode"] == ROLL:
+        if i < last and row["after_mode"] == Mode.ROLL:
             rolled += abs(events[i + 1]["x"] - row["x"])
         if is_passing(row["kind"]) and i < last:
             continue
         if mark >= 0 and row["t"] > events[mark]["t"]:
             length = add_letter(sequences, k, length, events[mark]["after_mode"])
         mark = i
-        if row["after_mode"] == ROLL and mode != ROLL:
+        if row["after_mode"] == Mode.ROLL and mode != Mode.ROLL:
             rolling_since = row["angle"]
         mode = row["after_mode"]
     if ending == BY_TAKEOFF or length == 0:
         length = add_letter(sequences, k, length, events[last]["after_mode"])
     start = events[0]
     end = events[last]
-    words[k, STATUS_WORD] = COMPLETED if motion.cut else motion.status
+    words[k, STATUS_WORD] = Status.COMPLETED if motion.cut else motion.status
     words[k, ENDING_WORD] = ending
-    words[k, FIRST_EVENT_WORD] = TAKEOFF if motion.cut and first < 0 else first
+    words[k, FIRST_EVENT_WORD] = Event.TAKEOFF if motion.cut and first < 0 else first
     words[k, HOP_WORD] = 1 if hop >= 0 else 0
     words[k, PAINLEVE_WORD] = painleve
     numbers[k, TIME] = ended * scales.time
@@ -213,7 +205,7 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
     numbers[k, END_SPEED] = end["vx"] * scales.speed
     numbers[k, DISTANCE] = (end["x"] - start["x"]) * scales.length
     numbers[k, DISTANCE_ROLLED] = rolled * scales.length
-    if mode == ROLL and ending <= BY_REST:
+    if mode == Mode.ROLL and ending <= BY_REST:
         numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - start["angle"]) / (2.0 * math.pi)
     lost = end["friction"] + end["impact_normal"] + end["impact_tangential"]
     if motion.body.resist > 0.0:
@@ -252,8 +244,8 @@ def evaluate_cell(cells, k, request, events, workspace, results):
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
         count = beyond + 1
-        status = COMPLETED
-    if status == EVENT_LIMIT and events.shape[0] < most:
+        status = Status.COMPLETED
+    if status == Status.EVENT_LIMIT and events.shape[0] < most:
         return False
     hop = first_hop(events, count)
     # the kernel looks for a take-off after the start only

@@ -9,13 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.kernel.physics.body import EVENT_NAMES
+from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES
 from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.maps.grid import kernel, settled
 from hophoop.scenario import InputError
-from hophoop.vocabulary.modes import MODE_LETTERS
-from hophoop.vocabulary.spans import number_after
-from hophoop.vocabulary.statuses import MOTION_STATUSES
+from hophoop.vocabulary.names import number_after
 
 NOT_ALLOWED = "not_allowed"
 MORE_MARK = "+"
@@ -76,7 +74,7 @@ QUANTITIES: Mapping[str, Quantity] = {
     quantity.name: quantity
     for quantity in (
         Quantity(_SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
-        _code("status", "How the motion ended", tuple(map(str, MOTION_STATUSES))),
+        _code("status", "How the motion ended", STATUS_NAMES),
         _code("ending", "What ended the span", kernel.ENDINGS),
         _code("first_event", "First event after the start except the apex of a flight", EVENT_NAMES),
         _code("hop", "Whether the rim leaves the plane", ("no", "yes")),

@@ -13,8 +13,7 @@ from hophoop.gaits.kernels.layout import CODES, NUMBERS, SECTIONS, Request
 from hophoop.kernel.native import compiled
 from hophoop.kernel.records.layout import MapResults
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.fates import FATE_CODES
-from hophoop.vocabulary.words import identifier
+from hophoop.vocabulary.names import FATE_CODES, identifier
 
 SPANS: Final = {"settled": "bottom", "settled:landing": "landing"}
 """Spans of this kind, with the section at whose passages a motion is looked at."""

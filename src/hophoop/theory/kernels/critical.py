@@ -19,7 +19,6 @@ from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin
 from hophoop.theory.kernels.phase_plane import lift_off
 from hophoop.theory.kernels.rows import body_of
 
-FLIGHT = int(Mode.FLIGHT)
 STOP = STOP_AT_TURN | STOP_AT_TAKEOFF
 ANY_TIME = 1e9  # the turn ends the motion
 TRIALS = 32  # speeds at which the outcome is looked at before the lowest change is bisected
@@ -68,7 +67,7 @@ def hop_speed(body, turns):
             return high
         start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, speed)
         _, count, _ = run(body, start, BY_RULE, ANY_TIME, turns * TURN, STOP, events, segments, scratch)
-        if np.any(events[:count]["after_mode"] == FLIGHT):
+        if np.any(events[:count]["after_mode"] == Mode.FLIGHT):
             high = speed
             trial = TRIALS
         else:

@@ -10,7 +10,6 @@ from hophoop.kernel.physics.contact import cone_weights, free_acceleration, roll
 from hophoop.kernel.physics.modes import can_roll, next_mode
 from hophoop.theory.kernels.rows import body_of
 
-ROLL, SKIM = int(Mode.ROLL), int(Mode.SKIM)
 NONE = len(Mode)
 
 
@@ -19,12 +18,12 @@ def modes(bodies, angles, rates, out):
         body = body_of(bodies[k])
         if body.kap > 0.0:
             mode = next_mode(body, angles[k], 0.0, rates[k], 0.0)
-            out[k] = mode if mode <= SKIM else NONE
+            out[k] = mode if mode <= Mode.SKIM else NONE
         elif can_roll(body, angles[k], rates[k]):
-            out[k] = ROLL
+            out[k] = Mode.ROLL
         else:
             s, c = sine_and_cosine(angles[k])
-            out[k] = SKIM if s * rates[k] > 0.0 or c == 1.0 else NONE
+            out[k] = Mode.SKIM if s * rates[k] > 0.0 or c == 1.0 else NONE
 
 
 def narrowed(low, high, at_rest, moving):
