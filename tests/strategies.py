@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 import hophoop as hh
 from hophoop.kernel.physics.ranges import MOST_HEIGHT, MOST_SPEED
 from hophoop.scenario import sentence
-from hophoop.scenario.ranges import RANGES
+from hophoop.vocabulary.parameters import RANGES
 
 
 def said(build):

@@ -45,7 +45,7 @@ def test_all_numbers_of_events_and_ledgers_have_one():
 
 @pytest.mark.parametrize("result", [EventErrors, EventRecord, Ledger, Sample, Velocity])
 def test_the_table_of_quantities_has_the_numbers_of_each_result(result):
-    words = {"kind", "from_mode", "to_mode", "before", "collision", "stable"}
+    words = {"kind", "from_mode", "to_mode", "before", "collision", "stable", "digits_right"}
     names = {field.name for field in dataclasses.fields(result)} - (words if result is EventRecord else set())
     held = set(quantities.held_by(result.__name__))
     # a sum of two columns is computed where it is asked for

@@ -25,8 +25,7 @@ from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.paths import ONWARD
-from hophoop.scenario.ranges import RANGES
-from hophoop.vocabulary.parameters import Range
+from hophoop.vocabulary.parameters import RANGES, Range
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks" / "engines"))
 import table as engine_tables

@@ -218,8 +218,8 @@ def test_a_folder_is_not_replaced(tmp_path):
     ("arguments", "sentence"),
     [
         (["--mu", "-1"], "plane.mu = -1.0 must be at least 0"),
-        (["--gamma", "1.5"], "hoop.load_fraction = 1.5 must be at most 1"),
-        (["--duration", "0"], "duration = 0.0 must be greater than 0"),
+        (["--gamma", "1.5"], "hoop.load_fraction = 1.5 must be from 0 to 1"),
+        (["--duration", "0"], "duration = 0.0 must be from 1e-09 to 1e+09 s"),
         (["--mu", "nan"], "plane.mu = nan"),
         (["--slope", "0.1", "--slope-deg", "3"], "--slope-deg cannot be given together with --slope"),
         (["--set", "plane.colour=1"], "colour"),
@@ -307,7 +307,7 @@ def test_program_exit_status_and_streams():
     assert json.loads(done.stdout)["status"] == "completed"
     bad = program("run", "--gravity", "-9.81")
     assert (bad.returncode, bad.stdout) == (2, "")
-    assert bad.stderr == "Error: plane.gravity = -9.81 must be at least 0.\n"
+    assert bad.stderr == "Error: plane.gravity = -9.81 must be 0 or from 1e-06 to 1e+06 m/s².\n"
     assert program("--version").stdout == f"{hh.__version__}\n"
 
 

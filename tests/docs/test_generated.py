@@ -11,9 +11,8 @@ import pytest
 
 from hophoop.results.records import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import paths
-from hophoop.scenario.ranges import RANGES
 from hophoop.vocabulary import names
-from hophoop.vocabulary.parameters import Range
+from hophoop.vocabulary.parameters import RANGES, Range
 from page_tools import options
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "docs" / "_ext"))

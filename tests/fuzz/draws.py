@@ -12,8 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
-from hophoop.vocabulary.parameters import Range
+from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Range
 
 ANGLES = (0.0, math.pi / 2, math.pi, -math.pi, 2 * math.pi, math.nextafter(math.pi, 4.0), 1e-9, -1e-300, 3.0, 100.0, 1e6)
 TINY = 1e-300

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from hophoop.kernel.physics.ranges import MOST_DEPTH
 from hophoop.scenario import parameter
-from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
+from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 PARTS = {"hoop.parts.mass": "kg", "hoop.parts.length": "m"}

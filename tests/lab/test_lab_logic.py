@@ -8,7 +8,7 @@ import pytest
 
 from hophoop.lab.site.controls import controls
 from hophoop.lab.site.presets import presets
-from hophoop.scenario.ranges import RANGES
+from hophoop.vocabulary.parameters import RANGES
 from model.test_page_model import answers
 from web_tools import bundled, english, needs_node, source
 

@@ -11,7 +11,7 @@ from urllib.parse import quote_plus
 import hophoop as hh
 from hophoop.lab.site.presets import presets
 from hophoop.scenario import paths
-from hophoop.scenario.ranges import RANGES
+from hophoop.vocabulary.parameters import RANGES
 
 SECTIONS = {
     "hoop": ["radius", "mass", "load_fraction", "eccentricity", "inertia_ratio", "parts"],

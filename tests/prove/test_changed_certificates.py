@@ -23,7 +23,7 @@ from mpmath import mp, mpf
 import hophoop as hh
 from hophoop.prove import check, prove
 from hophoop.prove.checker import scenarios
-from hophoop.scenario.ranges import RANGES
+from hophoop.vocabulary.parameters import RANGES
 from oracle_program import highest_apexes
 from oracles.cases import Case
 from oracles.precise import solve

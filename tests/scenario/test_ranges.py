@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from fuzz.ranges_table import ranges_table
-from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
+from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 from strategies import said
 
 # how a scenario with this value is built; what is not here follows the path itself
@@ -85,7 +85,7 @@ def test_beyond_them_is_refused_in_a_sentence(path):
         ),
         (
             lambda: hh.Hoop.from_parts(1.0, [hh.PointMass(1e12, 0.0), hh.PointMass(1e12, 1.0)]),
-            "hoop.mass = 2000000000000.0 must be from 1e-12 to 1e+12 kg.",
+            "hoop.parts give hoop.mass = 2000000000000.0, which must be from 1e-12 to 1e+12 kg.",
         ),
     ],
 )

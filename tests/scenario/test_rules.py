@@ -21,6 +21,8 @@ COMPLIANT = "contact.model=compliant"
 BROKEN = {
     Refusal.HOOP_MASS: "hoop.parts.0.shape=point_mass&hoop.parts.0.mass=1e12&hoop.parts.0.at=0&"
     "hoop.parts.1.shape=point_mass&hoop.parts.1.mass=1e12&hoop.parts.1.at=1",
+    Refusal.PARTS_CENTER: "hoop.parts.0.shape=ring&hoop.parts.0.mass=1&hoop.parts.0.inner_radius=1&hoop.parts.0.outer_radius=1&"
+    "hoop.parts.1.shape=point_mass&hoop.parts.1.mass=-0.6&hoop.parts.1.at=-0.8",
     Refusal.LOAD_INERTIA: "hoop.load_fraction=0.99999999999999",
     Refusal.PARTS_INERTIA: "hoop.parts.0.shape=disk&hoop.parts.0.mass=1&hoop.parts.0.radius=1e-9",
     Refusal.MASSLESS_ECCENTRICITY: "hoop.eccentricity=0.4&hoop.inertia_ratio=0",

@@ -91,6 +91,29 @@ def test_parts_against_a_sum_over_mass_points():
     assert hoop.gyration_radius == pytest.approx(math.sqrt(inertia / np.sum(mass)), rel=1e-5)
 
 
+def test_a_hole_is_a_part_of_negative_mass():
+    """A disk with a hole that is filled again is the whole disk; with the hole alone the rest follows by subtraction."""
+    disk, hole = hh.Disk(2.0, 0.5), hh.Disk(-0.3, 0.1, at=-0.35)
+    hoop = hh.Hoop.from_parts(0.5, [disk, hole])
+    assert hoop.mass == pytest.approx(1.7, rel=1e-15)
+    centre = 0.3 * 0.35 / 1.7
+    assert hoop.eccentricity == pytest.approx(centre / 0.5, rel=1e-15)  # G is away from the hole
+    inertia = 0.5 * 2.0 * 0.5**2 + 2.0 * centre**2 - 0.3 * (0.5 * 0.1**2 + (0.35 + centre) ** 2)
+    assert hoop.inertia == pytest.approx(inertia, rel=1e-14)
+    filled = hh.Hoop.from_parts(0.5, [disk, hole, hh.Disk(0.3, 0.1, at=-0.35)])
+    assert (filled.mass, filled.eccentricity, filled.inertia_ratio) == (2.0, 0.0, 0.5)
+    assert hh.Scenario.from_query(hh.Scenario(hoop=hoop).to_query()).hoop == hoop
+    assert hh.simulate(hh.Scenario(hoop=hoop)).ok
+
+
+def test_the_load_is_no_hole():
+    from hophoop.results.poses import load_distance
+
+    ring, hole = hh.Ring(1.0, 0.45, 0.5), hh.PointMass(-0.2, at=-0.4)
+    assert load_distance(hh.Hoop.from_parts(0.5, [ring, hole])) == 0.5
+    assert load_distance(hh.Hoop.from_parts(0.5, [ring, hole, hh.PointMass(0.1, at=0.3)])) == 0.3
+
+
 @given(bodies())
 def test_bodies_of_parts_obey_the_bound(body):
     radius, parts = body
@@ -135,7 +158,7 @@ def test_copies_are_validated():
     assert hh.Hoop.ideal(0.5).model_copy(update={"load_fraction": 0.25}) == hh.Hoop.ideal(0.25)
     assert hh.Scenario().model_copy(update={"duration": 1.0}) == hh.Scenario(duration=1.0)
     assert hh.PointMass(1.0, at=0.5).model_copy(update={"at": -0.5}) == hh.PointMass(1.0, at=-0.5)
-    assert "must be greater than 0" in said(lambda: hh.Hoop().model_copy(update={"radius": 0.0}))
+    assert "must be from 1e-06 to 1e+06 m" in said(lambda: hh.Hoop().model_copy(update={"radius": 0.0}))
 
 
 def test_models_never_change():
@@ -154,19 +177,19 @@ REFUSED = [
     (lambda: hh.Plane(mu=1, mu_static=2), "plane.mu_static cannot be given together with plane.mu."),
     (lambda: hh.Plane(slope=-2), "plane.slope = -2.0 must lie between -pi/2 and pi/2 (radians)."),
     (lambda: hh.Plane(gravity=math.inf), "plane.gravity = inf must be a finite number."),
-    (lambda: hh.Plane(gravity=-9.81), "plane.gravity = -9.81 must be at least 0."),
+    (lambda: hh.Plane(gravity=-9.81), "plane.gravity = -9.81 must be 0 or from 1e-06 to 1e+06 m/s²."),
     (lambda: hh.Plane(gravity="9.81"), "plane.gravity = '9.81' must be a number."),
     (lambda: hh.Plane(gravity=True), "plane.gravity = True must be a number."),
     (lambda: hh.Plane(gravity=10**400), "must be a finite number."),
-    (lambda: hh.Plane(restitution=np.float64(1.5)), "plane.restitution = 1.5 must be at most 1."),
+    (lambda: hh.Plane(restitution=np.float64(1.5)), "plane.restitution = 1.5 must be from 0 to 1."),
     (lambda: hh.Plane(impact_law="hertz"), "must be 'stronge', 'newton' or 'poisson'."),
     (lambda: hh.Plane(frictoin=1), "plane.frictoin is not a known key; did you mean mu?"),
     (lambda: hh.Plane(colour=1), "plane.colour is not a known key; known are gravity, slope, mu,"),
     (lambda: hh.Plane(graviti=1), "plane.graviti is not a known key; did you mean gravity?"),
-    (lambda: hh.Plane(gravity=-1, restitution=2), "= -1 must be at least 0 (and 1 more problem)."),
-    (lambda: hh.Hoop(radius=0), "hoop.radius = 0 must be greater than 0."),
-    (lambda: hh.Hoop(mass=-1), "hoop.mass = -1 must be greater than 0."),
-    (lambda: hh.Hoop.ideal(load_fraction=1.01), "hoop.load_fraction = 1.01 must be at most 1."),
+    (lambda: hh.Plane(gravity=-1, restitution=2), "= -1 must be 0 or from 1e-06 to 1e+06 m/s² (and 1 more problem)."),
+    (lambda: hh.Hoop(radius=0), "hoop.radius = 0 must be from 1e-06 to 1e+06 m."),
+    (lambda: hh.Hoop(mass=-1), "hoop.mass = -1 must be from 1e-12 to 1e+12 kg."),
+    (lambda: hh.Hoop.ideal(load_fraction=1.01), "hoop.load_fraction = 1.01 must be from 0 to 1."),
     (lambda: hh.Hoop(eccentricity=0.5), "hoop.inertia_ratio is missing: hoop.eccentricity does not define"),
     (lambda: hh.Hoop(eccentricity=0.5, inertia_ratio=0), "needs hoop.eccentricity = 1"),
     (lambda: hh.Hoop(load_fraction=0.5, inertia_ratio=1), "hoop.inertia_ratio cannot be given together with"),
@@ -175,15 +198,24 @@ REFUSED = [
     (lambda: hh.Hoop.from_parts(1, [hh.Rod(1, 1.9, at=0.4, direction="tangential")]), "beyond the rim"),
     (lambda: hh.Hoop(mass=1, parts=[hh.PointMass(1, at=1)]), "hoop.mass cannot be given together with"),
     (lambda: hh.Ring(1, 2, 1), "ring.inner_radius = 2.0 must not exceed ring.outer_radius = 1.0."),
-    (lambda: hh.Disk(1, 0), "disk.radius = 0 must be greater than 0."),
-    (lambda: hh.Start(height=-0.1), "start.height = -0.1 must be at least 0."),
+    (lambda: hh.Hoop.from_parts(1, [hh.Disk(-1, 0.5)]), "hoop.parts give hoop.mass = -1.0, which must be from 1e-12 to 1e+12"),
+    (
+        lambda: hh.Hoop.from_parts(1, [hh.Disk(1, 0.5), hh.Ring(-0.5, 0.5, 1)]),
+        "hoop.parts give hoop.inertia_ratio = -0.375, which must be",
+    ),
+    (
+        lambda: hh.Hoop.from_parts(1, [hh.Ring(1, 1, 1), hh.PointMass(-0.6, at=-0.8)]),
+        "hoop.parts give hoop.eccentricity = 1.2, which must be at most 1.",
+    ),
+    (lambda: hh.Disk(1, 0), "disk.radius = 0 must be at least 1e-12."),
+    (lambda: hh.Start(height=-0.1), "start.height = -0.1 must be from 0 to 1e+06 m."),
     (lambda: hh.Start(speed=1, omega=2), "start.omega cannot be given together with start.speed."),
     (lambda: hh.Start.rolling(math.nan), "start.speed = nan must be a finite number."),
-    (lambda: hh.Rigid(max_events=0), "contact.max_events = 0 must be at least 1."),
+    (lambda: hh.Rigid(max_events=0), "contact.max_events = 0 must be from 1 to 1e+07."),
     (lambda: hh.Rigid(max_events=1.5), "contact.max_events = 1.5 must be a whole number."),
     (lambda: hh.Compliant(damping=1, restitution=0.5), "contact.restitution cannot be given together with"),
-    (lambda: hh.Compliant(rtol=0), "contact.rtol = 0 must be greater than 0."),
-    (lambda: hh.Scenario(duration=0), "duration = 0 must be greater than 0."),
+    (lambda: hh.Compliant(rtol=0), "contact.rtol = 0 must be from 1e-10 to 0.1."),
+    (lambda: hh.Scenario(duration=0), "duration = 0 must be from 1e-09 to 1e+09 s."),
     (lambda: hh.Scenario(hoop=3), "hoop = 3 must be a table of keys."),
     (lambda: hh.Scenario(plane=hh.Start.rolling(1.0)), "must be a Plane, not Start."),
     (lambda: hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(), hh.Plane()), "must be a Start, not Plane."),
@@ -263,13 +295,13 @@ REFUSED_KEYS = [
     ({"contact": {"model": 3}}, "contact.model = '3' must be 'rigid' or 'compliant'."),
     ({"contact": {"model": None}}, "contact.model is missing."),
     ({"contact": {"stiffness": 3}}, "contact.stiffness is not a known key; known are model, max_events."),
-    ({"contact": {"model": "compliant", "stiffness": -3}}, "contact.stiffness = -3 must be greater than 0."),
+    ({"contact": {"model": "compliant", "stiffness": -3}}, "contact.stiffness = -3 must be from 1e-06 to 1e+18 N/m."),
     ({"hoop": {"parts": 3}}, "hoop.parts = 3 must be a list."),
     ({"hoop": {"parts": [3]}}, "hoop.parts.0 = 3 must be a table of keys."),
     ({"hoop": {"parts": [{"mass": 1}]}}, "hoop.parts.0.shape is missing."),
     ({"hoop": {"parts": [{"shape": "cube"}]}}, "hoop.parts.0.shape = 'cube' must be 'ring',"),
     ({"hoop": {"parts": [{"shape": "point_mass", "mass": 1}]}}, "hoop.parts.0.at is missing."),
-    ({"hoop": {"parts": [{"shape": "disk", "mass": 0, "radius": 1}]}}, "hoop.parts.0.mass = 0 must be"),
+    ({"hoop": {"parts": [{"shape": "disk", "mass": 0, "radius": 1}]}}, "hoop.parts give hoop.mass = 0"),
     ({"start": {"speed": [1]}}, "start.speed = [1] must be a number."),
 ]  # fmt: skip
 

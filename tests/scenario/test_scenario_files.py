@@ -172,7 +172,7 @@ def test_replacing_a_part_of_a_hoop():
         ("duration.long", "duration.long is not a parameter of a scenario"),
         ("hoop.parts.0.mass", "hoop.parts.0.mass is not there to be replaced"),
         ("plane.mu.static", "plane.mu.static is not there to be replaced"),
-        ("start.height", "start.height = -1.0 must be at least 0."),
+        ("start.height", "start.height = -1.0 must be from 0 to 1e+06 m."),
     ],
 )
 def test_refusals_of_replacements(path, expected):
@@ -254,7 +254,7 @@ def test_the_order_of_several_values_does_not_count(seed):
 
 def test_a_hoop_that_is_not_allowed_is_said_also_where_its_start_follows_from_it():
     changes = {"hoop.radius": -1.0, "start.omega": 2.0}
-    assert said(lambda: hh.Scenario().with_values(changes)) == "hoop.radius = -1.0 must be greater than 0."
+    assert said(lambda: hh.Scenario().with_values(changes)) == "hoop.radius = -1.0 must be from 1e-06 to 1e+06 m."
 
 
 @given(mu=st.floats(0.0, 2.0), speed=st.floats(0.1, 5.0), slope=st.floats(0.0, 0.5), load=st.floats(0.05, 0.95))
@@ -300,7 +300,7 @@ def test_a_section_given_whole_is_the_one_that_is_changed():
         mu_static=0.5, mu_kinetic=0.3
     )
     changes = {"hoop": {"radius": -1.0}, "hoop.eccentricity": 0.5}
-    assert said(lambda: base.with_values(changes)) == "hoop.radius = -1.0 must be greater than 0."
+    assert said(lambda: base.with_values(changes)) == "hoop.radius = -1.0 must be from 1e-06 to 1e+06 m."
 
 
 def test_wholes_come_before_what_stands_in_them_in_any_order():

@@ -54,7 +54,7 @@ def test_several_words_are_joined_by_an_or():
     [(np.array([1.0, 2.0]), "array([1., 2.])"), (np.array("x"), "'x'"), (np.array(None), "None"), (np.float32(-0.5), None)],
 )
 def test_arrays_are_shown_as_they_are_and_scalars_as_numbers(value, shown):
-    expected = f"= {shown} must be a number." if shown else "= -0.5 must be at least 0."
+    expected = f"= {shown} must be a number." if shown else "= -0.5 must be from 0 to 1."
     assert said(lambda: hh.Plane(restitution=value)) == f"plane.restitution {expected}"
 
 

@@ -82,7 +82,6 @@ export function readValue(field: FieldTable, value: any, path: string, found: Ph
 }
 
 const LIMITS: Record<string, (value: number, limit: number) => boolean> = {
-  greater_than: (value, limit) => value > limit,
   greater_than_equal: (value, limit) => value >= limit,
   less_than_equal: (value, limit) => value <= limit,
 };

@@ -56,7 +56,7 @@ class InputError(ValueError):
     ...     hh.Plane(gravity=-1.0)
     ... except hh.scenario.InputError as error:
     ...     print(error.field, error.value, error.allowed, sep=" | ")
-    plane.gravity | -1.0 | at least 0
+    plane.gravity | -1.0 | 0 or from 1e-06 to 1e+06 m/s²
     """
 
     def __init__(

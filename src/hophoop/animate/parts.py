@@ -24,15 +24,17 @@ def draw_parts(canvas: Canvas, theme: Theme, hoop: Hoop, center: Points, tilt: f
     along = np.array([math.sin(tilt), math.cos(tilt)])
     across = np.array([along[1], -along[0]])
     for part in sorted(hoop.parts or (), key=lambda part: not isinstance(part, Ring)):
+        ink = theme.load if part.mass > 0.0 else theme.background  # a hole
+        edge = theme.background if part.mass > 0.0 else theme.load
         middle = center + side * part.at * scale * along
         if isinstance(part, Ring):
             mean = 0.5 * (part.inner_radius + part.outer_radius) * scale
             thick = max((part.outer_radius - part.inner_radius) * scale / canvas.unit, 1.0)
             canvas.disc(center, mean, None, theme.muted, thick, 0.35 * alpha)
         elif isinstance(part, Disk):
-            canvas.disc(middle, part.radius * scale, theme.load, theme.background, 1.2, 0.8 * alpha)
+            canvas.disc(middle, part.radius * scale, ink, edge, 1.2, 0.8 * alpha)
         elif isinstance(part, PointMass):
-            canvas.disc(middle, LOAD * hoop.radius * scale, theme.load, theme.background, 1.5, alpha)
+            canvas.disc(middle, LOAD * hoop.radius * scale, ink, edge, 1.5, alpha)
         elif isinstance(part, Rod):
             half = 0.5 * part.length * scale * (along if part.direction == "radial" else across)
-            canvas.line(np.array([middle - half, middle + half]), theme.load, 4.0, 0.8 * alpha)
+            canvas.line(np.array([middle - half, middle + half]), ink, 4.0, 0.8 * alpha)

@@ -106,7 +106,7 @@ def _low(runs: Runs) -> dict[str, str]:
 
 def _bodies() -> dict[str, str]:
     """Numbers for the article's comments: a hoop made of parts, and another radius and mass."""
-    made = Hoop.from_parts(1.0, [Ring(0.25, 1.0, 1.0), PointMass(0.75, at=1.0)])
+    made = Hoop.from_parts(1.0, [Ring(mass=0.25, inner_radius=1.0, outer_radius=1.0), PointMass(mass=0.75, at=1.0)])
     small = Hoop.ideal(0.75, **SMALL)
     speed = 3.1 * math.sqrt(SMALL["radius"])
     large, scaled = (

@@ -13,8 +13,9 @@ from hophoop.results.event_table import change_of
 from hophoop.vocabulary.names import plain
 
 if TYPE_CHECKING:
-    from hophoop.precise import Agreement, PreciseEvent, PreciseMotion
+    from hophoop.precise import Agreement, PreciseMotion
     from hophoop.precise import Row as AgreementRow
+    from hophoop.results.records import EventRecord
 
 
 def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, everything: bool) -> None:
@@ -55,7 +56,7 @@ def _show_motion(precise: PreciseMotion, digits: int, everything: bool) -> None:
     typer.echo(f"digits  {min(precise.digits_right, digits)} right of {digits} asked, in every event")
 
 
-def _event(event: PreciseEvent) -> list[str]:
+def _event(event: EventRecord[Any]) -> list[str]:
     numbers = (event.t, event.angle, event.x, event.vx, event.omega)
     return [plain(event.kind), change_of(event), *map(str, numbers), str(event.digits_right)]
 

@@ -14,8 +14,7 @@ from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.kernel.records.layout import CELL
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.scenario.paths import parameter
-from hophoop.scenario.ranges import RANGES
-from hophoop.vocabulary.parameters import PARAMETERS, TABLE, Range
+from hophoop.vocabulary.parameters import PARAMETERS, RANGES, TABLE, Range
 
 Floats = NDArray[np.float64]
 Change = dict[str, float]  # rates of change with one parameter, by name in NUMBERS; those that are left out are 0

@@ -69,7 +69,7 @@ def _of_turning(motion: Trajectory, unit: float) -> GaitMargin:
     return GaitMargin("turns back", float(sample.t[slowest]), abs(float(sample.omega[slowest])) / unit)
 
 
-def _of_impact(event: EventRecord, mu: float, speed: float) -> GaitMargin:
+def _of_impact(event: EventRecord[float], mu: float, speed: float) -> GaitMargin:
     """Slip that goes on after a landing, or the share of friction that is left where it stops."""
     if event.slip != 0.0:
         return GaitMargin("impact: slip just stops", event.t, abs(event.slip) / speed)

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import UnionType
 from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
 
-from pydantic import AfterValidator, BeforeValidator
+from pydantic import BeforeValidator
 from pydantic.fields import FieldInfo
 
 from hophoop.derivatives.layout import REASONS
@@ -33,13 +33,12 @@ from hophoop.scenario.base import Frozen
 from hophoop.scenario.models import LEFT_OUT
 from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
-from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside
 from hophoop.scenario.rules import RULES, Rule
 from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import colors, names
 from hophoop.vocabulary.names import EVENTS, FATES, SIGNS, STATUSES, identifier, plain
-from hophoop.vocabulary.parameters import TABLE, Range, section_of
+from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, TABLE, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
@@ -47,7 +46,7 @@ ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
 
 _KINDS: Final[dict[Any, str]] = {base._number: "number", base._friction: "friction", base._whole: "whole"}
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
-_LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
+_LIMITS = {"ge": "greater_than_equal", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
 LEAST_SPEED: Final = 1e-9  # critical speeds below this are not shown as speeds [m/s]
 SAMPLES_PER_SECOND: Final = 200  # of the table of states that the page saves [1/s]
@@ -171,10 +170,10 @@ def _scenario() -> dict[str, Any]:
 
 
 def _fields(model: type[Frozen]) -> dict[str, dict[str, Any]]:
-    return {field.alias or name: _field(field) for name, field in model.model_fields.items()}
+    return {name: _field(field, f"{model.place}{name}") for name, field in model.model_fields.items()}
 
 
-def _field(field: FieldInfo) -> dict[str, Any]:
+def _field(field: FieldInfo, path: str) -> dict[str, Any]:
     kind, metadata, nullable = _taken_apart(field.annotation, list(field.metadata))
     extra = field.json_schema_extra
     made: dict[str, Any] = {"kind": "section", "unit": str(extra.get("unit", "1")) if isinstance(extra, dict) else ""}
@@ -187,8 +186,8 @@ def _field(field: FieldInfo) -> dict[str, Any]:
     for item in metadata:
         if isinstance(item, BeforeValidator) and item.func in _KINDS:
             made["kind"] = _KINDS[item.func]
-        elif isinstance(item, AfterValidator) and isinstance(inside := getattr(item.func, "__self__", None), Inside):
-            made["range"] = _range(inside.allowed, inside.unit)
+        elif path in RANGES:
+            made["range"] = _range(RANGES[path], made["unit"])
         else:
             found = [(name, float(getattr(item, key))) for key, name in _LIMITS.items() if hasattr(item, key)]
             if found:

@@ -4,7 +4,7 @@
 """
 
 from hophoop.precise.agreement import Agreement, Row, compare
-from hophoop.precise.result import PreciseEvent, PreciseMotion, simulate_precisely
+from hophoop.precise.result import PreciseMotion, simulate_precisely
 from hophoop.precise.solver import Solution, solve
 
-__all__ = ["Agreement", "PreciseEvent", "PreciseMotion", "Row", "Solution", "compare", "simulate_precisely", "solve"]
+__all__ = ["Agreement", "PreciseMotion", "Row", "Solution", "compare", "simulate_precisely", "solve"]

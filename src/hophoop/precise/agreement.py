@@ -9,7 +9,8 @@ from decimal import Decimal
 from typing import Any, Protocol
 
 from hophoop._support import tables
-from hophoop.precise.result import PreciseEvent, PreciseMotion
+from hophoop.precise.result import PreciseMotion
+from hophoop.results.records import EventRecord
 from hophoop.scenario.scenario import time_unit
 
 PLACES = ("t", "angle", "x")
@@ -130,14 +131,14 @@ def _digits(value: float, true: Decimal, unit: float) -> float:
     return MOST_DIGITS if error == 0.0 else max(0.0, min(float(MOST_DIGITS), -math.log10(error)))
 
 
-def _is_impulse(mine: Any, right: PreciseEvent) -> bool:
+def _is_impulse(mine: Any, right: EventRecord[Decimal]) -> bool:
     """Return True if the kernel's impact without collision is the end of a slip that nearly reaches p_σ = 0."""
     ends = ("stick", "slip_reversal", "takeoff", "turn")
     same = (mine.from_mode, mine.to_mode) == (right.from_mode, right.to_mode)
     return bool(mine.kind == "impact" and mine.collision is False and right.kind in ends and same)
 
 
-def _without_impulses(ours: Sequence[Any], theirs: Sequence[PreciseEvent]) -> list[Any]:
+def _without_impulses(ours: Sequence[Any], theirs: Sequence[EventRecord[Decimal]]) -> list[Any]:
     """The kernel's events without the paradox before such an impact."""
     kept: list[Any] = []
     for place, event in enumerate(ours):
@@ -158,9 +159,9 @@ def _uncut(events: Sequence[Any]) -> list[Any]:
     return kept
 
 
-def _as_many_bounces(ours: Sequence[Any], theirs: Sequence[PreciseEvent]) -> list[PreciseEvent]:
+def _as_many_bounces(ours: Sequence[Any], theirs: Sequence[EventRecord[Decimal]]) -> list[EventRecord[Decimal]]:
     """The precise events without the bounces that the kernel has closed already."""
-    kept: list[PreciseEvent] = []
+    kept: list[EventRecord[Decimal]] = []
     place = 0
     for event in ours:
         if event.kind == "bounce_limit":

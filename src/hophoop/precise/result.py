@@ -7,78 +7,15 @@ from decimal import Decimal
 from functools import cached_property
 from typing import Any
 
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES
+from hophoop.kernel.physics.body import EVENT_NAMES, STATUS_NAMES
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body, Number
 from hophoop.precise.solver import Solution, solve
+from hophoop.results.event_table import change_of
+from hophoop.results.records import EventRecord, Velocity, json_number, names_of
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.names import STATUSES, sequence_of
 from hophoop.vocabulary.quantities import QUANTITIES
-
-STATE = ("x", "height", "angle", "vx", "vy", "omega")
-
-
-@dataclass(frozen=True)
-class PreciseEvent:
-    """One event of a precise motion; the state is the one just after it.
-
-    Attributes
-    ----------
-    t : Decimal
-        Time [s].
-    kind : str
-        One of the kinds of the file format, such as 'slip_start'.
-    from_mode, to_mode : str or None
-        Letters of the modes before and after.
-    x, height, angle : Decimal
-        Centre along the plane [m], gap [m], θ [rad].
-    vx, vy, omega, slip : Decimal
-        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
-    before_vx, before_vy, before_omega, before_slip : Decimal
-        The same just before the event.
-    impulse_normal, impulse_tangential : Decimal
-        Of an impact [N s], else 0.
-    friction, impact_normal, impact_tangential, rolling_resistance : Decimal
-        Energy lost from the start to just after the event [J].
-    gain : Decimal
-        Energy created by Newton's law in a `kane_gain` [J], else 0.
-    collision : bool or None
-        Of an impact: whether the rim approached the plane.
-    stable : bool or None
-        Of a `rest`: whether the equilibrium is stable.
-    digits_right : int
-        The digits of time and state that two working precisions have in common, each number relative to itself or to
-        its unit made of R, g and m, whichever is larger.
-    """
-
-    t: Decimal
-    kind: str
-    from_mode: str | None
-    to_mode: str
-    x: Decimal
-    height: Decimal
-    angle: Decimal
-    vx: Decimal
-    vy: Decimal
-    omega: Decimal
-    slip: Decimal
-    before_vx: Decimal
-    before_vy: Decimal
-    before_omega: Decimal
-    before_slip: Decimal
-    impulse_normal: Decimal
-    impulse_tangential: Decimal
-    friction: Decimal
-    impact_normal: Decimal
-    impact_tangential: Decimal
-    rolling_resistance: Decimal
-    gain: Decimal
-    collision: bool | None
-    stable: bool | None
-    digits_right: int
-
-    def __repr__(self) -> str:
-        return f"<{self.kind} at t = {self.t} s, {_change(self)}: x = {self.x} m, angle = {self.angle} rad>"
 
 
 @dataclass(frozen=True)
@@ -95,7 +32,7 @@ class PreciseMotion:
         How the motion ended: completed, at_rest, jammed, undetermined or event_limit.
     sequence : str
         One letter per phase: R roll, S spin, K skid, H flight (hop), M skim.
-    events : tuple of PreciseEvent
+    events : tuple of EventRecord
         All events in order.
     energy : dict of Decimal
         Energies at the end, all that was lost on the way, and the residual that does not add up [J].
@@ -109,7 +46,7 @@ class PreciseMotion:
     digits: int
     status: str
     sequence: str
-    events: tuple[PreciseEvent, ...]
+    events: tuple[EventRecord[Decimal], ...]
     energy: dict[str, Decimal]
     version: str
     ending: str = "duration"
@@ -127,9 +64,9 @@ class PreciseMotion:
     @cached_property
     def digits_right(self) -> int:
         """Digits that every event has [1]; fewer than asked where more precision did not help."""
-        return min((event.digits_right for event in self.events), default=0)
+        return min((event.digits_right or 0 for event in self.events), default=0)
 
-    def find(self, kind: str) -> tuple[PreciseEvent, ...]:
+    def find(self, kind: str) -> tuple[EventRecord[Decimal], ...]:
         """The events of one kind.
 
         Parameters
@@ -139,7 +76,7 @@ class PreciseMotion:
 
         Returns
         -------
-        events : tuple of PreciseEvent
+        events : tuple of EventRecord
 
         Raises
         ------
@@ -167,9 +104,9 @@ class PreciseMotion:
             "scenario": self.scenario.to_dict(),
             "status": self.status,
             "sequence": self.sequence,
-            "events": [_event_dict(event) for event in self.events],
-            "final": {"t": _text(final.t), "mode": final.to_mode, **_state_dict(final)},
-            "energy": {name: _text(value) for name, value in self.energy.items()},
+            "events": [event.to_dict() for event in self.events],
+            "final": {"t": json_number(final.t), "mode": final.to_mode, **final.state_to_dict()},
+            "energy": {name: json_number(value) for name, value in self.energy.items()},
         }
 
     def __repr__(self) -> str:
@@ -178,43 +115,10 @@ class PreciseMotion:
             f"{self.digits} digits asked, {self.digits_right} right>"
         ]
         for event in self.events[:40]:
-            lines.append(f"  {event.kind:<22} {_change(event):<6} t = {event.t} s, θ = {event.angle}")
+            lines.append(f"  {event.kind:<22} {change_of(event):<6} t = {event.t} s, θ = {event.angle}")
         if len(self.events) > 40:
             lines.append(f"  … and {len(self.events) - 40} more")
         return "\n".join(lines)
-
-
-def _change(event: PreciseEvent) -> str:
-    """Return the letters of the mode before and after."""
-    return event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
-
-
-def _text(value: Decimal) -> str | None:
-    return str(value) if value.is_finite() else None
-
-
-def _state_dict(event: PreciseEvent) -> dict[str, str | None]:
-    return {name: _text(getattr(event, name)) for name in STATE}
-
-
-def _event_dict(event: PreciseEvent) -> dict[str, Any]:
-    result: dict[str, Any] = {
-        "t": _text(event.t),
-        "kind": event.kind,
-        "from": event.from_mode,
-        "to": event.to_mode,
-        **_state_dict(event),
-        "before": {name: _text(getattr(event, f"before_{name}")) for name in ("vx", "vy", "omega")},
-        "impulse": {"normal": _text(event.impulse_normal), "tangential": _text(event.impulse_tangential)},
-        "digits_right": event.digits_right,
-    }
-    if event.collision is False:
-        result["collision"] = False
-    if event.kind == "kane_gain":
-        result["gain"] = _text(event.gain)
-    if event.stable is not None:
-        result["stable"] = event.stable
-    return result
 
 
 class Units:
@@ -248,9 +152,13 @@ class Units:
         return Decimal(self.ctx.nstr(value * unit, self.digits, strip_zeros=False, min_fixed=-5, max_fixed=self.digits))
 
 
-def _event(record: Record, right: int, units: Units) -> PreciseEvent:
+def _event(record: Record, right: int, units: Units) -> EventRecord[Decimal]:
     state = record.state
-    numbers = {
+
+    def decimal(name: str, value: Number) -> Decimal:
+        return units.decimal(value, units.of(name))
+
+    numbers: dict[str, Any] = {
         "t": state.t,
         "x": state.x,
         "height": state.y,
@@ -259,10 +167,6 @@ def _event(record: Record, right: int, units: Units) -> PreciseEvent:
         "vy": state.vn,
         "omega": state.om,
         "slip": state.vt,
-        "before_vx": record.before_vt + record.before_om,
-        "before_vy": record.before_vn,
-        "before_omega": record.before_om,
-        "before_slip": record.before_vt,
         "impulse_normal": record.p_n,
         "impulse_tangential": record.p_t,
         "friction": state.friction,
@@ -271,14 +175,20 @@ def _event(record: Record, right: int, units: Units) -> PreciseEvent:
         "rolling_resistance": state.resisted,
         "gain": record.gain,
     }
-    return PreciseEvent(
-        kind=EVENT_NAMES[record.kind],
-        from_mode=None if record.before_mode is None else MODE_LETTERS[record.before_mode],
-        to_mode=MODE_LETTERS[record.after_mode],
+    numbers = {name: decimal(name, value) for name, value in numbers.items()}
+    before: dict[str, Number] = {
+        "vx": record.before_vt + record.before_om,
+        "vy": record.before_vn,
+        "omega": record.before_om,
+        "slip": record.before_vt,
+    }
+    return EventRecord(
+        **names_of(record.kind, -1 if record.before_mode is None else record.before_mode, record.after_mode),
+        before=Velocity(**{name: decimal(name, value) for name, value in before.items()}),
         collision=record.collision,
         stable=record.stable,
         digits_right=right,
-        **{name: units.decimal(value, units.of(name.removeprefix("before_"))) for name, value in numbers.items()},
+        **numbers,
     )
 
 

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hophoop._support import tables
 from hophoop.vocabulary.names import plain
 
 if TYPE_CHECKING:
-    from hophoop.precise import PreciseEvent
     from hophoop.prove.proof import ProvedEvent
     from hophoop.results.records import EventRecord
 
@@ -21,18 +20,18 @@ FIRST_ROWS, LAST_ROWS = 60, 20  # rows shown of a long table
 WIDTH = 100  # of the text [characters]
 
 
-def cells(event: EventRecord) -> list[str]:
+def cells(event: EventRecord[float]) -> list[str]:
     """Return a row of the table, in the order of `TITLES`."""
     numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
     return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
 
 
-def change_of(event: EventRecord | PreciseEvent | ProvedEvent) -> str:
+def change_of(event: EventRecord[Any] | ProvedEvent) -> str:
     """Return the letters of the mode before and after an event."""
     return event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
 
 
-def text_table(events: Sequence[EventRecord], width: int = WIDTH) -> str:
+def text_table(events: Sequence[EventRecord[float]], width: int = WIDTH) -> str:
     """Return the table as plain text.
 
     width: maximum width; columns are left out until the table fits [characters].

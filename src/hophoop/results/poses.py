@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop.kernel.numerics.elementwise import hypotenuse, sine_and_cosine
 from hophoop.results.records import ArraySample, Motion
-from hophoop.scenario import Hoop, PointMass, Ring
+from hophoop.scenario import Hoop, PointMass
 from hophoop.scenario.scenario import time_unit
 from hophoop.vocabulary.names import coming_rotation, mode_words
 
@@ -92,7 +92,7 @@ def load_distance(hoop: Hoop) -> float:
     if hoop.parts is None:
         return hoop.radius
     side = part_side(hoop)
-    off = [part for part in hoop.parts if not isinstance(part, Ring) and part.at * side > 0.0]
+    off = [part for part in hoop.parts if part.mass > 0.0 and part.at * side > 0.0]
     # a point mass first, however light: it is usually called the load
     points = [part for part in off if isinstance(part, PointMass)] or off
     if not points:

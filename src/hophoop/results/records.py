@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast, overload
 
 import numpy as np
@@ -20,110 +21,93 @@ from hophoop.scenario import Plane, Scenario
 from hophoop.vocabulary.quantities import EVENT_NUMBERS, FRICTION_LOSS, QUANTITIES, held_by
 
 Side = Literal["left", "right"]
+Number = TypeVar("Number", float, Decimal)
 Numbers = TypeVar("Numbers", float, NDArray[np.float64])
 Letters = TypeVar("Letters", str, NDArray[np.str_])
 Record = TypeVar("Record")
 
 
-@dataclass(frozen=True)
-class Velocity:
-    """Velocities just before an event.
+def documented(kind: str) -> Callable[[type[Record]], type[Record]]:
+    """Return a decorator that lists the numbers of a record in its docstring, as the table of quantities describes them.
 
-    Attributes
-    ----------
-    vx : float
-        Velocity of the centre along the plane [m/s].
-    vy : float
-        Velocity of the centre away from the plane [m/s].
-    omega : float
-        Angular velocity θ̇ [rad/s].
-    slip : float
-        Slip velocity v_t of the lowest point [m/s].
+    kind: type of the numbers, in words.
     """
 
-    vx: float
-    vy: float
-    omega: float
-    slip: float
+    def documented_record(record: type[Record]) -> type[Record]:
+        held = [QUANTITIES[name] for name in record.__annotations__ if name in QUANTITIES and name != "mode"]
+        lines = "".join(f"    {one.name} : {kind}\n        {one.meaning} [{one.unit}].\n" for one in held)
+        text = (record.__doc__ or "").rstrip()
+        head = "" if "Attributes\n" in text else "\n\n    Attributes\n    ----------"
+        record.__doc__ = f"{text}{head}\n{lines}    "
+        return record
+
+    return documented_record
 
 
+@documented("float or Decimal")
 @dataclass(frozen=True)
-class EventRecord:
-    """An event, with the state just after it.
+class Velocity(Generic[Number]):
+    """Velocities just before an event."""
+
+    vx: Number
+    vy: Number
+    omega: Number
+    slip: Number
+
+
+@documented("float or Decimal")
+@dataclass(frozen=True)
+class EventRecord(Generic[Number]):
+    """An event, with the state just after it: floats, or Decimals in a motion with `digits`.
 
     Attributes
     ----------
-    t : float
-        Time [s].
     kind : str
         Kind of event, such as 'slip_start'.
     from_mode : str or None
         Letter of the mode before; None at the start.
     to_mode : str
         Letter of the mode after.
-    x : float
-        Position of the centre along the plane [m].
-    height : float
-        Gap between rim and plane [m].
-    angle : float
-        θ, from the plane's outward normal to C→G, clockwise; it counts whole revolutions [rad].
-    vx : float
-        Velocity of the centre along the plane [m/s].
-    vy : float
-        Velocity of the centre away from the plane [m/s].
-    omega : float
-        Angular velocity θ̇ [rad/s].
-    slip : float
-        Slip velocity v_t of the lowest point [m/s].
     before : Velocity
         Velocities just before.
-    impulse_normal : float
-        Normal impulse of an impact, else 0 [N s].
-    impulse_tangential : float
-        Impulse of an impact along the plane, else 0 [N s].
-    friction : float
-        Energy lost in slip, from the start to just after the event [J].
-    impact_normal : float
-        Energy lost so far in impacts, normal to the plane [J].
-    impact_tangential : float
-        Energy lost so far in impacts, along the plane [J].
-    rolling_resistance : float
-        Energy lost so far to rolling resistance [J].
     collision : bool or None
         For an impact: True if the rim approached the plane, False for an impact without collision.
-    gain : float
-        Energy created by Newton's law in a `kane_gain`, else 0 [J].
     stable : bool or None
         For a `rest`: True if the equilibrium is stable.
+    digits_right : int or None
+        With `digits`: how many of them two working precisions have in common, each number relative to itself or to its unit
+        made of R, g and m, whichever is larger.
     """
 
-    t: float
+    t: Number
     kind: str
     from_mode: str | None
     to_mode: str
-    x: float
-    height: float
-    angle: float
-    vx: float
-    vy: float
-    omega: float
-    slip: float
-    before: Velocity
-    impulse_normal: float
-    impulse_tangential: float
-    friction: float
-    impact_normal: float
-    impact_tangential: float
-    rolling_resistance: float
+    x: Number
+    height: Number
+    angle: Number
+    vx: Number
+    vy: Number
+    omega: Number
+    slip: Number
+    before: Velocity[Number]
+    impulse_normal: Number
+    impulse_tangential: Number
+    friction: Number
+    impact_normal: Number
+    impact_tangential: Number
+    rolling_resistance: Number
     collision: bool | None
-    gain: float
+    gain: Number
     stable: bool | None
+    digits_right: int | None = None
 
     def __repr__(self) -> str:
-        numbers = _numbers(self, (*_STATE, "slip"))
-        return f"<{self.kind} at t = {self.t:.9g} s, {change_of(self)}: {numbers}>"
+        if self.digits_right is not None:
+            return f"<{self.kind} at t = {self.t} s, {change_of(self)}: x = {self.x} m, angle = {self.angle} rad>"
+        return f"<{self.kind} at t = {self.t:.9g} s, {change_of(self)}: {_numbers(self, (*_STATE, 'slip'))}>"
 
-    def state_to_dict(self) -> dict[str, float | None]:
+    def state_to_dict(self) -> dict[str, float | str | None]:
         """Return the state just after the event for JSON.
 
         Returns
@@ -131,7 +115,7 @@ class EventRecord:
         state : dict of float
             x, height [m], angle [rad], vx, vy [m/s] and omega [rad/s]; None for a value that is not finite.
         """
-        return {name: _finite(getattr(self, name)) for name in _STATE}
+        return {name: json_number(getattr(self, name)) for name in _STATE}
 
     def to_dict(self) -> dict[str, Any]:
         """Return the event as the JSON of the file format.
@@ -142,18 +126,20 @@ class EventRecord:
             Ready for `json.dumps`; SI units and radians.
         """
         result: dict[str, Any] = {
-            "t": self.t,
+            "t": json_number(self.t),
             "kind": self.kind,
             "from": self.from_mode,
             "to": self.to_mode,
             **self.state_to_dict(),
-            "before": {name: _finite(getattr(self.before, name)) for name in ("vx", "vy", "omega")},
-            "impulse": {"normal": self.impulse_normal, "tangential": self.impulse_tangential},
+            "before": {name: json_number(getattr(self.before, name)) for name in ("vx", "vy", "omega")},
+            "impulse": {"normal": json_number(self.impulse_normal), "tangential": json_number(self.impulse_tangential)},
         }
+        if self.digits_right is not None:
+            result["digits_right"] = self.digits_right
         if self.collision is False:
             result["collision"] = False
         if self.kind == "kane_gain":
-            result["gain"] = self.gain
+            result["gain"] = json_number(self.gain)
         if self.stable is not None:
             result["stable"] = self.stable
         return result
@@ -171,24 +157,27 @@ def _numbers(thing: Any, names: Iterable[str]) -> str:
     return ", ".join(f"{name} = {getattr(thing, name):.6g} {QUANTITIES[name].unit}" for name in names)
 
 
-def event_record(row: np.void, unit: Units, t: float) -> EventRecord:
+def event_record(row: np.void, unit: Units, t: float) -> EventRecord[float]:
     """Return a row of the kernel's events as a record, with its time `t` in seconds."""
-    value = {name: float(row[name]) * unit.of(name) for name in EVENT_NUMBERS if name != "t"}
+    numbers: dict[str, Any] = {name: float(row[name]) * unit.of(name) for name in EVENT_NUMBERS if name != "t"}
     before = Velocity(**{name: float(row[f"before_{name}"]) * unit.of(name) for name in held_by("Velocity")})
-    before_mode = int(row["before_mode"])
     return EventRecord(
         t=t,
-        kind=EVENT_NAMES[row["kind"]],
-        from_mode=MODE_LETTERS[before_mode] if before_mode >= 0 else None,
-        to_mode=MODE_LETTERS[row["after_mode"]],
+        **names_of(int(row["kind"]), int(row["before_mode"]), int(row["after_mode"])),
         before=before,
         collision=None if row["collision"] < 0 else bool(row["collision"]),
         stable=None if row["stable"] < 0 else bool(row["stable"]),
-        **value,
+        **numbers,
     )
 
 
-class Events(tuple[EventRecord, ...]):
+def names_of(kind: int, before_mode: int, after_mode: int) -> dict[str, Any]:
+    """Return kind and letters of an event from the kernel's codes; a mode of −1 is none."""
+    before = MODE_LETTERS[before_mode] if before_mode >= 0 else None
+    return {"kind": EVENT_NAMES[kind], "from_mode": before, "to_mode": MODE_LETTERS[after_mode]}
+
+
+class Events(tuple[EventRecord[float], ...]):
     """Events of a motion in order: a tuple that prints as a table."""
 
     __slots__ = ()
@@ -197,55 +186,22 @@ class Events(tuple[EventRecord, ...]):
         return text_table(self) if self else "()"
 
 
-def _finite(value: float) -> float | None:
-    # θ̇ of a massless ring is unbounded as its load strikes; JSON has no infinity
-    return value if math.isfinite(value) else None
+def json_number(value: float | Decimal) -> float | str | None:
+    """Return a number for JSON: text for a Decimal, None for what is not finite, as θ̇ of a massless ring whose load strikes."""
+    if not math.isfinite(value):
+        return None
+    return str(value) if isinstance(value, Decimal) else value
 
 
+@documented("float or ndarray")
 @dataclass(frozen=True)
 class Sample(Generic[Numbers, Letters]):
     """The state at one time or many; every field is a scalar or an array of the shape of t.
 
     Attributes
     ----------
-    t : float or ndarray
-        Time [s].
     mode : str or ndarray of str
         Letter of the mode: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
-    x : float or ndarray
-        Position of the centre along the plane [m].
-    height : float or ndarray
-        Gap between rim and plane [m].
-    angle : float or ndarray
-        θ, from the plane's outward normal to C→G, clockwise; it counts whole revolutions [rad].
-    vx : float or ndarray
-        Velocity of the centre along the plane [m/s].
-    vy : float or ndarray
-        Velocity of the centre away from the plane [m/s].
-    omega : float or ndarray
-        Angular velocity θ̇ [rad/s].
-    slip : float or ndarray
-        Slip velocity v_t of the lowest point [m/s].
-    friction_force : float or ndarray
-        Friction F along +x [N].
-    normal_force : float or ndarray
-        Normal force N [N].
-    kinetic : float or ndarray
-        Kinetic energy [J].
-    potential : float or ndarray
-        Potential energy, zero with the load at the top in contact at x = 0 [J].
-    friction : float or ndarray
-        Energy lost so far in slip; `friction_loss` is this and what friction takes in impacts [J].
-    impact_normal : float or ndarray
-        Energy lost so far in impacts, normal to the plane [J].
-    impact_tangential : float or ndarray
-        Energy lost so far in impacts, along the plane [J].
-    rolling_resistance : float or ndarray
-        Energy lost so far to rolling resistance [J].
-    spring : float or ndarray
-        Energy stored in a compliant contact; 0 in rigid contact [J].
-    damping : float or ndarray
-        Energy lost so far in the damper of a compliant contact; 0 in rigid contact [J].
     """
 
     t: Numbers
@@ -347,29 +303,10 @@ ScalarSample: TypeAlias = Sample[float, str]
 ArraySample: TypeAlias = Sample[NDArray[np.float64], NDArray[np.str_]]
 
 
+@documented("ndarray, shape (n,)")
 @dataclass(frozen=True)
 class EventErrors:
-    """Estimated errors of the events of a motion, one value per event; inf if rounding may change what follows.
-
-    Attributes
-    ----------
-    t : ndarray, shape (n,)
-        Error of the time [s].
-    x : ndarray, shape (n,)
-        Error of the position of the centre along the plane [m].
-    height : ndarray, shape (n,)
-        Error of the gap between rim and plane [m].
-    angle : ndarray, shape (n,)
-        Error of θ [rad].
-    vx : ndarray, shape (n,)
-        Error of the velocity of the centre along the plane [m/s].
-    vy : ndarray, shape (n,)
-        Error of the velocity of the centre away from the plane [m/s].
-    omega : ndarray, shape (n,)
-        Error of θ̇ [rad/s].
-    slip : ndarray, shape (n,)
-        Error of the slip velocity [m/s].
-    """
+    """Estimated errors of the events of a motion, one value per event; inf if rounding may change what follows."""
 
     t: NDArray[np.float64]
     x: NDArray[np.float64]
@@ -409,7 +346,7 @@ class Motion(Protocol):
         """Duration of the motion [s]."""
 
     @property
-    def events(self) -> tuple[EventRecord, ...]:
+    def events(self) -> tuple[EventRecord[float], ...]:
         """All events in order."""
 
     @property
@@ -458,33 +395,10 @@ def utilization_of(
     return share
 
 
+@documented("float")
 @dataclass(frozen=True)
 class Ledger:
-    """Energy balance of a motion, from its start to its end.
-
-    Attributes
-    ----------
-    kinetic : float
-        Kinetic energy at the end [J].
-    potential : float
-        Potential energy at the end, zero with the load at the top in contact at x = 0 [J].
-    friction : float
-        Lost in slip; `friction_loss` is this and what friction takes in impacts [J].
-    impact_normal : float
-        Lost in impacts, in the direction normal to the plane; may be negative under Newton's and Poisson's laws [J].
-    impact_tangential : float
-        Lost in impacts, along the plane [J].
-    rolling_resistance : float
-        Lost to rolling resistance [J].
-    spring : float
-        Stored in a compliant contact at the end; 0 in rigid contact [J].
-    damping : float
-        Lost in the damper of a compliant contact; 0 in rigid contact [J].
-    residual : float
-        Residual: kinetic + potential + spring + losses at the end, minus kinetic + potential at the start [J].
-    range : float
-        Scale of the energies that took part, for comparison with the residual [J].
-    """
+    """Energy balance of a motion, from its start to its end."""
 
     kinetic: float
     potential: float

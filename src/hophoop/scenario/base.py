@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
 from hophoop._support.errors import InputError, plain, shortened, shown
 from hophoop.scenario.sentences import input_error
 from hophoop.scenario.texts import TEXTS, say
-from hophoop.vocabulary.parameters import TABLE, section_of
+from hophoop.vocabulary.parameters import PARAMETERS, RANGES, TABLE, Range, section_of
 
 
 def plain_init(init: Callable[..., None]) -> Callable[..., None]:
@@ -193,17 +193,38 @@ def _whole(value: Any) -> int:
     return int(value)
 
 
-Number = Annotated[float, BeforeValidator(_number)]
-Positive = Annotated[Number, Field(gt=0)]
-NonNegative = Annotated[Number, Field(ge=0)]
-Fraction = Annotated[Number, Field(ge=0, le=1)]
-Friction = Annotated[float, Field(allow_inf_nan=True), BeforeValidator(_friction)]
-Count = Annotated[int, BeforeValidator(_whole)]
+def within(path: str) -> Any:
+    """Return the pydantic annotation that keeps a number in the range of a path of `RANGES`."""
+    allowed = RANGES[path]
+    if not allowed.also:
+        return Field(ge=allowed.least, le=allowed.most)
+
+    def kept(value: float) -> float:
+        if not allowed.holds(value):
+            raise PydanticCustomError("value", TEXTS["range"], {"words": allowed.words(PARAMETERS[path].unit)})
+        return value
+
+    return AfterValidator(kept)
 
 
-def quantity(default: Any, description: str, unit: str = "1", **limits: Any) -> Any:
+NUMBER = BeforeValidator(_number)
+Number = Annotated[float, NUMBER]
+Friction = Annotated[float, Field(allow_inf_nan=True), within("plane.mu"), BeforeValidator(_friction)]
+Count = Annotated[int, within("contact.max_events"), BeforeValidator(_whole)]
+
+
+def quantity(default: Any, meaning: str, unit: str = "1", allowed: Range | None = None) -> Any:
     """Return a pydantic field with its meaning and unit ("1" for a pure number, "" for a word)."""
-    return Field(default, description=description, json_schema_extra={"unit": unit}, **limits)
+    extra: dict[str, Any] = {"unit": unit}
+    if allowed is not None and 0.0 in allowed.also:
+        extra |= {"minimum": 0.0, "maximum": allowed.most}
+    return Field(default, description=meaning, json_schema_extra=extra)
+
+
+def field_of(path: str) -> Any:
+    """Return a pydantic field with the default, meaning and unit of a parameter."""
+    row = PARAMETERS[path]
+    return quantity(row.default, row.meaning, row.unit, row.range)
 
 
 def alone(section: str, way: str, given: Iterable[str]) -> None:

@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Discriminator, model_validator
+from pydantic import Discriminator, Field, model_validator
 
 from hophoop.kernel.physics import mass
-from hophoop.scenario.base import Frozen, NonNegative, Number, Positive, plain_init, quantity, refuse
-from hophoop.scenario.ranges import inside, schema_of
+from hophoop.scenario.base import NUMBER, Frozen, Number, plain_init, quantity, refuse, within
 from hophoop.scenario.texts import say
 
-PartMass = Annotated[Positive, inside("hoop.parts.mass", "kg"), schema_of("hoop.parts.mass")]
-Length = Annotated[Positive, inside("hoop.parts.length", "m"), schema_of("hoop.parts.length")]
+PartMass = Annotated[float, within("hoop.parts.mass"), NUMBER]
+InnerRadius = Annotated[float, Field(ge=0.0), NUMBER]
+Length = Annotated[float, within("hoop.parts.length"), NUMBER]
 
 Row = tuple[int, float, float, float, float]
 
@@ -22,8 +22,14 @@ Row = tuple[int, float, float, float, float]
 TOUCH = 1e-12
 
 
-class _Body:
-    """Common base of all parts."""
+class _Part(Frozen):
+    """Base of all parts; a negative mass is a hole."""
+
+    place: ClassVar[str] = "hoop.parts: "
+
+    @plain_init
+    def __init__(self, /, *in_order: Any, **values: Any) -> None:
+        super().__init__(**dict(zip(type(self).model_fields, in_order, strict=False)), **values)
 
     @property
     def row(self) -> Row:
@@ -43,32 +49,26 @@ class _Body:
         return float(mass.part_reach(shape, first, second, at))
 
 
-class Ring(Frozen, _Body):
+class Ring(_Part):
     """A flat ring about the rim's centre C; thin if both radii are equal.
 
     Parameters
     ----------
     mass : float
-        Its mass [kg].
+        Its mass; negative for a hole [kg].
     inner_radius, outer_radius : float
         Its radii [m].
 
     Raises
     ------
     ValueError
-        If the mass or outer_radius is not positive, inner_radius is negative or exceeds outer_radius.
+        If outer_radius is not positive, or inner_radius is negative or exceeds outer_radius.
     """
 
-    place: ClassVar[str] = "hoop.parts: "
-
-    shape: Literal["ring"] = quantity("ring", "Kind of part", "")
     mass: PartMass = quantity(..., "Mass of the ring", "kg")
-    inner_radius: NonNegative = quantity(..., "Inner radius of the ring", "m")
+    inner_radius: InnerRadius = quantity(..., "Inner radius of the ring", "m")
     outer_radius: Length = quantity(..., "Outer radius of the ring", "m")
-
-    @plain_init
-    def __init__(self, mass: float, inner_radius: float, outer_radius: float, **shape: Any) -> None:
-        super().__init__(mass=mass, inner_radius=inner_radius, outer_radius=outer_radius, **shape)
+    shape: Literal["ring"] = quantity("ring", "Kind of part", "")
 
     @model_validator(mode="after")
     def _ordered(self) -> Ring:
@@ -87,13 +87,13 @@ class Ring(Frozen, _Body):
         return mass.RING, self.mass, self.inner_radius, self.outer_radius, 0.0
 
 
-class Disk(Frozen, _Body):
-    """A uniform disk, such as a cylindrical load seen from its end.
+class Disk(_Part):
+    """A uniform disk, such as a cylindrical load seen from its end, or a round hole.
 
     Parameters
     ----------
     mass : float
-        Its mass [kg].
+        Its mass; negative for a hole [kg].
     radius : float
         Its radius [m].
     at : float, default 0
@@ -102,19 +102,13 @@ class Disk(Frozen, _Body):
     Raises
     ------
     ValueError
-        If mass or radius is not positive.
+        If radius is not positive.
     """
 
-    place: ClassVar[str] = "hoop.parts: "
-
-    shape: Literal["disk"] = quantity("disk", "Kind of part", "")
     mass: PartMass = quantity(..., "Mass of the disk", "kg")
     radius: Length = quantity(..., "Radius of the disk", "m")
     at: Number = quantity(0.0, "Signed distance of the disk's centre from C", "m")
-
-    @plain_init
-    def __init__(self, mass: float, radius: float, at: float = 0.0, **shape: Any) -> None:
-        super().__init__(mass=mass, radius=radius, at=at, **shape)
+    shape: Literal["disk"] = quantity("disk", "Kind of part", "")
 
     @property
     def row(self) -> Row:
@@ -122,31 +116,25 @@ class Disk(Frozen, _Body):
         return mass.DISK, self.mass, self.radius, 0.0, self.at
 
 
-class PointMass(Frozen, _Body):
+class PointMass(_Part):
     """A small load.
 
     Parameters
     ----------
     mass : float
-        Its mass [kg].
+        Its mass; negative for a hole [kg].
     at : float
         Signed distance from C, on the line from C to the load [m].
 
     Raises
     ------
     ValueError
-        If the mass is not positive.
+        If a number is not finite.
     """
 
-    place: ClassVar[str] = "hoop.parts: "
-
-    shape: Literal["point_mass"] = quantity("point_mass", "Kind of part", "")
     mass: PartMass = quantity(..., "Mass of the load", "kg")
     at: Number = quantity(..., "Signed distance of the load from C", "m")
-
-    @plain_init
-    def __init__(self, mass: float, at: float, **shape: Any) -> None:
-        super().__init__(mass=mass, at=at, **shape)
+    shape: Literal["point_mass"] = quantity("point_mass", "Kind of part", "")
 
     @property
     def row(self) -> Row:
@@ -154,13 +142,13 @@ class PointMass(Frozen, _Body):
         return mass.POINT_MASS, self.mass, 0.0, 0.0, self.at
 
 
-class Rod(Frozen, _Body):
+class Rod(_Part):
     """A thin uniform rod in the plane of motion; an axial one counts as a `PointMass`.
 
     Parameters
     ----------
     mass : float
-        Its mass [kg].
+        Its mass; negative for a slot [kg].
     length : float
         Its length [m].
     at : float, default 0
@@ -171,27 +159,14 @@ class Rod(Frozen, _Body):
     Raises
     ------
     ValueError
-        If mass or length is not positive, or the direction is not one of the two.
+        If length is not positive, or the direction is not one of the two.
     """
 
-    place: ClassVar[str] = "hoop.parts: "
-
-    shape: Literal["rod"] = quantity("rod", "Kind of part", "")
     mass: PartMass = quantity(..., "Mass of the rod", "kg")
     length: Length = quantity(..., "Length of the rod", "m")
     at: Number = quantity(0.0, "Signed distance of the rod's middle from C", "m")
     direction: Literal["radial", "tangential"] = quantity("radial", "Along the line from C or across it", "")
-
-    @plain_init
-    def __init__(
-        self,
-        mass: float,
-        length: float,
-        at: float = 0.0,
-        direction: Literal["radial", "tangential"] = "radial",
-        **shape: Any,
-    ) -> None:
-        super().__init__(mass=mass, length=length, at=at, direction=direction, **shape)
+    shape: Literal["rod"] = quantity("rod", "Kind of part", "")
 
     @property
     def row(self) -> Row:
@@ -204,29 +179,10 @@ Part = Annotated[Ring | Disk | PointMass | Rod, Discriminator("shape")]
 
 
 def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tuple[float, float, float]:
-    """Mass, eccentricity and inertia ratio of a hoop made of parts.
+    """Return mass [kg], ε and κ [1] of a hoop of rim radius `radius` [m] made of parts; κ by the parallel axis theorem.
 
-    Parameters
-    ----------
-    radius : float
-        Rim radius R [m].
-    parts : sequence of Ring, Disk, PointMass or Rod
-        At least one; all within the rim.
-
-    Returns
-    -------
-    mass : float
-        Their sum [kg].
-    eccentricity : float
-        ε = distance of the centre of gravity G from C over R [1]. Never negative: if G is on the negative side of
-        C, the line from C is reversed, so that θ is the angle to G.
-    inertia_ratio : float
-        κ = moment of inertia about G over m R² [1], by the parallel axis theorem.
-
-    Raises
-    ------
-    ValueError
-        If a part reaches beyond the rim.
+    ε is never negative: if the centre of gravity G is on the negative side of C, the line from C is reversed, so that θ is the
+    angle to G. A part that reaches beyond the rim is refused.
     """
     for index, part in enumerate(parts):
         if part.reach > radius * (1.0 + TOUCH):

@@ -11,8 +11,8 @@ from pydantic_core import PydanticCustomError
 from hophoop.kernel.physics.ranges import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
 from hophoop.kernel.records.refusal import Refusal
 from hophoop.scenario.base import refuse
-from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 from hophoop.scenario.texts import say
+from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 
 
 class Rule(NamedTuple):
@@ -42,6 +42,7 @@ _SLIP_SPEED = {"unit": "√(g R)", "words": RELATIVE_SLIP_SPEED.words()}
 
 RULES: Final[dict[Refusal, Rule]] = {
     Refusal.HOOP_MASS: Rule("hoop_mass", {"mass": "hoop.mass"}, {"words": RANGES["hoop.mass"].words("kg")}),
+    Refusal.PARTS_CENTER: Rule("parts_center", {"eccentricity": "hoop.eccentricity"}),
     Refusal.LOAD_INERTIA: Rule(
         "load_inertia", {"load_fraction": "hoop.load_fraction", "inertia_ratio": "hoop.inertia_ratio"}, _INERTIA
     ),

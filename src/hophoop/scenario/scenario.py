@@ -18,17 +18,17 @@ from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.layout import CONTACT
 from hophoop.kernel.records.refusal import refusal
-from hophoop.scenario.base import Frozen, Positive, refuse
+from hophoop.scenario.base import NUMBER, Frozen, field_of, refuse, within
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid
 from hophoop.scenario.paths import parameter, paths, with_replaced
-from hophoop.scenario.ranges import field_of, inside, schema_of
 from hophoop.scenario.rules import refused
 from hophoop.scenario.sentences import input_error
 from hophoop.scenario.start import Start
 from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
 
+Duration = Annotated[float, within("duration"), NUMBER]
 ROUNDED = 1e-9  # of the velocities: within it the slip velocity of a start agrees with the others
 
 
@@ -63,7 +63,7 @@ class Scenario(Frozen):
     True
     """
 
-    duration: Annotated[Positive, inside("duration"), schema_of("duration")] = field_of("duration")
+    duration: Duration = field_of("duration")
     hoop: Hoop = Field(default_factory=Hoop, description="The hoop")
     plane: Plane = Field(default_factory=Plane, description="The plane")
     start: Start = Field(default_factory=lambda: Start.rolling(3.1), description="The start")

@@ -9,11 +9,12 @@ from pydantic import BaseModel, ValidationError
 
 from hophoop._support.errors import InputError, shortened, shown
 from hophoop.scenario.texts import TEXTS, say
+from hophoop.vocabulary.parameters import PARAMETERS, RANGES
 
 # Where a model's fields stand in a scenario.
 _PLACES = {"Scenario": "", "Rigid": "contact", "Compliant": "contact", "PointMass": "point_mass"}
 
-_LIMITS = {"greater_than": "gt", "greater_than_equal": "ge", "less_than": "lt", "less_than_equal": "le"}
+_LIMITS = {"greater_than_equal": "ge", "less_than_equal": "le"}
 
 # Kinds of pydantic's errors, and what is allowed there.
 _KINDS = {
@@ -147,6 +148,8 @@ def _said(above: str, finding: Mapping[str, Any]) -> _Said:
         allowed = say("literal_error", expected=_either(expected))
     elif kind in _OWN:
         allowed = finding["msg"]
+    elif kind in _LIMITS and place in PARAMETERS:
+        allowed = say("range", words=RANGES[place].words(PARAMETERS[place].unit))
     elif kind in _LIMITS:
         allowed = say(kind, limit=context[_LIMITS[kind]])
     elif kind == "literal_error":

@@ -8,16 +8,15 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 from pydantic import model_validator
 
 from hophoop._support.errors import InputError
-from hophoop.scenario.base import Frozen, NonNegative, Number, alone, quantity, refuse
+from hophoop.scenario.base import NUMBER, Frozen, alone, field_of, quantity, refuse, within
 from hophoop.scenario.models import Hoop
-from hophoop.scenario.ranges import field_of, inside, schema_of
 from hophoop.scenario.texts import say
 
-Height = Annotated[NonNegative, inside("start.height"), schema_of("start.height")]
-Place = Annotated[Number, inside("start.x"), schema_of("start.x")]
-Angle = Annotated[Number, inside("start.angle"), schema_of("start.angle")]
-Speed = Annotated[Number, inside("start.speed"), schema_of("start.speed")]
-Rate = Annotated[Number, inside("start.omega"), schema_of("start.omega")]
+Height = Annotated[float, within("start.height"), NUMBER]
+Place = Annotated[float, within("start.x"), NUMBER]
+Angle = Annotated[float, within("start.angle"), NUMBER]
+Speed = Annotated[float, within("start.speed"), NUMBER]
+Rate = Annotated[float, within("start.omega"), NUMBER]
 
 
 class StartState(NamedTuple):
@@ -89,7 +88,7 @@ class Start(Frozen):
     vx: Speed = field_of("start.vx")
     vy: Speed = field_of("start.vy")
     omega: Rate | None = field_of("start.omega")
-    slip: Annotated[Number, inside("start.vx")] | None = quantity(None, "Slip velocity", "m/s")
+    slip: Speed | None = quantity(None, "Slip velocity", "m/s")
     mode: Literal["R", "S", "K", "H"] | None = quantity(None, "Phase in which the motion goes on", "")
 
     @model_validator(mode="after")

@@ -20,9 +20,7 @@ TEXTS: Final[dict[str, str]] = {
     "friction": "must be at least 0 (inf is allowed)",
     "whole": "must be a whole number",
     "finite_number": "must be a finite number",
-    "greater_than": "must be greater than {limit:g}",
     "greater_than_equal": "must be at least {limit:g}",
-    "less_than": "must be less than {limit:g}",
     "less_than_equal": "must be at most {limit:g}",
     "range": "must be {words}",
     "literal_error": "must be {expected}",
@@ -38,7 +36,8 @@ TEXTS: Final[dict[str, str]] = {
     "massless_eccentricity": (
         "hoop.inertia_ratio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), not {eccentricity!r}."
     ),
-    "hoop_mass": "hoop.mass = {mass!r} must be {words}.",
+    "hoop_mass": "hoop.parts give hoop.mass = {mass!r}, which must be {words}.",
+    "parts_center": "hoop.parts give hoop.eccentricity = {eccentricity!r}, which must be at most 1.",
     "parts_inertia": "hoop.parts give hoop.inertia_ratio = {inertia_ratio!r}, which must be {words}.",
     "load_inertia": (
         "hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r}, which must be {words}."

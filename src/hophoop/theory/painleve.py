@@ -13,11 +13,11 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.elementwise import cosine
 from hophoop.kernel.physics.resistance import most_resistance
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
-from hophoop.scenario.ranges import RANGES
 from hophoop.theory._columns import Columns, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.phase_plane import lift_off
+from hophoop.vocabulary.parameters import RANGES
 
 
 class PainleveMinimum(NamedTuple):

@@ -17,13 +17,14 @@ import math
 from collections.abc import Sequence
 from enum import StrEnum
 from itertools import pairwise
-from typing import Any, Final, NamedTuple
-
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from hophoop._support.errors import InputError
 from hophoop.kernel.physics.body import MODE_LETTERS, PASSING, Event, ImpactLaw, Mode, Status
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
 
 
 def identifier(word: Any) -> str:
@@ -116,6 +117,8 @@ def mode_words(letters: ArrayLike, omega: ArrayLike) -> NDArray[np.str_]:
 
     letters: R, S, K, H or M; any other stays as it is; omega: θ̇ [rad/s].
     """
+    import numpy as np  # here: `hophoop --help` needs names alone
+
     signs, rate = np.broadcast_arrays(np.asarray(letters), np.asarray(omega, dtype=float))
     words = signs.astype("U6")
     for letter, facts in zip(MODE_LETTERS, MODES.values(), strict=True):
@@ -130,6 +133,8 @@ def coming_rotation(omega: ArrayLike) -> NDArray[np.float64]:
 
     omega: shape (n,), θ̇ [rad/s]; direction: shape (n,), −1, 0 or 1 [1]; zeros at the end take the last direction.
     """
+    import numpy as np
+
     sign: NDArray[np.float64] = np.sign(np.nan_to_num(np.asarray(omega, dtype=float)))
     turning = np.flatnonzero(sign)
     if turning.size == 0:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
-from hophoop.kernel.physics.ranges import INERTIA_RATIO, MASS, SLOPE
+from hophoop.kernel.physics.ranges import INERTIA_RATIO, MASS, SLIP_SPEED, SLOPE, STIFFNESS
 from hophoop.vocabulary.names import LAWS, NAMED_LAWS
 
 WORD: Final = ""
@@ -264,6 +264,18 @@ TABLE: Final = (
 )  # fmt: skip
 PARAMETERS: Final = {row.path: row for row in TABLE}
 """By path."""
+RANGES: Final = {
+    **{row.path: row.range for row in TABLE if row.range is not None},
+    # of all parts of a hoop; a negative mass is a hole
+    "hoop.parts.mass": Range(-1e12, 1e12),
+    "hoop.parts.length": Range(1e-12, 1e6),
+}
+"""Allowed values by path: within them a motion is computed or ends with a status that gives the reason.
+
+The units of a motion are R, m and √(R/g). Outside these ranges its numbers exceed doubles or physical sense.
+"""
+RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED = Range(*STIFFNESS), Range(*SLIP_SPEED)
+"""Of a compliant contact, relative to its hoop."""
 FIGURE_LABELS: Final = {row.path: row.figure for row in TABLE if row.figure}
 """Short names by path, for the axes of maps."""
 

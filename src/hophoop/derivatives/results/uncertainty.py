@@ -14,32 +14,17 @@ from hophoop.derivatives.results.propagation import propagate
 from hophoop.derivatives.results.quantities import AT_TIMES
 from hophoop.derivatives.results.sensitivity import AGREE, Sensitivity, names_of, sensitivity_of
 from hophoop.kernel.numerics.sums import matrix_product, weighted_sum
-from hophoop.results.records import Motion
+from hophoop.results.records import Motion, documented
 from hophoop.scenario import InputError
 from hophoop.vocabulary.quantities import QUANTITIES
 
 Floats = NDArray[np.float64]
 
 
+@documented("ndarray, shape (m,)")
 @dataclass(frozen=True)
 class Deviations:
-    """Standard deviations of the state and energies at some times.
-
-    Attributes
-    ----------
-    t : ndarray, shape (m,)
-        Times [s].
-    x, height : ndarray, shape (m,)
-        Of the place of the centre [m].
-    angle : ndarray, shape (m,)
-        Of θ [rad].
-    vx, vy, slip : ndarray, shape (m,)
-        Of velocities [m/s].
-    omega : ndarray, shape (m,)
-        Of θ̇ [rad/s].
-    kinetic, potential, total, friction, impact_normal, impact_tangential, rolling_resistance : ndarray, shape (m,)
-        Of energies, and of the energy lost so far [J].
-    """
+    """Standard deviations of the state and energies at some times."""
 
     t: Floats
     x: Floats

@@ -33,6 +33,7 @@ from hophoop.gaits.kernels.layout import (
     NUMBERS,
     OMEGA,
     REVOLUTIONS,
+    ROLL,
     Buffers,
     Request,
     T,
@@ -42,7 +43,7 @@ from hophoop.gaits.kernels.passages import LOST, ROWS, SIZE, TURNED, follow_pass
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.double_double import PI
 from hophoop.kernel.numerics.exponentials import logarithm
-from hophoop.kernel.physics.body import Mode, Status
+from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.contact import inertia_at_height
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
@@ -95,7 +96,7 @@ def judge_cells(cells, low, high, request, codes, numbers):
         if fate == RESTS and status == Status.AT_REST:
             numbers[k, FINAL_LOSS] = buffers.memory[LOST] * scales.energy
         row = buffers.numbers[(passages - 1) % ROWS]
-        if fate == UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == Mode.ROLL and body.gt != 0.0:
+        if fate == UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
             mean, error = follow_neighbours(body, row[OMEGA], bottom, buffers, scratch)
             numbers[k, LYAPUNOV] = mean
             if mean > SURE * error and mean * BATCHES * BATCH > APART:
@@ -119,7 +120,7 @@ def write_numbers(buffers, fate, period, passages, scales, numbers, k):
         for i in range(period):
             highest = max(highest, rows[(passages - 1 - i) % ROWS, HIGHEST])
         numbers[k, FINAL_HOP_HEIGHT] = highest * scales.length
-        if last[MODE] == Mode.ROLL:
+        if last[MODE] == ROLL:
             numbers[k, FINAL_OMEGA] = last[OMEGA] * scales.rate
     swings = fate == ROCKS and memory[ROLLING_TURNS] >= 2.0
     if swings or fate in (ROLLS_AHEAD, ROLLS_BACK):
@@ -178,7 +179,7 @@ def follow_neighbours(body, om, request, buffers, scratch):
             beyond = buffers.numbers[0, OMEGA]
             start = start_state(0.0, 0.0, PI, 0.0, 0.0, om)
             _, also, _, _ = follow_passages(body, start, BY_RULE, one, buffers, scratch)
-            if found == 0 or also == 0 or buffers.numbers[0, MODE] != Mode.ROLL:
+            if found == 0 or also == 0 or buffers.numbers[0, MODE] != ROLL:
                 return math.nan, math.nan
             growth = abs((beyond - buffers.numbers[0, OMEGA]) / (near - om))
             if not growth > 0.0:

@@ -23,6 +23,7 @@ from hophoop.gaits.kernels.layout import (
     LETTERS,
     MODE,
     OMEGA,
+    ROLL,
     SLIP,
     THETA,
     TURNS,
@@ -222,7 +223,7 @@ def fate_at_passage(body, numbers, words, k, section, memory):
         return OPEN, 0
     way = 1.0 if om > 0.0 else -1.0
     revolved = way * ((last[TURNS] - before[TURNS]) * TWO_PI + (last[THETA] - before[THETA])) > 3.0
-    rolled = section != LANDING and revolved and last[LETTERS] == 1.0 and last[MODE] == Mode.ROLL
+    rolled = section != LANDING and revolved and last[LETTERS] == 1.0 and last[MODE] == ROLL
     if body.gt == 0.0 and section == LANDING:
         return OPEN, 0
     if body.gt == 0.0:
@@ -234,9 +235,9 @@ def fate_at_passage(body, numbers, words, k, section, memory):
             first = numbers[(k - 2) % length]
             fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
             if (
-                last[MODE] == Mode.ROLL
-                and before[MODE] == Mode.ROLL
-                and first[MODE] == Mode.ROLL
+                last[MODE] == ROLL
+                and before[MODE] == ROLL
+                and first[MODE] == ROLL
                 and 0.0 < falls < fell
                 and rolls_slowly(body)
             ):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from hophoop.kernel.physics.body import Mode
+
 # One row per passage, in kernel units; times, positions and losses count from the start.
 COLUMNS = (
     "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
@@ -19,6 +21,8 @@ COLUMNS = (
 INTEGERS, LETTERS_PER_INTEGER = 2, 21
 LONGEST = INTEGERS * LETTERS_PER_INTEGER - 1
 MORE = 7  # the letter that marks a longer word
+
+ROLL = float(Mode.ROLL)  # in the column `mode`: Numba compares no float with a member of an enum
 
 BOTTOM, LANDING = 0, 1
 SECTIONS = ("bottom", "landing")

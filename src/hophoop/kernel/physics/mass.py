@@ -10,6 +10,8 @@ RING, DISK, POINT_MASS, RADIAL_ROD, TANGENTIAL_ROD = range(5)
 # lengths are the inner and outer radius of a ring, the radius of a disk, or the length of a rod.
 SHAPE, MASS, FIRST, SECOND, AT = range(5)
 
+ROUNDED = 2e-12  # of ε: up to it beyond the rim, G is on the rim
+
 
 def ideal_inertia(load_fraction):
     """Return κ of a thin ring with a point load: 1 − γ², with G at ε = γ."""
@@ -43,12 +45,15 @@ def part_reach(shape, first, second, at):
 def combined(radius, parts):
     """Return (mass, ε, κ) of parts, each a row of the table; sums are double-doubles.
 
-    Positions are relative to the first part, so that parts at one position have exactly that centre and no moment of inertia.
+    A part of negative mass is a hole. Without mass there is no body: ε and κ are then 0. Positions are relative to the first
+    part, so that parts at one position have exactly that centre and no moment of inertia.
     """
     mass = 0.0
     low = 0.0
     for k in range(parts.shape[0]):
         mass, low = plus(mass, low, parts[k, MASS])
+    if not mass > 0.0:
+        return mass, 0.0, 0.0
     first = parts[0, AT] / radius
     moment = 0.0
     low = 0.0
@@ -61,4 +66,5 @@ def combined(radius, parts):
         own = part_inertia(parts[k, SHAPE], parts[k, MASS], parts[k, FIRST], parts[k, SECOND])
         arm = parts[k, AT] / radius - centre
         inertia, low = plus(inertia, low, own / (radius * radius) + parts[k, MASS] * (arm * arm))
-    return mass, min(abs(centre), 1.0), inertia / mass
+    distance = abs(centre)
+    return mass, 1.0 if 1.0 < distance < 1.0 + ROUNDED else distance, inertia / mass

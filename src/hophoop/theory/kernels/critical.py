@@ -67,7 +67,10 @@ def hop_speed(body, turns):
             return high
         start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, speed)
         _, count, _ = run(body, start, BY_RULE, ANY_TIME, turns * TURN, STOP, events, segments, scratch)
-        if np.any(events[:count]["after_mode"] == Mode.FLIGHT):
+        hops = False
+        for k in range(count):
+            hops = hops or events[k]["after_mode"] == Mode.FLIGHT
+        if hops:
             high = speed
             trial = TRIALS
         else:
