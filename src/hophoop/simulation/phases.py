@@ -96,7 +96,7 @@ class PhaseRecord:
     end: Margins
     ended_by: str
     then: str
-    events: tuple[EventRecord, ...]
+    events: tuple[EventRecord[float], ...]
 
     def __repr__(self) -> str:
         head = f"{self.word} ({self.mode}) from {self.t_begin:.9g} to {self.t_end:.9g} s"
@@ -162,7 +162,7 @@ def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
         phase = after
 
 
-def _record(body: Body, units: Units, phase: Phase, after: Phase, events: tuple[EventRecord, ...]) -> PhaseRecord:
+def _record(body: Body, units: Units, phase: Phase, after: Phase, events: tuple[EventRecord[float], ...]) -> PhaseRecord:
     letter = MODE_LETTERS[phase.mode]
     reached = _before(after.state, events, units) if after.what == Ending.LANDING else after.state
     last = margins(body, units, phase.mode, reached)
@@ -183,7 +183,7 @@ def _record(body: Body, units: Units, phase: Phase, after: Phase, events: tuple[
     )
 
 
-def _before(state: State, events: tuple[EventRecord, ...], units: Units) -> State:
+def _before(state: State, events: tuple[EventRecord[float], ...], units: Units) -> State:
     """Return the state with the velocities before the impact."""
     hit = next(event for event in events if event.kind in ("impact", "bounce_limit"))
     speed = units.length / units.time
@@ -236,9 +236,9 @@ _REASONS = {
 }
 
 
-def _ended_by(body: Body, phase: Phase, after: Phase, last: Margins, events: tuple[EventRecord, ...]) -> str:
+def _ended_by(body: Body, phase: Phase, after: Phase, last: Margins, events: tuple[EventRecord[float], ...]) -> str:
     what = Ending(after.what)
-    kinds: dict[str, EventRecord] = {event.kind: event for event in events}
+    kinds: dict[str, EventRecord[float]] = {event.kind: event for event in events}
     if what in (Ending.CONE_FORWARD, Ending.CONE_BACKWARD) and not last.normal_force > 1e-9 * abs(last.friction_force):
         return "N = 0: to roll on, the plane would have to pull."
     if what == Ending.SLIP_END and "slip_reversal" in kinds:

@@ -90,7 +90,7 @@ def passes(times: Floats, angle: Floats) -> Floats:
 
 
 def codes_of(words: np.ndarray) -> Floats:
-    """Return the code of each mode's word: its index in `vocabulary.modes.MODE_WORDS`, or their number for another word.
+    """Return the code of each mode's word: its index in `vocabulary.names.MODE_WORDS`, or their number for another word.
 
     Parameters
     ----------

@@ -87,7 +87,7 @@ def thresholds(given, speed, out):
 
 
 def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
-    """Write the mode that follows each state of contact without slip, as an index into `vocabulary.modes.MODE_WORDS`."""
+    """Write the mode that follows each state of contact without slip, as an index into `vocabulary.names.MODE_WORDS`."""
     cells = carray(given, (FIELDS, 1))
     codes = carray(modes, (lines, columns))
     sides = carray(paradox, (2, columns))  # for θ̇ < 0 and θ̇ > 0, which differ with rolling resistance
