@@ -209,8 +209,8 @@ def within(path: str) -> Any:
 
 NUMBER = BeforeValidator(_number)
 Number = Annotated[float, NUMBER]
-Friction = Annotated[float, Field(allow_inf_nan=True), within("plane.mu"), BeforeValidator(_friction)]
-Count = Annotated[int, within("contact.max_events"), BeforeValidator(_whole)]
+Friction = Annotated[float, Field(allow_inf_nan=True), BeforeValidator(_friction), within("plane.mu")]
+Count = Annotated[int, BeforeValidator(_whole), within("contact.max_events")]
 
 
 def quantity(default: Any, meaning: str, unit: str = "1", allowed: Range | None = None) -> Any:

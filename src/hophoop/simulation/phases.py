@@ -1,4 +1,4 @@
-"""Reasons why each phase of a rigid motion starts and ends: the kernel's steps, one at a time, with their margins."""
+"""Reasons why each phase of a rigid motion starts and ends, with their margins: a view of its events."""
 
 from __future__ import annotations
 
@@ -8,22 +8,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hophoop._version import __version__
-from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode, Status
-from hophoop.kernel.records.cells import mode_of, start_of
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
-from hophoop.kernel.records.state import State, whole_angle
-from hophoop.kernel.records.writing import has_room, new_log
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import limits_of
+from hophoop.kernel.physics.body import MODE_LETTERS, Body, Event, Mode
 from hophoop.kernel.rigid.margins import MARGINS, margins_of
-from hophoop.kernel.rigid.phase import GOING, Phase
-from hophoop.kernel.rigid.run import begin, step
 from hophoop.results.records import EventRecord
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Rigid, Scenario
-from hophoop.scenario.scenario import cell_of, to_body
+from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.names import WORDS, mode_word
 
@@ -106,8 +96,6 @@ class PhaseRecord:
 def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     """Return the phases of a motion, one after the other, and the reason for the end of each.
 
-    These are the steps of the kernel that `simulate` runs, one at a time.
-
     Parameters
     ----------
     scenario : Scenario
@@ -135,79 +123,80 @@ def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     H The gap closes, with v_n = -3.21948 m/s.
     R The time is over.
     """
-    contact = scenario.contact
-    if not isinstance(contact, Rigid):
-        raise InputError.of_field("contact.model", contact.model, "'rigid': these rules do not apply to a compliant contact")
-    return _phases(scenario, contact)
+    if not isinstance(scenario.contact, Rigid):
+        raise InputError.of_field(
+            "contact.model", scenario.contact.model, "'rigid': these rules do not apply to a compliant contact"
+        )
+    return _phases(simulate(scenario))
 
 
-def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
-    body = to_body(scenario.hoop, scenario.plane)
-    units = Units.of_scenario(scenario)
-    scratch = new_scratch()
-    cells = np.array([cell_of(scenario)], dtype=object).T  # Python floats, not NumPy scalars
-    start = start_of(cells, 0, units.time)
-    log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
-    limits = limits_of(start, scenario.duration / units.time, math.nan, 0)
-    with np.errstate(all="ignore"):
-        phase = begin(body, start, mode_of(cells, 0), log, scratch)
-    seen = 0
-    while phase.status == GOING and has_room(log):
-        with np.errstate(all="ignore"):
-            after = step(body, phase, limits, log, scratch)
-        count = int(log.counts[EVENTS]) if has_room(log) else len(log.events)
-        found = Trajectory(scenario, 0, log.events[seen:count], log.segments, __version__).events
-        yield _record(body, units, phase, after, found)
-        seen = count
-        phase = after
+_PARADOX = (Event.PAINLEVE_INCONSISTENT, Event.PAINLEVE_INDETERMINATE)
 
 
-def _record(body: Body, units: Units, phase: Phase, after: Phase, events: tuple[EventRecord[float], ...]) -> PhaseRecord:
-    letter = MODE_LETTERS[phase.mode]
-    reached = _before(after.state, events, units) if after.what == Ending.LANDING else after.state
-    last = margins(body, units, phase.mode, reached)
-    state = phase.state
-    turning = state.om if state.om != 0.0 else after.state.om
+def _phases(motion: Trajectory) -> Iterator[PhaseRecord]:
+    rows, records = motion.tables["events"], motion.events
+    end = len(rows) - 1  # the row of END
+    begin, seen = _last_of_event(rows, 0), 0
+    if rows[0]["after_mode"] == Mode.FLIGHT and rows[1]["kind"] == Event.IMPACT and rows[1]["t"] == rows[0]["t"]:
+        begin = _last_of_event(rows, 1)  # it starts with a landing
+    while begin < end:
+        first = begin + 1
+        while rows[first]["kind"] in (Event.APEX, Event.REST):
+            first += 1
+        if first == end and rows[first]["t"] == rows[begin]["t"]:
+            return  # the motion ended with its last event
+        last = _last_of_event(rows, first)
+        upto = end if first == end else last + 1
+        yield _record(motion, begin, first, last, tuple(records[seen:upto]))
+        begin, seen = last, upto
+
+
+def _last_of_event(rows: np.ndarray, first: int) -> int:
+    """Return the last of the rows that an event writes: a paradox, the impact that resolves it, a gain of energy."""
+    last = first
+    while last + 1 < len(rows):
+        kind, collision = int(rows[last + 1]["kind"]), int(rows[last + 1]["collision"])
+        resolves = kind == Event.IMPACT and collision == 0 and rows[last]["kind"] in _PARADOX
+        if not (resolves or kind in _PARADOX or kind == Event.KANE_GAIN):
+            break
+        last += 1
+    return last
+
+
+def _record(motion: Trajectory, begin: int, first: int, last: int, events: tuple[EventRecord[float], ...]) -> PhaseRecord:
+    """Return the phase from one row of the events to another, the first that the end of the phase writes."""
+    body, units, rows, records = motion.scenario.to_body(), motion.units, motion.tables["events"], motion.events
+    mode = int(rows[begin]["after_mode"])
+    letter = MODE_LETTERS[mode]
+    turning = records[begin].omega if records[begin].omega != 0.0 else records[first].omega
+    reached = margins(body, units, mode, rows[first], before=True)
     return PhaseRecord(
         mode=letter,
         word=mode_word(letter, turning),
-        t_begin=state.t * units.time,
-        t_end=after.state.t * units.time,
-        angle_begin=whole_angle(state),
-        angle_end=whole_angle(after.state),
-        begin=margins(body, units, phase.mode, state),
-        end=last,
-        ended_by=_ended_by(body, phase, after, last, events),
-        then=_then(body, units, after),
+        t_begin=records[begin].t,
+        t_end=records[first].t,
+        angle_begin=records[begin].angle,
+        angle_end=records[first].angle,
+        begin=margins(body, units, mode, rows[begin]),
+        end=reached,
+        ended_by=_ended_by(motion, mode, records[first], reached, events),
+        then="" if last >= len(rows) - 2 and _is_over(motion, rows, last) else _then(body, units, rows[first], rows[last]),
         events=events,
     )
 
 
-def _before(state: State, events: tuple[EventRecord[float], ...], units: Units) -> State:
-    """Return the state with the velocities before the impact."""
-    hit = next(event for event in events if event.kind in ("impact", "bounce_limit"))
-    speed = units.length / units.time
-    return state._replace(vt=hit.before.slip / speed, vn=hit.before.vy / speed, om=hit.before.omega * units.time)
+def _is_over(motion: Trajectory, rows: np.ndarray, last: int) -> bool:
+    """Return True if the motion ends with this row: it is END, or END follows at once."""
+    return last == len(rows) - 1 or (motion.status != "completed" and rows[last]["t"] == rows[-1]["t"])
 
 
-def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
-    """Return the margins of a mode in a state.
-
-    Parameters
-    ----------
-    body : Body
-    units : Units
-    mode : int
-        A Mode.
-    state : State
-        In kernel units.
-
-    Returns
-    -------
-    margins : Margins
-    """
-    found = margins_of(body, mode, state.th, state.th_low, state.om, state.vt, state.y)
-    named = dict(zip(MARGINS, found, strict=True))
+def margins(body: Body, units: Units, mode: int, row: np.void, before: bool = False) -> Margins:
+    """Return the margins of a mode in the state of a row of events: after the event, or with the velocities before it."""
+    name = "before_" if before else ""
+    theta, low, omega, slip, height = (
+        float(row[each]) for each in ("theta", "theta_low", f"{name}omega", f"{name}slip", "height")
+    )
+    named = dict(zip(MARGINS, margins_of(body, mode, theta, low, omega, slip, height), strict=True))
     force = units.of("normal_force")
     return Margins(
         normal_force=named["normal_force"] * force,
@@ -220,63 +209,56 @@ def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
     )
 
 
-_REASONS = {
-    Ending.CONE_FORWARD: "Rolling needs the friction F = {friction:.6g} N, all of μs N.",
-    Ending.CONE_BACKWARD: "Rolling needs the friction F = {friction:.6g} N, all of μs N.",
-    Ending.LIFT_OFF: "Contact is lost: N = 0, and the rim is free to leave the plane.",
-    Ending.SLIP_END: "Slip ends: v_t = 0.",
-    Ending.LANDING: "The gap closes, with v_n = {vn:.6g} m/s.",
-    Ending.LOAD_STRIKE: "The load strikes the plane.",
-    Ending.ANGLE_LIMIT: "The angle span is reached.",
-    Ending.TIME_LIMIT: "The time is over.",
-    Ending.TURNING_POINT: "θ̇ = 0: the hoop turns back, in the same mode.",
-    Ending.REST: "The hoop rests in {equilibrium} equilibrium.",
-    Ending.SINGULAR: "The motion cannot be computed any further.",
-    Ending.SEARCH_LIMIT: "The motion cannot be computed any further.",
-}
-
-
-def _ended_by(body: Body, phase: Phase, after: Phase, last: Margins, events: tuple[EventRecord[float], ...]) -> str:
-    what = Ending(after.what)
-    kinds: dict[str, EventRecord[float]] = {event.kind: event for event in events}
-    if what in (Ending.CONE_FORWARD, Ending.CONE_BACKWARD) and not last.normal_force > 1e-9 * abs(last.friction_force):
-        return "N = 0: to roll on, the plane would have to pull."
-    if what == Ending.SLIP_END and "slip_reversal" in kinds:
-        return "Slip reverses: v_t = 0."
-    if what == Ending.TURNING_POINT and after.mode != phase.mode:
-        return "θ̇ = 0: rolling ends."
-    if what == Ending.REST and body.resist > 0.0:
-        return "θ̇ = 0: rolling resistance holds the hoop."
-    if after.status == Status.JAMMED:
+def _ended_by(
+    motion: Trajectory, mode: int, end: EventRecord[float], last: Margins, events: tuple[EventRecord[float], ...]
+) -> str:
+    rest = next((event for event in events if event.kind == "rest"), None)
+    if rest is not None:
+        if motion.scenario.plane.rolling_resistance > 0.0:
+            return "θ̇ = 0: rolling resistance holds the hoop."
+        return f"The hoop rests in {'a stable' if rest.stable else 'an unstable'} equilibrium."
+    if end.kind == "end":
+        return "The time is over." if motion.status == "completed" else "The motion cannot be computed any further."
+    if end.kind == "jam":
         return "Slip reaches p_σ = 0 with N → ∞: it jams."
-    if what == Ending.SINGULAR and after.status == GOING:
+    if end.kind == "turn":
+        return "θ̇ = 0: the hoop turns back, in the same mode." if end.to_mode == MODE_LETTERS[mode] else "θ̇ = 0: rolling ends."
+    if end.kind == "slip_reversal":
+        return "Slip reverses: v_t = 0."
+    if mode == Mode.FLIGHT:
+        return f"The gap closes, with v_n = {end.before.vy:.6g} m/s."
+    if mode == Mode.SKIM:
+        return "The load strikes the plane."
+    if mode == Mode.ROLL:
+        if not last.normal_force > 1e-9 * abs(last.friction_force):
+            return "N = 0: to roll on, the plane would have to pull."
+        return f"Rolling needs the friction F = {last.friction_force:.6g} N, all of μs N."
+    if end.kind == "impact":
         return "Slip reaches p_σ = 0 with N → ∞: an impulse follows."
-    hit = kinds.get("impact") or kinds.get("bounce_limit")
-    rest = kinds.get("rest")
-    return _REASONS[what].format(
-        friction=last.friction_force,
-        vn=hit.before.vy if hit else math.nan,
-        equilibrium="a stable" if rest and rest.stable else "an unstable",
-    )
+    if end.kind == "takeoff" and end.before.slip != 0.0:
+        return "Contact is lost: N = 0, and the rim is free to leave the plane."
+    return "Slip ends: v_t = 0."
 
 
-def _then(body: Body, units: Units, after: Phase) -> str:
-    if after.status != GOING or after.what == Ending.TURNING_POINT:
+def _then(body: Body, units: Units, end: np.void, row: np.void) -> str:
+    """Return the next mode and its reason, after the first and the last row of what ended the phase."""
+    mode = int(row["after_mode"])
+    if end["kind"] == Event.TURN:
         return ""
-    letter = MODE_LETTERS[after.mode]
-    found = margins(body, units, after.mode, after.state)
-    verb = WORDS[mode_word(letter, after.state.om)].verb
-    if after.mode == Mode.ROLL:
+    found = margins(body, units, mode, row)
+    verb = WORDS[mode_word(MODE_LETTERS[mode], float(row["omega"]))].verb
+    if mode == Mode.ROLL:
         limit = "infinite friction" if math.isinf(body.mu_s) else f"μs N = {found.friction_limit:.6g} N"
         return f"It {verb}: that needs F = {found.friction_force:.6g} N of {limit}, with N > 0."
-    if after.mode == Mode.FLIGHT:
-        if after.state.vn > 0.0:
-            return f"It {verb}: the rim leaves the plane with v_n = {after.state.vn * units.of('vy'):.6g} m/s."
-        opening = 0.0 if after.what == Ending.LIFT_OFF else found.free_acceleration  # 0 within rounding
+    if mode == Mode.FLIGHT:
+        if row["vy"] > 0.0:
+            return f"It {verb}: the rim leaves the plane with v_n = {row['vy'] * units.of('vy'):.6g} m/s."
+        lifts = end["before_mode"] in (Mode.SPIN, Mode.SKID) and end["before_slip"] != 0.0
+        opening = 0.0 if lifts else found.free_acceleration  # 0 within rounding
         return f"It {verb}: without contact the rim would not penetrate the plane, f_n = {opening:.6g} m/s²."
-    if after.mode == Mode.SKIM:
+    if mode == Mode.SKIM:
         return f"It {verb}: the load falls freely, and the rim has no mass."
-    need = margins(body, units, int(Mode.ROLL), after.state)
-    if after.state.vt == 0.0 and need.normal_force > 0.0:
+    need = margins(body, units, Mode.ROLL, row)
+    if row["slip"] == 0.0 and need.normal_force > 0.0:
         return f"It {verb}: rolling would need F/N = {need.friction_force / need.normal_force:.6g}, with μs = {body.mu_s:.6g}."
     return f"It {verb}: v_t = {found.slip:.6g} m/s, with p_σ = {found.p_sigma:.6g} > 0 and N = {found.normal_force:.6g} N."
