@@ -17,7 +17,7 @@ from typing import Any
 
 from hophoop._support.extras import MissingExtra, need
 from hophoop._support.files import replacing
-from hophoop._support.stopping import ignored_by_children, temporary, undoing
+from hophoop._support.stopping import ignored_by_children, temporary
 from hophoop._version import __version__
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, draw_figure
@@ -155,8 +155,10 @@ def _other_process() -> Iterator[ProcessPoolExecutor]:
                 process.join()
         pool.shutdown(wait=False, cancel_futures=True)
 
-    with undoing(end):
+    try:
         yield pool
+    finally:
+        end()
 
 
 def _track_semaphores_quietly() -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from hophoop._support.extras import need
-from hophoop._support.stopping import end_now, ignored_by_children, temporary_folder, when_stopped
+from hophoop._support.stopping import ignored_by_children, temporary_folder
 from hophoop.kernel.native.sources import stamp
 from hophoop.maps.grid.store import compute_chunk
 from hophoop.scenario import InputError
@@ -117,7 +117,7 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
             client.wait_for_workers(1, timeout=6 * PATIENCE)
             yield client
         return
-    others = set(multiprocessing.active_children())
+    others, cluster = set(multiprocessing.active_children()), None
     with temporary_folder() as scratch, contextlib.ExitStack() as stack:
         stack.enter_context(need("dask.config", "cluster").set({"temporary-directory": str(scratch)}))
         # any free port, also next to another cluster
@@ -125,14 +125,14 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
         try:
             with ignored_by_children():
                 cluster = stack.enter_context(distributed.LocalCluster(n_workers=0, processes=True, **options))
-            # the thread that starts and restarts workers exists now
-            stack.enter_context(when_stopped(lambda: _kill(cluster, others)))
             cluster.scale(workers)
             client = stack.enter_context(distributed.Client(cluster))
             client.wait_for_workers(workers)
             yield client
         except KeyboardInterrupt:
-            end_now()  # closing a busy cluster takes seconds and prints many lines
+            stack.pop_all()  # closing a busy cluster takes seconds and prints many lines
+            if cluster is not None:
+                _kill(cluster, others)
             raise
 
 
