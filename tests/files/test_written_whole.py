@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import ctypes
 import errno
 import hashlib
 import os
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -104,48 +102,8 @@ def test_an_error_names_the_target_unless_it_is_of_another_file(tmp_path):
     assert fail(PermissionError(errno.EACCES, "no")) == str(target)
 
 
-@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux lets folders change names in one step")
-def test_two_folders_change_names(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    one, other = folder(Path("one"), "1"), folder(Path("other"), "2")
-    assert _files._exchange(one, other) is True
-    assert [(path / "zarr.json").read_text(encoding="utf-8") for path in (one, other)] == ["2", "1"]
-    assert _files._exchange(one, Path("none")) is False
-    monkeypatch.setattr(sys, "platform", "darwin")
-    assert _files._exchange(one, other) is False
-    monkeypatch.undo()
-    assert (tmp_path / "one" / "zarr.json").read_text(encoding="utf-8") == "2"
-
-
-@pytest.mark.parametrize("library", [lambda name: object(), lambda name: os.stat("/none")], ids=["without it", "no library"])
-def test_folders_do_not_change_names_where_the_system_cannot(tmp_path, monkeypatch, library):
-    one, other = folder(tmp_path / "one", "1"), folder(tmp_path / "other", "2")
-    monkeypatch.setattr(ctypes, "CDLL", library)
-    assert _files._exchange(one, other) is False
-
-
-@pytest.mark.parametrize("number", [errno.ENOTEMPTY, errno.EEXIST])
-def test_another_process_that_was_there_first_is_replaced(tmp_path, monkeypatch, number):
-    monkeypatch.setattr(_files, "_exchange", lambda one, other: False)
-    target, rename, went = tmp_path / "hop.zarr", Path.rename, []
-
-    def late(self, to):
-        # between the two steps another process puts its folder there, once
-        if to == target and not went:
-            went.append(folder(target, "of another"))
-            raise OSError(number, os.strerror(number))
-        return rename(self, to)
-
-    monkeypatch.setattr(Path, "rename", late)
-    put(target, "new")
-    assert went
-    assert (target / "zarr.json").read_text(encoding="utf-8") == "new"
-    assert os.listdir(tmp_path) == ["hop.zarr"]
-
-
 @pytest.mark.parametrize("there", [True, False])
 def test_a_folder_that_cannot_be_put_leaves_what_was_there(tmp_path, monkeypatch, there):
-    monkeypatch.setattr(_files, "_exchange", lambda one, other: False)
     target, rename = tmp_path / "hop.zarr", Path.rename
     if there:
         folder(target, "old")

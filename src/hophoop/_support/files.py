@@ -8,7 +8,6 @@ import os
 import re
 import shutil
 import stat
-import sys
 import uuid
 import warnings
 from collections.abc import Iterator
@@ -32,17 +31,16 @@ def replacing(target: Path) -> Iterator[Path]:
     """Context with a temporary path next to the target, which replaces the target at the end if no error occurred.
 
     So a file, or a folder that is a Zarr store, is never incomplete, and an earlier one remains until the new one is complete.
-    A link remains, and the file that it points to is replaced or created. A file keeps its mode, and its owner if permitted.
-    Its other names (hard links) keep the old content, because writing in place could be interrupted. A device or a pipe is
-    never replaced; it receives the bytes once they are complete. Disks and sockets are refused.
+    A link remains, and the file that it points to is replaced or created. A file keeps its mode; its other names (hard links)
+    keep the old content, because writing in place could be interrupted. A device or a pipe is never replaced; it receives the
+    bytes once they are complete. A disk is refused.
 
     path: with the target's ending, because libraries choose the format by it; its name starts with a dot.
     """
     if target.is_dir() and not any((target / name).exists() for name in ("zarr.json", ".zgroup")):
         # a user's folder; an existing Zarr store may be replaced
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
-    there = _status(target)
-    through = there is not None and (_descriptor(target) is not None or _is_stream(there, target))
+    through = _descriptor(target) is not None or _is_stream(target)
     place = Path(os.path.realpath(target)) if target.is_symlink() and not through else target
     require_folder_of(place, target)
     name = f".{uuid.uuid4().hex[:12]}.{target.name}"
@@ -57,8 +55,8 @@ def replacing(target: Path) -> Iterator[Path]:
             elif fresh.is_dir():
                 _put_folder(fresh, place)
             else:
-                if there is not None:
-                    _keep(there, fresh)
+                if place.exists():
+                    fresh.chmod(stat.S_IMODE(place.stat().st_mode) & 0o777)
                 os.replace(fresh, place)
     except OSError as error:
         raise _named(error, name, target) from None
@@ -83,19 +81,15 @@ def require_folder_of(place: Path, target: Path) -> None:
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
 
 
-def _status(target: Path) -> os.stat_result | None:
-    """Return the status of the target, after following links; None if it does not exist."""
-    try:
-        return target.stat()
-    except (FileNotFoundError, NotADirectoryError):
-        return None
-
-
-def _is_stream(there: os.stat_result, target: Path) -> bool:
+def _is_stream(target: Path) -> bool:
     """Return True for a device or a pipe, which accepts bytes but cannot be replaced."""
-    if stat.S_ISBLK(there.st_mode) or stat.S_ISSOCK(there.st_mode):
+    try:
+        mode = target.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    if stat.S_ISBLK(mode):
         raise PermissionError(errno.EPERM, os.strerror(errno.EPERM), str(target))
-    return not stat.S_ISREG(there.st_mode) and not stat.S_ISDIR(there.st_mode)
+    return not stat.S_ISREG(mode) and not stat.S_ISDIR(mode)
 
 
 def _descriptor(target: Path) -> Path | None:
@@ -124,22 +118,6 @@ def _pour(fresh: Path, target: Path) -> None:
         shutil.copyfileobj(source, sink)
 
 
-def _keep(there: os.stat_result, fresh: Path) -> None:
-    """Give a file the owner and the mode of the one that it replaces."""
-    mode = stat.S_IMODE(there.st_mode) & 0o777
-    try:
-        if hasattr(os, "chown"):
-            os.chown(fresh, there.st_uid, there.st_gid)
-    except OSError:
-        with contextlib.suppress(OSError):
-            os.chown(fresh, -1, there.st_gid)
-        if fresh.stat().st_gid != there.st_gid:
-            # another group gets no more permissions than everybody had
-            mode = mode & ~0o070 | (mode & 0o070) & (mode & 0o007) << 3
-    with contextlib.suppress(OSError):  # a file system without modes
-        fresh.chmod(mode)
-
-
 def _named(error: OSError, name: str, target: Path) -> OSError:
     """Return the error with the path that the caller gave, in place of the temporary one."""
     if error.errno is None:
@@ -149,36 +127,13 @@ def _named(error: OSError, name: str, target: Path) -> OSError:
 
 
 def _put_folder(fresh: Path, target: Path) -> None:
-    """Replace a folder by another one and delete it; other processes may do the same at once."""
-    for _ in range(1000):
-        if _exchange(fresh, target):
-            shutil.rmtree(fresh, ignore_errors=True)
-            return
-        old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
-        try:
-            with contextlib.suppress(FileNotFoundError):
-                target.rename(old)
-            fresh.rename(target)
-            return
-        except OSError as error:
-            # another process was faster
-            if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
-                raise
-        finally:
-            if old.exists() and not target.exists():  # stopped between the two renames
-                old.rename(target)
-            shutil.rmtree(old, ignore_errors=True)
-
-
-def _exchange(one: Path, other: Path) -> bool:
-    """Exchange the names of two folders in one step, if the system can."""
-    if not sys.platform.startswith("linux"):
-        return False
-    import ctypes
-
-    at_working_folder, exchange = -100, 2
+    """Replace a folder by another one and delete it."""
+    old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
     try:
-        rename = ctypes.CDLL(None).renameat2
-        return bool(rename(at_working_folder, os.fsencode(one), at_working_folder, os.fsencode(other), exchange) == 0)
-    except (AttributeError, OSError):
-        return False
+        with contextlib.suppress(FileNotFoundError):
+            target.rename(old)
+        fresh.rename(target)
+    finally:
+        if old.exists() and not target.exists():  # stopped between the two renames
+            old.rename(target)
+        shutil.rmtree(old, ignore_errors=True)
