@@ -29,9 +29,8 @@ import hophoop as hh
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
 from hophoop.kernel.records.cells import body_of, second_of, start_of
-from hophoop.kernel.records.layout import CELL, DURATION, EVENT, SEGMENT
+from hophoop.kernel.records.layout import CELL, COLUMNS, DURATION, EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
-from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.kernel.rigid.sampling import find_segment, sample
 

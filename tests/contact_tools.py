@@ -13,10 +13,10 @@ from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import contact_phase
-from hophoop.kernel.rigid.phase import Phase
+from hophoop.kernel.rigid.phase import Ending, Phase
 
 STARTED = {"t": 3.0, "t_low": 1e-17, "x": 2.0, "x_low": -1e-17, "turns": 2.0, "friction": 0.125, "impact_n": 0.25}
-STARTED |= {"impact_t": 0.375, "resisted": 0.5}
+STARTED |= {"impact_t": 0.375, "rolling_loss": 0.5}
 
 
 def body_of(gamma=0.75, slope=0.0, mu=0.5, **plane):
@@ -39,7 +39,7 @@ def log_of(room=10):
 
 
 def phase_at(mode, state, level=5):
-    return Phase(mode, state, False, 0, 0.0, level, 0, -1)
+    return Phase(mode, state, False, level, Ending.CONTINUES, -1)
 
 
 def events_of(log):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.results import unpacked
+from hophoop.kernel.records.layout import unpacked_sequence
 from random_scenarios import draw, scenario_of
 
 # Slope in degrees, γ, θ̇ at the bottom and multiplier: from 30 digits, by Richardson differences.
@@ -151,8 +151,8 @@ def test_lyapunov():
 
 def test_sequences_are_unpacked():
     """Three bits a letter, 21 letters an integer."""
-    assert unpacked((1 | (2 << 3), 4)) == "RSH"
-    assert unpacked((0, 7)) == "+"
+    assert unpacked_sequence((1 | (2 << 3), 4)) == "RSH"
+    assert unpacked_sequence((0, 7)) == "+"
 
 
 @pytest.mark.parametrize(

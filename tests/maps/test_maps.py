@@ -9,16 +9,18 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.kernel.records.layout import CELL
+from hophoop.kernel.records.layout import CELL, LETTERS_PER_INTEGER, unpacked_sequence
+from hophoop.kernel.records.writing import add_letter
 from hophoop.maps.grid import kernel
 from hophoop.maps.grid.axes import chunk_at, chunk_count, chunk_shape, linear, logarithmic, make_axes, ordered, parse_axis
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.evaluate import make_plan, run_cells, thread_limit
-from hophoop.maps.grid.quantities import make_span, unpack
+from hophoop.maps.grid.quantities import make_span
 from hophoop.scenario import paths
 
 SPEEDS = np.linspace(0.05, 5.0, 23)
 FRICTIONS = np.linspace(0.05, 1.95, 17)
+LONGEST = LETTERS_PER_INTEGER * kernel.INTEGERS - 1  # letters of a kept sequence
 
 
 # Cells
@@ -286,16 +288,16 @@ def test_a_full_buffer_is_taken_up_with_a_larger_one():
     assert found["status"].tolist() == [hh.simulate(short).status, hh.simulate(whole).status]
     motion = hh.simulate(whole)
     assert len(motion.events) > kernel.FIRST_EVENTS
-    assert found["sequence"][1].rstrip("+") == motion.sequence[: kernel.LONGEST]
+    assert found["sequence"][1].rstrip("+") == motion.sequence[:LONGEST]
 
 
 def test_long_sequences_are_cut_and_say_so():
     keys = np.zeros((1, kernel.INTEGERS), np.uint64)
     length = 0
-    for i in range(kernel.LONGEST + 5):
-        length = kernel.add_letter(keys, 0, length, i % 5)
-    expected = ("RSKHM" * 30)[: kernel.LONGEST] + "+"
-    assert unpack(keys[0]) == expected
+    for i in range(LONGEST + 5):
+        length = add_letter(keys, 0, length, i % 5)
+    expected = ("RSKHM" * 30)[:LONGEST] + "+"
+    assert unpacked_sequence(keys[0]) == expected
 
 
 # One thread and many

@@ -17,7 +17,7 @@ from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
-from hophoop.kernel.rigid.margins import MARGINS
+from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.lab.wasm.entries import Entries
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS

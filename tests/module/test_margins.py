@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("wasmtime", reason="wasmtime is not installed")
 
 import hophoop as hh
-from hophoop.kernel.rigid.margins import MARGINS
+from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.lab.wasm.layout import SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import HERE, MODULE
 from module.host import Host

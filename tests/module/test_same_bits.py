@@ -15,7 +15,7 @@ from hophoop.kernel.compliant.parameters import chosen_in_si
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.writing import state_of
-from hophoop.kernel.rigid.margins import MARGINS
+from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.lab.api.motion import codes_of
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, EVENT_COLUMNS, SAMPLE_COLUMNS

@@ -20,6 +20,7 @@ from hophoop.kernel.records.layout import MOST_PANELS, PANELS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice
+from hophoop.kernel.rigid.phase import START_LEVEL
 from hophoop.precise.motion import Run
 from hophoop.precise.problem import Problem
 from hophoop.precise.series import Work, work_of_step
@@ -176,7 +177,7 @@ def solving(monkeypatch, change):
 def choose(state, body):
     scratch = new_scratch()
     state = panel_choice.set_anchor(body, 0, state, *sines_of(state), scratch)
-    return panel_choice.choose_panel(body, 0, state, *sines_of(state), panel_choice.START_LEVEL, scratch), scratch
+    return panel_choice.choose_panel(body, 0, state, *sines_of(state), START_LEVEL, scratch), scratch
 
 
 @pytest.mark.parametrize("omega", [0.0, 1.0, 1e-10, 1e-150])
@@ -211,7 +212,7 @@ def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
 def test_a_turning_point_is_moved_so_often_and_no_more(monkeypatch):
     """Where moving it never brings θ̇² to what it is at the start."""
     body = hh.Scenario().to_body()
-    begin = panel_choice.PanelStart(-1.0, 0.0, math.sin(-1.0), math.cos(-1.0), 0.5, 1.0, 1.0, 0.0)
+    begin = panel_choice.PanelStart(-1.0, 0.0, math.sin(-1.0), math.cos(-1.0), 0.5, 1.0, 0.0, 0.0, 1.0, 0.0)
     before = panel_choice.linear_panel(0, 0, 1.0, begin)
     scratch = new_scratch()
     solved = solving(monkeypatch, lambda totals, count: totals._replace(tail=0.0, u=1.1 if count % 2 else 0.9))

@@ -213,7 +213,7 @@ def followed(body, sigma, way, state, duration):
         work = sigma * body.mu_k * normal * vt
         return [vt + om, om, alpha, ax - alpha, work, body.resist * normal * om * way]
 
-    start = [state.x, state.th, state.om, state.vt, state.friction, state.resisted]
+    start = [state.x, state.th, state.om, state.vt, state.friction, state.rolling_loss]
     if duration == 0.0:
         return start
     found = solve_ivp(rates, (0.0, duration), start, method="DOP853", rtol=1e-12, atol=1e-13)
@@ -232,8 +232,8 @@ def test_a_place_on_a_panel_is_where_the_hoop_comes_to(kind, th, om, sigma, resi
     assert panel.kind == kind
     for xi in (-1.0, -0.5, 0.375, 1.0):
         after = contact_phase.state_on_panel(body, panel, totals, state, xi, scratch)
-        expected = followed(body, sigma, panel.way, state, after.t - state.t)
-        found = [after.x, after.th, after.om, after.vt, after.friction, after.resisted]
+        expected = followed(body, sigma, panel.direction, state, after.t - state.t)
+        found = [after.x, after.th, after.om, after.vt, after.friction, after.rolling_loss]
         assert found == pytest.approx(expected, rel=1e-11, abs=1e-11)
         assert (after.t > state.t) == (xi > -1.0)
         assert (after.y, after.vn, after.turns, after.impact_n, after.impact_t) == (0.0, 0.0, 2.0, 0.25, 0.375)

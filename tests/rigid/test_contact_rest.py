@@ -12,9 +12,7 @@ from hophoop.kernel.panels.panel import HOLD
 from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.physics.resistance import torque_at_rest
 from hophoop.kernel.rigid import contact_phase
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.phase import Phase
+from hophoop.kernel.rigid.phase import Ending, Phase, limits_of
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
 
@@ -25,9 +23,14 @@ def test_slip_that_does_not_turn_is_slowed_as_a_block_is(sigma, slope):
     """v̇_t = g_t − σ μ g_n: it stops where that goes against it."""
     body = body_of(slope=slope, mu=0.5)
     rate = math.sin(slope) - sigma * 0.5 * math.cos(slope)
-    found, until = contact_phase.frozen_end(body, sigma, 3.0 * sigma)
-    assert found == pytest.approx(rate, rel=1e-14)
-    assert until == (pytest.approx(-3.0 * sigma / rate, rel=1e-14) if sigma * rate < 0.0 else math.inf)
+    assert contact_phase.slip_rate_without_rotation(body, sigma) == pytest.approx(rate, rel=1e-14)
+    assert contact_phase.slip_rate_without_rotation(body, 0) == 0.0  # it rests
+    log, _ = log_of()
+    mode = contact_phase.SKID if sigma > 0 else contact_phase.SPIN
+    ending, after = contact_phase.slide_without_rotation(body, mode, state_of(math.pi, 0.0, 3.0 * sigma), 1e6, log)
+    stops = sigma * rate < 0.0
+    assert ending == (Ending.SLIP_END if stops else Ending.TIME_LIMIT)
+    assert after.t == (pytest.approx(-3.0 * sigma / rate, rel=1e-14) if stops else 1e6)
 
 
 @pytest.mark.parametrize("sigma", [1, -1])
@@ -36,15 +39,16 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
     """The distance, the speed and friction's work are those of a block; a stop at the very end of time comes first."""
     body = body_of(slope=0.25, mu=0.5)
     log, _ = log_of()
-    rate, until = contact_phase.frozen_end(body, sigma, 1.5 * sigma)
+    rate = contact_phase.slip_rate_without_rotation(body, sigma)
+    until = -1.5 * sigma / rate
     phase = sliding(sigma)
     state = phase.state._replace(t=0.0, t_low=0.0) if at_stop == 1.0 else phase.state
     t_end = state.t + at_stop * until
-    what, after = contact_phase.slide_without_rotation(body, phase.mode, state, t_end, log)
+    ending, after = contact_phase.slide_without_rotation(body, phase.mode, state, t_end, log)
     stops = at_stop >= 1.0
     tau = until if stops else 0.5 * until
     slid = 1.5 * sigma * tau + 0.5 * rate * tau * tau
-    assert what == (Ending.SLIP_END if stops else Ending.TIME_LIMIT)
+    assert ending == (Ending.SLIP_END if stops else Ending.TIME_LIMIT)
     assert after.t + after.t_low == pytest.approx(state.t + tau, rel=1e-15)
     if not stops:
         assert (after.t, after.t_low) == (t_end, 0.0)
@@ -53,11 +57,11 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
     assert after.friction == pytest.approx(0.125 + 0.5 * math.cos(0.25) * abs(slid), rel=1e-14)
     assert after[4:8] == state[4:8]
     assert (after.y, after.vn, after.om) == (0.0, 0.0, 0.0)
-    assert (after.impact_n, after.impact_t, after.resisted) == (0.25, 0.375, 0.5)
+    assert (after.impact_n, after.impact_t, after.rolling_loss) == (0.25, 0.375, 0.5)
     assert log.counts[:2].tolist() == [0, 1]
     row = log.segments[0]
     assert (row["t"], row["t_end"], row["mode"], row["sigma"], row["kind"]) == (state.t, after.t, phase.mode, sigma, HOLD)
-    assert (row["opening"], row["xi"], row["way"]) == (rate, 0.0, 0.0)
+    assert (row["f_n"], row["xi"], row["direction"]) == (0.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
@@ -92,12 +96,12 @@ def test_rest_held_by_all_the_couple_and_rest_of_a_ring_are_not_stable():
 
 @pytest.mark.parametrize(("th", "stable"), [(math.pi, 1), (0.0, 0)])
 def test_rest_is_written_as_an_event_and_lasts_to_the_end_of_time(th, stable):
-    log, scratch = log_of()
+    log, _ = log_of()
     state = state_of(th)._replace(**STARTED)
-    phase = Phase(contact_phase.ROLL, state, False, 0, 0.0, 5, 0, -1)
+    phase = Phase(contact_phase.ROLL, state, False, 5, Ending.CONTINUES, -1)
     limits = limits_of(state, 8.0, math.nan, 0)
-    after = contact_phase.still_step(body_of(), phase, state, limits, log, scratch)
-    assert (after.mode, after.what, after.status) == (contact_phase.ROLL, Ending.REST, Status.AT_REST)
+    after = contact_phase.still_step(body_of(), phase, state, limits, log)
+    assert (after.mode, after.ending, after.status) == (contact_phase.ROLL, Ending.REST, Status.AT_REST)
     assert after.state == state._replace(t=8.0, t_low=0.0)
     assert after.begins is False
     assert log.counts[:2].tolist() == [1, 1]
@@ -105,7 +109,7 @@ def test_rest_is_written_as_an_event_and_lasts_to_the_end_of_time(th, stable):
     assert (event["kind"], event["t"], event["stable"], event["gain"]) == (Event.REST, 3.0, stable, 0.0)
     assert (event["before_mode"], event["after_mode"]) == (contact_phase.ROLL, contact_phase.ROLL)
     assert (row["t"], row["t_end"], row["mode"], row["kind"], row["sigma"]) == (3.0, 8.0, contact_phase.ROLL, HOLD, 0)
-    assert (row["xi"], row["opening"]) == (0.0, 0.0)
+    assert (row["xi"], row["f_n"]) == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("gamma", [0.75, 1.0])
@@ -115,14 +119,14 @@ def test_after_slip_without_rotation_comes_what_the_mode_rule_says(sigma, gamma)
     body = body_of(gamma)
     phase = sliding(sigma, 2.5 if gamma == 1.0 else math.pi)
     limits = limits_of(phase.state, 50.0, math.nan, 0)
-    log, scratch = log_of()
-    after = contact_phase.still_step(body, phase, phase.state, limits, log, scratch)
-    assert (after.mode, after.what, after.status) == (contact_phase.ROLL, Ending.SLIP_END, -1)
+    log, _ = log_of()
+    after = contact_phase.still_step(body, phase, phase.state, limits, log)
+    assert (after.mode, after.ending, after.status) == (contact_phase.ROLL, Ending.SLIP_END, -1)
     assert after.begins
     assert after.state.t == pytest.approx(6.0, rel=1e-15)
     assert log.events[:1][["kind", "before_mode", "after_mode"]].tolist() == [(Event.STICK, phase.mode, contact_phase.ROLL)]
-    over = contact_phase.still_step(body, phase, phase.state, limits._replace(t_end=4.0), *log_of())
-    assert (over.mode, over.what, over.status) == (phase.mode, Ending.TIME_LIMIT, Status.COMPLETED)
+    over = contact_phase.still_step(body, phase, phase.state, limits._replace(t_end=4.0), log_of()[0])
+    assert (over.mode, over.ending, over.status) == (phase.mode, Ending.TIME_LIMIT, Status.COMPLETED)
 
 
 @pytest.mark.parametrize("slope", [0.0, *(0.05 * k for k in range(-17, 18) if k)])

@@ -12,11 +12,19 @@ from numpy.polynomial import chebyshev
 import hophoop as hh
 from hophoop.kernel.numerics.roots import NOT_FOUND
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.panels.panel import A, B
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.doubts import CLOSE, has_tangency, mode_is_in_doubt, record_doubt, touches_zero
-from hophoop.kernel.rigid.panel_events import margin_downcrossing
+from hophoop.kernel.records.writing import record_doubt
+from hophoop.kernel.rigid import panel_events
+from hophoop.kernel.rigid.panel_events import (
+    CLOSE,
+    end_of_rolling,
+    end_of_slip,
+    margin_downcrossing,
+    record_tangency,
+    touches_zero,
+)
+from hophoop.kernel.rigid.transitions import mode_is_in_doubt
 from newton_euler import accelerations
 
 SCRATCH = new_scratch()
@@ -108,8 +116,8 @@ def test_without_friction_and_without_mass_there_is_no_margin():
 
 
 def test_the_first_doubt_stays():
-    record_doubt(SCRATCH, 1.0)
-    record_doubt(SCRATCH, 3.0)
+    record_doubt(SCRATCH.doubt, 1.0)
+    record_doubt(SCRATCH.doubt, 3.0)
     assert SCRATCH.doubt.tolist() == [1.0]
     SCRATCH.doubt[:] = math.nan
 
@@ -156,39 +164,38 @@ def test_the_nodes_show_where_to_look_for_a_graze(place):
     assert margin_downcrossing((NODES - place) ** 2 + 1e-12, False, 0.0, SCRATCH) == (NOT_FOUND, True)
 
 
+@pytest.mark.parametrize("which", [0, 1])
+def test_either_margin_counts_relative_to_its_own_scale(which):
+    for part, doubtful in ((0.9, True), (1.1, False)):
+        scratch = new_scratch()
+        margins, scales = [1.0 + NODES**2, 1.0 + NODES**2], [1e3, 1e3]
+        scales[which] = 7.0
+        margins[which] = NODES**2 + part * CLOSE * 7.0
+        record_tangency(margins[0], scales[0], margins[1], scales[1], 3.0, scratch)
+        assert scratch.doubt.tolist() == [3.0] if doubtful else np.isnan(scratch.doubt).all()
+
+
 class Sides(NamedTuple):
-    """What `has_tangency` asks of a panel."""
+    """What the search for events asks of a panel."""
 
     sigma: int
     vt: float
     u: float
-
-
-@pytest.mark.parametrize("om", [3.0, -3.0])
-def test_slip_is_measured_beside_both_speeds(om):
-    """v_t that comes to 2e-11 grazes zero beside speeds of 6, not beside 1."""
-    body = body_of(0.5, 0.75)
-    scratch = new_scratch()
-    scratch.work[A] = 1.0 + NODES**2
-    scratch.work[B] = NODES**2 + 4.0 * CLOSE
-    state = start_state(0.0, 0.0, 0.0, 3.0, 0.0, om)
-    assert has_tangency(body, Sides(1, 3.0, 1.0), state, scratch)
-    assert not has_tangency(body, Sides(1, 0.0, 1.0), state, scratch)
+    direction: float = 1.0
 
 
 @pytest.mark.parametrize("sigma", [0, 1, -1])
-@pytest.mark.parametrize("which", [A, B])
-def test_margins_graze_zero_beside_forces_and_the_end_of_slip_beside_speeds(which, sigma):
-    """In rolling g_n + |g_t| + θ̇² at the panel's begin, in slip g_n + θ̇² for N and |v_t| + |θ̇| for v_t."""
+def test_tangencies_are_relative_to_forces_and_speeds(sigma, monkeypatch):
+    """In rolling to g_n + |g_t| + θ̇² at the panel's start, in slip to g_n + θ̇² for N and |v_t| + |θ̇| for v_t."""
     body = body_of(0.5, 0.75, slope=0.5)
     state = start_state(0.0, 0.0, 0.0, 3.0, 0.0, -0.5)
-    beside = body.gn + 0.25
+    scratch, found = new_scratch(), []
+    monkeypatch.setattr(panel_events, "record_tangency", lambda *given: found.append((given[1], given[3])))
+    monkeypatch.setattr(panel_events, "margin_downcrossing", lambda *given: (NOT_FOUND, True))
+    panel = Sides(sigma, 3.0, 0.25)
     if sigma == 0:
-        beside += body.gt
-    elif which == B:
-        beside = 3.5
-    for part, doubtful in ((0.9, True), (1.1, False)):
-        scratch = new_scratch()
-        scratch.work[A] = scratch.work[B] = 1.0 + NODES**2
-        scratch.work[which] = NODES**2 + part * CLOSE * beside
-        assert has_tangency(body, Sides(sigma, 3.0, 0.25), state, scratch) is doubtful
+        end_of_rolling(body, panel, state, False, scratch)
+    else:
+        end_of_slip(body, panel, state, False, 0, scratch)
+    weight = body.gn + 0.25
+    assert found == [(weight + body.gt, weight + body.gt) if sigma == 0 else (weight, 3.5)]

@@ -13,7 +13,7 @@ from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state, with_velocities
 from hophoop.kernel.rigid import flight_phase
-from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.kernel.rigid.run import BY_RULE, run
 
 NOWHERE = -1  # the mode before a start on the plane

@@ -16,9 +16,7 @@ from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import flight_phase
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, limits_of
-from hophoop.kernel.rigid.phase import begin_phase
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, Ending, begin_phase, limits_of
 
 
 def body_of(gamma=0.75, **plane):
@@ -38,13 +36,13 @@ def tables():
     return new_log(events, segments, scratch), scratch
 
 
-def fly(body, state, given, zeros=0):
-    """(what, state at the end, apexes, segment); with three zeros the gap opens by rounding alone."""
+def fly(body, state, given, vanishing=0):
+    """(ending, state at the end, apexes, segment); with three vanishing derivatives the gap opens by rounding alone."""
     log, scratch = tables()
-    opening = 0.0 if zeros == 3 else body.eps * state.om**2 * math.cos(state.th) - body.gn
-    what, after = flight_phase.fly(body, state, opening, zeros, given, log)
+    f_n = 0.0 if vanishing == 3 else body.eps * state.om**2 * math.cos(state.th) - body.gn
+    ending, after = flight_phase.fly(body, state, f_n, vanishing, given, log)
     assert scratch.counts[SEGMENTS] == 1
-    return what, after, log.events[: scratch.counts[EVENTS]], log.segments[0]
+    return ending, after, log.events[: scratch.counts[EVENTS]], log.segments[0]
 
 
 def thrown(body, state, tau):
@@ -69,15 +67,15 @@ def check_end(body, state, after, tau):
 @pytest.mark.parametrize("slope", [0.0, 0.3])
 def test_a_flight_ends_in_time_or_by_its_angle_or_on_the_plane(om, slope):
     body, state = body_of(slope=slope), state_of(y=0.5, vt=0.25, vn=1.0, om=om, time=2.0)
-    what, after, apexes, _ = fly(body, state, limits(state, 2.75))
-    assert (what, after.t, after.t_low) == (Ending.TIME_LIMIT, 2.75, 0.0)
+    ending, after, apexes, _ = fly(body, state, limits(state, 2.75))
+    assert (ending, after.t, after.t_low) == (Ending.TIME_LIMIT, 2.75, 0.0)
     check_end(body, state, after, 0.75)
-    what, after, _, _ = fly(body, state, limits(state, 9.0, 0.25))
-    assert (what, after.turns, after.th) == (Ending.ANGLE_LIMIT, 0.0, 0.5 + math.copysign(0.25, om))
+    ending, after, _, _ = fly(body, state, limits(state, 9.0, 0.25))
+    assert (ending, after.turns, after.th) == (Ending.ANGLE_LIMIT, 0.0, 0.5 + math.copysign(0.25, om))
     check_end(body, state, after, 0.25 / abs(om))
     assert fly(body, state, limits(state, 2.0 + 0.2 / abs(om), 0.25))[0] == Ending.TIME_LIMIT
-    what, after, apexes, segment = fly(body, state, limits(state, 9.0, 100.0))
-    assert what == Ending.LANDING
+    ending, after, apexes, segment = fly(body, state, limits(state, 9.0, 100.0))
+    assert ending == Ending.LANDING
     assert after.y == 0.0
     assert after.vn < 0.0
     check_end(body, state, after, after.t - 2.0)
@@ -94,8 +92,8 @@ def test_a_flight_ends_in_time_or_by_its_angle_or_on_the_plane(om, slope):
 
 def test_without_rotation_a_span_ends_nothing():
     state = state_of(y=0.5)
-    what, after, apexes, _ = fly(body_of(), state, limits(state, 9.0, 0.25))
-    assert (what, len(apexes)) == (Ending.LANDING, 0)
+    ending, after, apexes, _ = fly(body_of(), state, limits(state, 9.0, 0.25))
+    assert (ending, len(apexes)) == (Ending.LANDING, 0)
     assert after.t == pytest.approx(1.0, rel=1e-15)  # g t²/2 of R/2
 
 
@@ -105,16 +103,16 @@ def test_a_flight_that_begins_beyond_the_span_takes_no_time(om):
     start = state_of(y=0.5, om=om)
     given = limits(start, 9.0, 0.25)
     state = start._replace(th=0.5 + math.copysign(0.25 + 1e-15, om))
-    what, after, _, _ = fly(body_of(), state, given)
-    assert (what, after.t, after.y) == (Ending.ANGLE_LIMIT, 0.0, 0.5)
+    ending, after, _, _ = fly(body_of(), state, given)
+    assert (ending, after.t, after.y) == (Ending.ANGLE_LIMIT, 0.0, 0.5)
 
 
 @pytest.mark.parametrize("rise", [0.0, 1e-20])
 def test_a_hop_of_nothing_lands_where_it_begins_and_never_upwards(rise):
     """Where rounding leaves no opening gap after a lift-off, the rim is on the plane at once."""
     state = state_of(vn=rise, time=1.0)
-    what, after, apexes, _ = fly(body_of(), state, limits(state), 3)
-    assert (what, after.t, after.y, after.vn, after.th) == (Ending.LANDING, 1.0, 0.0, 0.0, 0.5)
+    ending, after, apexes, _ = fly(body_of(), state, limits(state), 3)
+    assert (ending, after.t, after.y, after.vn, after.th) == (Ending.LANDING, 1.0, 0.0, 0.0, 0.5)
     assert len(apexes) == 0
 
 
@@ -122,16 +120,16 @@ def test_a_hop_of_nothing_lands_where_it_begins_and_never_upwards(rise):
 def test_a_flight_ends_after_a_rotation_whose_angle_time_cannot_tell(om):
     body = body_of()
     state = state_of(0.5, y=2.0, vt=1e4, vn=1e6 + body.eps * om * math.sin(0.5), om=om)
-    what, after, _, _ = fly(body, state, limits(state, 1e12))
-    assert what == Ending.SEARCH_LIMIT
+    ending, after, _, _ = fly(body, state, limits(state, 1e12))
+    assert ending == Ending.SEARCH_LIMIT
     assert (after.t - state.t) * abs(om) == pytest.approx(flight_phase.LONGEST_FLIGHT)
 
 
 def step(state, stop, restitution=0.0):
     body = body_of(restitution=restitution)
     log, scratch = tables()
-    phase = begin_phase(body, int(Mode.FLIGHT), state, Ending.LANDING, scratch)
-    after = flight_phase.flight_step(body, phase, limits(state, 9.0, stop=stop), log, scratch)
+    phase = begin_phase(int(Mode.FLIGHT), state, Ending.LANDING)
+    after = flight_phase.flight_step(body, phase, limits(state, 9.0, stop=stop), log)
     return after, log.events["kind"][: scratch.counts[EVENTS]].tolist()
 
 
@@ -151,5 +149,5 @@ def test_a_landing_gives_the_bounce_that_the_next_is_compared_with(restitution):
     after, kinds = step(state_of(y=0.5), 0, restitution)
     assert kinds == [Event.IMPACT]
     assert after.state.vn == pytest.approx(restitution)  # it comes with √(2 g R/2)
-    assert after.what == Ending.LANDING
+    assert after.ending == Ending.LANDING
     assert after.begins

@@ -8,7 +8,7 @@ import pytest
 from mpmath import mp, mpf
 
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, angle_left, at_span, limits_of
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, angle_left, at_span, limits_of
 
 EXACT_TURN = 2.0 * math.pi
 

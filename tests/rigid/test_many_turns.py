@@ -113,7 +113,7 @@ def test_numbers_whose_squares_overflow_end_the_motion():
     assert follows(before, before, 5.0)
     assert not follows(before._replace(t=1.0), before._replace(t=math.nextafter(1.0, 0.0)), 5.0)
     assert follows(before._replace(t=math.nextafter(5.0, 6.0)), before._replace(t=5.0), 5.0)  # the end of time
-    for name in ("t", "x", "y", "turns", "vt", "vn", "om", "friction", "impact_n", "impact_t", "resisted"):
+    for name in ("t", "x", "y", "turns", "vt", "vn", "om", "friction", "impact_n", "impact_t", "rolling_loss"):
         assert not follows(before, before._replace(**{name: math.nan}), 5.0)
         if name != "t":
             assert not follows(before, before._replace(**{name: math.inf}), 5.0)

@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.rigid.margins import MARGINS, margins_of
+from hophoop.kernel.rigid.sampling import MARGINS, margins_of
 from newton_euler import BODIES, STATES, accelerations, responses
 
 

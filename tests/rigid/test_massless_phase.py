@@ -17,10 +17,8 @@ from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
-from hophoop.kernel.rigid import massless_phase
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.phase import GOING, begin_phase
+from hophoop.kernel.rigid import flight_phase
+from hophoop.kernel.rigid.phase import GOING, Ending, begin_phase, limits_of
 
 
 def body_of(mu=0.5, restitution=0.0, gravity=9.81):
@@ -40,7 +38,7 @@ def tables():
 def let_go(body, state):
     """(mode, state, events)."""
     log, scratch = tables()
-    mode, after = massless_phase.begin_skim(body, state, log)
+    mode, after = flight_phase.begin_skim(body, state, log)
     return mode, after, log.events[: scratch.counts[EVENTS]]
 
 
@@ -82,7 +80,7 @@ def test_beside_the_top_the_load_passes_it(angle, om):
 def skim(body, state, t_end):
     """(whether it strikes, state, v_n of the load, segment)."""
     log, scratch = tables()
-    strikes, after, vn = massless_phase.skim(body, state, t_end, log)
+    strikes, after, vn = flight_phase.skim(body, state, t_end, log)
     assert scratch.counts[:2].tolist() == [0, 1]
     return strikes, after, vn, log.segments[0]
 
@@ -119,7 +117,7 @@ def test_the_load_falls_on_a_parabola_and_the_rim_goes_with_it(angle, om, vt, gt
     assert (after.x_low, after.y, after.turns, after.th, after.th_low) == (0.0, 0.0, 0.0, side * math.pi, 0.0)
     assert after.vt == pytest.approx(along + gt * duration, rel=1e-13, abs=1e-15)
     assert (after.vn, found) == (0.0, pytest.approx(v_n, rel=1e-14))
-    assert (segment["mode"], segment["kind"], segment["way"]) == (Mode.SKIM, SKIMMING, side)
+    assert (segment["mode"], segment["kind"], segment["direction"]) == (Mode.SKIM, SKIMMING, side)
     assert (segment["t"], segment["t_end"]) == (2.0, after.t)
 
     t_end = 2.0 + 0.5 * duration
@@ -159,9 +157,9 @@ def test_without_gravity_a_load_at_rest_never_strikes():
 
 def step(body, state, t_end=99.0):
     log, scratch = tables()
-    phase = begin_phase(body, int(Mode.SKIM), state, Ending.LOAD_STRIKE, scratch)
+    phase = begin_phase(int(Mode.SKIM), state, Ending.LOAD_STRIKE)
     given = limits_of(state, t_end, math.nan, 0)
-    after = massless_phase.skim_step(body, phase, given, log, scratch)
+    after = flight_phase.skim_step(body, phase, given, log)
     return phase, after, log.events[: scratch.counts[EVENTS]], log.segments[: scratch.counts[SEGMENTS]]
 
 
@@ -192,7 +190,7 @@ def test_the_blow_is_that_of_a_particle_with_friction(side, restitution, mu, spe
     losses = [after.state.friction, after.state.impact_n, after.state.impact_t]
     assert losses == pytest.approx([0.25, 0.5 + 0.5 * v_n**2, 0.75 + 0.5 * (speed**2 - left**2)], rel=1e-13)
     assert (after.state.vt, after.state.vn, after.state.om) == (blow["slip"], 0.0, 0.0)
-    assert (after.mode, after.what) == (mode, Ending.LOAD_STRIKE)
+    assert (after.mode, after.ending) == (mode, Ending.LOAD_STRIKE)
     assert (after.status, after.begins) == ((Status.UNDETERMINED, False) if restitution else (GOING, True))
     if restitution:
         end = segments[1]
@@ -203,5 +201,5 @@ def test_the_blow_is_that_of_a_particle_with_friction(side, restitution, mu, spe
 
 def test_a_fall_that_is_not_over_ends_the_motion():
     _, after, events, segments = step(body_of(), state_of(2.0), 0.5)
-    assert (after.mode, after.state.t, after.what, after.status) == (Mode.SKIM, 0.5, Ending.TIME_LIMIT, Status.COMPLETED)
+    assert (after.mode, after.state.t, after.ending, after.status) == (Mode.SKIM, 0.5, Ending.TIME_LIMIT, Status.COMPLETED)
     assert (len(events), len(segments)) == (0, 1)

@@ -55,8 +55,8 @@ def test_where_a_panel_of_rolling_begins(om, resist):
     torque = 0.5 * math.sin(2.0 + 0.25) + math.sin(0.25)
     most = resist * math.cos(0.25)
     couple = math.copysign(most, om) if om != 0.0 else min(torque, most)
-    assert begin.arm == pytest.approx(torque - couple, rel=1e-14, abs=1e-16)
-    assert begin.stiffness == pytest.approx(0.5 * math.cos(2.0 + 0.25), rel=1e-14)
+    assert begin.torque == pytest.approx(torque - couple, rel=1e-14, abs=1e-16)
+    assert begin.curvature == pytest.approx(0.5 * math.cos(2.0 + 0.25), rel=1e-14)
     assert begin.u == om * om
     assert (begin.th, begin.sine, begin.cosine, begin.vt) == (2.0, math.sin(2.0), math.cos(2.0), 0.0)
 
@@ -70,7 +70,7 @@ def test_where_a_panel_of_slip_begins(sigma, resist, om):
     begin = begin_of(body, sigma, state_of(2.0, om, sigma * 0.75))
     q = 0.5 * math.sin(2.0) + sigma * 0.5 * (1.0 + 0.5 * math.cos(2.0)) - math.copysign(resist, om)
     assert begin.arm == pytest.approx(q, rel=1e-14)
-    assert begin.stiffness == pytest.approx(0.75 + 0.5 * math.sin(2.0) * q, rel=1e-14)
+    assert begin.kappa_p_sigma == pytest.approx(0.75 + 0.5 * math.sin(2.0) * q, rel=1e-14)
     assert (begin.u, begin.vt) == (om * om, sigma * 0.75)
 
 
@@ -113,7 +113,7 @@ def test_slip_beside_its_hilltop_has_all_digits_of_its_torque(sigma, psi):
     assert state.anchor.kind == SLIPPING
     begin = begin_of(body, sigma, state)
     assert begin.arm == pytest.approx(float(q), rel=1e-12)
-    assert begin.stiffness == pytest.approx(float(firm), rel=1e-15)
+    assert begin.kappa_p_sigma == pytest.approx(float(firm), rel=1e-15)
     far = state_of(1.5, 0.5, sigma * 1.0)
     assert anchored(body, sigma, far).anchor.kind == FREE
 
@@ -133,18 +133,18 @@ def test_how_much_narrower_the_next_panel_is():
 def test_how_much_narrower_slip_is_that_begins_beside_p_sigma_of_zero():
     """By as much as κ p_σ, or that times θ̇², is below 10⁻¹²; only where p_σ grows."""
     body = body_of(mu=0.5)
-    begin = PanelStart(0.0, 0.0, -0.6, 0.8, 0.5, 1e-15, 4.0, 1.0)  # κ p_σ grows with θ by 0.035
+    begin = PanelStart(0.0, 0.0, -0.6, 0.8, 0.0, 0.0, 0.5, 1e-15, 4.0, 1.0)  # κ p_σ grows with θ by 0.035
 
     def levels(way=1.0, sigma=1, **values):
         return panel_choice.extra_levels_near_singularity(body, sigma, way, begin._replace(**values))
 
     assert levels() == math.ceil(2.0 * math.log2(1e3))
     assert levels(u=0.25) == math.ceil(2.0 * math.log2(4e3))
-    assert levels(stiffness=1e-14) == math.ceil(2.0 * math.log2(1e2))
-    assert levels(stiffness=1e-310) == math.ceil(2.0 * math.log2(1e288))
+    assert levels(kappa_p_sigma=1e-14) == math.ceil(2.0 * math.log2(1e2))
+    assert levels(kappa_p_sigma=1e-310) == math.ceil(2.0 * math.log2(1e288))
     assert levels(way=-1.0) == 0
-    assert levels(stiffness=0.0) == 0
-    assert levels(stiffness=-1e-15) == 0
+    assert levels(kappa_p_sigma=0.0) == 0
+    assert levels(kappa_p_sigma=-1e-15) == 0
     # on the other side of the hoop it is the other way round
     assert levels(way=-1.0, sigma=-1, sine=0.6, arm=-0.5) == levels()
     assert levels(sigma=-1, sine=0.6, arm=-0.5) == 0
@@ -332,11 +332,11 @@ def test_the_first_panel_from_rest(side):
     """To the side to which the torque turns the hoop; beside the bottom it is halved until it is resolved."""
     body = body_of()
     panel, totals, level, tried = chosen(body, 0, state_of(side * 1.0, 0.0), 7)
-    assert (panel.kind, panel.way, panel.extent, level, tried) == (LEAVE, side, 0.4, 2, 1)
+    assert (panel.kind, panel.direction, panel.extent, level, tried) == (LEAVE, side, 0.4, 2, 1)
     assert totals.tail <= RESOLVED
     for off in (0.1, 1e-3):
         panel, totals, level, tried = chosen(body, 0, state_of(side * (math.pi - off), 0.0), 7)
-        assert (panel.kind, panel.way, level) == (LEAVE, side, 2)
+        assert (panel.kind, panel.direction, level) == (LEAVE, side, 2)
         assert panel.extent == 0.4 * 0.5 ** (tried - 1)
         assert 0.02 * off < panel.extent < off
         assert totals.tail <= RESOLVED
@@ -346,7 +346,7 @@ def test_slip_from_rest_that_has_no_answer_ends_its_search():
     """With κ p_σ < 0 no panel is narrow enough."""
     body = body_of(kap=0.01, mu=1.0)
     panel, totals, _, tried = chosen(body, 1, state_of(-1.0, 0.0, 1.0), 2)
-    assert panel.stiffness < 0.0
+    assert panel.kappa_p_sigma < 0.0
     assert totals.tail == math.inf
     assert panel.extent < 1e-300 < 4.0 * panel.extent
     assert tried == 1 + math.ceil(math.log2(0.4 / 1e-300))
@@ -363,7 +363,7 @@ def test_the_next_panel_is_as_wide_as_is_resolved(om, sigma):
     body = body_of(mu=0.25)
     state = state_of(2.0, om, sigma * 1.0)
     panel, totals, level, tried = chosen(body, sigma, state, 0)
-    assert (panel.kind, panel.way) == (LINEAR, math.copysign(1.0, om))
+    assert (panel.kind, panel.direction) == (LINEAR, math.copysign(1.0, om))
     assert totals.tail <= RESOLVED
     assert tried < 4
     widest = panel.level
@@ -391,12 +391,12 @@ def test_a_hoop_that_begins_slowly_has_a_narrow_panel(om, most, sigma, way):
     assert alpha > 0.1
     panel, totals, _, tried = chosen(body, sigma, state_of(th, way * om, sigma * 1.0), 2)
     scale = om**2 / alpha
-    assert (panel.kind, panel.way) == (LINEAR, way)
+    assert (panel.kind, panel.direction) == (LINEAR, way)
     assert totals.tail <= RESOLVED
     assert tried <= most
     assert 0.1 * scale < panel.extent < 10.0 * scale
     panel, totals, level, tried = chosen(body, sigma, state_of(th, -way * om, sigma * 1.0), 2)
-    assert (panel.kind, panel.way, level) == (ARRIVE, -way, 2)
+    assert (panel.kind, panel.direction, level) == (ARRIVE, -way, 2)
     assert totals.tail <= RESOLVED
     assert panel.extent == pytest.approx(0.5 * scale, rel=1e-2 * om)
     assert tried <= 2
@@ -428,7 +428,7 @@ def test_a_panel_that_outlasts_the_motion_is_made_shorter(om, left, way):
     state = state_of(2.0, way * om)
     panel, totals = linear(body, 0, state, 0, new_scratch())
     short, totals = shortened(body, state, panel, totals, left)
-    assert (short.kind, short.sigma, short.way, short.ref, short.u) == (LINEAR, 0, way, 2.0, om**2)
+    assert (short.kind, short.sigma, short.direction, short.ref, short.u) == (LINEAR, 0, way, 2.0, om**2)
     assert totals.tail <= RESOLVED
     assert totals.time == pytest.approx(short.extent / om, rel=1e-14)
     if om < 1.0:
@@ -457,7 +457,7 @@ def test_a_panel_from_rest_that_outlasts_the_motion_is_made_shorter(left):
     totals = panel_choice.solve(body, panel, scratch.work)
     assert totals.time == pytest.approx(math.sqrt(2.0 * 0.4 / (0.5 * 1e-8)), rel=1e-13)
     short, totals = shortened(body, state, panel, totals, left)
-    assert (short.kind, short.way, short.ref) == (LEAVE, 1.0, 0.0)
+    assert (short.kind, short.direction, short.ref) == (LEAVE, 1.0, 0.0)
     assert totals.time == pytest.approx(4.0 * left, rel=1e-13)
 
 
@@ -470,12 +470,12 @@ def test_slip_that_begins_beside_p_sigma_of_zero_has_a_narrow_panel(om, off, sig
     def firm(th):
         return begin_of(body, sigma, state_of(th, om * sigma, sigma * 1.0))
 
-    th = sigma * brentq(lambda one: firm(sigma * one).stiffness, -0.7, -0.1, xtol=1e-16)
+    th = sigma * brentq(lambda one: firm(sigma * one).kappa_p_sigma, -0.7, -0.1, xtol=1e-16)
     begin = firm(th)
-    while not begin.stiffness > 0.0:
+    while not begin.kappa_p_sigma > 0.0:
         th = np.nextafter(th, 0.0)
         begin = firm(th)
-    assert 0.0 < begin.stiffness < 1e-15
+    assert 0.0 < begin.kappa_p_sigma < 1e-15
     th += sigma * off
     panel, totals, _, _ = chosen(body, sigma, state_of(th, om * sigma, sigma * 1.0), 2)
     assert totals.tail <= RESOLVED

@@ -17,16 +17,15 @@ from hophoop.kernel.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_pa
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice, panel_events
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.phase import opening_of
+from hophoop.kernel.rigid.flight_phase import flight_start
+from hophoop.kernel.rigid.phase import Ending, limits_of
 from newton_euler import accelerations
 
 SCRATCH = new_scratch()
 
 
-def fall(values, fresh=False, floor=0.0):
-    return panel_events.margin_downcrossing(np.array(values), fresh, floor, SCRATCH)
+def fall(values, begins=False, floor=0.0):
+    return panel_events.margin_downcrossing(np.array(values), begins, floor, SCRATCH)
 
 
 @pytest.mark.parametrize("zero", [-0.9, -0.2, 0.0, 0.7])
@@ -37,7 +36,7 @@ def test_a_margin_that_falls_through_zero(zero, size):
 
 
 def test_a_margin_that_rises_or_stays_has_no_fall():
-    assert fall(0.5 + NODES, fresh=True)[0] == NOT_FOUND
+    assert fall(0.5 + NODES, begins=True)[0] == NOT_FOUND
     assert fall(1.5 + NODES) == (NOT_FOUND, False)
     assert fall(np.full(16, 1.0)) == (NOT_FOUND, False)
     # a function that the panel resolves does not go far below its nodes: no zero is looked for
@@ -50,7 +49,7 @@ def test_a_margin_below_zero_at_the_begin_of_a_panel_has_fallen_there():
     assert fall(-0.5 + NODES)[0] == -1.0
     assert fall(np.zeros(16))[0] == -1.0
     assert fall(NODES + 1.0 - 1e-13)[0] == -1.0  # also where no node shows it
-    assert fall(1.0 * (NODES + 1.0), fresh=True)[0] == NOT_FOUND
+    assert fall(1.0 * (NODES + 1.0), begins=True)[0] == NOT_FOUND
 
 
 @pytest.mark.parametrize("floor", [1e-16, 1e-3])
@@ -86,9 +85,9 @@ def test_the_sign_of_a_margins_rounding_at_the_begin_decides_nothing(rounding):
 @pytest.mark.parametrize("place", [-0.6, 0.1, 0.9])
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
 def test_a_parabola_that_touches_zero_is_near_it(place, size):
-    assert fall(size * (NODES - place) ** 2, fresh=True)[1]
-    assert not fall(size * ((NODES - place) ** 2 + 0.1), fresh=True)[1]
-    assert not fall(size * ((NODES - place) ** 2 - 0.1), fresh=True)[1]
+    assert fall(size * (NODES - place) ** 2, begins=True)[1]
+    assert not fall(size * ((NODES - place) ** 2 + 0.1), begins=True)[1]
+    assert not fall(size * ((NODES - place) ** 2 - 0.1), begins=True)[1]
 
 
 def body_of(eccentricity, inertia_ratio, **plane):
@@ -118,11 +117,12 @@ class Panel(NamedTuple):
     """What the end of slip asks of a panel and of its end."""
 
     sigma: int = 1
-    time: float = 2.0
+    u: float = 1.0
+    vt: float = 1.0
 
 
-def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0, vt=1.0):
-    """(ξ, what, doubtful, whether a doubt is noted) for v_t and N/κ at the nodes."""
+def end_of_slip(slip, load, *, mu=0.5, sigma=1, begins=False, vanishing=0, vt=1.0):
+    """(ξ, ending, whether tangencies are looked for, whether a doubt is recorded) for v_t and N/κ at the nodes."""
     hoop, plane = hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), hh.Plane(mu=mu)
     body = hh.Scenario(hoop=hoop, plane=plane).to_body()
     scratch = new_scratch()
@@ -131,10 +131,13 @@ def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0, vt=1.0):
     scratch.work[SLIP] = sigma * slip
     state = start_state(0.0, 0.0, math.pi, sigma * vt, 0.0, 1.0)._replace(t=3.0)
     panel = Panel(sigma)
-    xi, what, doubtful = panel_events.end_of_slip(body, panel, state, fresh, zeros, scratch)
+    looked = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(panel_events, "record_tangency", lambda *given: looked.append(given))
+        xi, ending = panel_events.end_of_slip(body, panel, state, begins, vanishing, scratch)
     noted = scratch.doubt.tolist() == [3.0]
     assert noted or np.isnan(scratch.doubt).all()
-    return xi, what, doubtful, noted
+    return xi, ending, bool(looked), noted
 
 
 @pytest.mark.parametrize("sigma", [1, -1])
@@ -158,41 +161,41 @@ def test_slip_that_has_ended_before_the_first_node():
     one, slip = np.full(16, 1.0), -(1.0 + NODES)
     # where the panel's series begins a rounding above zero it ends there
     at_once = pytest.approx(-1.0, rel=0.0, abs=1e-15)
-    assert end_of_slip(slip, one, fresh=True)[:2] == (at_once, Ending.SLIP_END)
+    assert end_of_slip(slip, one, begins=True)[:2] == (at_once, Ending.SLIP_END)
     assert end_of_slip(slip, one)[:2] == (at_once, Ending.SLIP_END)
-    assert end_of_slip(1.0 + NODES, one, fresh=True)[0] == NOT_FOUND
+    assert end_of_slip(1.0 + NODES, one, begins=True)[0] == NOT_FOUND
     # begun at no speed: with friction the mode says the direction, without it rounding of θ may be wrong
-    assert end_of_slip(slip, one, fresh=True, zeros=1)[0] == NOT_FOUND
-    assert end_of_slip(slip, one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, Ending.SLIP_END)
-    assert end_of_slip((1.0 + NODES) * NODES, one, fresh=True, zeros=1, mu=0.0)[0] == NOT_FOUND
+    assert end_of_slip(slip, one, begins=True, vanishing=1)[0] == NOT_FOUND
+    assert end_of_slip(slip, one, begins=True, vanishing=1, mu=0.0)[:2] == (-1.0, Ending.SLIP_END)
+    assert end_of_slip((1.0 + NODES) * NODES, one, begins=True, vanishing=1, mu=0.0)[0] == NOT_FOUND
 
 
 def test_slip_that_ends_at_the_first_node_or_beside_it():
     """An end before the first node is believed, unless the speed is lost in what the panel makes of it."""
     one, stop = np.full(16, 1.0), Ending.SLIP_END
-    assert end_of_slip(-0.999 - NODES, one, fresh=True)[:2] == (pytest.approx(-0.999, abs=1e-13), stop)
-    assert end_of_slip(-0.999 - NODES, one, fresh=True, vt=1e-150)[:2] == (-1.0, stop)
-    assert end_of_slip(-0.96 - NODES, one, fresh=True)[:2] == (pytest.approx(-0.96, abs=1e-13), stop)
-    assert end_of_slip(0.25 - NODES, one, fresh=True)[:2] == (pytest.approx(0.25, abs=1e-13), stop)
+    assert end_of_slip(-0.999 - NODES, one, begins=True)[:2] == (pytest.approx(-0.999, abs=1e-13), stop)
+    assert end_of_slip(-0.999 - NODES, one, begins=True, vt=1e-150)[:2] == (-1.0, stop)
+    assert end_of_slip(-0.96 - NODES, one, begins=True)[:2] == (pytest.approx(-0.96, abs=1e-13), stop)
+    assert end_of_slip(0.25 - NODES, one, begins=True)[:2] == (pytest.approx(0.25, abs=1e-13), stop)
     # below zero at the first node: what comes later is not the end of that slip
     for rise, fall_again in ((-0.95, 0.5), (-0.98, -0.96)):
-        assert end_of_slip((NODES - rise) * (fall_again - NODES), one, fresh=True)[:2] == (-1.0, stop)
+        assert end_of_slip((NODES - rise) * (fall_again - NODES), one, begins=True)[:2] == (-1.0, stop)
 
 
-@pytest.mark.parametrize("zeros", [1, 2])
+@pytest.mark.parametrize("vanishing", [1, 2])
 @pytest.mark.parametrize("mu", [0.5, 0.0])
-def test_slip_that_begins_with_no_speed_may_end_at_once(zeros, mu):
+def test_slip_that_begins_with_no_speed_may_end_at_once(vanishing, mu):
     """Zeros of v_t at the begin are taken out, so that one beside them is found."""
-    one, begins = np.full(16, 1.0), (1.0 + NODES) ** zeros
+    one, start = np.full(16, 1.0), (1.0 + NODES) ** vanishing
     for end in (1e-9, 1e-3, 1.25):
-        xi, what, _, _ = end_of_slip(begins * (end - (1.0 + NODES)), one, fresh=True, zeros=zeros, mu=mu)
+        xi, what, _, _ = end_of_slip(start * (end - (1.0 + NODES)), one, begins=True, vanishing=vanishing, mu=mu)
         assert (xi, what) == (pytest.approx(end - 1.0, abs=1e-14), Ending.SLIP_END)
-    assert end_of_slip(0.3 * begins, one, fresh=True, zeros=zeros, mu=mu)[0] == NOT_FOUND
+    assert end_of_slip(0.3 * start, one, begins=True, vanishing=vanishing, mu=mu)[0] == NOT_FOUND
 
 
 def test_slip_without_friction_that_begins_slowly_to_the_other_side():
     one = np.full(16, 1.0)
-    assert end_of_slip(-0.1 * (1.0 + NODES), one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, Ending.SLIP_END)
+    assert end_of_slip(-0.1 * (1.0 + NODES), one, begins=True, vanishing=1, mu=0.0)[:2] == (-1.0, Ending.SLIP_END)
 
 
 def test_slip_and_load_below_zero_at_the_begin_of_a_panel():
@@ -210,23 +213,23 @@ def test_slip_without_friction_is_zero_within_its_rounding():
     assert end_of_slip(little, one)[:2] == (-1.0, Ending.SLIP_END)
 
 
-@pytest.mark.parametrize("fresh", [True, False])
-def test_slip_or_load_that_touches_zero_is_doubtful(fresh):
+@pytest.mark.parametrize("begins", [True, False])
+def test_slip_or_load_that_touches_zero_is_doubtful(begins):
     """With friction; v_t of slip that begins is no decision."""
     one, touching = np.full(16, 1.0), (NODES - 0.1) ** 2 + 1e-4
     for slip, load, doubtful in (
         (one, one, False),
         (one, touching, True),
-        (touching, one, not fresh),
+        (touching, one, not begins),
         (touching, touching, True),
     ):
-        assert bool(end_of_slip(slip, load, fresh=fresh)[2]) == doubtful
-        assert not end_of_slip(slip, load, fresh=fresh, mu=0.0)[2]
+        assert bool(end_of_slip(slip, load, begins=begins)[2]) == doubtful
+        assert not end_of_slip(slip, load, begins=begins, mu=0.0)[2]
 
 
 def needed(panel, xi, u, body, rho=0.0):
     """(F, N) that rolling needs at a place of a panel."""
-    return accelerations(body, panel.ref + panel.way * 0.5 * panel.extent * (1.0 + xi), math.sqrt(u), "roll", rho)[3:]
+    return accelerations(body, panel.ref + panel.direction * 0.5 * panel.extent * (1.0 + xi), math.sqrt(u), "roll", rho)[3:]
 
 
 def rolled(body, th, om, level=2):
@@ -238,8 +241,13 @@ def rolled(body, th, om, level=2):
     return panel, panel_choice.solve(body, panel, scratch.work), scratch
 
 
-def end_of_rolling(body, panel, scratch, fresh=False):
-    return panel_events.end_of_rolling(body, panel, fresh, scratch)
+def end_of_rolling(body, panel, scratch, begins=False):
+    """(ξ, ending, whether tangencies are looked for)."""
+    looked = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(panel_events, "record_tangency", lambda *given: looked.append(given))
+        found = panel_events.end_of_rolling(body, panel, start_state(0.0, 0.0, panel.ref, 0.0, 0.0, 1.0), begins, scratch)
+    return *found, bool(looked)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
@@ -268,7 +276,7 @@ def test_rolling_ends_where_it_needs_all_friction(way, resist, th, om):
     # below what is needed from the begin of the panel on
     low = body._replace(mu_s=0.5 * need[0])
     assert end_of_rolling(low, panel, scratch)[:2] == (-1.0, what)
-    assert end_of_rolling(low, panel, scratch, fresh=True)[0] == NOT_FOUND
+    assert end_of_rolling(low, panel, scratch, begins=True)[0] == NOT_FOUND
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
@@ -323,7 +331,7 @@ def test_how_a_flight_opens():
     fast, free = 2.0, math.sqrt(2.0)  # ε θ̇² = 2 g and g, with the load at the top
 
     def opening(y, v_n, om):
-        return opening_of(body, start_state(0.0, y, 0.0, 0.0, v_n, om))
+        return flight_start(body, start_state(0.0, y, 0.0, 0.0, v_n, om), False)
 
     assert opening(1.0, 0.0, fast) == (1.0, 0)
     assert opening(0.0, 1.0, fast) == (1.0, 1)
@@ -335,9 +343,9 @@ def test_how_a_flight_opens():
 FAR = 1e3
 
 
-def earliest(body, panel, totals, state, scratch, *, t_end=FAR, span=math.nan, begin=None, fresh=False):
+def earliest(body, panel, totals, state, scratch, *, t_end=FAR, span=math.nan, begin=None, begins=False):
     limits = limits_of(begin or state, t_end, span, 0)
-    return panel_events.earliest_event(body, panel, totals, state, fresh, 0, limits, scratch)
+    return panel_events.earliest_event(body, panel, totals, state, begins, 0, limits, scratch)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])

@@ -14,9 +14,7 @@ from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import contact_phase
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.phase import Phase
+from hophoop.kernel.rigid.phase import Ending, Phase, limits_of
 
 
 @pytest.mark.parametrize("om", [0.25, -0.25])
@@ -40,7 +38,7 @@ def test_what_is_conserved_sets_a_lost_rate_of_turning_right(off, regains, sigma
     lost = right * (1.0 + off)
     state = start_state(0.25, 0.0, 0.05, 3.0 * sigma, 0.0, lost)._replace(anchor=Anchor(SLIPPING, 1e-3, 0.0, 0.0, 0.75))
     log = new_log(np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch())
-    phase = Phase(contact_phase.SKID if sigma > 0 else contact_phase.SPIN, state, False, 0, 0.0, 5, 0, -1)
+    phase = Phase(contact_phase.SKID if sigma > 0 else contact_phase.SPIN, state, False, 5, Ending.CONTINUES, -1)
     limits = limits_of(state, 0.125, math.nan, 0)
     what, after, _ = contact_phase.advance_contact(body, phase, limits, log, new_scratch())
     first = log.segments[0]

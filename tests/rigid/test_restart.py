@@ -194,6 +194,16 @@ def test_slip_that_has_just_begun_stays_slip():
     assert float(exact.events[-1].angle) == pytest.approx(again.events[-1].angle, abs=1e-11)
 
 
+def test_the_left_side_of_a_take_off_is_no_doubt():
+    """N is zero there within rounding, and the mode says that slip ends."""
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    (takeoff,) = motion.find("takeoff")
+    again = onward(motion, motion.at(takeoff.t, "left"))
+    assert again.doubt == math.inf
+    assert again.sequence == "HR"
+    assert again.events[-1].angle == pytest.approx(motion.events[-1].angle, abs=1e-12)
+
+
 def test_slip_below_the_static_limit_goes_on():
     """With μs > μk both rolling and slip are possible without slip velocity: the mode tells."""
     plane = hh.Plane(mu_static=1.0, mu_kinetic=0.05, slope=0.3)

@@ -12,9 +12,8 @@ from hophoop.kernel.native import forced
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.records.layout import SEGMENT
+from hophoop.kernel.records.layout import COLUMNS, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
-from hophoop.kernel.rigid.columns import COLUMNS
 from hophoop.kernel.rigid.sampling import contact_force, find_segment, sample, xi_at_time
 from newton_euler import accelerations
 from random_scenarios import draw, scenario_of
@@ -128,7 +127,7 @@ def test_a_sample_of_a_hoop_that_does_not_turn(mode, sigma, slip):
     """Slip with a constant force, or rest; after some 100 million years and two turns, and some losses."""
     body = body_of(0.5, 0.75, mu=0.5, slope=0.25)
     rate = math.sin(0.25) - sigma * 0.5 * math.cos(0.25) if sigma else 0.0
-    found = sampled(body, mode=mode, kind=HOLD, sigma=sigma, opening=rate, slip=slip, theta=0.5, **MOVING)
+    found = sampled(body, mode=mode, kind=HOLD, sigma=sigma, slip=slip, theta=0.5, **MOVING)
     tau = 2.0 + BEFORE
     slid = slip * tau + 0.5 * rate * tau**2
     expected = {
@@ -147,7 +146,7 @@ def test_a_sample_of_a_hoop_that_does_not_turn(mode, sigma, slip):
 def test_a_sample_of_a_flight():
     """Of a hoop without eccentricity; what rounding would bring below the plane is on it."""
     body = body_of(0.0, 1.0, slope=0.25)
-    values = {"mode": Mode.FLIGHT, "kind": FLY, "opening": -math.cos(0.25), "vy": 1.0, "omega": 3.0, "slip": 4.0}
+    values = {"mode": Mode.FLIGHT, "kind": FLY, "f_n": -math.cos(0.25), "vy": 1.0, "omega": 3.0, "slip": 4.0}
     found = sampled(body, height=1.0, **values, **MOVING)
     tau = 2.0 + BEFORE
     turns = 2.0 * (2.0 * math.pi) + 3.0 * tau
@@ -167,7 +166,7 @@ def test_a_sample_of_a_fall_of_the_massless_hoop(way):
     """From rest with the load level with the centre the load falls straight down; the rim slides under it."""
     body = hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(mu=0.0)).to_body()
     tau = 1.0 - BEFORE
-    segment = {"mode": Mode.SKIM, "kind": SKIMMING, "way": way, "theta": way * 0.5 * math.pi}
+    segment = {"mode": Mode.SKIM, "kind": SKIMMING, "direction": way, "theta": way * 0.5 * math.pi}
     found = sampled(body, tau=1.0, t_low=BEFORE, **segment, **MOVING)
     # the load at 1 − τ²/2
     th = math.acos(-0.5 * tau**2)

@@ -13,9 +13,9 @@ from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.limits import angle_left, limits_of
-from hophoop.kernel.rigid.margins import MARGINS, margins_of
+from hophoop.kernel.rigid.phase import angle_left, limits_of
 from hophoop.kernel.rigid.run import BY_RULE, run
+from hophoop.kernel.rigid.sampling import MARGINS, margins_of
 
 
 def body_of(mu, restitution=0.0):
@@ -40,7 +40,7 @@ def test_from_rest_the_load_falls_straight_down(side, angle):
     assert impact["t"] == pytest.approx(math.sqrt(2.0 * (1.0 + math.cos(angle))), rel=1e-14)
     assert impact["x"] == pytest.approx(side * math.sin(angle), rel=1e-14)
     assert impact["angle"] == side * math.pi
-    assert segments[segments["mode"] == Mode.SKIM]["way"].tolist() == [side]
+    assert segments[segments["mode"] == Mode.SKIM]["direction"].tolist() == [side]
     assert impact["before_vy"] == pytest.approx(-impact["t"], rel=1e-14)
     assert (impact["gain"], impact["stable"], impact["collision"]) == (0.0, -1, 1)
     assert impact["impact_normal"] == pytest.approx(0.5 * impact["t"] ** 2, rel=1e-13)
@@ -57,7 +57,7 @@ def test_over_the_top_the_load_flies_on(side):
     assert impact["x"] == pytest.approx(side * 2.0 * 1.5 * 2.0, rel=1e-14)
     assert impact["slip"] == pytest.approx(side * (2.0 * 1.5 - 0.5 * 2.0), rel=1e-14)  # braked by μ times the blow
     assert impact["after_mode"] == (Mode.SKID if side > 0.0 else Mode.SPIN)
-    assert segments[0]["way"] == side
+    assert segments[0]["direction"] == side
 
 
 @pytest.mark.parametrize("restitution", [0.5, 1.0])

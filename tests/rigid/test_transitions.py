@@ -190,7 +190,7 @@ def written(function, *arguments):
     """(what a transition returns, the events that it writes, the doubt that it notes)."""
     scratch = new_scratch()
     log = new_log(np.zeros(20, EVENT), np.zeros(0, SEGMENT), scratch)
-    found = function(*arguments, log, scratch)
+    found = function(*arguments, log)
     return found, log.events[: scratch.counts[EVENTS]], scratch.doubt.tolist()
 
 

@@ -166,7 +166,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
         keep_before(tangents, event_tangents)
         return
     rates = (0.0, 0.0, 0.0, 0.0)
-    way = piece["way"] if passed and is_panel(piece) else 0.0
+    way = piece["direction"] if passed and is_panel(piece) else 0.0
     # the couple changes its sign where the hoop turns round, and with it the forces: what follows is decided anew
     turned = body.resist > 0.0 and way != 0.0 and before.om == 0.0
     if mode == Mode.SKIM:
@@ -265,7 +265,7 @@ def propagate_tangents(body, motion, parameter_tangents, tangents, solution, wor
                     go_with_jam(body, piece["sigma"], state_of(piece), state_of(row), parameter_tangents, tangents)
                 goes_along = piece["kind"] == LINEAR
             strikes = piece["kind"] == SKIMMING and row["kind"] == Event.IMPACT
-            if piece["kind"] == FLY and skims_plane(body, piece["opening"], state_of(piece), length_of(piece)):
+            if piece["kind"] == FLY and skims_plane(body, piece["f_n"], state_of(piece), length_of(piece)):
                 fail_all(tangents, reasons, Reason.GRAZE)
             if not strikes:
                 follow_piece(body, piece, parameter_tangents, tangents, workspace)

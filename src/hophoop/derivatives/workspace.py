@@ -9,8 +9,7 @@ import numpy as np
 from hophoop.derivatives.layout import EVENT_ROWS, STATE_ROWS
 from hophoop.kernel.native import apart
 from hophoop.kernel.numerics.collocation import ORDER
-from hophoop.kernel.panels.panel import STRETCH, TIME
-from hophoop.kernel.panels.slip import from_reference
+from hophoop.kernel.panels.panel import DRIVEN, STRETCH, from_reference
 
 # By θ̇² at the start (of an arriving panel: by θ there), by θ at the start (by the turning point), by the parameters.
 BEGIN, SHIFT, BY_EPS, BY_KAP, BY_MU, BY_GN, BY_GT, BY_RESIST = range(8)
@@ -58,7 +57,7 @@ def new_solution(events: int, segments: int, directions: int) -> Solution:
 @apart
 def integrate_row(panel, row, growth, work):
     """Integrate a rate of dθ̇²/dθ from the panel's reference, with the integrating factor `growth`."""
-    integral = work[TIME]
+    integral = work[DRIVEN]
     for i in range(ORDER):
         row[i] *= work[STRETCH, i] / growth[i]
     from_reference(panel, row, integral)

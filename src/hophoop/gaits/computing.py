@@ -106,7 +106,7 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
 
 def _buffers(rows: int) -> Buffers:
     return Buffers(
-        np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.int64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
+        np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.uint64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
         np.empty(0, SEGMENT),
     )  # fmt: skip
 

@@ -54,7 +54,7 @@ class BottomMap:
         self._scratch = new_scratch()
         rows = max(count, 3)
         self._buffers = Buffers(
-            np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.int64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
+            np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.uint64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
             np.empty(0, SEGMENT),
         )  # fmt: skip
         self._request = Request(SECTIONS.index("bottom"), count, FOREVER, PANELS, False)

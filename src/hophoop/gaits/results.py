@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.extras import need
-from hophoop.gaits.kernels.layout import COLUMNS, LETTERS_PER_INTEGER, MORE
+from hophoop.gaits.kernels.layout import COLUMNS
 from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW
 from hophoop.kernel.physics.body import MODE_LETTERS
+from hophoop.kernel.records.layout import unpacked_sequence
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.vocabulary.names import Fate
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from hophoop.gaits.section import SectionDerivative
 
 Floats = NDArray[np.float64]
-MORE_MARK = "+"
 ENOUGH = 500  # passages from which on a motion may be called chaotic
 SURE = 5.0  # standard errors by which its exponent must be above 0
 SEPARATED = 36.0  # ln 2⁵²: neighbouring doubles must have come apart, also next to a gait that is hardly unstable
@@ -100,7 +100,7 @@ class Passages:
     scenario: Scenario
     section: str
     numbers: Floats
-    packed: NDArray[np.int64]
+    packed: NDArray[np.uint64]
     first: Floats
     status: str
     decided: Fate
@@ -189,7 +189,7 @@ class Passages:
     @cached_property
     def sequences(self) -> tuple[str, ...]:
         """Phases since the last passage, one letter each, such as 'RSHKR'; a very long sequence ends in '+'."""
-        known = {key: unpacked(key) for key in {tuple(row) for row in self.packed.tolist()}}
+        known = {key: unpacked_sequence(key) for key in {tuple(row) for row in self.packed.tolist()}}
         return tuple(known[tuple(row)] for row in self.packed.tolist())
 
     def loss(self, name: str) -> Floats:
@@ -316,14 +316,3 @@ class Passages:
         fate = f"gait of period {self.period}" if self.period else str(self.decided)
         last = ", ".join(self.sequences[-3:])
         return f"<Passages: {len(self)} of section {self.section!r}, {fate}{'; last sequences ' + last if last else ''}>"
-
-
-def unpacked(key: tuple[int, ...]) -> str:
-    """Return the sequence that the kernel packed into integers."""
-    letters = []
-    for integer in key:
-        for place in range(LETTERS_PER_INTEGER):
-            letter = (integer >> (3 * place)) & 7
-            if letter:
-                letters.append(MORE_MARK if letter == MORE else MODE_LETTERS[letter - 1])
-    return "".join(letters)

@@ -18,7 +18,7 @@ from hophoop.gaits.finding import FASTEST, slowest_over_top
 from hophoop.gaits.kernels.layout import INTEGERS
 from hophoop.gaits.orbits import BottomMap
 from hophoop.gaits.pieces import pieces
-from hophoop.gaits.results import unpacked
+from hophoop.kernel.records.layout import unpacked_sequence
 from hophoop.scenario import InputError, Scenario, Start
 
 POINTS, DEPTH = 600, 8
@@ -170,8 +170,8 @@ def return_map(
     for piece in pieces(image, grid, DEPTH, progress):
         inside = [point for point in piece.points if piece.low < point[0] < piece.high]
         values = np.array([(piece.low, piece.at_low), *inside, (piece.high, piece.at_high)]) * image.unit
-        key = tuple(np.frombuffer(piece.word[: 8 * INTEGERS], np.int64).tolist())
-        found.append(MapPiece(values[:, 0], values[:, 1], unpacked(key)))
+        key = tuple(np.frombuffer(piece.word[: 8 * INTEGERS], np.uint64).tolist())
+        found.append(MapPiece(values[:, 0], values[:, 1], unpacked_sequence(key)))
     if not found:
         raise InputError(f"The hoop does not come back to the bottom in rolling with θ̇ from {first:.6g} to {last:.6g} rad/s.")
     return ReturnMap(image.scenario, tuple(found))

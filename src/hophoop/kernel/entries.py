@@ -60,8 +60,8 @@ FIELDS: dict[type, tuple[Array, ...]] = {
 _THEORY = "hophoop.theory.kernels."
 _GAITS = "hophoop.gaits.kernels."
 REQUEST = Named(_GAITS + "layout.Request", (int, int, float, int, bool))
-CODED = Array(WHOLE, 2)
-BUFFERS = Named(_GAITS + "layout.Buffers", (TABLE, CODED, ROW, EVENTS, SEGMENTS))
+CODED, PACKED = Array(WHOLE, 2), Array(np.dtype(np.uint64), 2)
+BUFFERS = Named(_GAITS + "layout.Buffers", (TABLE, PACKED, ROW, EVENTS, SEGMENTS))
 WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))
 
 # Each group is compiled by its own process, and only if one of its sources has changed.

@@ -366,7 +366,7 @@ def _why_not_in_mode(scenario: Scenario) -> str:
     from hophoop.kernel.physics.contact import free_acceleration
     from hophoop.kernel.physics.modes import UNDECIDED, next_mode
     from hophoop.kernel.records.cells import mode_of, start_of
-    from hophoop.kernel.rigid.margins import margins_of
+    from hophoop.kernel.rigid.sampling import margins_of
 
     body = to_body(scenario.hoop, scenario.plane)
     cells = np.array([cell_of(scenario)], dtype=object).T  # Python floats, not NumPy scalars

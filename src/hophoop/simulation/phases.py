@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hophoop.kernel.physics.body import MODE_LETTERS, Body, Event, Mode
-from hophoop.kernel.rigid.margins import MARGINS, margins_of
+from hophoop.kernel.rigid.sampling import MARGINS, margins_of
 from hophoop.results.records import EventRecord
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Rigid, Scenario

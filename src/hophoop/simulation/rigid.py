@@ -13,8 +13,7 @@ import numpy as np
 
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import CELL, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
-from hophoop.kernel.rigid.columns import COLUMNS
+from hophoop.kernel.records.layout import CELL, COLUMNS, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation.until import Until, cut, end_of

@@ -12,8 +12,7 @@ from hophoop.kernel.numerics.double_double import TWO_PI
 from hophoop.kernel.panels.panel import FLY, LINEAR
 from hophoop.kernel.physics.body import PASSING, Event, Mode
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.rigid.columns import COLUMNS
+from hophoop.kernel.records.layout import COLUMNS, EVENT, SEGMENT
 from hophoop.scenario import InputError
 from hophoop.vocabulary.names import number_after
 
@@ -209,7 +208,7 @@ def end_of(events: np.ndarray, forces: bool) -> np.ndarray:
     mode = int(events["after_mode"][-1])
     last["t_end"], last["mode"], last["sigma"] = events["t"][-1], mode, slip_direction(mode)
     last["kind"] = LINEAR if forces and mode in (Mode.ROLL, Mode.SPIN, Mode.SKID) else FLY
-    last["way"] = np.sign(last["omega"])
+    last["direction"] = np.sign(last["omega"])
     return last
 
 

@@ -34,25 +34,23 @@ from hophoop.derivatives.workspace import (
     integrate_row,
 )
 from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.collocation import ORDER, dot, exponentials, lagrange, product
+from hophoop.kernel.numerics.collocation import ORDER, dot, lagrange, product
 from hophoop.kernel.numerics.tables import ANTIDERIVATIVE_T, NODES, WEIGHTS
 from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine
 from hophoop.kernel.panels.panel import (
     ARM,
     ARRIVE,
     COSINE,
+    GROWTH,
+    KAPPA_P_SIGMA,
+    OFFSET_SINE,
+    OFFSET_VERSINE,
     RATE,
     SINE,
-    STIFFNESS,
-    TIME,
-    A,
-    B,
     U,
     angle_at,
-    fill_geometry,
     sine_versine_of_offset,
 )
-from hophoop.kernel.panels.slip import away_from_reference
 from hophoop.kernel.physics.contact import inertia_at_height, load_height
 
 FROM_BEGIN = np.ascontiguousarray(ANTIDERIVATIVE_T.T)
@@ -71,7 +69,7 @@ def roll_rates_at(body, panel, sine, versine, offset, u):
     growth = inertia * here
     more = body.eps * (body.gn * ds + body.gt * dc + (s0 + ds) * u - s0 * panel.u)
     shift = 2.0 * more * here
-    slope = shift + 2.0 * (panel.arm + body.eps * s0 * panel.u) / inertia * growth
+    slope = shift + 2.0 * (panel.torque + body.eps * s0 * panel.u) / inertia * growth
     by_eps = 2.0 * (body.gt * ds - body.gn * dc + (body.eps + c0) * panel.u - (body.eps + c0 + dc) * u) * here
     return (
         slope, growth, shift, by_eps, (panel.u - u) * here, -2.0 * body.eps * dc * here, 2.0 * (body.eps * ds + offset) * here,
@@ -81,9 +79,8 @@ def roll_rates_at(body, panel, sine, versine, offset, u):
 @apart
 def roll_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a rolling panel."""
-    fill_geometry(panel, work)
     for i in range(ORDER):
-        rates = roll_rates_at(body, panel, work[A, i], work[B, i], angle_at(panel, NODES[i]), work[U, i])
+        rates = roll_rates_at(body, panel, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i], angle_at(panel, NODES[i]), work[U, i])
         local[SLOPE, i], local[BEGIN, i], local[SHIFT, i], local[BY_EPS, i], local[BY_KAP, i] = rates[:5]
         local[BY_MU, i] = 0.0
         local[BY_GN, i], local[BY_GT, i] = rates[5:]
@@ -109,15 +106,13 @@ def slip_rates(body, panel, work, local):
     eps = body.eps
     sigma = float(panel.sigma)
     growth = local[BEGIN]
-    integral = work[TIME]
-    away_from_reference(panel, work[A], integral)  # which `solve_slip` has left there, signed along θ
-    exponentials(integral, growth)
-    slope = 2.0 * panel.arm * (body.gn - eps * panel.cosine * panel.u) / panel.stiffness
+    slope = 2.0 * panel.arm * (body.gn - eps * panel.cosine * panel.u) / panel.kappa_p_sigma
     for i in range(ORDER):
         s = work[SINE, i]
         c = work[COSINE, i]
         q = work[ARM, i]
-        compliance = 1.0 / work[STIFFNESS, i]
+        compliance = 1.0 / work[KAPPA_P_SIGMA, i]
+        growth[i] = work[GROWTH, i]
         over_p = (body.gn - eps * c * work[U, i]) * compliance
         q_eps = s + sigma * body.mu_k * c
         q_mu = sigma * (1.0 + eps * c)
@@ -172,7 +167,7 @@ def changes_at(panel, xi, work, local):
         local[RATES, row] = dot(weights, local[row])
         local[TIMES, row] = dot(quadrature, local[row])
     if panel.kind == ARRIVE:  # the panel becomes longer
-        longer = panel.way * time / panel.extent
+        longer = panel.direction * time / panel.extent
         local[TIMES, BEGIN] -= longer
         local[TIMES, SHIFT] += longer
     return time
@@ -273,7 +268,7 @@ def follow_panel(body, stretch, parameter_tangents, tangents, workspace):
         pressing = pressed_on(body, stretch, weigh(panel, work, local))
         if freely and not arrives:  # as `first_resistance`
             s, c = sine_cosine(end.th, end.th_low)
-            rates[BY_RESIST] = -2.0 * panel.way * pressing[1] / inertia_at_height(body, load_height(s, c))
+            rates[BY_RESIST] = -2.0 * panel.direction * pressing[1] / inertia_at_height(body, load_height(s, c))
     part = 0.5 * (1.0 - xi)
     part *= part
     for k in range(tangents.shape[1]):

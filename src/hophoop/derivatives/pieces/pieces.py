@@ -10,36 +10,26 @@ from hophoop.derivatives.pieces.flight_and_rest import accelerations, follow_fli
 from hophoop.derivatives.pieces.panels import follow_panel, prepare_panel
 from hophoop.derivatives.pieces.resisted import Stretch
 from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, LEAVE, SKIMMING, fill_inside
-from hophoop.kernel.physics.flight import flight_displacement, flight_gap
 from hophoop.kernel.physics.massless import skim_state
-from hophoop.kernel.records.state import flown, moved, with_velocities
+from hophoop.kernel.records.state import moved, with_velocities
 from hophoop.kernel.records.writing import panel_of, state_of
-from hophoop.kernel.rigid.contact_phase import state_on_panel
+from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
 from hophoop.kernel.rigid.panel_choice import solve
+from hophoop.kernel.rigid.sampling import state_in_flight
 
 
 @apart
 def state_after_hold(body, row, begin, tau):
     """The state after the time tau of rest, or of slip without rotation."""
     after = moved(begin, begin.t + tau, 0.0, begin.x, begin.x_low, 0.0, begin.turns, begin.th, begin.th_low)
-    return with_velocities(after, begin.vt + row["opening"] * tau, 0.0, 0.0)
-
-
-@apart
-def state_after_flight(body, row, begin, tau):
-    """The state after the time tau of a flight."""
-    s, c = sine_cosine(begin.th, begin.th_low)
-    y, vn = flight_gap(body, s, c, begin.om, begin.y, begin.vn, row["opening"], tau)
-    along, vt = flight_displacement(body, begin.vt, begin.om, s, c, tau)
-    return flown(begin, along, max(y, 0.0), tau, vt, vn)
+    return with_velocities(after, begin.vt + slip_rate_without_rotation(body, row["sigma"]) * tau, 0.0, 0.0)
 
 
 @apart
 def state_after_skim(body, row, begin, tau):
     """The state after the time tau of skimming."""
-    x, th, vt, om = skim_state(body, begin.x, begin.th, begin.vt, begin.om, row["way"], tau)
+    x, th, vt, om = skim_state(body, begin.x, begin.th, begin.vt, begin.om, row["direction"], tau)
     after = moved(begin, begin.t + tau, 0.0, x, 0.0, 0.0, begin.turns, th, 0.0)
     return with_velocities(after, vt, 0.0, om)
 
@@ -49,8 +39,8 @@ def follow_without_panel(body, row, tau, parameter_tangents, tangents):
     """Propagate all directions to the time tau after the start of a piece without panel; return the state there."""
     begin = state_of(row)
     if row["kind"] == FLY:
-        end = state_after_flight(body, row, begin, tau)
-        follow_flight(body, row["opening"], begin, end, tau, parameter_tangents, tangents)
+        end = state_in_flight(body, row["f_n"], begin, tau)
+        follow_flight(body, row["f_n"], begin, end, tau, parameter_tangents, tangents)
     elif row["kind"] == HOLD:
         end = state_after_hold(body, row, begin, tau)
         follow_hold(body, row["sigma"], begin, end, tau, parameter_tangents, tangents)

@@ -38,21 +38,21 @@ def needs_on_panel(body, segments, index, scratch, places, needs, slopes):
     totals = solve_noinline(body, panel, scratch.work)
     fill_inside(panel, scratch.work)
     begin = state_of(row)
-    rho = row["way"] * body.resist
+    rho = row["direction"] * body.resist
     count = 1
     for i in range(ORDER):
         if NODES[i] < row["xi"]:
             places[count] = NODES[i]
-            om = row["way"] * math.sqrt(scratch.work[U, i])
+            om = row["direction"] * math.sqrt(scratch.work[U, i])
             s, c = scratch.work[SINE, i], scratch.work[COSINE, i]
-            needs[count], slopes[count] = need_of(body, s, c, om, rho, row["way"])
+            needs[count], slopes[count] = need_of(body, s, c, om, rho, row["direction"])
             count += 1
     places[0] = -1.0
     places[count] = row["xi"]
     for i in (0, count):
         state = state_on_panel(body, panel, totals, begin, places[i], scratch)
         s, c = sine_cosine(state.th, state.th_low)
-        needs[i], slopes[i] = need_of(body, s, c, state.om, rho, row["way"])
+        needs[i], slopes[i] = need_of(body, s, c, state.om, rho, row["direction"])
     return count + 1
 
 
@@ -63,14 +63,14 @@ def peak_on_panel(body, segments, index, low, high, scratch):
     totals = solve_noinline(body, panel, scratch.work)
     fill_inside(panel, scratch.work)
     begin = state_of(row)
-    rho = row["way"] * body.resist
+    rho = row["direction"] * body.resist
     need = 0.0
     state = begin
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         state = state_on_panel(body, panel, totals, begin, middle, scratch)
         s, c = sine_cosine(state.th, state.th_low)
-        need, slope = need_of(body, s, c, state.om, rho, row["way"])
+        need, slope = need_of(body, s, c, state.om, rho, row["direction"])
         if slope > 0.0:
             low = middle
         else:

@@ -27,18 +27,18 @@ from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine
 from hophoop.kernel.panels.panel import (
     ARRIVE,
     COSINE,
-    NORMAL,
+    DRIVEN,
+    GROWTH,
+    INERTIA,
+    KAPPA_P_SIGMA,
+    OFFSET_SINE,
+    OFFSET_VERSINE,
     SINE,
-    STIFFNESS,
     STRETCH,
-    TIME,
-    A,
-    B,
     U,
     angle_at,
-    fill_geometry,
+    from_reference,
 )
-from hophoop.kernel.panels.slip import from_reference
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, resisted_inertia
 
 
@@ -54,21 +54,20 @@ def resists(body, parameter_tangents):
 def resisted_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a rolling panel with rolling resistance, from θ̇²′ = 2 θ̈, which is linear in θ̇²."""
     eps = body.eps
-    rho = panel.way * body.resist
+    rho = panel.direction * body.resist
     growth = local[BEGIN]
-    fill_geometry(panel, work)
     s0 = panel.sine
     c0 = panel.cosine
     inertia0 = resisted_inertia(body, s0, c0, rho)
-    slope = 2.0 * (panel.arm + eps * (s0 + rho * c0) * panel.u) / inertia0
+    slope = 2.0 * (panel.torque + eps * (s0 + rho * c0) * panel.u) / inertia0
     for i in range(ORDER):
-        ds, dc = rotated(s0, c0, work[A, i], work[B, i])
+        ds, dc = rotated(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
         s = work[SINE, i]
         c = work[COSINE, i]
         u = work[U, i]
-        more = 2.0 / work[STIFFNESS, i]
-        growth[i] = work[NORMAL, i] * inertia0 / work[STIFFNESS, i]  # D′ θ̇² grows by the numerator
-        alpha = 0.5 * more * (panel.arm + eps * (body.gn * ds + body.gt * dc + (s + rho * c) * u))
+        more = 2.0 / work[INERTIA, i]
+        growth[i] = work[GROWTH, i] * inertia0 / work[INERTIA, i]  # D′ θ̇² grows by the numerator
+        alpha = 0.5 * more * (panel.torque + eps * (body.gn * ds + body.gt * dc + (s + rho * c) * u))
         local[SLOPE, i] = 2.0 * alpha
         local[SHIFT, i] = 2.0 * alpha - slope * growth[i]
         local[BY_EPS, i] = more * (s * (u + body.gn) + c * (body.gt + rho * u) - alpha * (2.0 * (eps + c) - rho * s))
@@ -86,7 +85,7 @@ def resisted_rates(body, panel, work, local):
 def first_resistance(body, panel, work, local):
     """The row BY_RESIST of rolling without resistance: D θ̇² loses 2 ρ ∫ N dθ, which `lost_to_resistance` takes apart."""
     row = local[BY_RESIST]
-    integral = work[TIME]
+    integral = work[DRIVEN]
     for i in range(ORDER):
         row[i] = work[COSINE, i] * work[U, i] * work[STRETCH, i]
     from_reference(panel, row, integral)
@@ -94,7 +93,7 @@ def first_resistance(body, panel, work, local):
         s = work[SINE, i]
         swung = s * work[U, i] - panel.sine * panel.u + integral[i]
         pressed = body.gn * angle_at(panel, NODES[i]) - 0.5 * body.eps * swung
-        row[i] = -2.0 * panel.way * pressed / inertia_at_height(body, load_height(s, work[COSINE, i]))
+        row[i] = -2.0 * panel.direction * pressed / inertia_at_height(body, load_height(s, work[COSINE, i]))
 
 
 @apart
@@ -103,9 +102,10 @@ def resistance_rates(body, panel, work, local):
     if panel.sigma == 0 and body.resist == 0.0:
         first_resistance(body, panel, work, local)
         return
+    weights = work[INERTIA if panel.sigma == 0 else KAPPA_P_SIGMA]
     for i in range(ORDER):
         normal = body.gn - body.eps * (0.5 * work[SINE, i] * local[SLOPE, i] + work[COSINE, i] * work[U, i])
-        local[BY_RESIST, i] = -2.0 * panel.way * normal / work[STIFFNESS, i]
+        local[BY_RESIST, i] = -2.0 * panel.direction * normal / weights[i]
     integrate_row(panel, local[BY_RESIST], local[BEGIN], work)
 
 
@@ -119,7 +119,7 @@ def weigh(panel, work, local):
     moved = 0.0
     fixed = 0.0
     for i in range(ORDER):
-        weights[i] *= panel.way * work[COSINE, i] * work[STRETCH, i]
+        weights[i] *= panel.direction * work[COSINE, i] * work[STRETCH, i]
         part = 0.0
         if panel.kind == ARRIVE:
             part = 0.5 * (1.0 - NODES[i])
@@ -168,4 +168,4 @@ def loss_change(body, stretch, pressing, before, weighed, k, parameter_tangents,
     dswung = end.om * (c1 * end.om * dth1 + s1 * tangents[OM, k]) - begin.om * (c0 * begin.om * dth0 + s0 * dom0)
     dpressed = parameter_tangents[GN, k] * (angle_at(panel, xi) - angle_at(panel, -1.0)) + body.gn * (dth1 - dth0)
     dpressed -= 0.5 * (parameter_tangents[EPS, k] * swung + body.eps * (2.0 * dswung + weighed))
-    return panel.way * (body.resist * dpressed + parameter_tangents[RESIST, k] * pressed)
+    return panel.direction * (body.resist * dpressed + parameter_tangents[RESIST, k] * pressed)

@@ -66,7 +66,7 @@ def sample_tangents(body, pieces, clock, times, left, samples, workspace):
             end = follow_without_panel(body, row, tau, parameter_tangents, tangents)
         rates = (0.0, 0.0, 0.0, 0.0)
         if row["kind"] != SKIMMING and not (row["kind"] == HOLD and row["sigma"] == 0):
-            rates = accelerations(body, row["mode"], end, row["way"])
+            rates = accelerations(body, row["mode"], end, row["direction"])
         elif row["kind"] == SKIMMING:
             rates = skim_rates(body, end)
         for k in range(tangents.shape[1]):

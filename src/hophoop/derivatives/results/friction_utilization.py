@@ -64,7 +64,7 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     outer = -1.0  # the slope where the piece before has ended
     for number in numbers:
         row = segments[number]
-        rho = float(row["way"] * body.resist)
+        rho = float(row["direction"] * body.resist)
         count = compiled(needs_on_panel)(body, segments, number, scratch, *room)
         places, needs, slopes = room[:, :count]
         if number == numbers[0] and not slopes[0] > 0.0:

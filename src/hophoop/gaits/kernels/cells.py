@@ -65,7 +65,7 @@ SURE = 5.0  # standard errors by which the exponent of a chaotic motion is above
 def judge_cells(cells, low, high, request, codes, numbers):
     """Judge the cells from `low` to `high`, in SI units: codes of −1 in cells that are not allowed, nan for unknown numbers."""
     buffers = Buffers(
-        np.empty((ROWS, len(COLUMNS))), np.empty((ROWS, INTEGERS), np.int64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
+        np.empty((ROWS, len(COLUMNS))), np.empty((ROWS, INTEGERS), np.uint64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
         np.empty(0, SEGMENT),
     )  # fmt: skip
     bottom = Request(BOTTOM, request.most, request.t_end, request.panels, request.stops)

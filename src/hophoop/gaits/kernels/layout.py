@@ -17,10 +17,7 @@ COLUMNS = (
     FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, HOPS, LETTERS, DOUBT, HIGHEST,
 ) = range(len(COLUMNS))  # fmt: skip
 
-# A word (the phases since the last passage) is packed into integers, three bits a letter, 21 letters each; 0 is no letter.
-INTEGERS, LETTERS_PER_INTEGER = 2, 21
-LONGEST = INTEGERS * LETTERS_PER_INTEGER - 1
-MORE = 7  # the letter that marks a longer word
+INTEGERS = 2  # of a word: the phases since the last passage, packed as records.layout says
 
 ROLL = float(Mode.ROLL)  # in the column `mode`: Numba compares no float with a member of an enum
 
@@ -48,7 +45,7 @@ class Buffers(NamedTuple):
     """What a computation of passages fills and works in."""
 
     numbers: Any  # shape (n, len(COLUMNS)): passage k is in row k modulo n
-    words: Any  # of int, shape (n, INTEGERS), likewise
+    words: Any  # of uint64, shape (n, INTEGERS), likewise
     memory: Any  # shape (passages.SIZE,)
     events: Any  # of records.EVENT, shape (FEW_EVENTS,): those of one step
     segments: Any  # of records.SEGMENT, length 0

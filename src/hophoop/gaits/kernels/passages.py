@@ -35,10 +35,7 @@ from hophoop.gaits.kernels.layout import (
     INTEGERS,
     LANDING,
     LETTERS,
-    LETTERS_PER_INTEGER,
-    LONGEST,
     MODE,
-    MORE,
     OMEGA,
     ROLLING_RESISTANCE,
     SLIP,
@@ -55,10 +52,8 @@ from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.double_double import PI, TWO_PI
 from hophoop.kernel.physics.body import PASSING, Event, Mode, Status
 from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
-from hophoop.kernel.records.writing import count_panel, has_room, new_log
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import Limits, angle_left
-from hophoop.kernel.rigid.phase import GOING, continue_phase
+from hophoop.kernel.records.writing import add_letter, count_panel, has_room, new_log
+from hophoop.kernel.rigid.phase import GOING, Ending, Limits, angle_left, continue_phase
 from hophoop.kernel.rigid.run import begin, can_follow, step
 
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
@@ -91,15 +86,9 @@ def cell_of(state):
 
 
 @apart
-def add_letter(words, row, memory, mode):
-    """Append a mode to the word of a passage."""
-    length = int(memory[COUNT])
-    if length > LONGEST:
-        return
-    letter = MORE if length == LONGEST else int(mode) + 1
-    place = length // LETTERS_PER_INTEGER
-    words[row, place] = words[row, place] + letter * (1 << (3 * (length % LETTERS_PER_INTEGER)))
-    memory[COUNT] = length + 1.0
+def end_phase(words, row, memory):
+    """Append the letter of the present phase to the word of a passage."""
+    memory[COUNT] = add_letter(words, row, int(memory[COUNT]), int(memory[LETTER]))
 
 
 @apart
@@ -121,7 +110,7 @@ def note_events(body, log, words, row, memory):
         if event["after_mode"] == Mode.FLIGHT and event["height"] == 0.0 and not event["vy"] < 0.0:
             memory[JUMPS] += 1.0
         if event["t"] > memory[SINCE]:
-            add_letter(words, row, memory, memory[LETTER])
+            end_phase(words, row, memory)
         memory[LETTER] = event["after_mode"]
         memory[SINCE] = event["t"]
     log.counts[EVENTS] = 0
@@ -133,7 +122,7 @@ def write_passage(phase, numbers, words, row, memory, doubt):
     """Write a row, and start the word of the next passage."""
     state = phase.state
     if state.t > memory[SINCE]:
-        add_letter(words, row, memory, memory[LETTER])
+        end_phase(words, row, memory)
     out = numbers[row]
     out[T], out[T_LOW] = state.t, state.t_low
     out[X], out[X_LOW] = state.x, state.x_low
@@ -142,7 +131,7 @@ def write_passage(phase, numbers, words, row, memory, doubt):
     out[SLIP], out[VY], out[OMEGA] = state.vt, state.vn, state.om
     out[FRICTION] = state.friction
     out[IMPACT_NORMAL], out[IMPACT_TANGENTIAL] = state.impact_n, state.impact_t
-    out[ROLLING_RESISTANCE] = state.resisted
+    out[ROLLING_RESISTANCE] = state.rolling_loss
     out[MODE] = phase.mode
     out[HOPS] = memory[JUMPS]
     out[LETTERS] = memory[COUNT]
@@ -161,8 +150,8 @@ def clear_word(words, row):
 def ends_at_section(before, phase, section):
     """Return True if a step has reached the section."""
     if section == LANDING:
-        return before == Mode.FLIGHT and phase.what == Ending.LANDING and phase.status == GOING
-    return phase.status == Status.COMPLETED and phase.what == Ending.ANGLE_LIMIT
+        return before == Mode.FLIGHT and phase.ending == Ending.LANDING and phase.status == GOING
+    return phase.status == Status.COMPLETED and phase.ending == Ending.ANGLE_LIMIT
 
 
 @apart
@@ -191,7 +180,6 @@ def follow_passages(body, start, mode, request, buffers, scratch):
 
     The status is GOING if the motion goes on. `mode` is that of the start, or BY_RULE.
     """
-    scratch.doubt[0] = math.nan
     limit = scratch.counts[PANEL_LIMIT]
     scratch.counts[PANEL_LIMIT] = request.panels
     numbers, words, memory = buffers.numbers, buffers.words, buffers.memory
@@ -222,7 +210,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
             if before in (Mode.FLIGHT, Mode.SKIM):
                 cell = cell_of(phase.state)
             continue
-        write_passage(phase, numbers, words, row, memory, scratch.doubt[0])
+        write_passage(phase, numbers, words, row, memory, log.doubt[0])
         if request.section != LANDING:
             cell += 1.0 if phase.state.om > 0.0 else -1.0
             phase = continue_phase(phase, phase.state, phase.level, Ending.CONTINUES)
@@ -240,7 +228,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
         fate = fate_without_passages(body, phase, abs(phase.state.turns - start.turns))
     scratch.counts[PANEL_LIMIT] = limit
     state = phase.state
-    memory[LOST] = state.friction + state.impact_n + state.impact_t + state.resisted
+    memory[LOST] = state.friction + state.impact_n + state.impact_t + state.rolling_loss
     memory[TURNED] = (state.turns - start.turns) + (state.th - start.th) / TWO_PI
     return status, passages, fate, period
 

@@ -31,7 +31,7 @@ from hophoop.kernel.compliant.tableau import STAGES
 from hophoop.kernel.numerics.double_double import turns_and_rest
 from hophoop.kernel.physics.body import Event, Mode
 from hophoop.kernel.records.layout import EVENTS, SEGMENTS
-from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses, with_resisted
+from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses, with_rolling_loss
 from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
 
 # NumPy integers, because Numba would compile a function again for every Python integer that it is called with.
@@ -97,7 +97,7 @@ def as_state(t, turns, u):
     """Return the state in the form in which events are written."""
     start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
     there = moved(start, t, 0.0, start.x, 0.0, start.y, start.turns + turns, start.th, start.th_low)
-    return with_resisted(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
+    return with_rolling_loss(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
 
 
 def write_plain_event(log, kind, before, after, t, turns, u):

@@ -91,7 +91,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     for m in range(SIZE):
         work.state[m] = start[m]
     set_tolerances(body, comp, work)
-    log = Log(events, no_segments, np.array([0, 0, 0, max_steps + 1]))
+    log = Log(events, no_segments, np.array([0, 0, 0, max_steps + 1]), np.full(1, math.nan))
     phase = begin(comp, touching, log, work)
     while phase.status == GOING and phase.t < t_end and has_room(log):
         count_panel(log)  # failed steps count too

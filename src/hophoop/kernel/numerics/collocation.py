@@ -134,17 +134,17 @@ def exponentials(values, out):
 
 
 @inline
-def divided_by_exponentials(values, out, row):
-    """Compute out = exp(values) and divide `row` by it, in one loop that vectorizes over the nodes."""
+def divided_by_exponentials(values, out, row, quotient):
+    """Compute out = exp(values) and quotient = row/out, in one loop that vectorizes over the nodes."""
     if not _largest(values) <= 1.0:
         for i in range(ORDER):
             out[i] = exponential(values[i])
-            row[i] /= out[i]
+            quotient[i] = row[i] / out[i]
         return
     for i in range(ORDER):
         grown = _small_exponential(values[i])
         out[i] = grown
-        row[i] /= grown
+        quotient[i] = row[i] / grown
 
 
 @inline

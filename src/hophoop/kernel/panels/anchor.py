@@ -88,8 +88,8 @@ def rolling_anchor(body, th, low, s, c, u):
     excess = energy - 2.0 * potential_drop(body, bend, psi)
     if excess < -2.0 * bend:
         # closer to the stable equilibrium: θ_stable = π − 2β − θ_unstable
-        way = 1.0 if psi > 0.0 else -1.0
-        valley = add((way * PI, way * PI_LOW), (-2.0 * body.slope, 0.0))
+        direction = 1.0 if psi > 0.0 else -1.0
+        valley = add((direction * PI, direction * PI_LOW), (-2.0 * body.slope, 0.0))
         valley = add(valley, (-base, -base_low))
         base, base_low = valley
         bend = -bend

@@ -84,10 +84,10 @@ def has_converged(moved, before, tau):
 
 
 @inline
-def target_function(moment, level, way):
-    """Return the function whose downcrossing is searched and two derivatives: the gap, or `way` times its rate if `level`."""
+def target_function(moment, level, direction):
+    """Return the function whose downcrossing is searched and two derivatives: the gap, or ± its rate if `level`."""
     if level:
-        return way * moment.rate, way * moment.bend, way * moment.jerk
+        return direction * moment.rate, direction * moment.bend, direction * moment.jerk
     return moment.gap, moment.rate, moment.bend
 
 
@@ -97,18 +97,18 @@ def downcrossing_between(body, flight, first, last, level):
 
     The gap falls. Its rate falls through zero at a maximum of the gap and rises through zero at a minimum.
     """
-    way = -1.0 if level and not first.rate > 0.0 else 1.0
+    direction = -1.0 if level and not first.rate > 0.0 else 1.0
     low = first.tau
     high = last.tau
-    value, slope, bend = target_function(first, level, way)
+    value, slope, bend = target_function(first, level, direction)
     tau = low + parabola_downcrossing(value, slope, bend)
     if not low < tau < high:
-        drop = value - target_function(last, level, way)[0]
+        drop = value - target_function(last, level, direction)[0]
         # both ends of an arc may have the same gap
         tau = low + (high - low) * (value / drop) if drop > 0.0 else low
     before = 0.0
     for _ in range(MOST_STEPS):
-        value, slope, bend = target_function(moment_of(body, flight, tau), level, way)
+        value, slope, bend = target_function(moment_of(body, flight, tau), level, direction)
         if value > 0.0:
             low = tau
         else:

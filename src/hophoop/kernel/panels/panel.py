@@ -2,6 +2,8 @@
 
 Time follows from θ by quadrature, dt = dθ/θ̇, which is singular where θ̇ → 0. So a panel that ends (`ARRIVE`) or starts
 (`LEAVE`) at a turning point θ_m uses s with θ = θ_m ∓ s², where dt/ds = 2/√(θ̇²/s²) is smooth.
+
+`panels.roll` and `panels.slip` solve a panel: they fill the rows of its scratch array with values at the nodes.
 """
 
 from __future__ import annotations
@@ -12,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.collocation import ORDER, antiderivative
+from hophoop.kernel.numerics.collocation import ORDER, antiderivative, integrals, remainders, total
 from hophoop.kernel.numerics.double_double import plus
 from hophoop.kernel.numerics.exponentials import power
 from hophoop.kernel.numerics.tables import END_SINES, END_VERSINES, NODE_SINES, NODE_VERSINES, NODES, WIDTHS
@@ -34,10 +36,23 @@ def width_of(level):
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 STRUCK = 1.0  # value of ξ in a segment that ends with the strike of the load
-# Rows of the scratch array of a panel: values at the nodes.
-SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = range(15)
-RESIST, RESISTED = 15, 16  # power and work of the rolling resistance
-ROWS = 17
+
+# Rows of the scratch array: values at the nodes of a panel. φ = θ − θ_ref; derivatives and integrals are along ξ.
+OFFSET_SINE, OFFSET_VERSINE, STRETCH = 0, 1, 2  # sin φ, 1 − cos φ, abs(dθ/dξ)
+SINE, COSINE, U, RATE, TIME = 3, 4, 5, 6, 7  # sin θ, cos θ, θ̇², dt/dξ, time since the start of the panel
+# The linear equation for θ̇² in slip, for D′ θ̇² in rolling with resistance: dE = DAMPING E dξ + DRIVE dξ, both signed along θ.
+DAMPING, EXPONENT, GROWTH = 8, 9, 10  # ∫ DAMPING dξ from `ref`, and its exponential
+DRIVE, SCALED_DRIVE, DRIVEN = 11, 12, 13  # SCALED_DRIVE = DRIVE/GROWTH, and its integral from `ref`
+ENERGY, INERTIA = 14, 15  # rolling: D θ̇², and D; with resistance D′ θ̇², and D′
+ARM, KAPPA_P_SIGMA, LEVER = 16, 17, 18  # slip: q, κ p_σ, 1 + ε cos θ
+NORMAL, SLIP_RATE, SLIP = 19, 20, 21  # N; slip: dv_t/dξ, v_t
+POWER, LOSS = 22, 23  # slip: friction power per ξ, and its integral
+ROLLING_POWER, ROLLING_LOSS = 24, 25  # the same for the rolling resistance
+FORWARD_MARGIN, BACKWARD_MARGIN = 26, 27  # rolling: to the side of the friction cone with F > 0, F < 0; positive inside
+LIFT_OFF_MARGIN, SLIP_END_MARGIN = 28, 29  # slip: −f_n, σ v_t
+TIME_LEFT = 30
+ROWS = 31
+
 RESOLVED = 2e-13  # maximum size of the last 3 Chebyshev coefficients of an accepted panel; the next one is about 1e-15
 
 
@@ -47,14 +62,16 @@ class Panel(NamedTuple):
     sigma: int  # 0 roll, ±1 slip
     kind: int  # LINEAR, ARRIVE or LEAVE
     level: int  # of a LINEAR panel's width
-    way: float  # ±1, the sign of θ̇
+    direction: float  # ±1, the sign of θ̇
     ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point ahead (ARRIVE), within one revolution
     ref_low: float  # low-order half of `ref`
     sine: float  # sin θ and cos θ at `ref`
     cosine: float
     extent: float  # abs(Δθ) over the panel
-    arm: float  # slip: q and κ p_σ at `ref`; roll: −dV/dθ, less ρ g_n, and d²V/dθ² of the potential V
-    stiffness: float
+    torque: float  # roll: −dV/dθ at `ref`, less ρ g_n with rolling resistance, of the potential V
+    curvature: float  # roll: d²V/dθ² at `ref`
+    arm: float  # slip: q at `ref`
+    kappa_p_sigma: float  # slip: κ p_σ at `ref`
     u: float  # θ̇² at `ref`
     vt: float  # slip velocity at the start
 
@@ -68,7 +85,7 @@ class Totals(NamedTuple):
     vt: float
     loss: float
     growth: float  # slip: growth of a difference of θ̇² between two motions, from `ref` to the far end
-    resisted: float  # energy lost to rolling resistance
+    rolling_loss: float  # energy lost to rolling resistance
 
 
 @inline
@@ -78,28 +95,28 @@ def rows_are_known(work):
 
 
 @apart
-def fill_narrow(way, half, sines, versines, stretch):
+def fill_narrow(direction, half, sines, versines, stretch):
     """Fill the geometry of a panel narrower than the tables, as `fill_geometry` does."""
     for i in range(ORDER):
         offset = half * (1.0 + NODES[i])
-        sines[i] = way * offset
+        sines[i] = direction * offset
         versines[i] = 0.5 * offset * offset
         stretch[i] = half
 
 
 @inline
 def fill_geometry(panel, work):
-    """Fill rows A and B with sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes, and STRETCH with abs(dθ/dξ)."""
-    sines = work[A]
-    versines = work[B]
+    """Fill the rows OFFSET_SINE, OFFSET_VERSINE and STRETCH."""
+    sines = work[OFFSET_SINE]
+    versines = work[OFFSET_VERSINE]
     stretch = work[STRETCH]
     if panel.kind == LINEAR:
-        way = panel.way
+        direction = panel.direction
         if panel.level >= LEVELS:
-            fill_narrow(way, 0.5 * panel.extent, sines, versines, stretch)
+            fill_narrow(direction, 0.5 * panel.extent, sines, versines, stretch)
             return
         # one loop per row: each compiles to one block copy, which the next reader of the row need not wait for
-        table = SINES[1 if way > 0.0 else 0, panel.level]
+        table = SINES[1 if direction > 0.0 else 0, panel.level]
         other = NODE_VERSINES[panel.level]
         halves = HALVES[panel.level]
         for i in range(ORDER):
@@ -109,10 +126,10 @@ def fill_geometry(panel, work):
         for i in range(ORDER):
             stretch[i] = halves[i]
         return
-    way = panel.way
+    direction = panel.direction
     mirrored = 1.0
     if panel.kind == ARRIVE:
-        way = -way
+        direction = -direction
         mirrored = -1.0
     for i in range(ORDER):
         stretch[i] = panel.extent * (0.5 * (1.0 + mirrored * NODES[i]))
@@ -120,12 +137,12 @@ def fill_geometry(panel, work):
         for i in range(ORDER):
             offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
             s, versines[i] = sine_and_versine(offset)
-            sines[i] = way * s
+            sines[i] = direction * s
         return
     for i in range(ORDER):
         offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
         deficit, _, versine = small_turn_deficits(offset)
-        sines[i] = way * (offset - deficit)
+        sines[i] = direction * (offset - deficit)
         versines[i] = versine
 
 
@@ -133,12 +150,12 @@ def fill_geometry(panel, work):
 def angle_at(panel, xi):
     """Return θ − ref at ξ."""
     if panel.kind == LINEAR:
-        return panel.way * panel.extent * 0.5 * (1.0 + xi)
+        return panel.direction * panel.extent * 0.5 * (1.0 + xi)
     if panel.kind == ARRIVE:
         part = 0.5 * (1.0 - xi)
-        return -panel.way * panel.extent * part * part
+        return -panel.direction * panel.extent * part * part
     part = 0.5 * (1.0 + xi)
-    return panel.way * panel.extent * part * part
+    return panel.direction * panel.extent * part * part
 
 
 @inline
@@ -157,33 +174,35 @@ class PanelStart(NamedTuple):
     th_low: float
     sine: float
     cosine: float
-    arm: float
-    stiffness: float
+    torque: float  # roll; the others as in `Panel`
+    curvature: float
+    arm: float  # slip
+    kappa_p_sigma: float
     u: float
     vt: float
 
 
 @inline
-def linear_panel(sigma, level, way, begin):
+def linear_panel(sigma, level, direction, begin):
     """Return a panel of standard width."""
     return Panel(
-        sigma, LINEAR, level, way, begin.th, begin.th_low, begin.sine, begin.cosine, width_of(level),
-        begin.arm, begin.stiffness, begin.u, begin.vt,
+        sigma, LINEAR, level, direction, begin.th, begin.th_low, begin.sine, begin.cosine, width_of(level),
+        begin.torque, begin.curvature, begin.arm, begin.kappa_p_sigma, begin.u, begin.vt,
     )  # fmt: skip
 
 
 @inline
-def no_panel(kind, sigma, way):
-    """Return a placeholder panel for a segment without one: FLY, HOLD or SKIMMING."""
-    return Panel(sigma, kind, 0, way, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+def no_panel(kind, sigma, direction):
+    """Return a placeholder for a segment without a panel: FLY, HOLD or SKIMMING."""
+    return Panel(sigma, kind, 0, direction, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @inline
-def leaving_panel(sigma, way, extent, begin):
+def leaving_panel(sigma, direction, extent, begin):
     """Return a panel that starts at rest."""
     return Panel(
-        sigma, LEAVE, 0, way, begin.th, begin.th_low, begin.sine, begin.cosine, extent,
-        begin.arm, begin.stiffness, 0.0, begin.vt,
+        sigma, LEAVE, 0, direction, begin.th, begin.th_low, begin.sine, begin.cosine, extent,
+        begin.torque, begin.curvature, begin.arm, begin.kappa_p_sigma, 0.0, begin.vt,
     )  # fmt: skip
 
 
@@ -193,24 +212,28 @@ def arriving_panel(body, before, ahead):
     The quantities at the turning point are computed as changes from the start. Evaluated directly they would have a rounding
     error that near p_σ = 0 exceeds the panel's width.
     """
-    ds, dc = turn(before.sine, before.cosine, before.way * ahead)
+    ds, dc = turn(before.sine, before.cosine, before.direction * ahead)
     s = before.sine + ds
+    torque = curvature = arm = kappa_p_sigma = 0.0
     if before.sigma == 0:
-        arm = before.arm + body.eps * (body.gn * ds + body.gt * dc)
-        stiffness = before.stiffness - rest_curvature(body, ds, dc)
+        torque = before.torque + body.eps * (body.gn * ds + body.gt * dc)
+        curvature = before.curvature - rest_curvature(body, ds, dc)
     else:
         turned = body.eps * (ds + before.sigma * body.mu_k * dc)
         arm = before.arm + turned
-        stiffness = before.stiffness + body.eps * (ds * arm + before.sine * turned)
-    ref, low = plus(before.ref, before.ref_low, before.way * ahead)
-    return Panel(before.sigma, ARRIVE, 0, before.way, ref, low, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt)
+        kappa_p_sigma = before.kappa_p_sigma + body.eps * (ds * arm + before.sine * turned)
+    ref, low = plus(before.ref, before.ref_low, before.direction * ahead)
+    return Panel(
+        before.sigma, ARRIVE, 0, before.direction, ref, low, s, before.cosine + dc, ahead,
+        torque, curvature, arm, kappa_p_sigma, 0.0, before.vt,
+    )  # fmt: skip
 
 
 @inline
 def sine_versine_of_offset(panel, xi):
     """Return (sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; a whole LINEAR panel takes them from the table."""
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
-        return panel.way * END_SINES[panel.level], END_VERSINES[panel.level]
+        return panel.direction * END_SINES[panel.level], END_VERSINES[panel.level]
     angle = angle_at(panel, xi)
     return sine_and_versine(angle)
 
@@ -221,3 +244,37 @@ def fill_inside(panel, work):
     antiderivative(work[RATE], work[TIME])
     if panel.sigma != 0:
         antiderivative(work[POWER], work[LOSS])
+
+
+@inline
+def direction_from_reference(panel):
+    """Return ±1, the direction of θ from `ref` to the far end of a panel."""
+    return -panel.direction if panel.kind == ARRIVE else panel.direction
+
+
+@inline
+def away_from_reference(panel, values, out):
+    """Integrate values abs(dξ) from `ref` to each node; return the integral from `ref` to the far end."""
+    if panel.kind == ARRIVE:
+        remainders(values, out)
+    else:
+        integrals(values, out)
+    return total(values)
+
+
+@inline
+def from_reference(panel, values, out):
+    """Integrate as `away_from_reference`, with the sign of dθ."""
+    whole = away_from_reference(panel, values, out)
+    direction = direction_from_reference(panel)
+    for i in range(ORDER):
+        out[i] *= direction
+    return direction * whole
+
+
+@inline
+def fill_rolling_power(body, work):
+    """Fill ROLLING_POWER of a solved panel; return the energy lost to rolling resistance on it."""
+    for i in range(ORDER):
+        work[ROLLING_POWER, i] = body.resist * work[NORMAL, i] * work[STRETCH, i]
+    return total(work[ROLLING_POWER])

@@ -1,33 +1,47 @@
-"""Rolling on a panel: θ̇² in closed form, time by quadrature (docs/model.md#rolling-in-closed-form)."""
+"""Rolling on a panel: θ̇² in closed form or, with rolling resistance, from one linear equation; time by quadrature.
+
+See docs/model.md#rolling-in-closed-form and docs/model.md#rolling-resistance.
+"""
 
 from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import inline
-from hophoop.kernel.numerics.collocation import ORDER, total, truncation_error
+from hophoop.kernel.native import apart, inline
+from hophoop.kernel.numerics.collocation import ORDER, exponentials, total, truncation_error
+from hophoop.kernel.numerics.exponentials import exponential
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import rotated, turn_deficits
 from hophoop.kernel.panels.panel import (
     ARRIVE,
     COSINE,
+    DAMPING,
+    DRIVE,
+    DRIVEN,
+    ENERGY,
+    EXPONENT,
+    GROWTH,
+    INERTIA,
     NORMAL,
+    OFFSET_SINE,
+    OFFSET_VERSINE,
     RATE,
     RESOLVED,
+    SCALED_DRIVE,
     SINE,
     STRETCH,
-    A,
-    B,
     Totals,
     U,
     angle_at,
     fill_geometry,
+    fill_rolling_power,
+    from_reference,
     rows_are_known,
     sine_versine_of_offset,
 )
-from hophoop.kernel.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
+from hophoop.kernel.physics.contact import inertia_at_height, load_height, resisted_inertia, rolling_forces
 
-# If D falls on a panel to less than this fraction of itself, θ̇² and the force vary in a way that the time does not show: a
+# If D falls on a panel to less than this fraction of itself, θ̇² and the force vary more than the time shows: a
 # nearly massless hoop near the angle where the load meets the plane.
 STEEP = 0.25
 
@@ -35,7 +49,7 @@ STEEP = 0.25
 @inline
 def energy_gained(body, panel, sine, versine, offset):
     """Return the change of D θ̇² on a rolling panel over φ = offset from its reference, given sin φ and 1 − cos φ."""
-    gained = sine * panel.arm + versine * panel.stiffness
+    gained = sine * panel.torque + versine * panel.curvature
     if body.gt != 0.0:
         gained += body.gt * turn_deficits(offset)[0]
     return 2.0 * gained
@@ -50,13 +64,19 @@ def u_on_panel(body, panel, sine, versine, offset):
 
 
 @inline
-def solve_roll(body, panel, work):
-    """Fill `work` for a rolling panel.
+def unsolved(tail, u):
+    """Return the Totals of a panel that is not resolved: its error measure, and θ̇² at its far end or nan."""
+    return Totals(tail, 0.0, u, 0.0, 0.0, math.nan, 0.0)
 
-    Row A holds D θ̇², which stays smooth where it is negative, beyond a turning point.
+
+@inline
+def solve_roll(body, panel, work):
+    """Fill the rows of a rolling panel without rolling resistance; return the Totals.
+
+    D θ̇² stays smooth where it is negative, beyond a turning point.
     """
     if not rows_are_known(work):
-        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
+        return unsolved(math.inf, math.nan)
     fill_geometry(panel, work)
     s0 = panel.sine
     c0 = panel.cosine
@@ -68,11 +88,10 @@ def solve_roll(body, panel, work):
     us = work[U]
     rates = work[RATE]
     stretch = work[STRETCH]
-    energies = work[A]
-    versines = work[B]
+    energies = work[ENERGY]
     for i in range(ORDER):
-        sine = energies[i]
-        versine = versines[i]
+        sine = work[OFFSET_SINE, i]
+        versine = work[OFFSET_VERSINE, i]
         offset = angle_at(panel, NODES[i]) if body.gt != 0.0 else 0.0
         energy = start + energy_gained(body, panel, sine, versine, offset)
         ds, dc = rotated(s0, c0, sine, versine)
@@ -84,29 +103,75 @@ def solve_roll(body, panel, work):
         rates[i] = stretch[i] / math.sqrt(u if u > 0.0 else 0.0)  # infinite beyond a turning point
     size = truncation_error(rates, 0.0)
     if not size <= RESOLVED:
-        return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan, 0.0)
+        return unsolved(size, us[ORDER - 1])
     first = energies[0] * us[ORDER - 1]
     last = energies[ORDER - 1] * us[0]
     if not STEEP * max(first, last) < min(first, last):
         size = truncation_error(us, 0.0)
         if not size <= RESOLVED:
-            return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan, 0.0)
+            return unsolved(size, us[ORDER - 1])
     time = total(rates)
     far = -1.0 if panel.kind == ARRIVE else 1.0
     sine, versine = sine_versine_of_offset(panel, far)
-    u = u_on_panel(body, panel, sine, versine, far * panel.way * panel.extent)
+    u = u_on_panel(body, panel, sine, versine, far * panel.direction * panel.extent)
     if not u > 0.0:
         size = math.inf
     return Totals(size, time, u, 0.0, 0.0, math.nan, 0.0)
 
 
-@inline
-def roll_margins(body, panel, work):
-    """Fill rows A and B with the margins to both sides of the friction cone, positive inside, and NORMAL with N."""
-    a, b = cone_weights(body.mu_s)
-    rho = panel.way * body.resist
+@apart
+def solve_resisted(body, panel, work):
+    """Fill the rows of a rolling panel with rolling resistance; return the Totals.
+
+    With D′ = D − ρ ε sin θ, the quantity E = D′ θ̇² obeys dE/dθ = (ρ ε cos θ/D′) E + 2 (torque − ρ g_n), whose factor is of
+    order ρ. E stays smooth where it is negative, beyond a turning point.
+    """
+    fill_geometry(panel, work)
+    s0 = panel.sine
+    c0 = panel.cosine
+    eps = body.eps
+    rho = panel.direction * body.resist
+    inertia0 = resisted_inertia(body, s0, c0, rho)
+    lowest = math.inf
     for i in range(ORDER):
-        friction, normal = rolling_forces(body, work[SINE, i], work[COSINE, i], work[U, i], rho)
-        work[NORMAL, i] = normal
-        work[A, i] = a * normal - b * friction
-        work[B, i] = a * normal + b * friction
+        # as changes from `ref`, as in rolling without resistance
+        ds, dc = rotated(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
+        inertia = inertia0 + eps * (2.0 * dc - rho * ds)
+        lowest = min(lowest, inertia)
+        stretch = work[STRETCH, i]
+        work[SINE, i] = s0 + ds
+        work[COSINE, i] = c0 + dc
+        work[INERTIA, i] = inertia
+        work[DAMPING, i] = rho * eps * (c0 + dc) / inertia * stretch
+        work[DRIVE, i] = 2.0 * (panel.torque + eps * (body.gn * ds + body.gt * dc)) * stretch
+    if not lowest > 0.0:
+        return unsolved(math.inf, math.nan)
+    size = truncation_error(work[DAMPING], 0.5)
+    if not size <= RESOLVED:
+        return unsolved(size, math.nan)
+    growth_far = exponential(from_reference(panel, work[DAMPING], work[EXPONENT]))
+    exponentials(work[EXPONENT], work[GROWTH])
+    for i in range(ORDER):
+        work[SCALED_DRIVE, i] = work[DRIVE, i] / work[GROWTH, i]
+    driven = from_reference(panel, work[SCALED_DRIVE], work[DRIVEN])
+    start = inertia0 * panel.u
+    us = work[U]
+    lowest = math.inf
+    for i in range(ORDER):
+        energy = work[GROWTH, i] * (start + work[DRIVEN, i])
+        work[ENERGY, i] = energy
+        us[i] = energy / work[INERTIA, i]
+        lowest = min(lowest, energy)
+    far = -1.0 if panel.kind == ARRIVE else 1.0
+    ds, dc = rotated(s0, c0, *sine_versine_of_offset(panel, far))
+    u_far = growth_far * (start + driven) / (inertia0 + eps * (2.0 * dc - rho * ds))
+    if not (lowest > 0.0 and u_far > 0.0):
+        return unsolved(math.inf, u_far)
+    for i in range(ORDER):
+        work[RATE, i] = work[STRETCH, i] / math.sqrt(us[i])
+        work[NORMAL, i] = rolling_forces(body, work[SINE, i], work[COSINE, i], us[i], rho)[1]
+    lost = fill_rolling_power(body, work)
+    size = max(size, truncation_error(work[RATE], 0.0), truncation_error(us, 0.0))
+    if not size <= RESOLVED:
+        return unsolved(size, u_far)
+    return Totals(size, total(work[RATE]), u_far, 0.0, 0.0, math.nan, lost)

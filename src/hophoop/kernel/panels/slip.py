@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
+from hophoop.kernel.native import inline
 from hophoop.kernel.numerics.collocation import (
     ORDER,
     antiderivative,
     divided_by_exponentials,
-    integrals,
-    remainders,
     smallest,
     total,
     truncation_error,
@@ -21,66 +19,40 @@ from hophoop.kernel.panels.panel import (
     ARM,
     ARRIVE,
     COSINE,
+    DAMPING,
+    DRIVE,
+    DRIVEN,
+    EXPONENT,
+    GROWTH,
+    KAPPA_P_SIGMA,
+    LEVER,
     NORMAL,
+    OFFSET_SINE,
+    OFFSET_VERSINE,
     POWER,
     RATE,
-    RESIST,
     RESOLVED,
+    SCALED_DRIVE,
     SINE,
     SLIP,
     SLIP_RATE,
-    STIFFNESS,
     STRETCH,
-    TIME,
-    A,
-    B,
     Totals,
     U,
+    away_from_reference,
+    direction_from_reference,
     fill_geometry,
+    fill_rolling_power,
     rows_are_known,
 )
 from hophoop.kernel.physics.contact import contact_arms
 
 
 @inline
-def direction_from_reference(panel):
-    """Return ±1, the direction of θ from `ref` to the far end of a panel."""
-    return -panel.way if panel.kind == ARRIVE else panel.way
-
-
-@inline
-def away_from_reference(panel, values, out):
-    """Integrate values abs(dξ) from `ref` to each node; return the integral from `ref` to the far end."""
-    if panel.kind == ARRIVE:
-        remainders(values, out)
-    else:
-        integrals(values, out)
-    return total(values)
-
-
-@inline
-def from_reference(panel, values, out):
-    """Integrate as `away_from_reference`, with the sign of dθ."""
-    whole = away_from_reference(panel, values, out)
-    way = direction_from_reference(panel)
-    for i in range(ORDER):
-        out[i] *= way
-    return way * whole
-
-
-@apart
-def slip_resisted(body, work):
-    """Return the energy lost to rolling resistance on a solved slip panel, and fill its power."""
-    for i in range(ORDER):
-        work[RESIST, i] = body.resist * work[NORMAL, i] * work[STRETCH, i]
-    return total(work[RESIST])
-
-
-@inline
 def solve_slip(body, panel, work):
-    """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
+    """Fill the rows of a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
 
-    If the panel extends beyond a turning point only row U is meaningful, and the tail is infinite.
+    Returns the Totals. If the panel extends beyond a turning point only row U is meaningful, and the tail is infinite.
     """
     if not rows_are_known(work):
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
@@ -89,51 +61,50 @@ def solve_slip(body, panel, work):
     s0 = panel.sine
     c0 = panel.cosine
     eps = body.eps
+    signed_mu = sigma * body.mu_k
+    direction = direction_from_reference(panel)
+    lever0 = contact_arms(body, s0, c0)[0]
+    arm0 = panel.arm
+    kappa_p_sigma0 = panel.kappa_p_sigma
     sines = work[SINE]
     cosines = work[COSINE]
     stretch = work[STRETCH]
-    damping = work[A]
-    drive = work[B]
-    growth = work[NORMAL]
-    integral = work[TIME]
+    levers = work[LEVER]
     arms = work[ARM]
-    heights = work[POWER]  # height of G above the plane, until the power is known
-    stiffnesses = work[STIFFNESS]
-    signed_mu = sigma * body.mu_k
-    height0 = contact_arms(body, s0, c0)[0]
-    arm0 = panel.arm
-    stiffness0 = panel.stiffness
-    way = direction_from_reference(panel)
+    kappa_p_sigmas = work[KAPPA_P_SIGMA]
+    damping = work[DAMPING]
+    drive = work[DRIVE]
     for i in range(ORDER):
         # as changes from `ref`: near p_σ = 0 direct evaluation would give only rounding
-        ds, dc = rotated(s0, c0, damping[i], drive[i])
+        ds, dc = rotated(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
         s = s0 + ds
         c = c0 + dc
         turned = eps * (ds + signed_mu * dc)
         arm = arm0 + turned
-        stiffness = stiffness0 + eps * (ds * arm + s0 * turned)
-        share = 2.0 * arm / stiffness * stretch[i] * way
+        kappa_p_sigma = kappa_p_sigma0 + eps * (ds * arm + s0 * turned)
+        share = 2.0 * arm / kappa_p_sigma * stretch[i] * direction
         sines[i] = s
         cosines[i] = c
+        levers[i] = lever0 + eps * dc
         arms[i] = arm
-        heights[i] = height0 + eps * dc
-        stiffnesses[i] = stiffness
+        kappa_p_sigmas[i] = kappa_p_sigma
         damping[i] = -eps * c * share
         drive[i] = body.gn * share
-    least = smallest(stiffnesses)
+    least = smallest(kappa_p_sigmas)
     if not least > 0.0:
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     size = truncation_error(damping, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
-    exponent = away_from_reference(panel, damping, integral)
-    divided_by_exponentials(integral, growth, drive)
-    driven = away_from_reference(panel, drive, integral)
+    growth = work[GROWTH]
+    driven = work[DRIVEN]
+    growth_far = exponential(away_from_reference(panel, damping, work[EXPONENT]))
+    divided_by_exponentials(work[EXPONENT], growth, drive, work[SCALED_DRIVE])
+    driven_far = away_from_reference(panel, work[SCALED_DRIVE], driven)
     us = work[U]
     for i in range(ORDER):
-        us[i] = growth[i] * (panel.u + integral[i])
-    growth_far = exponential(exponent)
-    u_far = growth_far * (panel.u + driven)
+        us[i] = growth[i] * (panel.u + driven[i])
+    u_far = growth_far * (panel.u + driven_far)
     if not (smallest(us) > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
         return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
     rates = work[RATE]
@@ -141,8 +112,8 @@ def solve_slip(body, panel, work):
     slip_rates = work[SLIP_RATE]
     for i in range(ORDER):
         u = us[i]
-        load = (body.gn - eps * cosines[i] * u) / stiffnesses[i]
-        friction_part = signed_mu * body.kap + heights[i] * arms[i]
+        load = (body.gn - eps * cosines[i] * u) / kappa_p_sigmas[i]
+        friction_part = signed_mu * body.kap + levers[i] * arms[i]
         rate = stretch[i] / math.sqrt(u)
         rates[i] = rate
         normals[i] = body.kap * load
@@ -160,5 +131,5 @@ def solve_slip(body, panel, work):
         slips[i] += panel.vt
         # without abs(), so that it stays smooth beyond the end of slip
         power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
-    resisted = slip_resisted(body, work) if body.resist > 0.0 else 0.0
-    return Totals(size, time, u_far, vt, total(power), growth_far, resisted)
+    rolling_loss = fill_rolling_power(body, work) if body.resist > 0.0 else 0.0
+    return Totals(size, time, u_far, vt, total(power), growth_far, rolling_loss)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple, cast, get_type_hints
 
 import numpy as np
 
-from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.body import MODE_LETTERS, Body
 
 # Rows of the array of cells, in SI units; `mode` is −1 if the rule selects it; `allowed` is 0 if the values
 # contradict each other. `scenario.cell_of` writes them in
@@ -48,11 +49,11 @@ EVENT = np.dtype(
     + [("rolling_resistance", "f8")]
 )
 # All numbers needed to compute the motion inside the segment again, bit for bit; those of a panel are explained in
-# panels.panel.Panel. `opening`: f_n at the start of a flight, v̇_t of slip without rotation, duration of a skim.
+# panels.panel.Panel; `f_n` is that at the start of a flight.
 SEGMENT = np.dtype(
     [("t", "f8"), ("t_end", "f8"), ("mode", "i8"), ("kind", "i8"), ("sigma", "i8"), ("level", "i8")]
-    + [("way", "f8"), ("ref", "f8"), ("sine", "f8"), ("cosine", "f8"), ("extent", "f8")]
-    + [("arm", "f8"), ("stiffness", "f8"), ("u", "f8"), ("xi", "f8"), ("opening", "f8")]
+    + [("direction", "f8"), ("ref", "f8"), ("sine", "f8"), ("cosine", "f8"), ("extent", "f8")]
+    + [("torque", "f8"), ("curvature", "f8"), ("arm", "f8"), ("kappa_p_sigma", "f8"), ("u", "f8"), ("xi", "f8"), ("f_n", "f8")]
     + [("x", "f8"), ("height", "f8"), ("angle", "f8"), ("vy", "f8"), ("omega", "f8"), ("slip", "f8")]
     + [(name, "f8") for name in _ENERGY]
     + [("ref_low", "f8")]
@@ -60,8 +61,20 @@ SEGMENT = np.dtype(
     + [("rolling_resistance", "f8")]
 )
 
+# Columns of a sample, in kernel units.
+COLUMNS = (
+    "mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
+    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta", "theta_low",
+    "rolling_resistance", "kinetic", "potential",
+)  # fmt: skip
+
 # A Body in a table of cases.
 BODY = np.dtype([(name, {float: "f8", int: "i8", bool: "?"}[kind]) for name, kind in get_type_hints(Body).items()])
+
+
+# A sequence of phases is packed into integers, three bits per letter (0: no letter).
+LETTERS_PER_INTEGER = 21
+MORE = 7  # the letter that marks a longer sequence, written as a plus sign
 
 
 # Maximum of panels solved for one motion, including rejected ones: a few seconds, and 70 MB if all are kept.
@@ -105,6 +118,18 @@ class Outcome(NamedTuple):
     segments: int
     doubt: float  # first time at which double precision did not suffice, nan if it always did
     events_full: bool
+
+
+def unpacked_sequence(key: Iterable[int]) -> str:
+    """Return the sequence packed into integers by `writing.add_letter`."""
+    letters = []
+    for integer in key:
+        packed = int(integer)
+        while packed:
+            letter = packed & 7
+            letters.append("+" if letter == MORE else MODE_LETTERS[letter - 1])
+            packed >>= 3
+    return "".join(letters)
 
 
 def new_table(length: int, dtype: np.dtype[Any]) -> np.ndarray:

@@ -33,7 +33,7 @@ class State(NamedTuple):
     friction: float
     impact_n: float
     impact_t: float
-    resisted: float  # energy lost to rolling resistance
+    rolling_loss: float  # energy lost to rolling resistance
     anchor: Anchor
 
 
@@ -55,7 +55,7 @@ def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
     """Return the state at another time and position, with its velocities and losses."""
     return State(
         t, t_low, x, x_low, y, turns, th, th_low, state.vt, state.vn, state.om,
-        state.friction, state.impact_n, state.impact_t, state.resisted, state.anchor,
+        state.friction, state.impact_n, state.impact_t, state.rolling_loss, state.anchor,
     )  # fmt: skip
 
 
@@ -64,7 +64,7 @@ def with_velocities(state, vt, vn, om):
     """Return the state with other velocities."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low, vt, vn, om,
-        state.friction, state.impact_n, state.impact_t, state.resisted, state.anchor,
+        state.friction, state.impact_n, state.impact_t, state.rolling_loss, state.anchor,
     )  # fmt: skip
 
 
@@ -73,16 +73,16 @@ def with_losses(state, friction, impact_n, impact_t):
     """Return the state with other losses."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
-        state.vt, state.vn, state.om, friction, impact_n, impact_t, state.resisted, state.anchor,
+        state.vt, state.vn, state.om, friction, impact_n, impact_t, state.rolling_loss, state.anchor,
     )  # fmt: skip
 
 
 @inline
-def with_resisted(state, resisted):
+def with_rolling_loss(state, rolling_loss):
     """Return the state with another loss to rolling resistance."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
-        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, resisted, state.anchor,
+        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, rolling_loss, state.anchor,
     )  # fmt: skip
 
 
@@ -91,7 +91,7 @@ def with_anchor(state, anchor):
     """Return the state with another anchor."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
-        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, state.resisted, anchor,
+        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, state.rolling_loss, anchor,
     )  # fmt: skip
 
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from hophoop.kernel.native import apart, inline
 from hophoop.kernel.panels.anchor import NONE
-from hophoop.kernel.panels.panel import Panel
-from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS, SEGMENTS
+from hophoop.kernel.panels.panel import FLY, Panel, no_panel
+from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.records.layout import EVENTS, LETTERS_PER_INTEGER, MORE, PANEL_LIMIT, PANELS, SEGMENTS
 from hophoop.kernel.records.state import State, whole_angle
+
+FLIGHT = int(Mode.FLIGHT)
 
 
 class Log(NamedTuple):
@@ -19,6 +23,7 @@ class Log(NamedTuple):
     events: np.ndarray  # of records.EVENT
     segments: np.ndarray  # of records.SEGMENT; length 0 if none are wanted
     counts: np.ndarray  # numbers of events, segments (−1: the table was too short) and panels
+    doubt: np.ndarray  # time of the first doubt, nan if there is none
 
 
 def new_log(events, segments, scratch):
@@ -26,7 +31,18 @@ def new_log(events, segments, scratch):
     scratch.counts[EVENTS] = 0
     scratch.counts[SEGMENTS] = 0
     scratch.counts[PANELS] = 0
-    return Log(events, segments, scratch.counts)
+    scratch.doubt[0] = math.nan
+    return Log(events, segments, scratch.counts, scratch.doubt)
+
+
+@inline
+def record_doubt(doubt, t):
+    """Record the time of the first doubt of a motion: a deciding quantity is zero within rounding.
+
+    The motion continues with the values in double precision, by the written order of ties.
+    """
+    if math.isnan(doubt[0]):
+        doubt[0] = t
 
 
 @inline
@@ -89,7 +105,7 @@ def write_state(row, state):
     row["friction"] = state.friction
     row["impact_normal"] = state.impact_n
     row["impact_tangential"] = state.impact_t
-    row["rolling_resistance"] = state.resisted
+    row["rolling_resistance"] = state.rolling_loss
 
 
 @apart
@@ -121,7 +137,7 @@ def write_plain_event(log, kind, before, after, state):
 
 
 @inline
-def write_segment(log, mode, panel, xi, opening, state, t_end):
+def write_segment(log, mode, panel, xi, state, t_end):
     """Append a segment that starts in `state`; a table of length 0 stays empty."""
     if log.segments.shape[0] == 0:
         return
@@ -135,17 +151,38 @@ def write_segment(log, mode, panel, xi, opening, state, t_end):
     row["kind"] = panel.kind
     row["sigma"] = panel.sigma
     row["level"] = panel.level
-    row["way"] = panel.way
+    row["direction"] = panel.direction
     row["ref"] = panel.ref
     row["ref_low"] = panel.ref_low
     row["sine"] = panel.sine
     row["cosine"] = panel.cosine
     row["extent"] = panel.extent
+    row["torque"] = panel.torque
+    row["curvature"] = panel.curvature
     row["arm"] = panel.arm
-    row["stiffness"] = panel.stiffness
+    row["kappa_p_sigma"] = panel.kappa_p_sigma
     row["u"] = panel.u
     row["xi"] = xi
-    row["opening"] = opening
+    row["f_n"] = 0.0
+
+
+def write_flight(log, f_n, state, t_end):
+    """Append a segment of flight, which starts in `state` with the acceleration f_n of the gap."""
+    write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, state, t_end)
+    count = log.counts[SEGMENTS]
+    if count > 0:
+        log.segments[count - 1]["f_n"] = f_n
+
+
+def add_letter(sequences, k, length, mode):
+    """Append a mode to the packed sequence in row k of an array of uint64; return its new length."""
+    longest = LETTERS_PER_INTEGER * sequences.shape[1] - 1
+    if length > longest:
+        return length
+    letter = np.uint64(MORE if length == longest else mode + 1)
+    shift = np.uint64(3 * (length % LETTERS_PER_INTEGER))
+    sequences[k, length // LETTERS_PER_INTEGER] |= letter << shift
+    return length + 1
 
 
 @apart
@@ -162,6 +199,6 @@ def state_of(row):
 def panel_of(row):
     """Return the panel of a segment of rolling or slip."""
     return Panel(
-        row["sigma"], row["kind"], row["level"], row["way"], row["ref"], row["ref_low"], row["sine"], row["cosine"],
-        row["extent"], row["arm"], row["stiffness"], row["u"], row["slip"],
+        row["sigma"], row["kind"], row["level"], row["direction"], row["ref"], row["ref_low"], row["sine"], row["cosine"],
+        row["extent"], row["torque"], row["curvature"], row["arm"], row["kappa_p_sigma"], row["u"], row["slip"],
     )  # fmt: skip

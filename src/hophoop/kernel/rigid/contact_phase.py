@@ -22,9 +22,9 @@ from hophoop.kernel.panels.panel import (
     HOLD,
     LINEAR,
     LOSS,
-    RESIST,
-    RESISTED,
     RESOLVED,
+    ROLLING_LOSS,
+    ROLLING_POWER,
     SLIP,
     TIME,
     U,
@@ -55,17 +55,15 @@ from hophoop.kernel.records.writing import (
     count_panel,
     event_without_jump,
     has_room,
+    record_doubt,
     write_event,
     write_plain_event,
     write_segment,
 )
-from hophoop.kernel.rigid.doubts import record_doubt
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import STOP_AT_TURN, at_span
-from hophoop.kernel.rigid.massless_phase import begin_skim
+from hophoop.kernel.rigid.flight_phase import begin_skim
 from hophoop.kernel.rigid.panel_choice import choose_panel, exceeds_time_left, narrow_to_time, set_anchor
 from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE, earliest_event
-from hophoop.kernel.rigid.phase import begin_flight_after_slip, begin_phase, begin_slip_after_roll, continue_phase, end_motion
+from hophoop.kernel.rigid.phase import STOP_AT_TURN, Ending, at_span, begin_phase, continue_phase, end_motion
 from hophoop.kernel.rigid.transitions import leave_cone, resolve_mode, resolve_painleve_singularity
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
@@ -138,10 +136,10 @@ def square_rate_inside(panel, xi, weights, values):
 
 
 @apart
-def resistance_loss_inside(work, weights):
+def rolling_loss_inside(work, weights):
     """Return the energy lost to rolling resistance up to a position inside a solved panel, given by its weights."""
-    antiderivative(work[RESIST], work[RESISTED])
-    return dot(weights, work[RESISTED])
+    antiderivative(work[ROLLING_POWER], work[ROLLING_LOSS])
+    return dot(weights, work[ROLLING_LOSS])
 
 
 @inline
@@ -167,15 +165,15 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
             u = square_rate_inside(panel, xi, scratch.weights, work[U])
             vt = dot(scratch.weights, work[SLIP])
             loss = dot(scratch.weights, work[LOSS])
-        resisted = resistance_loss_inside(work, scratch.weights) if body.resist > 0.0 else 0.0
+        rolling_loss = rolling_loss_inside(work, scratch.weights) if body.resist > 0.0 else 0.0
     else:
         tau = totals.time
         u = 0.0 if panel.kind == ARRIVE else totals.u
         vt = totals.vt
         loss = totals.loss
-        resisted = totals.resisted
+        rolling_loss = totals.rolling_loss
     tau = max(tau, 0.0)
-    om = panel.way * math.sqrt(max(u, 0.0))
+    om = panel.direction * math.sqrt(max(u, 0.0))
     if panel.sigma == 0:
         along = offset - angle_at(panel, -1.0)
     else:
@@ -194,7 +192,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     th, th_low = plus(panel.ref, panel.ref_low, offset)
     return State(
         t, t_low, x, x_low, 0.0, state.turns, th, th_low, vt, 0.0, om,
-        state.friction + loss, state.impact_n, state.impact_t, state.resisted + resisted, state.anchor,
+        state.friction + loss, state.impact_n, state.impact_t, state.rolling_loss + rolling_loss, state.anchor,
     )  # fmt: skip
 
 
@@ -262,18 +260,26 @@ def fit_to_time(body, panel, totals, state, limits, scratch):
 
 
 @inline
-def snap_to_event(body, what, state, limits, way):
+def snap_to_event(body, ending, state, limits, direction):
     """Return the state with the quantity that defines its event exact: v_t = 0, the final time or the final angle."""
-    if what == Ending.SLIP_END:
+    if ending == Ending.SLIP_END:
         return with_velocities(state, 0.0, state.vn, state.om)
-    if what == Ending.TIME_LIMIT:
+    if ending == Ending.TIME_LIMIT:
         return at_time(state, limits.t_end)
-    if what == Ending.ANGLE_LIMIT:
-        after = at_span(limits, state, way)
+    if ending == Ending.ANGLE_LIMIT:
+        after = at_span(limits, state, direction)
         if after.turns != state.turns:  # a motion that goes on from there needs its anchor
             after = with_anchor(after, with_turns(body, state, after.turns - state.turns).anchor)
         return after
     return state
+
+
+@inline
+def vanishing_slip_derivatives(body, phase):
+    """Return the number of time derivatives of v_t that vanish at the start of slip, v_t included."""
+    if phase.ending in (Ending.CONE_FORWARD, Ending.CONE_BACKWARD):
+        return 2 if body.mu_s == body.mu_k else 1  # at the friction cone v̇_t is zero too if friction does not jump there
+    return 1 if phase.state.vt == 0.0 else 0
 
 
 @inline
@@ -284,10 +290,11 @@ def advance_contact(body, phase, limits, log, scratch):
     """
     sigma = slip_direction(phase.mode)
     state, level, begins = phase.state, phase.level, phase.begins
-    what = Ending.CONTINUES
+    vanishing = vanishing_slip_derivatives(body, phase) if sigma != 0 else 0
+    ending = Ending.CONTINUES
     unresolved = Ending.SINGULAR if sigma != 0 else Ending.SEARCH_LIMIT
     before = math.inf  # truncation error of the last panel
-    while what == Ending.CONTINUES and has_room(log):
+    while ending == Ending.CONTINUES and has_room(log):
         count_panel(log)
         state, s, c = at_panel_start(body, sigma, state, begins, scratch)
         if state.om == 0.0 and remains_at_rest(body, sigma, state):
@@ -301,17 +308,17 @@ def advance_contact(body, phase, limits, log, scratch):
         panel, totals = fit_to_time(body, panel, totals, state, limits, scratch)
         if not totals.tail <= RESOLVED:
             return unresolved, state, level
-        xi, what = earliest_event(body, panel, totals, state, begins, phase.zeros, limits, scratch)
+        xi, ending = earliest_event(body, panel, totals, state, begins, vanishing, limits, scratch)
         if -1.0 < xi < 1.0:
             fill_inside(panel, scratch.work)
-        after = snap_to_event(body, what, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.way)
+        after = snap_to_event(body, ending, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.direction)
         if xi > -1.0:
-            write_segment(log, phase.mode, panel, xi, 0.0, state, after.t)
+            write_segment(log, phase.mode, panel, xi, state, after.t)
             if after.anchor.kind == SLIPPING:
                 after = propagate_anchor(body, panel, totals, xi, after)
         state = normalize_turns(body, after) if abs(after.th) > FARTHEST else after
         begins = False
-    return what, state, level
+    return ending, state, level
 
 
 def equilibrium_is_stable(body, th):
@@ -322,93 +329,89 @@ def equilibrium_is_stable(body, th):
     return rest_curvature(body, s, c) > 0.0
 
 
-def frozen_end(body, sigma, vt):
-    """Return v̇_t and the time until v_t = 0 in slip without rotation; the time is infinite if slip never stops."""
-    rate = body.gt - sigma * body.mu_k * body.gn
-    if vt * rate < 0.0:
-        return rate, -vt / rate
-    return rate, math.inf
+def slip_rate_without_rotation(body, sigma):
+    """Return v̇_t of a hoop in contact that does not rotate; σ = 0: it rests."""
+    return body.gt - sigma * body.mu_k * body.gn if sigma != 0 else 0.0
 
 
 def slide_without_rotation(body, mode, state, t_end, log):
     """Slip without rotation until v_t = 0 or the final time; return (ending, state)."""
     sigma = slip_direction(mode)
-    rate, until = frozen_end(body, sigma, state.vt)
-    what = Ending.SLIP_END
+    rate = slip_rate_without_rotation(body, sigma)
+    until = -state.vt / rate if state.vt * rate < 0.0 else math.inf
+    ending = Ending.SLIP_END
     tau = until
     left = time_left(state, t_end)
     if not until <= left:
-        what = Ending.TIME_LIMIT
+        ending = Ending.TIME_LIMIT
         tau = left
     slid = state.vt * tau + 0.5 * rate * tau * tau
-    vt = 0.0 if what == Ending.SLIP_END else state.vt + rate * tau
+    vt = 0.0 if ending == Ending.SLIP_END else state.vt + rate * tau
     t, t_low = later(state, tau)
-    if what != Ending.SLIP_END:
+    if ending != Ending.SLIP_END:
         t, t_low = t_end, 0.0
     x, x_low = plus(state.x, state.x_low, slid)
     friction = state.friction + sigma * body.mu_k * body.gn * slid
     after = with_velocities(moved(state, t, t_low, x, x_low, 0.0, state.turns, state.th, state.th_low), vt, 0.0, 0.0)
     after = with_losses(after, friction, state.impact_n, state.impact_t)
-    write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, after.t)
-    return what, after
+    write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, state, after.t)
+    return ending, after
 
 
 @apart
-def still_step(body, phase, state, limits, log, scratch):
+def still_step(body, phase, state, limits, log):
     """Rest, or slip without rotation until it ends; return the next phase."""
     mode = phase.mode
     if mode == ROLL:
         stable = 1 if equilibrium_is_stable(body, state.th) else 0
         write_event(log, event_without_jump(REST, ROLL, state), ROLL, state, 0.0, stable)
-        write_segment(log, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, limits.t_end)
+        write_segment(log, ROLL, no_panel(HOLD, 0, 0.0), 0.0, state, limits.t_end)
         return end_motion(phase, ROLL, at_time(with_velocities(state, 0.0, 0.0, 0.0), limits.t_end), Ending.REST, AT_REST)
-    what, state = slide_without_rotation(body, mode, state, limits.t_end, log)
-    if what == Ending.TIME_LIMIT:
+    ending, state = slide_without_rotation(body, mode, state, limits.t_end, log)
+    if ending == Ending.TIME_LIMIT:
         return end_motion(phase, mode, state, Ending.TIME_LIMIT, COMPLETED)
     if body.kap == 0.0:
         mode = ROLL
         write_plain_event(log, STICK, phase.mode, ROLL, state)
     else:
-        mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log, scratch)
-    return begin_phase(body, mode, state, Ending.SLIP_END, scratch)
+        mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log)
+    return begin_phase(mode, state, Ending.SLIP_END)
 
 
 @inline
-def after_rolling(body, phase, what, state, log, scratch):
+def after_rolling(body, phase, ending, state, log):
     """Return the phase after rolling that has reached the friction cone or could not be resolved further."""
-    if what == Ending.SEARCH_LIMIT:
-        record_doubt(scratch, state.t)
-        return end_motion(phase, ROLL, state, what, UNDETERMINED)
+    if ending == Ending.SEARCH_LIMIT:
+        record_doubt(log.doubt, state.t)
+        return end_motion(phase, ROLL, state, ending, UNDETERMINED)
     if body.kap == 0.0:
         mode, state = begin_skim(body, state, log)
     else:
-        mode = leave_cone(body, state, what == Ending.CONE_FORWARD, log, scratch)
-        if mode in (SPIN, SKID):
-            return begin_slip_after_roll(body, mode, state, what)
-    return begin_phase(body, mode, state, what, scratch)
+        mode = leave_cone(body, state, ending == Ending.CONE_FORWARD, log)
+    return begin_phase(mode, state, ending)
 
 
 @inline
-def after_slip(body, phase, what, state, log, scratch):
+def after_slip(body, phase, ending, state, log):
     """Return the phase after slip that has lifted off, ended, or reached p_σ = 0."""
-    if what == Ending.LIFT_OFF:
+    if ending == Ending.LIFT_OFF:
+        mode = FLIGHT
         write_plain_event(log, TAKEOFF, phase.mode, FLIGHT, state)
-        return begin_flight_after_slip(state, Ending.LIFT_OFF)
-    if what == Ending.SLIP_END:
-        mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log, scratch)
-        return begin_phase(body, mode, state, Ending.SLIP_END, scratch)
-    jams, mode, state = resolve_painleve_singularity(body, phase.mode, state, log, scratch)
-    if jams:
-        return end_motion(phase, mode, state, Ending.SINGULAR, JAMMED)
-    return begin_phase(body, mode, state, Ending.SINGULAR, scratch)
+    elif ending == Ending.SLIP_END:
+        mode, state = resolve_mode(body, state, event_without_jump(STICK, phase.mode, state), log)
+    else:
+        jams, mode, state = resolve_painleve_singularity(body, phase.mode, state, log)
+        if jams:
+            return end_motion(phase, mode, state, Ending.SINGULAR, JAMMED)
+    return begin_phase(mode, state, ending)
 
 
 @apart
-def turning_point_step(body, phase, state, level, limits, log, scratch):
+def turning_point_step(body, phase, state, level, limits, log):
     """Return the phase after a turning point with rolling resistance, where the couple and the contact force jump."""
     mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)
     if phase.mode == ROLL and mode == ROLL and is_equilibrium(body, 0, state):
-        return still_step(body, phase, state, limits, log, scratch)
+        return still_step(body, phase, state, limits, log)
     kind = STICK if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
     if phase.mode != ROLL and mode > SKIM and not limits.stop & STOP_AT_TURN:
         kind = TURN  # slip goes on until the paradox, which follows at once
@@ -420,24 +423,24 @@ def turning_point_step(body, phase, state, level, limits, log, scratch):
         return continue_phase(phase, state, level, Ending.TURNING_POINT)
     if kind == STICK and mode != FLIGHT:
         state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ reach zero together
-    mode, state = resolve_mode(body, state, event_without_jump(kind, phase.mode, state), log, scratch)
-    return begin_phase(body, mode, state, Ending.TURNING_POINT, scratch)
+    mode, state = resolve_mode(body, state, event_without_jump(kind, phase.mode, state), log)
+    return begin_phase(mode, state, Ending.TURNING_POINT)
 
 
 @inline
 def contact_step(body, phase, limits, log, scratch):
     """Roll or slip up to an event or a turning point, and return the next phase."""
-    what, state, level = advance_contact(body, phase, limits, log, scratch)
-    if what == Ending.TURNING_POINT and body.resist > 0.0:
-        return turning_point_step(body, phase, state, level, limits, log, scratch)
-    if what == Ending.TURNING_POINT:
+    ending, state, level = advance_contact(body, phase, limits, log, scratch)
+    if ending == Ending.TURNING_POINT and body.resist > 0.0:
+        return turning_point_step(body, phase, state, level, limits, log)
+    if ending == Ending.TURNING_POINT:
         write_plain_event(log, TURN, phase.mode, phase.mode, state)
-    if what in (Ending.TIME_LIMIT, Ending.ANGLE_LIMIT) or (what == Ending.TURNING_POINT and limits.stop & STOP_AT_TURN):
-        return end_motion(phase, phase.mode, state, what, COMPLETED)
-    if what in (Ending.CONTINUES, Ending.TURNING_POINT):
-        return continue_phase(phase, state, level, what)
-    if what == Ending.REST:
-        return still_step(body, phase, state, limits, log, scratch)
+    if ending in (Ending.TIME_LIMIT, Ending.ANGLE_LIMIT) or (ending == Ending.TURNING_POINT and limits.stop & STOP_AT_TURN):
+        return end_motion(phase, phase.mode, state, ending, COMPLETED)
+    if ending in (Ending.CONTINUES, Ending.TURNING_POINT):
+        return continue_phase(phase, state, level, ending)
+    if ending == Ending.REST:
+        return still_step(body, phase, state, limits, log)
     if phase.mode == ROLL:
-        return after_rolling(body, phase, what, state, log, scratch)
-    return after_slip(body, phase, what, state, log, scratch)
+        return after_rolling(body, phase, ending, state, log)
+    return after_slip(body, phase, ending, state, log)

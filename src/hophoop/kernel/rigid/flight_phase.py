@@ -1,4 +1,7 @@
-"""Flight up to the landing, and the impact of the landing."""
+"""Phases without contact force: flight up to the landing and its impact, and the skim of a massless hoop.
+
+A massless hoop that has lost its contact force skims: its load falls freely, with the rim on the plane, until the load strikes.
+"""
 
 from __future__ import annotations
 
@@ -8,19 +11,20 @@ from hophoop.kernel.native import apart, inline
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.landing import first_landing
-from hophoop.kernel.panels.panel import FLY, no_panel
+from hophoop.kernel.panels.panel import FLY, SKIMMING, STRUCK, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.physics.flight import flight_displacement, flight_gap
-from hophoop.kernel.records.state import at_time, flown, time_left, with_velocities
-from hophoop.kernel.records.writing import write_plain_event, write_segment
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, angle_left, at_span
-from hophoop.kernel.rigid.phase import begin_phase, end_motion
+from hophoop.kernel.physics.massless import skim_duration, skim_state, strike, strike_limit
+from hophoop.kernel.physics.modes import UNDECIDED, slip_mode
+from hophoop.kernel.records.state import at_time, flown, later, moved, time_left, with_losses, with_velocities
+from hophoop.kernel.records.writing import PendingEvent, write_event, write_flight, write_plain_event, write_segment
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, Ending, angle_left, at_span, begin_phase, end_motion
 from hophoop.kernel.rigid.transitions import collide, end_bounces, resolve_mode
 
-FLIGHT, IMPACT, APEX = int(Mode.FLIGHT), int(Event.IMPACT), int(Event.APEX)
-COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
+ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+IMPACT, APEX, SKIM_START = int(Event.IMPACT), int(Event.APEX), int(Event.SKIM)
+COMPLETED, EVENT_LIMIT, UNDETERMINED = int(Status.COMPLETED), int(Status.EVENT_LIMIT), int(Status.UNDETERMINED)
 
 # A sequence of bounces is closed when the bounces to come would take less than this fraction of the time so far.
 CLOSING = 1e-12
@@ -29,58 +33,74 @@ LONGEST_FLIGHT = 1e9  # rad: after a longer rotation time is too coarse to give 
 
 
 @apart
-def apex_state(body, state, opening, apex):
+def apex_state(body, state, f_n, apex):
     """Return the state at the apex of a flight."""
     s, c = sine_cosine(state.th, state.th_low)
-    y = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)[0]
+    y = flight_gap(body, s, c, state.om, state.y, state.vn, f_n, apex)[0]
     along, vt = flight_displacement(body, state.vt, state.om, s, c, apex)
     return flown(state, along, y, apex, vt, 0.0)
 
 
-@apart
-def fly(body, state, opening, zeros, limits, log):
-    """Fly until the landing, the time limit, the angle limit or `LONGEST_FLIGHT`.
+@inline
+def flight_start(body, state, after_slip):
+    """Return (f_n at the start of a flight, number of derivatives of the gap that vanish there, the gap included).
 
-    `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
-    derivatives of the gap that vanish there.
+    f_n is exactly zero after a lift-off from slip, where N, and with it f_n, reaches zero.
+    """
+    if after_slip:
+        return 0.0, 3
+    s, c = sine_cosine(state.th, state.th_low)
+    f_n = free_acceleration(body, s, c, state.om * state.om)[1]
+    if state.y > 0.0:
+        return f_n, 0
+    if state.vn > 0.0:
+        return f_n, 1
+    if f_n <= 1e-13 * (body.gn + state.om * state.om):
+        return 0.0, 3
+    return f_n, 2
+
+
+@apart
+def fly(body, state, f_n, vanishing, limits, log):
+    """Fly until the landing, the time limit, the angle limit or `LONGEST_FLIGHT`; `flight_start` returns f_n and `vanishing`.
 
     Returns (ending, state just before the impact): the ending is LANDING, a limit, or SEARCH_LIMIT if no landing was found.
     """
     limit = time_left(state, limits.t_end)
-    what = Ending.TIME_LIMIT
-    way = 1.0 if state.om > 0.0 else -1.0
+    ending = Ending.TIME_LIMIT
+    direction = 1.0 if state.om > 0.0 else -1.0
     if not math.isnan(limits.span) and state.om != 0.0:
-        until = max(angle_left(limits, state, way) / abs(state.om), 0.0)
+        until = max(angle_left(limits, state, direction) / abs(state.om), 0.0)
         if until < limit:
             limit = until
-            what = Ending.ANGLE_LIMIT
+            ending = Ending.ANGLE_LIMIT
     if abs(state.om) * limit > LONGEST_FLIGHT:
         limit = LONGEST_FLIGHT / abs(state.om)
-        what = Ending.SEARCH_LIMIT
-    landing, apex, seen = first_landing(body, state.th, state.om, state.y, state.vn, opening, zeros, limit)
+        ending = Ending.SEARCH_LIMIT
+    landing, apex, seen = first_landing(body, state.th, state.om, state.y, state.vn, f_n, vanishing, limit)
     tau = limit
     if seen < limit:
         tau = seen
-        what = Ending.SEARCH_LIMIT
+        ending = Ending.SEARCH_LIMIT
     if 0.0 <= landing <= limit:
         tau = landing
-        what = Ending.LANDING
+        ending = Ending.LANDING
     if 0.0 < apex < tau:
-        write_plain_event(log, APEX, FLIGHT, FLIGHT, apex_state(body, state, opening, apex))
+        write_plain_event(log, APEX, FLIGHT, FLIGHT, apex_state(body, state, f_n, apex))
     s, c = sine_cosine(state.th, state.th_low)
-    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, tau)
+    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, f_n, tau)
     along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
-    if what == Ending.LANDING:
+    if ending == Ending.LANDING:
         y = 0.0
     after = flown(state, along, y, tau, vt, vn)
-    if what == Ending.LANDING and vn > 0.0:
+    if ending == Ending.LANDING and vn > 0.0:
         after = with_velocities(after, vt, 0.0, state.om)
-    if what == Ending.TIME_LIMIT:
+    if ending == Ending.TIME_LIMIT:
         after = at_time(after, limits.t_end)
-    elif what == Ending.ANGLE_LIMIT:
-        after = at_span(limits, after, way)
-    write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)
-    return what, after
+    elif ending == Ending.ANGLE_LIMIT:
+        after = at_span(limits, after, direction)
+    write_flight(log, f_n, state, after.t)
+    return ending, after
 
 
 @apart
@@ -102,21 +122,91 @@ def is_last_bounce(body, state, after):
 
 
 @inline
-def land(body, state, log, scratch):
+def land(body, state, log):
     """Return the phase after the impact of a landing."""
     after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
     if is_last_bounce(body, state, after):
         after, cause = end_bounces(body, state)
-    mode, settled = resolve_mode(body, after, cause, log, scratch)
-    return begin_phase(body, mode, settled, Ending.LANDING, scratch)
+    mode, settled = resolve_mode(body, after, cause, log)
+    return begin_phase(mode, settled, Ending.LANDING)
 
 
 @inline
-def flight_step(body, phase, limits, log, scratch):
+def flight_step(body, phase, limits, log):
     """Fly until the landing or a limit, and return the next phase."""
     if limits.stop & STOP_AT_TAKEOFF and phase.state.t > 0.0:
         return end_motion(phase, FLIGHT, phase.state, Ending.TIME_LIMIT, COMPLETED)
-    what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log)
-    if what != Ending.LANDING:
-        return end_motion(phase, FLIGHT, state, what, EVENT_LIMIT if what == Ending.SEARCH_LIMIT else COMPLETED)
-    return land(body, state, log, scratch)
+    f_n, vanishing = flight_start(body, phase.state, phase.ending == Ending.LIFT_OFF)
+    ending, state = fly(body, phase.state, f_n, vanishing, limits, log)
+    if ending != Ending.LANDING:
+        return end_motion(phase, FLIGHT, state, ending, EVENT_LIMIT if ending == Ending.SEARCH_LIMIT else COMPLETED)
+    return land(body, state, log)
+
+
+# --- the massless hoop -------------------------------------------------------------------------------------------------------
+
+
+def begin_skim(body, state, log):
+    """Start to skim: the massless hoop has lost its contact force, and its load falls freely.
+
+    Returns (mode, state); the mode is UNDECIDED if the load rises, since nothing then determines the rim's rotation.
+    """
+    s, c = sine_and_cosine(state.th)
+    if not (s * state.om > 0.0 or (state.om == 0.0 and s != 0.0) or c == 1.0):
+        return UNDECIDED, state
+    if s == 0.0:
+        jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
+        state = with_velocities(state, state.vt - 2.0 * jump, state.vn, state.om + jump)
+    write_plain_event(log, SKIM_START, ROLL, SKIM, state)
+    return SKIM, state
+
+
+def time_to_strike(body, state):
+    """Return the time from the start of a skim until the load strikes the plane."""
+    s, c = sine_and_cosine(state.th)
+    return skim_duration(body, c, max(s * state.om, 0.0))  # within rounding of the top the load may still rise
+
+
+def skim(body, state, t_end, log):
+    """Skim until the load strikes or time is over; return (True if the load strikes, state, v_n of the load).
+
+    If the load strikes, v_t of the state is the velocity of the load along the plane.
+    """
+    s, c = sine_and_cosine(state.th)
+    direction = 1.0 if state.om > 0.0 or (state.om == 0.0 and s > 0.0) else -1.0
+    along = state.vt + state.om * (1.0 + c)
+    duration = time_to_strike(body, state)
+    left = time_left(state, t_end)
+    strikes = duration <= left
+    tau = duration if strikes else left
+    x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, direction, tau)
+    t, t_low = later(state, tau)
+    if not strikes:
+        t, t_low = t_end, 0.0
+    write_segment(log, SKIM, no_panel(SKIMMING, 0, direction), STRUCK if strikes else 0.0, state, t)
+    if strikes:
+        x, th, vt = strike_limit(body, state.x, state.th, s, along, direction, tau)
+    after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.turns, th, 0.0), vt, 0.0, om)
+    return strikes, after, -(s * state.om + body.gn * tau)
+
+
+@apart
+def skim_step(body, phase, limits, log):
+    """Fall until the load strikes the plane or time is over; return the next phase."""
+    strikes, after, vn = skim(body, phase.state, limits.t_end, log)
+    if not strikes:
+        return end_motion(phase, SKIM, after, Ending.TIME_LIMIT, COMPLETED)
+    along, p_n, p_t = strike(body, after.vt, vn)
+    lost_n = after.impact_n + 0.5 * vn * vn
+    lost_t = after.impact_t + 0.5 * (after.vt * after.vt - along * along)
+    landed = with_losses(with_velocities(after, along, 0.0, 0.0), after.friction, lost_n, lost_t)
+    cause = PendingEvent(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 0.0, 1)
+    mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)
+    if body.rest > 0.0:
+        mode = FLIGHT
+    write_event(log, cause, mode, landed, 0.0, -1)
+    if body.rest > 0.0:
+        # a segment of zero length holds the state after the strike; before the strike θ̇ is unbounded
+        write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, landed, landed.t)
+        return end_motion(phase, mode, landed, Ending.LOAD_STRIKE, UNDETERMINED)
+    return begin_phase(mode, landed, Ending.LOAD_STRIKE)

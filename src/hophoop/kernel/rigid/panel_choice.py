@@ -19,10 +19,10 @@ from hophoop.kernel.panels.anchor import (
     slip_panel_start,
 )
 from hophoop.kernel.panels.panel import (
+    ENERGY,
     LEAVE,
     LEVELS,
     RESOLVED,
-    A,
     PanelStart,
     U,
     arriving_panel,
@@ -30,16 +30,15 @@ from hophoop.kernel.panels.panel import (
     linear_panel,
     width_of,
 )
-from hophoop.kernel.panels.resisted import solve_resisted
-from hophoop.kernel.panels.roll import solve_roll, u_on_panel
+from hophoop.kernel.panels.roll import solve_resisted, solve_roll, u_on_panel
 from hophoop.kernel.panels.slip import solve_slip
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_motion
 from hophoop.kernel.physics.painleve import slip_coefficients, stiffness_slope
 from hophoop.kernel.physics.resistance import clamp, resistance_arm
 from hophoop.kernel.records.layout import PANELS
 from hophoop.kernel.records.state import with_anchor
+from hophoop.kernel.rigid.phase import START_LEVEL
 
-START_LEVEL = 2
 GAIN_OF_A_LEVEL = 8.0  # one level (a factor of √2 in width) makes the last coefficient smaller by about 2^8
 WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, width of the panel after a start from rest
@@ -76,18 +75,19 @@ def set_anchor(body, sigma, state, s, c, scratch):
 def panel_start(body, sigma, state, s, c, scratch):
     """Return the start of the next panel; s and c are sin θ and cos θ."""
     u = state.om * state.om
+    torque = curvature = arm = kappa_p_sigma = 0.0
     if sigma == 0:
-        arm, stiffness, u = rolling_panel_start(body, state.anchor, state.th, state.th_low, s, c, u)
+        torque, curvature, u = rolling_panel_start(body, state.anchor, state.th, state.th_low, s, c, u)
         if body.resist > 0.0:
             reach = body.resist * body.gn
-            arm -= math.copysign(reach, state.om) if state.om != 0.0 else clamp(arm, reach)
+            torque -= math.copysign(reach, state.om) if state.om != 0.0 else clamp(torque, reach)
     else:
         rho = resistance_arm(body, s, c, state.om, sigma)
-        arm, stiffness = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
+        arm, kappa_p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
         if state.anchor.kind == SLIPPING:
             arm, u = slip_panel_start(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
-            stiffness = body.kap + body.eps * s * arm
-    return PanelStart(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
+            kappa_p_sigma = body.kap + body.eps * s * arm
+    return PanelStart(state.th, state.th_low, s, c, torque, curvature, arm, kappa_p_sigma, u, state.vt)
 
 
 @inline
@@ -111,17 +111,18 @@ def narrower_level(level, size):
     """Return the level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:
         return level + 3
-    more = int(math.ceil(binary_logarithm(size / RESOLVED) / GAIN_OF_A_LEVEL))
+    more = math.ceil(binary_logarithm(size / RESOLVED) / GAIN_OF_A_LEVEL)
     return level + max(1, min(4, more))
 
 
 @apart
-def extra_levels_near_singularity(body, sigma, way, begin):
+def extra_levels_near_singularity(body, sigma, direction, begin):
     """Return the extra levels allowed to slip that starts near p_σ = 0 and moves away from it."""
     slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
-    if slope * way <= 0.0 or begin.stiffness <= 0.0:
+    if slope * direction <= 0.0 or begin.kappa_p_sigma <= 0.0:
         return 0
-    return int(math.ceil(2.0 * binary_logarithm(NEAR_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
+    distance = max(begin.kappa_p_sigma * min(begin.u, 1.0), SMALLEST_EXTENT)
+    return math.ceil(2.0 * binary_logarithm(NEAR_SINGULAR / distance))
 
 
 @apart
@@ -131,18 +132,18 @@ def slow_levels(body, sigma, begin):
     θ̇² changes by its own size over the angle θ̇²/θ̈, so a wider panel is not resolved. On a much wider one θ̇² at the start,
     and with it the turning point, is lost in rounding.
     """
-    finest = LEVELS + int(math.ceil(2.0 * binary_logarithm(SLOW * SLOW / begin.u)))
-    torque = abs(begin.arm)
-    inertia = begin.stiffness
+    finest = LEVELS + math.ceil(2.0 * binary_logarithm(SLOW * SLOW / begin.u))
     if sigma == 0:
+        torque = abs(begin.torque)
         inertia = inertia_at_height(body, load_height(begin.sine, begin.cosine))
     else:
-        torque *= body.gn
+        torque = abs(begin.arm) * body.gn
+        inertia = begin.kappa_p_sigma
     if not 0.0 < begin.u * inertia < width_of(0) * torque:
         return 0, finest
     # a sum of logarithms, since the quotient may overflow
     ratio = binary_logarithm(width_of(0) * torque) - binary_logarithm(inertia) - binary_logarithm(begin.u)
-    return int(math.floor(2.0 * ratio)), finest
+    return math.floor(2.0 * ratio), finest
 
 
 @apart
@@ -151,7 +152,7 @@ def has_turning_point_within(body, panel, reach):
     end = sine(reach)
     while reach >= 0.5 * panel.extent:
         half = sine(0.5 * reach)  # gives 1 − cos as in `versine_of`, and is the sine of the next angle
-        if u_on_panel(body, panel, panel.way * end, 2.0 * half * half, panel.way * reach) < 0.0:
+        if u_on_panel(body, panel, panel.direction * end, 2.0 * half * half, panel.direction * reach) < 0.0:
             return True
         reach *= 0.5
         end = half
@@ -170,14 +171,17 @@ def turning_point_ahead(body, panel, totals, scratch):
     for _ in range(4):
         if math.isnan(totals.u):
             return 0.0
-        coefficients(scratch.work[A if panel.sigma == 0 else U], scratch.series)
+        coefficients(scratch.work[ENERGY if panel.sigma == 0 else U], scratch.series)
         xi = first_downcrossing(scratch.series, 0.0, scratch.stack)
         if xi != NOT_FOUND:
             return panel.extent * 0.5 * (1.0 + xi)
         if panel.level == 0:
             return 0.0
-        begin = PanelStart(panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt)
-        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, begin)
+        begin = PanelStart(
+            panel.ref, panel.ref_low, panel.sine, panel.cosine,
+            panel.torque, panel.curvature, panel.arm, panel.kappa_p_sigma, panel.u, panel.vt,
+        )  # fmt: skip
+        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.direction, begin)
         totals = solve_noinline(body, panel, scratch.work)
     return 0.0
 
@@ -229,26 +233,26 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
     work = scratch.work
     begin = panel_start(body, sigma, state, s, c, scratch)
     if state.om == 0.0:
-        way = 1.0 if begin.arm > 0.0 else -1.0
+        direction = 1.0 if (begin.torque if sigma == 0 else begin.arm) > 0.0 else -1.0
         extent = first_extent(body, sigma, state.vt, begin)
         while True:  # at most about 1000 times: the extent is halved from below 1 rad
             scratch.counts[PANELS] += 1
-            panel = leaving_panel(sigma, way, extent, begin)
+            panel = leaving_panel(sigma, direction, extent, begin)
             totals = solve_noinline(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
             extent *= 0.5
     u = begin.u
-    way = 1.0 if state.om > 0.0 else -1.0
+    direction = 1.0 if state.om > 0.0 else -1.0
     finest = LEVELS
     if u < SLOW * SLOW:
         widest, finest = slow_levels(body, sigma, begin)
         level = max(level, min(widest, finest))
-    if sigma != 0 and begin.stiffness * min(u, 1.0) < NEAR_SINGULAR:
-        finest += extra_levels_near_singularity(body, sigma, way, begin)
+    if sigma != 0 and begin.kappa_p_sigma * min(u, 1.0) < NEAR_SINGULAR:
+        finest += extra_levels_near_singularity(body, sigma, direction, begin)
     while True:  # at most `finest` times: each pass takes a finer level
         scratch.counts[PANELS] += 1
-        panel = linear_panel(sigma, level, way, begin)
+        panel = linear_panel(sigma, level, direction, begin)
         totals = solve(body, panel, work)
         if totals.tail <= RESOLVED:
             return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
@@ -257,7 +261,7 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
             ahead = turning_point_ahead(body, panel, totals, scratch)
             if ahead > 0.0 and ahead < panel.extent / 16.0 and level < finest:
                 # the turning point is only known to the rounding of a panel this wide, so try a narrower one first
-                level = min(level + int(math.floor(2.0 * binary_logarithm(panel.extent / ahead))) - 3, finest)
+                level = min(level + math.floor(2.0 * binary_logarithm(panel.extent / ahead)) - 3, finest)
                 continue
             if ahead > 0.0:
                 arrival, totals = solve_arrival(body, panel, ahead, work)
@@ -282,9 +286,9 @@ def narrow_to_time(body, panel, totals, state, left, scratch):
     if panel.kind == LEAVE:
         part = 4.0 * left / totals.time
         extent = panel.extent * part * part
-        short = leaving_panel(panel.sigma, panel.way, extent, begin)
+        short = leaving_panel(panel.sigma, panel.direction, extent, begin)
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))
-        level = min(max(int(math.floor(2.0 * binary_logarithm(wide))), 0), NARROWEST)
-        short = linear_panel(panel.sigma, level, panel.way, begin)
+        level = min(max(math.floor(2.0 * binary_logarithm(wide)), 0), NARROWEST)
+        short = linear_panel(panel.sigma, level, panel.direction, begin)
     return short, solve_noinline(body, short, scratch.work)

@@ -5,29 +5,40 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.collocation import ORDER, PARTS, antiderivative, coefficients, extremes, left_value
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
+from hophoop.kernel.numerics.collocation import (
+    ORDER,
+    PARTS,
+    antiderivative,
+    coefficients,
+    extremes,
+    left_value,
+    series_value,
+)
+from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing, first_downcrossing_after
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.numerics.trigonometry import rotated
 from hophoop.kernel.panels.panel import (
     ARRIVE,
+    BACKWARD_MARGIN,
     COSINE,
+    FORWARD_MARGIN,
+    LIFT_OFF_MARGIN,
     RATE,
+    SINE,
     SLIP,
+    SLIP_END_MARGIN,
     TIME,
-    A,
-    B,
+    TIME_LEFT,
     U,
     angle_at,
     sine_versine_of_offset,
     xi_of_offset,
 )
-from hophoop.kernel.panels.roll import roll_margins, u_on_panel
+from hophoop.kernel.panels.roll import u_on_panel
 from hophoop.kernel.physics.contact import cone_weights, rolling_forces
 from hophoop.kernel.records.state import time_left
-from hophoop.kernel.rigid.doubts import CLOSE, NEARBY, has_tangency, record_doubt
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.limits import angle_left
+from hophoop.kernel.records.writing import record_doubt
+from hophoop.kernel.rigid.phase import Ending, angle_left
 
 SMALLEST_SQUARE = 1e-290  # the square of a speed below this is close to underflow
 MARGIN_ROUNDING = 4e-16  # rounding of the margin to the friction cone, relative to the forces
@@ -38,10 +49,12 @@ SLOPE_STEP = 1e-6  # in ξ: step of the difference quotient
 FAR_FROM_ZERO = 0.25
 SIMULTANEOUS = 1e-13  # in ξ: events of a panel that are closer than this are simultaneous in double precision
 TANGENCY_ROUNDING = 1e-14  # rounding of v_t in slip without friction, relative to the speeds
+CLOSE = 1e-11  # relative to the natural size of a quantity; a smaller value may have either sign
+NEARBY = 0.015  # relative to the range of a margin on a panel: (half the distance of two nodes)² / half the panel's width
 
 
 @inline
-def margin_downcrossing(row, state_is_fresh, floor, scratch):
+def margin_downcrossing(row, begins, floor, scratch):
     """Find ξ where a margin falls through zero; ξ = −1 if it is below zero at the start.
 
     Values within ±`floor` count as zero, as they would be without rounding. A margin that starts there counts as below zero if
@@ -58,7 +71,7 @@ def margin_downcrossing(row, state_is_fresh, floor, scratch):
         return NOT_FOUND, False
     near = abs(lowest) < NEARBY * (highest - lowest)
     coefficients(row, scratch.series)
-    if not state_is_fresh:
+    if not begins:
         start = left_value(scratch.series)
         if start < -floor or (start <= 0.0 and floor == 0.0):
             return -1.0, near
@@ -69,6 +82,51 @@ def margin_downcrossing(row, state_is_fresh, floor, scratch):
                 if row[i] > floor:
                     break
     return first_downcrossing(scratch.series, floor, scratch.stack), near
+
+
+@apart
+def touches_zero(row, scale, scratch):
+    """Return True if a local minimum of a margin on a panel is zero within rounding."""
+    series = scratch.series
+    rate = scratch.values[1]
+    coefficients(row, series)
+    # minus the derivative; it has a downcrossing at each minimum of the margin
+    after = 0.0
+    here = 0.0
+    for k in range(ORDER - 1, 0, -1):
+        before = after - 2.0 * k * series[k]
+        after = here
+        here = before
+        rate[k - 1] = before
+    rate[0] *= 0.5
+    rate[ORDER - 1] = 0.0
+    begin = -2.0
+    for _ in range(4):
+        xi = first_downcrossing_after(rate, begin, 0.0, scratch.stack)
+        if xi == NOT_FOUND:
+            return False
+        if abs(series_value(series, xi)) <= CLOSE * scale:
+            return True
+        begin = xi
+    return False
+
+
+@apart
+def record_tangency(first, first_scale, second, second_scale, t, scratch):
+    """Record a doubt if one of two margins on a panel has a minimum that is zero within rounding of its scale."""
+    if touches_zero(first, first_scale, scratch) or touches_zero(second, second_scale, scratch):
+        record_doubt(scratch.doubt, t)
+
+
+@inline
+def fill_cone_margins(body, panel, work):
+    """Fill the margins to both sides of the friction cone, positive inside."""
+    a, b = cone_weights(body.mu_s)
+    rho = panel.direction * body.resist
+    for i in range(ORDER):
+        friction, normal = rolling_forces(body, work[SINE, i], work[COSINE, i], work[U, i], rho)
+        work[FORWARD_MARGIN, i] = a * normal - b * friction
+        work[BACKWARD_MARGIN, i] = a * normal + b * friction
 
 
 @apart
@@ -101,22 +159,24 @@ def on_cone(body, panel, side, xi):
 
 
 @inline
-def end_of_rolling(body, panel, fresh, scratch):
-    """Return (ξ, ending, True if rounding may decide) where rolling needs all available friction; NOT_FOUND if it does not."""
-    work = scratch.work
-    roll_margins(body, panel, work)
+def end_of_rolling(body, panel, state, begins, scratch):
+    """Return (ξ, ending) where rolling needs all available friction; ξ is NOT_FOUND if it does not."""
+    forward, backward = scratch.work[FORWARD_MARGIN], scratch.work[BACKWARD_MARGIN]
+    fill_cone_margins(body, panel, scratch.work)
+    scale = body.gn + panel.u + abs(body.gt)
     rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
-    ahead, near_ahead = margin_downcrossing(work[A], fresh, rounding, scratch)
-    back, near_back = margin_downcrossing(work[B], fresh, rounding, scratch)
-    doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
+    ahead, near_ahead = margin_downcrossing(forward, begins, rounding, scratch)
+    back, near_back = margin_downcrossing(backward, begins, rounding, scratch)
+    if (near_ahead or near_back) and 0.0 < body.mu_s < math.inf:
+        record_tangency(forward, scale, backward, scale, state.t, scratch)
     # if N reaches zero without F, both margins do; the mirrored motion must then reach the mirrored side
     side = 1.0  # of F
-    if back < ahead or (back == ahead and panel.way < 0.0):
+    if back < ahead or (back == ahead and panel.direction < 0.0):
         side = -1.0
     xi = back if side < 0.0 else ahead
     if -1.0 < xi < 1.0 and body.resist == 0.0:
         xi = on_cone(body, panel, side, xi)
-    return xi, Ending.CONE_BACKWARD if side < 0.0 else Ending.CONE_FORWARD, doubtful
+    return xi, Ending.CONE_BACKWARD if side < 0.0 else Ending.CONE_FORWARD
 
 
 @apart
@@ -131,36 +191,41 @@ def tangency_rounding(body, state):
 
 
 @inline
-def end_of_slip(body, panel, state, fresh, zeros, scratch):
-    """Return (ξ, ending, True if rounding may decide) where N or v_t reaches zero; lift-off if both do."""
+def end_of_slip(body, panel, state, begins, vanishing, scratch):
+    """Return (ξ, ending) where N or v_t reaches zero, lift-off if both do; ξ is NOT_FOUND if none does.
+
+    `vanishing` is the number of derivatives of v_t that vanish at the start of the phase.
+    """
     work = scratch.work
+    lift_off, slip_end = work[LIFT_OFF_MARGIN], work[SLIP_END_MARGIN]
     for i in range(ORDER):
-        work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
-        work[B, i] = panel.sigma * work[SLIP, i]
-    if fresh:
-        for _ in range(zeros):
+        lift_off[i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
+        slip_end[i] = panel.sigma * work[SLIP, i]
+    if begins:
+        for _ in range(vanishing):
             for i in range(ORDER):
-                work[B, i] /= PARTS[i]
-    lift, near_lift = margin_downcrossing(work[A], fresh, 0.0, scratch)
+                slip_end[i] /= PARTS[i]
+    lift, near_lift = margin_downcrossing(lift_off, begins, 0.0, scratch)
     # without friction v_t only touches zero at each unstable equilibrium, if it was zero at one
     rounding = tangency_rounding(body, state) if body.mu_k == 0.0 else 0.0
-    stop, near_stop = margin_downcrossing(work[B], fresh, rounding, scratch)
-    doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
-    if fresh and zeros == 0 and work[B, 0] < 0.0 and (stop > NODES[0] or state.vt * state.vt < SMALLEST_SQUARE):
+    stop, near_stop = margin_downcrossing(slip_end, begins, rounding, scratch)
+    if body.mu_k > 0.0 and (near_lift or (near_stop and not begins)):
+        record_tangency(lift_off, body.gn + panel.u, slip_end, abs(panel.vt) + abs(state.om), state.t, scratch)
+    if begins and vanishing == 0 and slip_end[0] < 0.0 and (stop > NODES[0] or state.vt * state.vt < SMALLEST_SQUARE):
         stop = -1.0  # slip too short to be resolved on the panel
-    elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] < 0.0:
+    elif begins and vanishing > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(slip_end)[1] < 0.0:
         stop = -1.0  # without friction rounding of θ may decide the direction of slip; here it is the other one
     if stop != NOT_FOUND and lift != NOT_FOUND and abs(stop - lift) < CLOSE and body.mu_k > 0.0:
-        record_doubt(scratch, state.t)
+        record_doubt(scratch.doubt, state.t)
     if stop < lift - SIMULTANEOUS:
-        return stop, Ending.SLIP_END, doubtful
-    return lift, Ending.LIFT_OFF, doubtful
+        return stop, Ending.SLIP_END
+    return lift, Ending.LIFT_OFF
 
 
 @inline
 def end_of_span(panel, state, limits):
     """Return ξ where θ has changed by the span, or NOT_FOUND."""
-    ahead = angle_left(limits, state, panel.way)
+    ahead = angle_left(limits, state, panel.direction)
     if not ahead <= panel.extent:  # also if the span is nan
         return NOT_FOUND
     if not ahead > 0.0:
@@ -176,35 +241,33 @@ def end_of_time(left, scratch):
     work = scratch.work
     antiderivative(work[RATE], work[TIME])
     for i in range(ORDER):
-        work[A, i] = left - work[TIME, i]
-    coefficients(work[A], scratch.series)
+        work[TIME_LEFT, i] = left - work[TIME, i]
+    coefficients(work[TIME_LEFT], scratch.series)
     found = first_downcrossing(scratch.series, 0.0, scratch.stack)
     return 1.0 if found == NOT_FOUND else found
 
 
 @inline
-def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
+def earliest_event(body, panel, totals, state, begins, vanishing, limits, scratch):
     """Return (ξ, ending) of the first event on the panel; (1, CONTINUES or TURNING_POINT) if there is none.
 
     Of simultaneous events those of the contact come before the limits of angle and time.
     """
     if panel.sigma == 0:
-        xi, what, doubtful = end_of_rolling(body, panel, fresh, scratch)
+        xi, ending = end_of_rolling(body, panel, state, begins, scratch)
     else:
-        xi, what, doubtful = end_of_slip(body, panel, state, fresh, zeros, scratch)
-    if doubtful and has_tangency(body, panel, state, scratch):
-        record_doubt(scratch, state.t)
+        xi, ending = end_of_slip(body, panel, state, begins, vanishing, scratch)
     if not math.isnan(limits.span):
         found = end_of_span(panel, state, limits)
         if found < xi:
             xi = found
-            what = Ending.ANGLE_LIMIT
+            ending = Ending.ANGLE_LIMIT
     left = time_left(state, limits.t_end)
     if totals.time >= left:
         found = end_of_time(left, scratch)
         if found < xi:
             xi = found
-            what = Ending.TIME_LIMIT
+            ending = Ending.TIME_LIMIT
     if xi == NOT_FOUND:
         return 1.0, Ending.TURNING_POINT if panel.kind == ARRIVE else Ending.CONTINUES
-    return xi, what
+    return xi, ending

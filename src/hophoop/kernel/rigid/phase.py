@@ -1,22 +1,55 @@
-"""Phase: the state that the event loop passes from one step to the next."""
+"""What the event loop passes from step to step: the phase and its state, the reasons for endings, the limits of the motion."""
 
 from __future__ import annotations
 
 import math
+from enum import IntEnum
 from typing import NamedTuple
 
 from hophoop.kernel.native import inline
-from hophoop.kernel.numerics.trigonometry import sine_cosine
-from hophoop.kernel.physics.body import Mode, Status
-from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW, plus
+from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.modes import UNDECIDED
-from hophoop.kernel.records.state import State
-from hophoop.kernel.rigid.doubts import record_doubt
-from hophoop.kernel.rigid.panel_choice import START_LEVEL
+from hophoop.kernel.records.state import State, moved
 
-ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 UNDETERMINED = int(Status.UNDETERMINED)
 GOING = -1  # status of a motion that has not ended
+START_LEVEL = 2  # level of the first panel of a phase
+
+
+class Ending(IntEnum):
+    """Endings in the order of their priority: of simultaneous ones, the first in this list counts.
+
+    If N reaches zero without F, both sides of the friction cone are reached at once. The direction of rotation then decides
+    between them.
+    """
+
+    CONE_FORWARD = 0
+    """Rolling needs all available friction, F > 0."""
+    CONE_BACKWARD = 1
+    """Rolling needs all available friction, F < 0."""
+    LIFT_OFF = 2
+    """N reaches zero in slip."""
+    SLIP_END = 3
+    """v_t reaches zero."""
+    LANDING = 4
+    """The gap closes."""
+    LOAD_STRIKE = 5
+    """The load of a massless hoop strikes the plane."""
+    ANGLE_LIMIT = 6
+    """θ has changed by the angle span of the motion."""
+    TIME_LIMIT = 7
+    """The duration is over."""
+    TURNING_POINT = 8
+    """θ̇ reaches zero at the end of a panel."""
+    REST = 9
+    """A hoop with θ̇ = 0 stays at rest."""
+    SINGULAR = 10
+    """Slip cannot be resolved further: p_σ reaches zero."""
+    SEARCH_LIMIT = 11
+    """Rolling could not be resolved, or the search for a landing was given up."""
+    CONTINUES = 12
+    """No ending: the phase continues."""
 
 
 class Phase(NamedTuple):
@@ -25,61 +58,70 @@ class Phase(NamedTuple):
     mode: int
     state: State
     begins: bool  # True at the start of the phase: margins that are zero there are no events
-    zeros: int  # order of the zero of v_t (slip) or of the gap (flight) at the start
-    opening: float  # flight: f_n at the start, exactly 0 after a lift-off from slip
     level: int  # level of the next panel's width
-    what: int  # Ending of the last panel
+    ending: int  # Ending of the piece of motion before this state
     status: int  # GOING, or the Status at the end of the motion
 
 
 @inline
-def opening_of(body, state):
-    """Return (f_n at the start of a flight, exactly 0 after lift-off from slip; number of vanishing derivatives of the gap)."""
-    s, c = sine_cosine(state.th, state.th_low)
-    opening = free_acceleration(body, s, c, state.om * state.om)[1]
-    if state.y > 0.0:
-        return opening, 0
-    if state.vn > 0.0:
-        return opening, 1
-    if opening <= 1e-13 * (body.gn + state.om * state.om):
-        return 0.0, 3
-    return opening, 2
-
-
-@inline
-def begin_phase(body, mode, state, what, scratch):
+def begin_phase(mode, state, ending):
     """Start a phase; an UNDECIDED mode ends the motion."""
-    opening = 0.0
-    zeros = 1 if state.vt == 0.0 else 0
-    status = GOING
-    if mode == FLIGHT:
-        opening, zeros = opening_of(body, state)
-    elif mode == UNDECIDED:
-        status = UNDETERMINED
-        if body.kap > 0.0 and not math.isinf(body.mu_s):
-            record_doubt(scratch, state.t)
-    return Phase(mode, state, True, zeros, opening, START_LEVEL, what, status)
+    return Phase(mode, state, True, START_LEVEL, ending, UNDETERMINED if mode == UNDECIDED else GOING)
 
 
 @inline
-def begin_flight_after_slip(state, what):
-    """Start the flight after a lift-off from slip, where N, and with it f_n, is zero."""
-    return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, what, GOING)
-
-
-@inline
-def begin_slip_after_roll(body, mode, state, what):
-    """Start the slip after rolling has reached the friction cone; v̇_t is zero there too if μs = μk."""
-    return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, what, GOING)
-
-
-@inline
-def continue_phase(phase, state, level, what):
+def continue_phase(phase, state, level, ending):
     """Continue the phase from `state`."""
-    return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, what, GOING)
+    return Phase(phase.mode, state, False, level, ending, GOING)
 
 
 @inline
-def end_motion(phase, mode, state, what, status):
+def end_motion(phase, mode, state, ending, status):
     """End the motion in a mode and state."""
-    return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, what, status)
+    return Phase(mode, state, False, phase.level, ending, status)
+
+
+# --- limits ------------------------------------------------------------------------------------------------------------------
+
+STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
+
+
+class Limits(NamedTuple):
+    """Latest end of a motion: a time, and an angle to either side of the start (nan: no limit)."""
+
+    t_end: float
+    stop: int  # sum of STOP_AT_TURN, STOP_AT_TAKEOFF
+    span: float
+    span_turns: float  # the span as revolutions and the rest
+    span_rest: float
+    turns: float  # angle of the start
+    th: float
+    th_low: float
+
+
+def limits_of(start, t_end, span, stop):
+    """Return the limits of a motion; a span within rounding of whole revolutions means exactly these revolutions."""
+    turns = 0.0
+    rest = 0.0
+    if not math.isnan(span):
+        turns = 1.0 * math.floor(span / TWO_PI + 0.5)
+        rest = span - turns * TWO_PI
+        if abs(rest) <= 4e-16 * span:
+            rest = 0.0
+    return Limits(t_end, stop, span, turns, rest, start.turns, start.th, start.th_low)
+
+
+@inline
+def angle_left(limits, state, direction):
+    """Return the angle to go in `direction` (±1) until θ has changed by the span."""
+    turns = limits.span_turns - direction * (state.turns - limits.turns)
+    rest = limits.span_rest - direction * ((state.th - limits.th) + (state.th_low - limits.th_low))
+    return turns * TWO_PI + (rest + turns * TWO_PI_LOW)
+
+
+@inline
+def at_span(limits, state, direction):
+    """Return the state at exactly the angle where the span ends."""
+    th, low = plus(limits.th, limits.th_low, direction * limits.span_rest)
+    turns = limits.turns + direction * limits.span_turns
+    return moved(state, state.t, state.t_low, state.x, state.x_low, state.y, turns, th, low)

@@ -9,7 +9,7 @@ from hophoop.kernel.numerics.circular import cosine
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import FLY, LINEAR, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.physics.contact import slip_motion
+from hophoop.kernel.physics.contact import free_acceleration, slip_motion
 from hophoop.kernel.physics.modes import can_roll, opening_sign, slip_direction, slip_mode
 from hophoop.kernel.physics.painleve import slip_coefficients
 from hophoop.kernel.physics.resistance import resistance_arm
@@ -18,12 +18,10 @@ from hophoop.kernel.records.layout import DURATION, EVENTS, MAX_EVENTS, SEGMENTS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event, write_segment
 from hophoop.kernel.rigid.contact_phase import contact_step
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.flight_phase import flight_step, land
-from hophoop.kernel.rigid.limits import limits_of
-from hophoop.kernel.rigid.massless_phase import begin_skim, skim_step
+from hophoop.kernel.rigid.flight_phase import begin_skim, flight_step, land, skim_step
 from hophoop.kernel.rigid.panel_choice import set_anchor
-from hophoop.kernel.rigid.phase import GOING, begin_phase, continue_phase, end_motion
+from hophoop.kernel.rigid.panel_events import CLOSE
+from hophoop.kernel.rigid.phase import GOING, START_LEVEL, Ending, Phase, begin_phase, continue_phase, limits_of
 from hophoop.kernel.rigid.transitions import resolve_mode
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
@@ -38,29 +36,25 @@ RISING = 1e-6  # relative: slip that starts at the friction cone has v̇_t = 0 w
 
 
 @apart
-def begin_massless(body, state, given, log, scratch):
+def begin_massless(body, state, given, log):
     """Start the motion of a massless hoop, which rolls, skims, and slides with its load on the plane."""
     down = cosine(state.th) <= -1.0
     if slip_direction(given) != 0 and down and state.om == 0.0:
         write_plain_event(log, START, -1, given, state)
-        return begin_phase(body, given, state, Ending.CONTINUES, scratch)
+        return begin_phase(given, state, Ending.CONTINUES)
     if state.y > 0.0 or state.vn != 0.0 or state.vt != 0.0:
         mode = FLIGHT
         if state.y == 0.0 and state.vn == 0.0:
             mode = slip_mode(1 if state.vt > 0.0 else -1)
         write_plain_event(log, START, FLIGHT if mode == FLIGHT else -1, mode, state)
-        return end_motion(
-            begin_phase(body, mode, state, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
-        )
+        return Phase(mode, state, False, START_LEVEL, Ending.CONTINUES, UNDETERMINED)
     mode = ROLL
     write_plain_event(log, START, -1, ROLL, state)
     if down and state.om != 0.0:  # load on the plane: the rotation has no energy, so nothing determines it
-        return end_motion(
-            begin_phase(body, mode, state, Ending.CONTINUES, scratch), mode, state, Ending.CONTINUES, UNDETERMINED
-        )
+        return Phase(mode, state, False, START_LEVEL, Ending.CONTINUES, UNDETERMINED)
     if not down and not can_roll(body, state.th, state.om):
         mode, state = begin_skim(body, state, log)
-    return begin_phase(body, mode, state, Ending.CONTINUES, scratch)
+    return begin_phase(mode, state, Ending.CONTINUES)
 
 
 @apart
@@ -79,13 +73,23 @@ def goes_on_slipping(body, mode, state):
 
 
 @apart
+def ends_in_lift_off(body, mode, state):
+    """Return True if a state in contact is the last one of slip that lifts off, where N is zero within rounding."""
+    if slip_direction(mode) == 0 or state.vt == 0.0 or opening_sign(body, state.th, state.om) < 0:
+        return False
+    s, c = sine_cosine(state.th, state.th_low)
+    u = state.om * state.om
+    return abs(free_acceleration(body, s, c, u)[1]) <= CLOSE * (body.gn + body.eps * u)
+
+
+@apart
 def begin_in_mode(body, mode, state, log, scratch):
     """Start the motion in the mode of a state of another motion, which the rule may miss by rounding.
 
     Rolling whose friction is used up in this state ends at once.
     """
     write_plain_event(log, START, -1, mode, state)
-    phase = begin_phase(body, mode, state, Ending.CONTINUES, scratch)
+    phase = begin_phase(mode, state, Ending.CONTINUES)
     if mode != ROLL:
         return phase
     s, c = sine_cosine(state.th, state.th_low)
@@ -97,25 +101,28 @@ def begin(body, start, given, log, scratch):
     """Start the motion, in a given mode or BY_RULE: write its START event and return its first phase."""
     state = start
     if body.kap == 0.0:
-        return begin_massless(body, state, given, log, scratch)
+        return begin_massless(body, state, given, log)
     if state.y > 0.0 or state.vn != 0.0 or given == FLIGHT:
         write_plain_event(log, START, FLIGHT, FLIGHT, state)
         if state.y == 0.0 and state.vn < 0.0:
-            return land(body, state, log, scratch)
-        return begin_phase(body, FLIGHT, state, Ending.CONTINUES, scratch)
+            return land(body, state, log)
+        return begin_phase(FLIGHT, state, Ending.CONTINUES)
     if (given == ROLL and state.vt == 0.0) or goes_on_slipping(body, given, state):
         return begin_in_mode(body, given, state, log, scratch)
-    mode, state = resolve_mode(body, state, event_without_jump(START, -1, state), log, scratch)
-    return begin_phase(body, mode, state, Ending.CONTINUES, scratch)
+    if ends_in_lift_off(body, given, state):
+        write_plain_event(log, START, -1, FLIGHT, state)
+        return begin_phase(FLIGHT, state, Ending.LIFT_OFF)
+    mode, state = resolve_mode(body, state, event_without_jump(START, -1, state), log)
+    return begin_phase(mode, state, Ending.CONTINUES)
 
 
 @inline
 def step(body, phase, limits, log, scratch):
     """Compute one step and return the next phase, or the same phase after a turning point."""
     if phase.mode == FLIGHT:
-        return flight_step(body, phase, limits, log, scratch)
+        return flight_step(body, phase, limits, log)
     if phase.mode == SKIM:
-        return skim_step(body, phase, limits, log, scratch)
+        return skim_step(body, phase, limits, log)
     return contact_step(body, phase, limits, log, scratch)
 
 
@@ -123,7 +130,7 @@ def step(body, phase, limits, log, scratch):
 def can_follow(before, after, t_end):
     """Return True if `after` is not earlier than `before` and the squares of its quantities do not overflow."""
     sizes = abs(after.x) + after.y + abs(after.turns) + abs(after.vt) + abs(after.vn) + abs(after.om)
-    lost = abs(after.friction) + abs(after.impact_n) + abs(after.impact_t) + abs(after.resisted)
+    lost = abs(after.friction) + abs(after.impact_n) + abs(after.impact_t) + abs(after.rolling_loss)
     return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # False for nan
 
 
@@ -135,9 +142,9 @@ def write_end(log, mode, phase):
     infinite, and no segment is written.
     """
     contact = phase.status == COMPLETED and mode in (ROLL, SPIN, SKID)
-    way = 1.0 if phase.state.om > 0.0 else -1.0 if phase.state.om < 0.0 else 0.0
-    panel = no_panel(LINEAR if contact else FLY, slip_direction(mode), way)
-    write_segment(log, mode, panel, 0.0, 0.0, phase.state, phase.state.t)
+    direction = 1.0 if phase.state.om > 0.0 else -1.0 if phase.state.om < 0.0 else 0.0
+    panel = no_panel(LINEAR if contact else FLY, slip_direction(mode), direction)
+    write_segment(log, mode, panel, 0.0, phase.state, phase.state.t)
 
 
 @inline
@@ -192,7 +199,6 @@ def run(body, start, mode, t_end, angle_span, stop, events, segments, scratch):
         Status.BUFFER: the segments were full. EVENT_LIMIT: the events were full, and the motion ends at the last one, even if
         later segments exist; or the limit of panels or of the size of quantities was reached.
     """
-    scratch.doubt[0] = math.nan
     log = new_log(events, segments, scratch)
     limits = limits_of(start, t_end, angle_span, stop)
     return follow(body, begin(body, start, mode, log, scratch), limits, log, scratch)

@@ -1,4 +1,4 @@
-"""States at given times of a computed rigid motion; panels are solved again, so memory stays small."""
+"""States at given times of a rigid motion, and the margins of its mode; panels are solved again, so memory stays small."""
 
 from __future__ import annotations
 
@@ -10,18 +10,28 @@ from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, STRUCK, TIME, Totals, fill_inside, no_panel
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.contact import rolling_forces, slip_load
+from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_load, slip_motion, slip_stiffness
 from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.kernel.physics.flight import flight_displacement, flight_gap
 from hophoop.kernel.physics.massless import skim_state, strike_limit
+from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.physics.painleve import slip_coefficients
+from hophoop.kernel.physics.resistance import resistance_arm
+from hophoop.kernel.records.layout import COLUMNS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.kernel.records.writing import panel_of, state_of
-from hophoop.kernel.rigid.contact_phase import state_on_panel
+from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
+from hophoop.kernel.rigid.flight_phase import time_to_strike
 from hophoop.kernel.rigid.panel_choice import solve
 
-FLIGHT = int(Mode.FLIGHT)
+(
+    MODE, X, HEIGHT, ANGLE, VX, VY, OMEGA, SLIP,
+    FRICTION_FORCE, NORMAL_FORCE, FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, THETA, THETA_LOW,
+    ROLLING_RESISTANCE, KINETIC, POTENTIAL,
+) = range(len(COLUMNS))  # fmt: skip
+# Margins of a mode, in kernel units; documented in `hophoop.simulation.phases.Margins`.
+MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleration", "slip", "height", "p_sigma")
 
 
 def find_segment(segments, t, left):
@@ -66,6 +76,40 @@ def load_energy(along, down):
     return 0.5 * (along * along + down * down)
 
 
+def state_in_flight(body, f_n, state, tau):
+    """Return the state at the time tau of a flight from `state`, where the acceleration of the gap is f_n."""
+    s, c = sine_cosine(state.th, state.th_low)
+    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, f_n, tau)
+    along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
+    return flown(state, along, max(y, 0.0), tau, vt, vn)
+
+
+def state_without_rotation(body, sigma, state, t, tau):
+    """Return the state at the time t, by tau after `state`, of rest (σ = 0) or slip without rotation."""
+    rate = slip_rate_without_rotation(body, sigma)
+    slid = state.vt * tau + 0.5 * rate * tau * tau
+    loss = sigma * body.mu_k * body.gn * slid if sigma != 0 else 0.0
+    x, x_low = plus(state.x, state.x_low, slid)
+    now = moved(state, t, 0.0, x, x_low, 0.0, state.turns, state.th, state.th_low)
+    return with_losses(
+        with_velocities(now, state.vt + rate * tau, 0.0, 0.0), state.friction + loss, state.impact_n, state.impact_t
+    )
+
+
+def state_in_skim(body, direction, state, t, tau, strikes):
+    """Return (state, kinetic energy of the load) at the time t, by tau after `state`, of a skim; just before it `strikes`."""
+    s, c = sine_cosine(state.th, 0.0)
+    along = state.vt + state.om * (1.0 + c)
+    if strikes:  # the limit, since rounding would move the state to either side
+        tau = time_to_strike(body, state)
+        x, th, vt = strike_limit(body, state.x, state.th, s, along, direction, tau)
+        om = direction * math.inf
+    else:
+        x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, direction, tau)
+    now = moved(state, t, 0.0, x, 0.0, 0.0, state.turns, th, 0.0)
+    return with_velocities(now, vt, 0.0, om), load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
+
+
 def sample(body, segments, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     scratch = new_scratch()
@@ -75,6 +119,7 @@ def sample(body, segments, times, left, out):
     for k in range(times.shape[0]):
         index = find_segment(segments, times[k], left)
         segment = segments[index]
+        kind, direction, sigma = segment["kind"], segment["direction"], segment["sigma"]
         state = state_of(segment)
         tau = (min(times[k], segment["t_end"]) - segment["t"]) - segment["t_low"]
         begins = times[k] == segment["t"]  # exactly at the event, whose time has more digits than `times`
@@ -82,37 +127,19 @@ def sample(body, segments, times, left, out):
             tau = 0.0
         friction = 0.0
         normal = 0.0
-        moving = math.nan
-        if segment["kind"] == FLY:
-            s, c = sine_cosine(state.th, state.th_low)
-            y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, segment["opening"], tau)
-            along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
-            now = flown(state, along, max(y, 0.0), tau, vt, vn)
-        elif segment["kind"] == HOLD and state.om == 0.0:
-            rate = segment["opening"]
-            slid = state.vt * tau + 0.5 * rate * tau * tau
-            loss = segment["sigma"] * body.mu_k * body.gn * slid if segment["sigma"] != 0 else 0.0
-            vt = state.vt + rate * tau
+        kinetic = math.nan
+        if kind == FLY:
+            now = state_in_flight(body, segment["f_n"], state, tau)
+        elif kind == HOLD:
+            now = state_without_rotation(body, sigma, state, times[k], tau)
             normal = body.gn
-            friction = -segment["sigma"] * body.mu_k * body.gn if segment["sigma"] != 0 else -body.gt
-            x, x_low = plus(state.x, state.x_low, slid)
-            now = moved(state, times[k], 0.0, x, x_low, 0.0, state.turns, state.th, state.th_low)
-            now = with_losses(with_velocities(now, vt, 0.0, 0.0), state.friction + loss, state.impact_n, state.impact_t)
-        elif segment["kind"] == SKIMMING:
-            x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, segment["way"], tau)
-            s, c = sine_cosine(state.th, 0.0)
-            along = state.vt + state.om * (1.0 + c)
-            if segment["xi"] == STRUCK and times[k] >= segment["t_end"]:
-                # the limit just before the strike; rounding would move it to either side
-                tau = segment["opening"]
-                x, th, vt = strike_limit(body, state.x, state.th, s, along, segment["way"], tau)
-                om = segment["way"] * math.inf
-            now = moved(state, times[k], 0.0, x, 0.0, 0.0, state.turns, th, 0.0)
-            now = with_velocities(now, vt, 0.0, om)
-            moving = load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
+            friction = -sigma * body.mu_k * body.gn if sigma != 0 else -body.gt
+        elif kind == SKIMMING:
+            strikes = segment["xi"] == STRUCK and times[k] >= segment["t_end"]
+            now, kinetic = state_in_skim(body, direction, state, times[k], tau, strikes)
         else:
             now = state
-            if not begins and segment["kind"] != HOLD:  # a HOLD segment of a rotating hoop is too short to be resolved
+            if not begins:
                 if index != solved:
                     panel = panel_of(segment)
                     totals = solve(body, panel, scratch.work)
@@ -120,26 +147,53 @@ def sample(body, segments, times, left, out):
                     solved = index
                 xi = xi_at_time(scratch.work[TIME], segment, tau, scratch)
                 now = state_on_panel(body, panel, totals, state, xi, scratch)
-            rho = segment["way"] * body.resist
-            friction, normal = contact_force(body, segment["sigma"], now.th, now.th_low, now.om, rho)
+            friction, normal = contact_force(body, sigma, now.th, now.th_low, now.om, direction * body.resist)
         if begins:
             now = state
+        if kind != SKIMMING:
+            kinetic = kinetic_energy(body, now.th, now.om, now.vt, now.vn, now.th_low)
         row = out[k]
-        row[0] = segment["mode"]
-        row[1] = now.x
-        row[2] = now.y
-        row[3] = whole_angle(now)
-        row[4] = now.vt + now.om
-        row[5] = now.vn
-        row[6] = now.om
-        row[7] = now.vt
-        row[8] = friction
-        row[9] = normal
-        row[10] = now.friction
-        row[11] = now.impact_n
-        row[12] = now.impact_t
-        row[13] = now.th
-        row[14] = now.th_low
-        row[15] = now.resisted
-        row[16] = kinetic_energy(body, now.th, now.om, now.vt, now.vn, now.th_low) if math.isnan(moving) else moving
-        row[17] = potential_energy(body, now.x, now.y, now.th)
+        row[MODE] = segment["mode"]
+        row[X] = now.x
+        row[HEIGHT] = now.y
+        row[ANGLE] = whole_angle(now)
+        row[VX] = now.vt + now.om
+        row[VY] = now.vn
+        row[OMEGA] = now.om
+        row[SLIP] = now.vt
+        row[FRICTION_FORCE] = friction
+        row[NORMAL_FORCE] = normal
+        row[FRICTION] = now.friction
+        row[IMPACT_NORMAL] = now.impact_n
+        row[IMPACT_TANGENTIAL] = now.impact_t
+        row[THETA] = now.th
+        row[THETA_LOW] = now.th_low
+        row[ROLLING_RESISTANCE] = now.rolling_loss
+        row[KINETIC] = kinetic
+        row[POTENTIAL] = potential_energy(body, now.x, now.y, now.th)
+
+
+def margins_of(body, mode, theta, theta_low, omega, slip, height):
+    """Return the margins in the order of `MARGINS`; nan if the mode has none."""
+    s, c = sine_cosine(theta, theta_low)
+    u = omega * omega
+    normal = math.nan
+    friction = math.nan
+    p_sigma = math.nan
+    mu = body.mu_s
+    sigma = slip_direction(mode)
+    if mode == Mode.ROLL:
+        friction, normal = rolling_forces(body, s, c, u, resistance_arm(body, s, c, omega, 0))
+    elif sigma != 0 and body.kap > 0.0 and math.isfinite(body.mu_k):
+        rho = resistance_arm(body, s, c, omega, sigma)
+        normal = slip_motion(body, s, c, u, sigma, rho)[1]
+        friction = -sigma * body.mu_k * normal
+        p_sigma = slip_stiffness(body, s, c, sigma, rho) / body.kap
+        mu = body.mu_k
+    elif mode in (Mode.FLIGHT, Mode.SKIM):
+        friction = 0.0
+        normal = 0.0
+    limit = 0.0
+    if normal != 0.0:
+        limit = math.inf if math.isinf(mu) and normal > 0.0 else mu * normal
+    return normal, friction, limit, free_acceleration(body, s, c, u)[1], slip, height, p_sigma

@@ -9,7 +9,7 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import contact_arms, free_acceleration
+from hophoop.kernel.physics.contact import cone_weights, contact_arms, free_acceleration, rolling_forces
 from hophoop.kernel.physics.impact import impact, singular_angle, singular_slip, stick_rates
 from hophoop.kernel.physics.modes import (
     INDETERMINATE,
@@ -20,10 +20,9 @@ from hophoop.kernel.physics.modes import (
 )
 from hophoop.kernel.physics.painleve import slip_coefficients
 from hophoop.kernel.physics.resistance import resistance_arm
-from hophoop.kernel.records.state import with_anchor, with_losses, with_resisted, with_velocities
-from hophoop.kernel.records.writing import PendingEvent, event_without_jump, write_event, write_plain_event
-from hophoop.kernel.rigid.doubts import CLOSE, mode_is_in_doubt, record_doubt
-from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE
+from hophoop.kernel.records.state import with_anchor, with_losses, with_rolling_loss, with_velocities
+from hophoop.kernel.records.writing import PendingEvent, event_without_jump, record_doubt, write_event, write_plain_event
+from hophoop.kernel.rigid.panel_events import CLOSE, SMALLEST_SQUARE
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF = (
@@ -84,9 +83,39 @@ def write_cause(log, cause, mode, state):
         write_event(log, event_without_jump(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
 
 
+@apart
+def mode_is_in_doubt(body, state):
+    """Return True if rounding of a state in contact may decide the mode that follows."""
+    if body.kap == 0.0 or body.mu_s == 0.0 or math.isinf(body.mu_s):
+        return False
+    s, c = sine_cosine(state.th, state.th_low)
+    u = state.om * state.om
+    scale = body.gn + abs(body.gt) + u
+    if scale == 0.0:
+        return False
+    opening = abs(free_acceleration(body, s, c, u)[1])
+    if state.vt != 0.0:
+        # p_σ ≈ 0 is left to double precision: the force is unbounded there, and extended precision would never finish
+        return opening <= CLOSE * (body.gn + body.eps * u)
+    friction, normal = rolling_forces(body, s, c, state.om * state.om, resistance_arm(body, s, c, state.om, 0))
+    a, b = cone_weights(body.mu_s)
+    margin = a * normal - b * abs(friction)
+    if abs(margin) <= CLOSE * scale or abs(normal) <= CLOSE * scale:
+        return True
+    return margin < 0.0 and opening <= CLOSE * scale
+
+
+@apart
+def undecided(body, state, log):
+    """Return (UNDECIDED, state), with the doubt that extended precision may resolve; with infinite friction it does not."""
+    if not math.isinf(body.mu_s):
+        record_doubt(log.doubt, state.t)
+    return UNDECIDED, state
+
+
 @inline
-def resolve_mode(body, state, cause, log, scratch):
-    """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
+def resolve_mode(body, state, cause, log):
+    """Apply the mode rule after `cause`, writing its event and every paradox met until then.
 
     Returns (mode, state); the mode is UNDECIDED if the model has no answer.
     """
@@ -97,7 +126,7 @@ def resolve_mode(body, state, cause, log, scratch):
         if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as at the phase's start
             state = with_velocities(state, state.vt, state.vn, 0.0)
         if mode_is_in_doubt(body, state):
-            record_doubt(scratch, state.t)
+            record_doubt(log.doubt, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
         if cause.kind == STICK and body.mu_s == 0.0 and mode == cause.mode:
             mode = slip_mode(-slip_direction(mode))  # slip that has ended does not continue, even if rounding suggests so
@@ -107,8 +136,10 @@ def resolve_mode(body, state, cause, log, scratch):
         if cause.kind == STICK and named != ROLL:
             cause = event_without_jump(TAKEOFF if named == FLIGHT else SLIP_REVERSAL, cause.mode, state)
         write_cause(log, cause, named, state)
-        if mode <= SKIM or mode == UNDECIDED:
+        if mode <= SKIM:
             return mode, state
+        if mode == UNDECIDED:
+            break
         if mode == INDETERMINATE:
             after = named if body.strike else FLIGHT
             write_plain_event(log, PAINLEVE_INDETERMINATE, named, after, state)
@@ -117,11 +148,11 @@ def resolve_mode(body, state, cause, log, scratch):
         else:
             write_plain_event(log, PAINLEVE_INCONSISTENT, named, named, state)
         state, cause = collide(body, body.rest, state, IMPACT, named, 0)
-    return UNDECIDED, state
+    return undecided(body, state, log)
 
 
 @apart
-def resolve_painleve_singularity(body, mode, state, log, scratch):
+def resolve_painleve_singularity(body, mode, state, log):
     """Return (True if it jams, mode, state) after slip whose panels have shrunk to nothing.
 
     This happens where p_σ → 0 with N → ∞. Any other cause is a failure of the program, reported as UNDECIDED.
@@ -132,17 +163,17 @@ def resolve_painleve_singularity(body, mode, state, log, scratch):
     torque, distance = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
     found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma, torque, distance)
     if not found:
-        return False, UNDECIDED, state
+        return False, *undecided(body, state, log)
     if sigma * state.vt <= 0.0:  # v_t is used up: slip has ended, since an impulse would accelerate it
         mode, after = resolve_mode(
-            body, with_velocities(state, 0.0, 0.0, state.om), event_without_jump(STICK, mode, state), log, scratch
+            body, with_velocities(state, 0.0, 0.0, state.om), event_without_jump(STICK, mode, state), log
         )
         return False, mode, after
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om, rho)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss
     after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses)
-    after = with_resisted(after, state.resisted + 0.5 * rho * (state.om + om) * p_n)
+    after = with_rolling_loss(after, state.rolling_loss + 0.5 * rho * (state.om + om) * p_n)
     if jams:
         cause = PendingEvent(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
         write_event(log, cause, mode, after, 0.0, -1)
@@ -152,12 +183,12 @@ def resolve_painleve_singularity(body, mode, state, log, scratch):
     if vt != 0.0:  # θ̇ has reversed, and the hoop still slips
         write_event(log, cause, mode, after, 0.0, -1)
         return False, mode, after
-    mode, after = resolve_mode(body, after, cause, log, scratch)
+    mode, after = resolve_mode(body, after, cause, log)
     return False, mode, after
 
 
 @apart
-def leave_cone(body, state, ahead, log, scratch):
+def leave_cone(body, state, ahead, log):
     """Return the mode after rolling that needs all available friction (rule 2); `ahead` is True if F > 0.
 
     Slip starts against the friction force at its limit, unless the rim is free to leave the plane.
@@ -166,7 +197,7 @@ def leave_cone(body, state, ahead, log, scratch):
     s, c = sine_and_cosine(state.th)
     opens = free_acceleration(body, s, c, u)[1]
     if abs(opens) <= CLOSE * (body.gn + u) and not math.isinf(body.mu_s):
-        record_doubt(scratch, state.t)
+        record_doubt(log.doubt, state.t)
     if opens >= 0.0:
         mode = FLIGHT
         write_plain_event(log, TAKEOFF, ROLL, FLIGHT, state)

@@ -10,9 +10,9 @@ from hophoop.gaits.kernels import layout as fates
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, PASSING, ImpactLaw, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
-from hophoop.kernel.rigid.margins import MARGINS
-from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, LETTERS_PER_INTEGER, MORE, NUMBERS, WORDS
+from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, LETTERS_PER_INTEGER, MORE, SEGMENT
+from hophoop.kernel.rigid.sampling import MARGINS
+from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
 from hophoop.vocabulary.names import FATE_CODES, identifier
 

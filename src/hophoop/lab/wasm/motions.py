@@ -11,13 +11,11 @@ from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.energy import energies_after
 from hophoop.kernel.physics.friction import utilization
 from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
-from hophoop.kernel.records.layout import CELL, DURATION, MAX_EVENTS, PANELS
+from hophoop.kernel.records.layout import CELL, COLUMNS, DURATION, MAX_EVENTS, PANELS
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.times import kernel_times
-from hophoop.kernel.rigid.columns import COLUMNS
-from hophoop.kernel.rigid.margins import MARGINS, margins_of
 from hophoop.kernel.rigid.run import run
-from hophoop.kernel.rigid.sampling import sample
+from hophoop.kernel.rigid.sampling import MARGINS, margins_of, sample
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
@@ -161,7 +159,7 @@ def samples(given, segments, count, times, n, left, out):
 
 
 def margins(given, segments, count, times, n, left, out):
-    """Write the margins of the modes at times in s, in the order of `rigid.margins.MARGINS` and in SI units; see `samples`."""
+    """Write the margins of the modes at times in s, in the order of `rigid.sampling.MARGINS` and in SI units; see `samples`."""
     cells = carray(given, (FIELDS, 1))
     rows = carray(out, (n, MARGIN_WIDTH))
     scales = scales_of(cells, 0)

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.kernel.numerics.elementwise import exponential, logarithm
-from hophoop.kernel.records.layout import MapResults
+from hophoop.kernel.records.layout import MapResults, unpacked_sequence
 from hophoop.maps.grid.axes import make_axes, ordered
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.evaluate import run_cells
 from hophoop.maps.grid.kernel import BLOCK
-from hophoop.maps.grid.quantities import Quantity, choose_quantities, distinct_rows, make_span, unpack
+from hophoop.maps.grid.quantities import Quantity, choose_quantities, distinct_rows, make_span
 from hophoop.scenario import InputError, Scenario
 
 Floats = NDArray[np.float64]
@@ -135,7 +135,7 @@ class Classifier:
         for quantity in self.quantities:
             if quantity.name == "sequence":
                 size = len(row) - len(self.quantities) + 1
-                words.append(unpack(row[:size]) or "not_allowed")
+                words.append(unpacked_sequence(row[:size]) or "not_allowed")
                 row = row[size:]
             else:
                 words.append("not_allowed" if row[0] == 0 else quantity.words[row[0] - 1])

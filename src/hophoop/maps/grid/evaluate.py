@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._version import __version__
 from hophoop.kernel.native import compiled
 from hophoop.kernel.panels.panel import RESOLVED
-from hophoop.kernel.records.layout import MapRequest, MapResults
+from hophoop.kernel.records.layout import MapRequest, MapResults, unpacked_sequence
 from hophoop.maps.grid import kernel
 from hophoop.maps.grid.axes import (
     Axis,
@@ -38,7 +38,6 @@ from hophoop.maps.grid.quantities import (
     distinct_rows,
     flags_of,
     make_span,
-    unpack,
 )
 from hophoop.maps.grid.settled import SPANS as SETTLED_SPANS
 from hophoop.maps.grid.settled import check_settled, evaluate_settled
@@ -302,7 +301,7 @@ def points(
     for quantity in chosen:
         if quantity.name == "sequence":
             rows, place = distinct_rows(raw.sequences)
-            column = np.array([unpack(row) for row in rows], dtype=str)[place]
+            column = np.array([unpacked_sequence(row) for row in rows], dtype=str)[place]
         else:
             column = values_of(raw, quantity)
             if quantity.words:

@@ -12,11 +12,9 @@ from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
 from hophoop.kernel.records.layout import ALLOWED, DURATION, EVENT, EVENTS, MAX_EVENTS, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import whole_angle
-from hophoop.kernel.records.writing import new_log, state_of
-from hophoop.kernel.rigid.ending import Ending
-from hophoop.kernel.rigid.flight_phase import fly
-from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, limits_of
-from hophoop.kernel.rigid.phase import opening_of
+from hophoop.kernel.records.writing import add_letter, new_log, state_of
+from hophoop.kernel.rigid.flight_phase import flight_start, fly
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, Ending, limits_of
 from hophoop.kernel.rigid.run import run
 from hophoop.kernel.rigid.transitions import collide
 from hophoop.maps.grid.friction_utilization import greatest_utilization
@@ -40,10 +38,7 @@ ENDINGS = ("duration", "revolutions", "reversal", "takeoff", "rest", "jam", "und
 BY_TIME, BY_ANGLE, BY_REVERSAL, BY_TAKEOFF, BY_REST, BY_JAM, BY_DOUBT, BY_EVENTS = range(len(ENDINGS))
 NOT_ALLOWED = -1
 
-# A sequence is packed into integers, three bits per letter (0: no letter), 21 letters each.
-LETTERS_PER_INTEGER, INTEGERS = 21, 4
-LONGEST = LETTERS_PER_INTEGER * INTEGERS - 1
-MORE = 7  # the letter that marks a longer sequence
+INTEGERS = 4  # of a packed sequence, see records.layout
 
 FLIGHT_REQUESTED, UTILIZATION_REQUESTED = 1, 2
 
@@ -82,16 +77,6 @@ def leaves_plane(row):
     return row["after_mode"] == Mode.FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
 
 
-def add_letter(sequences, k, length, mode):
-    """Append a mode to the packed sequence and return its new length."""
-    if length > LONGEST:
-        return length
-    letter = np.uint64(MORE if length == LONGEST else mode + 1)
-    shift = np.uint64(3 * (length % LETTERS_PER_INTEGER))
-    sequences[k, length // LETTERS_PER_INTEGER] |= letter << shift
-    return length + 1
-
-
 def reduce_flight(motion, hop, scales, workspace, numbers, k):
     """Write height, time, distance, landing angle and loss of the hop that starts at an event."""
     body = motion.body
@@ -101,9 +86,9 @@ def reduce_flight(motion, hop, scales, workspace, numbers, k):
     state = state_of(row)
     if body.gn == 0.0:
         return
-    opening, zeros = opening_of(body, state)
+    f_n, vanishing = flight_start(body, state, False)
     log = new_log(workspace.passing, workspace.segments, workspace.scratch)
-    ending, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log)
+    ending, landed = fly(body, state, f_n, vanishing, limits_of(state, FOREVER, math.nan, 0), log)
     if ending != Ending.LANDING:
         return
     numbers[k, HOP_HEIGHT] = (workspace.passing[0]["height"] if log.counts[EVENTS] > 0 else 0.0) * scales.length

@@ -9,14 +9,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES
-from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.kernel.physics.body import EVENT_NAMES, STATUS_NAMES
+from hophoop.kernel.records.layout import unpacked_sequence
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.maps.grid import kernel, settled
 from hophoop.scenario import InputError
 from hophoop.vocabulary.names import number_after
 
 NOT_ALLOWED = "not_allowed"
-MORE_MARK = "+"
 _SEQUENCE = "sequence"
 
 
@@ -246,30 +246,6 @@ def make_span(name: str, *, in_the_end: bool = False) -> Span:
     return Span(name, 2.0 * math.pi * turns, 0, True)
 
 
-def unpack(key: NDArray[np.uint64] | Sequence[int]) -> str:
-    """Return the sequence that the kernel packed into integers.
-
-    Parameters
-    ----------
-    key : sequence of int
-        The kernel's integers of one cell.
-
-    Returns
-    -------
-    sequence : str
-        One letter per phase, with a plus sign at the end of one that was too long; empty for a cell that is not
-        allowed.
-    """
-    letters = []
-    for word in key:
-        packed = int(word)
-        while packed:
-            letter = packed & 7
-            letters.append(MORE_MARK if letter == kernel.MORE else MODE_LETTERS[letter - 1])
-            packed >>= 3
-    return "".join(letters)
-
-
 def sequence_order(sequence: str) -> tuple[int, str]:
     """Sort key that puts short sequences first."""
     return len(sequence), sequence
@@ -299,7 +275,7 @@ def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDAr
 
 def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int, ...], int]]:
     """Return all sequences of a map, short ones first, and the code of each packed one; −1 for none."""
-    texts = {key: unpack(key) for key in keys}
+    texts = {key: unpacked_sequence(key) for key in keys}
     names = sorted({text for text in texts.values() if text}, key=sequence_order)
     place = {name: i for i, name in enumerate(names)}
     return names, {key: place[text] if text else kernel.NOT_ALLOWED for key, text in texts.items()}

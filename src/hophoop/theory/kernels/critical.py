@@ -12,7 +12,7 @@ from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.records.scratch import new_scratch
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
