@@ -150,7 +150,7 @@ def test_it_refuses_what_the_library_refuses(host: Host) -> None:
     draw = np.random.default_rng(6)
     usual, spring = np.array(cell_of(hh.Scenario())), np.array(contact_of(hh.Compliant()))
     ends = {
-        ECCENTRICITY: [0.3, 1.0], INERTIA_RATIO: [0.0, 1e-13, 1e-12, 1e7], MASS: [1e-13, 1e12], IDEAL: [0.0, 1.0],
+        ECCENTRICITY: [0.3, 1.0, 1.5], INERTIA_RATIO: [0.0, 1e-13, 1e-12, 1e7], MASS: [1e-13, 1e12], IDEAL: [0.0, 1.0],
         MU_STATIC: [0.0, 1.0, math.inf], SLOPE: [0.1, 1.57, 1.5704, 2.0], ROLLING_RESISTANCE: [1e-9, 0.5, 1.0],
         GRAVITY: [0.0, 1e-6], HEIGHT: [0.0, 1e6], VY: [1e6], OMEGA: [1e9], SLIP: [-1e6], RADIUS: [1e-6, 1e6],
     }  # fmt: skip

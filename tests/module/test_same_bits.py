@@ -14,7 +14,6 @@ from hophoop.derivatives.results.propagation import propagate
 from hophoop.kernel.compliant.parameters import chosen_in_si
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.lab.api.motion import codes_of
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
@@ -144,8 +143,7 @@ def test_margins(host: Calls, computed: list[tuple[hh.Scenario, hh.Trajectory]])
         times, pieces = times[last], pieces[last]
         found = host.margins(int(heads["segments"]), times)
         for row, piece in zip(found, pieces, strict=True):
-            state = state_of(piece)
-            theirs = margins(scenario.to_body(), motion.units, int(piece["mode"]), state)
+            theirs = margins(scenario.to_body(), motion.units, int(piece["mode"]), piece)
             assert same(row, [getattr(theirs, name) for name in MARGINS]), (scenario.to_query(), piece["t"])
 
 
