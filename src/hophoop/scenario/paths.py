@@ -135,14 +135,7 @@ def _candidates(path: str) -> Iterator[ParameterInfo]:
 def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
     """Return two of the paths that contradict each other by giving one quantity in two ways.
 
-    Parameters
-    ----------
-    given : iterable of str
-        Paths of parameters that are given together.
-
-    Returns
-    -------
-    pair : tuple of str, or None
+    given: Paths of parameters that are given together.
 
     Examples
     --------

@@ -77,17 +77,7 @@ RULES: Final[dict[Refusal, Rule]] = {
 def refused(code: int, scenario: Any, number: float = 0.0) -> PydanticCustomError:
     """Return the error for a broken rule.
 
-    Parameters
-    ----------
-    code : int
-        A `Refusal` other than NONE.
-    scenario : Scenario, or any object with the sections that the sentence names
-    number : float, optional
-        What `refusal` returns in addition.
-
-    Returns
-    -------
-    error : pydantic_core.PydanticCustomError
+    code: A `Refusal` other than NONE; number: What `refusal` returns in addition.
     """
     rule = RULES[Refusal(code)]
     values = {name: attrgetter(path)(scenario) for name, path in rule.values.items()}

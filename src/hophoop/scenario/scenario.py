@@ -394,14 +394,7 @@ def _why_not_in_mode(scenario: Scenario) -> str:
 def contact_of(contact: Rigid | Compliant) -> tuple[float, ...]:
     """A contact as the kernels take it.
 
-    Parameters
-    ----------
-    contact : Rigid or Compliant
-
-    Returns
-    -------
-    numbers : tuple of float
-        In the order of `kernel.records.layout.CONTACT` [SI], nan where it has none; empty for a rigid contact.
+    numbers: In the order of `kernel.records.layout.CONTACT` [SI], nan where it has none; empty for a rigid contact.
     """
     if isinstance(contact, Rigid):
         return ()

@@ -36,15 +36,7 @@ _TAGS = {"rigid", "compliant", "ring", "disk", "point_mass", "rod"}
 def parse_reason(error: BaseException) -> str:
     """Why a text is no TOML or JSON.
 
-    Parameters
-    ----------
-    error : Exception
-        What the parser raised.
-
-    Returns
-    -------
-    reason : str
-        The end of a sentence, without its stop.
+    error: What the parser raised; reason: The end of a sentence, without its stop.
     """
     if isinstance(error, RecursionError):
         return "nested too deeply"
@@ -87,16 +79,7 @@ def sentence(error: BaseException) -> str:
 
 
 def input_error(error: ValidationError) -> InputError:
-    """The `InputError` for what pydantic found.
-
-    Parameters
-    ----------
-    error : pydantic.ValidationError
-
-    Returns
-    -------
-    error : InputError
-    """
+    """The `InputError` for what pydantic found."""
     findings = list(error.errors(include_url=False))
     place = _PLACES.get(error.title, error.title.lower())
     first = _said(place, findings[0])
@@ -107,16 +90,8 @@ def input_error(error: ValidationError) -> InputError:
 def findings_sentence(findings: Sequence[Mapping[str, Any]], place: str = "") -> str:
     """Put what pydantic found into one sentence.
 
-    Parameters
-    ----------
-    findings : sequence of dict
-        As ``ValidationError.errors()`` gives them; the first is said, the others are counted.
-    place : str, default ''
-        Path under which the validated model stands.
-
-    Returns
-    -------
-    sentence : str
+    findings: As ``ValidationError.errors()`` gives them; the first is said, the others are counted; place: Path under which the
+    validated model stands.
     """
     first = _said(place, findings[0]).sentence
     others = len(findings) - 1

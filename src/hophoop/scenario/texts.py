@@ -84,16 +84,7 @@ TEXTS: Final[dict[str, str]] = {
 def say(name: str, /, **values: Any) -> str:
     """Return a sentence with its values.
 
-    Parameters
-    ----------
-    name : str
-        A key of `TEXTS`.
-    **values
-        Values of its braces.
-
-    Returns
-    -------
-    sentence : str
+    name: A key of `TEXTS`; **values: Values of its braces.
 
     Examples
     --------

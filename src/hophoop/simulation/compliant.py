@@ -43,20 +43,8 @@ FIRST_ROWS = 20_000  # 9 MB, of which the system only provides the part that is 
 def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) -> tuple[int, np.ndarray, np.ndarray]:
     """Compute the motion of a scenario with compliant contact.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        Its contact is Compliant.
-    reached : ndarray, shape (1,), optional
-        Progress: the computed fraction of the duration is written here repeatedly [1].
-
-    Returns
-    -------
-    status : int
-        A Status.
-    events : ndarray of hophoop.kernel.records.layout.EVENT
-    segments : ndarray of hophoop.kernel.compliant.records.SEGMENT
-        Both in units of R, m and √(R/g).
+    scenario: Its contact is Compliant; reached: shape (1,), Progress: the computed fraction of the duration is written here
+    repeatedly [1]; status: A Status; segments: Both in units of R, m and √(R/g).
     """
     body, comp, t_end, rtol = to_compliance(scenario)
     start, touching = to_start(scenario, body, comp)
@@ -93,19 +81,7 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
 def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
     """Return the kernel's parameters of a scenario with compliant contact.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        Its contact is Compliant.
-
-    Returns
-    -------
-    body : Body
-    compliance : Compliance
-        With all defaults filled in.
-    duration : float
-    rtol : float
-        All in units of R, m and √(R/g).
+    scenario: Its contact is Compliant; compliance: With all defaults filled in; rtol: All in units of R, m and √(R/g).
     """
     contact, hoop, plane = scenario.contact, scenario.hoop, scenario.plane
     assert isinstance(contact, Compliant)
@@ -119,16 +95,7 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
 def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarray, bool]:
     """Return the start in kernel units, and whether the contact acts there.
 
-    Parameters
-    ----------
-    scenario : Scenario
-    body : Body
-    comp : Compliance
-
-    Returns
-    -------
-    start : ndarray, shape (SIZE,)
-    touching : bool
+    start: shape (SIZE,).
     """
     hoop = scenario.hoop
     second = time_unit(hoop, scenario.plane)

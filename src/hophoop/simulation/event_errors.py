@@ -12,20 +12,7 @@ from hophoop.results.records import EventErrors, Motion
 def event_errors(motion: Motion, progress: Callable[[float], object] | None = None) -> EventErrors:
     """Compute `Trajectory.errors`.
 
-    Parameters
-    ----------
-    motion : Motion
-    progress : callable, optional
-        Called with the share that is computed, 0 to 1: about ten times a second, and at the end.
-
-    Returns
-    -------
-    errors : EventErrors
-
-    Raises
-    ------
-    ValueError
-        If the contact is compliant.
+    progress: Called with the share that is computed, 0 to 1: about ten times a second, and at the end.
     """
     if motion.scenario.contact.model != "rigid":
         raise InputError("motion.errors needs rigid contact; in compliant contact contact.rtol controls the error.")

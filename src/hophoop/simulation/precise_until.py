@@ -22,24 +22,7 @@ MOST = 12  # corrections of the time of a passage; each one doubles its digits
 def simulate_precisely_until(scenario: Scenario, digits: int, asked: str, until: Until) -> PreciseMotion:
     """Compute a motion to a number of digits, up to its duration or to what ends it before.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        With rigid contact.
-    digits : int
-        From 15 to 1000 [1].
-    asked : str
-        The name of `until`.
-    until : Until
-
-    Returns
-    -------
-    motion : PreciseMotion
-
-    Raises
-    ------
-    ValueError
-        If digits is not an integer in its range.
+    scenario: With rigid contact; digits: From 15 to 1000 [1]; asked: The name of `until`.
     """
     check(scenario, digits)
     rough = simulate_rigid(scenario, until).events[-1]

@@ -50,15 +50,7 @@ class RigidMotion(NamedTuple):
 def simulate_rigid(scenario: Scenario, until: Until | None = None) -> RigidMotion:
     """Compute the motion of a scenario with rigid contact.
 
-    Parameters
-    ----------
-    scenario : Scenario
-    until : Until, optional
-        What ends the motion before its duration.
-
-    Returns
-    -------
-    motion : RigidMotion
+    until: What ends the motion before its duration.
     """
     return _simulated(scenario) if until is None else _simulated_until(scenario, until)
 

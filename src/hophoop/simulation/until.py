@@ -38,21 +38,9 @@ class Until(NamedTuple):
 def read_until(text: str) -> Until:
     """Return what ends a motion, by its name.
 
-    Parameters
-    ----------
-    text : str
-        ``revolutions:N`` (θ has changed by so many revolutions in either direction), ``landings:N`` (just after the N-th
-        landing), ``angle:RADIANS`` (the next time that θ is this angle, or differs from it by whole revolutions), ``takeoff``
-        or ``reversal``.
-
-    Returns
-    -------
-    until : Until
-
-    Raises
-    ------
-    ValueError
-        If it is none of them.
+    text: ``revolutions:N`` (θ has changed by so many revolutions in either direction), ``landings:N`` (just after the N-th
+    landing), ``angle:RADIANS`` (the next time that θ is this angle, or differs from it by whole revolutions), ``takeoff`` or
+    ``reversal``.
 
     Examples
     --------
@@ -73,20 +61,8 @@ def read_until(text: str) -> Until:
 def is_met(until: Until, kind: int, after_mode: int, height: float, vy: float, collision: int | bool | None) -> bool:
     """Return True if an event is one of those that `until` counts.
 
-    Parameters
-    ----------
-    until : Until
-        Of 'landings', 'takeoff' or 'reversal'.
-    kind, after_mode : int
-        Codes of the event and of the mode after it.
-    height, vy : float
-        Gap and velocity of separation just after it, in any unit.
-    collision : int, bool or None
-        Of an impact: whether the rim approached the plane.
-
-    Returns
-    -------
-    met : bool
+    until: Of 'landings', 'takeoff' or 'reversal'; kind, after_mode: Codes of the event and of the mode after it; height, vy:
+    Gap and velocity of separation just after it, in any unit; collision: Of an impact: whether the rim approached the plane.
     """
     if until.word == "landings":
         return kind == Event.BOUNCE_LIMIT or (kind == Event.IMPACT and collision == 1)
@@ -105,15 +81,7 @@ def is_met(until: Until, kind: int, after_mode: int, height: float, vy: float, c
 def first_met(until: Until, events: np.ndarray) -> int | None:
     """Return the row of the event that ends the motion, or None.
 
-    Parameters
-    ----------
-    until : Until
-    events : ndarray of records.EVENT
-
-    Returns
-    -------
-    row : int or None
-        Of a landing Kane's gain, if there is one, is included.
+    row: Of a landing Kane's gain, if there is one, is included.
     """
     left = until.number
     columns = (events[name].tolist() for name in ("kind", "after_mode", "height", "vy", "collision"))
@@ -129,15 +97,7 @@ def first_met(until: Until, events: np.ndarray) -> int | None:
 def distances(angle: float, start: float) -> tuple[float, float]:
     """Return the rotations, forward and backward, from a start to the next passages of an angle.
 
-    Parameters
-    ----------
-    angle, start : float
-        [rad].
-
-    Returns
-    -------
-    ahead, back : float
-        Above 0 and at most 2π [rad].
+    angle, start: [rad]; ahead, back: Above 0 and at most 2π [rad].
     """
     ahead = (angle - start) % TWO_PI
     if ahead == 0.0:
@@ -151,17 +111,8 @@ Sampled = Callable[[np.ndarray], np.ndarray]  # samples at some times, shape (m,
 def cut(until: Until, events: np.ndarray, segments: np.ndarray, sampled: Sampled) -> tuple[np.ndarray, np.ndarray] | None:
     """Return events and segments of a motion that ends where `until` is met, or None if it is not.
 
-    Parameters
-    ----------
-    until : Until
-    events, segments : ndarray of records.EVENT, records.SEGMENT
-        Of the motion that goes on, in kernel units.
-    sampled : callable
-        Returns the samples of the motion at some times, shape (m, len(COLUMNS)), in kernel units.
-
-    Returns
-    -------
-    events, segments : ndarray
+    events, segments: Of the motion that goes on, in kernel units; sampled: Returns the samples of the motion at some times,
+    shape (m, len(COLUMNS)), in kernel units.
     """
     if until.word not in ("revolutions", "angle"):
         row = first_met(until, events)
@@ -192,15 +143,7 @@ def _cut_at_event(events: np.ndarray, segments: np.ndarray, row: int) -> tuple[n
 def end_of(events: np.ndarray, forces: bool) -> np.ndarray:
     """Return a segment of zero length with the state after the last event, as `kernel.rigid.run.write_end` does.
 
-    Parameters
-    ----------
-    events : ndarray of records.EVENT
-    forces : bool
-        Whether the contact forces of its mode are known.
-
-    Returns
-    -------
-    segments : ndarray of records.SEGMENT, shape (1,)
+    forces: Whether the contact forces of its mode are known; segments: shape (1,).
     """
     last = np.zeros(1, SEGMENT)
     for name in set(SEGMENT.names or ()).intersection(EVENT.names or ()) - {"kind"}:

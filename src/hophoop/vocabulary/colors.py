@@ -70,15 +70,7 @@ def lightness(color: str) -> float:
 def on_dark(color: str) -> str:
     """Return a colour light enough for a dark background: the same hue, with more white.
 
-    Parameters
-    ----------
-    color : str
-        As ``#RRGGBB``.
-
-    Returns
-    -------
-    color : str
-        As ``#RRGGBB``.
+    color, result: as ``#RRGGBB``.
 
     Examples
     --------

@@ -84,22 +84,8 @@ LETTERS: Final = dict(zip(MODE_LETTERS, MODE_WORDS, strict=True)) | {"+": "…"}
 def mode_word(letter: str, omega: float) -> str:
     """Return the word for a mode at an angular velocity.
 
-    Parameters
-    ----------
-    letter : str
-        R, S, K, H or M; S and K are the sign of the slip velocity v_t.
-    omega : float
-        θ̇ [rad/s].
-
-    Returns
-    -------
-    word : str
-        roll, spin, skid, flight or skim.
-
-    Raises
-    ------
-    ValueError
-        If there is no such letter.
+    letter: R, S, K, H or M; S and K are the sign of the slip velocity v_t; omega: θ̇ [rad/s]; word: roll, spin, skid, flight or
+    skim.
 
     Examples
     --------
@@ -194,14 +180,7 @@ SIGNS: Final = _ranked({kind: facts.sign for kind, facts in EVENTS.items()})
 def phase_starts(kinds: Sequence[int]) -> list[int]:
     """Return the indices of the events that end a phase and start the next.
 
-    Parameters
-    ----------
-    kinds : sequence of int
-        Members of the kernel's `Event`, in order.
-
-    Returns
-    -------
-    indices : list of int
+    kinds: Members of the kernel's `Event`, in order.
 
     Examples
     --------
@@ -217,22 +196,10 @@ def sequence_of(kinds: Sequence[int], modes: Sequence[int], times: Sequence[Any]
 
     The kernel of maps (`maps.grid.kernel.reduce_motion`) and the page have their own implementations.
 
-    Parameters
-    ----------
-    kinds : sequence of int
-        Of the events in order, members of the kernel's `Event`.
-    modes : sequence of int
-        The mode after each event.
-    times : sequence
-        Time of each event, in any arithmetic with <.
-    takes_off : bool, default False
-        Whether a take-off ended the motion; its flight counts although it has no duration.
-
-    Returns
-    -------
-    sequence : str
-        R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim. Without a phase of nonzero duration, the mode
-        after the last event; empty without events.
+    kinds: Of the events in order, members of the kernel's `Event`; modes: The mode after each event; times: Time of each event,
+    in any arithmetic with <; takes_off: Whether a take-off ended the motion; its flight counts although it has no duration;
+    sequence: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim. Without a phase of nonzero duration, the mode
+    after the last event; empty without events.
 
     Examples
     --------
@@ -257,16 +224,8 @@ SEQUENCE: Final = "sequence"
 def class_text(name: str, quantity: str = SEQUENCE) -> str:
     """Return a class in words.
 
-    Parameters
-    ----------
-    name : str
-        As in `class_color`.
-    quantity : str, default 'sequence'
-
-    Returns
-    -------
-    text : str
-        Spin and skid are those of a hoop that turns forward; the letters do not tell which way it turns.
+    name: As in `class_color`; text: Spin and skid are those of a hoop that turns forward; the letters do not tell which way it
+    turns.
 
     Examples
     --------
@@ -336,16 +295,7 @@ NAMED_LAWS: Final = f"{', '.join(list(LAW_CODES)[:-1])} or {list(LAW_CODES)[-1]}
 def number_after(word: str, text: object) -> float:
     """Return the number in a text such as ``revolutions:3``.
 
-    Parameters
-    ----------
-    word : str
-        Before the colon.
-    text : str
-
-    Returns
-    -------
-    number : float
-        nan if the text does not start with the word, or no finite number follows.
+    word: Before the colon; number: nan if the text does not start with the word, or no finite number follows.
 
     Examples
     --------

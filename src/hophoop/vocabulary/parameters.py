@@ -283,14 +283,7 @@ FIGURE_LABELS: Final = {row.path: row.figure for row in TABLE if row.figure}
 def section_of(row: Parameter) -> str:
     """Section of a parameter.
 
-    Parameters
-    ----------
-    row : Parameter
-
-    Returns
-    -------
-    section : str
-        'hoop', 'plane', 'start' or 'contact'; 'motion' for the duration.
+    section: 'hoop', 'plane', 'start' or 'contact'; 'motion' for the duration.
 
     Examples
     --------

@@ -78,15 +78,7 @@ QUANTITIES: Final = {quantity.name: quantity for quantity in TABLE}
 def held_by(result: str) -> tuple[str, ...]:
     """Return the names of a result's quantities.
 
-    Parameters
-    ----------
-    result : str
-        'Sample', 'EventRecord', 'Velocity', 'EventErrors' or 'Ledger'.
-
-    Returns
-    -------
-    names : tuple of str
-        In the table's order.
+    result: 'Sample', 'EventRecord', 'Velocity', 'EventErrors' or 'Ledger'; names: In the table's order.
 
     Examples
     --------
@@ -137,14 +129,7 @@ POINT_SPEED: Final = "Speed of the ring's points (m/s)"
 def normal_loss(contact: str) -> str:
     """Return the name of the energy lost in the normal direction of the contact.
 
-    Parameters
-    ----------
-    contact : str
-        Model of the contact: rigid or compliant.
-
-    Returns
-    -------
-    label : str
+    contact: Model of the contact: rigid or compliant.
 
     Examples
     --------
@@ -157,14 +142,7 @@ def normal_loss(contact: str) -> str:
 def with_unit(text: str, unit: str) -> str:
     """Return a name with its unit, for axes and tables.
 
-    Parameters
-    ----------
-    text, unit : str
-        A pure number has the unit "1", a word none.
-
-    Returns
-    -------
-    label : str
+    text, unit: A pure number has the unit "1", a word none.
 
     Examples
     --------
