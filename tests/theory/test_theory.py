@@ -378,7 +378,7 @@ def test_units_scale(radius, mass, gravity):
         (lambda: theory.painleve_region(1.0, -0.5, REFERENCE), "mu = -0.5 must be at least 0."),
         (lambda: theory.jam_states(hh.Hoop.ideal(1.0)), "hoop.inertia_ratio = 0 must be above 0"),
         (lambda: theory.massless_loss(1.0, plane=DOWNHILL), "plane.slope must be 0"),
-        (lambda: theory.massless_loss(1.0, radius=-1.0), "hoop.radius = -1.0 must be greater than 0."),
+        (lambda: theory.massless_loss(1.0, radius=-1.0), "hoop.radius = -1.0 must be from 1e-06 to 1e+06 m."),
     ],
 )
 def test_bad_arguments_get_a_sentence(call, sentence):
