@@ -205,7 +205,7 @@ def run_page(browser: Any, kept: Sequence[Kept]) -> dict[int, Bits]:
     """The bits of motions that the page's kernel computes in a browser of playwright's."""
     files = {
         "/": ("text/html", b"<!doctype html><title>bits</title>"),
-        "/kernel.js": ("text/javascript", (HERE.parent / "static" / "kernel.js").read_bytes()),
+        **{f"/{path.name}": ("text/javascript", path.read_bytes()) for path in (HERE.parent / "static").glob("*.js")},
         "/hophoop.wasm": ("application/wasm", (HERE / MODULE).read_bytes()),
     }
     page = browser.new_page()

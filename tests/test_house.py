@@ -210,7 +210,7 @@ def test_a_folder_with_spaces_and_signs_is_quoted(monkeypatch, tmp_path):
 
 
 def test_no_text_names_the_package_in_an_index():
-    sources = [*(ROOT / "src").rglob("*.py"), *(ROOT / "web" / "words").glob("*.json")]
+    sources = [*(ROOT / "src").rglob("*.py"), *(ROOT / "src/hophoop/lab/words").glob("*.json")]
     assert [file for file in sources if re.search(r"pip install \W*hophoop", file.read_text(encoding="utf-8"))] == []
 
 

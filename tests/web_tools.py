@@ -41,7 +41,7 @@ def bundled(path: Path) -> str:
 
 @functools.cache
 def _english() -> dict[str, Any]:
-    return json.loads((WEB / "words" / "en.json").read_text(encoding="utf-8"))
+    return json.loads((WEB.parent / "src/hophoop/lab/words/en.json").read_text(encoding="utf-8"))
 
 
 def english(said: Any) -> str:

@@ -1,77 +1,106 @@
-// Joins the sources into the files that the package carries: modules and a style sheet for the page and the notebook widget,
-// one program for the films that turn. All are kept in git, so that installing the package needs no Node.
+// Joins the sources into the files that the package carries. All are kept in git, so that installing the package needs no Node.
+// `node build.mjs FOLDER` writes them there instead; `npm run dev` serves the page and loads it again after each change.
 
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
-import { fileURLToPath } from "node:url";
-import { build, version } from "esbuild";
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+import { build, context } from "esbuild";
 
-const here = dirname(fileURLToPath(import.meta.url));
-const SOURCES = ["kernel", "lab", "model", "pages", "scene", "site", "space", "words"];
-// What Python writes for the page: the layout of the WebAssembly module, and the tables of models, sentences and presets.
-const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/lab/wasm/layout.json"];
-const TARGETS = [
-  { entry: "lab/shell/main.ts", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
-  // a notebook's widget is a single file
-  { entry: "lab/shell/main.ts", file: "../src/hophoop/lab/static/widget.js", format: "esm", apart: false },
-  { entry: "lab/player/stage3d.ts", file: "../src/hophoop/lab/static/stage3d.js", format: "esm" },
-  { entry: "lab/player/svg.ts", file: "../src/hophoop/lab/static/svg.js", format: "esm" },
-  { entry: "lab/map/boundaries.ts", file: "../src/hophoop/lab/static/boundaries.js", format: "esm" },
-  { entry: "kernel/worker.ts", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
-  { entry: "site/motion_element.ts", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
-  { entry: "site/embed.ts", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
-  { entry: "site/service_worker.ts", file: "../src/hophoop/lab/static/service_worker.js", format: "esm" },
-  { entry: "site/backdrop.ts", file: "../src/hophoop/lab/static/backdrop.js", format: "esm" },
-  { entry: "pages/lab.css", file: "../src/hophoop/lab/static/lab.css" },
-  { entry: "pages/embed.css", file: "../src/hophoop/lab/static/embed.css" },
-  { entry: "scene/main.ts", file: "../src/hophoop/animate/static/scene.js", format: "iife" },
-];
-// Copied: Python fills their places.
-const PAGES = ["embed.html", "index.html", "pick.html", "site.html"];
+const web = import.meta.dirname;
+const carried = join(web, "../src/hophoop");
+const words = join(carried, "lab/words");
+const WORDS = readdirSync(words).sort();
+const PART = /-[A-Z0-9]{8}\.js$/; // what several scripts share, or what comes later
 
-// tests/test_web.py computes the same, to tell when a built file is older than its sources.
-function stamp() {
-  const within = (folder) => readdirSync(join(here, folder), { recursive: true });
-  const names = SOURCES.flatMap((folder) => within(folder).map((name) => `${folder}/${name.replaceAll("\\", "/")}`));
-  const hash = createHash("sha256");
-  for (const name of ["build.mjs", ...WRITTEN, ...names.filter((name) => /\.(ts|json|css)$/.test(name)).sort()]) {
-    hash.update(`${name}\n`).update(readFileSync(join(here, name)));
-  }
-  return hash.digest("hex").slice(0, 32);
-}
+const common = {
+  absWorkingDir: web,
+  bundle: true,
+  minify: true,
+  lineLimit: 4000,
+  target: "es2022",
+  charset: "utf8",
+  legalComments: "none",
+  supported: { nesting: false },
+};
 
-// English is in the script; another language is a file beside it.
-const LANGUAGES = readdirSync(join(here, "words")).filter((name) => name.endsWith(".json") && name !== "en.json");
-
-const folder = process.argv[2]; // where to write instead, to compare
-for (const { entry, file, format, apart = true } of TARGETS) {
-  await build({
-    entryPoints: [join(here, entry)],
-    outfile: folder ? join(folder, file.split("/").at(-1)) : join(here, file),
-    format,
-    bundle: true,
-    minify: true,
-    lineLimit: 4000,
-    target: "es2022",
-    charset: "utf8",
-    legalComments: "none",
-    define: { STAMP: JSON.stringify(stamp()), APART: String(apart) },
-    supported: { nesting: false },
-    banner: {
-      [entry.endsWith(".css") ? "css" : "js"]:
-        `/* Built from web/${entry} by esbuild ${version}; sources ${stamp()} */`,
+/** Everything of the page, for a folder. */
+const page = (outdir) => [
+  {
+    ...common,
+    outdir,
+    entryPoints: {
+      lab: "lab/shell/main.ts",
+      "hophoop-motion": "site/hophoop-motion.ts",
+      embed: "site/embed.ts",
+      backdrop: "site/backdrop.ts",
+      kernel: "kernel/worker.ts",
     },
-  });
+    format: "esm",
+    splitting: true,
+    chunkNames: "[name]-[hash]",
+    // browsers may keep the tables of words, whose names do not change
+    define: { WORDS: JSON.stringify(hashOf(WORDS.map((name) => join(words, name)))) },
+  },
+  {
+    ...common,
+    outdir,
+    entryPoints: ["pages/lab.css", "pages/embed.css", "site/service-worker.ts", "site/widget.ts"],
+    entryNames: "[name]",
+    format: "esm",
+  },
+];
+/** The program of the films that turn. */
+const film = (outdir) => ({ ...common, outdir, entryPoints: { scene: "scene/main.ts" }, format: "iife" });
+
+function hashOf(paths) {
+  const hash = createHash("sha256");
+  for (const path of paths) hash.update(readFileSync(path));
+  return hash.digest("hex").slice(0, 8);
 }
-for (const name of PAGES) {
-  const page = readFileSync(join(here, "pages", name), "utf8").replace(
-    "\n",
-    `\n<!-- Copied from web/pages/${name} by web/build.mjs -->\n`,
+
+async function buildInto(lab, films) {
+  mkdirSync(lab, { recursive: true });
+  for (const name of readdirSync(lab)) if (PART.test(name)) rmSync(join(lab, name));
+  for (const options of [...page(lab), film(films)]) {
+    const { metafile } = await build({ ...options, metafile: true });
+    for (const [path, { imports }] of Object.entries(metafile.outputs)) {
+      if (basename(path) === "lab.js") writePages(lab, imports);
+    }
+  }
+}
+
+/** The pages load what their script imports along with it. */
+function writePages(folder, imports) {
+  const parts = imports.filter(({ kind }) => kind === "import-statement").map(({ path }) => basename(path));
+  const links = parts.map((name) => `<link rel="modulepreload" href="static/${name}">\n`).join("");
+  const script = '<script type="module" src="static/lab.js">';
+  for (const name of readdirSync(join(web, "pages")).filter((name) => name.endsWith(".html"))) {
+    const text = readFileSync(join(web, "pages", name), "utf8");
+    writeFileSync(join(folder, name), text.replace(script, links + script));
+  }
+}
+
+/** The page without Python, from a folder of its own. */
+async function serve() {
+  const folder = mkdtempSync(join(tmpdir(), "hophoop-"));
+  const files = join(folder, "static");
+  mkdirSync(files);
+  const link = (path, name = basename(path)) => symlinkSync(path, join(files, name));
+  for (const name of ["hophoop.wasm", "hophoop-derivatives.wasm"]) link(join(carried, "lab/wasm", name));
+  for (const name of ["icon.svg", "licences.txt"]) link(join(carried, "lab/static", name));
+  for (const name of WORDS) link(join(words, name), `words.${name}`);
+  const again = '<script>new EventSource("/esbuild").addEventListener("change", () => location.reload());</script>';
+  const text = readFileSync(join(web, "pages/index.html"), "utf8");
+  writeFileSync(join(folder, "index.html"), text.replace("</head>", `${again}\n</head>`));
+  const contexts = await Promise.all(
+    page(files).map((options) => context({ ...options, minify: false, sourcemap: "inline" })),
   );
-  writeFileSync(join(folder ?? join(here, "../src/hophoop/lab/static"), name), page);
+  for (const one of contexts) await one.watch();
+  const { port } = await contexts[0].serve({ servedir: folder, host: "127.0.0.1" });
+  console.log(`http://127.0.0.1:${port}/ (Ctrl-C ends it)`);
 }
-for (const name of LANGUAGES) {
-  const text = JSON.stringify(JSON.parse(readFileSync(join(here, "words", name), "utf8")));
-  writeFileSync(join(folder ?? join(here, "../src/hophoop/lab/static"), `words.${name}`), `${text}\n`);
-}
+
+const [given] = process.argv.slice(2);
+if (given === "--serve") await serve();
+else await buildInto(given ?? join(carried, "lab/static"), given ?? join(carried, "animate/static"));

@@ -3,9 +3,8 @@
 type Film = import("./lab/player/film.ts").Film;
 type Clock = import("./lab/player/clock.ts").Clock;
 
-/** A hash of all sources, and whether parts of the page are files of their own; written by the build. */
-declare const STAMP: string;
-declare const APART: boolean;
+/** A hash of the tables of words; written by the build. */
+declare const WORDS: string;
 
 /** A table of a language: a text by its key, or one for each plural. */
 type Words = Record<string, string | { [plural: string]: string; other: string }>;
@@ -146,13 +145,6 @@ interface MapLayer {
   y: number[];
   low: number;
   high: number;
-  shapes?: MapShapes;
-}
-
-// Areas of the classes of a map, and lines between them, [x, y, x, y]: in cells from its lower left corner.
-interface MapShapes {
-  areas: Map<number, Path2D>;
-  lines: number[][];
 }
 
 interface Curve {
@@ -327,8 +319,7 @@ interface Mechanics {
   chosen(given: Given): Record<string, number>;
 }
 
-interface ComputedMotion extends Omit<SentMotion, "query" | "turning" | "fingerprint"> {
-  fingerprint: string | null; // Trajectory.fingerprint; null where doubles do not decide the motion
+interface ComputedMotion extends Omit<SentMotion, "query" | "turning"> {
   doubt: number | null; // from when on doubles do not decide what comes, null where they do [s]
 }
 
@@ -512,7 +503,7 @@ type SliderInfo = Worded & { symbol: string; unit: string; help: string; least: 
 };
 type ChoiceInfo = Worded & { options: string[][]; help: string };
 type AxisInfo = Worded & { unit: string; degrees: boolean; range: number[]; allowed: number[] };
-type Preset = { key: string; group: string; title: string; text: string; query: string };
+type Preset = { key: string; title: string; text: string; query: string; more: boolean };
 type Colors = typeof import("../src/hophoop/lab/static/tables.json")["setup"]["colors"] & {
   modes: Record<string, string>;
   mode_names: Record<string, string>;
@@ -546,7 +537,7 @@ interface FieldTable {
 
 interface Tables {
   setup: Setup;
-  fingerprints: Record<string, string | null>;
+  fingerprints: Record<string, string>;
   schema: string;
   scenario: {
     sections: Record<string, string[]>;

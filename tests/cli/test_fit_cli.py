@@ -8,6 +8,7 @@ from typer.testing import CliRunner
 
 import hophoop as hh
 from hophoop.cli import app
+from hophoop.cli.lab import rounded
 from hophoop.tracking.table import track_of
 
 pytestmark = pytest.mark.compiled
@@ -87,7 +88,7 @@ def test_the_lab_opens_a_fit(table, tmp_path, monkeypatch):
     done = call("fit", table, "--radius", 0.3, "--save", file, "--lab", "--quiet")
     assert done.exit_code == 0, done.output
     assert call("lab", file, "--no-browser", "--port", 0).exit_code == 0
-    wanted = hh.load_fit(file).scenario.to_query()
+    wanted = rounded(hh.load_fit(file)).scenario.to_query()
     assert [given["query"] for given in opened] == [wanted, wanted]
     assert [given["backdrop"] for given in opened] == [None, None]  # no film
     # the data are a table, not a film
@@ -99,6 +100,20 @@ def test_the_lab_opens_a_fit(table, tmp_path, monkeypatch):
     assert done.exit_code == 2
     assert "--film needs a fit" in done.output
     assert len(opened) == 2
+
+
+def test_the_lab_shows_values_to_their_error_and_a_slope_within_its_error_as_level(table, tmp_path):
+    file = tmp_path / "fit.json"
+    assert call("fit", table, "--radius", 0.3, "--free", "slope", "--save", file, "--quiet").exit_code == 0
+    found = hh.load_fit(file)
+    assert 0 < abs(found.values["slope"]) <= found.error("slope")
+    shown = rounded(found)
+    assert shown.values["slope"] == 0.0
+    gamma = shown.values["gamma"]
+    assert len(repr(gamma)) <= 7
+    assert abs(gamma - found.values["gamma"]) < 0.2 * found.error("gamma")
+    assert shown.scenario.hoop.load_fraction == gamma
+    assert shown.scenario.plane.slope == 0.0
 
 
 def test_no_good_fit_is_status_1(table):

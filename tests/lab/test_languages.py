@@ -13,7 +13,9 @@ from hophoop.vocabulary.names import WORDS
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
-TABLES = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted((WEB / "words").glob("*.json"))}
+TABLES = {
+    path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "src/hophoop/lab/words").glob("*.json"))
+}
 ENGLISH = TABLES["en"]
 OTHERS = [code for code in TABLES if code != "en"]
 PYTHON = tables.english()
@@ -83,7 +85,7 @@ def test_signs_are_those_of_the_language(code):
 
 
 def test_the_words_of_python_are_those_of_python():
-    """`python -m hophoop.lab.tables` writes them into web/words/en.json."""
+    """`python -m hophoop.lab.tables` writes them into words/en.json."""
     assert {key: ENGLISH.get(key) for key in PYTHON} == PYTHON
     assert tables.ENGLISH.read_text(encoding="utf-8") == tables.words()
 

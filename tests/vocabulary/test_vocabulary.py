@@ -111,7 +111,7 @@ def test_a_phase_has_one_word_in_motions_and_maps():
         assert names.LETTERS[letter] == names.mode_word(letter, 1.0)
     assert names.class_text("RSH") == "roll → spin → flight"
     # 'hop' is a flight from take-off to landing, as the glossary has it; nothing that is shown says airborne
-    shown = (ROOT / "web" / "words" / "de.json").read_text(encoding="utf-8")
+    shown = (ROOT / "src/hophoop/lab/words/de.json").read_text(encoding="utf-8")
     assert "airborne" not in shown
 
 

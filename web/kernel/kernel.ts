@@ -9,9 +9,11 @@ const LIMIT = 10_000; // milliseconds
 const UNLOADED = "kernel.the_part_of_the";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
-function ofText(script: string): () => Worker {
-  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  return () => new Worker(address, { type: "module" });
+const worker = (address: string | URL) => () => new Worker(address, { type: "module" });
+
+/** A worker's script must be of the page itself; what it imports may be from elsewhere. */
+function importing({ href }: URL) {
+  return URL.createObjectURL(new Blob([`import ${JSON.stringify(href)};`], { type: "text/javascript" }));
 }
 
 async function fetched(address: URL): Promise<WebAssembly.Module> {
@@ -50,15 +52,12 @@ export class WorkerKernel implements Kernel {
     const compiled = await fetched(new URL(`hophoop.wasm?${layout.module}`, base));
     const derivatives = () => fetched(new URL(`hophoop-derivatives.wasm?${layout.derivatives}`, base));
     const script = new URL(`kernel.js?${layout.module}`, base);
-    if (script.origin === globalThis.location?.origin) {
-      return new WorkerKernel(compiled, () => new Worker(script, { type: "module" }), derivatives);
-    }
-    // a page elsewhere embeds this one: a worker's script must be its own
-    return new WorkerKernel(compiled, ofText(await (await fetch(script)).text()), derivatives);
+    const own = script.origin === globalThis.location?.origin;
+    return new WorkerKernel(compiled, worker(own ? script : importing(script)), derivatives);
   }
 
   /**
-   * From what travels with a notebook. `packed`: the module, compressed by gzip; `script`: of the worker;
+   * From what travels with a notebook. `packed`: the module, compressed by gzip; `script`: address of the worker's;
    * `derivatives`: asks for their module, compressed as well.
    */
   static async unpack(
@@ -66,7 +65,7 @@ export class WorkerKernel implements Kernel {
     script: string,
     derivatives: () => Promise<ArrayBufferView<ArrayBuffer>>,
   ) {
-    return new WorkerKernel(await unpacked(packed), ofText(script), async () => unpacked(await derivatives()));
+    return new WorkerKernel(await unpacked(packed), worker(script), async () => unpacked(await derivatives()));
   }
 
   motion(given: Given, signal?: AbortSignal) {

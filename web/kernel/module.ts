@@ -340,16 +340,15 @@ function told({ given, head, rows, count, duration }: Computed): ComputedMotion 
   const energy = Object.fromEntries(
     [...ENERGIES, ...(given.contact ? ["spring", "damping"] : [])].map((name) => [name, head[HEAD[name]]]),
   );
-  const doubt = finite(head[HEAD.doubt]);
   return {
     status: STATUSES[head[HEAD.status]],
     sequence: sequenceOf(events),
-    fingerprint: doubt === null ? fingerprintOf(rows, count) : null,
+    fingerprint: fingerprintOf(rows, count),
     duration,
     events,
     final: { t: last.t, mode: last.to, ...stateOf((name) => last[name]) },
     energy,
-    doubt,
+    doubt: finite(head[HEAD.doubt]),
   };
 }
 

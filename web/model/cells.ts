@@ -12,34 +12,27 @@ const ROW = 64; // cells between two looks at the clock
 const { quantities } = tables.map;
 
 type Axes = { x: Axis; y: Axis };
-type Pair = [x: number, y: number];
-
-/** Every cell as the kernel takes it, row by row. */
-export function cellsOf(base: Checked, { x, y }: Axes, mechanics: Mechanics, signal?: AbortSignal) {
-  const [across, upwards] = [middles(x), middles(y)];
-  const places = upwards.flatMap((high) => across.map((wide): Pair => [wide, high]));
-  return cellsAt(base, { x, y }, places, mechanics, signal);
-}
 
 /**
- * The motions at places of a map as the kernel takes them, which leaves out those that break a rule; where a value is
- * not allowed by itself, a cell is all zeros. The page breathes in between.
+ * Every cell as the kernel takes it, row by row. The kernel leaves out those that break a rule; where a value is not
+ * allowed by itself, a cell is all zeros. The page breathes in between.
  */
-export async function cellsAt(
+export async function cellsOf(
   base: Checked,
   { x, y }: Axes,
-  places: Pair[],
   mechanics: Mechanics,
   signal?: AbortSignal,
 ): Promise<MapCells> {
+  const [columns, rows] = [middles(x), middles(y)];
   const withs = (...pairs: [string, number][]) => sectionsWith(base, new Map(pairs), mechanics);
   const apart = independent(base, x.path, y.path);
   const wide = remembered((value) => withs([x.path, value]));
   const high = remembered((value) => withs([y.path, value]));
-  const count = places.length;
-  const rows = new Float64Array(READ.length * count);
+  const count = columns.length * rows.length;
+  const fields = new Float64Array(READ.length * count);
   let began = performance.now();
-  for (const [place, [across, upwards]] of places.entries()) {
+  for (let place = 0; place < count; place++) {
+    const [across, upwards] = [columns[place % columns.length], rows[Math.floor(place / columns.length)]];
     if (place % ROW === 0 && performance.now() - began > BREATH) {
       await new Promise((resolve) => setTimeout(resolve));
       signal?.throwIfAborted();
@@ -49,9 +42,9 @@ export async function cellsAt(
     const other = apart ? high(upwards) : one;
     if (!one || !other) continue;
     const numbers = given({ ...base, ...one, ...other });
-    for (let field = 0; field < READ.length; field++) rows[field * count + place] = READ[field](numbers);
+    for (let field = 0; field < READ.length; field++) fields[field * count + place] = READ[field](numbers);
   }
-  return { count, rows };
+  return { count, rows: fields };
 }
 
 /** Each value's answer, found once. */
@@ -89,16 +82,6 @@ const classOf = (name: string, what: string): MapClass => ({
   text: classText(name, what),
   color: classColor(name, what),
 });
-
-/** The class at each place by its place in a table, which grows where a class is not in it; −1 without a motion. */
-export function codesOf({ values, sequences }: MapValues, what: string, classes: MapClass[]) {
-  const names = sequences ?? quantities[what].words;
-  const codes = names.map((name: string) => {
-    const known = classes.findIndex((one) => one.name === name);
-    return known < 0 ? classes.push(classOf(name, what)) - 1 : known;
-  });
-  return Array.from(values, (code) => codes[code] ?? -1);
-}
 
 /**
  * Sequences in the order of a legend, the short ones first; what is no code becomes nan. `words`: of a coded

@@ -7,10 +7,7 @@ import { story, summary } from "./words.ts";
 
 const MOST_EVENTS = 2000;
 
-/**
- * The motion as the JSON of the file format, as Python's `Trajectory.to_dict`, but without a fingerprint where
- * doubles do not decide. `checked`: that it was computed for.
- */
+/** The motion as the JSON of the file format, as Python's `Trajectory.to_dict`. `checked`: that it was computed for. */
 export function resultOf(
   checked: Checked,
   { status, sequence, fingerprint, events, final, energy }: Omit<ComputedMotion, "doubt">,

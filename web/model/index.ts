@@ -1,6 +1,6 @@
 // Everything that a page without Python answers apart from numbers.
 
-export { cellsAt, cellsOf, codesOf, mapReply, spanOf } from "./cells.ts";
+export { cellsOf, mapReply, spanOf } from "./cells.ts";
 export { pythonCode, toToml } from "./code.ts";
 export { InputError, TooMuch } from "./check.ts";
 export { resultText, tableText, timesOf } from "./files.ts";

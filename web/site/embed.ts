@@ -5,7 +5,7 @@ import { qrcode } from "./qr.ts";
 const site = new URL("../", import.meta.url);
 
 // the words of the lab, and its choice of a language
-const lab = await import(new URL("lab.js", import.meta.url).href);
+const lab = await import("../lab/shell/main.ts");
 const { current, languageMenu, name, repeat, say, speakFrom, t } = lab;
 
 const find = (id: string) => document.getElementById(id) as any;
@@ -53,9 +53,9 @@ function spoken() {
 
 await speakFrom(new URL("./", import.meta.url));
 // the page holds keys; from now on its words follow the language
-for (const element of document.querySelectorAll("[data-said]")) say(element, element.getAttribute("data-said"));
+for (const element of document.querySelectorAll("[data-said]")) say(element, element.getAttribute("data-said") ?? "");
 for (const element of document.querySelectorAll("[data-label]")) {
-  name(element, "aria-label", element.getAttribute("data-label"));
+  name(element, "aria-label", element.getAttribute("data-label") ?? "");
 }
 find("language").append(
   languageMenu(() => {

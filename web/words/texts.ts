@@ -1,7 +1,7 @@
 // Texts by key and values, in the language that is spoken. English travels with the page, another language comes when it is
-// chosen. A language is its table in this folder and its code in `CODES`.
+// chosen. A language is its table in src/hophoop/lab/words and its code in `CODES`.
 
-import en from "./en.json" with { type: "json" };
+import en from "../../src/hophoop/lab/words/en.json" with { type: "json" };
 
 const CODES = ["en", "de", "es", "fr", "zh"];
 const PLACE = /\{(\w+)\}/g;

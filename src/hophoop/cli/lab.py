@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -84,4 +85,21 @@ def open_fit(found: Any, film: Path | None, **server: Any) -> None:
 
             with bar("preparing the film") as progress:
                 backdrop = prepare(found, film, folder / "film.mp4", progress)
-        serve(query=found.scenario.to_query(), backdrop=backdrop, **server)
+        serve(query=rounded(found).scenario.to_query(), backdrop=backdrop, **server)
+
+
+def rounded(found: Any) -> Any:
+    """Return a fit with its values rounded to a part of their errors, and level if its slope is within its error."""
+    from dataclasses import replace
+
+    from hophoop.fitting.parameters import PARAMETERS
+
+    values = dict(found.values)
+    for name in found.free:
+        error, value = found.error(name), values[name]
+        if name == "slope" and abs(value) <= error:
+            values[name] = 0.0
+        elif error > 0.0:
+            scale = math.pi / 180.0 if PARAMETERS[name].unit == "rad" else 1.0  # the page shows degrees
+            values[name] = scale * round(value / scale, -math.floor(math.log10(error / scale / 3.0)))
+    return replace(found, values=values)

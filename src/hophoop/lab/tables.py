@@ -24,7 +24,7 @@ from hophoop.kernel.records.refusal import Refusal
 from hophoop.lab.api import limits
 from hophoop.lab.api.limits import LAB
 from hophoop.lab.site.controls import GRAVITIES, MAP_QUANTITIES
-from hophoop.lab.site.presets import GROUPS, presets
+from hophoop.lab.site.presets import presets
 from hophoop.lab.site.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
@@ -42,7 +42,7 @@ from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_
 from hophoop.vocabulary.quantities import COLUMNS
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
-ENGLISH: Final = Path(__file__).parents[3] / "web" / "words" / "en.json"
+ENGLISH: Final = Path(__file__).parent / "words" / "en.json"
 
 _KINDS: Final[dict[Any, str]] = {base._number: "number", base._friction: "friction", base._whole: "whole"}
 # Attributes of an annotation, and pydantic's names of the corresponding errors.
@@ -65,10 +65,10 @@ def tables() -> dict[str, Any]:
     return {
         "setup": setup(),
         # of each preset, to compare with those of the page
-        "fingerprints": {preset.key: _fingerprint(preset.scenario) for preset in presets()},
+        "fingerprints": {preset.key: simulate(preset.scenario).fingerprint for preset in presets()},
         "schema": SCHEMA,
         "scenario": _scenario(),
-        # the sentences are in web/words; here is how their values are written
+        # the sentences are in words/; here is how their values are written
         "texts": {name: _places(said) for name, said in TEXTS.items()},
         "words": {
             "letters": "".join(MODE_LETTERS),
@@ -104,7 +104,7 @@ def tables() -> dict[str, Any]:
 
 
 def english() -> dict[str, str | dict[str, str]]:
-    """Return what the page says in words of Python's own, by their keys in web/words/en.json.
+    """Return what the page says in words of Python's own, by their keys in words/en.json.
 
     Returns
     -------
@@ -123,7 +123,6 @@ def english() -> dict[str, str | dict[str, str]]:
         "reason.sided": SIDED,
         **{f"quantity.{name}": label for name, (label, _) in MAP_QUANTITIES.items()},
         **{f"gravity.{name.lower()}": name for name, _ in GRAVITIES},
-        **{f"examples.{key}": title for key, title in GROUPS.items()},
         **{f"refusal.{name}": text for name, text in TEXTS.items() if not name.startswith("other_problem")},
         **{f"lab.{name}": text for name, text in LAB.items()},
     }
@@ -138,12 +137,6 @@ def english() -> dict[str, str | dict[str, str]]:
     texts: dict[str, str | dict[str, str]] = {key: re.sub(r"\{(\w+)[^}]*\}", r"{\1}", text) for key, text in found.items()}
     texts["refusal.other_problems"] = {"one": TEXTS["other_problem"], "other": TEXTS["other_problems"]}
     return texts
-
-
-def _fingerprint(scenario: Scenario) -> str | None:
-    """Return the fingerprint of the motion; None if double precision does not decide it, as on the page."""
-    motion = simulate(scenario)
-    return motion.fingerprint if motion.doubt == math.inf else None
 
 
 def _scenario() -> dict[str, Any]:

@@ -75,9 +75,9 @@ def _widget_class() -> Any:
         # the results of the motion; the page makes its words from them
         film = traitlets.Bytes().tag(sync=True)
         panels = traitlets.List().tag(sync=True)
-        # the page's kernel and worker: sliders need no round trip, even in a notebook exported to HTML
+        # the page's scripts and its kernel: sliders need no round trip, even in a notebook exported to HTML
+        scripts = traitlets.Dict().tag(sync=True)
         module = traitlets.Bytes().tag(sync=True)
-        worker = traitlets.Unicode().tag(sync=True)
         # of all languages: a saved notebook speaks that of its reader
         words = traitlets.Bytes().tag(sync=True)
         # the scenario's link; changes when another motion is chosen, so that other cells can follow
@@ -88,7 +88,7 @@ def _widget_class() -> Any:
                 film=pack(result(motion), columns(motion)),
                 panels=panels,
                 module=export.packed_module(),
-                worker=export.static_text("kernel.js"),
+                scripts=export.scripts(),
                 words=export.packed_words(),
                 query=motion.scenario.to_query(),
             )

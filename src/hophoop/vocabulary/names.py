@@ -7,7 +7,7 @@ spins where v_t θ̇ < 0 (the rim turns too fast for its motion along the plane)
 θ̇ = 0. With θ̇ > 0, S is spin and K is skid; with θ̇ < 0 it is the other way round. Colours follow the words.
 
 A new mode, event, status or law needs a member of the kernel's enum and a row here. A new event also belongs to `PASSING` if it
-does not end a phase; its sentence on the page is in web/words, by `story.` and its name. A new fate needs a member of `Fate`, a
+does not end a phase; its sentence on the page is in lab/words, by `story.` and its name. A new fate needs a member of `Fate`, a
 row of `FATES`, and a decision in `gaits.kernels.fates`. Colours are in `vocabulary.colors`.
 """
 

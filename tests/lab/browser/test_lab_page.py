@@ -284,6 +284,7 @@ def test_real_parts_and_compliant_contact(visit):
     wait_for(page, "lab.film().scenario.hoop.parts?.length === 2")
     page.get_by_label("Add a part").select_option("disk")
     wait_for(page, "lab.film().scenario.hoop.parts.length === 3")
+    page.locator("summary", has_text="Advanced").click()
     page.locator("select[data-path='contact.model']").select_option("compliant")
     wait_for(page, "lab.film().scenario.contact.model === 'compliant'")
     assert page.locator(".message").is_hidden()

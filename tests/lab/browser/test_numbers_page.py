@@ -62,7 +62,7 @@ def wrong(shown, motion, digits=3):
     hoop, plane = motion.scenario.hoop, motion.scenario.plane
     exact = {
         "velocities: v (centre)": state.vx,
-        "velocities: R θ̇": state.omega * hoop.radius,
+        "velocities: R θ̇ (rotation)": state.omega * hoop.radius,
         "energies: kinetic": state.kinetic,
         "energies: potential": state.potential,
         "energies: total": state.kinetic + state.potential,

@@ -9,7 +9,7 @@ import pytest
 from lab_page_tools import wait_for
 
 LOCALES = {"de": "de-DE", "es": "es-MX", "fr": "fr-CA", "zh": "zh-TW"}
-WORDS = Path(__file__).parents[3] / "web" / "words"
+WORDS = Path(__file__).parents[3] / "src/hophoop/lab/words"
 
 # What stands on the page, and what is read to people.
 TEXTS = """() => {

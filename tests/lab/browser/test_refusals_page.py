@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 LOCALES = {"en": "en-GB", "de": "de-DE", "es": "es-MX", "fr": "fr-CA", "zh": "zh-TW"}
-WORDS = Path(__file__).parents[3] / "web" / "words"
+WORDS = Path(__file__).parents[3] / "src/hophoop/lab/words"
 REFUSALS = {
     403: "server.not_from_here",
     404: "server.no_match",

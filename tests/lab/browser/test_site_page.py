@@ -172,12 +172,39 @@ def test_the_embed_page_speaks_the_visitors_language(browser, address):
     context.close()
 
 
+def test_a_host_that_forbids_webassembly_is_named(browser, address):
+    context = browser.new_context()
+    page = context.new_page()
+    forbidding = {"Content-Security-Policy": "script-src 'self'"}
+    page.route(address, lambda route: route.fulfill(response=(reply := route.fetch()), headers=reply.headers | forbidding))
+    page.goto(address)
+    page.get_by_text("Content-Security-Policy needs 'wasm-unsafe-eval' in script-src").wait_for(timeout=PATIENCE)
+    context.close()
+
+
+def test_the_whole_path_holds_what_is_still_to_come(visit):
+    page = visit("?duration=2#t=0.3&show=t")
+    ink = """() => {
+      const canvas = document.querySelector(".stage-canvas");
+      const { data, width } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      let right = 0;
+      for (let k = 0; k < data.length; k += 4) {
+        const [red, green, blue] = data.slice(k, k + 3); // of the flight's trace
+        if (data[k + 3] && red > 200 && green < 190 && blue < 190 && red - green > 50) right = Math.max(right, (k / 4) % width);
+      }
+      return right;
+    }"""
+    page.evaluate("hophoopLab.toggle('whole')")
+    wait_for(page, "lab.stage.options.whole && !lab.requested")
+    assert page.evaluate(ink) > 0  # it has not flown yet
+
+
 def test_what_doubles_do_not_decide_is_said(visit):
     page = visit("?start.speed=3.616628264005025")
-    assert "doubles cannot decide" in page.locator(".story .hint:not(.fingerprint)").inner_text()
+    assert "doubles cannot decide" in page.locator(".story .hint").inner_text()
     page.evaluate("hophoopLab.motions.change([['start.speed', 3.1]], true)")
     wait_for(page, "lab.film().values['start.speed'] === 3.1 && !lab.surrounding")
-    assert not page.locator(".story .hint:not(.fingerprint)").is_visible()
+    assert not page.locator(".story .hint").is_visible()
 
 
 def test_teachers_get_to_the_documentation_beside_it(visit, folder, tmp_path):

@@ -14,7 +14,7 @@ from lab_page_tools import picture, summary, until  # noqa: E402
 def opened(visit, module=None):
     """A page with the widget, as a notebook shows it; and the widget."""
     pytest.importorskip("anywidget")
-    page = visit()
+    page = visit(bypass_csp=True)  # notebooks allow scripts from blobs
     widget = hh.show(hh.simulate(hh.Scenario(duration=2.0)), panels=("controls", "plots"))
     sent = []
     widget.send = lambda content, buffers=None: sent.append((content, buffers))
@@ -27,13 +27,13 @@ def opened(visit, module=None):
     page.expose_function("kernel", kernel)
     page.expose_function("chosen", lambda query: setattr(widget, "query", query))
     page.evaluate(
-        """async ({ film, panels, module, worker }) => {
+        """async ({ film, panels, module, scripts, start }) => {
           const bytes = (text) => {
             const raw = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
             return new DataView(raw.buffer);
           };
           const listeners = [];
-          const traits = { film: bytes(film), panels, module: bytes(module), worker, query: "" };
+          const traits = { film: bytes(film), panels, module: bytes(module), scripts, query: "" };
           const model = {
             get: (name) => traits[name],
             set: (name, value) => (traits[name] = value),
@@ -45,7 +45,7 @@ def opened(visit, module=None):
               for (const listener of listeners) listener(content, buffers.map(bytes));
             },
           };
-          const source = document.querySelector("script[type=module]").src;
+          const source = URL.createObjectURL(new Blob([start], { type: "text/javascript" }));
           const { default: widget } = await import(source);
           document.body.replaceChildren();
           const el = document.createElement("div");
@@ -56,7 +56,8 @@ def opened(visit, module=None):
             "film": base64.b64encode(widget.film).decode(),
             "panels": widget.panels,
             "module": base64.b64encode(widget.module if module is None else module).decode(),
-            "worker": widget.worker,
+            "scripts": widget.scripts,
+            "start": widget._esm,
         },
     )
     return page, widget

@@ -140,22 +140,6 @@ export class Backend {
     return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, model.spanOf(what), signal));
   }
 
-  /**
-   * The classes at some places of a map's plane, by their places in a table, which grows. `asked`: as for the map;
-   * `places`: values of the two parameters.
-   */
-  async classesAt(
-    asked: Parameters<Backend["map"]>[0],
-    places: [number, number][],
-    classes: MapClass[],
-    signal?: AbortSignal,
-  ) {
-    const { checked, x, y, what } = model.requested(asked, this.mechanics);
-    const base = model.withinMap(checked, { x, y });
-    const cells = await model.cellsAt(base, { x, y }, places, this.mechanics, signal);
-    return model.codesOf(await this.kernel.map(cells, what, model.spanOf(what), signal), what, classes);
-  }
-
   async file(name: string, query: string) {
     const asked = model.asked({ query }, this.mechanics);
     if (name in OWN_FILES) return new Blob([await this.fileText(name, asked)], { type: OWN_FILES[name] });

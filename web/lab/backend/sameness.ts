@@ -5,12 +5,13 @@ import { tables } from "../../model/tables.ts";
 const SAME = { python: "fingerprint.same_bits_as_in", link: "fingerprint.same_bits_as_where" };
 const OTHER = { python: "fingerprint.the_bits_differ_own", link: "fingerprint.the_bits_differ_own_here" };
 
-export type Comparison = { same: boolean; text: Said };
+/** `asked`: by a link. */
+export type Comparison = { same: boolean; asked: boolean; text: Said };
 
 export class Sameness {
   /** By the query of the motion. */
   link: Map<string, string> = new Map();
-  python: Map<string, any>;
+  python: Map<string, string>;
 
   constructor(presets: Preset[]) {
     this.python = new Map(presets.map(({ key, query }) => [query, tables.fingerprints[key]]));
@@ -29,12 +30,13 @@ export class Sameness {
   }
 
   of({ query, fingerprint: own }: Film): Comparison[] {
-    if (!own) return [];
     return (["python", "link"] as const).flatMap((whose) => {
       const other = this[whose].get(query);
       if (!other) return [];
       const same = own === other;
-      return [{ same, text: same ? SAME[whose] : { key: OTHER[whose], values: { own, other } } }];
+      return [
+        { same, asked: whose === "link", text: same ? SAME[whose] : { key: OTHER[whose], values: { own, other } } },
+      ];
     });
   }
 }

@@ -44,10 +44,6 @@ export function say(element: Element, said: Said) {
   else element.replaceChildren();
 }
 
-// Also inside a shadow tree, where notebooks put widgets.
-export const focused = (element: HTMLElement | null) =>
-  element !== null && (element.getRootNode() as Document | ShadowRoot).activeElement === element;
-
 /** The 2D context of a canvas, which every browser gives unless the canvas is used otherwise. */
 export const pen = (canvas: HTMLCanvasElement) => canvas.getContext("2d") as CanvasRenderingContext2D;
 

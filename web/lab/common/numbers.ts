@@ -1,9 +1,7 @@
 // Numbers as a reader wants them, and round steps for axes.
 
+import { clamp } from "./clamp.ts";
 import { local } from "../words/words.ts";
-
-export const clamp: (value: number, least: number, most: number) => number = (value, least, most) =>
-  Math.min(Math.max(value, least), most);
 
 /** A number as a reader wants it: so many significant digits, no trailing zeros, a real minus sign. */
 export function show(value: number, digits = 4) {

@@ -1,4 +1,8 @@
-// What fingers and mouse do: drag, pinch.
+// What fingers and mouse do: drag, pinch; and where the keys go.
+
+/** Also inside a shadow tree, where notebooks put widgets. */
+export const focused = (element: HTMLElement | null) =>
+  element !== null && (element.getRootNode() as Document | ShadowRoot).activeElement === element;
 
 /**
  * One press: `move` follows the finger, `end` gets the last event and whether the finger was lifted (or taken away).

@@ -1,7 +1,6 @@
 // One rule for all pictures that can be zoomed: wheel, two fingers, double click, keys.
 
-import { focused } from "./dom.ts";
-import { pinch } from "./pointer.ts";
+import { focused, pinch } from "./pointer.ts";
 
 /** Whether fingers zoom, not a wheel. */
 export const byFingers = () => matchMedia("(hover: none)").matches;

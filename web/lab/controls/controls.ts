@@ -2,11 +2,14 @@
 
 import { h } from "../common/dom.ts";
 import { Entry } from "./entry.ts";
-import { clamp, show, withUnit } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
+import { show, withUnit } from "../common/numbers.ts";
 import { Parts, partsLike } from "./parts.ts";
 import { t } from "../words/words.ts";
 
 const DEGREE = Math.PI / 180;
+const CONTACT = ["model", "law", "friction", "stiffness", "slip_speed", "restitution"];
+const ADVANCED = ["plane.painleve", "plane.impact_law", ...CONTACT.map((name) => `contact.${name}`)];
 
 /** The range that Python allows, in the unit of the field. */
 function rangeOf({ allowed, degrees }: SliderInfo): NumberRange | undefined {
@@ -136,7 +139,12 @@ export class Controls {
   gravities: [string, number][];
   element: HTMLDivElement;
 
-  constructor(setup: ControlsInfo, onchange: (changes: Change[], commit: boolean) => void) {
+  /** `signature`: of the motion, shown with what few visitors ask for. */
+  constructor(
+    setup: ControlsInfo,
+    onchange: (changes: Change[], commit: boolean) => void,
+    readonly signature: HTMLElement,
+  ) {
     this.onchange = (changes: Change[], commit = true) => onchange(changes, commit);
     for (const list of Object.values(setup.groups)) {
       for (const info of list) this.sliders.set(info.path, new Slider(info, this.onchange));
@@ -144,7 +152,7 @@ export class Controls {
     this.choices = new Map(setup.choices.map((info) => [info.path, choice(info, this.onchange)]));
     this.parts = new Parts(this.onchange);
     this.gravities = setup.gravities as [string, number][];
-    this.element = h("div", { class: "controls" }, this.hoop(), this.plane(), this.start(), this.contact());
+    this.element = h("div", { class: "controls" }, this.hoop(), this.plane(), this.start(), this.advanced());
   }
 
   at(path: string) {
@@ -159,7 +167,7 @@ export class Controls {
    */
   of(section: string, before: Record<string, HTMLElement[]> = {}) {
     return [...this.sliders.keys(), ...this.choices.keys()]
-      .filter((path) => path.startsWith(`${section}.`))
+      .filter((path) => path.startsWith(`${section}.`) && !ADVANCED.includes(path))
       .flatMap((path) => [...(before[path] ?? []), this.at(path)]);
   }
 
@@ -174,7 +182,9 @@ export class Controls {
 
   group(title: string, ...children: HTMLElement[]) {
     // on a phone all of it would be a long way to scroll
-    const open = title === "controls.start" || title === "controls.plane" || !matchMedia("(max-width: 47.5em)").matches;
+    const open =
+      title !== "controls.advanced" &&
+      (title === "controls.start" || title === "controls.plane" || !matchMedia("(max-width: 47.5em)").matches);
     return h("details", { class: "group", open }, h("summary", {}, title), children);
   }
 
@@ -239,9 +249,9 @@ export class Controls {
     return this.group("controls.start", this.kind.element, ...this.of("start"), this.at("duration"));
   }
 
-  contact() {
-    const names = ["model", "law", "friction", "stiffness", "slip_speed", "restitution"];
-    return this.group("controls.contact", ...names.map((name) => this.at(`contact.${name}`)));
+  /** What few visitors ask for; closed at first. */
+  advanced() {
+    return this.group("controls.advanced", ...ADVANCED.map((path) => this.at(path)), this.signature);
   }
 
   /** A change that was refused is said at its field, if it is one that is seen. */

@@ -1,6 +1,6 @@
 // A curve that swings so often that its line would be a block: the range of its values in each column of pixels, and their mean.
 
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 
 const LINE = 1.8; // usual breadth of a line, in pixels
 const THIN = 0.8;

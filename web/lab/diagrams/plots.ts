@@ -13,7 +13,7 @@ function definitions(colors: Colors): PlotDefinition[] {
       curves: (film: Film) => [
         { name: "diagram.v_centre", color: colors.center_speed, values: film.columns.vx },
         {
-          name: "R θ̇",
+          name: "diagram.rotation",
           color: colors.rotation_speed,
           dash: "dash",
           values: film.derived("spin", ({ omega }) => Float64Array.from(omega, (value) => value * film.radius)),

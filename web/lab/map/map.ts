@@ -1,19 +1,20 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
-import { fitted, focused, h, once, say } from "../common/dom.ts";
+import { fitted, h, once, say } from "../common/dom.ts";
 import { axisFont } from "../common/axes.ts";
-import { boundaries } from "../common/later.ts";
+import { focused } from "../common/pointer.ts";
 import { AXES, cross, MapAxes } from "./map_axes.ts";
 import { takeHands } from "./map_hands.ts";
 import { otherStart } from "./map_words.ts";
 import { byFingers } from "../common/zoom.ts";
-import { layerOf, legendOf, paint, shapesOf, stacked, textAt } from "./map_layers.ts";
+import { cellAt, layerOf, legendOf, paint, stacked, textAt } from "./map_layers.ts";
 import { saidOf } from "../words/words.ts";
 
 const LEVELS = [
   [24, 16],
   [72, 48],
   [216, 144],
+  [432, 288],
 ];
 
 export class MotionMap {
@@ -207,29 +208,12 @@ export class MotionMap {
         say(this.state, other ? [done, "; ", other] : done);
         this.redraw();
         this.level = level + 1;
-        if (this.level === LEVELS.length) await this.outline(body, reply, signal);
       }
     } catch (error) {
       if ((error as Error).name === "AbortError") return;
       say(this.state, saidOf(error));
     }
     this.computing = false;
-  }
-
-  /** The finest layer with exact boundaries between its classes. */
-  async outline(asked: Parameters<Backend["map"]>[0], reply: Reply<MapHeader>, signal: AbortSignal) {
-    const { values, header } = this.layers[this.layers.length - 1];
-    const { classes, x, y } = header;
-    if (!classes) return;
-    const value = ({ from, to, cells }: MapHeader["x"], place: number) => from + (place / cells) * (to - from);
-    const part = await boundaries().catch(() => null); // without a network the cells do
-    const found = await part?.boundariesOf(values, [x.cells, y.cells], (places) => {
-      const pairs = places.map(([across, up]): [number, number] => [value(x, across), value(y, up)]);
-      return this.backend.classesAt(asked, pairs, classes, signal);
-    });
-    if (!found) return;
-    this.layers[this.layers.length - 1] = { ...layerOf(reply, false), shapes: shapesOf(found) };
-    this.redraw();
   }
 
   redraw() {
@@ -243,7 +227,7 @@ export class MotionMap {
     this.axes.clip(context);
     context.imageSmoothingEnabled = false;
     const { axes } = this;
-    for (const layer of this.layers) paint(context, layer, axes, look);
+    for (const layer of this.layers) paint(context, layer, axes);
     const here = this.here();
     if (here) cross(context, axes.x(here.x), axes.y(here.y), look.ink, look.paper);
     if (this.pointed && focused(this.body)) {
@@ -276,11 +260,11 @@ export class MotionMap {
     return `${this.axes.said(place)}: ${textAt(this.layers, place)}`;
   }
 
+  /** Take the motion of a cell, with the roundest values that are within it. */
   take(place: Place) {
-    this.onmotion([
-      [this.axes.paths.x, place.x],
-      [this.axes.paths.y, place.y],
-    ]);
+    const cell = cellAt(this.layers, place);
+    const value = (name: AxisName) => (cell ? this.axes.round(name, cell[name], place[name]) : place[name]);
+    this.onmotion(AXES.map((name) => [this.axes.paths[name], value(name)]));
   }
 
   zoom(factor: number, center?: Place) {

@@ -1,7 +1,8 @@
 // The two axes of a map: which parameters, from where to where, and where that is on the canvas.
 
 import { type Axis, drawAxes } from "../common/axes.ts";
-import { niceStep, show, tickText, ticks, withUnit, clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
+import { niceStep, show, tickText, ticks, withUnit } from "../common/numbers.ts";
 import { t } from "../words/words.ts";
 
 const LEFT = 62;
@@ -134,6 +135,17 @@ export class MapAxes {
       x: at(this.windows.x, (x - this.left) / this.box.width),
       y: at(this.windows.y, 1 - (y - TOP) / this.box.height),
     };
+  }
+
+  /** The roundest number from `low` to `high` next to a value, in the unit that people read. */
+  round(name: AxisName, [low, high]: number[], value: number) {
+    const scale = this.info(name).degrees ? DEGREE : 1;
+    for (let step = 10 ** Math.ceil(Math.log10((high - low) / scale)); step > 0; step /= 10) {
+      const round = scale * Number((step * Math.round(value / scale / step)).toPrecision(15));
+      if (round >= low && round < high) return round;
+      if (value + scale * step === value) break;
+    }
+    return value;
   }
 
   /** Whether the numbers on an axis would differ in digits only that have no room. */

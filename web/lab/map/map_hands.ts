@@ -1,6 +1,6 @@
 // Mouse, fingers and keys on a map: drag to move, a click or Enter takes a motion; it zooms as all pictures do.
 
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 import { follow } from "../common/pointer.ts";
 import { zoomable } from "../common/zoom.ts";
 import type { MotionMap } from "./map.ts";

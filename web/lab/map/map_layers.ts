@@ -2,9 +2,9 @@
 
 import { parsed, SPEED_COLORS } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
-import { clamp, show, withUnit } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
+import { show, withUnit } from "../common/numbers.ts";
 import { spoken, t } from "../words/words.ts";
-import type { Boundaries } from "./boundaries.ts";
 import type { MapAxes } from "./map_axes.ts";
 
 const DEGREE = Math.PI / 180;
@@ -29,8 +29,8 @@ function limits({ classes, what }: MapHeader, values: Float32Array) {
   return [FROM_ZERO.includes(what) ? Math.min(low, 0) : low, high];
 }
 
-/** A reply as a picture of one pixel a cell. `edges`: darker cells where a class ends. */
-export function layerOf({ header, arrays }: Reply<MapHeader>, edges = true): MapLayer {
+/** A reply as a picture of one pixel a cell. */
+export function layerOf({ header, arrays }: Reply<MapHeader>): MapLayer {
   const values: Float32Array = arrays.values;
   const { x, y, classes } = header;
   const image = new ImageData(x.cells, y.cells);
@@ -43,7 +43,6 @@ export function layerOf({ header, arrays }: Reply<MapHeader>, edges = true): Map
       if (!Number.isFinite(value)) continue;
       // a class ends where a neighbour is another: a darker edge tells pale ones apart
       const edge =
-        edges &&
         palette &&
         ((column + 1 < x.cells && values[row * x.cells + column + 1] !== value) ||
           (row + 1 < y.cells && values[(row + 1) * x.cells + column] !== value));
@@ -58,46 +57,11 @@ export function layerOf({ header, arrays }: Reply<MapHeader>, edges = true): Map
   return { picture, header, values, x: [x.from, x.to], y: [y.from, y.to], low, high };
 }
 
-/** Exact boundaries, to be drawn at any size. */
-export function shapesOf({ areas, lines }: Boundaries): MapShapes {
-  const area = (polygons: number[][]) => {
-    const path = new Path2D();
-    for (const polygon of polygons) {
-      path.moveTo(polygon[0], polygon[1]);
-      for (let k = 2; k < polygon.length; k += 2) path.lineTo(polygon[k], polygon[k + 1]);
-      path.closePath();
-    }
-    return path;
-  };
-  return { areas: new Map([...areas].map(([code, polygons]) => [code, area(polygons)])), lines };
-}
-
 /** One layer on a canvas. */
-export function paint(
-  context: CanvasRenderingContext2D,
-  { picture, header, shapes, ...layer }: MapLayer,
-  axes: MapAxes,
-  look: Look,
-) {
-  const [x0, x1] = layer.x.map((value) => axes.x(value));
-  const [y0, y1] = layer.y.map((value) => axes.y(value));
+export function paint(context: CanvasRenderingContext2D, { picture, x, y }: MapLayer, axes: MapAxes) {
+  const [x0, x1] = x.map((value) => axes.x(value));
+  const [y0, y1] = y.map((value) => axes.y(value));
   context.drawImage(picture, x0, y1, x1 - x0, y0 - y1);
-  if (!shapes) return;
-  const place = new DOMMatrix([(x1 - x0) / header.x.cells, 0, 0, (y1 - y0) / header.y.cells, x0, y0]);
-  for (const [code, area] of shapes.areas) {
-    const path = new Path2D();
-    path.addPath(area, place);
-    context.fillStyle = header.classes?.[code]?.color ?? look.panel;
-    context.fill(path);
-  }
-  context.beginPath();
-  for (const [from, low, to, high] of shapes.lines) {
-    context.moveTo(place.e + place.a * from, place.f + place.d * low);
-    context.lineTo(place.e + place.a * to, place.f + place.d * high);
-  }
-  context.strokeStyle = look.ink;
-  context.lineWidth = 0.8;
-  context.stroke();
 }
 
 /** A layer over others, without those that it covers whole. */
@@ -140,19 +104,36 @@ export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement 
   ];
 }
 
-/** What a place holds, in words: by the finest layer that covers it. */
-export function textAt(layers: MapLayer[], place: Place) {
-  for (const { header, values, shapes, picture } of [...layers].reverse()) {
-    const { x, y, classes } = header;
-    const across = ((place.x - x.from) / (x.to - x.from)) * x.cells;
-    const up = ((place.y - y.from) / (y.to - y.from)) * y.cells;
-    const [column, row] = [Math.floor(across), Math.floor(up)];
-    if (column < 0 || row < 0 || column >= x.cells || row >= y.cells) continue;
-    const area = [...(shapes?.areas ?? [])].find(([, path]) => pen(picture).isPointInPath(path, across, up));
-    const value = area ? area[0] : values[row * x.cells + column];
-    if (classes) return spoken(classes[value]?.text ?? "map.not_allowed");
-    const [scale, unit] = units(header);
-    return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("map.none");
+/** The finest layer that covers a place, and the cell there. */
+function covering(layers: MapLayer[], place: Place) {
+  for (const layer of [...layers].reverse()) {
+    const [column, row] = (["x", "y"] as const).map((name) => {
+      const { from, to, cells } = layer.header[name];
+      return Math.floor(((place[name] - from) / (to - from)) * cells);
+    });
+    const { x, y } = layer.header;
+    if (column >= 0 && row >= 0 && column < x.cells && row < y.cells) return { layer, column, row };
   }
-  return "…";
+  return null;
+}
+
+/** From where to where the cell of a place goes. */
+export function cellAt(layers: MapLayer[], place: Place): Record<AxisName, number[]> | null {
+  const found = covering(layers, place);
+  if (!found) return null;
+  const ends = ({ from, to, cells }: MapHeader["x"], k: number) =>
+    [k, k + 1].map((end) => from + (end / cells) * (to - from));
+  const { x, y } = found.layer.header;
+  return { x: ends(x, found.column), y: ends(y, found.row) };
+}
+
+/** What a place holds, in words. */
+export function textAt(layers: MapLayer[], place: Place) {
+  const found = covering(layers, place);
+  if (!found) return "…";
+  const { header, values } = found.layer;
+  const value = values[found.row * header.x.cells + found.column];
+  if (header.classes) return spoken(header.classes[value]?.text ?? "map.not_allowed");
+  const [scale, unit] = units(header);
+  return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("map.none");
 }

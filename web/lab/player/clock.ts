@@ -1,6 +1,6 @@
 // The time that is shown, and how it runs.
 
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 
 export const SPEEDS = [0.05, 0.1, 0.25, 0.5, 1, 2, 4];
 

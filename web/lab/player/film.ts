@@ -1,7 +1,7 @@
 // A computed motion: what Python has sent, and the state at any time in it.
 
 import { tables } from "../../model/tables.ts";
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 
 export const MODE_LETTERS: string = tables.words.letters;
 
@@ -26,7 +26,7 @@ export class Film {
   status: MotionStatus;
   sequence: string;
   /** hash of the bits of all events; null where this page does not decide them */
-  fingerprint: string | null;
+  fingerprint: string;
   events: MotionEvent[];
   values: Record<string, any>;
   automatic: Record<string, number>;
@@ -50,7 +50,7 @@ export class Film {
   extent: { left: number; right: number; top: number; speed: number };
 
   constructor(reply: Reply) {
-    Object.assign(this, { fingerprint: null, doubt: "" }, reply.header);
+    Object.assign(this, { doubt: "" }, reply.header);
     this.columns = reply.arrays;
     this.exact = reply.exact;
     this.t = reply.arrays.t;

@@ -1,7 +1,7 @@
 // The hoop in the visitor's hand: turn the load, roll or lift the hoop, tilt the plane, let go with the speed of the
 // hand. What is held is a start; the coming motion is computed while the hand moves and begins when it lets go.
 
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 import type { Scene } from "./scene2d.ts";
 
 const FLICK = 0.09; // seconds before letting go that count for the speed

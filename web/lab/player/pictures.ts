@@ -1,7 +1,7 @@
 // Pictures of what is shown, larger than the screen, with the words that stand beside it on the page.
 
 import { h, pen } from "../common/dom.ts";
-import { fetched, lines } from "../common/later.ts";
+import { fetched } from "../common/later.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
@@ -32,7 +32,7 @@ export async function png(lab: Shown): Promise<Blob> {
 export async function svg(lab: Shown) {
   if (lab.stage.options.three) throw new Error("save.a_picture_in_space");
   const { width, height } = lab.stage.canvas().getBoundingClientRect();
-  const { Context } = await fetched(lines());
+  const { Context } = await fetched(import("svgcanvas"));
   const context = new Context({ width, height, document });
   background(context, lab, width, height);
   flat(context, lab, width, height);

@@ -2,9 +2,23 @@
 
 import { disc, fill, ring, stroke } from "../common/paint.ts";
 import { SPEED_TEXTS } from "../common/colors.ts";
-import { clamp, niceStep, show, tickText } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
+import { niceStep, show, tickText } from "../common/numbers.ts";
 
 const SEGMENTS = 120;
+const GAP = 12; // pixels between an arrow or a rim and a label
+const KEYS = 64; // pixels that ticks, a force and the key need below the plane
+
+/**
+ * Where a label next to the tip of an arrow begins, so that it lies over no rim: within it where it fits, else outside.
+ * `size`: of the label; `width`: of the picture. All in pixels.
+ */
+export function besideRim(x: number, y: number, size: number, [cx, cy]: number[], radius: number, width: number) {
+  const chord = Math.sqrt(Math.max(radius ** 2 - (y - cy) ** 2, 0));
+  const outside = cx + chord + GAP;
+  if (!chord || x + GAP + size < cx + chord - GAP) return x + GAP;
+  return outside + size < width ? outside : cx - chord - GAP - size;
+}
 
 export class Scene {
   top = 0; // of the hoop's part of the picture, in pixels
@@ -34,18 +48,21 @@ export class Scene {
     const { left, right } = film.extent;
     const { top } = common;
     const room = 2 * common.radius + Math.min(top, 6 * common.radius);
+    // the key lies in the ground of a picture that is not too small for it
+    const low = (share: number) =>
+      Math.min(share * height, height > 256 * look.px ? height - KEYS * look.px : Infinity);
     const close = Math.min((0.66 * height) / room, (0.36 * width) / common.radius);
     if (options.whole) {
       const span = (right - left) * this.cosine + 2.6 * R;
       const fall = (right - left) * Math.abs(this.sine) + 2.6 * R + top;
       this.scale = Math.min(width / span, (0.86 * height) / fall, close) * zoom;
       this.focus = [0.5 * (left + right), 0];
-      this.place = [0.5 * width + shift[0], (film.slope ? 0.62 : 0.8) * height + shift[1]];
+      this.place = [0.5 * width + shift[0], low(film.slope ? 0.62 : 0.8) + shift[1]];
     } else {
       this.scale = close * zoom;
       this.focus = [Number.isFinite(this.pose.x) ? this.pose.x : 0, 0];
       // on a narrow screen the readout needs the left side
-      this.place = [(width < 520 ? 0.6 : 0.46) * width + shift[0], 0.82 * height + shift[1]];
+      this.place = [(width < 520 ? 0.6 : 0.46) * width + shift[0], low(0.82) + shift[1]];
     }
   }
 
@@ -68,7 +85,9 @@ export class Scene {
 
   draw() {
     this.ground();
-    if (this.options.traces || this.options.ahead) this.traces();
+    const { traces, ahead, whole } = this.options;
+    if (ahead || (traces && whole)) this.traces(this.film.duration, 0.45);
+    if (traces && !ahead) this.traces(this.pose.t);
     this.hoop();
     if (this.options.forces) this.forces();
   }
@@ -103,10 +122,10 @@ export class Scene {
     }
   }
 
-  traces() {
+  /** `share`: of their ink. */
+  traces(until: number, share = 1) {
     const { film, context, look, colors } = this;
     const R = film.radius;
-    const until = this.options.ahead ? film.duration : this.pose.t;
     const path: (distance: number, color: string, width: number, wanted?: boolean) => void = (
       distance,
       color,
@@ -132,12 +151,12 @@ export class Scene {
           else open = false;
         }
       }
-      if (!this.options.ahead && (wanted === undefined || (this.pose.mode === "H") === wanted)) {
+      if (until === this.pose.t && (wanted === undefined || (this.pose.mode === "H") === wanted)) {
         add(this.pose.x, this.pose.height, this.pose.angle);
       }
       context.stroke();
     };
-    context.globalAlpha = this.options.ahead ? 0.45 : 1;
+    context.globalAlpha = share;
     path(R, look.ink, 1.3);
     path(film.eccentricity * R, colors.gravity_center, 1.8, false);
     path(film.eccentricity * R, colors.airborne, 2.4, true);
@@ -351,9 +370,11 @@ export class Scene {
     context.lineWidth = 3;
     context.strokeStyle = below ? look.ground : look.paper;
     context.textAlign = "left";
+    const high = clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale);
+    const rim = this.point(this.pose.x, this.film.radius + this.pose.height);
     const place = below
       ? [from[0] - 0.5 * size - 32 * look.px * this.sine, from[1] + 32 * look.px * this.cosine]
-      : [to[0] + 12, clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale)];
+      : [besideRim(to[0], high - 4, size, rim, this.film.radius * this.scale, width), high];
     place[0] = clamp(place[0], 4, width - size - 4);
     context.strokeText(label, place[0], place[1]);
     context.fillText(label, place[0], place[1]);

@@ -1,7 +1,7 @@
 // The contact, to be heard: a low tone as strong as the normal force, a hiss while the rim slips, a knock at each
 // landing. Silence is flight. Off until it is asked for; everything follows the computed motion at the film's time.
 
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 
 const LOUDEST = 0.22;
 const SOFT = 0.03; // seconds within which a loudness changes

@@ -2,7 +2,7 @@
 
 import { SPEED_TEXTS } from "../common/colors.ts";
 import { h } from "../common/dom.ts";
-import { fetched, space } from "../common/later.ts";
+import { fetched } from "../common/later.ts";
 import { degrees, length, show, withUnit } from "../common/numbers.ts";
 import { Stage2D } from "./stage2d.ts";
 import type { Stage3D } from "./stage3d.ts";
@@ -10,7 +10,15 @@ import { local, name, t } from "../words/words.ts";
 import type { Shown } from "../shell/address.ts";
 import type { Lab } from "../shell/lab.ts";
 
-const OUTPUTS = ["player.hoop", "table.mode", "column.time", "column.angle", "v", "R θ̇", "player.gap"];
+const OUTPUTS = [
+  "player.hoop",
+  "table.mode",
+  "column.time",
+  "column.angle",
+  "diagram.v_centre",
+  "diagram.rotation",
+  "player.gap",
+];
 
 export class Stage {
   options: StageOptions = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
@@ -120,7 +128,7 @@ export class Stage {
 
   /** In space, which has to come first, or in the plane. `draw`: what fails where the browser cannot. */
   async turn(draw: () => void) {
-    const part = this.deep ? null : await fetched(space());
+    const part = this.deep ? null : await fetched(import("./stage3d.ts"));
     const show = () => {
       this.plane.hidden = this.options.three;
       this.space.hidden = !this.options.three;

@@ -2,7 +2,7 @@
 
 import { hoopInk } from "../common/colors.ts";
 import { fitted } from "../common/dom.ts";
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 import { follow } from "../common/pointer.ts";
 import { Scene } from "./scene2d.ts";
 import { zoomable } from "../common/zoom.ts";

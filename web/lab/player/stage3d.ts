@@ -4,7 +4,7 @@ import { rgb } from "../../space/algebra.ts";
 import { bind, makeProgram, mesh } from "../../space/gl.ts";
 import { Space } from "../../space/space.ts";
 import { SPEED_COLORS } from "../common/colors.ts";
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 import { follow } from "../common/pointer.ts";
 import { zoomable } from "../common/zoom.ts";
 
@@ -124,7 +124,7 @@ export class Stage3D {
     space.shadows(() => each((film, pose, depth) => this.drawHoop(film, pose, depth, options, look, colors, true)));
     each((film, pose, depth) => {
       this.drawHoop(film, pose, depth, options, look, colors, false);
-      if (options.traces) this.drawTraces(film, pose, depth, look, colors, ratio);
+      if (options.traces) this.drawTraces(film, options.whole ? film.duration : pose.t, depth, look, colors, ratio);
       if (options.forces) this.drawForces(film, pose, depth, colors);
     });
   }
@@ -216,9 +216,9 @@ export class Stage3D {
     return made;
   }
 
-  drawTraces(film: Film, pose: Pose, depth: number, look: Look, colors: Colors, ratio: number) {
+  drawTraces(film: Film, until: number, depth: number, look: Look, colors: Colors, ratio: number) {
     const { load, center } = this.linesOf(film, look, colors);
-    const count = Math.min(film.index(pose.t) + 2, film.length);
+    const count = Math.min(film.index(until) + 2, film.length);
     const place = { shift: this.focus, depth };
     this.space.drawTrace(load, count, { width: ratio, ...place });
     this.space.drawTrace(center, count, { width: 1.6 * ratio, ...place });

@@ -9,8 +9,8 @@ export class Story {
   items: HTMLElement[];
   current: number;
   listed: Film | null = null;
-  /** the fingerprint that is shown. */
-  signed: string | null | undefined;
+  /** The fingerprint that is shown. */
+  signed: string;
 
   summary = h("p", { class: "summary" });
   doubt = h("p", { class: "hint", hidden: true });
@@ -18,6 +18,7 @@ export class Story {
   heading = h("h2", {}, "motion.what_happens");
   signature = h("span", {});
   compared = h("span", {});
+  /** Shown with the advanced controls. */
   fingerprint = h("p", { class: "hint fingerprint" }, this.signature, this.compared);
   live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
   element = h(
@@ -27,7 +28,6 @@ export class Story {
     this.summary,
     this.doubt,
     this.list,
-    this.fingerprint,
     this.live,
   );
 
@@ -58,6 +58,9 @@ export class Story {
     this.compared.replaceChildren(
       ...comparisons.flatMap(({ same, text }) => [" ", h("span", { class: same ? "same" : "differs" }, text)]),
     );
+    // what a link has asked, and what should be equal and is not, is seen
+    const group = this.fingerprint.closest("details");
+    if (group && comparisons.some(({ same, asked }) => asked || !same)) group.open = true;
     this.cursor(this.clock.time);
   }
 
@@ -126,9 +129,8 @@ export class Story {
   }
 }
 
-/** The fingerprint with a button that copies it, or why there is none. */
-function fingerprintOf(fingerprint: string | null) {
-  if (!fingerprint) return [h("span", {}, "motion.no_fingerprint_this_motion")];
+/** The fingerprint with a button that copies it. */
+function fingerprintOf(fingerprint: string) {
   const code = h("code", {}, document.createTextNode(fingerprint));
   const copy = h("button", {}, "motion.copy");
   copy.onclick = async () => {

@@ -1,7 +1,7 @@
 // The address of the page: the motions, the time, what is drawn, and the part of the map that is looked at.
 
 import { once } from "../common/dom.ts";
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 import { listed } from "../words/words.ts";
 import type { Notice } from "./notice.ts";
 import type { Motions } from "../player/motions.ts";

@@ -33,8 +33,8 @@ export class Header {
 
   /** `share`: the menu of what can be shared and saved; `view`: what switches to everything and back. */
   constructor(presets: Preset[], share: HTMLElement, view: HTMLElement, actions: Actions) {
-    const groups: Map<string, Preset[]> = new Map();
-    for (const preset of presets) groups.set(preset.group, [...(groups.get(preset.group) ?? []), preset]);
+    const options = (more: boolean) =>
+      presets.filter((preset) => preset.more === more).map(({ key, title }) => h("option", { value: key }, title));
     this.presets = h(
       "select",
       {
@@ -53,13 +53,8 @@ export class Header {
         },
       },
       h("option", { value: "" }, "header.examples_2"),
-      [...groups].map(([group, list]) =>
-        h(
-          "optgroup",
-          { label: group },
-          list.map(({ key, title }) => h("option", { value: key }, title)),
-        ),
-      ),
+      options(false),
+      h("optgroup", { label: "examples.more" }, options(true)),
     );
     this.undo = button(icon("undo"), "header.undo_z", actions.undo);
     this.redo = button(icon("redo"), "header.redo_y", actions.redo);

@@ -65,7 +65,7 @@ export function aboutDialog(version: string, hosted: boolean) {
       {},
       row("keys.version", document.createTextNode(version)),
       row("keys.licence", document.createTextNode("MIT"), ...(licences ? [". ", licences] : [])),
-      row("keys.documentation", base ? link(base, "keys.the_documentation") : "keys.docs_index_md_in"),
+      base ? row("keys.documentation", link(base, "keys.the_documentation")) : [],
       row("keys.commands", h("code", {}, document.createTextNode("hophoop --help"))),
     ),
     h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),

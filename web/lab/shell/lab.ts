@@ -91,8 +91,10 @@ export class Lab {
     say: (text) => this.story.say(text),
     changed: () => this.address?.soon(),
   });
-  controls = new Controls(this.setup.controls, (changes: Change[], commit: boolean) =>
-    this.motions.change(changes, commit),
+  controls = new Controls(
+    this.setup.controls,
+    (changes: Change[], commit: boolean) => this.motions.change(changes, commit),
+    this.story.fingerprint,
   );
   share = new Share(this);
   singleKeys: SingleKeys;

@@ -9,12 +9,13 @@ import { NotebookKernel, type Model } from "../backend/python.ts";
 import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
 import { preferred, saidOf, speak, wordsFrom } from "../words/words.ts";
 
-const here = new URL("./", import.meta.url);
+/** The folder of the script; a notebook has none. */
+const here = () => new URL("./", import.meta.url);
 
 /** The visitor's language, from the files beside the script; English where it is not to be had. */
 function speakFrom(folder: URL) {
   wordsFrom(async (code) => {
-    const response = await fetch(new URL(`words.${code}.json?${STAMP}`, folder));
+    const response = await fetch(new URL(`words.${code}.json?${WORDS}`, folder));
     if (!response.ok) throw new Error(`words.${code}.json: ${response.status}`);
     return response.json();
   });
@@ -39,9 +40,9 @@ async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
   let backend: Backend;
-  const words = speakFrom(here);
+  const words = speakFrom(here());
   try {
-    backend = await backendOf(here, site ? null : base, base);
+    backend = await backendOf(here(), site ? null : base, base);
   } catch (error) {
     await words;
     say(root, saidOf(error));
@@ -86,15 +87,18 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
   }
 }
 
-/** anywidget: the motion travels with the notebook, so that it plays without a kernel as well. */
-async function render({ model, el }: { model: Model; el: HTMLElement }) {
+/**
+ * anywidget: the motion travels with the notebook, so that it plays without a kernel as well. `worker`: address of its
+ * script.
+ */
+async function render({ model, el }: { model: Model; el: HTMLElement }, worker: string) {
   const root = document.createElement("div");
   el.append(root);
   const words = speakPacked(model.get("words"));
   const python = new NotebookKernel(model);
   let backend: Backend;
   try {
-    backend = await widgetBackend(model, python);
+    backend = await widgetBackend(model, python, worker);
     await words;
   } catch (error) {
     await words;

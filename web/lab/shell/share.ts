@@ -67,7 +67,7 @@ export class Share {
   }
 
   fingerprints() {
-    return this.lab.films().map(({ fingerprint }) => fingerprint ?? "");
+    return this.lab.films().map(({ fingerprint }) => fingerprint);
   }
 
   async copyLink(fingerprints: string[]) {

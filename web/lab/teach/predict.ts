@@ -2,7 +2,7 @@
 
 import { disc, ring, stroke } from "../common/paint.ts";
 import { fitted, h } from "../common/dom.ts";
-import { clamp } from "../common/numbers.ts";
+import { clamp } from "../common/clamp.ts";
 import { follow } from "../common/pointer.ts";
 
 /** A guess: what stands on the page, whether it has been made, and how good it was (from 0 to 100). */

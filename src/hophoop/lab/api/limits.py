@@ -11,7 +11,7 @@ DURATION: Final = 600.0  # of a motion [s]
 EVENTS: Final = 20_000  # of a motion [1]
 PARTS: Final = 64  # of a hoop [1]
 SAMPLES: Final = 20_001  # rows of a table of states [1]
-CELLS: Final = 65_536  # of a map [1]
+CELLS: Final = 131_072  # of a map [1]
 CELL_EVENTS: Final = 2000  # of a motion in a map [1]
 CHANGES: Final = 200  # of a scenario in one request [1]
 FILM: Final = 20.0  # duration of a film [s]
@@ -28,7 +28,7 @@ LAB: Final[dict[str, str]] = {
     "compliant_changes": "With a compliant contact no derivatives are computed: choose the rigid contact model.",
     "film_too_long": "duration = {duration:g} must be at most {most:g} s for a film from the lab.",
 }
-"""Refusals of the lab, filled by Python and by the page as by `str.format`. What the page says of a motion is in web/words."""
+"""Refusals of the lab, filled by Python and by the page as by `str.format`. What the page says of a motion is in lab/words."""
 
 
 class TooMuch(InputError):

@@ -92,10 +92,14 @@ def create_app(names: Iterable[str] = (), backdrop: Backdrop | None = None) -> S
 
 
 @cache
-def _assets() -> dict[str, tuple[bytes, str]]:
-    """Return name → content and a tag that follows from it."""
-    found = {path.removeprefix("static/"): content for path, content in site_files().items() if path.startswith("static/")}
-    return {name: (content, hashlib.sha256(content).hexdigest()[:16]) for name, content in found.items()}
+def _assets() -> dict[str, bytes]:
+    return {path.removeprefix("static/"): content for path, content in site_files().items() if path.startswith("static/")}
+
+
+@cache
+def _tag() -> str:
+    """Return a hash of all files: scripts name each other relative to themselves."""
+    return hashlib.sha256(b"".join(_assets().values())).hexdigest()[:16]
 
 
 def html(filmed: bool = False) -> str:
@@ -113,9 +117,7 @@ def html(filmed: bool = False) -> str:
     text = static_text("index.html")
     if filmed:
         text = text.replace("</head>", '<script type="module" src="backdrop.js"></script>\n</head>')
-    for name, (_, tag) in _assets().items():
-        text = text.replace(f"static/{name}", f"static/{tag}/{name}")
-    return text
+    return text.replace('="static/', f'="static/{_tag()}/')
 
 
 def _page(filmed: bool) -> Any:
@@ -130,11 +132,11 @@ async def _asset(request: Request) -> Response:
     name = request.path_params["name"]
     if name not in _assets():
         raise HTTPException(404, "There is no such file.")
-    return Response(_assets()[name][0], media_type=MEDIA[Path(name).suffix], headers=FOREVER)
+    return Response(_assets()[name], media_type=MEDIA[Path(name).suffix], headers=FOREVER)
 
 
 async def _icon(request: Request) -> Response:
-    return Response(_assets()["icon.svg"][0], media_type=MEDIA[".svg"], headers={"Cache-Control": "public, max-age=86400"})
+    return Response(_assets()["icon.svg"], media_type=MEDIA[".svg"], headers={"Cache-Control": "public, max-age=86400"})
 
 
 def _film_routes(backdrop: Backdrop) -> list[Route]:

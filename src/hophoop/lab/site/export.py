@@ -21,47 +21,48 @@ POLICY = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; "
     "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-STATIC = (
-    "lab.js",
-    "stage3d.js",
-    "svg.js",
-    "boundaries.js",
-    "kernel.js",
-    "motion_element.js",
-    "embed.js",
-    "lab.css",
-    "embed.css",
-    "icon.svg",
-    "preview.png",
-    "licences.txt",
-)
-# Files renamed because pages and embedding sites use their names; the others keep their names.
-NAMES = {"motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
-PAGES = ("site.html", "embed.html")
+# Files of static/ that are not for visitors: other pages, and what Python fills or the notebook widget starts with.
+OWN = ("backdrop.js", "index.html", "pick.html", "service-worker.js", "tables.json", "widget.js")
+_STATIC = files("hophoop.lab") / "static"
+_WORDS = files("hophoop.lab") / "words"
+PAGES = {"site.html": "index.html", "embed.html": "embed.html"}
+# Scripts that the notebook widget does without.
+APART = ("embed.js", "hophoop-motion.js")
 
 
 @cache
 def languages() -> tuple[str, ...]:
-    """Return the codes of the languages other than English, each a file of static/."""
-    names = (path.name for path in (files("hophoop.lab") / "static").iterdir())
-    return tuple(sorted(found[1] for name in names if (found := re.fullmatch(r"words\.(\w+)\.json", name))))
+    """Return the codes of the languages other than English, which is in the script."""
+    return tuple(sorted(path.name.removesuffix(".json") for path in _WORDS.iterdir() if path.name != "en.json"))
 
 
 @cache
 def packed_words() -> bytes:
     """Return the words of all languages compressed by gzip, for the notebook widget."""
-    tables = {code: json.loads(static_bytes(f"words.{code}.json")) for code in languages()}
+    tables = {code: json.loads((_WORDS / f"{code}.json").read_bytes()) for code in languages()}
     return gzip.compress(json.dumps(tables, ensure_ascii=False).encode(), 9, mtime=0)
+
+
+@cache
+def visited() -> tuple[str, ...]:
+    """Return the names of the files of static/ that visitors load."""
+    return tuple(sorted(path.name for path in _STATIC.iterdir() if path.name not in (*OWN, *PAGES)))
+
+
+@cache
+def scripts() -> dict[str, str]:
+    """Return the page's scripts by name, for the notebook widget."""
+    return {name: static_text(name) for name in visited() if name.endswith(".js") and name not in APART}
 
 
 def static_bytes(name: str) -> bytes:
     """Return the content of a file of static/."""
-    return (files("hophoop.lab") / "static" / name).read_bytes()
+    return (_STATIC / name).read_bytes()
 
 
 @cache
 def static_text(name: str) -> str:
-    """Return the text of a file of static/; page and notebook widget share lab.js, since a widget takes a single file."""
+    """Return the text of a file of static/."""
     return static_bytes(name).decode()
 
 
@@ -86,23 +87,22 @@ def site_files(docs: str = "", url: str = "") -> dict[str, bytes]:
     files : dict
         With relative paths throughout, so that the folder can be at any address.
     """
-    made = {
-        f"static/{NAMES.get(name, name)}": static_bytes(name)
-        for name in (*STATIC, *(f"words.{code}.json" for code in languages()))
-    }
+    made = {f"static/{name}": static_bytes(name) for name in visited()}
+    for code in languages():
+        made[f"static/words.{code}.json"] = (_WORDS / f"{code}.json").read_bytes()
     for name in (MODULE, DERIVATIVES):
         made[f"static/{name}"] = (files("hophoop.lab.wasm") / name).read_bytes()
-    for name in PAGES:
+    for name, public in PAGES.items():
         page = static_bytes(name).replace(b"{policy}", POLICY.encode())
         page = page.replace(b"{module}", built()["module"].encode())  # the hash with which the script requests it
         page = page.replace(b'="og:image" content="', b'="og:image" content="' + _address_of(url))
-        made[NAMES.get(name, name)] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
+        made[public] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
     for name, content in sorted(made.items()):
         digest.update(name.encode() + hashlib.sha256(content).digest())
     listed = ", ".join(json.dumps(name) for name in ("./", *sorted(made)))
-    worker = static_text("service_worker.js")
+    worker = static_text("service-worker.js")
     made["service-worker.js"] = (
         worker.replace("{version}", digest.hexdigest()[:16]).replace('"{files}"', listed).encode()
     )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import Any
 from hophoop._version import __version__
 from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.lab.site.controls import MAP_QUANTITIES, controls
-from hophoop.lab.site.presets import presets
+from hophoop.lab.site.presets import FIRST, presets
 from hophoop.vocabulary import colors
 
 
@@ -26,12 +26,12 @@ def setup() -> dict[str, Any]:
         "presets": [
             {
                 "key": p.key,
-                "group": f"examples.{p.group}",
                 "title": f"example.{p.key}",
                 "text": f"example.{p.key}.text",
                 "query": p.scenario.to_query(),
+                "more": k >= FIRST,
             }
-            for p in presets()
+            for k, p in enumerate(presets())
         ],
         "colors": {
             # by the letters of a hoop that rolls forward; each mode is shown with the letter of its word

@@ -53,7 +53,7 @@ class HophoopMotion extends HTMLElement {
     this.starting = true;
     root.textContent = "…";
     try {
-      const { mount } = await import(new URL("lab.js", here).href);
+      const { mount } = await import("../lab/shell/main.ts");
       this.lab = await mount(root, here, this.scenario, this.panels);
       if (this.lab) this.dispatchEvent(new Event("ready"));
     } catch (error) {
