@@ -63,7 +63,7 @@ def test_the_widget_says_what_is_wrong(widget):
     before = widget.motion
     body = {"name": "motion.nc", "scenario": {"hoop": {"mass": -1}}}
     widget._answer(widget, {"view": "a", "number": 4, "call": "file", "body": body}, [])
-    refused = {"status": 422, "detail": "hoop.mass = -1 must be from 1e-12 to 1e+12 kg."}
+    refused = {"status": 422, "detail": "hoop.mass = -1.0 must be from 1e-12 to 1e+12 kg."}
     assert widget.sent[0][0] == {"view": "a", "number": 4, **refused}
     assert widget.motion is before
 

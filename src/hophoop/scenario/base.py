@@ -210,7 +210,7 @@ def within(path: str) -> Any:
 NUMBER = BeforeValidator(_number)
 Number = Annotated[float, NUMBER]
 Friction = Annotated[float, Field(allow_inf_nan=True), BeforeValidator(_friction), within("plane.mu")]
-Count = Annotated[int, BeforeValidator(_whole), within("contact.max_events")]
+Count = Annotated[int, within("contact.max_events"), BeforeValidator(_whole)]
 
 
 def quantity(default: Any, meaning: str, unit: str = "1", allowed: Range | None = None) -> Any:

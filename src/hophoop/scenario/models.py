@@ -17,15 +17,15 @@ from hophoop.scenario.rules import refused
 from hophoop.scenario.texts import say
 from hophoop.vocabulary.parameters import TABLE
 
-Radius = Annotated[float, NUMBER, within("hoop.radius")]
-Mass = Annotated[float, NUMBER, within("hoop.mass")]
-Ratio = Annotated[float, NUMBER, within("hoop.eccentricity")]  # from 0 to 1
-InertiaRatio = Annotated[float, NUMBER, within("hoop.inertia_ratio")]
-Gravity = Annotated[float, NUMBER, within("plane.gravity")]
-Stiffness = Annotated[float, NUMBER, within("contact.stiffness")]
-Damping = Annotated[float, NUMBER, within("contact.damping")]
-SlipSpeed = Annotated[float, NUMBER, within("contact.slip_speed")]
-Tolerance = Annotated[float, NUMBER, within("contact.rtol")]
+Radius = Annotated[float, within("hoop.radius"), NUMBER]
+Mass = Annotated[float, within("hoop.mass"), NUMBER]
+Ratio = Annotated[float, within("hoop.eccentricity"), NUMBER]  # from 0 to 1
+InertiaRatio = Annotated[float, within("hoop.inertia_ratio"), NUMBER]
+Gravity = Annotated[float, within("plane.gravity"), NUMBER]
+Stiffness = Annotated[float, within("contact.stiffness"), NUMBER]
+Damping = Annotated[float, within("contact.damping"), NUMBER]
+SlipSpeed = Annotated[float, within("contact.slip_speed"), NUMBER]
+Tolerance = Annotated[float, within("contact.rtol"), NUMBER]
 
 
 class Hoop(Frozen):

@@ -12,9 +12,9 @@ from hophoop.kernel.physics import mass
 from hophoop.scenario.base import NUMBER, Frozen, Number, plain_init, quantity, refuse, within
 from hophoop.scenario.texts import say
 
-PartMass = Annotated[float, NUMBER, within("hoop.parts.mass")]
-InnerRadius = Annotated[float, NUMBER, Field(ge=0.0)]
-Length = Annotated[float, NUMBER, within("hoop.parts.length")]
+PartMass = Annotated[float, within("hoop.parts.mass"), NUMBER]
+InnerRadius = Annotated[float, Field(ge=0.0), NUMBER]
+Length = Annotated[float, within("hoop.parts.length"), NUMBER]
 
 Row = tuple[int, float, float, float, float]
 

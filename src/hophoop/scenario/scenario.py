@@ -28,7 +28,7 @@ from hophoop.scenario.start import Start
 from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
 
-Duration = Annotated[float, NUMBER, within("duration")]
+Duration = Annotated[float, within("duration"), NUMBER]
 ROUNDED = 1e-9  # of the velocities: within it the slip velocity of a start agrees with the others
 
 

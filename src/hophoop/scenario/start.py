@@ -12,11 +12,11 @@ from hophoop.scenario.base import NUMBER, Frozen, alone, field_of, quantity, ref
 from hophoop.scenario.models import Hoop
 from hophoop.scenario.texts import say
 
-Height = Annotated[float, NUMBER, within("start.height")]
-Place = Annotated[float, NUMBER, within("start.x")]
-Angle = Annotated[float, NUMBER, within("start.angle")]
-Speed = Annotated[float, NUMBER, within("start.speed")]
-Rate = Annotated[float, NUMBER, within("start.omega")]
+Height = Annotated[float, within("start.height"), NUMBER]
+Place = Annotated[float, within("start.x"), NUMBER]
+Angle = Annotated[float, within("start.angle"), NUMBER]
+Speed = Annotated[float, within("start.speed"), NUMBER]
+Rate = Annotated[float, within("start.omega"), NUMBER]
 
 
 class StartState(NamedTuple):
