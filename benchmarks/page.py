@@ -59,7 +59,7 @@ CELLS = """async () => {
     await hophoopLab.backend.map(body);
     times.push(performance.now() - begun);
   }
-  return { cells: 16000, workers: hophoopLab.backend.kernel.maps.hired, times };
+  return { cells: 16000, workers: hophoopLab.backend.kernel.maps.started, times };
 }"""
 
 

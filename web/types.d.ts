@@ -8,13 +8,13 @@ declare const WORDS: string;
 
 /** A table of a language: a text by its key, or one for each plural. */
 type Words = Record<string, string | { [plural: string]: string; other: string }>;
-type Values = Record<string, Said>;
+type Values = Record<string, Message>;
 interface Phrase {
   key: string;
   values?: Values;
 }
 /** What is said: a key, or what needs none such as a number or a symbol; a key with its values; parts; what makes a text. */
-type Said = string | number | Phrase | Said[] | (() => string);
+type Message = string | number | Phrase | Message[] | (() => string);
 
 // Colours of the page, as the style sheet has them.
 interface Look {
@@ -55,7 +55,7 @@ interface Sentence {
   t: number;
   event: number;
   mode: string;
-  text: Said;
+  text: Message;
 }
 
 interface Phase {
@@ -82,7 +82,7 @@ interface Pose {
 type Column = Float64Array | Float32Array | Uint8Array;
 
 /** What the player knows of a motion besides its frames. */
-type FilmHeader = ReturnType<typeof import("./model/header.ts").headerOf> & { doubt?: Said };
+type FilmHeader = ReturnType<typeof import("./model/header.ts").headerOf> & { doubt?: Message };
 type MapHeader = ReturnType<typeof import("./model/cells.ts").mapReply>["header"];
 
 interface Reply<Header = FilmHeader> {
@@ -132,7 +132,7 @@ interface Box {
 
 interface MapClass {
   name: string;
-  text: Said;
+  text: Message;
   color: string;
 }
 

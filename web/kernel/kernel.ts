@@ -1,12 +1,12 @@
 // The kernel of a page without a server: the module in workers, and in the page itself what checking a scenario needs.
 
 import { Refused } from "../words/texts.ts";
-import { Crew } from "./crew.ts";
+import { WorkerPool } from "./worker_pool.ts";
 import { layout } from "./layout.ts";
 import { HoopModule } from "./module.ts";
 
 const LIMIT = 10_000; // milliseconds
-const UNLOADED = "kernel.the_part_of_the";
+const UNLOADED = "kernel.derivatives_not_loaded";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
 const worker = (address: string | URL) => () => new Worker(address, { type: "module" });
@@ -30,10 +30,10 @@ async function unpacked(packed: ArrayBufferView<ArrayBuffer>): Promise<WebAssemb
 
 export class WorkerKernel implements Kernel {
   limit = LIMIT;
-  rates: Promise<Crew> | null = null;
+  rates: Promise<WorkerPool> | null = null;
   mechanics: HoopModule;
-  motions: Crew;
-  maps: Crew;
+  motions: WorkerPool;
+  maps: WorkerPool;
 
   /** `derivatives`: fetches their module. */
   constructor(
@@ -42,9 +42,9 @@ export class WorkerKernel implements Kernel {
     readonly derivatives: () => Promise<WebAssembly.Module>,
   ) {
     this.mechanics = new HoopModule(compiled);
-    this.motions = new Crew(start, compiled, 2, LIMIT);
+    this.motions = new WorkerPool(start, compiled, 2, LIMIT);
     const cores = navigator.hardwareConcurrency || 2;
-    this.maps = new Crew(start, compiled, Math.max(1, Math.min(cores - 1, 8)), LIMIT);
+    this.maps = new WorkerPool(start, compiled, Math.max(1, Math.min(cores - 1, 8)), LIMIT);
   }
 
   /** From the files beside the page. `base`: folder of kernel.js and hophoop.wasm. */
@@ -87,12 +87,12 @@ export class WorkerKernel implements Kernel {
 
   /** Its module is fetched when it is first asked for, and again where that failed. */
   async apart(call: string, values: any[], signal?: AbortSignal) {
-    this.rates ??= this.derivatives().then((compiled) => new Crew(this.start, compiled, 1, LIMIT));
-    const crew = await this.rates.catch(() => {
+    this.rates ??= this.derivatives().then((compiled) => new WorkerPool(this.start, compiled, 1, LIMIT));
+    const pool = await this.rates.catch(() => {
       this.rates = null;
       throw new Error(UNLOADED);
     });
-    return crew.ask(call, values, signal);
+    return pool.ask(call, values, signal);
   }
 
   changes(given: Given, rates: Float64Array, signal?: AbortSignal): Promise<MotionChanges> {
@@ -144,6 +144,6 @@ export class WorkerKernel implements Kernel {
   close() {
     this.motions.close();
     this.maps.close();
-    this.rates?.then((crew) => crew.close()).catch(() => {});
+    this.rates?.then((pool) => pool.close()).catch(() => {});
   }
 }

@@ -95,7 +95,7 @@ export class HoopModule implements Mechanics {
   }
 
   motion(given: Given): ComputedMotion {
-    return told(this.compute(given));
+    return motionOf(this.compute(given));
   }
 
   /** A film's header and columns at once, and the pieces of which `instant` makes the state at any time. */
@@ -104,7 +104,7 @@ export class HoopModule implements Mechanics {
     const [name, bytes] = given.contact ? ["rows", layout.compliant_segment_bytes] : ["segments", layout.segment_bytes];
     const place = this.memory.room(name, 8);
     const pieces = new Uint8Array(this.exports.memory.buffer, place, bytes * computed.segments).slice();
-    return { motion: told(computed), columns: columnsOf(this, computed), pieces };
+    return { motion: motionOf(computed), columns: columnsOf(this, computed), pieces };
   }
 
   /** A film's columns at one time, of a motion that was computed elsewhere. `pieces`: of the motion. */
@@ -322,7 +322,7 @@ function rowOf(part: WholePart) {
   return [shape, part.mass, 0, 0, part.at];
 }
 
-// --- a motion as it is told -----------------------------------------------------------------------
+// --- a motion as Python's to_dict has it -----------------------------------------------------------------------
 
 const LOSSES = ["friction", "impact_normal", "impact_tangential", "rolling_resistance"];
 const ENERGIES = ["kinetic", "potential", ...LOSSES, "residual"];
@@ -333,7 +333,7 @@ const LETTERS = [...layout.letters] as ModeLetter[];
 const STATUSES = layout.statuses as MotionStatus[];
 
 /** As Trajectory.to_dict has it. */
-function told({ given, head, rows, count, duration }: Computed): ComputedMotion {
+function motionOf({ given, head, rows, count, duration }: Computed): ComputedMotion {
   const width = layout.events.length;
   const events = Array.from({ length: count }, (_, k) => eventOf(rows.subarray(k * width, (k + 1) * width)));
   const last = events[count - 1];

@@ -106,7 +106,7 @@ export function rangeText({ least, most, unit = "", also = [] }: RangeTable): Ph
 }
 
 /** One of several words. */
-function oneOf(words: string[]): Said {
+function oneOf(words: string[]): Message {
   const quoted = words.map((word) => `'${word}'`);
   if (quoted.length === 1) return quoted;
   return { key: "list.or", values: { some: listed(quoted.slice(0, -1)), last: quoted[quoted.length - 1] } };

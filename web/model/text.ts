@@ -33,7 +33,7 @@ const FORMATS: Record<string, (value: number, digits: number) => string> = {
 /** The values of a template of Python's as texts: of `{name}`, `{name!r}`, `{name:.3g}`. What is said already stays. */
 export function written(template: string, values: Record<string, any>): Values {
   const places = template.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g);
-  const texts = [...places].map(([, name, quoted, digits, kind]): [string, Said] => {
+  const texts = [...places].map(([, name, quoted, digits, kind]): [string, Message] => {
     const value = values[name];
     if (kind) return [name, FORMATS[kind](value, Number(digits))];
     if (value?.key || Array.isArray(value) || typeof value === "number") return [name, quoted ? shown(value) : value];

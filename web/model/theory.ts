@@ -5,11 +5,11 @@ import { general } from "./text.ts";
 import { listed } from "../words/texts.ts";
 import { degrees } from "./words.ts";
 
-export type Threshold = { key: string; label: Said; value: number | null; unit: string; text: Said };
+export type Threshold = { key: string; label: Message; value: number | null; unit: string; text: Message };
 
 export function thresholds({ hoop, plane }: Checked, known: TheoryNumbers): Threshold[] {
   const found: Threshold[] = [];
-  const add: (key: string, value: number | null, unit: string, say: (value: number) => Said) => void = (
+  const add: (key: string, value: number | null, unit: string, say: (value: number) => Message) => void = (
     key,
     value,
     unit,
@@ -48,7 +48,7 @@ export function thresholds({ hoop, plane }: Checked, known: TheoryNumbers): Thre
 
 const at: (key: string, angle: number) => Phrase = (key, angle) => ({ key, values: { where: degrees(angle) } });
 
-function above(speed: number, would: string): Said {
+function above(speed: number, would: string): Message {
   if (speed < tables.words.least_speed) return `theory.${would}.always`;
   if (!Number.isFinite(speed)) return "theory.no_speed";
   return { key: `theory.${would}.above`, values: { speed: general(speed, 4) } };

@@ -72,7 +72,7 @@ function manyBounces(events: MotionEvent[], told = 3, least = 6) {
 
 /** The motion in one sentence. */
 export function summary(motion: Told, most = 6): Phrase {
-  const phrases: Said[] = [];
+  const phrases: Message[] = [];
   let changes = 0;
   const many = manyBounces(motion.events, 1);
   for (const [number, event] of motion.events.entries()) {

@@ -27,7 +27,7 @@ function show() {
   const tag =
     `<script type="module" src="${new URL("static/hophoop-motion.js", site).href}"></script>\n` +
     `<hophoop-motion scenario="${escaped(query)}"${panels.length ? ` panels="${panels.join(" ")}"` : ""}></hophoop-motion>`;
-  const frame = `<iframe src="${escaped(link)}" title="${escaped(t("embed.a_hopping_hoop"))}" width="100%" height="700" loading="lazy"></iframe>`;
+  const frame = `<iframe src="${escaped(link)}" title="${escaped(t("embed.frame_title"))}" width="100%" height="700" loading="lazy"></iframe>`;
   find("tag").value = tag;
   find("frame").value = frame;
   find("link").textContent = link;

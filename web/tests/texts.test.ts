@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { english, listed, Refused, saidOf, speak, spoken, t, wordsFrom } from "../words/texts.ts";
+import { english, listed, Refused, messageOf, speak, spoken, t, wordsFrom } from "../words/texts.ts";
 
 const GERMAN: Words = {
-  "map.count_motions": { one: "{count} Bewegung", other: "{count} Bewegungen" },
+  "map.count": { one: "{count} Bewegung", other: "{count} Bewegungen" },
   "summary.whole": "{Phrases}.",
   "summary.takeoff": "hüpft bei {where}",
   "verb.roll": "rollt",
@@ -30,7 +30,7 @@ test("a key is said, and what is none stays as it is", () => {
 });
 
 test("a count chooses the plural of the language", async () => {
-  const motions = (count: number) => spoken({ key: "map.count_motions", values: { count } });
+  const motions = (count: number) => spoken({ key: "map.count", values: { count } });
   assert.deepEqual([motions(1), motions(384)], ["1 motion", "384 motions"]);
   await inGerman(() => assert.deepEqual([motions(1), motions(384)], ["1 Bewegung", "384 Bewegungen"]));
 });
@@ -46,8 +46,8 @@ test("what a language lacks is said in English, and English is at hand in every 
   await inGerman(() => {
     assert.equal(t("verb.skid"), "skids");
     assert.equal(english({ key: "summary.takeoff", values: { where: "315.6°" } }), "hops at 315.6°");
-    const refused = new Refused({ key: "map.count_motions", values: { count: 2 } });
-    assert.deepEqual([refused.message, spoken(saidOf(refused))], ["2 motions", "2 Bewegungen"]);
+    const refused = new Refused({ key: "map.count", values: { count: 2 } });
+    assert.deepEqual([refused.message, spoken(messageOf(refused))], ["2 motions", "2 Bewegungen"]);
   });
 });
 

@@ -68,7 +68,7 @@ function placed(name: string, values: Values) {
  * What is said, as a text: that of a key, with its values, of all parts of a list, or of what puts it together
  * itself.
  */
-export function spoken(said: Said): string {
+export function spoken(said: Message): string {
   if (typeof said === "string") return t(said);
   if (typeof said === "number") return local(String(said));
   if (typeof said === "function") return said();
@@ -76,7 +76,7 @@ export function spoken(said: Said): string {
 }
 
 /** Several things in a row. */
-export const listed = (parts: Said[]): Said[] => parts.flatMap((part, k) => (k ? ["list.comma", part] : [part]));
+export const listed = (parts: Message[]): Message[] => parts.flatMap((part, k) => (k ? ["list.comma", part] : [part]));
 
 /** In English, for what is written down and for those who look in from outside. */
 export function english(phrase: Phrase) {
@@ -97,4 +97,4 @@ export class Refused extends Error {
 }
 
 /** What there is to say of an error: its key, its phrase, or a message from elsewhere. */
-export const saidOf = (error: any): Said => error.said ?? error.message;
+export const messageOf = (error: any): Message => error.said ?? error.message;

@@ -136,7 +136,7 @@ def test_a_server_that_is_gone_is_named_and_no_step_is_lost(visit):
           finally { globalThis.fetch = fetch; }
         }"""
     )
-    assert said == "backend.the_server_does_not"
+    assert said == "backend.server_silent"
 
 
 @pytest.mark.long

@@ -169,8 +169,8 @@ def test_the_film_between_frames_is_the_motion_and_its_energies_are_booked_alike
         "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
     )
     ledger = hh.simulate(hh.Scenario()).ledger
-    assert dict(drawn)["diagram.lost_to_friction"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
-    assert dict(drawn)["diagram.lost_in_impacts_normal"] == pytest.approx(ledger.impact_normal, rel=1e-6)
+    assert dict(drawn)["diagram.friction_loss"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
+    assert dict(drawn)["diagram.impact_loss"] == pytest.approx(ledger.impact_normal, rel=1e-6)
     assert ledger.impact_tangential > 0.1  # what tells one convention from the other
 
 

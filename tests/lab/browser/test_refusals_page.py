@@ -16,7 +16,7 @@ REFUSALS = {
     422: "server.no_match",
     500: "server.failed",
     501: "server.missing_extra",
-    502: "backend.the_server_answered_status",
+    502: "backend.server_status",
     503: "server.busy",
 }
 

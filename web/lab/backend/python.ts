@@ -3,7 +3,7 @@
 import { unpack } from "../backend/packing.ts";
 import { Refused } from "../words/words.ts";
 
-const GONE = "backend.the_server_does_not";
+const GONE = "backend.server_silent";
 const NO_MATCH = "server.no_match";
 /** What is said of an answer that is none, by its status. */
 const REFUSALS: Record<number, string> = {
@@ -19,7 +19,7 @@ const REFUSALS: Record<number, string> = {
 };
 
 function refused(status: number, values: Values) {
-  const key = REFUSALS[status] ?? "backend.the_server_answered_status";
+  const key = REFUSALS[status] ?? "backend.server_status";
   return new Refused({ key, values: { status, ...values } });
 }
 
@@ -77,7 +77,7 @@ export class NotebookKernel implements Python {
       const timer = setTimeout(
         () => {
           this.waiting.delete(number);
-          reject(new Error("backend.the_notebooks_kernel_does"));
+          reject(new Error("backend.notebook_silent"));
         },
         call === "file" ? FILE_PATIENCE : PATIENCE,
       );

@@ -2,11 +2,11 @@
 
 import { tables } from "../../model/tables.ts";
 
-const SAME = { python: "fingerprint.same_bits_as_in", link: "fingerprint.same_bits_as_where" };
-const OTHER = { python: "fingerprint.the_bits_differ_own", link: "fingerprint.the_bits_differ_own_here" };
+const SAME = { python: "fingerprint.same_as_python", link: "fingerprint.same_as_link" };
+const OTHER = { python: "fingerprint.not_as_python", link: "fingerprint.not_as_link" };
 
 /** `asked`: by a link. */
-export type Comparison = { same: boolean; asked: boolean; text: Said };
+export type Comparison = { same: boolean; asked: boolean; text: Message };
 
 export class Sameness {
   /** By the query of the motion. */

@@ -31,7 +31,7 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
 }
 
 /** The names of columns. */
-export const headed = (...names: Said[]) =>
+export const headed = (...names: Message[]) =>
   h("thead", {}, h("tr", {}, ...names.map((name) => h("th", { scope: "col" }, [name]))));
 
 /** A row of a table with what it is called. */
@@ -39,7 +39,7 @@ export const rowOf = (called: any, ...cells: any[]) =>
   h("tr", {}, h("th", { scope: "row" }, called), ...cells.map((cell) => h("td", {}, cell)));
 
 /** Put other words into an element; they change with the language. */
-export function say(element: Element, said: Said) {
+export function say(element: Element, said: Message) {
   if (said) element.replaceChildren(spokenText(said));
   else element.replaceChildren();
 }
@@ -51,7 +51,7 @@ export const pen = (canvas: HTMLCanvasElement) => canvas.getContext("2d") as Can
  * A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels, or to a unit of so
  * many.
  */
-export function fitted(canvas: HTMLCanvasElement, unit = 1) {
+export function scaledContext(canvas: HTMLCanvasElement, unit = 1) {
   const box = canvas.getBoundingClientRect();
   const ratio = Math.min(globalThis.devicePixelRatio || 1, 2.5);
   const width = Math.max(Math.round(box.width * ratio), 1);

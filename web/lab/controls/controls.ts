@@ -53,8 +53,8 @@ class Slider {
     });
     const { label, unit } = info;
     const name: Phrase = unit
-      ? { key: "controls.name_exact_value_in", values: { name: label, unit } }
-      : { key: "controls.name_exact_value", values: { name: label } };
+      ? { key: "controls.exact_value_unit", values: { name: label, unit } }
+      : { key: "controls.exact_value", values: { name: label } };
     this.entry = new Entry({ label, unit, name, range: rangeOf(info) }, (value) => this.send(value, true));
     this.element = h(
       "div",
@@ -190,11 +190,11 @@ export class Controls {
 
   hoop() {
     this.way = this.select(
-      "controls.given_by",
+      "controls.hoop_definition",
       {
-        load_fraction: "controls.load_fraction_gamma",
-        eccentricity: "controls.epsilon_and_kappa",
-        parts: "controls.real_parts",
+        load_fraction: "controls.by_load_fraction",
+        eccentricity: "controls.by_eccentricity",
+        parts: "controls.by_parts",
       },
       (way) => {
         const { values } = this.film;
@@ -224,22 +224,22 @@ export class Controls {
       },
     });
     this.gravity = this.select(
-      "controls.where",
-      { ...Object.fromEntries(this.gravities.map(([name]) => [name, name])), "": "controls.elsewhere" },
+      "controls.gravity_place",
+      { ...Object.fromEntries(this.gravities.map(([name]) => [name, name])), "": "controls.gravity_other" },
       (name: string) => {
         const found = this.gravities.find(([known]) => known === name);
         if (found) this.onchange([["plane.gravity", found[1]]]);
       },
     );
-    const apart = h("label", { class: "check" }, this.apart, "controls.static_and_kinetic_friction");
+    const apart = h("label", { class: "check" }, this.apart, "controls.two_frictions");
     const before = { "plane.slope": [apart], "plane.gravity": [this.gravity.element] };
     return this.group("controls.plane", ...this.of("plane", before));
   }
 
   start() {
     this.kind = this.select(
-      "controls.starts",
-      { rolling: "controls.rolling", free: "controls.in_any_state" },
+      "controls.start_kind",
+      { rolling: "controls.start_rolling", free: "controls.start_free" },
       (kind: string) => {
         const { values } = this.film;
         if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
@@ -255,7 +255,7 @@ export class Controls {
   }
 
   /** A change that was refused is said at its field, if it is one that is seen. */
-  refuse(changes: Change[], sentence: Said) {
+  refuse(changes: Change[], sentence: Message) {
     const slider = changes.length === 1 ? this.sliders.get(changes[0][0]) : undefined;
     if (!slider?.element.checkVisibility()) return false;
     slider.entry.refuse(sentence);

@@ -29,27 +29,27 @@ export function refusal(
   text: string,
   value: number,
   { label, unit, range }: { label: string; unit: string; range?: NumberRange },
-): Said {
+): Message {
   const typed = text.trim();
   if (Number.isNaN(value)) {
-    return { key: "controls.name_value_must_be", values: { name: label, value: typed } };
+    return { key: "controls.value_not_a_number", values: { name: label, value: typed } };
   }
   if (!Number.isFinite(value) && /\d/.test(typed)) {
-    return { key: "controls.label_value_is_too", values: { label, value: typed } };
+    return { key: "controls.value_too_large", values: { label, value: typed } };
   }
   if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
   const [zero, endless] = [range.also.includes(0), range.also.includes(Infinity)];
   const span = `range.${zero ? "zero_or_" : ""}from_to${endless ? "_or_inf" : ""}`;
   const rule = { key: span, values: { least: show(range.least, 4), most: withUnit(show(range.most, 4), unit) } };
   const values = { name: label, value: withUnit(show(value, 6), unit), rule };
-  return { key: "controls.name_value_must_be_rule", values };
+  return { key: "controls.value_out_of_range", values };
 }
 
 export interface FieldInfo {
   label: string;
   unit: string;
   range?: NumberRange; // in the field's unit
-  name?: Said; // for a screen reader, where no label belongs to it
+  name?: Message; // for a screen reader, where no label belongs to it
 }
 
 let count = 0;
@@ -102,7 +102,7 @@ export class Entry {
     else this.onvalue(value);
   }
 
-  refuse(sentence: Said) {
+  refuse(sentence: Message) {
     this.input.setAttribute("aria-invalid", "true");
     this.input.setAttribute("aria-describedby", this.error.id);
     say(this.error, sentence);

@@ -14,7 +14,7 @@ const LABELS: Record<string, [string, string]> = {
   inner_radius: ["parts.inner_radius", "m"],
   outer_radius: ["parts.outer_radius", "m"],
   radius: ["parts.radius", "m"],
-  at: ["parts.distance_from_centre", "m"],
+  at: ["parts.at", "m"],
   length: ["parts.length", "m"],
 };
 
@@ -50,14 +50,14 @@ export class Parts {
   more = h(
     "select",
     {
-      "aria-label": "parts.add_a_part",
+      "aria-label": "parts.add_label",
       onchange: () => {
         const shape = this.more.value as Part["shape"] | "";
         this.more.value = "";
         if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
       },
     },
-    h("option", { value: "" }, "parts.add_a_part_2"),
+    h("option", { value: "" }, "parts.add"),
     Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
   );
   element = h("div", {}, this.list, this.more);
@@ -97,7 +97,7 @@ export class Parts {
             "button",
             {
               class: "quiet",
-              "aria-label": { key: "parts.remove_part_number_what", values: { number: i + 1, what: label } },
+              "aria-label": { key: "parts.remove", values: { number: i + 1, what: label } },
               onclick: () => this.send(this.parts.filter((_, k) => k !== i)),
             },
             "×",

@@ -18,7 +18,7 @@ export interface Crowd {
 }
 
 /** What a curve does in a column. */
-class Pile {
+class Band {
   low = Infinity;
   high = -Infinity;
   sum = 0;
@@ -38,7 +38,7 @@ class Pile {
  */
 export function drawnAs(xs: ArrayLike<number>, ys: ArrayLike<number>, box: DOMRectReadOnly) {
   const seen = (y: number) => clamp(y, box.top, box.bottom);
-  const piles: Pile[] = [];
+  const piles: Band[] = [];
   let length = 0;
   for (let i = 1; i < xs.length; i++) {
     const [k, j] = xs[i] < xs[i - 1] ? [i, i - 1] : [i - 1, i];
@@ -48,7 +48,7 @@ export function drawnAs(xs: ArrayLike<number>, ys: ArrayLike<number>, box: DOMRe
     const height = (x: number) => ys[k] + ((ys[j] - ys[k]) * (x - xs[k])) / across;
     for (let x = Math.floor(Math.max(xs[k], box.left)); x <= Math.min(xs[j], box.right); x++) {
       const [from, to] = [Math.max(xs[k], x), Math.min(xs[j], x + 1)];
-      piles[x] ??= new Pile();
+      piles[x] ??= new Band();
       if (across > 0) piles[x].take(height(from), height(to), to - from);
       else piles[x].take(ys[k], ys[j], 0);
     }
@@ -67,7 +67,7 @@ export function drawnAs(xs: ArrayLike<number>, ys: ArrayLike<number>, box: DOMRe
 }
 
 /** `reach`: columns to each side. */
-function bandOf(piles: Pile[], reach: number) {
+function bandOf(piles: Band[], reach: number) {
   return Array.from(piles, (_, x): Crowd | null => {
     const near = piles.slice(Math.max(x - reach, 0), x + reach + 1).filter(Boolean);
     if (!near.length) return null;

@@ -5,7 +5,7 @@ import { Plot } from "./plot.ts";
 import { QUANTITIES, withSymbol, type Quantity } from "./quantities.ts";
 
 /** Options of a list of quantities. */
-export const optionsOf = (words: (quantity: Quantity) => Said) =>
+export const optionsOf = (words: (quantity: Quantity) => Message) =>
   Object.entries(QUANTITIES).map(([key, quantity]) => h("option", { value: key }, words(quantity)));
 
 export function ownPlot(shared: PlotShared): Plot {
@@ -13,7 +13,7 @@ export function ownPlot(shared: PlotShared): Plot {
   const plot = new Plot(
     {
       key: "own",
-      title: "diagram.your_choice",
+      title: "diagram.own",
       unit: "",
       curves: (film) => [{ name: QUANTITIES[key].name, values: QUANTITIES[key].values(film) }],
     },
@@ -26,7 +26,7 @@ export function ownPlot(shared: PlotShared): Plot {
   const select = h(
     "select",
     {
-      "aria-label": "diagram.what_your_diagram_shows",
+      "aria-label": "diagram.own_choice",
       onchange: () => {
         key = select.value;
         name();

@@ -3,7 +3,7 @@
 import { disc, ring } from "../common/paint.ts";
 import { hoopInk } from "../common/colors.ts";
 import { drawnAs, strokeThrough } from "./crowd.ts";
-import { fitted, h, once } from "../common/dom.ts";
+import { scaledContext, h, once } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
 import { niceStep } from "../common/numbers.ts";
 import { axes, hatch, pictureOf } from "./phase_picture.ts";
@@ -31,14 +31,14 @@ export class PhasePlane {
   asked = "";
   body = h(
     "div",
-    { class: "plot-body", role: "figure", tabindex: "0", "aria-label": "phase.plane_of_angle_and" },
+    { class: "plot-body", role: "figure", tabindex: "0", "aria-label": "phase.label" },
     this.canvas,
     this.over,
   );
   element = h(
     "section",
     { class: "phase" },
-    h("header", {}, h("h3", {}, "phase.plane_of_theta_and"), this.keys),
+    h("header", {}, h("h3", {}, "phase.title"), this.keys),
     this.body,
     h(
       "p",
@@ -46,7 +46,7 @@ export class PhasePlane {
       "phase.colours",
       " ",
       this.hatched,
-      byFingers() ? "phase.click_to_go_there" : "phase.click_to_go_there_once",
+      byFingers() ? "phase.hint_touch" : "phase.hint_mouse",
     ),
   );
   pinched = zoomable(this.body, {
@@ -197,7 +197,7 @@ export class PhasePlane {
   redraw() {
     if (!this.films) return;
     const { colors, look } = this;
-    const { context, width, height } = fitted(this.canvas, look.px);
+    const { context, width, height } = scaledContext(this.canvas, look.px);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     context.save();
@@ -271,7 +271,7 @@ export class PhasePlane {
 
   cursor(time: number) {
     if (!this.films || !this.box) return;
-    const { context, width, height } = fitted(this.over, this.look.px);
+    const { context, width, height } = scaledContext(this.over, this.look.px);
     context.clearRect(0, 0, width, height);
     const { pointed } = this.clock;
     if (pointed !== null) {

@@ -81,7 +81,7 @@ export function axes(context: CanvasRenderingContext2D, plane: PhasePlane) {
     {
       across: {
         marks: angles.map((angle) => ({ at: plane.x((angle * Math.PI) / 180), text: tickText(angle, step) })),
-        name: t("phase.angle_theta_within_a"),
+        name: t("phase.angle_axis"),
       },
       up: {
         marks: ticks(plane.bottom(), plane.top(), 5).map((rate) => ({ at: plane.y(rate), text: tickText(rate, tall) })),

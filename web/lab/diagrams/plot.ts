@@ -4,7 +4,7 @@ import { disc, haloed, stroke } from "../common/paint.ts";
 import { axisFont } from "../common/axes.ts";
 import { faded, hoopInk, readable } from "../common/colors.ts";
 import { type Crowd, drawnAs, strokeThrough } from "./crowd.ts";
-import { fitted, h } from "../common/dom.ts";
+import { scaledContext, h } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
 import { show } from "../common/numbers.ts";
 import { BOTTOM, grid, heightsOf, LEFT, RIGHT, TOP } from "./plot_axes.ts";
@@ -95,7 +95,7 @@ export class Plot {
   /** Curves and axes of what was taken; the cursor has its own canvas above. */
   draw(colors: Colors) {
     const { films, active } = this;
-    const { context, width, height } = fitted(this.canvas, this.look.px);
+    const { context, width, height } = scaledContext(this.canvas, this.look.px);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     const drawn = films.flatMap((film, lane) =>
@@ -258,15 +258,15 @@ export class Plot {
       const size = 1e-12 * Math.max(-low, high);
       const tidy = (value: number) => show(Math.abs(value) < size ? 0 : value, 3);
       const found = { name: t(name), low: tidy(low), high: tidy(high) };
-      return high >= low ? `${which}${t("diagram.name_from_low_to", found)}` : "";
+      return high >= low ? `${which}${t("diagram.extent", found)}` : "";
     });
-    const head = t("diagram.diagram_title_in_unit", { title: t(this.title), unit: t(this.unit) });
+    const head = t("diagram.description", { title: t(this.title), unit: t(this.unit) });
     this.body.setAttribute("aria-label", `${head} ${parts.filter(Boolean).join("; ")}.`);
   }
 
   cursor(time: number) {
     if (!this.heights) return; // not drawn yet
-    const { context, width, height } = fitted(this.over, this.look.px);
+    const { context, width, height } = scaledContext(this.over, this.look.px);
     context.clearRect(0, 0, width, height);
     this.films.forEach((film, lane) => {
       const now = film.moment(time);

@@ -9,9 +9,9 @@ function definitions(colors: Colors): PlotDefinition[] {
     {
       key: "velocities",
       title: "diagram.velocities",
-      unit: "diagram.velocity_m_s",
+      unit: "diagram.velocity_axis",
       curves: (film: Film) => [
-        { name: "diagram.v_centre", color: colors.center_speed, values: film.columns.vx },
+        { name: "diagram.speed", color: colors.center_speed, values: film.columns.vx },
         {
           name: "diagram.rotation",
           color: colors.rotation_speed,
@@ -22,8 +22,8 @@ function definitions(colors: Colors): PlotDefinition[] {
     },
     {
       key: "energies",
-      title: "diagram.energies_and_losses",
-      unit: "diagram.energy_j",
+      title: "diagram.energies",
+      unit: "diagram.energy_axis",
       curves: (film: Film) => [
         { name: "diagram.kinetic", color: colors.kinetic, values: film.columns.kinetic },
         { name: "diagram.potential", color: colors.potential, values: film.columns.potential },
@@ -35,39 +35,35 @@ function definitions(colors: Colors): PlotDefinition[] {
           dash: "dash",
         },
         // as in Python's plots: what an impact loses along the plane is friction's
-        { name: "diagram.lost_to_friction", color: colors.friction_loss, values: film.columns.friction_loss },
+        { name: "diagram.friction_loss", color: colors.friction_loss, values: film.columns.friction_loss },
         {
-          name:
-            film.scenario.contact.model === "compliant"
-              ? "diagram.lost_in_the_damper"
-              : "diagram.lost_in_impacts_normal",
+          name: film.scenario.contact.model === "compliant" ? "diagram.damper_loss" : "diagram.impact_loss",
           color: colors.impact_loss,
           values: film.columns.normal_loss,
           dash: "dot",
         },
         ...(film.scenario.plane.rolling_resistance
-          ? [
-              {
-                name: "diagram.lost_to_rolling_resistance",
-                values: film.columns.rolling_resistance,
-                dash: "dot" as const,
-              },
-            ]
+          ? [{ name: "diagram.rolling_loss", values: film.columns.rolling_resistance, dash: "dot" as const }]
           : []),
       ],
     },
     {
       key: "forces",
-      title: "diagram.contact_forces",
-      unit: "diagram.force_n",
+      title: "diagram.forces",
+      unit: "diagram.force_axis",
       curves: (film: Film) => [
-        { name: "diagram.normal_n", color: colors.normal_force, values: film.columns.normal_force },
-        { name: "diagram.friction_f", color: colors.friction_force, dash: "dash", values: film.columns.friction_force },
+        { name: "diagram.normal_force", color: colors.normal_force, values: film.columns.normal_force },
+        {
+          name: "diagram.friction_force",
+          color: colors.friction_force,
+          dash: "dash",
+          values: film.columns.friction_force,
+        },
       ],
     },
     {
       key: "utilization",
-      title: "diagram.use_of_friction",
+      title: "diagram.utilization",
       unit: "|F| / μN",
       limits: [0, 1.08],
       curves: (film: Film) => [{ name: "|F| / μN", color: colors.friction_force, values: film.columns.utilization }],
@@ -89,7 +85,7 @@ export class Plots {
   ];
   // curves that are scrolled away wait until they are seen; not so the legends, whose room moves what is below
   seen = new Map(this.plots.map((plot) => [plot.element, true]));
-  back = h("button", { hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "diagram.whole_motion");
+  back = h("button", { hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "diagram.zoom_home");
   hint = h("span", { class: "hint" });
 
   constructor(
@@ -108,14 +104,14 @@ export class Plots {
     this.axis = h(
       "select",
       {
-        "aria-label": "diagram.horizontal_axis_of_the",
+        "aria-label": "diagram.axis_choice",
         onchange: () => {
           this.shared.axis = this.axis.value;
           this.shared.range = null;
           this.redraw();
         },
       },
-      optionsOf(({ name }) => ({ key: "diagram.over_quantity", values: { quantity: name } })),
+      optionsOf(({ name }) => ({ key: "diagram.axis_option", values: { quantity: name } })),
     );
     this.element = h(
       "div",
@@ -129,9 +125,9 @@ export class Plots {
     this.films = films;
     this.active = active;
     this.look = look;
-    const hands = matchMedia("(hover: none)").matches ? "diagram.slide_to_go_there" : "diagram.click_to_go_there";
+    const hands = matchMedia("(hover: none)").matches ? "diagram.hint_touch" : "diagram.hint_mouse";
     const two = films.length > 1;
-    say(this.hint, two ? { key: "diagram.a_blue_b_ochre", values: { hoop: "AB"[active], hands } } : hands);
+    say(this.hint, two ? { key: "diagram.hint_two_hoops", values: { hoop: "AB"[active], hands } } : hands);
     this.redraw();
   }
 

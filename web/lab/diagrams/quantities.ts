@@ -20,7 +20,7 @@ export const QUANTITIES: Record<string, Quantity> = {
   time: { name: "column.time", symbol: "t", unit: "s", values: (film) => film.t },
   angle: { name: "column.angle", symbol: "θ", unit: "°", values: made("degrees", ({ angle }, i) => angle[i] / DEGREE) },
   turns: {
-    name: "column.angle_within_a_turn",
+    name: "column.angle_in_revolution",
     symbol: "column.theta_mod_360",
     unit: "°",
     // no line leads from one turn to the next
@@ -29,10 +29,10 @@ export const QUANTITIES: Record<string, Quantity> = {
       return i > 0 && turn(i) !== turn(i - 1) ? Number.NaN : angle[i] / DEGREE - 360 * turn(i);
     }),
   },
-  x: { name: "column.place_of_the_centre", symbol: "x", unit: "m", values: plain("x") },
-  height: { name: "column.gap_under_the_rim", symbol: "y", unit: "m", values: plain("height") },
+  x: { name: "column.displacement", symbol: "x", unit: "m", values: plain("x") },
+  height: { name: "column.gap", symbol: "y", unit: "m", values: plain("height") },
   rise: {
-    name: "column.height_of_the_centre",
+    name: "column.center_of_gravity_height",
     symbol: "h_G",
     unit: "m",
     values: made(
@@ -40,19 +40,19 @@ export const QUANTITIES: Record<string, Quantity> = {
       ({ height, angle }, i, film) => film.radius * (1 + film.eccentricity * Math.cos(angle[i])) + height[i],
     ),
   },
-  vx: { name: "column.speed_of_the_centre", symbol: "v", unit: "m/s", values: plain("vx") },
+  vx: { name: "column.speed", symbol: "v", unit: "m/s", values: plain("vx") },
   spin: {
-    name: "column.speed_of_rotation",
+    name: "column.circumferential_speed",
     symbol: "R θ̇",
     unit: "m/s",
     values: made("spin", ({ omega }, i, film) => omega[i] * film.radius),
   },
-  vy: { name: "column.speed_away_from_the", symbol: "ẏ", unit: "m/s", values: plain("vy") },
+  vy: { name: "column.normal_speed", symbol: "ẏ", unit: "m/s", values: plain("vy") },
   slip: { name: "column.slip_velocity", symbol: "v_t", unit: "m/s", values: plain("slip") },
   omega: { name: "column.angular_velocity", symbol: "θ̇", unit: "rad/s", values: plain("omega") },
   normal_force: { name: "column.normal_force", symbol: "N", unit: "N", values: plain("normal_force") },
   friction_force: { name: "column.friction_force", symbol: "F", unit: "N", values: plain("friction_force") },
-  utilization: { name: "column.use_of_friction", symbol: "|F|/μN", unit: "", values: plain("utilization") },
+  utilization: { name: "column.utilization", symbol: "|F|/μN", unit: "", values: plain("utilization") },
   kinetic: { name: "column.kinetic_energy", symbol: "W_k", unit: "J", values: plain("kinetic") },
   potential: { name: "column.potential_energy", symbol: "W_p", unit: "J", values: plain("potential") },
   total: {
@@ -61,14 +61,9 @@ export const QUANTITIES: Record<string, Quantity> = {
     unit: "J",
     values: made("total", ({ kinetic, potential }, i) => kinetic[i] + potential[i]),
   },
-  friction_loss: { name: "diagram.lost_to_friction", symbol: "W_f", unit: "J", values: plain("friction_loss") },
-  normal_loss: { name: "diagram.lost_in_impacts_normal", symbol: "W_i", unit: "J", values: plain("normal_loss") },
-  rolling_resistance: {
-    name: "diagram.lost_to_rolling_resistance",
-    symbol: "W_r",
-    unit: "J",
-    values: plain("rolling_resistance"),
-  },
+  friction_loss: { name: "diagram.friction_loss", symbol: "W_f", unit: "J", values: plain("friction_loss") },
+  normal_loss: { name: "diagram.impact_loss", symbol: "W_i", unit: "J", values: plain("normal_loss") },
+  rolling_resistance: { name: "diagram.rolling_loss", symbol: "W_r", unit: "J", values: plain("rolling_resistance") },
 };
 
 export const withSymbol = ({ name, symbol }: Quantity) => [name, " ", symbol];

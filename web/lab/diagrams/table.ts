@@ -52,19 +52,19 @@ export class Table {
   body = h("tbody", {});
   element = h(
     "section",
-    { class: "table", "aria-label": "table.table_of_the_motion", hidden: true },
+    { class: "table", "aria-label": "table.title", hidden: true },
     h(
       "header",
       {},
       h("h2", {}, "table.table"),
-      h("label", { class: "table-step" }, h("span", {}, "table.every"), this.step),
-      h("button", { onclick: () => this.save() }, "table.save_as_csv"),
+      h("label", { class: "table-step" }, h("span", {}, "table.step"), this.step),
+      h("button", { onclick: () => this.save() }, "table.save"),
       h("button", { onclick: () => this.open(false) }, "table.close"),
     ),
     h("details", { class: "table-columns" }, h("summary", {}, "table.columns"), this.picks),
     h(
       "div",
-      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "table.table_of_the_motion_rows" },
+      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "table.label" },
       h("table", {}, this.caption, this.head, this.body),
     ),
   );
@@ -133,7 +133,7 @@ export class Table {
     }));
     this.body.replaceChildren(...this.rows.map(({ row }) => row));
     const whole = film.duration / step + 1 <= MOST + 1e-6;
-    const more = { key: "table.the_first_count_rows", values: { count: MOST } };
+    const more = { key: "table.shortened", values: { count: MOST } };
     say(this.caption, whole ? film.summary : [film.summary, " ", more]);
     this.cursor(this.clock.time);
   }

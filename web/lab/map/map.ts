@@ -1,6 +1,6 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
-import { fitted, h, once, say } from "../common/dom.ts";
+import { scaledContext, h, once, say } from "../common/dom.ts";
 import { axisFont } from "../common/axes.ts";
 import { focused } from "../common/pointer.ts";
 import { AXES, cross, MapAxes } from "./map_axes.ts";
@@ -8,7 +8,7 @@ import { takeHands } from "./map_hands.ts";
 import { otherStart } from "./map_words.ts";
 import { byFingers } from "../common/zoom.ts";
 import { cellAt, layerOf, legendOf, paint, stacked, textAt } from "./map_layers.ts";
-import { saidOf } from "../words/words.ts";
+import { messageOf } from "../words/words.ts";
 
 const LEVELS = [
   [24, 16],
@@ -43,7 +43,7 @@ export class MotionMap {
   tip = h("div", { class: "tip", hidden: true });
   body = h(
     "div",
-    { class: "map-body", tabindex: "0", role: "application", "aria-label": "map.map_of_motions_arrow" },
+    { class: "map-body", tabindex: "0", role: "application", "aria-label": "map.instructions" },
     this.canvas,
     this.tip,
   );
@@ -81,7 +81,7 @@ export class MotionMap {
     this.quantity = h(
       "select",
       {
-        "aria-label": "map.what_the_map_shows",
+        "aria-label": "map.quantity_label",
         onchange: () => {
           this.what = this.quantity.value;
           this.refresh();
@@ -91,26 +91,26 @@ export class MotionMap {
     );
     this.element = h(
       "section",
-      { class: "map", "aria-label": "map.map_of_motions" },
+      { class: "map", "aria-label": "map.label" },
       h(
         "div",
         { class: "map-head" },
-        h("h2", {}, "map.map"),
-        h("label", {}, "map.of", this.quantity),
+        h("h2", {}, "map.title"),
+        h("label", {}, "map.quantity", this.quantity),
         h("label", {}, "map.across", this.selects.x),
         h("label", {}, "map.up", this.selects.y),
         h(
           "span",
           { class: "buttons" },
-          h("button", { "aria-label": "map.zoom_into_the_map", onclick: () => this.zoom(0.5, this.aim()) }, "+"),
-          h("button", { "aria-label": "map.zoom_out_of_the", onclick: () => this.zoom(2, this.aim()) }, "−"),
-          h("button", { onclick: () => this.home() }, "map.whole_map"),
+          h("button", { "aria-label": "map.zoom_in", onclick: () => this.zoom(0.5, this.aim()) }, "+"),
+          h("button", { "aria-label": "map.zoom_out", onclick: () => this.zoom(2, this.aim()) }, "−"),
+          h("button", { onclick: () => this.home() }, "map.zoom_home"),
         ),
         this.state,
       ),
       this.body,
       this.keys,
-      h("p", { class: "hint" }, byFingers() ? "map.click_to_take_that" : "map.click_to_take_that_motion"),
+      h("p", { class: "hint" }, byFingers() ? "map.hint_touch" : "map.hint_mouse"),
     );
     takeHands(this);
     this.watch.observe(this.body);
@@ -195,7 +195,7 @@ export class MotionMap {
     this.redraw();
     try {
       for (const [level, [x, y]] of LEVELS.entries()) {
-        say(this.state, { key: "map.computing_count_motions", values: { count: x * y } });
+        say(this.state, { key: "map.computing", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
         const reply = await this.backend.map(body, signal);
@@ -203,7 +203,7 @@ export class MotionMap {
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
         const other = otherStart(base, Object.values(this.axes.paths));
-        const key = changes.length ? "map.count_motions_with_rigid" : "map.count_motions";
+        const key = changes.length ? "map.count_rigid" : "map.count";
         const done = { key, values: { count: x * y } };
         say(this.state, other ? [done, "; ", other] : done);
         this.redraw();
@@ -211,7 +211,7 @@ export class MotionMap {
       }
     } catch (error) {
       if ((error as Error).name === "AbortError") return;
-      say(this.state, saidOf(error));
+      say(this.state, messageOf(error));
     }
     this.computing = false;
   }
@@ -219,7 +219,7 @@ export class MotionMap {
   redraw() {
     if (!this.film) return;
     const { look } = this;
-    const { context, width, height } = fitted(this.canvas, look.px);
+    const { context, width, height } = scaledContext(this.canvas, look.px);
     context.font = axisFont(look);
     this.axes.fit(width, height, (text) => context.measureText(text).width);
     context.clearRect(0, 0, width, height);

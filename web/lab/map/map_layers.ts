@@ -97,9 +97,9 @@ export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement 
       const { color, text } = classes[code];
       return h("span", {}, h("i", { style: `background:${color}`, "aria-hidden": "true" }), text);
     }),
-    order.length > 10 ? h("span", {}, { key: "map.and_count_more", values: { count: order.length - 10 } }) : "",
+    order.length > 10 ? h("span", {}, { key: "map.more_classes", values: { count: order.length - 10 } }) : "",
     classes.some(({ name }) => header.what === "sequence" && /[SK]/.test(name))
-      ? h("span", { class: "hint" }, "map.spin_and_skid")
+      ? h("span", { class: "hint" }, "map.forward_names")
       : "",
   ];
 }

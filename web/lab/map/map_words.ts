@@ -8,9 +8,9 @@ const FREE = ["start.height", "start.vx", "start.vy", "start.omega"];
  */
 export function otherStart(scenario: Scenario, paths: string[]) {
   const rolling = "speed" in scenario.start;
-  if (!rolling && paths.includes("start.speed")) return "map.of_rolling_starts_though";
+  if (!rolling && paths.includes("start.speed")) return "map.start_rolling";
   if (rolling && paths.some((path) => FREE.includes(path))) {
-    return "map.of_starts_in_any";
+    return "map.start_free";
   }
   return "";
 }

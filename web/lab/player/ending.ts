@@ -2,7 +2,7 @@
 
 import { h, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
-import { saidOf } from "../words/words.ts";
+import { messageOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
 /** What is asked, and what shows the answer. */
@@ -34,13 +34,13 @@ export class Ending {
     const { scenario } = this.lab.film();
     this.of = scenario;
     say(this.answer, "ending.computing");
-    let said: Said;
+    let said: Message;
     try {
       this.known = await this.lab.backend.fate(scenario, this.asked.signal);
       said = textOf(this.known);
     } catch (error) {
       if ((error as Error).name === "AbortError") return;
-      said = saidOf(error);
+      said = messageOf(error);
     }
     say(this.answer, said);
     this.gait.hidden = !Number.isFinite(this.known?.final_omega);
@@ -62,7 +62,7 @@ export class Ending {
   }
 }
 
-function textOf({ fate, turns, hops, passages, mean_speed }: Fate): Said {
+function textOf({ fate, turns, hops, passages, mean_speed }: Fate): Message {
   const sentence = `fate.${fate}`;
   if (fate === "gait")
     return [sentence, " ", { key: "ending.gait_in", values: { turns, hops, speed: show(mean_speed, 4) } }];

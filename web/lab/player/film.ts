@@ -31,11 +31,11 @@ export class Film {
   values: Record<string, any>;
   automatic: Record<string, number>;
   /** what happens, in one sentence */
-  summary: Said;
+  summary: Message;
   story: Sentence[];
   shortened: boolean;
   /** that more digits would have to decide what comes, if they would */
-  doubt: Said;
+  doubt: Message;
   columns: Record<string, Column>;
   /** the state at any time; without it, states between samples are interpolated */
   exact: Reply["exact"];

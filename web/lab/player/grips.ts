@@ -20,9 +20,9 @@ const LOAD = 16; // pixels about the middle of the load that are not covered
 type Hands = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "film" | "request" | "mark">;
 
 const GRIPS: [Grip, string, string][] = [
-  ["plane", "hand.slope_of_the_plane", "hand.tilt_the_plane_drag"],
-  ["hoop", "hand.the_hoop_height_and", "hand.lift_roll_or_throw"],
-  ["load", "hand.angle_of_the_load", "hand.turn_the_load_drag"],
+  ["plane", "hand.slope", "hand.slope_title"],
+  ["hoop", "hand.hoop", "hand.hoop_title"],
+  ["load", "hand.load_angle", "hand.load_title"],
 ];
 
 export class Grips {
@@ -34,12 +34,12 @@ export class Grips {
   before: string | null = null;
 
   /** What a first visitor is told. */
-  hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "hand.drag_the_load");
+  hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "hand.hint");
   places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
   tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
   element = h(
     "div",
-    { class: "grips", role: "group", "aria-label": "hand.the_hoop_in_your" },
+    { class: "grips", role: "group", "aria-label": "hand.group" },
     [...this.places.values()],
     this.tip,
     this.hint,
@@ -135,7 +135,7 @@ export class Grips {
     const held = this.pull?.held ?? this.held ?? taken("hoop", film, this.lab.clock.time);
     const texts = {
       load: degrees(held.angle),
-      hoop: t("hand.gap_height_speed_speed", { height: length(held.height), speed: show(held.vx, 3) }),
+      hoop: t("hand.state", { height: length(held.height), speed: show(held.vx, 3) }),
       plane: degrees(held.slope),
     };
     const values = { load: held.angle * (180 / Math.PI), hoop: held.height, plane: held.slope * (180 / Math.PI) };

@@ -9,14 +9,10 @@ export class Hoops {
   text = h("p", { class: "preset-text" });
 
   constructor(choose: (lane: number) => void) {
-    this.tabs = ["hoops.hoop_a", "hoops.hoop_b"].map((name, i) =>
+    this.tabs = ["hoops.a", "hoops.b"].map((name, i) =>
       h("button", { "aria-pressed": "false", onclick: () => choose(i) }, name),
     );
-    this.bar = h(
-      "div",
-      { class: "tabs", role: "group", "aria-label": "hoops.which_hoop_the_controls", hidden: true },
-      this.tabs,
-    );
+    this.bar = h("div", { class: "tabs", role: "group", "aria-label": "hoops.choice", hidden: true }, this.tabs);
     this.element = h("div", { class: "lanes" }, this.bar, this.text);
   }
 

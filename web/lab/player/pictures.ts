@@ -24,13 +24,13 @@ export async function png(lab: Shown): Promise<Blob> {
   } else flat(context, lab, width, height);
   words(context, lab, height);
   return new Promise((resolve, reject) =>
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("save.the_picture_is_too")))),
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("save.picture_too_large")))),
   );
 }
 
 /** As lines and curves, which stay sharp at any size. */
 export async function svg(lab: Shown) {
-  if (lab.stage.options.three) throw new Error("save.a_picture_in_space");
+  if (lab.stage.options.three) throw new Error("save.no_svg_in_space");
   const { width, height } = lab.stage.canvas().getBoundingClientRect();
   const { Context } = await fetched(import("svgcanvas"));
   const context = new Context({ width, height, document });

@@ -7,7 +7,7 @@ import type { Lab } from "../shell/lab.ts";
 export async function record(lab: Shown & Pick<Lab, "notice" | "afterFrame">): Promise<Blob> {
   const source = lab.stage.canvas();
   if (!source.captureStream || !globalThis.MediaRecorder) {
-    throw new Error("save.this_browser_cannot_record");
+    throw new Error("save.cannot_record");
   }
   // films want even numbers of pixels
   const copy = h("canvas", { width: 2 * Math.ceil(source.width / 2), height: 2 * Math.ceil(source.height / 2) });
@@ -18,7 +18,7 @@ export async function record(lab: Shown & Pick<Lab, "notice" | "afterFrame">): P
   const { loop } = lab.clock;
   lab.clock.loop = false;
   lab.clock.seek(0);
-  lab.notice.say("save.recording_one_run");
+  lab.notice.say("save.recording");
   lab.afterFrame = () => {
     copyInto(lab, copy);
     if (!lab.clock.playing && recorder.state === "recording") recorder.stop();

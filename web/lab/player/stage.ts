@@ -15,7 +15,7 @@ const OUTPUTS = [
   "table.mode",
   "column.time",
   "column.angle",
-  "diagram.v_centre",
+  "diagram.speed",
   "diagram.rotation",
   "player.gap",
 ];
@@ -45,7 +45,7 @@ export class Stage {
     { class: "readout", "aria-hidden": "true" },
     this.outputs.flatMap(({ name, value }) => [name, value]),
   );
-  order = h("span", { hidden: true }, "player.a_in_front_b");
+  order = h("span", { hidden: true }, "player.order");
 
   /** `onview`: what to do when it is seen from elsewhere. */
   constructor(
@@ -57,7 +57,7 @@ export class Stage {
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
     this.element = h(
       "div",
-      { class: "stage", role: "figure", "aria-label": "player.the_hoop", tabindex: "0" },
+      { class: "stage", role: "figure", "aria-label": "player.picture", tabindex: "0" },
       this.plane,
       this.space,
       this.readout,
@@ -66,8 +66,8 @@ export class Stage {
         "div",
         { class: "stage-keys", "aria-hidden": "true" },
         dot("var(--ink)", "player.load"),
-        dot(colors.gravity_center, "player.centre_of_gravity"),
-        dot(colors.airborne, "player.the_same_in_flight"),
+        dot(colors.gravity_center, "player.center_of_gravity"),
+        dot(colors.airborne, "player.in_flight"),
         this.order,
       ),
     );
@@ -123,7 +123,7 @@ export class Stage {
   }
 
   describe(films: Film[]) {
-    name(this.element, "aria-label", ["player.the_hoop_2", ...films.flatMap((film) => [" ", film.summary])]);
+    name(this.element, "aria-label", ["player.picture_description", ...films.flatMap((film) => [" ", film.summary])]);
   }
 
   /** In space, which has to come first, or in the plane. `draw`: what fails where the browser cannot. */

@@ -1,7 +1,7 @@
 // The hoops on their planes, one below the other, as they are looked at.
 
 import { hoopInk } from "../common/colors.ts";
-import { fitted } from "../common/dom.ts";
+import { scaledContext } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
 import { follow } from "../common/pointer.ts";
 import { Scene } from "./scene2d.ts";
@@ -69,7 +69,7 @@ export class Stage2D {
   }
 
   draw(films: Film[], time: number, options: StageOptions, look: Look, colors: Colors) {
-    const { context, width, height } = fitted(this.canvas);
+    const { context, width, height } = scaledContext(this.canvas);
     context.clearRect(0, 0, width, height);
     if (width < 40 || height < 40) return; // not laid out yet
     this.views = this.paint(context, width, height, films, time, options, look, colors);

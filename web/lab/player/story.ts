@@ -15,7 +15,7 @@ export class Story {
   summary = h("p", { class: "summary" });
   doubt = h("p", { class: "hint", hidden: true });
   list = h("ol", { class: "story-list" });
-  heading = h("h2", {}, "motion.what_happens");
+  heading = h("h2", {}, "motion.story");
   signature = h("span", {});
   compared = h("span", {});
   /** Shown with the advanced controls. */
@@ -23,7 +23,7 @@ export class Story {
   live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
   element = h(
     "section",
-    { class: "story", "aria-label": "motion.the_motion_in_words" },
+    { class: "story", "aria-label": "motion.story_label" },
     this.heading,
     this.summary,
     this.doubt,
@@ -39,15 +39,12 @@ export class Story {
    */
   draw(films: Film[], active: number, colors: Colors, comparisons: Comparison[]) {
     this.film = films[active];
-    say(
-      this.heading,
-      films.length > 1 ? { key: "motion.what_happens_to_hoop", values: { hoop: "AB"[active] } } : "motion.what_happens",
-    );
+    say(this.heading, films.length > 1 ? { key: "motion.story_of", values: { hoop: "AB"[active] } } : "motion.story");
     this.summary.replaceChildren(
       ...films.flatMap((film, i) => [
         films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
         h("span", {}, film.summary),
-        film.status === "event_limit" || film.shortened ? h("span", {}, " ", "motion.not_all_events_are") : "",
+        film.status === "event_limit" || film.shortened ? h("span", {}, " ", "motion.shortened") : "",
         i + 1 < films.length ? h("br") : "",
       ]),
     );
@@ -100,7 +97,7 @@ export class Story {
   }
 
   /** Tell a screen reader: the one place where changes are said, so that they do not talk over each other. */
-  say(said: Said) {
+  say(said: Message) {
     say(this.live, said);
   }
 
@@ -141,17 +138,17 @@ function fingerprintOf(fingerprint: string) {
       getSelection()?.selectAllChildren(code); // to be copied by hand
     }
   };
-  const title = "motion.a_hash_of_all";
+  const title = "motion.fingerprint_title";
   return [h("span", { title }, "motion.fingerprint"), " ", code, " ", copy];
 }
 
 export class Theory {
   list = h("dl", {});
-  heading = h("h2", {}, "motion.what_theory_says");
+  heading = h("h2", {}, "motion.theory");
   element = h("section", { class: "theory" }, this.heading, this.list);
 
-  draw(thresholds: { label: Said; text: Said }[], hoop = "") {
-    say(this.heading, hoop ? { key: "motion.what_theory_says_of", values: { hoop } } : "motion.what_theory_says");
+  draw(thresholds: { label: Message; text: Message }[], hoop = "") {
+    say(this.heading, hoop ? { key: "motion.theory_of", values: { hoop } } : "motion.theory");
     this.list.replaceChildren(...thresholds.flatMap(({ label, text }) => [h("dt", {}, label), h("dd", {}, text)]));
   }
 }

@@ -2,7 +2,7 @@
 
 import { fill } from "../common/paint.ts";
 import { hoopInk, writing } from "../common/colors.ts";
-import { fitted, h } from "../common/dom.ts";
+import { scaledContext, h } from "../common/dom.ts";
 import { eventWord } from "./events.ts";
 import { within } from "../map/map_axes.ts";
 import { placed, stretches } from "./marks.ts";
@@ -122,7 +122,7 @@ export class Timeline {
 
   draw(films: Film[], look: Look, colors: Colors) {
     this.films = films;
-    const { context, width, height } = fitted(this.canvas, look.px);
+    const { context, width, height } = scaledContext(this.canvas, look.px);
     this.keep();
     const [begin, end] = this.ends();
     const place = (t: number) => ((t - begin) / (end - begin)) * width;
@@ -191,7 +191,7 @@ export class Timeline {
     this.said = said;
     this.element.setAttribute("aria-valuemax", duration.toFixed(3));
     this.element.setAttribute("aria-valuenow", time.toFixed(3));
-    this.element.setAttribute("aria-valuetext", t("player.time_seconds_what", { time: show(time, 4), what: said }));
+    this.element.setAttribute("aria-valuetext", t("player.time_value", { time: show(time, 4), what: said }));
   }
 
   /** The word of a mode inside its stretch, where it fits. */

@@ -10,11 +10,11 @@ import { name } from "../words/words.ts";
 const STEP = 1 / 60; // seconds
 
 const SWITCHES: [keyof StageOptions, string, string][] = [
-  ["traces", "player.traces", "player.traces_t"],
-  ["forces", "player.forces", "player.forces_f"],
-  ["speed", "player.rim_speed_2", "player.rim_speed_c"],
-  ["whole", "player.whole_path", "player.whole_path_w"],
-  ["three", "3D", "player.in_space_3"],
+  ["traces", "player.traces", "player.traces_title"],
+  ["forces", "player.forces", "player.forces_title"],
+  ["speed", "player.rim_speed_switch", "player.rim_speed_title"],
+  ["whole", "player.whole_path", "player.whole_path_title"],
+  ["three", "3D", "player.space_title"],
 ];
 
 const button = (label: Node | string, title: string, action: () => void) =>
@@ -28,11 +28,11 @@ export class Transport {
   switches: Map<keyof StageOptions, HTMLButtonElement>;
   row: HTMLDivElement; // of the switches
   element: HTMLDivElement;
-  playButton: HTMLButtonElement = button(icon("play"), "player.play_space", () => this.clock.play());
+  playButton: HTMLButtonElement = button(icon("play"), "player.play", () => this.clock.play());
   speeds = h(
     "select",
     {
-      "aria-label": "player.speed_of_the_film",
+      "aria-label": "player.playback_speed",
       onchange: () => {
         this.clock.speed = Number(this.speeds.value);
       },
@@ -46,7 +46,7 @@ export class Transport {
     public films: () => Film[],
     toggle: (name: keyof StageOptions) => void,
     readonly say: (text: string) => void,
-    readonly tell: (said: Said) => void,
+    readonly tell: (said: Message) => void,
   ) {
     this.playButton.classList.add("play");
     this.speeds.value = "1";
@@ -63,18 +63,18 @@ export class Transport {
       h(
         "div",
         { class: "buttons" },
-        button(icon("start"), "player.to_the_start_home", () => clock.seek(0)),
-        button(icon("previous"), "player.previous_event_shift", () => this.jump(-1)),
-        button(icon("back"), "player.one_frame_back", () => this.nudge(-1)),
+        button(icon("start"), "player.to_start", () => clock.seek(0)),
+        button(icon("previous"), "player.previous_event", () => this.jump(-1)),
+        button(icon("back"), "player.frame_back", () => this.nudge(-1)),
         this.playButton,
-        button(icon("on"), "player.one_frame_on", () => this.nudge(1)),
-        button(icon("next"), "player.next_event_shift", () => this.jump(1)),
+        button(icon("on"), "player.frame_on", () => this.nudge(1)),
+        button(icon("next"), "player.next_event", () => this.jump(1)),
       ),
       h(
         "div",
         { class: "buttons jumps" },
-        button(marked("▲", "mode.flight"), "player.to_the_next_flight", () => this.jump(1, "takeoff")),
-        button(marked("▼", "event.impact"), "player.to_the_next_landing", () => this.jump(1, "impact")),
+        button(marked("▲", "mode.flight"), "player.next_flight", () => this.jump(1, "takeoff")),
+        button(marked("▼", "event.impact"), "player.next_landing", () => this.jump(1, "impact")),
       ),
       this.speeds,
       this.row,
@@ -84,7 +84,7 @@ export class Transport {
   show(options: StageOptions) {
     const { clock, playButton } = this;
     for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
-    const title = clock.playing ? "player.pause_space" : "player.play_space";
+    const title = clock.playing ? "player.pause" : "player.play";
     if (this.titled !== title) {
       this.titled = title;
       playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
@@ -111,13 +111,13 @@ export class Transport {
       way > 0 ? all.find(({ event }) => event.t > now + 1e-9) : all.findLast(({ event }) => event.t < now - 1e-9);
     if (!next && kind) next = all[0];
     if (!next) {
-      if (kind) this.say(kind === "takeoff" ? "player.this_motion_has_no" : "player.this_motion_has_no_landing");
+      if (kind) this.say(kind === "takeoff" ? "player.no_flight" : "player.no_landing");
       return;
     }
     this.clock.seek(next.event.t);
     const { event, lane } = next;
     const values = { what: eventWord(event.kind), angle: degrees(event.angle), time: show(event.t, 4) };
-    const said = { key: "player.what_at_angle_time", values };
-    this.tell(this.films().length > 1 ? [["hoops.hoop_a", "hoops.hoop_b"][lane], ": ", said] : said);
+    const said = { key: "player.event_at", values };
+    this.tell(this.films().length > 1 ? [["hoops.a", "hoops.b"][lane], ": ", said] : said);
   }
 }

@@ -112,27 +112,27 @@ function listOf(changes: [value: number, unit: "s" | "m" | "m/s" | "°", more: s
   return parts.length ? listed(parts) : null;
 }
 
-const ALONG = ["m", "sensitivity.amount_further_to_the", "sensitivity.amount_further_to_the_left"] as const;
-const LATER = ["s", "sensitivity.amount_later", "sensitivity.amount_earlier"] as const;
+const ALONG = ["m", "sensitivity.further_right", "sensitivity.further_left"] as const;
+const LATER = ["s", "sensitivity.later", "sensitivity.earlier"] as const;
 
 /** What changes, in a sentence or a few. */
-export function sentences(changes: Changes): Said[] {
+export function sentences(changes: Changes): Message[] {
   const { events, count } = changes;
-  const said: Said[] = [];
+  const said: Message[] = [];
   const hops = changes.hops();
   for (const [k, { begin, end, height, distance, duration }] of hops.slice(0, MOST_HOPS).entries()) {
     const way = end >= 0 && events[end].x < events[begin].x ? -distance : distance;
     const list = listOf([
-      [height, "m", "sensitivity.amount_higher", "sensitivity.amount_lower"],
-      [way, "m", "sensitivity.amount_longer", "sensitivity.amount_shorter"],
-      [duration, "s", "sensitivity.amount_more_in_the", "sensitivity.amount_less_in_the"],
-      [changes.of(begin, "t"), "s", "sensitivity.begins_amount_later", "sensitivity.begins_amount_earlier"],
+      [height, "m", "sensitivity.higher", "sensitivity.lower"],
+      [way, "m", "sensitivity.longer", "sensitivity.shorter"],
+      [duration, "s", "sensitivity.flight_longer", "sensitivity.flight_shorter"],
+      [changes.of(begin, "t"), "s", "sensitivity.starts_later", "sensitivity.starts_earlier"],
     ]);
     if (list)
       said.push(
         hops.length > 1
-          ? { key: "sensitivity.hop_number_list", values: { number: k + 1, list } }
-          : { key: "sensitivity.the_hop_list", values: { list } },
+          ? { key: "sensitivity.of_hop_number", values: { number: k + 1, list } }
+          : { key: "sensitivity.of_hop", values: { list } },
       );
   }
   const first = hops.length ? -1 : events.findIndex(({ kind }, k) => k < count && kind !== "start" && kind !== "end");
@@ -141,17 +141,16 @@ export function sentences(changes: Changes): Said[] {
       [changes.of(first, "t"), ...LATER],
       [changes.of(first, "x"), ...ALONG],
     ]);
-    if (list)
-      said.push({ key: "sensitivity.the_first_event_what", values: { what: eventWord(events[first].kind), list } });
+    if (list) said.push({ key: "sensitivity.of_first_event", values: { what: eventWord(events[first].kind), list } });
   }
   const last = count - 1;
   if (last > 0 && events[last].kind === "end") {
     const faster = Math.sign(events[last].vx) * changes.of(last, "vx");
     const list = listOf([
       [changes.of(last, "x"), ...ALONG],
-      [faster, "m/s", "sensitivity.amount_faster", "sensitivity.amount_slower"],
+      [faster, "m/s", "sensitivity.faster", "sensitivity.slower"],
     ]);
-    if (list) said.push({ key: "sensitivity.at_the_end_after", values: { time: show(events[last].t, 4), list } });
+    if (list) said.push({ key: "sensitivity.of_end", values: { time: show(events[last].t, 4), list } });
   }
   return said;
 }

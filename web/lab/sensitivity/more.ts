@@ -5,7 +5,7 @@ import { h, headed, once, say } from "../common/dom.ts";
 import { eventWord } from "../player/events.ts";
 import { show, withUnit } from "../common/numbers.ts";
 import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
-import { saidOf } from "../words/words.ts";
+import { messageOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
 /** The motion that is asked about, and what shows and says the answer. */
@@ -39,12 +39,12 @@ export class More {
   later = once(() => this.fetch(), WAIT);
   switch = h(
     "button",
-    { class: "switch", title: "sensitivity.what_a_little_more", "aria-pressed": "false", onclick: () => this.turn() },
+    { class: "switch", title: "sensitivity.title_key", "aria-pressed": "false", onclick: () => this.turn() },
     "sensitivity.arrows",
   );
   picked = h("select", { onchange: () => this.pick(this.picked.value) });
   step = h("span", { class: "more-step" });
-  take = h("button", { onclick: () => this.apply() }, "sensitivity.do_it");
+  take = h("button", { onclick: () => this.apply() }, "sensitivity.apply");
   said = h("ul", { class: "more-said" });
   reason = h("p", { class: "more-reason", hidden: true });
   scale = h("p", { class: "hint" });
@@ -52,31 +52,32 @@ export class More {
   rows = h(
     "details",
     { class: "more-events" },
-    h("summary", {}, "sensitivity.every_event_by_this"),
+    h("summary", {}, "sensitivity.table_caption"),
     h(
       "div",
-      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.what_changes_at_every" },
+      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.table" },
       h(
         "table",
         {},
-        headed("sensitivity.event", "column.time", "sensitivity.place", "sensitivity.height", "sensitivity.load_angle"),
+        headed(
+          "sensitivity.event",
+          "column.time",
+          "sensitivity.position",
+          "sensitivity.height",
+          "sensitivity.load_angle",
+        ),
         this.body,
       ),
     ),
   );
   element = h(
     "section",
-    { class: "table more", "aria-label": "sensitivity.what_a_little_more_would", hidden: true },
-    h(
-      "header",
-      {},
-      h("h2", {}, "sensitivity.what_a_little_more_would"),
-      h("button", { onclick: () => this.turn(false) }, "table.close"),
-    ),
+    { class: "table more", "aria-label": "sensitivity.title", hidden: true },
+    h("header", {}, h("h2", {}, "sensitivity.title"), h("button", { onclick: () => this.turn(false) }, "table.close")),
     h(
       "div",
       { class: "more-asked" },
-      h("label", {}, h("span", {}, "sensitivity.a_little_more"), this.picked),
+      h("label", {}, h("span", {}, "sensitivity.step"), this.picked),
       this.step,
       this.take,
     ),
@@ -179,7 +180,7 @@ export class More {
     this.asked = new AbortController();
     const { signal } = this.asked;
     this.known = `${path} ${film.query}`;
-    if (!found || !Number.isFinite(found.value)) return this.refuse("sensitivity.it_is_infinite_there");
+    if (!found || !Number.isFinite(found.value)) return this.refuse("sensitivity.infinite");
     try {
       const sides = await lab.backend.changes(film.scenario, path, signal);
       if (signal.aborted || lab.film() !== film) return undefined;
@@ -189,14 +190,14 @@ export class More {
       this.factor = 0; // until they are drawn
       this.tell();
     } catch (error) {
-      if ((error as Error).name !== "AbortError" && !signal.aborted) this.refuse(saidOf(error));
+      if ((error as Error).name !== "AbortError" && !signal.aborted) this.refuse(messageOf(error));
     }
     lab.request();
     return undefined;
   }
 
   /** No numbers: why. */
-  refuse(words: Said) {
+  refuse(words: Message) {
     this.forget();
     this.take.disabled = true;
     for (const place of [this.step, this.said, this.body]) place.replaceChildren();
@@ -219,7 +220,7 @@ export class More {
     this.take.disabled = false;
     this.rows.hidden = this.scale.hidden = false;
     const said = sentences(changes);
-    if (!said.length && changes.failed < 0) said.push("sensitivity.nothing_no_event_moves");
+    if (!said.length && changes.failed < 0) said.push("sensitivity.nothing");
     this.said.replaceChildren(...said.map((sentence) => h("li", {}, [sentence])));
     const why = this.why(changes);
     this.reason.hidden = !why;
@@ -246,21 +247,21 @@ export class More {
   tellScale() {
     const { three } = this.lab.stage.options;
     const drawn = three
-      ? "sensitivity.the_arrows_are_drawn"
-      : { key: "sensitivity.the_arrows_in_the", values: { factor: show(this.factor, 3) } };
+      ? "sensitivity.not_in_space"
+      : { key: "sensitivity.scale", values: { factor: show(this.factor, 3) } };
     say(this.scale, three || this.factor ? drawn : "");
   }
 
   /** Where there is no derivative, or one to this side only, and why. */
-  why(changes: Changes): Said {
+  why(changes: Changes): Message {
     const { failed, side, events, edge, sided } = changes;
     if (failed >= 0 && side) {
       const { kind, t: time } = events[Math.min(failed, events.length - 1)];
       const values = { what: eventWord(kind), time: show(time, 4), reason: reasonOf(side.reason) };
-      return { key: "sensitivity.from_what_at_time", values };
+      return { key: "sensitivity.ends", values };
     }
     if (!edge && !sided) return "";
-    return { key: "sensitivity.to_one_side_only", values: { reason: reasonOf(edge ? "edge" : "sided") } };
+    return { key: "sensitivity.one_sided", values: { reason: reasonOf(edge ? "edge" : "sided") } };
   }
 
   fill(changes: Changes) {

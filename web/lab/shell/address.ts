@@ -129,8 +129,8 @@ export class Address {
     const foreign = found.flatMap((one) => one.foreign);
     this.held = Boolean(error);
     const said = () => {
-      if (error) notice.fail(error, "shell.the_rest_of_the");
-      else if (foreign.length) notice.say({ key: "shell.ignored_in_the_link", values: { names: listed(foreign) } });
+      if (error) notice.fail(error, "shell.link_rest");
+      else if (foreign.length) notice.say({ key: "shell.link_ignored", values: { names: listed(foreign) } });
     };
     return { links: found.map((one) => one.query), said };
   }

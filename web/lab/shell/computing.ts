@@ -17,7 +17,7 @@ export class Computing {
 
   /** `limit`: milliseconds that the kernel may take. */
   constructor(readonly limit = Infinity) {
-    const used = { key: "shell.time_used_of", values: { time: limit / 1000 } };
+    const used = { key: "shell.time_used", values: { time: limit / 1000 } };
     this.bar = h("progress", { "aria-label": used, title: used });
     const stop = h("button", { onclick: () => this.stop() }, "shell.stop");
     this.element = h("div", { class: "computing", role: "status", hidden: true }, "shell.computing", this.bar, stop);

@@ -70,16 +70,16 @@ export class Extras {
       clock.loop = !clock.loop;
       this.mark();
     });
-    this.slow = toggle("slow", "menu.slow_motion_a_tenth", () => {
+    this.slow = toggle("slow", "menu.slow_motion", () => {
       clock.speed = clock.speed === 0.1 ? 1 : 0.1;
       clock.changed();
       this.mark();
     });
-    this.loud = toggle("sound", "menu.sound_of_the_contact", () => {
+    this.loud = toggle("sound", "menu.sound", () => {
       this.sound.turn(!this.sound.on);
       this.mark();
     });
-    this.large = toggle("large", "menu.presentation_on_the_whole", () => this.present.turn());
+    this.large = toggle("large", "menu.presentation_title", () => this.present.turn());
     this.present.onchange = () => this.mark();
     this.mark();
     return h("div", { class: "buttons tools" }, this.loop, this.slow, this.loud, this.large);
@@ -112,13 +112,13 @@ export class Extras {
       h(
         "div",
         { class: "menu-body" },
-        item("menu.guided_visit", () => this.visit.start()),
+        item("menu.visit", () => this.visit.start()),
         item("menu.challenges", () => this.challenges.open()),
-        item("sensitivity.what_a_little_more_would", () => this.more.turn(true)),
-        item("table.table_of_the_motion", () => this.table.open(true)),
+        item("sensitivity.title", () => this.more.turn(true)),
+        item("table.title", () => this.table.open(true)),
         item("menu.presentation", () => this.present.turn(true)),
-        item("menu.for_teachers", () => this.teach.showModal()),
-        item("menu.about_hophoop", () => this.lab.about.showModal()),
+        item("menu.teachers", () => this.teach.showModal()),
+        item("menu.about", () => this.lab.about.showModal()),
       ),
     );
     menu.addEventListener("keydown", (event) => {
@@ -143,7 +143,7 @@ export class Extras {
     if (!lab.hosted) return;
     const names = this.visit.guessing ? [] : lab.motions.films().map((film) => this.nameOf(film));
     const said = [...new Set(names)].join(" | ");
-    document.title = said ? `${said} – hophoop` : t("menu.hophoop_lab_play_with");
+    document.title = said ? `${said} – hophoop` : t("page.title");
   }
 
   nameOf({ query, summary }: Film) {

@@ -52,21 +52,21 @@ export class Header {
           this.fresh = false;
         },
       },
-      h("option", { value: "" }, "header.examples_2"),
+      h("option", { value: "" }, "header.examples_prompt"),
       options(false),
       h("optgroup", { label: "examples.more" }, options(true)),
     );
-    this.undo = button(icon("undo"), "header.undo_z", actions.undo);
-    this.redo = button(icon("redo"), "header.redo_y", actions.redo);
-    this.reset = button(worded("header.reset", "reset"), "header.reset_to_opened", actions.reset);
-    this.compare = button(worded("header.compare", "two"), "header.compare_two_hoops", actions.compare);
+    this.undo = button(icon("undo"), "header.undo", actions.undo);
+    this.redo = button(icon("redo"), "header.redo", actions.redo);
+    this.reset = button(worded("header.reset", "reset"), "header.reset_title", actions.reset);
+    this.compare = button(worded("header.compare", "two"), "header.compare_title", actions.compare);
     this.compare.classList.add("full");
     this.right = h(
       "div",
       { class: "buttons right" },
       share,
-      button(icon("theme"), "header.dark_or_light_d", actions.theme),
-      button("?", "header.keys_and_help", actions.help),
+      button(icon("theme"), "header.theme", actions.theme),
+      button("?", "header.help", actions.help),
     );
     this.element = h(
       "header",

@@ -68,7 +68,7 @@ export class SingleKeys {
         if (hosted) remember(KEPT, this.on ? "on" : "off");
       },
     });
-    this.element = h("label", { class: "check" }, box, "keys.single_keys_letters_digits");
+    this.element = h("label", { class: "check" }, box, "keys.single_keys");
   }
 }
 

@@ -27,7 +27,7 @@ import { Story, Theory } from "../player/story.ts";
 import { Theme } from "./theme.ts";
 import { Timeline } from "../player/timeline.ts";
 import { Transport } from "../player/transport.ts";
-import { saidOf } from "../words/words.ts";
+import { messageOf } from "../words/words.ts";
 
 export interface Options {
   hosted?: boolean; // whether the lab owns the page, with its address and its keyboard
@@ -219,7 +219,7 @@ export class Lab {
 
   /** A refusal is said at its field; what is shown stays as it was. */
   failed(error: Error, changes: Change[] = []) {
-    if (!this.controls.refuse(changes, saidOf(error))) {
+    if (!this.controls.refuse(changes, messageOf(error))) {
       this.notice.fail(error);
       this.controls.restore();
     }
@@ -407,7 +407,7 @@ export class Lab {
       this.theory.draw(await this.backend.theory(scenario, signal), this.motions.name());
       await this.phase.fetch(scenario, signal);
     } catch (error) {
-      if ((error as Error).name !== "AbortError") this.theory.draw([{ label: "–", text: saidOf(error) }]);
+      if ((error as Error).name !== "AbortError") this.theory.draw([{ label: "–", text: messageOf(error) }]);
     }
   }
 
@@ -430,7 +430,7 @@ export class Lab {
       try {
         await this.stage.turn(() => this.drawStage());
       } catch (error) {
-        this.notice.say(saidOf(error));
+        this.notice.say(messageOf(error));
       }
     }
     this.transport.show(options);

@@ -7,7 +7,7 @@ import { Lab } from "./lab.ts";
 import { unpack } from "../backend/packing.ts";
 import { NotebookKernel, type Model } from "../backend/python.ts";
 import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
-import { preferred, saidOf, speak, wordsFrom } from "../words/words.ts";
+import { preferred, messageOf, speak, wordsFrom } from "../words/words.ts";
 
 /** The folder of the script; a notebook has none. */
 const here = () => new URL("./", import.meta.url);
@@ -45,7 +45,7 @@ async function startPage(root: HTMLElement) {
     backend = await backendOf(here(), site ? null : base, base);
   } catch (error) {
     await words;
-    say(root, saidOf(error));
+    say(root, messageOf(error));
     return;
   }
   await words;
@@ -82,7 +82,7 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
   } catch (error) {
     await words;
     lab?.close();
-    say(root, saidOf(error));
+    say(root, messageOf(error));
     return null;
   }
 }
@@ -102,7 +102,7 @@ async function render({ model, el }: { model: Model; el: HTMLElement }, worker: 
     await words;
   } catch (error) {
     await words;
-    say(root, saidOf(error));
+    say(root, messageOf(error));
     return () => python.close();
   }
   const shown = () => backend.shown(unpack(model.get("film")));

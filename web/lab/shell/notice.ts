@@ -1,7 +1,7 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
 import { h, say } from "../common/dom.ts";
-import { saidOf, spokenText } from "../words/words.ts";
+import { messageOf, spokenText } from "../words/words.ts";
 
 const TOAST_TIME = 6000; // milliseconds
 
@@ -12,7 +12,7 @@ export class Notice {
 
   /** `hint`: what can be done. */
   fail(error: Error, hint = "") {
-    const said = saidOf(error);
+    const said = messageOf(error);
     this.message.replaceChildren(...[said, ...(hint ? [" ", hint] : [])].map(spokenText));
     this.message.hidden = false;
     if (!this.seen()) this.say(said, this.message.isConnected);
@@ -29,7 +29,7 @@ export class Notice {
   }
 
   /** `heard`: whether a screen reader has it already. */
-  say(text: Said, heard = false) {
+  say(text: Message, heard = false) {
     this.toast.setAttribute("role", heard ? "presentation" : "status");
     say(this.toast, text);
     this.toast.hidden = false;

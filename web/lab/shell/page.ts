@@ -84,7 +84,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
 
 function skipTo(player: HTMLElement) {
   player.id = "hh-player";
-  const skip = h("a", { class: "skip button", href: "#hh-player" }, "page.skip_to_the_player");
+  const skip = h("a", { class: "skip button", href: "#hh-player" }, "page.skip");
   skip.onclick = (event) => {
     event.preventDefault(); // what stands behind the # of the address is the lab's own
     player.focus();

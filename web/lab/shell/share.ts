@@ -10,11 +10,11 @@ import type { Lab } from "./lab.ts";
 type Kept = Parameters<typeof record>[0] & Pick<Lab, "backend" | "film" | "link">;
 
 const FILES = [
-  ["motion.toml", "save.save_the_scenario_toml"],
-  ["motion.csv", "save.save_the_states_csv"],
-  ["motion.nc", "save.save_the_motion_netcdf"],
-  ["motion.json", "save.save_the_events_json"],
-  ["motion.mp4", "save.save_a_film_mp4"],
+  ["motion.toml", "save.scenario"],
+  ["motion.csv", "save.states"],
+  ["motion.nc", "save.motion"],
+  ["motion.json", "save.events"],
+  ["motion.mp4", "save.film"],
 ];
 
 export class Share {
@@ -23,27 +23,27 @@ export class Share {
     { class: "menu" },
     h(
       "summary",
-      { class: "button", "aria-label": "save.share_and_save" },
-      h("span", { class: "long" }, "save.share_and_save"),
+      { class: "button", "aria-label": "save.menu" },
+      h("span", { class: "long" }, "save.menu"),
       h("span", { class: "short" }, icon("share")),
     ),
     h(
       "div",
       { class: "menu-body" },
       this.lab.backend.shares && [
-        this.item("save.copy_a_link_to", () => this.copyLink([])),
-        this.item("save.copy_a_link_with_fingerprint", () => this.copyLink(this.fingerprints()), "full"),
+        this.item("save.copy_link", () => this.copyLink([])),
+        this.item("save.copy_link_fingerprint", () => this.copyLink(this.fingerprints()), "full"),
       ],
       FILES.filter(([name]) => this.lab.backend.files.includes(name)).map(([name, label]) =>
         this.item(label, () => this.download(name)),
       ),
-      this.item("save.save_a_picture_png", () => this.picture("png", png)),
-      this.item("save.save_a_picture_svg", () => this.picture("svg", svg)),
-      this.item("save.record_one_run_as", () => this.record()),
-      this.item("save.show_the_python_code", () => this.code()),
+      this.item("save.picture_png", () => this.picture("png", png)),
+      this.item("save.picture_svg", () => this.picture("svg", svg)),
+      this.item("save.record", () => this.record()),
+      this.item("save.code", () => this.code()),
     ),
   );
-  dialog = h("dialog", { class: "code-dialog", "aria-label": "save.the_same_motion_in" });
+  dialog = h("dialog", { class: "code-dialog", "aria-label": "save.code_title" });
 
   constructor(readonly lab: Kept) {}
 
@@ -74,19 +74,17 @@ export class Share {
     const link = this.lab.link(fingerprints) ?? "";
     try {
       await navigator.clipboard.writeText(link);
-      this.lab.notice.say("save.the_link_is_copied");
+      this.lab.notice.say("save.link_copied");
     } catch {
-      this.show("save.the_link_to_this", link);
+      this.show("save.link_title", link);
     }
   }
 
   async download(name: string) {
     const film = this.lab.film();
-    this.lab.notice.say(
-      name.endsWith("mp4") ? "save.the_film_is_being" : { key: "save.fetching_name", values: { name } },
-    );
+    this.lab.notice.say(name.endsWith("mp4") ? "save.making_film" : { key: "save.fetching", values: { name } });
     saveBlob(await this.lab.backend.file(name, film.query), `hophoop-${name}`);
-    this.lab.notice.say({ key: "save.name_is_there", values: { name } });
+    this.lab.notice.say({ key: "save.ready", values: { name } });
   }
 
   async picture(kind: string, make: (shown: Kept) => Promise<Blob> | Blob) {
@@ -95,12 +93,12 @@ export class Share {
 
   async record() {
     saveBlob(await record(this.lab), "hophoop.webm");
-    this.lab.notice.say("save.the_film_is_there");
+    this.lab.notice.say("save.film_ready");
   }
 
   async code() {
     const { python, toml } = this.lab.backend.code(this.lab.film().scenario);
-    this.show("save.the_same_motion_in", python, "save.the_scenario_as_a", toml);
+    this.show("save.code_title", python, "save.scenario_title", toml);
   }
 
   /** Headings and texts in turn. */

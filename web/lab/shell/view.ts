@@ -18,7 +18,7 @@ export class View {
   more = h(
     "p",
     { class: "hint beyond", hidden: true },
-    "shell.this_motion_has_other",
+    "shell.other_settings",
     " ",
     h("button", { class: "link", onclick: () => this.choose() }, "shell.show_everything"),
   );
@@ -52,7 +52,7 @@ export class View {
     this.root.classList.toggle("simple", simple);
     this.button.replaceChildren(
       h("span", { class: "long" }, simple ? "shell.everything" : "shell.simple_view"),
-      h("span", { class: "short" }, simple ? "shell.everything" : "shell.simple"),
+      h("span", { class: "short" }, simple ? "shell.everything" : "shell.simple_short"),
     );
     // a slider in a closed group would not be seen
     for (const group of this.root.querySelectorAll<HTMLDetailsElement>("details.group")) {

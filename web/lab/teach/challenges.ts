@@ -34,9 +34,9 @@ export class Challenges {
       "header",
       {},
       h("h2", {}, "menu.challenges"),
-      h("button", { class: "quiet", "aria-label": "challenge.leave_the_challenges", onclick: () => this.close() }, "×"),
+      h("button", { class: "quiet", "aria-label": "challenge.leave", onclick: () => this.close() }, "×"),
     ),
-    h("div", { class: "tabs", role: "group", "aria-label": "challenge.which_challenge" }, [...this.tabs.values()]),
+    h("div", { class: "tabs", role: "group", "aria-label": "challenge.choice" }, [...this.tabs.values()]),
     this.text,
     this.meter,
     this.result,
@@ -44,8 +44,8 @@ export class Challenges {
     h(
       "div",
       { class: "buttons" },
-      h("button", { onclick: () => this.begin() }, "challenge.begin_again"),
-      h("button", { onclick: () => this.solve() }, "challenge.show_a_best_one"),
+      h("button", { onclick: () => this.begin() }, "challenge.restart"),
+      h("button", { onclick: () => this.solve() }, "challenge.show_best"),
     ),
   );
 
@@ -96,12 +96,12 @@ export class Challenges {
     const { points, text, values = {} } = goal.score(this.film());
     const counts = !this.solved.has(goal.key) && !this.solutions.has(this.film().query);
     this.meter.value = points;
-    const key = counts ? "challenge.stars_points_points_what" : "challenge.stars_points_points_shown";
+    const key = counts ? "challenge.points" : "challenge.points_not_counted";
     const said = { key, values: { stars: drawn(points), count: points, what: { key: text, values } } };
     if (this.result.textContent !== spoken(said)) say(this.result, said);
     const kept = Number(recall(KEY + goal.key) ?? 0);
     const best = counts && !this.ahead() ? Math.max(kept, points) : kept;
     if (best > kept) remember(KEY + goal.key, String(best));
-    say(this.kept, { key: "challenge.your_best_points_points", values: { count: best } });
+    say(this.kept, { key: "challenge.own_best", values: { count: best } });
   }
 }

@@ -24,16 +24,17 @@ export interface Goal {
  */
 export function broken(film: Film, most: number) {
   const { start, plane, contact, hoop } = film.scenario;
-  if (contact.model !== "rigid") return "challenge.rigid_contact_only";
-  if (film.slope !== 0) return "challenge.the_plane_must_be";
-  if (Math.abs(film.gravity - 9.81) > 1e-9) return "challenge.it_must_be_on";
-  if ((plane.restitution ?? 0) !== 0) return "challenge.restitution_must_be_0";
-  if (film.radius !== 1 || hoop.parts) return "challenge.the_radius_must_stay";
-  if (film.eccentricity > 0.9) return "challenge.at_most_90_of";
-  if (!("load_fraction" in hoop)) return "challenge.the_hoop_must_be";
-  if (!("speed" in start)) return "challenge.it_must_start_rolling";
-  if (Math.abs(start.speed ?? 3.1) > most + 1e-9) return most > 5 ? "challenge.at_most_10_m" : "challenge.at_most_3_1";
-  if (film.scenario.duration > 6) return "challenge.at_most_6_s";
+  if (contact.model !== "rigid") return "challenge.limit_contact";
+  if (film.slope !== 0) return "challenge.limit_slope";
+  if (Math.abs(film.gravity - 9.81) > 1e-9) return "challenge.limit_gravity";
+  if ((plane.restitution ?? 0) !== 0) return "challenge.limit_restitution";
+  if (film.radius !== 1 || hoop.parts) return "challenge.limit_radius";
+  if (film.eccentricity > 0.9) return "challenge.limit_load_fraction";
+  if (!("load_fraction" in hoop)) return "challenge.limit_hoop";
+  if (!("speed" in start)) return "challenge.limit_rolling";
+  if (Math.abs(start.speed ?? 3.1) > most + 1e-9)
+    return most > 5 ? "challenge.limit_speed_10" : "challenge.limit_speed_3_1";
+  if (film.scenario.duration > 6) return "challenge.limit_duration";
   return "";
 }
 
@@ -55,64 +56,64 @@ const LEAST = 0.05; // metres: a hop that can be seen
 export const GOALS: Goal[] = [
   {
     key: "highest",
-    title: "challenge.hop_highest",
-    text: "challenge.on_level_ground_rolling",
+    title: "challenge.highest",
+    text: "challenge.highest_task",
     start: "",
     best: "hoop.load_fraction=0.9&plane.mu=0.29",
     score: (film) => {
       const rule = broken(film, 3.1);
       if (rule) return { points: 0, text: rule };
       const top = Math.max(0, ...heights(film));
-      if (!top) return { points: 0, text: "challenge.it_does_not_hop" };
-      return { points: part(top, HIGHEST), text: "challenge.it_rises_by_height", values: { height: length(top) } };
+      if (!top) return { points: 0, text: "challenge.result_no_hop" };
+      return { points: part(top, HIGHEST), text: "challenge.result_rise", values: { height: length(top) } };
     },
   },
   {
     key: "upright",
-    title: "challenge.land_upright",
-    text: "challenge.let_the_hoop_land",
+    title: "challenge.upright",
+    text: "challenge.upright_task",
     start: "",
     best: "hoop.load_fraction=0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",
     score: (film) => {
       const up = hops(film)[0];
       const landing = film.events.find(({ kind, t }) => kind === "impact" && up && t > up.t);
-      if (!up || !landing) return { points: 0, text: "challenge.it_does_not_hop" };
+      if (!up || !landing) return { points: 0, text: "challenge.result_no_hop" };
       const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
-      if (!top || top.height < LEAST) return { points: 0, text: "challenge.the_first_hop_is" };
+      if (!top || top.height < LEAST) return { points: 0, text: "challenge.result_low" };
       const off = Math.abs(landing.angle - 2 * Math.PI * Math.round(landing.angle / (2 * Math.PI))) / DEGREE;
       const points = Math.max(0, Math.round(100 * (1 - (off - 0.5) / 89.5)));
       return {
         points: Math.min(points, 100),
-        text: "challenge.it_lands_off_away",
+        text: "challenge.result_landing",
         values: { off: degrees(off * DEGREE) },
       };
     },
   },
   {
     key: "clean",
-    title: "challenge.hop_without_skidding",
-    text: "challenge.on_level_ground_the",
+    title: "challenge.no_skid",
+    text: "challenge.no_skid_task",
     start: "start.angle=3.141592653589793&start.speed=8",
     best: "hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",
     score: (film) => {
       const rule = broken(film, 10);
       if (rule) return { points: 0, text: rule };
       if (Math.abs(Math.abs(film.scenario.start.angle ?? 0) - Math.PI) > 0.5 * DEGREE) {
-        return { points: 0, text: "challenge.the_load_must_start" };
+        return { points: 0, text: "challenge.limit_load_angle" };
       }
       if (film.values["plane.mu_kinetic"] > 1.5 || film.values["plane.mu_static"] > 1.5) {
-        return { points: 0, text: "challenge.friction_must_be_at" };
+        return { points: 0, text: "challenge.limit_friction" };
       }
       const up = hops(film)[0];
-      if (!up) return { points: 0, text: "challenge.it_does_not_hop" };
+      if (!up) return { points: 0, text: "challenge.result_no_hop" };
       const before = film.phases.filter(({ from }) => from < up.t);
-      if (before.some(({ mode }) => mode === "K")) return { points: 0, text: "challenge.it_skids_before_it" };
-      if (before[0]?.mode !== "R") return { points: 0, text: "challenge.it_must_start_rolling" };
+      if (before.some(({ mode }) => mode === "K")) return { points: 0, text: "challenge.result_skids" };
+      if (before[0]?.mode !== "R") return { points: 0, text: "challenge.limit_rolling" };
       const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
-      if (!top) return { points: 0, text: "challenge.it_does_not_hop" };
+      if (!top) return { points: 0, text: "challenge.result_no_hop" };
       return {
         points: part(top.height, HIGHEST_CLEAN),
-        text: "challenge.it_rises_by_height",
+        text: "challenge.result_rise",
         values: { height: length(top.height) },
       };
     },

@@ -1,7 +1,7 @@
 // What a visitor says before the motion is shown: one of several answers, a mark on a circle, or a curve.
 
 import { disc, ring, stroke } from "../common/paint.ts";
-import { fitted, h } from "../common/dom.ts";
+import { scaledContext, h } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
 import { follow } from "../common/pointer.ts";
 
@@ -50,7 +50,7 @@ export function choices(options: Record<string, string>, onguess: () => void): G
   return {
     element: h(
       "div",
-      { class: "guess", role: "radiogroup", "aria-label": "visit.your_guess" },
+      { class: "guess", role: "radiogroup", "aria-label": "visit.guess" },
       rows.map(({ row }) => row),
     ),
     made: () => chosen !== "",
@@ -96,7 +96,7 @@ export function dial(label: string, onguess: () => void): Guess {
   );
   const draw = () => {
     const style = getComputedStyle(element);
-    const { context } = fitted(canvas, Number.parseFloat(style.width) / SIZE || 1);
+    const { context } = scaledContext(canvas, Number.parseFloat(style.width) / SIZE || 1);
     const ink = style.getPropertyValue("--ink").trim();
     const soft = style.getPropertyValue("--soft").trim();
     const accent = style.getPropertyValue("--accent").trim();
@@ -182,7 +182,7 @@ export function sketch(
       class: "sketch-point",
       role: "slider",
       tabindex: "0",
-      "aria-label": { key: "visit.what_with_the_load", values: { what: label, angle: `${45 * i}°` } },
+      "aria-label": { key: "visit.angle_value", values: { what: label, angle: `${45 * i}°` } },
       "aria-orientation": "vertical",
       "aria-valuemin": "0",
       "aria-valuemax": String(most),
@@ -197,7 +197,7 @@ export function sketch(
   );
   const element = h(
     "div",
-    { class: "guess sketch", role: "group", "aria-label": "visit.draw_the_curve_pull" },
+    { class: "guess sketch", role: "group", "aria-label": "visit.curve_label" },
     canvas,
     handles,
   );
@@ -208,7 +208,7 @@ export function sketch(
   const draw = () => {
     const style = getComputedStyle(element);
     const px = Number.parseFloat(style.getPropertyValue("font-size")) / 14 || 1;
-    const { context, width, height } = fitted(canvas, px);
+    const { context, width, height } = scaledContext(canvas, px);
     size = { width, height, px };
     const read = (name: string) => style.getPropertyValue(name).trim();
     context.clearRect(0, 0, width, height);

@@ -7,34 +7,34 @@ const SHEET = "hoop.radius=0.4&duration=1.5&start.speed=";
 
 /** Minute, what happens, the motion that it needs. */
 const LESSON: [string, string, string | null][] = [
-  ["0", "teach.show_the_hoop_at", "duration=2"],
-  ["3", "teach.everybody_predicts_where_the", null],
-  ["7", "teach.energy_on_the_way", "start.speed=0.1&duration=8"],
-  ["17", "teach.lift_at_the_top", "start.speed=3.7&duration=2"],
-  ["24", "teach.the_film_again_in", "duration=2"],
-  ["28", "teach.each_group_takes_one", `${SHEET}2.2`],
-  ["35", "teach.why_what_has_to", null],
-  ["42", "teach.one_sentence_each_the", null],
+  ["0", "teach.lesson_show", "duration=2"],
+  ["3", "teach.lesson_guess", null],
+  ["7", "teach.lesson_energy", "start.speed=0.1&duration=8"],
+  ["17", "teach.lesson_takeoff", "start.speed=3.7&duration=2"],
+  ["24", "teach.lesson_slow", "duration=2"],
+  ["28", "teach.lesson_groups", `${SHEET}2.2`],
+  ["35", "teach.lesson_why", null],
+  ["42", "teach.lesson_summary", null],
 ];
 
 const IDEAS: [string, string][] = [
-  ["teach.the_load_pulls_the", "teach.only_if_it_is"],
-  ["teach.it_hops_at_the", "teach.there_the_floor_pushes"],
-  ["teach.nothing_can_be_faster", "teach.the_ring_can_it"],
-  ["teach.friction_always_brakes", "teach.it_acts_against_slip"],
-  ["teach.more_friction_more_hop", "teach.there_is_a_best"],
-  ["teach.a_heavier_hoop_behaves", "teach.only_the_shares_of"],
+  ["teach.idea_top", "teach.answer_top"],
+  ["teach.idea_bottom", "teach.answer_bottom"],
+  ["teach.idea_free_fall", "teach.answer_free_fall"],
+  ["teach.idea_friction_brakes", "teach.answer_friction_brakes"],
+  ["teach.idea_more_friction", "teach.answer_more_friction"],
+  ["teach.idea_mass", "teach.answer_mass"],
 ];
 
 const TASKS = [
-  "teach.before_the_film_where",
-  "teach.the_hoop_gets_only",
-  "teach.while_a_wheel_rolls",
-  "teach.how_fast_is_a",
-  "teach.find_the_force_of",
-  "teach.in_the_lab_what",
-  "teach.find_the_smallest_speed",
-  "teach.at_2_2_m",
+  "teach.task_guess",
+  "teach.task_energy",
+  "teach.task_rest",
+  "teach.task_fall",
+  "teach.task_force",
+  "teach.task_lab",
+  "teach.task_threshold",
+  "teach.task_slip",
 ];
 
 const SPEEDS = ["1.0", "1.3", "1.6", "1.9", "2.2", "2.3"];
@@ -48,7 +48,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     h("button", { class: "link", onclick: () => go(query) }, words);
   const base = docs();
   const pages = base && [
-    ["teach/index.html", "teach.teaching_with_the_hoop"],
+    ["teach/index.html", "teach.pages"],
     ["teach/worksheet.html", "teach.worksheet"],
     ["teach/solutions.html", "teach.solutions"],
     ["teach/exercises.html", "teach.exercises"],
@@ -56,22 +56,22 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
   const lesson = h(
     "table",
     {},
-    h("caption", {}, "teach.a_lesson_of_45"),
-    headed("teach.minute", "motion.what_happens", "teach.motion"),
+    h("caption", {}, "teach.lesson"),
+    headed("teach.minute", "motion.story", "teach.motion"),
     h("tbody", {}, ...LESSON.map(([minute, what, query]) => rowOf(minute, what, query === null ? "" : motion(query)))),
   );
   const ideas = h(
     "table",
     {},
-    h("caption", {}, "teach.what_students_often_think"),
-    headed("teach.idea", "teach.what_is_right"),
+    h("caption", {}, "teach.ideas"),
+    headed("teach.idea", "teach.answer"),
     h("tbody", {}, ...IDEAS.map(([idea, right]) => h("tr", {}, h("td", {}, idea), h("td", {}, right)))),
   );
   const sheet = h(
     "section",
     { class: "sheet" },
-    h("h3", {}, "teach.worksheet_the_hoop_that"),
-    h("p", {}, "teach.a_thin_ring_of"),
+    h("h3", {}, "teach.sheet_title"),
+    h("p", {}, "teach.sheet_intro"),
     h(
       "ol",
       {},
@@ -80,24 +80,24 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     h(
       "table",
       { class: "sheet-table" },
-      headed("v₀ [m/s]", "teach.phases", "teach.does_it_hop", "teach.at_which_angle"),
+      headed("v₀ [m/s]", "teach.column_phases", "teach.column_hops", "teach.column_angle"),
       h("tbody", {}, ...SPEEDS.map((speed) => rowOf(motion(`${SHEET}${Number(speed)}`, speed), "", "", ""))),
     ),
   );
   const dialog = h(
     "dialog",
-    { class: "teach", "aria-label": "menu.for_teachers" },
+    { class: "teach", "aria-label": "menu.teachers" },
     h(
       "header",
       {},
-      h("h2", {}, "menu.for_teachers"),
+      h("h2", {}, "menu.teachers"),
       h("button", { onclick: () => print() }, "teach.print"),
       h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
     ),
     h(
       "p",
       {},
-      "teach.the_visit_asks_before",
+      "teach.intro",
       " ",
       h(
         "button",
@@ -108,7 +108,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
             visit();
           },
         },
-        "teach.start_the_visit",
+        "teach.start_visit",
       ),
     ),
     pages &&

@@ -39,12 +39,7 @@ export class Visit {
   onchallenges: () => void;
   body = h("div", { class: "visit-body" });
   said = h("div", { class: "visit-answer", role: "status" });
-  element = h(
-    "section",
-    { class: "visit card", "aria-label": "menu.guided_visit", hidden: true },
-    this.body,
-    this.said,
-  );
+  element = h("section", { class: "visit card", "aria-label": "menu.visit", hidden: true }, this.body, this.said);
 
   constructor(
     readonly lab: Guided,
@@ -67,9 +62,9 @@ export class Visit {
       h(
         "div",
         { class: "buttons offer" },
-        h("p", {}, h("b", {}, "visit.new_here"), " ", "visit.eight_short_questions_guess"),
-        h("button", { class: "main", onclick: () => this.start() }, "teach.start_the_visit"),
-        h("button", { onclick: () => this.leave() }, "visit.not_now"),
+        h("p", {}, h("b", {}, "visit.new_here"), " ", "visit.offer"),
+        h("button", { class: "main", onclick: () => this.start() }, "teach.start_visit"),
+        h("button", { onclick: () => this.leave() }, "visit.decline"),
       ),
     );
   }
@@ -123,18 +118,18 @@ export class Visit {
   /** What would tell the answer waits for the guess. */
   veil() {
     this.lab.mark("guessing", this.guessing);
-    if (this.guessing) name(this.lab.stage.element, "aria-label", "visit.the_hoop_before_it");
+    if (this.guessing) name(this.lab.stage.element, "aria-label", "visit.veiled");
   }
 
   fill(number: number) {
     const step = STEPS[number];
     this.play = h("button", { class: "main", disabled: Boolean(this.guess), onclick: () => this.show() }, "visit.play");
     this.running = false;
-    this.wait = h("span", { class: "hint visit-wait" }, "visit.first_say_what_you");
+    this.wait = h("span", { class: "hint visit-wait" }, "visit.guess_first");
     this.skip = h(
       "button",
       { hidden: true, onclick: () => this.stop !== null && this.lab.clock.seek(this.stop) },
-      "visit.skip_to_the_answer",
+      "visit.skip",
     );
     const last = number === STEPS.length - 1;
     const heading = h("h2", { tabindex: "-1" }, step.title);
@@ -143,13 +138,9 @@ export class Visit {
       h(
         "header",
         {},
-        h(
-          "span",
-          { class: "visit-count" },
-          { key: "visit.step_number_of_all", values: { number: number + 1, all: STEPS.length } },
-        ),
+        h("span", { class: "visit-count" }, { key: "visit.step", values: { number: number + 1, all: STEPS.length } }),
         h("progress", { max: String(STEPS.length), value: String(number + 1), "aria-hidden": "true" }),
-        h("button", { class: "quiet", "aria-label": "visit.leave_the_visit", onclick: () => this.leave() }, "×"),
+        h("button", { class: "quiet", "aria-label": "visit.leave", onclick: () => this.leave() }, "×"),
       ),
       heading,
       h("p", {}, step.text),
@@ -223,7 +214,7 @@ export class Visit {
     this.points.set(step.key, points);
     this.play.hidden = this.skip.hidden = true;
     this.said.replaceChildren(
-      h("p", {}, h("b", {}, points ? { key: "visit.points_of_100_points", values: { points } } : "visit.not_so"), " ", {
+      h("p", {}, h("b", {}, points ? { key: "visit.points", values: { points } } : "visit.wrong"), " ", {
         key: text,
         values,
       }),
@@ -237,9 +228,7 @@ export class Visit {
 
   total() {
     const sum = [...this.points.values()].reduce((one, other) => one + other, 0);
-    this.said.replaceChildren(
-      h("p", {}, { key: "visit.you_have_sum_of", values: { sum, most: 100 * this.points.size } }),
-    );
+    this.said.replaceChildren(h("p", {}, { key: "visit.total", values: { sum, most: 100 * this.points.size } }));
   }
 
   challenge() {

@@ -51,15 +51,12 @@ const AFTER: Record<string, string> = { R: "roll", S: "spin", K: "skid", H: "bou
 export const STEPS: Step[] = [
   {
     key: "littlewood",
-    title: "visit.littlewoods_question",
-    text: "visit.a_hoop_without_mass",
-    question: "visit.what_do_you_think",
+    title: "visit.title_littlewood",
+    text: "visit.ask_littlewood",
+    question: "visit.choose",
     queries: ["hoop.load_fraction=1&start.speed=0.1&duration=3"],
     guess: (onguess) =>
-      choices(
-        { roll: "visit.it_rolls_on", hop: "visit.it_hops_the_hoop", skim: "visit.the_weight_falls_freely" },
-        onguess,
-      ),
+      choices({ roll: "visit.option_roll_on", hop: "visit.option_hop", skim: "visit.option_skim" }, onguess),
     until: ([film]) => {
       const [lost, struck] = [first(film, "skim"), first(film, "impact")];
       return lost ? lost.t + 0.7 * ((struck?.t ?? film.duration) - lost.t) : film.duration;
@@ -68,77 +65,77 @@ export const STEPS: Step[] = [
       const lost = first(film, "skim") ?? first(film, "takeoff");
       return {
         truth: lost?.kind === "skim" ? "skim" : lost ? "hop" : "roll",
-        text: "visit.at_angle_there_is",
+        text: "visit.answer_littlewood",
         values: { angle: inTurn(lost?.angle ?? 0) },
       };
     },
-    why: "visit.littlewood_said_that_the",
+    why: "visit.explain_littlewood",
   },
   {
     key: "speed",
-    title: "visit.a_ring_with_mass",
-    text: "visit.now_a_quarter_of",
-    question: "visit.draw_how_fast_the",
+    title: "visit.title_ring",
+    text: "visit.ask_ring",
+    question: "visit.draw_speed",
     queries: ["start.speed=0.1&duration=8"],
-    guess: (onguess) => sketch({ label: "visit.speed_of_the_centre", unit: "m/s", most: 10 }, onguess),
+    guess: (onguess) => sketch({ label: "visit.curve_axis", unit: "m/s", most: 10 }, onguess),
     until: ([film]) => timeAt(film, WHOLE),
     answer: ([film]) => {
       const speeds = overTurn(film, "vx");
-      return { truth: speeds, text: "visit.with_the_load_at", values: { speed: show(Math.max(...speeds), 2) } };
+      return { truth: speeds, text: "visit.answer_ring", values: { speed: show(Math.max(...speeds), 2) } };
     },
-    why: "visit.the_lowest_point_of",
+    why: "visit.explain_ring",
   },
   {
     key: "slip",
-    title: "visit.why_it_slips",
-    text: "visit.a_harder_push_2",
-    question: "visit.where_is_the_load",
+    title: "visit.title_slip",
+    text: "visit.ask_slip",
+    question: "visit.mark_slip",
     queries: ["start.speed=2.8"],
-    guess: (onguess) => dial("visit.angle_of_the_load", onguess),
+    guess: (onguess) => dial("visit.slip_angle", onguess),
     until: ([film]) => first(film, "slip_start")?.t ?? film.duration,
     answer: ([film]) => {
       const slip = first(film, "slip_start") as MotionEvent;
       const force = film.at(slip.t).normal_force / (film.mass * film.gravity);
       return {
         truth: (slip.angle * 180) / Math.PI,
-        text: "visit.it_begins_to_slip",
+        text: "visit.answer_slip",
         values: { angle: inTurn(slip.angle), share: `${show(100 * force, 2)} %` },
       };
     },
-    why: "visit.the_load_on_its",
+    why: "visit.explain_slip",
   },
   {
     key: "hop",
-    title: "visit.the_hop",
-    text: "visit.a_little_faster_3",
-    question: "visit.where_is_the_load_when",
+    title: "visit.title_takeoff",
+    text: "visit.ask_takeoff",
+    question: "visit.mark_takeoff",
     queries: [""],
-    guess: (onguess) => dial("visit.angle_of_the_load_where", onguess),
+    guess: (onguess) => dial("visit.takeoff_angle", onguess),
     until: ([film]) => first(film, "takeoff")?.t ?? film.duration,
     answer: ([film]) => {
       const start = first(film, "takeoff") as MotionEvent;
       const pose = film.at(start.t - 1e-6);
       return {
         truth: (start.angle * 180) / Math.PI,
-        text: "visit.it_takes_off_at",
+        text: "visit.answer_takeoff",
         values: { angle: inTurn(start.angle), slip: show(Math.abs(pose.slip), 3) },
       };
     },
-    why: "visit.a_rolling_hoop_would",
+    why: "visit.answer_landing",
   },
   {
     key: "landing",
-    title: "visit.the_landing",
-    text: "visit.the_hoop_is_in",
-    question: "visit.what_does_it_do",
+    title: "visit.title_landing",
+    text: "visit.explain_takeoff",
+    question: "visit.choose_landing",
     queries: [""],
     guess: (onguess) =>
       choices(
         {
-          roll: "visit.it_rolls_at_once",
-          skid: "visit.it_skids_the_rim",
-          spin: "visit.it_spins_the_rim",
-          bounce: "visit.it_bounces",
+          roll: "visit.option_roll_at_once",
+          skid: "visit.option_skid",
+          spin: "visit.option_spin",
+          bounce: "visit.option_bounce",
         },
         onguess,
       ),
@@ -148,7 +145,7 @@ export const STEPS: Step[] = [
       const top = film.events.find((event) => event.kind === "apex");
       return {
         truth: AFTER[film.at((down?.t ?? 0) + 1e-6).mode],
-        text: "visit.it_was_in_the",
+        text: "visit.ask_landing",
         values: {
           time: show((down?.t ?? 0) - (up?.t ?? 0), 3),
           height: show(100 * (top?.height ?? 0), 3),
@@ -156,13 +153,13 @@ export const STEPS: Step[] = [
         },
       };
     },
-    why: "visit.an_impact_takes_no",
+    why: "visit.explain_landing",
   },
   {
     key: "friction",
-    title: "visit.more_friction_more_hop",
-    text: "visit.three_hoops_get_the",
-    question: "visit.which_of_them_hops",
+    title: "visit.title_friction",
+    text: "visit.ask_friction",
+    question: "visit.choose_friction",
     queries: ["plane.mu=0.05", "plane.mu=0.2", ""],
     guess: (onguess) => choices({ 0: "μ = 0.05", 1: "μ = 0.2", 2: "μ = 1.0" }, onguess),
     until: (films) => 0.3 + Math.max(0, ...films.map((film) => first(film, "impact")?.t ?? 0)),
@@ -173,32 +170,29 @@ export const STEPS: Step[] = [
       const [low, middle, high] = heights.map((height) => show(100 * height, 3));
       return {
         truth: String(heights.indexOf(Math.max(...heights))),
-        text: "visit.they_rise_by_low",
+        text: "visit.answer_friction",
         values: { low, middle, high },
       };
     },
-    why: "visit.on_ice_nothing_drives",
+    why: "visit.explain_friction",
   },
   {
     key: "undecided",
-    title: "visit.what_rigid_bodies_cannot",
-    text: "visit.a_hoop_is_thrown",
-    question: "visit.what_do_they_say",
+    title: "visit.title_painleve",
+    text: "visit.ask_painleve",
+    question: "visit.choose_laws",
     queries: [
       "plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3",
       "plane.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3",
     ],
     guess: (onguess) =>
-      choices(
-        { flight: "visit.it_flies_off", impact: "visit.an_impact_stops_the", both: "visit.both_agree_with_the" },
-        onguess,
-      ),
+      choices({ flight: "visit.option_flight", impact: "visit.option_impact", both: "visit.option_both" }, onguess),
     until: (films) => Math.min(0.8, ...films.map((film) => film.duration)),
     answer: (films) => ({
       truth: films.every((film) => first(film, "painleve_indeterminate")) ? "both" : "flight",
-      text: "visit.hoop_a_and_hoop",
+      text: "visit.answer_painleve",
     }),
-    why: "visit.painleve_found_this_in",
+    why: "visit.explain_painleve",
   },
-  { key: "yours", title: "visit.your_turn", text: "visit.take_the_hoop_turn", question: "", queries: [""] },
+  { key: "yours", title: "visit.title_own", text: "visit.explain_own", question: "", queries: [""] },
 ];

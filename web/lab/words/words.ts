@@ -4,7 +4,18 @@
 import { LANGUAGES, spoken } from "../../words/texts.ts";
 import { recall, remember } from "../shell/memory.ts";
 
-export { current, LANGUAGES, listed, local, Refused, saidOf, speak, spoken, t, wordsFrom } from "../../words/texts.ts";
+export {
+  current,
+  LANGUAGES,
+  listed,
+  local,
+  Refused,
+  messageOf,
+  speak,
+  spoken,
+  t,
+  wordsFrom,
+} from "../../words/texts.ts";
 
 const KEY = "hophoop-language";
 
@@ -22,18 +33,18 @@ export function keep(code: string) {
 }
 
 /** What stands on the page. */
-const sources: WeakMap<Node, Said> = new WeakMap();
-const named: WeakMap<Element, Record<string, Said>> = new WeakMap();
+const sources: WeakMap<Node, Message> = new WeakMap();
+const named: WeakMap<Element, Record<string, Message>> = new WeakMap();
 
 /** A text on the page that can change its language. */
-export function spokenText(said: Said) {
+export function spokenText(said: Message) {
   const node = document.createTextNode(spoken(said));
   sources.set(node, said);
   return node;
 }
 
 /** An attribute that is read to people. */
-export function name(element: Element, name: string, said: Said) {
+export function name(element: Element, name: string, said: Message) {
   named.set(element, { ...named.get(element), [name]: said });
   element.setAttribute(name, spoken(said));
 }

@@ -5,7 +5,7 @@ import { Refused } from "../words/texts.ts";
 /** An answer that took longer than anything asked for in a page may take. */
 export class TooLong extends Refused {}
 
-class Hand {
+class PoolWorker {
   number = 0;
   waiting: { resolve: (value: any) => void; reject: (error: Error) => void } | null = null;
   worker = this.begun();
@@ -51,10 +51,10 @@ class Hand {
   }
 }
 
-export class Crew {
-  idle: Hand[] = [];
-  hired = 0;
-  queue: ((hand: Hand) => void)[] = [];
+export class WorkerPool {
+  idle: PoolWorker[] = [];
+  started = 0;
+  queue: ((worker: PoolWorker) => void)[] = [];
 
   /** `limit`: milliseconds that a call may take. */
   constructor(
@@ -64,43 +64,43 @@ export class Crew {
     readonly limit: number,
   ) {}
 
-  hand(): Promise<Hand> {
+  free(): Promise<PoolWorker> {
     const there = this.idle.pop();
     if (there) return Promise.resolve(there);
-    if (this.hired < this.size) {
-      this.hired++;
-      return Promise.resolve(new Hand(this.start, this.compiled));
+    if (this.started < this.size) {
+      this.started++;
+      return Promise.resolve(new PoolWorker(this.start, this.compiled));
     }
     return new Promise((resolve) => this.queue.push(resolve));
   }
 
-  release(hand: Hand) {
+  release(worker: PoolWorker) {
     const next = this.queue.shift();
-    if (next) next(hand);
-    else this.idle.push(hand);
+    if (next) next(worker);
+    else this.idle.push(worker);
   }
 
   /** `moved`: buffers that the worker gets and the page gives away. */
   async ask(call: string, values: any[], signal?: AbortSignal, moved: Transferable[] = []) {
     signal?.throwIfAborted();
-    const hand = await this.hand();
-    const stop = () => hand.stop(new DOMException("superseded", "AbortError"));
+    const worker = await this.free();
+    const stop = () => worker.stop(new DOMException("superseded", "AbortError"));
     const timer = setTimeout(
-      () => hand.stop(new TooLong({ key: "kernel.stopped", values: { time: this.limit / 1000 } })),
+      () => worker.stop(new TooLong({ key: "kernel.stopped", values: { time: this.limit / 1000 } })),
       this.limit,
     );
     try {
       signal?.throwIfAborted();
       signal?.addEventListener("abort", stop);
-      return await hand.ask(call, values, moved);
+      return await worker.ask(call, values, moved);
     } finally {
       clearTimeout(timer);
       signal?.removeEventListener("abort", stop);
-      this.release(hand);
+      this.release(worker);
     }
   }
 
   close() {
-    for (const hand of this.idle) hand.worker.terminate();
+    for (const worker of this.idle) worker.worker.terminate();
   }
 }
