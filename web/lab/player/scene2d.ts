@@ -62,7 +62,7 @@ export class Scene {
       this.scale = close * zoom;
       this.focus = [Number.isFinite(this.pose.x) ? this.pose.x : 0, 0];
       // on a narrow screen the readout needs the left side
-      this.place = [(width < 520 ? 0.6 : 0.46) * width + shift[0], low(0.82) + shift[1]];
+      this.place = [(width < 520 ? 0.64 : 0.46) * width + shift[0], low(0.82) + shift[1]];
     }
   }
 
