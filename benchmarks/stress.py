@@ -28,9 +28,8 @@ import numpy as np
 import hophoop as hh
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
-from hophoop.kernel.records.cells import body_of, second_of, start_of
-from hophoop.kernel.records.layout import CELL, COLUMNS, DURATION, EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.cells import CELL, Cell, body_of, second_of, start_of
+from hophoop.kernel.records.layout import COLUMNS, EVENT, SEGMENT, new_scratch
 from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.kernel.rigid.sampling import find_segment, sample
 
@@ -160,10 +159,10 @@ def measure(body, events, count, segments, pieces, out, times, worst):
 
 def one_motion(cell, events, segments, scratch):
     """Status and numbers of events and segments."""
-    second = second_of(cell, 0)
-    body = body_of(cell, 0)
-    start = start_of(cell, 0, second)
-    return compiled(run)(body, start, BY_RULE, cell[DURATION, 0] / second, math.nan, 0, events, segments, scratch)
+    second = second_of(cell)
+    body = body_of(cell)
+    start = start_of(cell, second)
+    return compiled(run)(body, start, BY_RULE, cell[Cell.DURATION] / second, math.nan, 0, events, segments, scratch)
 
 
 def evaluate(cells, mirrors, kinds, worst, doubts):
@@ -176,14 +175,14 @@ def evaluate(cells, mirrors, kinds, worst, doubts):
     out = np.empty((SAMPLES, len(COLUMNS)))
     statuses = np.empty(cells.shape[0], np.int64)
     for i in range(cells.shape[0]):
-        cell = cells[i].reshape(-1, 1)
+        cell = cells[i]
         status, count, pieces = one_motion(cell, events, segments, scratch)
         statuses[i] = status
         doubts[i] = scratch.doubt[0]
         for k in range(count):
             kinds[i, events[k]["kind"]] += 1
         if pieces > 0:
-            measure(body_of(cell, 0), events, count, segments, pieces, out, times, worst[i])
+            measure(body_of(cell), events, count, segments, pieces, out, times, worst[i])
         mirror = mirrors[i].reshape(-1, 1)
         again, number, _ = one_motion(mirror, other, segments, scratch)
         differs = 0.0

@@ -27,7 +27,8 @@ from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
+from hophoop.kernel.records.cells import CELL, CONTACT
+from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import HERE, MODULE, sources
 from module.host import Host

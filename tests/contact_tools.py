@@ -7,15 +7,14 @@ import math
 import numpy as np
 
 import hophoop as hh
-from hophoop.kernel.numerics.trigonometry import sine_cosine
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.numerics.circular import sine_cosine
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import contact_phase
 from hophoop.kernel.rigid.phase import Ending, Phase
 
-STARTED = {"t": 3.0, "t_low": 1e-17, "x": 2.0, "x_low": -1e-17, "turns": 2.0, "friction": 0.125, "impact_n": 0.25}
+STARTED = {"t": 3.0, "t_low": 1e-17, "x": 2.0, "x_low": -1e-17, "revolutions": 2.0, "friction": 0.125, "impact_n": 0.25}
 STARTED |= {"impact_t": 0.375, "rolling_loss": 0.5}
 
 

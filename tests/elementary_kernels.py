@@ -4,8 +4,17 @@ from __future__ import annotations
 
 from hophoop.kernel.numerics.arcs import arccosine, arcsine, arctangent, arctangent2, hypotenuse
 from hophoop.kernel.numerics.circular import cosine, sine, sine_and_cosine, tangent
-from hophoop.kernel.numerics.exponentials import binary_logarithm, exponential, logarithm, logarithm_1p, power
-from hophoop.kernel.numerics.hyperbolic import hyperbolic_cosine, hyperbolic_sine, hyperbolic_tangent, inverse_hyperbolic_cosine
+from hophoop.kernel.numerics.exponentials import (
+    binary_logarithm,
+    exponential,
+    hyperbolic_cosine,
+    hyperbolic_sine,
+    hyperbolic_tangent,
+    inverse_hyperbolic_cosine,
+    logarithm,
+    logarithm_1p,
+    power,
+)
 
 # the rows of what `evaluate` writes
 ONE = [

@@ -11,7 +11,7 @@ import numpy as np
 from hophoop.kernel.physics.body import Body
 
 BODIES = [
-    # ε, κ, μs, μk, g_n, g_t, e, law, strike, β
+    # ε, κ, μs, μk, g_n, g_t, e, law, painleve_impact, β
     Body(0.75, 0.25 * 0.75 + 0.1, 0.9, 0.7, math.cos(0.2), math.sin(0.2), 0.4, 1, False, 0.2),
     Body(0.4, 0.6, 0.35, 0.3, math.cos(-0.35), math.sin(-0.35), 0.7, 2, True, -0.35),
     Body(0.9, 0.05, 1.4, 1.1, 1.0, 0.0, 0.0, 0, False, 0.0),

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import strategies as st
 
 import hophoop as hh
-from hophoop.kernel.physics.ranges import MOST_HEIGHT, MOST_SPEED
+from hophoop.kernel.physics.body import MOST_HEIGHT, MOST_SPEED
 from hophoop.scenario import sentence
 from hophoop.vocabulary.parameters import RANGES
 

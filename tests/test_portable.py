@@ -18,18 +18,16 @@ COVERED = (
     "simulation/trajectory.py", "_support/fingerprint.py",
 )  # fmt: skip
 WHOLE = "whole numbers"
-WRITTEN_OUT = "products and quotients of complex numbers are written out in compliant/elimination.py"
+WRITTEN_OUT = "products and quotients of complex numbers are written out in compliant/radau.py"
 MPMATH = "numbers of mpmath, in 60 digits, rounded once"
 EXACT = "integers, fractions and numbers of mpmath"
 # File or folder → what it does → why that is the same everywhere.
 ALLOWED = {
     "kernel/numerics/generate.py": {"**": MPMATH, "sum": MPMATH},
-    "kernel/numerics/double_angles.py": {"**": "a power of two"},
-    "kernel/numerics/trigonometry.py": {"**": "a power of −1"},
-    "kernel/compliant/elimination.py": {"complex": WRITTEN_OUT},
+    "kernel/numerics/circular.py": {"**": "powers of −1 and of 2"},
     "kernel/compliant/records.py": {"numpy.complex128": WRITTEN_OUT},
-    "kernel/compliant/step.py": {"complex": WRITTEN_OUT},
-    "kernel/compliant/tableau.py": {"numpy.complex128": WRITTEN_OUT},
+    "kernel/compliant/radau.py": {"complex": WRITTEN_OUT},
+    "kernel/numerics/tables.py": {"numpy.complex128": WRITTEN_OUT},
     "derivatives/results/uncertainty.py": {"numpy.linalg": "decides only whether correlations that were given are refused"},
     "maps/grid/distributed.py": {"sum": WHOLE},
     "maps/grid/memory.py": {"sum": WHOLE},

@@ -16,7 +16,7 @@ import hophoop as hh
 from cli_tools import run
 from hophoop._support import tables
 from hophoop.derivatives.units import DIRECT
-from hophoop.kernel.records.units import scales_from
+from hophoop.kernel.records.cells import scales_from
 from hophoop.results import event_table
 from hophoop.results.records import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.results.units import Units
@@ -63,7 +63,7 @@ def test_derivatives_have_the_units_of_the_table():
 ADDED = """
 import sys, types
 from pathlib import Path
-from hophoop.kernel.records.units import Scales
+from hophoop.kernel.physics.body import Scales
 
 # the two files that a new quantity of a sample is written into: the table, and the result that has it
 path = Path({path!r})

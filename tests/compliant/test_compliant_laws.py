@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from hophoop.kernel.compliant.motion import jacobian, rates
-from hophoop.kernel.compliant.records import DYNAMIC
-from hophoop.kernel.compliant.tableau import A_INVERSE, DEFECT, GAMMA, LAMBDA, NODES, STAGES, A
+from hophoop.kernel.compliant.records import DYNAMIC, STAGES
+from hophoop.kernel.numerics.tables import RADAU_A, RADAU_A_INVERSE, RADAU_DEFECT, RADAU_GAMMA, RADAU_LAMBDA, RADAU_NODES
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import (
     Compliance,
@@ -98,13 +98,13 @@ def test_bristle_opposes_its_stretch():
 
 
 def test_method_is_radau_iia_of_order_nine():
-    b = A[-1]
+    b = RADAU_A[-1]
     for q in range(2 * STAGES - 1):
-        assert b @ NODES**q == pytest.approx(1.0 / (q + 1), rel=1e-12)
+        assert b @ RADAU_NODES**q == pytest.approx(1.0 / (q + 1), rel=1e-12)
     for q in range(STAGES):
-        np.testing.assert_allclose(A @ NODES**q, NODES ** (q + 1) / (q + 1), rtol=1e-12, atol=1e-14)
+        np.testing.assert_allclose(RADAU_A @ RADAU_NODES**q, RADAU_NODES ** (q + 1) / (q + 1), rtol=1e-12, atol=1e-14)
         # the embedded rule, with 1/γ at the start, integrates the same powers up to one order less
-        assert DEFECT @ NODES**q + (1.0 / GAMMA if q == 0 else 0.0) == pytest.approx(0.0, abs=1e-12)
-    values = np.linalg.eigvals(A_INVERSE)
-    for one in (GAMMA, *LAMBDA):
+        assert RADAU_DEFECT @ RADAU_NODES**q + (1.0 / RADAU_GAMMA if q == 0 else 0.0) == pytest.approx(0.0, abs=1e-12)
+    values = np.linalg.eigvals(RADAU_A_INVERSE)
+    for one in (RADAU_GAMMA, *RADAU_LAMBDA):
         assert np.min(np.abs(values - one)) < 1e-9

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hophoop.kernel.compliant import elimination as el
+from hophoop.kernel.compliant import radau as el
 from hophoop.kernel.native import forced
 
 

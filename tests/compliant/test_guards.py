@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.compliant.events import FRICTION_CHANGE, GUARDS, NONE, RELEASE, SAMPLES, first_exit
-from hophoop.kernel.compliant.records import SIZE, VT, Y, Z
-from hophoop.kernel.compliant.tableau import STAGES
+from hophoop.kernel.compliant.contact_step import FRICTION_CHANGE, GUARDS, NONE, RELEASE, SAMPLES, first_exit
+from hophoop.kernel.compliant.records import SIZE, STAGES, VT, Y, Z
 from hophoop.simulation.compliant import to_compliance
 
 WIDTH = 0.2 / SAMPLES

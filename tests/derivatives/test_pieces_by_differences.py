@@ -28,8 +28,8 @@ from hophoop.derivatives.layout import (
     P_T,
     PARAMETERS,
     RESIST,
-    RESISTED,
     REST,
+    ROLLING_LOSS,
     STATE_ROWS,
     TH,
     VN,
@@ -41,10 +41,9 @@ from hophoop.derivatives.layout import (
 )
 from hophoop.derivatives.pieces import flight_and_rest as moving
 from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap, skim_duration, skim_state, strike
 from hophoop.kernel.physics.contact import contact_arms
-from hophoop.kernel.physics.flight import flight_displacement, flight_gap
 from hophoop.kernel.physics.impact import impact, stick_rates
-from hophoop.kernel.physics.massless import skim_duration, skim_state, strike
 from hophoop.kernel.records.state import start_state
 
 STEP = 1e-6
@@ -216,7 +215,7 @@ def test_rates_of_a_state_are_those_of_its_motion(sigma):
     assert z[:, 0].tolist() == pytest.approx(
         [0.5, 0.5 * (state.vt + 0.7), 0.0, 0.35, 0.5 * turning, 0.5 * along, 0.125, 0.0, 0.0, 0.0625]
     )
-    assert (T, X, Y, TH, OM, VT, VN, RESISTED) == (0, 1, 2, 3, 4, 5, 6, 9)
+    assert (T, X, Y, TH, OM, VT, VN, ROLLING_LOSS) == (0, 1, 2, 3, 4, 5, 6, 9)
 
 
 # --- the massless hoop ----------------------------------------------------------------------------------
@@ -266,7 +265,7 @@ def test_the_blow_of_a_load(side, mu):
 
     changes, z = directions()
     changes[[EPS, KAP, MU_S, GN, GT, REST, END, RESIST]] = 0.0
-    z[Y] = z[VN] = z[RESISTED] = 0.0
+    z[Y] = z[VN] = z[ROLLING_LOSS] = 0.0
     expected = slopes(blown, body, begin, changes, z)
     tau = blown(body, begin)[0]
     kept = np.zeros((EVENT_ROWS, z.shape[1]))

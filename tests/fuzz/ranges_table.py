@@ -5,7 +5,7 @@ python tests/fuzz/ranges_table.py > docs/tables/ranges.md
 
 from __future__ import annotations
 
-from hophoop.kernel.physics.ranges import MOST_DEPTH
+from hophoop.kernel.physics.body import MOST_DEPTH
 from hophoop.scenario import parameter
 from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 

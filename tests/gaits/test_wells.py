@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.gaits.kernels.wells import is_held, rolling_potential, stays_in_well
-from hophoop.kernel.physics.contact import free_acceleration, slip_motion, slip_stiffness
+from hophoop.kernel.physics.contact import free_acceleration, kappa_p_sigma, slip_motion
 from hophoop.theory.kernels.arcs import first_maximum
 
 
@@ -65,7 +65,7 @@ def holds(body, angle, energy):
     if not free_acceleration(body, sine, cosine, most)[1] < 0.0:
         return False
     cases = [(square, arm) for square in (0.0, most) for arm in {-body.resist, body.resist}]
-    firm = [case for case in cases if slip_stiffness(body, sine, cosine, downhill, case[1]) > 0.0]
+    firm = [case for case in cases if kappa_p_sigma(body, sine, cosine, downhill, case[1]) > 0.0]
     loads = [slip_motion(body, sine, cosine, square, downhill, arm)[1] for square, arm in firm]
     return all(body.mu_k * load > abs(body.gt) for load in loads)
 

@@ -107,7 +107,7 @@ def test_a_motion_and_its_samples_are_few_calls(called):
     motion = hh.simulate(hh.Scenario(duration=2.0))
     assert called == ["kernel.rigid.run.run_cell"]
     motion.at(1.0)
-    assert called == ["kernel.rigid.run.run_cell", "kernel.records.times.kernel_times", "kernel.rigid.sampling.sample"]
+    assert called == ["kernel.rigid.run.run_cell", "kernel.records.writing.kernel_times", "kernel.rigid.sampling.sample"]
 
 
 # The same bits

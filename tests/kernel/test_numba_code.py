@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.native import apart, inline, interpreted_as
+from hophoop.kernel.native import inline, interpreted_as, noinline
 from hophoop.kernel.native.marks import mark_of, source_of
 from hophoop.kernel.numerics import circular, collocation
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import run as kernel
 
@@ -34,7 +33,7 @@ def by_loops(value, more=2):
     return ("loops", value, more)
 
 
-@apart
+@noinline
 def long_one(value):
     return by_loops(value)
 
@@ -74,7 +73,7 @@ def as_kernels(monkeypatch):
 
 
 def test_a_mark_is_that_of_what_is_compiled():
-    assert (mark_of(by_loops), mark_of(long_one), mark_of(filled)) == ("inline", "apart", "")
+    assert (mark_of(by_loops), mark_of(long_one), mark_of(filled)) == ("inline", "noinline", "")
 
 
 def test_python_runs_the_other_function_under_the_name_of_the_kernel():

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.kernel.records.layout import CELL, LETTERS_PER_INTEGER, unpacked_sequence
+from hophoop.kernel.records.cells import CELL
+from hophoop.kernel.records.layout import LETTERS_PER_INTEGER, unpacked_sequence
 from hophoop.kernel.records.writing import add_letter
 from hophoop.maps.grid import kernel
 from hophoop.maps.grid.axes import chunk_at, chunk_count, chunk_shape, linear, logarithmic, make_axes, ordered, parse_axis
@@ -36,7 +37,7 @@ def cell_of(scenario):
         "mode": -1.0,  # by the rule
         "rolling_resistance": plane.rolling_resistance,
         "law": {"newton": 0, "poisson": 1, "stronge": 2}[plane.impact_law],
-        "strike": plane.painleve == "impact",
+        "painleve_impact": plane.painleve == "impact",
         "duration": scenario.duration,
         "max_events": scenario.contact.max_events,
         "ideal": hoop.load_fraction is not None,

@@ -16,7 +16,8 @@ from numba.np.numpy_support import as_dtype
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, SEGMENT
+from hophoop.kernel.records.cells import CELL, CONTACT
+from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.lab.wasm.entries import Entries
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS

@@ -11,7 +11,7 @@ import numpy as np
 
 import hophoop as hh
 from hophoop.derivatives.parameters import change_of
-from hophoop.kernel.records.layout import CELL
+from hophoop.kernel.records.cells import CELL
 from hophoop.maps.grid.cells import make_cells
 from oracle_program import simulate
 from oracles.cases import Case
@@ -31,7 +31,7 @@ def same(found: Any, expected: Any) -> bool:
 
 
 def cell_of(scenario: hh.Scenario) -> np.ndarray:
-    """The row of `records.layout.CELL` of one scenario."""
+    """The row of `records.cells.CELL` of one scenario."""
     cell: np.ndarray = make_cells(scenario, {}, 1)[:, 0]
     return cell
 

@@ -20,25 +20,8 @@ from hophoop.kernel.build import browser, link, numba_code
 from hophoop.kernel.native import marks
 from hophoop.kernel.native.sources import is_kernel
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import (
-    CONTACT_SLIP_SPEED,
-    CONTACT_STIFFNESS,
-    CONTACT_TANGENTIAL,
-    ECCENTRICITY,
-    GRAVITY,
-    HEIGHT,
-    IDEAL,
-    INERTIA_RATIO,
-    MASS,
-    MOST_PANELS,
-    MU_STATIC,
-    OMEGA,
-    RADIUS,
-    ROLLING_RESISTANCE,
-    SLIP,
-    SLOPE,
-    VY,
-)
+from hophoop.kernel.records.cells import Cell, Contact
+from hophoop.kernel.records.layout import MOST_PANELS
 from hophoop.kernel.records.refusal import Refusal, refusal
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, layout
@@ -150,18 +133,21 @@ def test_it_refuses_what_the_library_refuses(host: Host) -> None:
     draw = np.random.default_rng(6)
     usual, spring = np.array(cell_of(hh.Scenario())), np.array(contact_of(hh.Compliant()))
     ends = {
-        ECCENTRICITY: [0.3, 1.0, 1.5], INERTIA_RATIO: [0.0, 1e-13, 1e-12, 1e7], MASS: [1e-13, 1e12], IDEAL: [0.0, 1.0],
-        MU_STATIC: [0.0, 1.0, math.inf], SLOPE: [0.1, 1.57, 1.5704, 2.0], ROLLING_RESISTANCE: [1e-9, 0.5, 1.0],
-        GRAVITY: [0.0, 1e-6], HEIGHT: [0.0, 1e6], VY: [1e6], OMEGA: [1e9], SLIP: [-1e6], RADIUS: [1e-6, 1e6],
+        Cell.ECCENTRICITY: [0.3, 1.0, 1.5], Cell.INERTIA_RATIO: [0.0, 1e-13, 1e-12, 1e7],
+        Cell.MASS: [1e-13, 1e12], Cell.IDEAL: [0.0, 1.0],
+        Cell.MU_STATIC: [0.0, 1.0, math.inf], Cell.SLOPE: [0.1, 1.57, 1.5704, 2.0], Cell.ROLLING_RESISTANCE: [1e-9, 0.5, 1.0],
+        Cell.GRAVITY: [0.0, 1e-6], Cell.HEIGHT: [0.0, 1e6], Cell.VY: [1e6], Cell.OMEGA: [1e9], Cell.SLIP: [-1e6],
+        Cell.RADIUS: [1e-6, 1e6],
     }  # fmt: skip
     found = Counter()
     for _ in range(4000):
         cell, contact = usual.copy(), spring.copy()
         if draw.random() < 0.3:
-            cell[ECCENTRICITY], cell[INERTIA_RATIO] = 1.0, 0.0
+            cell[Cell.ECCENTRICITY], cell[Cell.INERTIA_RATIO] = 1.0, 0.0
         for column in draw.choice(list(ends), 2):
             cell[column] = draw.choice(ends[int(column)])
-        contact[[CONTACT_STIFFNESS, CONTACT_TANGENTIAL, CONTACT_SLIP_SPEED]] = draw.choice([math.nan, 1e-9, 10.0, 1e5, 1e18], 3)
+        rows = [Contact.STIFFNESS, Contact.TANGENTIAL_STIFFNESS, Contact.SLIP_SPEED]
+        contact[rows] = draw.choice([math.nan, 1e-9, 10.0, 1e5, 1e18], 3)
         given = tuple(contact.tolist()) if draw.random() < 0.6 else ()
         code, number = refusal(cell.tolist(), given)
         assert same(host.refused(cell, given), (code, number))

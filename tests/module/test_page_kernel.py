@@ -14,7 +14,7 @@ import pytest
 
 import hophoop as hh
 from hophoop._support.fingerprint import STATE, fingerprint
-from hophoop.kernel.compliant.parameters import chosen_in_si
+from hophoop.kernel.compliant.motion import chosen_in_si
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.lab.api import motion as film
 from hophoop.lab.wasm.layout import EVENT_COLUMNS

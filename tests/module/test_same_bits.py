@@ -11,7 +11,7 @@ import pytest
 import hophoop as hh
 from hophoop import maps
 from hophoop.derivatives.results.propagation import propagate
-from hophoop.kernel.compliant.parameters import chosen_in_si
+from hophoop.kernel.compliant.motion import chosen_in_si
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.rigid.sampling import MARGINS

@@ -5,7 +5,7 @@ import pytest
 from numpy.polynomial import chebyshev
 
 from hophoop.kernel.numerics import collocation as col
-from hophoop.kernel.numerics import roots as search
+from hophoop.kernel.numerics import collocation as search
 from hophoop.kernel.panels import panel
 
 

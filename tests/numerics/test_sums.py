@@ -5,8 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from hophoop.kernel.numerics.powers import integer_power
-from hophoop.kernel.numerics.sums import matrix_product, weighted_sum
+from hophoop.kernel.numerics.arithmetic import integer_power, matrix_product, weighted_sum
 
 
 def test_a_matrix_product_is_summed_from_left_to_right():

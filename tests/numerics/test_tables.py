@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev, legendre
 
-from hophoop.kernel.compliant import tableau
 from hophoop.kernel.numerics import generate, tables
 from hophoop.kernel.panels.panel import SINES
 
@@ -48,28 +47,30 @@ def test_panels_are_tabulated_at_their_nodes():
 
 
 def test_radau_integrates_polynomials_and_is_diagonal_in_its_eigenvectors():
-    c = tableau.NODES
+    c = tables.RADAU_NODES
     powers = np.arange(5)
-    np.testing.assert_allclose(tableau.A @ c[:, None] ** powers, c[:, None] ** (powers + 1) / (powers + 1), atol=1e-15)
+    np.testing.assert_allclose(tables.RADAU_A @ c[:, None] ** powers, c[:, None] ** (powers + 1) / (powers + 1), atol=1e-15)
     # quadrature of order 9: the last row of A integrates degrees up to 8 over the whole step
     degrees = np.arange(9)
-    np.testing.assert_allclose(tableau.A[-1] @ c[:, None] ** degrees, 1.0 / (degrees + 1), rtol=1e-14)
-    np.testing.assert_allclose(tableau.A_INVERSE @ tableau.A, np.eye(5), atol=1e-13)
-    np.testing.assert_allclose(tableau.A_INVERSE @ tableau.FROM_REAL, tableau.GAMMA * tableau.FROM_REAL, rtol=1e-13)
-    vectors = tableau.FROM_PAIR
-    np.testing.assert_allclose(tableau.A_INVERSE @ vectors, vectors * tableau.LAMBDA, rtol=1e-13)
+    np.testing.assert_allclose(tables.RADAU_A[-1] @ c[:, None] ** degrees, 1.0 / (degrees + 1), rtol=1e-14)
+    np.testing.assert_allclose(tables.RADAU_A_INVERSE @ tables.RADAU_A, np.eye(5), atol=1e-13)
+    np.testing.assert_allclose(
+        tables.RADAU_A_INVERSE @ tables.RADAU_FROM_REAL, tables.RADAU_GAMMA * tables.RADAU_FROM_REAL, rtol=1e-13
+    )
+    vectors = tables.RADAU_FROM_PAIR
+    np.testing.assert_allclose(tables.RADAU_A_INVERSE @ vectors, vectors * tables.RADAU_LAMBDA, rtol=1e-13)
     # from stages to eigenvectors and back
-    back = np.outer(tableau.FROM_REAL, tableau.TO_REAL) + (vectors @ tableau.TO_PAIR).real
+    back = np.outer(tables.RADAU_FROM_REAL, tables.RADAU_TO_REAL) + (vectors @ tables.RADAU_TO_PAIR).real
     np.testing.assert_allclose(back, np.eye(5), atol=1e-13)
 
 
 def test_radau_estimates_its_error_by_a_solution_of_order_five():
-    c = tableau.NODES
+    c = tables.RADAU_NODES
     # h f(y0)/γ + Σ DEFECT_i h f_i vanishes for polynomials up to degree 4
     for degree in range(5):
         start = 1.0 if degree == 0 else 0.0
-        assert start / tableau.GAMMA + tableau.DEFECT @ c**degree == pytest.approx(0.0, abs=1e-13)
-    np.testing.assert_allclose(tableau.ERROR, tableau.DEFECT @ tableau.A_INVERSE, atol=1e-12)
+        assert start / tables.RADAU_GAMMA + tables.RADAU_DEFECT @ c**degree == pytest.approx(0.0, abs=1e-13)
+    np.testing.assert_allclose(tables.RADAU_ERROR, tables.RADAU_DEFECT @ tables.RADAU_A_INVERSE, atol=1e-12)
     values = np.sin(np.concatenate(([0.0], c)))
-    dense = tableau.POWERS @ values[1:]
+    dense = tables.RADAU_POWERS @ values[1:]
     np.testing.assert_allclose(c[:, None] ** np.arange(1, 6) @ dense, values[1:], atol=1e-14)

@@ -5,8 +5,8 @@ import math
 import mpmath
 import pytest
 
-from hophoop.kernel.numerics.trigonometry import sine_and_versine
-from hophoop.kernel.records.units import scales_from
+from hophoop.kernel.numerics.circular import sine_and_versine
+from hophoop.kernel.physics.body import scales_from
 
 ANGLES = [1e-300, 1e-9, 0.3, 0.9, 1.5, math.pi / 2, 2.0, 3.1, math.pi, 4.7, 6.28, 2 * math.pi, 2 * math.pi + 1e-7, 1e6, 1e16]
 

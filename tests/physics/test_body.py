@@ -21,5 +21,5 @@ def test_codes_stay_as_files_have_them():
 
 def test_what_a_body_is_where_nothing_is_said():
     """Its κ is what was given, and nothing resists its rolling."""
-    given = body.Body(eps=0.5, kap=0.75, mu_s=1.0, mu_k=1.0, gn=1.0, gt=0.0, rest=0.0, law=2, strike=False, slope=0.0)
+    given = body.Body(eps=0.5, kap=0.75, mu_s=1.0, mu_k=1.0, gn=1.0, gt=0.0, rest=0.0, law=2, painleve_impact=False, slope=0.0)
     assert (given.ideal, given.resist) == (False, 0.0)

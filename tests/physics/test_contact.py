@@ -7,7 +7,7 @@ import pytest
 from mpmath import mp, mpf
 
 from hophoop.kernel.physics import contact
-from hophoop.kernel.physics.friction import utilization, utilizations
+from hophoop.kernel.physics.contact import utilization, utilizations
 from newton_euler import BODIES, STATES, accelerations, responses
 
 CASES = [(body, *state) for body in BODIES for state in STATES]
@@ -73,7 +73,7 @@ def test_slip(case, sigma):
     assert contact.slip_torque_arm(body, s, c, sigma) == near(body.kap * alpha / normal)
     # v_n with a force (−σ μk, 1) N: p_σ = dv_n/dp
     along, up = responses(body, th)
-    assert contact.slip_stiffness(body, s, c, sigma, 0.0) == near(body.kap * (up[1] - sigma * body.mu_k * along[1]))
+    assert contact.kappa_p_sigma(body, s, c, sigma, 0.0) == near(body.kap * (up[1] - sigma * body.mu_k * along[1]))
 
 
 @pytest.mark.parametrize("mu", [0.0, 0.3, 2.0])

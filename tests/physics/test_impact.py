@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from hophoop.kernel.physics import impact
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.painleve import exact_slip_stiffness
+from hophoop.kernel.physics.contact import exact_slip_coefficients
 from newton_euler import BODIES, STATES, responses
 from oracles import rational
 
@@ -141,7 +141,7 @@ def test_singular_angle(sigma, th):
     def at(distance, u):
         place = th - distance
         s, c = math.sin(place), math.cos(place)
-        return impact.singular_angle(STEEP, s, c, u, sigma, *exact_slip_stiffness(STEEP, place, 0.0, sigma, 0.0))
+        return impact.singular_angle(STEEP, s, c, u, sigma, *exact_slip_coefficients(STEEP, place, 0.0, sigma, 0.0))
 
     for distance in (3e-12, -3e-12):
         found, exact, ahead = at(distance, 0.5)
@@ -193,7 +193,7 @@ def test_how_near_counts_as_there(sigma, th, side):
     def at(distance, u, body=STEEP):
         place = th - side * distance
         s, c = math.sin(place), math.cos(place)
-        return impact.singular_angle(body, s, c, u, sigma, *exact_slip_stiffness(body, place, 0.0, sigma, 0.0))
+        return impact.singular_angle(body, s, c, u, sigma, *exact_slip_coefficients(body, place, 0.0, sigma, 0.0))
 
     assert at(0.9e-10, 0.5)[:2] == (True, True)
     assert at(1.1e-10, 0.5)[:2] == (False, False)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.jets import TERMS, candidate_series, leading_sign
+from hophoop.kernel.physics.modes import TERMS, candidate_series, leading_sign
 from newton_euler import BODIES
 
 

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.massless import skim_duration, skim_state, strike
+from hophoop.kernel.physics.closed_forms import skim_duration, skim_state, strike
 
 BETA = 0.2
 BODY = Body(1.0, 0.0, 0.5, 0.4, math.cos(BETA), math.sin(BETA), 0.0, 0, False, BETA)

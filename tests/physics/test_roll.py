@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from hophoop.kernel.physics.roll import rest_curvature, rolling_energy_change, rolling_u
+from hophoop.kernel.physics.closed_forms import rest_curvature, rolling_energy_change, rolling_u
 from newton_euler import BODIES, STATES, energy
 
 

@@ -5,7 +5,7 @@ import math
 import pytest
 from scipy.integrate import solve_ivp
 
-from hophoop.kernel.physics.slip import slip_displacement
+from hophoop.kernel.physics.closed_forms import slip_displacement
 from newton_euler import BODIES, accelerations
 
 

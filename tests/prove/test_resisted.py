@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.physics.resistance import most_resistance
+from hophoop.kernel.physics.contact import most_resistance
 from hophoop.prove import check, prove, thresholds
 from hophoop.prove.checker.equations import Equations
 from oracles.cases import Case

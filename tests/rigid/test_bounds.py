@@ -13,11 +13,10 @@ import hophoop as hh
 import hophoop.simulation.simulate
 from contact_tools import sines_of
 from hophoop.kernel.native import forced
-from hophoop.kernel.numerics import roots
+from hophoop.kernel.numerics import collocation
 from hophoop.kernel.panels import landing
 from hophoop.kernel.panels.panel import LEVELS, RESOLVED
-from hophoop.kernel.records.layout import MOST_PANELS, PANELS
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import MOST_PANELS, PANELS, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice
 from hophoop.kernel.rigid.phase import START_LEVEL
@@ -138,13 +137,13 @@ def test_a_flight_of_many_turns_keeps_its_law(gravity):
 
 def test_a_search_for_roots_ends(monkeypatch):
     """A wave needs more than one interval; with so few its fall is not found, and nothing hangs."""
-    series = np.polynomial.chebyshev.chebinterpolate(lambda x: np.cos(4 * x + 1.0), roots.ORDER - 1)
-    stack = np.zeros((roots.DEPTH + 3, roots.ORDER + 2))
-    search = roots.first_downcrossing_after
+    series = np.polynomial.chebyshev.chebinterpolate(lambda x: np.cos(4 * x + 1.0), collocation.ORDER - 1)
+    stack = np.zeros((collocation.DEPTH + 3, collocation.ORDER + 2))
+    search = collocation.first_downcrossing_after
     found = search(series, -2.0, 0.0, stack)
     assert math.cos(4 * found + 1.0) == pytest.approx(0.0, abs=1e-7)
-    monkeypatch.setattr(roots, "MOST_INTERVALS", 1)
-    assert search(series, -2.0, 0.0, stack) == roots.NOT_FOUND
+    monkeypatch.setattr(collocation, "MOST_INTERVALS", 1)
+    assert search(series, -2.0, 0.0, stack) == collocation.NOT_FOUND
 
 
 def test_a_step_of_more_bits_costs_what_it_takes():

@@ -9,8 +9,7 @@ import numpy as np
 import hophoop as hh
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import EVENT, MOST_PANELS, PANEL_LIMIT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, MOST_PANELS, PANEL_LIMIT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import BY_RULE, run
 

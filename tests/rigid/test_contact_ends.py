@@ -10,8 +10,7 @@ import pytest
 import hophoop as hh
 from contact_tools import body_of, events_of, log_of, phase_at, sliding, state_of
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.rigid import contact_phase
 from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, Ending, limits_of
 from hophoop.kernel.rigid.run import BY_RULE, run

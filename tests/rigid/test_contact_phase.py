@@ -18,10 +18,8 @@ from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
 from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR
 from hophoop.kernel.physics.body import Event, Status
-from hophoop.kernel.physics.contact import rolling_forces
-from hophoop.kernel.physics.resistance import resistance_arm
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.physics.contact import resistance_arm, rolling_forces
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.rigid import contact_phase
 from hophoop.kernel.rigid.run import BY_RULE, run
 from newton_euler import accelerations
@@ -47,12 +45,12 @@ def exactly(turns, high, low):
 def test_an_angle_counted_in_the_next_turn_is_the_same(th, anchor, mu):
     """θ to 30 digits, from a valley or a hilltop of slip just as far; of the next hilltop of rolling D θ̇² + 2 V is another."""
     body = body_of(slope=0.3, mu=mu)
-    before = state_of(0.0, 1.0)._replace(turns=5.0, th=th, th_low=3e-17, anchor=anchor)
+    before = state_of(0.0, 1.0)._replace(revolutions=5.0, th=th, th_low=3e-17, anchor=anchor)
     after = contact_phase.normalize_turns(body, before)
     way = math.copysign(1.0, th)
     with mp.workdps(40):
-        assert after.turns == 5.0 + way
-        assert abs(exactly(after.turns, after.th, after.th_low) - exactly(5, th, 3e-17)) < 1e-30
+        assert after.revolutions == 5.0 + way
+        assert abs(exactly(after.revolutions, after.th, after.th_low) - exactly(5, th, 3e-17)) < 1e-30
         moves = exactly(1, 0.0, 0.0) * int(way)
         own_hilltop = (anchor.kind == ROLLING and anchor.bend > 0.0) or (anchor.kind == SLIPPING and mu == 0.0)
         shift = 0 if own_hilltop else -moves
@@ -236,7 +234,7 @@ def test_a_place_on_a_panel_is_where_the_hoop_comes_to(kind, th, om, sigma, resi
         found = [after.x, after.th, after.om, after.vt, after.friction, after.rolling_loss]
         assert found == pytest.approx(expected, rel=1e-11, abs=1e-11)
         assert (after.t > state.t) == (xi > -1.0)
-        assert (after.y, after.vn, after.turns, after.impact_n, after.impact_t) == (0.0, 0.0, 2.0, 0.25, 0.375)
+        assert (after.y, after.vn, after.revolutions, after.impact_n, after.impact_t) == (0.0, 0.0, 2.0, 0.25, 0.375)
         assert after.anchor == state.anchor
         assert after == state or xi > -1.0
     assert (after.om == 0.0) == (kind == ARRIVE)

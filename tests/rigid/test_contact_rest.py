@@ -10,7 +10,7 @@ import hophoop as hh
 from contact_tools import STARTED, body_of, log_of, sliding, state_of
 from hophoop.kernel.panels.panel import HOLD
 from hophoop.kernel.physics.body import Event, Status
-from hophoop.kernel.physics.resistance import torque_at_rest
+from hophoop.kernel.physics.contact import torque_at_rest
 from hophoop.kernel.rigid import contact_phase
 from hophoop.kernel.rigid.phase import Ending, Phase, limits_of
 

@@ -10,9 +10,9 @@ import pytest
 from numpy.polynomial import chebyshev
 
 import hophoop as hh
-from hophoop.kernel.numerics.roots import NOT_FOUND
+from hophoop.kernel.numerics.collocation import NOT_FOUND
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import record_doubt
 from hophoop.kernel.rigid import panel_events

@@ -13,11 +13,10 @@ from mpmath import mp, mpf
 
 import hophoop as hh
 from hophoop.kernel.native import compiled
-from hophoop.kernel.numerics import double_angles, double_double
+from hophoop.kernel.numerics import arcs, arithmetic, circular
 from hophoop.kernel.panels.anchor import separatrix, separatrix_value, slip_unstable_equilibrium
 from hophoop.kernel.physics.body import Event
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import BY_RULE, run
 from oracles import elliptic
@@ -82,7 +81,7 @@ def test_turning_just_short_of_the_top(offset):
         assert len(turns) == 2
         for k, turn in enumerate(turns):
             assert abs(mpf(float(turn["t"])) / (2 * half * (k + 1)) - 1) < 1e-15
-        assert turns[0]["theta"] + 2 * math.pi * (turns[0]["turns"] - 1) == pytest.approx(-offset, rel=1e-12, abs=0)
+        assert turns[0]["theta"] + 2 * math.pi * (turns[0]["revolutions"] - 1) == pytest.approx(-offset, rel=1e-12, abs=0)
         assert turns[1]["angle"] == pytest.approx(offset, rel=1e-12, abs=0)
 
 
@@ -232,21 +231,21 @@ def test_two_doubles():
             a = (random.uniform(-6, 6), random.uniform(-1e-17, 1e-17))
             b = (random.uniform(0.1, 3), random.uniform(-1e-18, 1e-18))
             exact = [mpf(float(x[0])) + mpf(float(x[1])) for x in (a, b)]
-            sine, versine = double_angles.sine_versine(a)
+            sine, versine = circular.exact_sine_versine(a)
             results = [
                 (sine, mp.sin(exact[0])),
                 (versine, 1 - mp.cos(exact[0])),
-                (double_double.add(a, b), exact[0] + exact[1]),
-                (double_double.multiply(a, b), exact[0] * exact[1]),
-                (double_double.divide(a, b), exact[0] / exact[1]),
-                (double_double.square_root(b), mp.sqrt(exact[1])),
+                (arithmetic.add(a, b), exact[0] + exact[1]),
+                (arithmetic.multiply(a, b), exact[0] * exact[1]),
+                (arithmetic.divide(a, b), exact[0] / exact[1]),
+                (arithmetic.square_root(b), mp.sqrt(exact[1])),
             ]
             k = random.uniform(-0.99, 0.99)
-            results.append((double_angles.arc_sine((k, 0.0)), mp.asin(mpf(k))))
+            results.append((arcs.exact_arcsine((k, 0.0)), mp.asin(mpf(k))))
             for found, true in results:
                 assert abs(mpf(float(found[0])) + mpf(float(found[1])) - true) < 1e-30 * (1 + abs(true))
             angle = random.uniform(-1e3, 1e3)
-            turns, high, low = double_double.turns_and_rest(angle)
+            turns, high, low = arithmetic.revolutions_and_rest(angle)
             assert abs(high) <= math.pi
             assert abs(2 * mp.pi * int(turns) + mpf(float(high)) + mpf(float(low)) - mpf(angle)) < 1e-29
 
@@ -257,9 +256,9 @@ def test_turns_beyond_whole_doubles():
     with mp.workdps(60):
         for power in np.linspace(50.0, 60.0, 300):
             angle = 2 * math.pi * float(2.0**power) + random.uniform(-8.0, 8.0)
-            turns, high, low = double_double.turns_and_rest(angle)
+            turns, high, low = arithmetic.revolutions_and_rest(angle)
             nearest = mp.nint(mpf(angle) / (2 * mp.pi))
             assert abs(mpf(float(high)) + mpf(float(low)) - (mpf(angle) - 2 * mp.pi * nearest)) < mpf(2.0**power) * 1e-31
             assert abs(turns - int(nearest)) <= 2.0 ** (power - 53)
-            assert double_double.turns_and_rest(-angle) == (-turns, -high, -low)
+            assert arithmetic.revolutions_and_rest(-angle) == (-turns, -high, -low)
             assert abs(high) <= math.pi

@@ -9,8 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state, with_velocities
 from hophoop.kernel.rigid import flight_phase
 from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN

@@ -11,8 +11,7 @@ from mpmath import mp, mpf
 import hophoop as hh
 from hophoop.kernel.panels.panel import FLY
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import flight_phase
@@ -71,7 +70,7 @@ def test_a_flight_ends_in_time_or_by_its_angle_or_on_the_plane(om, slope):
     assert (ending, after.t, after.t_low) == (Ending.TIME_LIMIT, 2.75, 0.0)
     check_end(body, state, after, 0.75)
     ending, after, _, _ = fly(body, state, limits(state, 9.0, 0.25))
-    assert (ending, after.turns, after.th) == (Ending.ANGLE_LIMIT, 0.0, 0.5 + math.copysign(0.25, om))
+    assert (ending, after.revolutions, after.th) == (Ending.ANGLE_LIMIT, 0.0, 0.5 + math.copysign(0.25, om))
     check_end(body, state, after, 0.25 / abs(om))
     assert fly(body, state, limits(state, 2.0 + 0.2 / abs(om), 0.25))[0] == Ending.TIME_LIMIT
     ending, after, apexes, segment = fly(body, state, limits(state, 9.0, 100.0))
@@ -79,7 +78,7 @@ def test_a_flight_ends_in_time_or_by_its_angle_or_on_the_plane(om, slope):
     assert after.y == 0.0
     assert after.vn < 0.0
     check_end(body, state, after, after.t - 2.0)
-    assert after.th + 2.0 * math.pi * after.turns == pytest.approx(0.5 + om * (after.t - 2.0), rel=1e-14)
+    assert after.th + 2.0 * math.pi * after.revolutions == pytest.approx(0.5 + om * (after.t - 2.0), rel=1e-14)
     assert (segment["t"], segment["t_end"], segment["kind"], segment["mode"]) == (2.0, after.t, FLY, Mode.FLIGHT)
     for apex in apexes:
         tau = apex["t"] - 2.0

@@ -10,8 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import EVENT, EVENTS, PANEL_LIMIT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, EVENTS, PANEL_LIMIT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import run as kernel

@@ -52,7 +52,7 @@ def test_what_a_motion_is_told_is_kept():
     start = start_of(0.25 + 3 * EXACT_TURN, low=1e-18)
     found = limits(0.5, start)
     assert (found.t_end, found.stop, found.span) == (9.0, STOP_AT_TURN, 0.5)
-    assert (found.turns, found.th, found.th_low) == (start.turns, start.th, start.th_low)
+    assert (found.revolutions, found.th, found.th_low) == (start.revolutions, start.th, start.th_low)
     unlimited = limits(math.nan)
     assert math.isnan(unlimited.span)
     assert (unlimited.span_turns, unlimited.span_rest) == (0.0, 0.0)
@@ -70,12 +70,14 @@ def test_the_two_stops_are_told_apart():
 def test_the_angle_that_is_left_is_the_span_less_what_is_turned(way, span, turned, th, low):
     """Whole turns are exact, so that little that is left of many turns has its digits."""
     start = start_of(0.25 - 5 * EXACT_TURN, low=2e-17)
-    state = start._replace(turns=start.turns + way * turned, th=way * th, th_low=way * low)
+    state = start._replace(revolutions=start.revolutions + way * turned, th=way * th, th_low=way * low)
     given = limits(span, start)
     left = float(angle_left(given, state, way))
     with mp.workdps(40):
-        begin = exactly(start.turns, start.th, start.th_low)
-        expected = exactly(given.span_turns, given.span_rest) - way * (exactly(state.turns, state.th, state.th_low) - begin)
+        begin = exactly(start.revolutions, start.th, start.th_low)
+        expected = exactly(given.span_turns, given.span_rest) - way * (
+            exactly(state.revolutions, state.th, state.th_low) - begin
+        )
         assert abs(left - expected) <= 3e-16 * max(abs(expected), 1.0)
 
 
@@ -93,11 +95,11 @@ def test_the_state_at_the_end_of_the_span_is_there_exactly(way, span):
     """Where nothing is left of it; all but the angle stays."""
     start = start_of(0.3 + 2 * EXACT_TURN, low=2e-17)
     given = limits(span, start)
-    state = start._replace(t=2.0, t_low=1e-17, x=3.0, x_low=1e-17, y=0.5, turns=90.0, th=1.0, th_low=0.0)
+    state = start._replace(t=2.0, t_low=1e-17, x=3.0, x_low=1e-17, y=0.5, revolutions=90.0, th=1.0, th_low=0.0)
     found = at_span(given, state, way)
-    assert found._replace(turns=90.0, th=1.0, th_low=0.0) == state
+    assert found._replace(revolutions=90.0, th=1.0, th_low=0.0) == state
     with mp.workdps(40):
-        begin = exactly(start.turns, start.th, start.th_low)
+        begin = exactly(start.revolutions, start.th, start.th_low)
         expected = begin + way * exactly(given.span_turns, given.span_rest)
-        assert abs(exactly(found.turns, found.th, found.th_low) - expected) < 1e-29
+        assert abs(exactly(found.revolutions, found.th, found.th_low) - expected) < 1e-29
     assert abs(float(angle_left(given, found, way))) < 1e-15

@@ -12,7 +12,7 @@ import pytest
 import hophoop as hh
 from bits_tools import event_rows
 from hophoop.kernel.native import forced
-from hophoop.kernel.numerics.double_double import PI, nearest_whole, turns_and_rest
+from hophoop.kernel.numerics.arithmetic import PI, nearest_whole, revolutions_and_rest
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import run as kernel
 
@@ -77,7 +77,7 @@ def test_compiled_and_interpreted_agree(away):
 
 def reduced(angle):
     """What a kernel makes of an angle."""
-    return nearest_whole(angle), turns_and_rest(angle)
+    return nearest_whole(angle), revolutions_and_rest(angle)
 
 
 @pytest.mark.parametrize("exponent", [10, 15, 17, 18, 19, 20, 25, 30, 40, 80, 140])
@@ -101,8 +101,8 @@ def test_whole_turns_of_any_angle(exponent):
 
 
 def test_an_angle_that_is_no_number():
-    assert math.isnan(turns_and_rest(math.nan)[1])
-    assert math.isnan(turns_and_rest(math.inf)[1])
+    assert math.isnan(revolutions_and_rest(math.nan)[1])
+    assert math.isnan(revolutions_and_rest(math.inf)[1])
 
 
 def test_numbers_whose_squares_overflow_end_the_motion():
@@ -113,7 +113,7 @@ def test_numbers_whose_squares_overflow_end_the_motion():
     assert follows(before, before, 5.0)
     assert not follows(before._replace(t=1.0), before._replace(t=math.nextafter(1.0, 0.0)), 5.0)
     assert follows(before._replace(t=math.nextafter(5.0, 6.0)), before._replace(t=5.0), 5.0)  # the end of time
-    for name in ("t", "x", "y", "turns", "vt", "vn", "om", "friction", "impact_n", "impact_t", "rolling_loss"):
+    for name in ("t", "x", "y", "revolutions", "vt", "vn", "om", "friction", "impact_n", "impact_t", "rolling_loss"):
         assert not follows(before, before._replace(**{name: math.nan}), 5.0)
         if name != "t":
             assert not follows(before, before._replace(**{name: math.inf}), 5.0)

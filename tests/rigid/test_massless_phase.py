@@ -13,8 +13,7 @@ import hophoop as hh
 from hophoop.kernel.panels.panel import FLY, SKIMMING
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.physics.modes import UNDECIDED
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import flight_phase
@@ -114,7 +113,7 @@ def test_the_load_falls_on_a_parabola_and_the_rim_goes_with_it(angle, om, vt, gt
     assert strikes
     assert after.t == pytest.approx(2.0 + duration, rel=1e-15)
     assert after.x == pytest.approx(0.75 + math.sin(angle) + along * duration + 0.5 * gt * duration**2, rel=1e-13, abs=1e-14)
-    assert (after.x_low, after.y, after.turns, after.th, after.th_low) == (0.0, 0.0, 0.0, side * math.pi, 0.0)
+    assert (after.x_low, after.y, after.revolutions, after.th, after.th_low) == (0.0, 0.0, 0.0, side * math.pi, 0.0)
     assert after.vt == pytest.approx(along + gt * duration, rel=1e-13, abs=1e-15)
     assert (after.vn, found) == (0.0, pytest.approx(v_n, rel=1e-14))
     assert (segment["mode"], segment["kind"], segment["direction"]) == (Mode.SKIM, SKIMMING, side)

@@ -13,8 +13,7 @@ import hophoop as hh
 from contact_tools import sines_of
 from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING
 from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, PanelStart, leaving_panel, linear_panel
-from hophoop.kernel.records.layout import PANELS
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import PANELS, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice
 from newton_euler import accelerations

@@ -11,10 +11,10 @@ from scipy.optimize import brentq, minimize_scalar
 
 import hophoop as hh
 from contact_tools import sines_of
-from hophoop.kernel.numerics.roots import NOT_FOUND
+from hophoop.kernel.numerics.collocation import NOT_FOUND
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_panel
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice, panel_events
 from hophoop.kernel.rigid.flight_phase import flight_start

@@ -12,8 +12,7 @@ import hophoop as hh
 from hophoop.kernel.native import forced
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.modes import UNDECIDED
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import phase as phases

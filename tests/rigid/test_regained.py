@@ -9,8 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.panels.anchor import SLIPPING, Anchor, frictionless_value
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import contact_phase

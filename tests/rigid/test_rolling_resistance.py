@@ -12,8 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from hophoop.kernel.physics.contact import slip_stiffness
-from hophoop.kernel.physics.resistance import most_resistance, resistance_arm
+from hophoop.kernel.physics.contact import kappa_p_sigma, most_resistance, resistance_arm
 from hophoop.precise.agreement import compare
 from oracle_program import simulate
 from oracles import resistance
@@ -225,8 +224,8 @@ def test_where_only_the_couple_makes_the_paradox_the_model_has_no_answer() -> No
     start = hh.Start(angle=0.5, vx=-4.0, omega=0.2)
     body = hh.Scenario(hoop=hoop, plane=plane).to_body()
     s, c = math.sin(0.5), math.cos(0.5)
-    with_couple = slip_stiffness(body, s, c, -1, resistance_arm(body, s, c, 0.2, -1))
-    without = slip_stiffness(body._replace(resist=0.0), s, c, -1, resistance_arm(body._replace(resist=0.0), s, c, 0.2, -1))
+    with_couple = kappa_p_sigma(body, s, c, -1, resistance_arm(body, s, c, 0.2, -1))
+    without = kappa_p_sigma(body._replace(resist=0.0), s, c, -1, resistance_arm(body._replace(resist=0.0), s, c, 0.2, -1))
     assert with_couple < 0.0 < without
     assert hh.simulate(hoop, plane, start, duration=1.0).status == "undetermined"
     assert hh.simulate(hoop, plane.model_copy(update={"rolling_resistance": 0.0}), start, duration=1.0).status == "completed"

@@ -12,8 +12,7 @@ from hophoop.kernel.native import forced
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.records.layout import COLUMNS, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import COLUMNS, SEGMENT, new_scratch
 from hophoop.kernel.rigid.sampling import contact_force, find_segment, sample, xi_at_time
 from newton_euler import accelerations
 from random_scenarios import draw, scenario_of
@@ -109,7 +108,14 @@ def test_the_force_in_rolling_is_newton_s(rho):
 
 
 BEGIN, BEFORE = 2.0**52, 0.25  # a time at which doubles are 1 apart; the segment begins a quarter before it
-MOVING = {"x": 3.0, "turns": 2.0, "friction": 0.25, "impact_normal": 0.5, "impact_tangential": 0.75, "rolling_resistance": 1.5}
+MOVING = {
+    "x": 3.0,
+    "revolutions": 2.0,
+    "friction": 0.25,
+    "impact_normal": 0.5,
+    "impact_tangential": 0.75,
+    "rolling_resistance": 1.5,
+}
 
 
 def sampled(body, left=False, tau=2.0, **values):

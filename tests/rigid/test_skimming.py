@@ -10,8 +10,7 @@ from mpmath import mp, mpf
 
 import hophoop as hh
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import angle_left, limits_of
 from hophoop.kernel.rigid.run import BY_RULE, run
@@ -93,7 +92,7 @@ def test_the_angle_that_is_left_has_its_digits(way, turns):
     start = start_state(0.0, 0.0, 0.25, 0.0, 0.0, 1.0)
     limits = limits_of(start, 9.0, 2.0 * math.pi * turns, 0)
     th, low = way * 6.5, 1e-17
-    state = start._replace(turns=way * (turns - 1), th=th, th_low=low)
+    state = start._replace(revolutions=way * (turns - 1), th=th, th_low=low)
     with mp.workdps(40):
-        done = way * (2 * mp.pi * state.turns + mpf(th) + mpf(low) - mpf("0.25"))
+        done = way * (2 * mp.pi * state.revolutions + mpf(th) + mpf(low) - mpf("0.25"))
         assert abs(mpf(float(angle_left(limits, state, way))) - (2 * mp.pi * turns - done)) < 5e-16

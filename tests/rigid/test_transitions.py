@@ -11,11 +11,10 @@ from scipy.optimize import brentq
 import hophoop as hh
 from hophoop.kernel.native import forced
 from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.contact import slip_coefficients
 from hophoop.kernel.physics.impact import impact
 from hophoop.kernel.physics.modes import UNDECIDED
-from hophoop.kernel.physics.painleve import slip_coefficients
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import event_without_jump, new_log
 from hophoop.kernel.rigid.transitions import collide, end_bounces, leave_cone, resolve_mode, resolve_painleve_singularity

@@ -7,7 +7,7 @@ import math
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.physics.resistance import most_resistance
+from hophoop.kernel.physics.contact import most_resistance
 from hophoop.scenario import time_unit
 from strategies import said
 

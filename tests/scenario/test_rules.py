@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.records.layout import ALLOWED, ROLLING_RESISTANCE
+from hophoop.kernel.records.cells import Cell
 from hophoop.kernel.records.refusal import Refusal, hoop_refusal, plane_refusal, refusal
 from hophoop.maps.grid.cells import make_cells
 from hophoop.scenario import InputError, cell_of
@@ -92,7 +92,7 @@ def test_maps_and_scenarios_refuse_the_same_cells():
         values = {f"hoop.{name}": value for name, value in hoop.items()}
         values |= {f"plane.{name}": value for name, value in plane.items()} | {f"start.{name}": v for name, v in start.items()}
         cells = make_cells(hh.Scenario(), {path: np.array([value]) for path, value in values.items()}, 1)
-        allowed = bool(cells[ALLOWED, 0])
+        allowed = bool(cells[Cell.ALLOWED, 0])
         assert allowed == expected(hoop, plane, start, hh.Rigid()), values
         assert allowed == (refusal(cells[:, 0], ())[0] == Refusal.NONE)
         verdicts[allowed] += 1
@@ -111,7 +111,7 @@ def test_a_range_holds_both_ends(ends):
 def test_numbers_go_into_the_sentences():
     cell = cell_of(hh.Scenario(hoop=hh.Hoop(eccentricity=0.9, inertia_ratio=0.01)))
     broken = [*cell]
-    broken[ROLLING_RESISTANCE] = 0.9
+    broken[Cell.ROLLING_RESISTANCE] = 0.9
     code, most = refusal(broken, ())
     assert code == Refusal.RESISTANCE
     assert f"must be below {most:.6g}" in str(_said(BROKEN[Refusal.RESISTANCE]))

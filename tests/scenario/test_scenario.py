@@ -330,8 +330,8 @@ def test_body_and_unit_of_time():
     body = to_body(hh.Hoop.ideal(0.5, radius=2.0), plane)
     assert (body.eps, body.kap, body.mu_s, body.mu_k, body.rest) == (0.5, 0.75, 0.7, 0.6, 0.2)
     assert (body.gn, body.gt) == (math.cos(0.3), math.sin(0.3))
-    assert (body.law, body.strike) == (1, False)
+    assert (body.law, body.painleve_impact) == (1, False)
     assert time_unit(hh.Hoop(radius=2.0), plane) == pytest.approx(math.sqrt(2.0 / 1.62), rel=1e-15)
     weightless = hh.Scenario(plane=hh.Plane(gravity=0.0, painleve="impact"))
-    assert (weightless.to_body().gn, weightless.to_body().strike) == (0.0, True)
+    assert (weightless.to_body().gn, weightless.to_body().painleve_impact) == (0.0, True)
     assert time_unit(hh.Hoop(radius=4.0), weightless.plane) == 2.0

@@ -13,7 +13,7 @@ from scipy import integrate, optimize
 
 import hophoop as hh
 from hophoop import theory
-from hophoop.kernel.physics.roll import rolling_u
+from hophoop.kernel.physics.closed_forms import rolling_u
 from hophoop.scenario import to_body
 from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import arcs, rows

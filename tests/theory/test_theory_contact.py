@@ -12,8 +12,7 @@ from scipy import optimize
 
 import hophoop as hh
 from hophoop import theory
-from hophoop.kernel.physics.contact import free_acceleration, slip_motion, slip_stiffness
-from hophoop.kernel.physics.resistance import resistance_arm
+from hophoop.kernel.physics.contact import free_acceleration, kappa_p_sigma, resistance_arm, slip_motion
 from hophoop.scenario import to_body
 from oracles import mechanics
 from oracles.cases import case_of
@@ -155,7 +154,7 @@ def test_jam_states_have_neither_p_nor_f(hoop, mu, slope):
     for state in states:
         s, c = math.sin(state.angle), math.cos(state.angle)
         u = (state.omega * unit) ** 2
-        assert slip_stiffness(body, s, c, 1 if state.mode == "K" else -1, 0.0) == pytest.approx(0.0, abs=1e-12 * (1 + mu))
+        assert kappa_p_sigma(body, s, c, 1 if state.mode == "K" else -1, 0.0) == pytest.approx(0.0, abs=1e-12 * (1 + mu))
         assert free_acceleration(body, s, c, u)[1] == pytest.approx(0.0, abs=1e-13 * (1 + u))
 
 

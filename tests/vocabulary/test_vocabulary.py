@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
-from hophoop.kernel.records.layout import CELL, LAW
+from hophoop.kernel.records.cells import CELL, Cell
 from hophoop.lab.api import motion as film
 from hophoop.lab.site.presets import presets
 from hophoop.maps.grid.cells import make_cells
@@ -184,7 +184,7 @@ def test_a_law_is_the_same_wherever_it_is_named(law):
     scenario = hh.Scenario(plane=hh.Plane(impact_law=law))
     assert scenario.to_body().law == Problem.of(scenario).law == names.LAW_CODES[law]
     cells = make_cells(hh.Scenario(), {"plane.impact_law": np.array([law])}, 1)
-    assert cells[LAW, 0] == names.LAW_CODES[law]
+    assert cells[Cell.LAW, 0] == names.LAW_CODES[law]
     layout = json.loads((ROOT / "src/hophoop/lab/wasm/layout.json").read_text(encoding="utf-8"))
     assert layout["impact_laws"].index(law) == names.LAW_CODES[law]
 

@@ -17,7 +17,7 @@ export const WORD: Record<string, number> = places(layout.words);
 /** Numbers that a scenario has as words, or not at all. */
 const CODED: Record<string, (given: Given) => number> = {
   law: ({ impact_law }) => layout.impact_laws.indexOf(impact_law),
-  strike: ({ painleve }) => Number(painleve === "impact"),
+  painleve_impact: ({ painleve }) => Number(painleve === "impact"),
   mode: () => -1, // selected by the rule
   allowed: () => 1,
 };

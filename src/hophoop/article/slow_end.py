@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop import theory
-from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_stiffness
+from hophoop.kernel.physics.contact import inertia_at_height, kappa_p_sigma, load_height
 from hophoop.scenario import Hoop, Plane, to_body
 
 HALF_WIDTH, DEGREE = 0.2, 24  # of the polynomial through h about θ*, accurate to rounding
@@ -76,7 +76,7 @@ def slow_end(hoop: Hoop, plane: Plane) -> SlowEnd:
     sine, cosine = math.sin(angle), math.cos(angle)
     body = to_body(hoop, plane)
     # det W over p_σ: the slip acceleration per newton of missing friction
-    gain = inertia_at_height(body, load_height(sine, cosine)) / slip_stiffness(body, sine, cosine, sigma, 0.0) / hoop.mass
+    gain = inertia_at_height(body, load_height(sine, cosine)) / kappa_p_sigma(body, sine, cosine, sigma, 0.0) / hoop.mass
     loss = 9.0 * mu * normal * gain * slope**2 / (bend * omega**2)
     period = float(theory.rolling_period(hoop, critical, plane))
     return SlowEnd(period / loss, period, loss, angle)

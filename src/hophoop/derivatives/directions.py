@@ -5,58 +5,49 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.numerics.circular import sine_and_cosine
-
-# A scenario's numbers, in SI units, and in the same order how each changes with a parameter.
-NUMBERS = (
-    "radius", "mass", "gravity", "slope", "eccentricity", "inertia_ratio", "mu_static", "mu_kinetic", "restitution",
-    "rolling_resistance", "duration", "x", "height", "angle", "omega", "slip", "vy",
-)  # fmt: skip
-(
-    RADIUS, MASS, GRAVITY, SLOPE, ECCENTRICITY, INERTIA_RATIO, MU_STATIC, MU_KINETIC, RESTITUTION,
-    ROLLING_RESISTANCE, DURATION, X, HEIGHT, ANGLE, OMEGA, SLIP, VY,
-) = range(len(NUMBERS))  # fmt: skip
+from hophoop.kernel.records.cells import Cell
 
 
 def direction(given, more):
     """Return the changes in kernel units: of the body and the duration, of the start, of the logarithms of the units.
 
-    `given` holds the numbers of `NUMBERS` and `more` their rates; the results are in the order of `layout`'s PARAMETERS and
+    `given` is a cell and `more` holds the rates of its rows; the results are in the order of `layout`'s PARAMETERS and
     STATE_ROWS, and length, time and mass.
     """
-    length = given[RADIUS]
-    gravity = given[GRAVITY]
+    length = given[Cell.RADIUS]
+    gravity = given[Cell.GRAVITY]
     weighs = gravity > 0.0
     second = math.sqrt(length / (gravity if weighs else 1.0))
-    sine, cosine = sine_and_cosine(given[SLOPE])
-    by_length = more[RADIUS] / length
+    sine, cosine = sine_and_cosine(given[Cell.SLOPE])
+    by_length = more[Cell.RADIUS] / length
     by_time = 0.5 * by_length
     if weighs:
-        by_time -= 0.5 * more[GRAVITY] / gravity
-        normal, tangential = -sine * more[SLOPE], cosine * more[SLOPE]
+        by_time -= 0.5 * more[Cell.GRAVITY] / gravity
+        normal, tangential = -sine * more[Cell.SLOPE], cosine * more[Cell.SLOPE]
     else:
-        normal, tangential = cosine * more[GRAVITY], sine * more[GRAVITY]
+        normal, tangential = cosine * more[Cell.GRAVITY], sine * more[Cell.GRAVITY]
     by_speed = by_length - by_time
     parameter_tangents = (
-        more[ECCENTRICITY],
-        more[INERTIA_RATIO],
-        more[MU_STATIC],
-        more[MU_KINETIC],
+        more[Cell.ECCENTRICITY],
+        more[Cell.INERTIA_RATIO],
+        more[Cell.MU_STATIC],
+        more[Cell.MU_KINETIC],
         normal,
         tangential,
-        more[RESTITUTION],
-        (more[DURATION] - given[DURATION] * by_time) / second,
-        more[ROLLING_RESISTANCE],
+        more[Cell.RESTITUTION],
+        (more[Cell.DURATION] - given[Cell.DURATION] * by_time) / second,
+        more[Cell.ROLLING_RESISTANCE],
     )
     start = (
         0.0,
-        (more[X] - given[X] * by_length) / length,
-        (more[HEIGHT] - given[HEIGHT] * by_length) / length,
-        more[ANGLE],
-        (more[OMEGA] + given[OMEGA] * by_time) * second,
-        (more[SLIP] - given[SLIP] * by_speed) * second / length,
-        (more[VY] - given[VY] * by_speed) * second / length,
+        (more[Cell.X] - given[Cell.X] * by_length) / length,
+        (more[Cell.HEIGHT] - given[Cell.HEIGHT] * by_length) / length,
+        more[Cell.ANGLE],
+        (more[Cell.OMEGA] + given[Cell.OMEGA] * by_time) * second,
+        (more[Cell.SLIP] - given[Cell.SLIP] * by_speed) * second / length,
+        (more[Cell.VY] - given[Cell.VY] * by_speed) * second / length,
         0.0,
         0.0,
         0.0,
     )
-    return parameter_tangents, start, (by_length, by_time, more[MASS] / given[MASS])
+    return parameter_tangents, start, (by_length, by_time, more[Cell.MASS] / given[Cell.MASS])

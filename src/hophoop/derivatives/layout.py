@@ -14,7 +14,7 @@ EPS, KAP, MU_S, MU_K, GN, GT, REST, END, RESIST = range(9)
 PARAMETERS = 9
 
 # A state and its ledger, which are propagated from event to event.
-T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T, RESISTED = range(10)
+T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T, ROLLING_LOSS = range(10)
 STATE_ROWS = 10
 
 # Of an event also the velocities before it, and its impulse.

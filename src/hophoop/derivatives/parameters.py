@@ -10,14 +10,14 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.directions import NUMBERS, direction
-from hophoop.kernel.records.layout import CELL
+from hophoop.derivatives.directions import direction
+from hophoop.kernel.records.cells import CELL
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.scenario.paths import parameter
 from hophoop.vocabulary.parameters import PARAMETERS, RANGES, TABLE, Range
 
 Floats = NDArray[np.float64]
-Change = dict[str, float]  # rates of change with one parameter, by name in NUMBERS; those that are left out are 0
+Change = dict[str, float]  # rates of change with one parameter, by name in CELL; those that are left out are 0
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ def change_of(scenario: Scenario, path: str) -> Change:
     Returns
     -------
     change : dict of float
-        Rates in SI units, by name in `directions.NUMBERS`; those that are left out are 0.
+        Rates in SI units, by name in `CELL`; those that are left out are 0.
 
     Raises
     ------
@@ -232,8 +232,7 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
     ValueError
         As `change_of`.
     """
-    cell = dict(zip(CELL, cell_of(scenario), strict=True))
-    given = tuple(cell[name] for name in NUMBERS)
+    cell = cell_of(scenario)
     changes = [change_of(scenario, path) for path in paths]
-    found = [direction(given, tuple(change.get(name, 0.0) for name in NUMBERS)) for change in changes]
+    found = [direction(cell, tuple(change.get(name, 0.0) for name in CELL)) for change in changes]
     return Directions(*(np.array([each[part] for each in found]).T.copy() for part in range(3)))

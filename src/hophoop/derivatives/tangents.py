@@ -40,20 +40,18 @@ from hophoop.derivatives.layout import (
 )
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, skims_plane
 from hophoop.derivatives.pieces.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
-from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.circular import sine
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.circular import sine, sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, SKIMMING
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import rolling_forces
+from hophoop.kernel.physics.contact import resistance_arm, rolling_forces
 from hophoop.kernel.physics.impact import impact
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.state import with_velocities
 from hophoop.kernel.records.writing import state_of
 
 
-@apart
+@noinline
 def begin_changes(body, row, tangents, reasons):
     """Propagate a changed start to the start of its first piece."""
     state = state_of(row)
@@ -73,7 +71,7 @@ def begin_changes(body, row, tangents, reasons):
         fail_all(tangents, reasons, Reason.BORDER)
 
 
-@apart
+@noinline
 def end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons):
     """Propagate all directions to the end of rolling at the friction cone, or at N = 0."""
     s, c = sine_cosine(before.th, before.th_low)
@@ -85,7 +83,7 @@ def end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
                 fail(tangents, reasons, k, Reason.MASSLESS)
 
 
-@apart
+@noinline
 def collide_changes(body, rest, row, before, parameter_tangents, tangents, event_tangents, reasons):
     """All directions through an impact."""
     s, c = sine_cosine(before.th, before.th_low)
@@ -128,7 +126,7 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
             fail(tangents, reasons, k, reason)
 
 
-@apart
+@noinline
 def keep_before(tangents, event_tangents):
     """The velocities just before an event, and no impulse."""
     for k in range(tangents.shape[1]):
@@ -147,7 +145,7 @@ class Past(NamedTuple):
     fresh: Any  # the tangents at its start
 
 
-@apart
+@noinline
 def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tangents, reasons):
     """Propagate all directions from the end of the last piece through an event."""
     piece, passed = past.piece, past.passed
@@ -210,7 +208,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
         part_at_rest(body, slip_direction(row["after_mode"]), after, tangents, reasons)
 
 
-@apart
+@noinline
 def keep_after(row, tangents, event_tangents):
     """Record the tangents just after an event; at the start those that were given."""
     for k in range(tangents.shape[1]):
@@ -219,7 +217,7 @@ def keep_after(row, tangents, event_tangents):
                 event_tangents[i, k] = tangents[i, k]
 
 
-@apart
+@noinline
 def pass_apex(body, row, piece, parameter_tangents, tangents, event_tangents, reasons):
     """Propagate all directions from the start of a flight to its apex, an event inside it."""
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]

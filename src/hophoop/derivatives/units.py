@@ -15,7 +15,7 @@ from hophoop.derivatives.layout import (
     OM,
     P_N,
     P_T,
-    RESISTED,
+    ROLLING_LOSS,
     TH,
     VN,
     VT,
@@ -43,7 +43,7 @@ DIRECT = {
     "impulse_tangential": ("impulse_tangential", P_T, MOMENTUM),
     "impact_normal": ("impact_normal", IMPACT_N, ENERGY),
     "impact_tangential": ("impact_tangential", IMPACT_T, ENERGY),
-    "rolling_resistance": ("rolling_resistance", RESISTED, ENERGY),
+    "rolling_resistance": ("rolling_resistance", ROLLING_LOSS, ENERGY),
 }
 UNITS = (LENGTH, TIME, ANGLE, SPEED, TURNING, MOMENTUM, ENERGY)
 EXPONENTS = np.array(UNITS)

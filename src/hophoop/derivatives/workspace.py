@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hophoop.derivatives.layout import EVENT_ROWS, STATE_ROWS
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import DRIVEN, STRETCH, from_reference
 
@@ -54,7 +54,7 @@ def new_solution(events: int, segments: int, directions: int) -> Solution:
     )
 
 
-@apart
+@noinline
 def integrate_row(panel, row, growth, work):
     """Integrate a rate of dθ̇²/dθ from the panel's reference, with the integrating factor `growth`."""
     integral = work[DRIVEN]

@@ -16,8 +16,7 @@ from hophoop.gaits.results import Passages
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import mode_of, second_of, start_of
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import State
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.names import FATE_CODES, Fate
@@ -90,10 +89,10 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     check(scenario, section)
     check_whole("count", count, 1, MOST)
     buffers = _buffers(max(count, 3))
-    cells = np.array(cell_of(scenario), float).reshape(-1, 1)
-    begin = start_of(cells, 0, second_of(cells, 0))
+    cell = cell_of(scenario)
+    begin = start_of(cell, second_of(cell))
     request = Request(SECTIONS.index(section), count, FOREVER, PANELS, until_decided)
-    body, mode, scratch = scenario.to_body(), mode_of(cells, 0), new_scratch()
+    body, mode, scratch = scenario.to_body(), mode_of(cell), new_scratch()
     status, found, fate, period = compiled(follow_passages)(body, begin, mode, request, buffers, scratch)
     if lands_no_more(request.section, status, fate):
         bottom = Request(SECTIONS.index("bottom"), PATIENCE, FOREVER, PANELS, True)
@@ -182,6 +181,6 @@ def check(scenario: Scenario, section: str) -> None:
 def _as_row(state: State) -> NDArray[np.float64]:
     """Return a start as a row of passages."""
     found = dict.fromkeys(COLUMNS, 0.0)
-    found |= {"x": state.x, "height": state.y, "turns": state.turns, "theta": state.th, "theta_low": state.th_low}
+    found |= {"x": state.x, "height": state.y, "turns": state.revolutions, "theta": state.th, "theta_low": state.th_low}
     found |= {"slip": state.vt, "vy": state.vn, "omega": state.om}
     return np.array([found[name] for name in COLUMNS])

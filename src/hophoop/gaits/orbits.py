@@ -13,8 +13,7 @@ from hophoop.gaits.kernels.layout import COLUMNS, FEW_EVENTS, INTEGERS, MODE, OM
 from hophoop.gaits.kernels.passages import SIZE, follow_passages
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.results.units import Units

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.gaits.kernels.layout import COLUMNS
-from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW
+from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW
 from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.kernel.records.layout import unpacked_sequence
 from hophoop.results.units import Units

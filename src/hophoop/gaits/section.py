@@ -22,8 +22,7 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import MODE_LETTERS, Event, Mode
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import thread_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, thread_scratch
 from hophoop.kernel.records.state import State
 from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.run import run

@@ -13,8 +13,7 @@ import numpy as np
 
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import Compliance
-from hophoop.kernel.records.layout import BODY, EVENT, SEGMENT, MapRequest, MapResults, Tables
-from hophoop.kernel.records.scratch import Scratch
+from hophoop.kernel.records.layout import BODY, EVENT, SEGMENT, MapRequest, MapResults, Scratch, Tables
 from hophoop.kernel.records.state import State
 
 
@@ -77,7 +76,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.kernel.compliant.run.run_into": (
             Body, Compliance, ROW, bool, float, float, int, EVENTS, SEGMENTS, ROW, TABLE,
         ),
-        "hophoop.kernel.compliant.sampling.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
+        "hophoop.kernel.compliant.run.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
     },
     "derivatives": {
         "hophoop.derivatives.events.ending.propagate_motion": (
@@ -100,8 +99,8 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     "answers": {
         "hophoop.kernel.numerics.elementwise.fill": (int, ROW, ROW, ROW),
         "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),
-        "hophoop.kernel.records.times.kernel_times": (ROW, float, ROW, float, ROW),
-        "hophoop.kernel.physics.friction.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),
+        "hophoop.kernel.records.writing.kernel_times": (ROW, float, ROW, float, ROW),
+        "hophoop.kernel.physics.contact.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),
         _THEORY + "critical.slip_speeds": (BODIES, ROW),
         _THEORY + "painleve.border": (Body, float, bool),
         _THEORY + "painleve.minima": (BODIES, TABLE),

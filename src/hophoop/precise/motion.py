@@ -133,9 +133,9 @@ class Run:
                 self.mode = UNDECIDED
                 raise Stopped(Status.UNDETERMINED)
             if mode == INDETERMINATE:
-                after = named if self.problem.strike else Mode.FLIGHT
+                after = named if self.problem.painleve_impact else Mode.FLIGHT
                 self.write(Event.PAINLEVE_INDETERMINATE, named, after)
-                if not self.problem.strike:
+                if not self.problem.painleve_impact:
                     self.enter(Mode.FLIGHT)
                     return
             else:

@@ -32,7 +32,7 @@ class Problem:
     rest: Fraction
     resist: Fraction
     law: int
-    strike: bool
+    painleve_impact: bool
     x: Fraction
     height: Fraction
     angle: Fraction
@@ -70,7 +70,7 @@ class Problem:
             rest=Fraction(plane.restitution),
             resist=Fraction(plane.rolling_resistance),
             law=LAW_CODES[plane.impact_law],
-            strike=plane.painleve == "impact",
+            painleve_impact=plane.painleve == "impact",
             x=Fraction(start.x),
             height=Fraction(start.height),
             angle=Fraction(start.angle),

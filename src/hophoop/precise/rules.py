@@ -136,7 +136,7 @@ def next_mode(body: Body, judge: Judge, state: PreciseState) -> int:
     p_sigma = sign(body, judge, stiffness(body, state.th, sigma, rho), 1 + body.mu_k)
     if p_sigma > 0:
         return slip_mode(sigma) if opening < 0 else Mode.FLIGHT
-    if rho != 0 and stiffness(body, state.th, sigma, body.zero) > 0 and (opening < 0 or body.problem.strike):
+    if rho != 0 and stiffness(body, state.th, sigma, body.zero) > 0 and (opening < 0 or body.problem.painleve_impact):
         return UNDECIDED  # an impact, which is without rolling resistance, would change nothing
     if opening < 0:
         return INCONSISTENT

@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Discriminator, Field, model_validator
 
-from hophoop.kernel.physics import mass
+from hophoop.kernel.records import cells
 from hophoop.scenario.base import NUMBER, Frozen, Number, plain_init, quantity, refuse, within
 from hophoop.scenario.texts import say
 
@@ -33,20 +33,20 @@ class _Part(Frozen):
 
     @property
     def row(self) -> Row:
-        """Its numbers for `physics.mass`."""
+        """Its row in the table of parts of `kernel.records.cells`."""
         raise NotImplementedError
 
     @property
     def inertia(self) -> float:
         """Moment of inertia about its own centre [kg m²]."""
         shape, weight, first, second, _ = self.row
-        return float(mass.part_inertia(shape, weight, first, second))
+        return float(cells.part_inertia(shape, weight, first, second))
 
     @property
     def reach(self) -> float:
         """Distance of its farthest point from C [m]."""
         shape, _, first, second, at = self.row
-        return float(mass.part_reach(shape, first, second, at))
+        return float(cells.part_reach(shape, first, second, at))
 
 
 class Ring(_Part):
@@ -83,8 +83,8 @@ class Ring(_Part):
 
     @property
     def row(self) -> Row:
-        """Its numbers for `physics.mass`."""
-        return mass.RING, self.mass, self.inner_radius, self.outer_radius, 0.0
+        """Its row in the table of parts of `kernel.records.cells`."""
+        return cells.RING, self.mass, self.inner_radius, self.outer_radius, 0.0
 
 
 class Disk(_Part):
@@ -112,8 +112,8 @@ class Disk(_Part):
 
     @property
     def row(self) -> Row:
-        """Its numbers for `physics.mass`."""
-        return mass.DISK, self.mass, self.radius, 0.0, self.at
+        """Its row in the table of parts of `kernel.records.cells`."""
+        return cells.DISK, self.mass, self.radius, 0.0, self.at
 
 
 class PointMass(_Part):
@@ -138,8 +138,8 @@ class PointMass(_Part):
 
     @property
     def row(self) -> Row:
-        """Its numbers for `physics.mass`."""
-        return mass.POINT_MASS, self.mass, 0.0, 0.0, self.at
+        """Its row in the table of parts of `kernel.records.cells`."""
+        return cells.POINT_MASS, self.mass, 0.0, 0.0, self.at
 
 
 class Rod(_Part):
@@ -170,8 +170,8 @@ class Rod(_Part):
 
     @property
     def row(self) -> Row:
-        """Its numbers for `physics.mass`."""
-        kind = mass.RADIAL_ROD if self.direction == "radial" else mass.TANGENTIAL_ROD
+        """Its row in the table of parts of `kernel.records.cells`."""
+        kind = cells.RADIAL_ROD if self.direction == "radial" else cells.TANGENTIAL_ROD
         return kind, self.mass, self.length, 0.0, self.at
 
 
@@ -187,5 +187,5 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
     for index, part in enumerate(parts):
         if part.reach > radius * (1.0 + TOUCH):
             raise refuse(say("beyond_the_rim", index=index, shape=part.shape, reach=part.reach, radius=radius))
-    whole, eccentricity, inertia_ratio = mass.combined(radius, np.array([part.row for part in parts]))
+    whole, eccentricity, inertia_ratio = cells.combined(radius, np.array([part.row for part in parts]))
     return float(whole), float(eccentricity), float(inertia_ratio)

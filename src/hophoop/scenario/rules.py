@@ -8,7 +8,7 @@ from typing import Any, Final, NamedTuple
 
 from pydantic_core import PydanticCustomError
 
-from hophoop.kernel.physics.ranges import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
+from hophoop.kernel.physics.body import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
 from hophoop.kernel.records.refusal import Refusal
 from hophoop.scenario.base import refuse
 from hophoop.scenario.texts import say

@@ -9,14 +9,12 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Annotated, Any
 
-import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from hophoop._support.errors import InputError
-from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.layout import CONTACT
+from hophoop.kernel.records.cells import CONTACT, body_of, second_of
 from hophoop.kernel.records.refusal import refusal
 from hophoop.scenario.base import NUMBER, Frozen, field_of, refuse, within
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
@@ -320,22 +318,14 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
     body : Body
         In units of R, m and √(R/g); see `time_unit` for g = 0.
     """
-    weight = 1.0 if plane.gravity > 0.0 else 0.0
-    s, c = sine_and_cosine(plane.slope)
-    return Body(
-        eps=hoop.eccentricity,
-        kap=hoop.inertia_ratio,
-        mu_s=plane.mu_static,
-        mu_k=plane.mu_kinetic,
-        gn=weight * c,
-        gt=weight * s,
-        rest=plane.restitution,
-        law=LAW_CODES[plane.impact_law],
-        strike=plane.painleve == "impact",
-        slope=weight * plane.slope,
-        ideal=hoop.load_fraction is not None,
-        resist=plane.rolling_resistance,
-    )
+    body: Body = body_of(_body_rows(hoop, plane))
+    return body
+
+
+def _body_rows(hoop: Hoop, plane: Plane) -> tuple[float, ...]:
+    """Return the rows of hoop and plane, which come first in a cell."""
+    law, impact = LAW_CODES[plane.impact_law], plane.painleve == "impact"
+    return (*_HOOP_NUMBERS(hoop), *_PLANE_NUMBERS(plane), law, impact, hoop.load_fraction is not None)
 
 
 def cell_of(scenario: Scenario) -> tuple[float, ...]:
@@ -348,29 +338,27 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
     Returns
     -------
     cell : tuple of float, length len(CELL)
-        In the order of `kernel.records.layout.CELL` [SI].
+        In the order of `kernel.records.cells.CELL` [SI].
     """
-    hoop, plane = scenario.hoop, scenario.plane
-    start = scenario.start.state(hoop)
+    start = scenario.start.state(scenario.hoop)
     return (
-        *_HOOP_NUMBERS(hoop), *_PLANE_NUMBERS(plane), scenario.duration, scenario.contact.max_events,
-        LAW_CODES[plane.impact_law], plane.painleve == "impact",
+        *_body_rows(scenario.hoop, scenario.plane),
         start.x, start.height, start.angle, start.vy, start.omega, start.slip, _MODES[scenario.start.mode],
-        hoop.load_fraction is not None, True,
+        scenario.duration, scenario.contact.max_events, True,
     )  # fmt: skip
 
 
 def _why_not_in_mode(scenario: Scenario) -> str:
     """Return why a state in contact cannot have the mode of its start, beyond rounding; empty if it can."""
-    from hophoop.kernel.numerics.trigonometry import sine_cosine
+    from hophoop.kernel.numerics.circular import sine_cosine
     from hophoop.kernel.physics.contact import free_acceleration
     from hophoop.kernel.physics.modes import UNDECIDED, next_mode
     from hophoop.kernel.records.cells import mode_of, start_of
     from hophoop.kernel.rigid.sampling import margins_of
 
     body = to_body(scenario.hoop, scenario.plane)
-    cells = np.array([cell_of(scenario)], dtype=object).T  # Python floats, not NumPy scalars
-    state, mode = start_of(cells, 0, time_unit(scenario.hoop, scenario.plane)), mode_of(cells, 0)
+    cell = cell_of(scenario)
+    state, mode = start_of(cell, second_of(cell)), mode_of(cell)
     turns_back = body.resist > 0.0 and state.om == 0.0  # the couple jumps
     if body.kap == 0.0 or state.y > 0.0 or state.vn != 0.0 or turns_back:
         return ""
@@ -394,7 +382,7 @@ def _why_not_in_mode(scenario: Scenario) -> str:
 def contact_of(contact: Rigid | Compliant) -> tuple[float, ...]:
     """A contact as the kernels take it.
 
-    numbers: In the order of `kernel.records.layout.CONTACT` [SI], nan where it has none; empty for a rigid contact.
+    numbers: In the order of `kernel.records.cells.CONTACT` [SI], nan where it has none; empty for a rigid contact.
     """
     if isinstance(contact, Rigid):
         return ()

@@ -6,28 +6,27 @@ import math
 
 import numpy as np
 
-from hophoop.kernel.compliant.parameters import RTOL, compliance_of, load_contact
+from hophoop.kernel.compliant.motion import RTOL, compliance_of, load_contact
 from hophoop.kernel.compliant.records import (
     FIRST,
     FLY,
-    HOLD,
     KIND,
     MODE,
     OM,
     REGIME,
+    RESTING,
+    REVOLUTIONS,
     SEGMENT,
     SIZE,
+    STAGES,
     TH,
-    TURNS,
     VN,
     VT,
     WIDTH,
     X,
     Y,
 )  # fmt: skip
-from hophoop.kernel.compliant.run import MAX_STEPS, run_into
-from hophoop.kernel.compliant.sampling import COLUMNS, sample
-from hophoop.kernel.compliant.tableau import STAGES
+from hophoop.kernel.compliant.run import COLUMNS, MAX_STEPS, run_into, sample
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Body, Mode, Status
 from hophoop.kernel.physics.compliant import Compliance
@@ -67,11 +66,11 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
     if pieces == 0:  # the limit was reached before any time passed: a segment of zero length holds the start
         pieces = 1
         rows[0] = 0.0
-        rows[0, KIND] = HOLD if touching else FLY
+        rows[0, KIND] = RESTING if touching else FLY
         rows[0, MODE] = events[count - 1]["after_mode"]
         mode = events[count - 1]["after_mode"]
         rows[0, REGIME] = float(mode == Mode.SKID) - float(mode == Mode.SPIN)
-        rows[0, TURNS] = events[count - 1]["turns"]
+        rows[0, REVOLUTIONS] = events[count - 1]["revolutions"]
         rows[0, FIRST :: STAGES + 1] = start
         rows[0, FIRST + TH * (STAGES + 1)] = events[count - 1]["theta"]
     segments = np.ascontiguousarray(rows[:pieces]).view(SEGMENT)[:, 0]

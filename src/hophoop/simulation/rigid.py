@@ -13,7 +13,8 @@ import numpy as np
 
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.layout import CELL, COLUMNS, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
+from hophoop.kernel.records.cells import CELL
+from hophoop.kernel.records.layout import COLUMNS, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation.until import Until, cut, end_of

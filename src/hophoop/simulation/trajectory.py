@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.fingerprint import STATE, fingerprint
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES
-from hophoop.kernel.physics.energy import energies_after
+from hophoop.kernel.physics.closed_forms import energies_after
 from hophoop.results.records import (
     ArraySample,
     EventErrors,

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.numerics.double_double import TWO_PI
+from hophoop.kernel.numerics.arithmetic import TWO_PI
 from hophoop.kernel.panels.panel import FLY, LINEAR
 from hophoop.kernel.physics.body import PASSING, Event, Mode
 from hophoop.kernel.physics.modes import slip_direction
@@ -168,7 +168,7 @@ def _cut_at_passage(
     for name in _SAMPLED:
         last[name] = state[name]
     last["t"], last["t_low"], last["x_low"] = t, 0.0, 0.0
-    last["turns"] = round((state["angle"] - state["theta"]) / TWO_PI)
+    last["revolutions"] = round((state["angle"] - state["theta"]) / TWO_PI)
     _make_end(last, int(state["mode"]))
     pieces = segments[segments["t"] < t].copy()
     if len(pieces):

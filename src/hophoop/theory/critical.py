@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Body, Mode
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.scenario import Hoop, InputError, Plane

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
-from hophoop.kernel.physics.ranges import INERTIA_RATIO, MASS, SLIP_SPEED, SLOPE, STIFFNESS
+from hophoop.kernel.physics.body import INERTIA_RANGE, MASS_RANGE, SLIP_SPEED_RANGE, SLOPE_RANGE, STIFFNESS_RANGE
 from hophoop.vocabulary.names import LAWS, NAMED_LAWS
 
 WORD: Final = ""
@@ -134,7 +134,7 @@ TABLE: Final = (
     ),
     Parameter(
         "hoop.inertia_ratio", "Moment of inertia about the centre of gravity over m R²", "1", 0.4375,
-        Range(*INERTIA_RATIO, (0.0,)), "Inertia ratio", "κ",
+        Range(*INERTIA_RANGE, (0.0,)), "Inertia ratio", "κ",
         (Option("--inertia-ratio", "Moment of inertia about G over m R², κ."),),
         Slider(0.01, 1.0, 0.01), Axis(0.05, 1.0), "Inertia ratio κ", "inertia_ratio", derivative=True,
     ),
@@ -143,7 +143,7 @@ TABLE: Final = (
         Slider(0.05, 3.0, 0.05), Axis(0.1, 2.0), column="radius", derivative=True,
     ),
     Parameter(
-        "hoop.mass", "Total mass", "kg", 1.0, Range(*MASS), "Mass", "m", (Option("--mass", "Total mass, kg."),),
+        "hoop.mass", "Total mass", "kg", 1.0, Range(*MASS_RANGE), "Mass", "m", (Option("--mass", "Total mass, kg."),),
         Slider(0.1, 10.0, 0.1), column="mass", derivative=True,
     ),
     Parameter(
@@ -162,7 +162,7 @@ TABLE: Final = (
         Slider(0.0, 1.5, 0.01), None, r"Kinetic friction $\mu_k$", "mu_kinetic", derivative=True,
     ),
     Parameter(
-        "plane.slope", "Slope of the plane, downhill along +x", "rad", 0.0, Range(*SLOPE),
+        "plane.slope", "Slope of the plane, downhill along +x", "rad", 0.0, Range(*SLOPE_RANGE),
         "Slope", "β",
         (Option("--slope", "Slope, downhill ahead, rad."), Option("--slope-deg", "The same in degrees.", True)),
         Slider(-30.0, 30.0, 0.5), Axis(-0.35, 0.35), "Slope β", "slope", derivative=True, degrees=True,
@@ -274,7 +274,7 @@ RANGES: Final = {
 
 The units of a motion are R, m and √(R/g). Outside these ranges its numbers exceed doubles or physical sense.
 """
-RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED = Range(*STIFFNESS), Range(*SLIP_SPEED)
+RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED = Range(*STIFFNESS_RANGE), Range(*SLIP_SPEED_RANGE)
 """Of a compliant contact, relative to its hoop."""
 FIGURE_LABELS: Final = {row.path: row.figure for row in TABLE if row.figure}
 """Short names by path, for the axes of maps."""

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import math
 
-from hophoop.derivatives.layout import EPS, GN, KAP, MU_K, MU_S, OM, RESIST, RESISTED, TH, VT, Reason, T
+from hophoop.derivatives.layout import EPS, GN, KAP, MU_K, MU_S, OM, RESIST, ROLLING_LOSS, TH, VT, Reason, T
 from hophoop.derivatives.pieces.flight_and_rest import resisted_motion, step_along
 from hophoop.derivatives.pieces.forces import by_angle, change_of, rolling_slopes
 from hophoop.derivatives.pieces.panels import momentum_change
-from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.trigonometry import sine_cosine
-from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_stiffness, slip_torque_arm
-from hophoop.kernel.physics.painleve import stiffness_slope
-from hophoop.kernel.physics.resistance import resistance_arm, torque_at_rest
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.circular import sine_cosine
+from hophoop.kernel.physics.contact import (
+    free_acceleration,
+    kappa_p_sigma,
+    kappa_p_sigma_slope,
+    resistance_arm,
+    rolling_forces,
+    slip_torque_arm,
+    torque_at_rest,
+)
 
 GRAZE, NONE, BORDER, SIDED = int(Reason.GRAZE), int(Reason.NONE), int(Reason.BORDER), -1
 FLAT = 1e-9  # relative to its natural size: a smaller rate belongs to a quantity that only touches zero
@@ -32,7 +38,7 @@ def fail_all(tangents, reasons, reason):
         fail(tangents, reasons, k, reason)
 
 
-@apart
+@noinline
 def meet_cone(body, state, rates, side, parameter_tangents, tangents, reasons):
     """Rolling that comes to the friction cone, at side · F > 0: g = μs N − side · F, or N without a bound on F."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -54,7 +60,7 @@ def meet_cone(body, state, rates, side, parameter_tangents, tangents, reasons):
             step_along(tangents, k, -dg / rate, state, rates)
 
 
-@apart
+@noinline
 def meet_opening(body, state, rates, parameter_tangents, tangents, reasons):
     """Slip that lifts off: g = g_n − ε cos θ θ̇² comes to zero."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -69,7 +75,7 @@ def meet_opening(body, state, rates, parameter_tangents, tangents, reasons):
             step_along(tangents, k, -dg / rate, state, rates)
 
 
-@apart
+@noinline
 def meet_row(row, rate, scale, state, rates, tangents, reasons):
     """A component of the state that comes to zero: the slip at its end, v_n at the apex, the gap at the landing."""
     for k in range(tangents.shape[1]):
@@ -80,7 +86,7 @@ def meet_row(row, rate, scale, state, rates, tangents, reasons):
             tangents[row, k] = 0.0
 
 
-@apart
+@noinline
 def meet_time(parameter_tangents, row, state, rates, tangents):
     """The end of time, which itself may change."""
     for k in range(tangents.shape[1]):
@@ -91,13 +97,13 @@ def jam_angle_change(body, sigma, s, c, om, parameter_tangents, k):
     """Change of the angle at which p_σ = 0."""
     signed_mu = sigma * body.mu_k
     q = slip_torque_arm(body, s, c, sigma) - resistance_arm(body, s, c, om, sigma)
-    slope = stiffness_slope(body, s, c, sigma, q)
+    slope = kappa_p_sigma_slope(body, s, c, sigma, q)
     q_more = parameter_tangents[EPS, k] * (s + signed_mu * c) + sigma * parameter_tangents[MU_K, k] * (1.0 + body.eps * c)
     q_more -= math.copysign(parameter_tangents[RESIST, k], om)
     return -(parameter_tangents[KAP, k] + parameter_tangents[EPS, k] * s * q + body.eps * s * q_more) / slope
 
 
-@apart
+@noinline
 def go_with_jam(body, sigma, begin, jam, parameter_tangents, tangents):
     """Express each change at the moment at which it is as far from the jam as the motion itself.
 
@@ -111,7 +117,7 @@ def go_with_jam(body, sigma, begin, jam, parameter_tangents, tangents):
         tangents[TH, k] = dth
 
 
-@apart
+@noinline
 def meet_jam(body, sigma, jam, before, parameter_tangents, tangents):
     """The dynamic jam: p_σ = 0 says where, f_n = 0 how fast; `before` is the state that comes near.
 
@@ -134,12 +140,12 @@ def meet_jam(body, sigma, jam, before, parameter_tangents, tangents):
         dfaster = 2.0 * (jam.om * tangents[OM, k] - before.om * dom)
         dlever = deps * s + body.eps * c * dth
         drho = math.copysign(parameter_tangents[RESIST, k], jam.om)
-        tangents[RESISTED, k] -= 0.5 * (body.eps * s * (rho * dfaster + drho * faster) + rho * dlever * faster)
+        tangents[ROLLING_LOSS, k] -= 0.5 * (body.eps * s * (rho * dfaster + drho * faster) + rho * dlever * faster)
         tangents[VT, k] = momentum - momentum_change(body, sigma, s, c, jam.om, (0.0, tangents[OM, k], dth), (deps, dmu))
         tangents[TH, k] = dth
 
 
-@apart
+@noinline
 def is_on_border(body, state):
     """Return True if the mode after a state in contact is decided by a quantity that is zero to rounding."""
     if body.kap == 0.0 or body.mu_s == 0.0:
@@ -157,7 +163,7 @@ def is_on_border(body, state):
         sigma = 1 if state.vt > 0.0 else -1
         if at_rest and abs(abs(slip_torque_arm(body, s, c, sigma)) - body.resist) <= FLAT:
             return True
-        stiffness = slip_stiffness(body, s, c, sigma, resistance_arm(body, s, c, state.om, sigma))
+        stiffness = kappa_p_sigma(body, s, c, sigma, resistance_arm(body, s, c, state.om, sigma))
         return opening <= scale or abs(stiffness) <= FLAT
     if at_rest and abs(abs(torque_at_rest(body, s, c)) - body.resist * body.gn) <= scale:
         return True
@@ -168,7 +174,7 @@ def is_on_border(body, state):
     return abs(margin) <= scale * (1.0 + body.mu_s) or abs(normal) <= scale or (margin < 0.0 and opening <= scale)
 
 
-@apart
+@noinline
 def part_at_rest(body, sigma, state, tangents, reasons):
     """A hoop that does not turn, and is about to: a little rotation has to do with another couple if it goes the other way."""
     if body.resist == 0.0 or state.om != 0.0:

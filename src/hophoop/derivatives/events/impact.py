@@ -9,7 +9,7 @@ import math
 from typing import NamedTuple
 
 from hophoop.derivatives.layout import EPS, KAP, MU_K, REST, Reason
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
 from hophoop.kernel.physics.contact import contact_arms
 from hophoop.kernel.physics.impact import NEWTON, POISSON, impulse_ratio, slip_rates, stick_rates
 
@@ -236,7 +236,7 @@ def begin_slip(body, arms, at):
     return Velocities(at.vt, at.vn, 0.0, at.dvn + kn * step), sums, SIDED if way * kt < 0.0 else BORDER
 
 
-@apart
+@noinline
 def impact_change(body, blow, dth, dvt, dvn, parameter_tangents, k):
     """Changes of what `impact` returns, and why there are none.
 
@@ -297,7 +297,7 @@ def impact_change(body, blow, dth, dvt, dvn, parameter_tangents, k):
     return at.dvt, at.dvn, sums.dspin, sums.dp_n, sums.dp_t, -sums.dwork_n, -sums.dwork_t, reason
 
 
-@apart
+@noinline
 def closing_impulse_change(body, blow, dth, dvn, parameter_tangents, k):
     """Changes (dspin, dp_n, dp_t, dloss_n) by the impulse that pulls back a rim launched by infinite friction.
 

@@ -20,9 +20,9 @@ from hophoop.derivatives.layout import (
     T,
     X,
 )
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import cosine, sine_and_cosine
-from hophoop.kernel.physics.massless import strike
+from hophoop.kernel.physics.closed_forms import strike
 
 
 def load_changes(begin, tangents, k):
@@ -42,7 +42,7 @@ def skim_rates(body, state):
     return turning, state.om * state.om * s - turning * (1.0 + c), 0.0, 0.0
 
 
-@apart
+@noinline
 def follow_skim(body, begin, end, tau, tangents):
     """Propagate all directions over the time tau of skimming."""
     s1, c1 = sine_and_cosine(end.th)
@@ -59,7 +59,7 @@ def follow_skim(body, begin, end, tau, tangents):
         tangents[OM, k] = dom
 
 
-@apart
+@noinline
 def follow_strike(body, begin, tau, parameter_tangents, tangents, event_tangents):
     """Propagate all directions from the start of the skimming to just after the load has struck, at the time tau."""
     s, c = sine_and_cosine(begin.th)

@@ -9,7 +9,7 @@ import numpy as np
 from hophoop.derivatives.layout import EPS, GT, VN, X
 from hophoop.derivatives.parameters import Floats
 from hophoop.kernel.numerics import elementwise
-from hophoop.kernel.numerics.sums import weighted_sum
+from hophoop.kernel.numerics.arithmetic import weighted_sum
 from hophoop.kernel.physics.body import Body
 
 COLUMNS = "x", "height", "theta", "omega", "slip", "vy"  # rows X to VN of what is carried

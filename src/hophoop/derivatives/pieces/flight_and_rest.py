@@ -4,31 +4,30 @@ from __future__ import annotations
 
 import math
 
-from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, RESISTED, TH, VN, VT, T, X, Y
+from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, ROLLING_LOSS, TH, VN, VT, T, X, Y
 from hophoop.derivatives.pieces.panels import SlipTime, follow_slip
-from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.circular import sine, sine_and_cosine
-from hophoop.kernel.numerics.hyperbolic import hyperbolic_cosine, hyperbolic_sine
-from hophoop.kernel.numerics.trigonometry import sine_cosine, turn_deficits, versine_of
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.circular import series_remainders, sine, sine_and_cosine, sine_cosine, versine_of
+from hophoop.kernel.numerics.exponentials import hyperbolic_cosine, hyperbolic_sine
 from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.closed_forms import flight_gap
 from hophoop.kernel.physics.contact import (
     free_acceleration,
     inertia_at_height,
+    kappa_p_sigma,
     load_height,
+    resistance_arm,
     rolling_acceleration,
     rolling_forces,
     slip_motion,
-    slip_stiffness,
 )
-from hophoop.kernel.physics.flight import flight_gap
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.physics.resistance import resistance_arm
 
 SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
 TOUCH = 1e-9  # of the radius: a smaller gap is none
 
 
-@apart
+@noinline
 def resisted_motion(body, sigma, state, way):
     """(θ̈, v̇_t, 0, power lost to rolling resistance) in rolling (sigma = 0) or slip.
 
@@ -45,7 +44,7 @@ def resisted_motion(body, sigma, state, way):
     return turning, along, 0.0, rho * state.om * normal
 
 
-@apart
+@noinline
 def accelerations(body, mode, state, way):
     """(θ̈, v̇_t, v̇_n, power lost to rolling resistance) of a state in a mode; `way` as in `resisted_motion`."""
     if mode != Mode.FLIGHT and body.resist > 0.0:
@@ -73,17 +72,17 @@ def step_along(tangents, k, dt, state, rates):
     tangents[OM, k] += turning * dt
     tangents[VT, k] += along * dt
     tangents[VN, k] += away * dt
-    tangents[RESISTED, k] += lost * dt
+    tangents[ROLLING_LOSS, k] += lost * dt
 
 
-@apart
+@noinline
 def follow_flight(body, opening, begin, end, tau, parameter_tangents, tangents):
     """Propagate all directions over the time tau of a flight whose f_n at the start is `opening`, 0 after a lift-off."""
     s0, c0 = sine_cosine(begin.th, begin.th_low)
     s1, c1 = sine_cosine(end.th, end.th_low)
     om = begin.om
     phi = om * tau
-    sine_part, cosine_part, versine = turn_deficits(phi)
+    sine_part, cosine_part, versine = series_remainders(phi)
     turned = sine(phi)
     half = 0.5 * tau * tau
     for k in range(tangents.shape[1]):
@@ -93,7 +92,7 @@ def follow_flight(body, opening, begin, end, tau, parameter_tangents, tangents):
         dopening = 0.0
         if opening != 0.0:
             dopening = -parameter_tangents[GN, k] + om * (deps * c0 * om - body.eps * s0 * om * dth + 2.0 * body.eps * c0 * dom)
-        # the gap without cancellation, as in physics.flight
+        # the gap without cancellation, as in `closed_forms.flight_rates`
         tangents[Y, k] += tangents[VN, k] * tau + dopening * half - deps * (c0 * cosine_part + s0 * sine_part)
         tangents[Y, k] -= body.eps * ((c0 * sine_part - s0 * cosine_part) * dth + (c0 * sine_part + s0 * versine) * tau * dom)
         tangents[VN, k] += dopening * tau - (deps * om + body.eps * dom) * (c0 * sine_part + s0 * versine)
@@ -109,7 +108,7 @@ def follow_flight(body, opening, begin, end, tau, parameter_tangents, tangents):
         tangents[TH, k] = dth1
 
 
-@apart
+@noinline
 def skims_plane(body, opening, begin, tau):
     """Return True if the minimum of the gap of a flight is 0 to rounding: a touch without approach."""
     s, c = sine_cosine(begin.th, begin.th_low)
@@ -160,7 +159,7 @@ def perturbed_rest(stiffness, drive, angle, rate, tau):
     return angle * even + rate * odd + drive * bent, stiffness * angle * odd + rate * even + drive * odd
 
 
-@apart
+@noinline
 def follow_hold(body, sigma, begin, end, tau, parameter_tangents, tangents):
     """Propagate all directions over the time tau of rest (sigma = 0), or of slip without rotation."""
     s, c = sine_cosine(begin.th, begin.th_low)
@@ -184,7 +183,7 @@ def follow_hold(body, sigma, begin, end, tau, parameter_tangents, tangents):
             drive = (body.gn * s + body.gt * c) * deps + body.eps * s * parameter_tangents[GN, k]
             drive = (drive + (1.0 + body.eps * c) * parameter_tangents[GT, k]) / inertia
         else:
-            load = body.gn / slip_stiffness(body, s, c, sigma, 0.0)
+            load = body.gn / kappa_p_sigma(body, s, c, sigma, 0.0)
             stiffness = body.eps * (c - signed_mu * s) * load
             drive = load * ((s + signed_mu * c) * deps + sigma * (1.0 + body.eps * c) * parameter_tangents[MU_K, k])
         tangents[TH, k], tangents[OM, k] = perturbed_rest(stiffness, drive, dth0, dom0, tau)

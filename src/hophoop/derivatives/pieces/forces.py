@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 from hophoop.derivatives.layout import EPS, GN, GT, KAP, OM, RESIST, TH
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
 from hophoop.kernel.physics.contact import resisted_inertia, rolling_acceleration, rolling_forces
 
 
-@apart
+@noinline
 def rolling_slopes(body, s, c, om, rho):
     """(F, N, θ̈, slopes of F, slopes of N) in rolling, by θ, u = θ̇², ε, κ, g_n, g_t and f.
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop.derivatives.layout import EPS, GN, GT, KAP, MU_K, OM, RESIST, RESISTED, TH, VT, T, X
+from hophoop.derivatives.layout import EPS, GN, GT, KAP, MU_K, OM, RESIST, ROLLING_LOSS, TH, VT, T, X
 from hophoop.derivatives.pieces.resisted import loss_change, pressed_on, resistance_rates, resisted_rates, resists, weigh
 from hophoop.derivatives.workspace import (
     AT_BEGIN,
@@ -33,10 +33,10 @@ from hophoop.derivatives.workspace import (
     WEIGHED,
     integrate_row,
 )
-from hophoop.kernel.native import apart, inline
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import sine_cosine, sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import ORDER, dot, lagrange, product
 from hophoop.kernel.numerics.tables import ANTIDERIVATIVE_T, NODES, WEIGHTS
-from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine
 from hophoop.kernel.panels.panel import (
     ARM,
     ARRIVE,
@@ -63,7 +63,7 @@ def roll_rates_at(body, panel, sine, versine, offset, u):
     """
     s0 = panel.sine
     c0 = panel.cosine
-    ds, dc = rotated(s0, c0, sine, versine)
+    ds, dc = sine_cosine_change_by(s0, c0, sine, versine)
     inertia = inertia_at_height(body, load_height(s0, c0))
     here = 1.0 / (inertia + 2.0 * body.eps * dc)
     growth = inertia * here
@@ -76,7 +76,7 @@ def roll_rates_at(body, panel, sine, versine, offset, u):
     )  # fmt: skip
 
 
-@apart
+@noinline
 def roll_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a rolling panel."""
     for i in range(ORDER):
@@ -86,7 +86,7 @@ def roll_rates(body, panel, work, local):
         local[BY_GN, i], local[BY_GT, i] = rates[5:]
 
 
-@apart
+@noinline
 def refine_rates(body, panel, xi, u, row):
     """Replace interpolated rates at ξ by the closed forms of rolling."""
     sine, versine = sine_versine_of_offset(panel, xi)
@@ -100,7 +100,7 @@ def refine_rates(body, panel, xi, u, row):
     row[SHIFT] = shift
 
 
-@apart
+@noinline
 def slip_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a slip panel, from θ̇²′ = 2 q (g_n − ε c θ̇²)/(κ p) by its integrating factor."""
     eps = body.eps
@@ -127,7 +127,7 @@ def slip_rates(body, panel, work, local):
         integrate_row(panel, local[row], growth, work)
 
 
-@apart
+@noinline
 def fill_rates(body, panel, resisting, work, local):
     """The rows BEGIN to BY_RESIST at fixed ξ of a solved panel: dθ̇²/d…."""
     if panel.sigma != 0:
@@ -148,7 +148,7 @@ def fill_rates(body, panel, resisting, work, local):
             local[SHIFT, i] -= local[BEGIN, i]
 
 
-@apart
+@noinline
 def changes_at(panel, xi, work, local):
     """Fill the rows RATES and TIMES: dθ̇²/d… at ξ and dt/d… from the begin to there. Returns the time itself."""
     weights = local[INTERPOLATE]
@@ -202,7 +202,7 @@ class SlipTime(NamedTuple):
     time: float
 
 
-@apart
+@noinline
 def follow_slip(body, slip, before, dt, k, parameter_tangents, tangents):
     """Propagate v_t and x of a direction through slip by its momentum; the tangents of t, θ and θ̇ are those at its end.
 
@@ -238,7 +238,7 @@ def by_parameters(row, parameter_tangents, k):
     )
 
 
-@apart
+@noinline
 def prepare_panel(body, panel, u, parameter_tangents, workspace):
     """Compute what `follow_panel` needs of a solved panel that begins with θ̇² = u."""
     work, local = workspace.scratch.work, workspace.local
@@ -250,7 +250,7 @@ def prepare_panel(body, panel, u, parameter_tangents, workspace):
         refine_rates(body, panel, -1.0, u, local[AT_BEGIN])
 
 
-@apart
+@noinline
 def follow_panel(body, stretch, parameter_tangents, tangents, workspace):
     """Propagate all directions from the start of a prepared panel to ξ."""
     panel, xi, begin, end = stretch
@@ -290,7 +290,7 @@ def follow_panel(body, stretch, parameter_tangents, tangents, workspace):
         if resisting:
             row = local[WEIGHED]
             weighed = first * row[BEGIN] + second * row[SHIFT] + by_parameters(row, parameter_tangents, k)
-            tangents[RESISTED, k] += loss_change(
+            tangents[ROLLING_LOSS, k] += loss_change(
                 body, stretch, pressing, (dth0, dom0), weighed, k, parameter_tangents, tangents
             )
         if panel.sigma == 0:

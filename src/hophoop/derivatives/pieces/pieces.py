@@ -9,9 +9,9 @@ from hophoop.derivatives.layout import OM
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, follow_flight, follow_hold, step_along
 from hophoop.derivatives.pieces.panels import follow_panel, prepare_panel
 from hophoop.derivatives.pieces.resisted import Stretch
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
 from hophoop.kernel.panels.panel import FLY, HOLD, LEAVE, SKIMMING, fill_inside
-from hophoop.kernel.physics.massless import skim_state
+from hophoop.kernel.physics.closed_forms import skim_state
 from hophoop.kernel.records.state import moved, with_velocities
 from hophoop.kernel.records.writing import panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
@@ -19,22 +19,22 @@ from hophoop.kernel.rigid.panel_choice import solve
 from hophoop.kernel.rigid.sampling import state_in_flight
 
 
-@apart
+@noinline
 def state_after_hold(body, row, begin, tau):
     """The state after the time tau of rest, or of slip without rotation."""
-    after = moved(begin, begin.t + tau, 0.0, begin.x, begin.x_low, 0.0, begin.turns, begin.th, begin.th_low)
+    after = moved(begin, begin.t + tau, 0.0, begin.x, begin.x_low, 0.0, begin.revolutions, begin.th, begin.th_low)
     return with_velocities(after, begin.vt + slip_rate_without_rotation(body, row["sigma"]) * tau, 0.0, 0.0)
 
 
-@apart
+@noinline
 def state_after_skim(body, row, begin, tau):
     """The state after the time tau of skimming."""
     x, th, vt, om = skim_state(body, begin.x, begin.th, begin.vt, begin.om, row["direction"], tau)
-    after = moved(begin, begin.t + tau, 0.0, x, 0.0, 0.0, begin.turns, th, 0.0)
+    after = moved(begin, begin.t + tau, 0.0, x, 0.0, 0.0, begin.revolutions, th, 0.0)
     return with_velocities(after, vt, 0.0, om)
 
 
-@apart
+@noinline
 def follow_without_panel(body, row, tau, parameter_tangents, tangents):
     """Propagate all directions to the time tau after the start of a piece without panel; return the state there."""
     begin = state_of(row)
@@ -50,7 +50,7 @@ def follow_without_panel(body, row, tau, parameter_tangents, tangents):
     return end
 
 
-@apart
+@noinline
 def turn_at_begin(body, mode, begin, tangents):
     """At a turning point, express the perturbation as a shift of the angle of rest rather than of time."""
     for k in range(tangents.shape[1]):
@@ -60,7 +60,7 @@ def turn_at_begin(body, mode, begin, tangents):
             tangents[OM, k] = 0.0
 
 
-@apart
+@noinline
 def follow_prepared(body, row, panel, totals, xi, parameter_tangents, tangents, workspace):
     """Propagate all directions to ξ of a prepared panel; returns the state there."""
     scratch = workspace.scratch
@@ -75,25 +75,25 @@ def follow_prepared(body, row, panel, totals, xi, parameter_tangents, tangents, 
     return end
 
 
-@apart
+@noinline
 def is_panel(row):
     """Return True if a piece is a panel."""
     return row["kind"] != FLY and row["kind"] != HOLD and row["kind"] != SKIMMING
 
 
-@apart
+@noinline
 def length_of(row):
     """Return the duration of a piece."""
     return (row["t_end"] - row["t"]) - row["t_low"]
 
 
-@apart
+@noinline
 def is_before(t, t_low, row):
     """Return True if a time of two doubles is before an event."""
     return (t - row["t"]) + (t_low - row["t_low"]) < 0.0
 
 
-@apart
+@noinline
 def follow_piece(body, row, parameter_tangents, tangents, workspace):
     """Propagate all directions over a whole piece; returns the state at its end."""
     if is_panel(row):

@@ -6,13 +6,12 @@ import math
 
 from hophoop.derivatives.layout import MU_S
 from hophoop.derivatives.pieces.forces import by_angle, change_of, rolling_slopes
-from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.panel import COSINE, SINE, U, fill_inside
-from hophoop.kernel.physics.resistance import resistance_arm
+from hophoop.kernel.physics.contact import resistance_arm
 from hophoop.kernel.records.writing import panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import state_on_panel
 from hophoop.kernel.rigid.panel_choice import solve_noinline
@@ -20,7 +19,7 @@ from hophoop.kernel.rigid.panel_choice import solve_noinline
 HALVINGS = 60
 
 
-@apart
+@noinline
 def need_of(body, s, c, om, rho, way):
     """(abs(F)/N, its rate by the angle turned, up to a positive factor)."""
     friction, normal, alpha, of_friction, of_normal = rolling_slopes(body, s, c, om, rho)

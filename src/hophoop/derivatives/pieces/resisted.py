@@ -20,10 +20,10 @@ from hophoop.derivatives.workspace import (
     WEIGHED,
     integrate_row,
 )
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.circular import sine_cosine, sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import ORDER, dot
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine
 from hophoop.kernel.panels.panel import (
     ARRIVE,
     COSINE,
@@ -50,7 +50,7 @@ def resists(body, parameter_tangents):
     return found
 
 
-@apart
+@noinline
 def resisted_rates(body, panel, work, local):
     """Rows of dθ̇²/d… on a rolling panel with rolling resistance, from θ̇²′ = 2 θ̈, which is linear in θ̇²."""
     eps = body.eps
@@ -61,7 +61,7 @@ def resisted_rates(body, panel, work, local):
     inertia0 = resisted_inertia(body, s0, c0, rho)
     slope = 2.0 * (panel.torque + eps * (s0 + rho * c0) * panel.u) / inertia0
     for i in range(ORDER):
-        ds, dc = rotated(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
+        ds, dc = sine_cosine_change_by(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
         s = work[SINE, i]
         c = work[COSINE, i]
         u = work[U, i]
@@ -81,7 +81,7 @@ def resisted_rates(body, panel, work, local):
     integrate_row(panel, local[BY_GT], growth, work)
 
 
-@apart
+@noinline
 def first_resistance(body, panel, work, local):
     """The row BY_RESIST of rolling without resistance: D θ̇² loses 2 ρ ∫ N dθ, which `lost_to_resistance` takes apart."""
     row = local[BY_RESIST]
@@ -96,7 +96,7 @@ def first_resistance(body, panel, work, local):
         row[i] = -2.0 * panel.direction * pressed / inertia_at_height(body, load_height(s, work[COSINE, i]))
 
 
-@apart
+@noinline
 def resistance_rates(body, panel, work, local):
     """The row BY_RESIST: the couple changes θ̈ by −N over κ p_σ in slip, over D − ρ ε sin θ in rolling."""
     if panel.sigma == 0 and body.resist == 0.0:
@@ -109,7 +109,7 @@ def resistance_rates(body, panel, work, local):
     integrate_row(panel, local[BY_RESIST], local[BEGIN], work)
 
 
-@apart
+@noinline
 def weigh(panel, work, local):
     """Fill the row WEIGHED: how ∫ cos θ θ̇² dθ, of which the angles stay, changes from the start of a panel to a position on it.
 

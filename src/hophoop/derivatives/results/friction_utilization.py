@@ -20,7 +20,7 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import HOLD
 from hophoop.kernel.physics.body import Body, Event, Mode
-from hophoop.kernel.records.scratch import thread_scratch
+from hophoop.kernel.records.layout import thread_scratch
 
 Floats = NDArray[np.float64]
 SLIPS = (Mode.SPIN, Mode.SKID)

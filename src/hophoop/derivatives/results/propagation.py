@@ -16,7 +16,7 @@ from hophoop.derivatives.layout import (
     IMPACT_N,
     IMPACT_T,
     OM,
-    RESISTED,
+    ROLLING_LOSS,
     STATE_ROWS,
     VT,
     Reason,
@@ -38,8 +38,7 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.records.cells import mode_of, second_of, start_of
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch, thread_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch, thread_scratch
 from hophoop.kernel.rigid.run import run
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError, cell_of
@@ -224,7 +223,7 @@ class TangentSolution:
     def _friction(self, state: Floats, rates: Floats) -> Floats:
         """Of the friction loss: the energy lost less the losses of impacts and rolling resistance."""
         lost: Floats = self._begin - self._energy("total", state, rates)[1]
-        return lost - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :] - rates[..., RESISTED, :]
+        return lost - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :] - rates[..., ROLLING_LOSS, :]
 
     @cached_property
     def _body(self) -> Body:
@@ -268,12 +267,12 @@ def doubtful_from(motion: Motion) -> float:
         In kernel units [√(R/g)]; inf where everything is certain.
     """
     scenario = motion.scenario
-    cells = np.array(cell_of(scenario), float).reshape(-1, 1)
+    cell = cell_of(scenario)
     events = np.empty(len(motion.tables["events"]) + 8, EVENT)
     scratch = new_scratch()
-    second = second_of(cells, 0)
+    second = second_of(cell)
     compiled(run)(
-        scenario.to_body(), start_of(cells, 0, second), mode_of(cells, 0), scenario.duration / second, math.nan, 0, events,
+        scenario.to_body(), start_of(cell, second), mode_of(cell), scenario.duration / second, math.nan, 0, events,
         np.empty(0, SEGMENT), scratch,
     )  # fmt: skip
     doubt = float(scratch.doubt[0])

@@ -13,7 +13,7 @@ from hophoop._support import tables
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.derivatives.results.quantities import AT_TIMES
 from hophoop.derivatives.results.sensitivity import AGREE, Sensitivity, names_of, sensitivity_of
-from hophoop.kernel.numerics.sums import matrix_product, weighted_sum
+from hophoop.kernel.numerics.arithmetic import matrix_product, weighted_sum
 from hophoop.results.records import Motion, documented
 from hophoop.scenario import InputError
 from hophoop.vocabulary.quantities import QUANTITIES

@@ -40,15 +40,14 @@ from hophoop.gaits.kernels.layout import (
     X,
 )
 from hophoop.gaits.kernels.passages import LOST, ROWS, SIZE, TURNED, follow_passages, hops_in, lands_no_more, turns_in
-from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.double_double import PI
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.arithmetic import PI
 from hophoop.kernel.numerics.exponentials import logarithm
 from hophoop.kernel.physics.body import Status
+from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
 from hophoop.kernel.physics.contact import inertia_at_height
-from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
-from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
-from hophoop.kernel.records.layout import ALLOWED, EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.cells import Cell, body_of, mode_of, scales_of, start_of
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import GOING
 from hophoop.kernel.rigid.run import BY_RULE
@@ -73,12 +72,12 @@ def judge_cells(cells, low, high, request, codes, numbers):
     for k in range(low, high):
         for i in range(len(NUMBERS)):
             numbers[k, i] = math.nan
-        if cells[ALLOWED, k] == 0.0:
+        if cells[Cell.ALLOWED, k] == 0.0:
             for i in range(codes.shape[1]):
                 codes[k, i] = OPEN
             continue
-        scales = scales_of(cells, k)
-        body, start, mode = body_of(cells, k), start_of(cells, k, scales.time), mode_of(cells, k)
+        scales = scales_of(cells[:, k])
+        body, start, mode = body_of(cells[:, k]), start_of(cells[:, k], scales.time), mode_of(cells[:, k])
         status, passages, fate, period = follow_passages(body, start, mode, request, buffers, scratch)
         section = request.section
         if lands_no_more(section, status, fate):
@@ -104,7 +103,7 @@ def judge_cells(cells, low, high, request, codes, numbers):
         codes[k, 0] = fate
 
 
-@apart
+@noinline
 def write_numbers(buffers, fate, period, passages, scales, numbers, k):
     """Write the numbers of a decided motion."""
     rows, memory = buffers.numbers, buffers.memory
@@ -127,7 +126,7 @@ def write_numbers(buffers, fate, period, passages, scales, numbers, k):
         numbers[k, FINAL_LOSS] = memory[LOST] * scales.energy
 
 
-@apart
+@noinline
 def loss_until_rolling(body, start):
     """Return the energy above that of the fastest rolling on the level: what a motion that slips ever less loses for ever."""
     energy = kinetic_energy(body, start.th, start.om, start.vt, start.vn, start.th_low) + potential_energy(
@@ -136,14 +135,14 @@ def loss_until_rolling(body, start):
     return energy - 0.5 * inertia_at_height(body, 2.0) * fastest_rolling(body)
 
 
-@apart
+@noinline
 def square_with_slip(body, th, side):
     """Return v² at the load's top from which on rolling slips at θ; infinite if it never does."""
     steady, rate = cone_margin_line(body, th, side)
     return -steady / rate if rate < 0.0 else math.inf
 
 
-@apart
+@noinline
 def fastest_rolling(body):
     """Return v² at the load's top of the fastest rolling on the level that never slips.
 
@@ -165,7 +164,7 @@ def fastest_rolling(body):
     return min(least, square_with_slip(body, 0.5 * (low + high), edge))
 
 
-@apart
+@noinline
 def follow_neighbours(body, om, request, buffers, scratch):
     """Return the mean growth of a small difference of θ̇ per passage in rolling, and its standard error; nan without one."""
     one = Request(request.section, 1, request.t_end, request.panels, False)

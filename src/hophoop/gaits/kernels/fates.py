@@ -30,12 +30,12 @@ from hophoop.gaits.kernels.layout import (
     VY,
 )
 from hophoop.gaits.kernels.wells import stays_in_well
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import PI, TWO_PI
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
+from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.physics.body import ImpactLaw, Mode
+from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
-from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
 from hophoop.vocabulary.names import FATE_CODES, Fate
 
 (
@@ -57,7 +57,7 @@ ROLLING_TURNS, CONTACT_TURNS, FASTEST = range(3)
 MEMORY = 3
 
 
-@apart
+@noinline
 def fate_at_start(body, state):
     """Return the fate of a motion without friction that slides along the plane, else OPEN."""
     if body.mu_s > 0.0 or body.gn == 0.0:
@@ -67,7 +67,7 @@ def fate_at_start(body, state):
     return SLIDES_AWAY if body.gt != 0.0 or drifts else OPEN
 
 
-@apart
+@noinline
 def fastest_of(body, state):
     """Return |θ̇| from which a motion down a slope runs away: many times the speed of its start."""
     energy = kinetic_energy(body, state.th, state.om, state.vt, state.vn, state.th_low) + body.gn * state.y
@@ -80,7 +80,7 @@ def gains_in_impacts(body):
     return body.law == ImpactLaw.NEWTON and body.rest > 0.0 and body.mu_k > 0.0
 
 
-@apart
+@noinline
 def fate_at_turn(body, event, memory):
     """Return the fate after a turning point in contact."""
     rolls = event["after_mode"] == Mode.ROLL
@@ -107,7 +107,7 @@ def is_below_top(body, state):
     return potential < 0.0 and potential + kinetic_energy(body, state.th, state.om, state.vt, state.vn, state.th_low) < -BELOW
 
 
-@apart
+@noinline
 def difference(numbers, one, other, section):
     """Return the largest difference of two passages, relative to the speed of rotation."""
     last, before = numbers[one], numbers[other]
@@ -124,14 +124,14 @@ def difference(numbers, one, other, section):
     return worst / (1.0 + abs(last[OMEGA]))
 
 
-@apart
+@noinline
 def same_word(numbers, words, one, other):
     """Return True if two passages have the same mode and sequence."""
     same = numbers[one, MODE] == numbers[other, MODE] and numbers[one, LETTERS] == numbers[other, LETTERS]
     return same and words[one, 0] == words[other, 0] and words[one, 1] == words[other, 1]
 
 
-@apart
+@noinline
 def period_of(numbers, words, k, section):
     """Return the period of passage k, in passages, or 0: the same state and sequences came before, ever more exactly."""
     length = numbers.shape[0]
@@ -162,7 +162,7 @@ def is_near_limit(now, past):
     return past <= NOISE or (now <= NOISE and now <= past) or now * now < AHEAD * (past - now)
 
 
-@apart
+@noinline
 def period_of_alternation(numbers, words, k, period, section):
     """Return the period seen or half of it, or 0 if it is not known yet which.
 
@@ -188,7 +188,7 @@ def period_of_alternation(numbers, words, k, period, section):
     return period if limit > (1.0 - FEW) * now else 0
 
 
-@apart
+@noinline
 def bounces_die(numbers, k, period):
     """Return True if the last landings are alike only because nothing is left of the hops between them."""
     highest = 0.0
@@ -197,7 +197,7 @@ def bounces_die(numbers, k, period):
     return highest < LOW
 
 
-@apart
+@noinline
 def rolls_slowly(body):
     """Return True if a hoop on the level that only just gets over the top does so without slip."""
     for k in range(1, ANGLES):
@@ -211,7 +211,7 @@ def rolls_slowly(body):
     return True
 
 
-@apart
+@noinline
 def fate_at_passage(body, numbers, words, k, section, memory):
     """Return (fate, period) after passage k; the period is 0 except in a gait."""
     length = numbers.shape[0]

@@ -48,8 +48,8 @@ from hophoop.gaits.kernels.layout import (
     T,
     X,
 )
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import PI, TWO_PI
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.physics.body import PASSING, Event, Mode, Status
 from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
 from hophoop.kernel.records.writing import add_letter, count_panel, has_room, new_log
@@ -72,12 +72,12 @@ def limits_in_cell(t_end, cell, bounded):
     return Limits(t_end, 0, PI if bounded else math.nan, 0.0, PI if bounded else 0.0, cell, 0.0, 0.0)
 
 
-@apart
+@noinline
 def cell_of(state):
     """Return the revolution, from bottom to bottom, that the hoop is in or about to enter."""
-    cell = state.turns + math.floor((state.th + PI) / TWO_PI)
+    cell = state.revolutions + math.floor((state.th + PI) / TWO_PI)
     limits = limits_in_cell(0.0, cell, True)
-    rounding = ROUNDING * (1.0 + abs(state.turns))
+    rounding = ROUNDING * (1.0 + abs(state.revolutions))
     if state.om > 0.0 and angle_left(limits, state, 1.0) <= rounding:
         return cell + 1.0
     if state.om < 0.0 and angle_left(limits, state, -1.0) <= rounding:
@@ -85,13 +85,13 @@ def cell_of(state):
     return cell
 
 
-@apart
+@noinline
 def end_phase(words, row, memory):
     """Append the letter of the present phase to the word of a passage."""
     memory[COUNT] = add_letter(words, row, int(memory[COUNT]), int(memory[LETTER]))
 
 
-@apart
+@noinline
 def note_events(body, log, words, row, memory):
     """Read the events of a step into word and hops of the passage to come; return the fate that they decide, or OPEN."""
     fate = OPEN
@@ -117,7 +117,7 @@ def note_events(body, log, words, row, memory):
     return fate
 
 
-@apart
+@noinline
 def write_passage(phase, numbers, words, row, memory, doubt):
     """Write a row, and start the word of the next passage."""
     state = phase.state
@@ -127,7 +127,7 @@ def write_passage(phase, numbers, words, row, memory, doubt):
     out[T], out[T_LOW] = state.t, state.t_low
     out[X], out[X_LOW] = state.x, state.x_low
     out[HEIGHT] = state.y
-    out[TURNS], out[THETA], out[THETA_LOW] = state.turns, state.th, state.th_low
+    out[TURNS], out[THETA], out[THETA_LOW] = state.revolutions, state.th, state.th_low
     out[SLIP], out[VY], out[OMEGA] = state.vt, state.vn, state.om
     out[FRICTION] = state.friction
     out[IMPACT_NORMAL], out[IMPACT_TANGENTIAL] = state.impact_n, state.impact_t
@@ -154,7 +154,7 @@ def ends_at_section(before, phase, section):
     return phase.status == Status.COMPLETED and phase.ending == Ending.ANGLE_LIMIT
 
 
-@apart
+@noinline
 def fate_without_passages(body, phase, revolutions):
     """Return the fate of a motion that passes its section no more."""
     status = phase.status
@@ -225,11 +225,11 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     if status == GOING and not (passages >= request.most or (request.stops and fate != OPEN)):
         status = Status.EVENT_LIMIT
     if fate == OPEN:
-        fate = fate_without_passages(body, phase, abs(phase.state.turns - start.turns))
+        fate = fate_without_passages(body, phase, abs(phase.state.revolutions - start.revolutions))
     scratch.counts[PANEL_LIMIT] = limit
     state = phase.state
     memory[LOST] = state.friction + state.impact_n + state.impact_t + state.rolling_loss
-    memory[TURNED] = (state.turns - start.turns) + (state.th - start.th) / TWO_PI
+    memory[TURNED] = (state.revolutions - start.revolutions) + (state.th - start.th) / TWO_PI
     return status, passages, fate, period
 
 

@@ -28,22 +28,22 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart
-from hophoop.kernel.numerics.double_double import PI, TWO_PI
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
+from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.theory.kernels.arcs import first_maximum
 
 PIECES, PARTS = 96, 16  # of a well, and of a piece on which the bounds are too wide
 MARGIN = 1e-9  # relative, for rounding
 
 
-@apart
+@noinline
 def rolling_potential(body, s, c, th):
     """Return V from θ, its sine and its cosine."""
     return body.eps * body.gn * (c - 1.0) - body.gt * (th + body.eps * s)
 
 
-@apart
+@noinline
 def stays_in_well(body, th, slip, om):
     """Return True if a hoop in contact never leaves its well of energy nor the plane; False proves nothing."""
     top = first_maximum(body)
@@ -68,7 +68,7 @@ def stays_in_well(body, th, slip, om):
     return True
 
 
-@apart
+@noinline
 def is_held(body, th, half, energy):
     """Return True if no state within `half` of θ, with at most this E, leaves the plane, jams or gains E in slip."""
     s, c = sine_cosine(th, 0.0)

@@ -216,7 +216,7 @@ def _compiler(library: type[JITCodeLibrary], lower: type[Lower]) -> type[Compile
     return Compiler
 
 
-_WHOLE, _PART, _APART = _compiler(_Whole, Lower), _compiler(_Part, Lower), _compiler(_Part, _ApartLower)
+_WHOLE, _PART, _NOINLINE = _compiler(_Whole, Lower), _compiler(_Part, Lower), _compiler(_Part, _ApartLower)
 
 
 def _jitted(function: FunctionType, compiler: type[CompilerBase], **options: Any) -> Any:
@@ -237,7 +237,7 @@ def _jitted(function: FunctionType, compiler: type[CompilerBase], **options: Any
 
 
 def _made(kernel: Any, function: FunctionType) -> Any:
-    return _jitted(function, _APART if mark_of(kernel) == "apart" else _PART, **options_of(kernel))
+    return _jitted(function, _NOINLINE if mark_of(kernel) == "noinline" else _PART, **options_of(kernel))
 
 
 _parts = Namespaces(_made)

@@ -4,29 +4,39 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop.kernel.compliant.phase import (
+from hophoop.kernel.compliant.records import (
+    DAMPING,
     FLIGHT,
+    FLY,
+    FRICTION,
     IMPACT,
-    add_turns,
+    OM,
+    ROLLING_LOSS,
+    SIZE,
+    TH,
+    VN,
+    VT,
+    X,
+    Y,
+    Z,
+    add_revolutions,
     append_segment,
     begin_phase,
     end_motion,
     mode_of,
-    within_turn,
+    within_revolution,
     write_plain_event,
 )
-from hophoop.kernel.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
+from hophoop.kernel.numerics.arithmetic import revolutions_and_rest
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.numerics.collocation import ORDER, coefficients
-from hophoop.kernel.numerics.double_double import turns_and_rest
+from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing
 from hophoop.kernel.numerics.exponentials import exponential
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.landing import first_landing
 from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap
 from hophoop.kernel.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force
 from hophoop.kernel.physics.contact import free_acceleration
-from hophoop.kernel.physics.flight import flight_displacement, flight_gap
 
 APEX = np.int64(Event.APEX)
 EVENT_LIMIT = int(Status.EVENT_LIMIT)
@@ -35,19 +45,19 @@ PHASE = 3.0  # rad of rotation per panel: the first omitted coefficient, J₁₆
 LANDED, CLEAR, LASTS, GIVEN_UP = 0, 1, 2, 3
 
 
-def fly_state(body, comp, begin, opening, tau, out):
-    """Fill `out` with the state after the time tau of a flight; `opening` is f_n at its start. Return the revolutions."""
+def fly_state(body, comp, begin, f_n, tau, out):
+    """Fill `out` with the state after the time tau of a flight; `f_n` is f_n at its start. Return the revolutions."""
     s, c = sine_and_cosine(begin[TH])
-    out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], opening, tau)
+    out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], f_n, tau)
     along, out[VT] = flight_displacement(body, begin[VT], begin[OM], s, c, tau)
     out[X] = begin[X] + along
     # of the same angle as in the gap, which may be many revolutions
-    more, rest, low = turns_and_rest(begin[OM] * tau)
-    turns, out[TH] = within_turn(more, begin[TH] + (rest + low))
+    more, rest, low = revolutions_and_rest(begin[OM] * tau)
+    revolutions, out[TH] = within_revolution(more, begin[TH] + (rest + low))
     out[OM] = begin[OM]
     out[Z] = 0.0
     out[FRICTION] = begin[FRICTION]
-    out[RESISTED] = begin[RESISTED]
+    out[ROLLING_LOSS] = begin[ROLLING_LOSS]
     if comp.friction == BRISTLE and begin[Z] != 0.0:
         # the free bristle relaxes; its damper dissipates its spring's energy
         out[Z] = begin[Z] * exponential(-comp.k_t / comp.c_t * tau)
@@ -56,7 +66,7 @@ def fly_state(body, comp, begin, opening, tau, out):
     before = min(begin[Y], 0.0)
     after = min(out[Y], 0.0)
     out[DAMPING] = begin[DAMPING] + 0.5 * comp.k * (before - after) * (before + after)
-    return turns
+    return revolutions
 
 
 def _negative_contact_condition(comp, y, vn):
@@ -66,7 +76,7 @@ def _negative_contact_condition(comp, y, vn):
     return comp.d * vn - 1.0
 
 
-def fly_below(body, comp, begin, opening, limit, work):
+def fly_below(body, comp, begin, f_n, limit, work):
     """Return (outcome, τ) of a flight below the plane's level: CLEAR of it, LANDED again, LASTS, or GIVEN_UP."""
     s, c = sine_and_cosine(begin[TH])
     om = begin[OM]
@@ -80,7 +90,7 @@ def fly_below(body, comp, begin, opening, limit, work):
             length = min(length, PHASE / abs(om))
         for i in range(ORDER):
             tau = start + 0.5 * length * (1.0 + NODES[i])
-            y, vn = flight_gap(body, s, c, om, begin[Y], begin[VN], opening, tau)
+            y, vn = flight_gap(body, s, c, om, begin[Y], begin[VN], f_n, tau)
             work.values[0, i] = -y
             work.values[1, i] = _negative_contact_condition(comp, y, vn)
         what = LASTS
@@ -102,9 +112,9 @@ def fly_below(body, comp, begin, opening, limit, work):
     return GIVEN_UP, start
 
 
-def fly_above(body, begin, opening, zeros, limit):
+def fly_above(body, begin, f_n, vanishing_derivatives, limit):
     """Return (outcome, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
-    landing, apex, seen = first_landing(body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit)
+    landing, apex, seen = first_landing(body, begin[TH], begin[OM], begin[Y], begin[VN], f_n, vanishing_derivatives, limit)
     if 0.0 <= landing <= limit:
         return LANDED, landing, apex
     return (GIVEN_UP if seen < limit else LASTS), seen, apex
@@ -115,22 +125,22 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
     u = work.state
     t = phase.t
     s, c = sine_and_cosine(u[TH])
-    opening = free_acceleration(body, s, c, u[OM] * u[OM])[1]
+    f_n = free_acceleration(body, s, c, u[OM] * u[OM])[1]
     apex = -1.0
     if u[Y] < 0.0:
-        what, tau = fly_below(body, comp, u, opening, t_end - t, work)
+        what, tau = fly_below(body, comp, u, f_n, t_end - t, work)
     elif u[Y] == 0.0 and u[VN] < 0.0:  # a start that lands at once
         what, tau = LANDED, 0.0
     else:
-        zeros = 0 if u[Y] > 0.0 else 1 if u[VN] > 0.0 else 2
-        what, tau, apex = fly_above(body, u, opening, zeros, t_end - t)
+        vanishing_derivatives = 0 if u[Y] > 0.0 else 1 if u[VN] > 0.0 else 2
+        what, tau, apex = fly_above(body, u, f_n, vanishing_derivatives, t_end - t)
     if 0.0 < apex < tau:
-        more = fly_state(body, comp, u, opening, apex, work.start)
+        more = fly_state(body, comp, u, f_n, apex, work.start)
         work.start[VN] = 0.0
-        write_plain_event(log, APEX, FLIGHT, FLIGHT, t + apex, phase.turns + more, work.start)
+        write_plain_event(log, APEX, FLIGHT, FLIGHT, t + apex, phase.revolutions + more, work.start)
     after = t_end if what == LASTS else t + tau
-    rows = append_segment(log, rows, phase, after, FLY, opening, work)
-    phase = add_turns(phase, fly_state(body, comp, u, opening, tau, work.start))
+    rows = append_segment(log, rows, phase, after, FLY, f_n, work)
+    phase = add_revolutions(phase, fly_state(body, comp, u, f_n, tau, work.start))
     if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
         work.start[Y] = 0.0
     for m in range(SIZE):
@@ -141,5 +151,5 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
         return begin_phase(phase, after, FLIGHT, phase.regime), rows
     regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
     mode = mode_of(regime)
-    write_plain_event(log, IMPACT, FLIGHT, mode, after, phase.turns, u)
+    write_plain_event(log, IMPACT, FLIGHT, mode, after, phase.revolutions, u)
     return begin_phase(phase, after, mode, regime), rows

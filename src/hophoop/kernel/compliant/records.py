@@ -1,4 +1,4 @@
-"""The state of a compliant motion, and the record of every accepted step."""
+"""The state of a compliant motion, the record of every accepted step, and the phase that the loop passes on."""
 
 from __future__ import annotations
 
@@ -6,26 +6,32 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.compliant.tableau import PAIRS, STAGES
-from hophoop.kernel.numerics.collocation import ORDER
-from hophoop.kernel.numerics.roots import DEPTH
+from hophoop.kernel.numerics.arithmetic import revolutions_and_rest
+from hophoop.kernel.numerics.collocation import DEPTH, ORDER
+from hophoop.kernel.numerics.tables import RADAU_LAMBDA, RADAU_NODES
+from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.records.layout import EVENTS, SEGMENTS
+from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses, with_rolling_loss
+from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
+
+STAGES, PAIRS = len(RADAU_NODES), len(RADAU_LAMBDA)  # of Radau IIA
 
 # Variables of the state array, in kernel units; `bristle` is z; `friction`, `damping`, `rolling_resistance`: energy lost so
 # far.
 VARIABLES = ("height", "angle", "slip", "vy", "omega", "bristle", "x", "friction", "damping", "rolling_resistance")
-Y, TH, VT, VN, OM, Z, X, FRICTION, DAMPING, RESISTED = range(10)
+Y, TH, VT, VN, OM, Z, X, FRICTION, DAMPING, ROLLING_LOSS = range(10)
 DYNAMIC = 6  # the first 6; the others are integrals along the motion, on which nothing depends
 SIZE = len(VARIABLES)
 MEASURED = 9  # number of variables in the mean error of a step
 
 # Kinds of segments.
-STEP, FLY, HOLD = 0.0, 1.0, 2.0
-# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − its start)/step. FLY and HOLD only keep p_0, and FLY has
-# f_n at its start in `step`. The angle is θ within one revolution; `turns` counts whole ones.
-T, T_END, KIND, MODE, REGIME, TURNS, LENGTH, FIRST = range(8)  # FIRST: where the polynomials start
+STEP, FLY, RESTING = 0.0, 1.0, 2.0
+# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − its start)/step. FLY and RESTING only keep p_0, and FLY
+# has f_n at its start in `step`. The angle is θ within one revolution; `revolutions` counts whole ones.
+T, T_END, KIND, MODE, REGIME, REVOLUTIONS, LENGTH, FIRST = range(8)  # FIRST: where the polynomials start
 WIDTH = FIRST + SIZE * (STAGES + 1)
 SEGMENT = np.dtype(
-    [(name, "f8") for name in ("t", "t_end", "kind", "mode", "regime", "turns", "step")]
+    [(name, "f8") for name in ("t", "t_end", "kind", "mode", "regime", "revolutions", "step")]
     + [(f"{name}_{power}", "f8") for name in VARIABLES for power in range(STAGES + 1)]
 )
 
@@ -98,3 +104,104 @@ def grow_rows(rows, count):
         for j in range(rows.shape[1]):
             larger[i, j] = rows[i, j]
     return larger
+
+
+# --- the phase
+
+# NumPy integers, because Numba would compile a function again for every Python integer that it is called with.
+ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
+IMPACT = np.int64(Event.IMPACT)
+GOING = -1  # status of a motion that has not ended
+
+
+class Phase(NamedTuple):
+    """Phase of a compliant motion; its state is in `work.state`."""
+
+    t: float
+    revolutions: float  # whole revolutions; the state has θ within one, with all digits
+    behind: float  # rounding error of `t` (Kahan sum): a step may be shorter than one ulp of `t`
+    mode: int | np.int64
+    regime: int | np.int64  # of friction
+    begins: bool  # True at the start of a contact or of a friction regime
+    h: float  # length of the next step
+    before: float  # length of the step whose dense output gives Newton's first guess, or 0
+    direction: float  # sign of the last nonzero θ̇
+    status: int  # GOING, or the Status at the end of the motion
+
+
+def begin_phase(phase, t, mode, regime):
+    """Start a phase at the time t."""
+    return Phase(t, phase.revolutions, phase.behind, mode, regime, True, phase.h, phase.before, phase.direction, GOING)
+
+
+def with_step(phase, h, before):
+    """Return the same phase with another step length."""
+    return Phase(phase.t, phase.revolutions, phase.behind, phase.mode, phase.regime, False, h, before, phase.direction, GOING)
+
+
+def end_motion(phase, t, status):
+    """End the motion in this phase."""
+    return Phase(
+        t, phase.revolutions, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.direction, status
+    )
+
+
+def within_revolution(revolutions, th):
+    """Return (revolutions, θ) with θ reduced to one revolution, if it is far outside."""
+    if abs(th) <= FARTHEST:
+        return revolutions, th
+    more, rest, low = revolutions_and_rest(th)
+    return revolutions + more, rest + low
+
+
+def add_revolutions(phase, revolutions):
+    """Return the same phase with more revolutions."""
+    return Phase(
+        phase.t, phase.revolutions + revolutions, phase.behind, phase.mode, phase.regime, phase.begins,
+        phase.h, phase.before, phase.direction, phase.status,
+    )  # fmt: skip
+
+
+def mode_of(regime):
+    """Return the mode of a friction regime."""
+    if regime == 0:
+        return ROLL
+    return SKID if regime > 0 else SPIN
+
+
+def as_state(t, revolutions, u):
+    """Return the state in the form in which events are written."""
+    start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
+    there = moved(start, t, 0.0, start.x, 0.0, start.y, start.revolutions + revolutions, start.th, start.th_low)
+    return with_rolling_loss(with_losses(there, u[FRICTION], 0.0, 0.0), u[ROLLING_LOSS])
+
+
+def write_plain_event(log, kind, before, after, t, revolutions, u):
+    """Append an event without a jump of velocity."""
+    state = as_state(t, revolutions, u)
+    write_event(log, event_without_jump(kind, before, state), after, state, 0.0, -1)
+    if kind == IMPACT and has_room(log):
+        log.events[log.counts[EVENTS] - 1]["collision"] = 1
+
+
+def append_segment(log, rows, phase, t_end, kind, length, work):
+    """Append a segment; return the table, which may be a longer copy."""
+    pieces = log.counts[SEGMENTS]
+    log.counts[SEGMENTS] = pieces + 1
+    rows = grow_rows(rows, pieces)
+    row = rows[pieces]
+    row[T] = phase.t
+    row[T_END] = t_end
+    row[KIND] = kind
+    row[MODE] = phase.mode
+    row[REGIME] = phase.regime
+    row[REVOLUTIONS] = phase.revolutions
+    row[LENGTH] = length
+    for m in range(SIZE):
+        for j in range(STAGES + 1):
+            at = FIRST + m * (STAGES + 1) + j
+            if kind == STEP:
+                row[at] = work.poly[m, j]
+            else:
+                row[at] = work.state[m] if j == 0 else 0.0
+    return rows

@@ -1,4 +1,4 @@
-"""The event loop over contacts and flights on a compliant plane, in nopython mode."""
+"""The event loop over contacts and flights on a compliant plane, and the states at given times of a computed motion."""
 
 from __future__ import annotations
 
@@ -6,24 +6,47 @@ import math
 
 import numpy as np
 
-from hophoop.kernel.compliant.contact_step import contact_step
-from hophoop.kernel.compliant.events import GUARDS
-from hophoop.kernel.compliant.flight import flight_step
-from hophoop.kernel.compliant.phase import FLIGHT, GOING, Phase, end_motion, mode_of, within_turn, write_plain_event
+from hophoop.kernel.compliant.contact_step import GUARDS, contact_step
+from hophoop.kernel.compliant.flight import flight_step, fly_state
+from hophoop.kernel.compliant.motion import contact_force
 from hophoop.kernel.compliant.records import (
+    DAMPING,
     DYNAMIC,
+    FIRST,
+    FLIGHT,
+    FLY,
+    FRICTION,
+    GOING,
+    KIND,
+    LENGTH,
+    MODE,
     OM,
+    REGIME,
+    RESTING,
+    REVOLUTIONS,
+    ROLLING_LOSS,
     SIZE,
+    STAGES,
+    T_END,
     TH,
     VN,
     VT,
     WIDTH,
+    Phase,
+    T,
+    X,
     Y,
     Z,
+    end_motion,
+    mode_of,
     new_work,
+    within_revolution,
+    write_plain_event,
 )
+from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW
 from hophoop.kernel.physics.body import Event, Status
-from hophoop.kernel.physics.compliant import BRISTLE, first_regime, normal_force
+from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
+from hophoop.kernel.physics.compliant import BRISTLE, first_regime, normal_force, spring_energy
 from hophoop.kernel.records.layout import EVENTS, PANELS, SEGMENTS
 from hophoop.kernel.records.writing import Log, count_panel, has_room
 
@@ -55,35 +78,17 @@ def begin(comp, touching, log, work):
     if touching:
         regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
         mode = mode_of(regime)
-    turns, u[TH] = within_turn(0.0, u[TH])
-    write_plain_event(log, START, NO_MODE if touching else FLIGHT, mode, 0.0, turns, u)
-    return Phase(0.0, turns, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
+    revolutions, u[TH] = within_revolution(0.0, u[TH])
+    write_plain_event(log, START, NO_MODE if touching else FLIGHT, mode, 0.0, revolutions, u)
+    return Phase(0.0, revolutions, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
 
 
 def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached):
-    """Compute a motion up to the final time.
+    """Compute a motion up to `t_end`; return (status, number of events, segments, number of segments).
 
-    Parameters
-    ----------
-    body : Body
-    comp : Compliance
-    start : ndarray, shape (SIZE,)
-        Not changed.
-    touching : bool
-        True if the contact acts at the start.
-    t_end, rtol : float
-    max_steps : int
-        Maximum of steps, failed ones included, and flights; the motion is given up there.
-    events : ndarray of records.EVENT
-        Filled.
-    no_segments : ndarray of records.SEGMENT
-        Of length 0.
-    reached : ndarray, shape (1,)
-        Progress: the computed fraction of the time, for another thread.
-
-    Returns
-    -------
-    status, number of events, segments, number of segments
+    `start` has the shape (SIZE,) and is not changed; `touching` is True if the contact acts there. The motion is given up after
+    `max_steps` steps, failed ones included, and flights. `events` is filled; `no_segments` has length 0. `reached[0]` is the
+    computed fraction of the time, for another thread.
     """
     work = new_work()
     rows = np.empty((256, WIDTH))
@@ -102,7 +107,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
         else:
             phase, rows = contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work)
         reached[0] = phase.t / t_end
-    write_plain_event(log, END, phase.mode, phase.mode, phase.t, phase.turns, work.state)
+    write_plain_event(log, END, phase.mode, phase.mode, phase.t, phase.revolutions, work.state)
     if log.counts[EVENTS] < 0:
         return EVENT_LIMIT, events.shape[0], rows, log.counts[SEGMENTS]
     return COMPLETED if phase.status == GOING else phase.status, log.counts[EVENTS], rows, log.counts[SEGMENTS]
@@ -114,3 +119,81 @@ def run_into(body, comp, start, touching, t_end, rtol, max_steps, events, no_seg
     for k in range(min(pieces, kept.shape[0])):
         kept[k] = rows[k]
     return status, count, pieces
+
+
+# --- sampling, from the steps' own polynomials
+
+# Columns of a sample, in kernel units.
+COLUMNS = (
+    "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
+    "friction", "impact_normal", "impact_tangential", "spring", "damping", "rolling_resistance", "theta",
+    "kinetic", "potential",
+)  # fmt: skip
+
+
+def find_row(rows, t, left):
+    """Return the index of the segment that contains the time t; at a boundary the earlier one if `left`."""
+    low = 0
+    high = rows.shape[0]
+    while high - low > 1:
+        middle = (low + high) // 2
+        begin = rows[middle, T]
+        if begin < t or (begin == t and not left):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def sample(body, comp, rows, times, left, out):
+    """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
+    u = np.zeros(SIZE)
+    begin = np.zeros(SIZE)
+    for index in range(times.shape[0]):
+        row = rows[find_row(rows, times[index], left)]
+        t = min(max(times[index], row[T]), row[T_END])
+        kind = row[KIND]
+        regime = int(row[REGIME])
+        for m in range(SIZE):
+            begin[m] = row[FIRST + m * (STAGES + 1)]
+        revolutions = row[REVOLUTIONS]
+        friction = 0.0
+        normal = 0.0
+        if kind == FLY:
+            revolutions += fly_state(body, comp, begin, row[LENGTH], t - row[T], u)
+        elif kind == RESTING:
+            u[:] = begin
+        else:
+            # a step may be shorter than one ulp of its times
+            s = 1.0 if t >= row[T_END] else min((t - row[T]) / row[LENGTH], 1.0)
+            for m in range(SIZE):
+                at = FIRST + m * (STAGES + 1)
+                value = row[at + STAGES]
+                for j in range(STAGES - 1, -1, -1):
+                    value = value * s + row[at + j]
+                u[m] = value
+        if kind != FLY:
+            friction, normal = contact_force(comp, regime, u)
+            if normal < 0.0:  # rounding, where the contact ends
+                normal = 0.0
+                friction = 0.0
+        place = out[index]
+        place[0] = row[MODE]
+        place[1] = u[X]
+        place[2] = u[Y]
+        place[3] = revolutions * TWO_PI + (u[TH] + revolutions * TWO_PI_LOW)
+        place[4] = u[VT] + u[OM]
+        place[5] = u[VN]
+        place[6] = u[OM]
+        place[7] = u[VT]
+        place[8] = friction
+        place[9] = normal
+        place[10] = u[FRICTION]
+        place[11] = 0.0
+        place[12] = 0.0
+        place[13] = spring_energy(comp, u[Y], u[Z])
+        place[14] = u[DAMPING]
+        place[15] = u[ROLLING_LOSS]
+        place[16] = u[TH]
+        place[17] = kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0)
+        place[18] = potential_energy(body, u[X], u[Y], u[TH])

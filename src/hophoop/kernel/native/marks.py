@@ -20,12 +20,12 @@ def inline(function: Function) -> Function:
     return function
 
 
-def apart(function: Function) -> Function:
+def noinline(function: Function) -> Function:
     """Mark a kernel that the compiler must not inline: small code stays in the processor's cache.
 
     A motion runs through most of the kernel, so code size decides the speed.
     """
-    setattr(function, MARK, "apart")
+    setattr(function, MARK, "noinline")
     return function
 
 
@@ -52,5 +52,5 @@ def source_of(kernel: Callable[..., Any]) -> FunctionType:
 
 
 def mark_of(kernel: Callable[..., Any]) -> str:
-    """Return 'inline', 'apart' or ''."""
+    """Return 'inline', 'noinline' or ''."""
     return cast(str, getattr(source_of(kernel), MARK, ""))

@@ -16,8 +16,9 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import quick_sum, two_product, two_sum
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import add, divide, negative, quick_sum, two_product, two_sum
+from hophoop.kernel.numerics.circular import exact_sine_versine
 from hophoop.kernel.numerics.tables import ARCTANGENTS, PI_HIGH, PI_LOW
 
 HALF_PI_HIGH, HALF_PI_LOW = 0.5 * PI_HIGH, 0.5 * PI_LOW
@@ -45,7 +46,7 @@ def angle_beyond(y, y_low, x, x_low, t, high, low):
     return total, error + (low + (v_low + v * z * (A3 + z * (A5 + z * (A7 + z * A9)))))
 
 
-@apart
+@noinline
 def _angle(y, y_low, x, x_low):
     """Return the angle of (x + x_low, y + y_low) as a double-double, for 0 ≤ y ≤ x of moderate size."""
     j = int(64.0 * (y / x) + 0.5)
@@ -115,7 +116,7 @@ def arccosine(x):
     return angle + rest
 
 
-@apart
+@noinline
 def arctangent2(y, x):
     """Return the angle of the point (x, y), from −π to π [rad], with the special values of C's atan2."""
     if x != x or y != y:
@@ -156,7 +157,7 @@ def square_of_length(long, short):
     return total, more + (error + other_error)
 
 
-@apart
+@noinline
 def hypotenuse(x, y):
     """Return √(x² + y²) without intermediate overflow or underflow; inf if x or y is infinite, even if the other is nan."""
     long, short = abs(x), abs(y)
@@ -180,3 +181,16 @@ def hypotenuse(x, y):
     high, low = square_of_length(long, short)
     root, rest = root_of(high, low)
     return (root + rest) * scale
+
+
+def exact_arcsine(a):
+    """Return the angle from −π/2 to π/2 whose sine is a, abs(a) < 1; near ±1 as accurate as the sine permits."""
+    angle = (arcsine(a[0]), 0.0)
+    for _ in range(3):
+        sine, versine = exact_sine_versine(angle)
+        slope = 1.0 - versine[0]
+        if slope <= 0.0:
+            return angle
+        rest = add(a, negative(sine))
+        angle = add(angle, divide(rest, add((1.0, 0.0), negative(versine))))
+    return angle

@@ -19,11 +19,26 @@ J.-M. Muller, Elementary functions (3rd edition, 2016), chapters 6 and 11.
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import SPLITTER, TWO_PI, TWO_PI_LOW, multiply, plus, two_product, two_sum
+import numpy as np
+
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import (
+    FRACTION,
+    HIDDEN,
+    SPLITTER,
+    TWO_PI,
+    TWO_PI_LOW,
+    add,
+    multiply,
+    negative,
+    plus,
+    two_product,
+    two_sum,
+    word_of,
+)
 from hophoop.kernel.numerics.tables import ANGLE_1, ANGLE_2, ANGLE_3, ANGLE_INVERSE, REVOLUTIONS, SINES
-from hophoop.kernel.numerics.words import FRACTION, HIDDEN, word_of
 
 INTEGER = 6755399441055744.0  # 1.5 · 2^52: adding and subtracting it rounds to an integer, which is in the last bits of the sum
 INTEGER_WORD = 0x4338000000000000  # its bits
@@ -66,7 +81,7 @@ def revolution_rest(d0, d1, d2, d3, d4, d5):
     return k, high, low
 
 
-@apart
+@noinline
 def reduced_far(x):
     """Return `reduced` of any finite x ≥ 1, with about 100 bits of the remainder."""
     word = word_of(x)
@@ -156,7 +171,7 @@ def quotient_of(s, s_rest, c, c_rest):
     return quotient + (((s - product) - error) + s_rest - quotient * (c_rest - (high - c))) / high
 
 
-@apart
+@noinline
 def rare(x):
     """Return (sine, its low half, cosine, its low half) if x is tiny, large, infinite or nan."""
     size = abs(x)
@@ -171,7 +186,7 @@ def rare(x):
     return s, s_rest, c, c_rest
 
 
-@apart
+@noinline
 def sine_and_cosine(x):
     """Return (sin x, cos x) of an angle [rad]."""
     if not TINY < abs(x) < NEAR:
@@ -182,7 +197,7 @@ def sine_and_cosine(x):
     return s + s_rest, c + c_rest
 
 
-@apart
+@noinline
 def sine(x):
     """Return sin x of an angle [rad]."""
     if not TINY < abs(x) < NEAR:
@@ -192,7 +207,7 @@ def sine(x):
     return _sine_at(k >> 7, k & 127, r, low)
 
 
-@apart
+@noinline
 def cosine(x):
     """Return cos x of an angle [rad]."""
     if not TINY < abs(x) < NEAR:
@@ -202,7 +217,7 @@ def cosine(x):
     return _sine_at((k >> 7) + 1, k & 127, r, low)
 
 
-@apart
+@noinline
 def tangent(x):
     """Return tan x of an angle [rad]."""
     if TINY < abs(x) < NEAR:
@@ -213,3 +228,98 @@ def tangent(x):
     else:
         s, s_rest, c, c_rest = rare(x)
     return quotient_of(s, s_rest, c, c_rest)
+
+
+# --- differences from the leading terms, without cancellation
+
+SMALL = 0.9  # rad: up to here 9 terms of the series are exact to rounding
+_SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
+_COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
+
+
+@inline
+def versine_of(angle):
+    """Return 1 − cos with all digits; as a product, since interpreted code rounds a power differently."""
+    half = sine(0.5 * angle)
+    return 2.0 * half * half
+
+
+@inline
+def sine_and_versine(angle):
+    """Return (sin, 1 − cos) with all digits of both, in one evaluation."""
+    s, c = sine_and_cosine(angle)
+    return s, s * s / (1.0 + c) if c > 0.0 else 1.0 - c
+
+
+@inline
+def small_series_remainders(phi):
+    """Return `series_remainders` up to `SMALL`, by a series that vectorizes over several angles."""
+    square = phi * phi
+    odd = 0.0
+    even = 0.0
+    for k in range(8, -1, -1):
+        odd = odd * square + _SINE_TERMS[k]
+        even = even * square + _COSINE_TERMS[k]
+    even *= square * square
+    return odd * square * phi, even, 0.5 * square - even
+
+
+@inline
+def series_remainders(phi):
+    """Return (φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
+    if abs(phi) > SMALL:
+        s, versine = sine_and_versine(phi)
+        return phi - s, 0.5 * phi * phi - versine, versine
+    return small_series_remainders(phi)
+
+
+@inline
+def sine_cosine(th, low):
+    """Return (sin, cos) of a double-double angle, with all digits of both, also near multiples of π/2."""
+    s, c = sine_and_cosine(th)
+    return s + low * c, c - low * s
+
+
+@inline
+def sine_cosine_change(s, c, angle):
+    """Return (sin, cos) of θ + angle minus those of θ, without cancellation."""
+    sine, versine = sine_and_versine(angle)
+    return sine_cosine_change_by(s, c, sine, versine)
+
+
+@inline
+def sine_cosine_change_by(s, c, sine, versine):
+    """Return `sine_cosine_change` for an angle given by its sine and 1 − cosine."""
+    return c * sine - s * versine, -s * sine - c * versine
+
+
+# --- sine and 1 − cosine of double-doubles
+
+_TERMS = 12
+_INVERSE = [Fraction(1, math.factorial(k)) for k in range(2 * _TERMS + 2)]
+# 1/(2k+1)! and 1/(2k+2)! as double-doubles
+_ODD = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[1::2]])
+_EVEN = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[2::2]])
+_HALVINGS = 4
+
+
+def exact_sine_versine(a):
+    """Return (sin a, 1 − cos a) of an angle of up to a few revolutions."""
+    scale = 0.5**_HALVINGS
+    x = (a[0] * scale, a[1] * scale)
+    square = multiply(x, x)
+    minus = negative(square)
+    sine = (0.0, 0.0)
+    versine = (0.0, 0.0)
+    for k in range(_TERMS - 1, -1, -1):
+        sine = add(multiply(sine, minus), (_ODD[k, 0], _ODD[k, 1]))
+        versine = add(multiply(versine, minus), (_EVEN[k, 0], _EVEN[k, 1]))
+    sine = multiply(sine, x)
+    versine = multiply(versine, square)
+    for _ in range(_HALVINGS):
+        cosine = add((1.0, 0.0), negative(versine))
+        doubled = multiply(sine, cosine)
+        versine = multiply(sine, sine)
+        versine = (2.0 * versine[0], 2.0 * versine[1])
+        sine = (2.0 * doubled[0], 2.0 * doubled[1])
+    return sine, versine

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.kernel.native import apart, compiled
+from hophoop.kernel.native import compiled, noinline
 from hophoop.kernel.numerics.arcs import arccosine as arccosine_of
 from hophoop.kernel.numerics.arcs import arcsine as arcsine_of
 from hophoop.kernel.numerics.arcs import arctangent2 as arctangent2_of
@@ -27,7 +27,7 @@ Arrays = Any  # a float, or an array of floats
 SINE, COSINE, TANGENT, ARCSINE, ARCCOSINE, ARCTANGENT2, HYPOTENUSE, EXPONENTIAL, LOGARITHM = range(9)
 
 
-@apart
+@noinline
 def value(function, x, y):
     """Return the value of a function at x, or at x and y."""
     if function == SINE:

@@ -187,6 +187,7 @@ def radau() -> dict[str, Table]:
 
 
 def _exact(value: Any) -> Fraction:
+    """Return an mpmath number as a fraction."""
     sign, digits, exponent, _ = value._mpf_
     return Fraction(-int(digits) if sign else int(digits)) * Fraction(2) ** exponent
 

@@ -13,7 +13,13 @@ _numbers: dict[str, Any] = json.loads(FILE.read_bytes())
 
 
 def _table(name: str) -> np.ndarray:
+    """Return a table of numbers."""
     return np.array(_numbers[name])
+
+
+def _complex(name: str) -> np.ndarray:
+    """Return complex numbers from their parts along the last dimension."""
+    return _table(name).view(np.complex128)[..., 0]
 
 
 # 16 Gauss–Legendre nodes on [−1, 1], their weights, and matrices that act on values at the nodes, `_T` transposed
@@ -27,12 +33,12 @@ WIDTHS = _table("WIDTHS")
 NODE_SINES, NODE_VERSINES = _table("NODE_SINES"), _table("NODE_VERSINES")
 END_SINES, END_VERSINES = _table("END_SINES"), _table("END_VERSINES")
 
-# Radau IIA with 5 stages; see compliant/tableau.py
+# Radau IIA with 5 stages; see compliant/radau.py
 RADAU_NODES, RADAU_A, RADAU_A_INVERSE = _table("RADAU_NODES"), _table("RADAU_A"), _table("RADAU_A_INVERSE")
 RADAU_GAMMA: float = _numbers["RADAU_GAMMA"]
-RADAU_LAMBDA = _table("RADAU_LAMBDA")
+RADAU_LAMBDA = _complex("RADAU_LAMBDA")
 RADAU_TO_REAL, RADAU_FROM_REAL = _table("RADAU_TO_REAL"), _table("RADAU_FROM_REAL")
-RADAU_TO_PAIR, RADAU_FROM_PAIR = _table("RADAU_TO_PAIR"), _table("RADAU_FROM_PAIR")
+RADAU_TO_PAIR, RADAU_FROM_PAIR = _complex("RADAU_TO_PAIR"), _complex("RADAU_FROM_PAIR")
 RADAU_DEFECT, RADAU_ERROR, RADAU_POWERS = _table("RADAU_DEFECT"), _table("RADAU_ERROR"), _table("RADAU_POWERS")
 
 # Elementary functions. A value in several doubles starts with those that have few bits, whose products are exact.

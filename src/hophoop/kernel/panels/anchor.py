@@ -15,22 +15,21 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.circular import sine, sine_and_cosine
-from hophoop.kernel.numerics.double_angles import arc_sine, sine_versine
-from hophoop.kernel.numerics.double_double import (
-    PI,
-    PI_LOW,
-    add,
-    divide,
-    negative,
-    square_root,
-    two_product,
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arcs import exact_arcsine
+from hophoop.kernel.numerics.arithmetic import PI, PI_LOW, add, divide, negative, square_root, two_product
+from hophoop.kernel.numerics.circular import (
+    exact_sine_versine,
+    series_remainders,
+    sine,
+    sine_and_cosine,
+    sine_and_versine,
+    sine_cosine,
+    versine_of,
 )
 from hophoop.kernel.numerics.exponentials import power
-from hophoop.kernel.numerics.trigonometry import sine_and_versine, sine_cosine, turn_deficits, versine_of
+from hophoop.kernel.physics.closed_forms import rest_curvature
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_torque_arm
-from hophoop.kernel.physics.roll import rest_curvature
 
 TERMS = 16
 LARGEST_PSI = 0.1  # rad from the unstable equilibrium within which the series of slip is used
@@ -53,8 +52,8 @@ NONE = Anchor(FREE, 0.0, 0.0, 0.0, 0.0)
 
 def rolling_unstable_equilibrium(body):
     """Return θ of the unstable equilibrium on a slope as a double-double; requires abs(sin β) < ε."""
-    sine = divide(sine_versine((body.slope, 0.0))[0], (body.eps, 0.0))
-    return add(negative(arc_sine(sine)), (-body.slope, 0.0))
+    sine = divide(exact_sine_versine((body.slope, 0.0))[0], (body.eps, 0.0))
+    return add(negative(exact_arcsine(sine)), (-body.slope, 0.0))
 
 
 @inline
@@ -68,11 +67,11 @@ def potential_drop(body, bend, psi):
     """Return B (1 − cos ψ) + g_t (ψ − sin ψ), the drop of V from the equilibrium to ψ."""
     if body.gt == 0.0:
         return bend * versine_of(psi)
-    bent, _, versine = turn_deficits(psi)
+    bent, _, versine = series_remainders(psi)
     return bend * versine + body.gt * bent
 
 
-@apart
+@noinline
 def rolling_anchor(body, th, low, s, c, u):
     """Return the anchor of a rolling phase that starts at θ with θ̇² = u."""
     if body.eps == 0.0 or body.gn == 0.0 or abs(body.gt) >= body.eps:
@@ -128,10 +127,10 @@ def slip_unstable_equilibrium(body, sigma):
         return 0.0, 0.0
     length = square_root(add(two_product(signed_mu, signed_mu), (1.0, 0.0)))
     sine = divide((signed_mu, 0.0), length)
-    return negative(add(arc_sine(sine), arc_sine(divide(sine, (body.eps, 0.0)))))
+    return negative(add(exact_arcsine(sine), exact_arcsine(divide(sine, (body.eps, 0.0)))))
 
 
-@apart
+@noinline
 def separatrix(body, sigma, base, out):
     """Fill `out` with the series in ψ of θ̇² on the separatrix of slip; return the maximum ψ for full accuracy."""
     eps = body.eps
@@ -178,7 +177,7 @@ def frictionless_value(body, th, low):
     return 4.0 * body.eps * body.gn * half * half / (body.kap + body.eps * s * body.eps * s)
 
 
-@apart
+@noinline
 def slip_anchor(body, sigma, th, low, s, c, u, series):
     """Return the anchor of slip that starts near its unstable equilibrium with θ̇² = u; `series` is scratch."""
     if body.gn == 0.0 or body.eps == 0.0 or math.isinf(body.mu_k):
@@ -197,7 +196,7 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
     return Anchor(SLIPPING, u - separatrix_value(series, psi), base, base_low, slope)
 
 
-@apart
+@noinline
 def slip_panel_start(body, anchor, sigma, th, low, arm, u, series):
     """Return (q, θ̇²) at the start of a slip panel with all digits, also near the unstable equilibrium."""
     if body.mu_k == 0.0:

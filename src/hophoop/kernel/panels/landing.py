@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop.kernel.native import apart, inline
+from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arcs import arccosine
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.flight import MANY_TURNS, flight_rates
+from hophoop.kernel.physics.closed_forms import LARGE_ROTATION, flight_rates
 
 MOST_BENDS = 20_000  # maximum of arcs between inflections per flight: about 10,000 revolutions close to the plane
 MANY = 3_000.0  # rad: in a longer flight, times are skipped at which the rim is too high to land at any angle
@@ -91,7 +91,7 @@ def target_function(moment, level, direction):
     return moment.gap, moment.rate, moment.bend
 
 
-@apart
+@noinline
 def downcrossing_between(body, flight, first, last, level):
     """Return the time of the only zero of the gap, or of its rate if `level`, between two moments.
 
@@ -125,17 +125,17 @@ def downcrossing_between(body, flight, first, last, level):
     return tau
 
 
-@apart
+@noinline
 def touches(body, flight, lowest):
     """Return True if a minimum of the gap is zero within rounding: a contact without approach."""
     tau = lowest.tau
     size = flight.y + body.eps + abs(flight.vn * tau) + abs(flight.fn) * tau * tau
-    if abs(flight.om * tau) > MANY_TURNS:  # the sum as in `flight_rates`
+    if abs(flight.om * tau) > LARGE_ROTATION:  # the sum as in `flight_rates`
         size = flight.y + body.eps + abs(flight.vn - body.eps * flight.om * flight.s) * tau + body.gn * tau * tau
     return lowest.gap > -4e-16 * size
 
 
-@apart
+@noinline
 def landing_in_convex_arc(body, flight, first, last):
     """Return the time of landing in a convex arc of the gap; −1 if its minimum is not below the plane."""
     if first.rate >= 0.0:
@@ -167,7 +167,7 @@ def landing_time_bound(body, flight, rise):
     return 7.0 / abs(flight.om) if flight.om != 0.0 else 0.0
 
 
-@apart
+@noinline
 def search_start(body, flight, rise, start, never):
     """Return the time at which the search in a flight of many revolutions starts: near the apex, or when the rim can land.
 
@@ -194,7 +194,7 @@ def angle_from_top(angle):
     return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
 
 
-@apart
+@noinline
 def first_landing(body, th, om, y, vn, fn, order, limit):
     """Find the first contact of a flight and the maximum height of the centre.
 

@@ -13,13 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.native import apart, inline
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import plus
+from hophoop.kernel.numerics.circular import SMALL, sine_and_versine, sine_cosine_change, small_series_remainders
 from hophoop.kernel.numerics.collocation import ORDER, antiderivative, integrals, remainders, total
-from hophoop.kernel.numerics.double_double import plus
 from hophoop.kernel.numerics.exponentials import power
 from hophoop.kernel.numerics.tables import END_SINES, END_VERSINES, NODE_SINES, NODE_VERSINES, NODES, WIDTHS
-from hophoop.kernel.numerics.trigonometry import SMALL, sine_and_versine, small_turn_deficits, turn
-from hophoop.kernel.physics.roll import rest_curvature
+from hophoop.kernel.physics.closed_forms import rest_curvature
 
 LEVELS = len(WIDTHS)  # widths 0.9 rad · 2^(−k/2)
 SINES = np.stack([-NODE_SINES, NODE_SINES])  # backward and forward
@@ -94,7 +94,7 @@ def rows_are_known(work):
     return work.shape[1] == ORDER
 
 
-@apart
+@noinline
 def fill_narrow(direction, half, sines, versines, stretch):
     """Fill the geometry of a panel narrower than the tables, as `fill_geometry` does."""
     for i in range(ORDER):
@@ -141,7 +141,7 @@ def fill_geometry(panel, work):
         return
     for i in range(ORDER):
         offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
-        deficit, _, versine = small_turn_deficits(offset)
+        deficit, _, versine = small_series_remainders(offset)
         sines[i] = direction * (offset - deficit)
         versines[i] = versine
 
@@ -212,7 +212,7 @@ def arriving_panel(body, before, ahead):
     The quantities at the turning point are computed as changes from the start. Evaluated directly they would have a rounding
     error that near p_σ = 0 exceeds the panel's width.
     """
-    ds, dc = turn(before.sine, before.cosine, before.direction * ahead)
+    ds, dc = sine_cosine_change(before.sine, before.cosine, before.direction * ahead)
     s = before.sine + ds
     torque = curvature = arm = kappa_p_sigma = 0.0
     if before.sigma == 0:

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import series_remainders, sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import ORDER, exponentials, total, truncation_error
 from hophoop.kernel.numerics.exponentials import exponential
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.numerics.trigonometry import rotated, turn_deficits
 from hophoop.kernel.panels.panel import (
     ARRIVE,
     COSINE,
@@ -51,7 +51,7 @@ def energy_gained(body, panel, sine, versine, offset):
     """Return the change of D θ̇² on a rolling panel over φ = offset from its reference, given sin φ and 1 − cos φ."""
     gained = sine * panel.torque + versine * panel.curvature
     if body.gt != 0.0:
-        gained += body.gt * turn_deficits(offset)[0]
+        gained += body.gt * series_remainders(offset)[0]
     return 2.0 * gained
 
 
@@ -60,7 +60,7 @@ def u_on_panel(body, panel, sine, versine, offset):
     """Return θ̇² on a rolling panel at φ = offset from its reference, given sin φ and 1 − cos φ."""
     inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))
     energy = inertia * panel.u + energy_gained(body, panel, sine, versine, offset)
-    return energy / (inertia + 2.0 * body.eps * rotated(panel.sine, panel.cosine, sine, versine)[1])
+    return energy / (inertia + 2.0 * body.eps * sine_cosine_change_by(panel.sine, panel.cosine, sine, versine)[1])
 
 
 @inline
@@ -94,7 +94,7 @@ def solve_roll(body, panel, work):
         versine = work[OFFSET_VERSINE, i]
         offset = angle_at(panel, NODES[i]) if body.gt != 0.0 else 0.0
         energy = start + energy_gained(body, panel, sine, versine, offset)
-        ds, dc = rotated(s0, c0, sine, versine)
+        ds, dc = sine_cosine_change_by(s0, c0, sine, versine)
         u = energy / (inertia + 2.0 * body.eps * dc)
         sines[i] = s0 + ds
         cosines[i] = c0 + dc
@@ -119,7 +119,7 @@ def solve_roll(body, panel, work):
     return Totals(size, time, u, 0.0, 0.0, math.nan, 0.0)
 
 
-@apart
+@noinline
 def solve_resisted(body, panel, work):
     """Fill the rows of a rolling panel with rolling resistance; return the Totals.
 
@@ -135,7 +135,7 @@ def solve_resisted(body, panel, work):
     lowest = math.inf
     for i in range(ORDER):
         # as changes from `ref`, as in rolling without resistance
-        ds, dc = rotated(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
+        ds, dc = sine_cosine_change_by(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
         inertia = inertia0 + eps * (2.0 * dc - rho * ds)
         lowest = min(lowest, inertia)
         stretch = work[STRETCH, i]
@@ -163,7 +163,7 @@ def solve_resisted(body, panel, work):
         us[i] = energy / work[INERTIA, i]
         lowest = min(lowest, energy)
     far = -1.0 if panel.kind == ARRIVE else 1.0
-    ds, dc = rotated(s0, c0, *sine_versine_of_offset(panel, far))
+    ds, dc = sine_cosine_change_by(s0, c0, *sine_versine_of_offset(panel, far))
     u_far = growth_far * (start + driven) / (inertia0 + eps * (2.0 * dc - rho * ds))
     if not (lowest > 0.0 and u_far > 0.0):
         return unsolved(math.inf, u_far)

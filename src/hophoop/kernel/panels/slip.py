@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import inline
+from hophoop.kernel.numerics.circular import sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import (
     ORDER,
     antiderivative,
@@ -14,7 +15,6 @@ from hophoop.kernel.numerics.collocation import (
     truncation_error,
 )
 from hophoop.kernel.numerics.exponentials import exponential
-from hophoop.kernel.numerics.trigonometry import rotated
 from hophoop.kernel.panels.panel import (
     ARM,
     ARRIVE,
@@ -76,7 +76,7 @@ def solve_slip(body, panel, work):
     drive = work[DRIVE]
     for i in range(ORDER):
         # as changes from `ref`: near p_σ = 0 direct evaluation would give only rounding
-        ds, dc = rotated(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
+        ds, dc = sine_cosine_change_by(s0, c0, work[OFFSET_SINE, i], work[OFFSET_VERSINE, i])
         s = s0 + ds
         c = c0 + dc
         turned = eps * (ds + signed_mu * dc)

@@ -7,7 +7,7 @@ m/s².
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 
 class Body(NamedTuple):
@@ -21,7 +21,7 @@ class Body(NamedTuple):
     gt: float  # gravity along the plane, downhill positive (sin β, or 0)
     rest: float  # restitution e
     law: int  # ImpactLaw
-    strike: bool  # indeterminate Painlevé contact: impact (True) or flight (False)
+    painleve_impact: bool  # indeterminate Painlevé contact: impact (True) or flight (False)
     slope: float  # β, whose rounded cosine and sine are gn and gt; 0 without gravity [rad]
     ideal: bool = False  # True if κ = 1 − ε², which `kap` rounds
     resist: float = 0.0  # rolling resistance f
@@ -86,3 +86,45 @@ class ImpactLaw(IntEnum):
     NEWTON = 0
     POISSON = 1
     STRONGE = 2
+
+
+# --- SI values of the kernel units, in one order of operations for Python and the browser's module
+
+
+class Scales(NamedTuple):
+    """SI values of the kernel units."""
+
+    length: float  # [m]
+    time: float  # [s]
+    mass: float  # [kg]
+    speed: float  # [m/s]
+    rate: float  # [rad/s]
+    acceleration: float  # [m/s²]
+    force: float  # [N]
+    impulse: float  # [N s]
+    energy: float  # [J]
+
+
+def scales_from(length, second, mass):
+    """Return all units, from those of length, time and mass."""
+    speed = length / second
+    acceleration = speed / second
+    impulse = mass * speed
+    return Scales(length, second, mass, speed, 1.0 / second, acceleration, mass * acceleration, impulse, impulse * speed)
+
+
+# --- ranges of numbers that follow from others, so that kernels check them too
+
+MASS_RANGE: Final = (1e-12, 1e12)  # [kg]
+INERTIA_RANGE: Final = (1e-12, 1e6)  # or 0
+SLOPE_RANGE: Final = (-1.57, 1.57)  # [rad]
+
+# Of a start, so that no flight takes so many revolutions that its angle has no digits left.
+MOST_SPEED: Final = 1e6  # of the centre and of the rim's rotation, in √(g R)
+MOST_HEIGHT: Final = 1e6  # in radii
+
+# Of a compliant contact relative to its hoop: stiffness in m g/R, slip speed in √(g R), and the depth in radii from the weight
+# and the speeds of the start. A rim that sinks deeper has no contact with a plane in any physical sense.
+STIFFNESS_RANGE: Final = (1e-2, 1e15)
+SLIP_SPEED_RANGE: Final = (1e-12, 1e6)
+MOST_DEPTH: Final = 100.0

@@ -21,8 +21,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from hophoop.kernel.numerics.arcs import arccosine
-from hophoop.kernel.numerics.exponentials import exponential, logarithm_1p
-from hophoop.kernel.numerics.hyperbolic import hyperbolic_tangent, inverse_hyperbolic_cosine
+from hophoop.kernel.numerics.exponentials import exponential, hyperbolic_tangent, inverse_hyperbolic_cosine, logarithm_1p
 
 
 class NormalLaw(IntEnum):
@@ -150,17 +149,9 @@ BISECTIONS = 200  # maximum; the bisection ends earlier at two neighbouring doub
 
 
 def ratio_restitution(ratio):
-    """Return the restitution of a mass on a clipped Kelvin–Voigt contact without other forces.
+    """Return the restitution of a mass on a clipped Kelvin–Voigt contact, from its damping over critical damping ζ ≥ 0.
 
-    Parameters
-    ----------
-    ratio : float
-        Damping over critical damping, c / (2 √(k m)) ≥ 0 [1].
-
-    Returns
-    -------
-    restitution : float
-        exp(−ζ/√(1 − ζ²) (π − 2 asin ζ)), continued to ζ > 1; the contact ends where N = 0 [1].
+    It is exp(−ζ/√(1 − ζ²) (π − 2 asin ζ)), continued to ζ > 1; the contact ends where N = 0.
     """
     if ratio < 1.0:
         root = math.sqrt((1.0 - ratio) * (1.0 + ratio))
@@ -170,18 +161,7 @@ def ratio_restitution(ratio):
 
 
 def damping_ratio(restitution):
-    """Return the damping ratio that gives a restitution: the inverse of `ratio_restitution`.
-
-    Parameters
-    ----------
-    restitution : float
-        Above 0 and at most 1 [1].
-
-    Returns
-    -------
-    ratio : float
-        Damping over critical damping [1].
-    """
+    """Return the damping over critical damping that gives a restitution from 0 (excluded) to 1."""
     if restitution >= 1.0:
         return 0.0
     low, high = 0.0, 1.0
@@ -204,17 +184,9 @@ def hunt_crossley_excess(restitution, u):
 
 
 def hunt_crossley_number(restitution):
-    """Return d times the approach speed at which a Hunt–Crossley contact has the given restitution.
+    """Return d times the approach speed at which a Hunt–Crossley contact has a restitution from 0 (excluded) to 1.
 
-    Parameters
-    ----------
-    restitution : float
-        Above 0 and at most 1 [1].
-
-    Returns
-    -------
-    number : float
-        The root u > 0 of ln(1 + u) − ln(1 − e u) = (1 + e) u, exact for every exponent of the spring [1].
+    It is the root u > 0 of ln(1 + u) − ln(1 − e u) = (1 + e) u, exact for every exponent of the spring.
     """
     if restitution >= 1.0:
         return 0.0
@@ -257,18 +229,7 @@ def static_peak(mu_kinetic, excess):
 
 
 def static_excess(mu_static, mu_kinetic):
-    """Return the factor A that makes μs the exact maximum of tanh ξ (μk + A exp(−ξ²/9)).
-
-    Parameters
-    ----------
-    mu_static, mu_kinetic : float
-        μs ≥ μk [1].
-
-    Returns
-    -------
-    excess : float
-        A ≥ 0 [1].
-    """
+    """Return the factor A ≥ 0 that makes μs ≥ μk the exact maximum of tanh ξ (μk + A exp(−ξ²/9))."""
     if mu_static == mu_kinetic:
         return 0.0
     low, high = 0.0, mu_static - mu_kinetic

@@ -1,13 +1,18 @@
-"""Contact-space quantities: W, f, p_σ, and the forces in roll and slip (docs/model.md#contact-space).
+"""Contact: W, f, p_σ and the forces in roll and slip (docs/model.md#contact-space), rolling resistance
+(docs/model.md#rolling-resistance), Painlevé's paradox (docs/model.md#painlevés-paradox) and the friction utilization.
 
-ρ is the couple of the rolling resistance over R N, from `resistance.resistance_arm`; 0.0 without resistance.
+ρ is the couple of the rolling resistance over R N, positive against a positive rotation: f sign θ̇ while the hoop rotates.
+Without rotation the couple balances the torque, up to abs(ρ) = f. With ρ the arm of the normal force about G is ε sin θ − ρ in
+the balance of moments, and ε sin θ in the motion of the rim.
 """
 
 from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import inline
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import add, multiply, negative, two_product
+from hophoop.kernel.numerics.circular import exact_sine_versine
 
 
 @inline
@@ -37,7 +42,7 @@ def slip_torque_arm(body, s, c, sigma):
 
 
 @inline
-def slip_stiffness(body, s, c, sigma, rho):
+def kappa_p_sigma(body, s, c, sigma, rho):
     """Return κ p_σ = κ + ε sin θ (q − ρ); Painlevé's paradox occurs where it is not positive."""
     return body.kap + body.eps * s * slip_torque_arm(body, s, c, sigma) - body.eps * s * rho
 
@@ -106,3 +111,113 @@ def slip_motion(body, s, c, u, sigma, rho):
     load = slip_load(body, c, u, body.kap + lever * q)
     friction_part = sigma * body.mu_k * body.kap + arm * q
     return q * load, body.kap * load, body.gt + lever * u - load * friction_part
+
+
+# --- rolling resistance
+
+
+@inline
+def clamp(need, most):
+    """Return the needed couple, limited to ±`most`."""
+    return min(max(need, -most), most)
+
+
+@inline
+def torque_at_rest(body, s, c):
+    """Return ε sin θ g_n + (1 + ε cos θ) g_t, the torque about the contact point of a hoop with θ̇ = 0 in rolling contact."""
+    arm, lever = contact_arms(body, s, c)
+    return lever * body.gn + arm * body.gt
+
+
+def resistance_arm(body, s, c, om, sigma):
+    """Return ρ in rolling (sigma = 0) or slip; 0 without rolling resistance."""
+    if body.resist == 0.0:
+        return 0.0
+    if om != 0.0:
+        return math.copysign(body.resist, om)
+    if sigma != 0:
+        return clamp(slip_torque_arm(body, s, c, sigma), body.resist)
+    return clamp(torque_at_rest(body, s, c) / body.gn, body.resist) if body.gn > 0.0 else 0.0
+
+
+def acceleration_in_contact(body, s, c, om, sigma):
+    """Return θ̈ in rolling (sigma = 0) or slip."""
+    rho = resistance_arm(body, s, c, om, sigma)
+    if sigma != 0:
+        return slip_motion(body, s, c, om * om, sigma, rho)[0]
+    return rolling_acceleration(body, s, c, om * om, rho)
+
+
+def most_resistance(eps: float, kap: float) -> float:
+    """Return the rolling resistance at which D − ρ ε sin θ first reaches zero at some angle; 0 if κ = 0 with ε = 1.
+
+    The minimum of D − ρ ε sin θ = 1 + κ + ε² + ε (2 cos θ − ρ sin θ) is 1 + κ + ε² − ε √(4 + f²). The difference of squares
+    under the root is written as a product: (1 + κ + ε²)² − 4 ε² = ((1 − ε)² + κ) ((1 + ε)² + κ).
+    """
+    if eps == 0.0:
+        return math.inf
+    return math.sqrt(((1.0 - eps) * (1.0 - eps) + kap) * ((1.0 + eps) * (1.0 + eps) + kap)) / eps
+
+
+# --- the sign of κ p_σ near zero, in extended precision, decides whether slip has a solution
+
+NEARLY = 1e-8  # below this κ p_σ has lost half its digits
+
+
+@inline
+def exact_inertia(body):
+    """Return κ as a double-double."""
+    if body.ideal:
+        return add((1.0, 0.0), negative(two_product(body.eps, body.eps)))
+    return body.kap, 0.0
+
+
+@noinline
+def exact_slip_coefficients(body, th, th_low, sigma, rho):
+    """Return (q, κ p_σ) with all digits, treating θ and the parameters as exact numbers."""
+    sine, versine = exact_sine_versine((th, th_low))
+    lever = multiply((body.eps, 0.0), sine)
+    arm = add(add((1.0, 0.0), (body.eps, 0.0)), negative(multiply((body.eps, 0.0), versine)))
+    q = add(add(lever, multiply((sigma * body.mu_k, 0.0), arm)), (-rho, 0.0))
+    stiffness = add(exact_inertia(body), multiply(lever, q))
+    return q[0], stiffness[0]
+
+
+def kappa_p_sigma_slope(body, s, c, sigma, q):
+    """Return dκp_σ/dθ."""
+    return body.eps * c * q + body.eps * s * body.eps * (c - sigma * body.mu_k * s)
+
+
+@inline
+def slip_coefficients(body, th, th_low, s, c, sigma, rho):
+    """Return (q, κ p_σ) in slip of direction σ with the rolling resistance ρ, accurate also if κ p_σ is nearly zero."""
+    arm = slip_torque_arm(body, s, c, sigma) - rho
+    stiffness = body.kap + body.eps * s * arm
+    if abs(stiffness) < NEARLY:
+        return exact_slip_coefficients(body, th, th_low, sigma, rho)
+    return arm, stiffness
+
+
+# --- friction utilization: the fraction of the available friction that acts (docs/model.md#modes)
+
+
+def utilization(slips, friction, normal, mu_s, mu_k):
+    """Return abs(F)/(μ N) with the μ of the phase: μk in slip, else μs.
+
+    In slip N divides out of Coulomb's law, so the utilization is 1 also at the instant of lift-off. It is nan in slip without
+    friction, and without slip if N = 0.
+    """
+    limit = (mu_k if slips else mu_s) * normal
+    if limit > 0.0:
+        return abs(friction) / limit
+    if slips:
+        return 1.0 if mu_k > 0.0 else math.nan
+    if not normal > 0.0:
+        return math.nan
+    return 0.0 if friction == 0.0 else math.inf
+
+
+def utilizations(slips, friction, normal, mu_s, mu_k, out):
+    """Fill `out` with the `utilization` of many cases; all arguments are arrays of one length."""
+    for i in range(out.shape[0]):
+        out[i] = utilization(slips[i], friction[i], normal[i], mu_s[i], mu_k[i])

@@ -9,16 +9,15 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
 from hophoop.kernel.physics.body import ImpactLaw
-from hophoop.kernel.physics.contact import contact_arms
-from hophoop.kernel.physics.painleve import stiffness_slope
+from hophoop.kernel.physics.contact import contact_arms, kappa_p_sigma_slope
 
 NEWTON, POISSON = int(ImpactLaw.NEWTON), int(ImpactLaw.POISSON)
 
 
 def stick_rates(body, arm, lever):
-    """(r, dθ̇/dp, dv_n/dp) while the contact sticks; r is the tangential per normal impulse.
+    """Return (r, dθ̇/dp, dv_n/dp) while the contact sticks; r is the tangential per normal impulse.
 
     Free of differences of large numbers, which 1/κ would make of W as κ → 0.
     """
@@ -28,14 +27,14 @@ def stick_rates(body, arm, lever):
 
 
 def slip_rates(body, arm, lever, r):
-    """(dθ̇/dp, dv_t/dp, dv_n/dp) while the contact slips with the impulses in the ratio r."""
+    """Return (dθ̇/dp, dv_t/dp, dv_n/dp) while the contact slips with the impulses in the ratio r."""
     torque = lever - arm * r
     spin = torque / body.kap
     return spin, r - arm * spin, (body.kap + lever * torque) / body.kap
 
 
 def impulse_ratio(body, arm, lever, vt):
-    """(r, sticks): tangential per normal impulse in the present state, and whether that state is stick."""
+    """Return (tangential per normal impulse in the present state, True if that state is stick)."""
     if vt > 0.0:
         return -body.mu_k, False
     if vt < 0.0:
@@ -46,23 +45,12 @@ def impulse_ratio(body, arm, lever, vt):
     return (-body.mu_k if stick < 0.0 else body.mu_k), False
 
 
-@apart
+@noinline
 def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
-    """Return velocities after an impact at angle θ.
+    """Return (v_t, v_n, change of θ̇, p_n, p_t, losses −∫ v_n dP_n and −∫ v_t dP_t) after an impact with restitution `rest`.
 
-    Parameters
-    ----------
-    rest : float
-        Restitution e.
-    vt, vn : float
-        Slip and separation velocity before; vn = 0 with p_σ ≤ 0 is the impact without collision.
-    p_sigma : float, optional
-        p_σ before, where it is known to more digits than (s, c) give: of the impact without collision.
-
-    Returns
-    -------
-    vt, vn, spin, p_n, p_t, loss_n, loss_t : float
-        Velocities after, the change of θ̇, impulses, and the losses −∫ v_n dP_n and −∫ v_t dP_t.
+    v_n = 0 before, with p_σ ≤ 0, is the impact without collision. `p_sigma` is p_σ before, where it is known to more digits
+    than (s, c) give.
     """
     arm, lever = contact_arms(body, s, c)
     collision = vn < 0.0
@@ -140,26 +128,14 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
 
 
 def singular_slip(body, s, c, exact, ahead, vt, om, rho):
-    """Follow slip that has reached p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
+    """Return (True if it jams, v_t, θ̇, normal impulse, friction loss) of slip that has reached p_σ = 0 with f_n < 0 and N → ∞.
 
-    θ̇ and v_t change linearly with it. It ends when the slip stops; when θ̇ has reversed its sign, so that the motion leaves the
-    angle on the curve θ̇²(θ) of its arrival; or, in a jam, when f_n reaches 0 first. With rolling resistance it ends at
-    θ̇ = 0, where the couple, and with it p_σ, changes.
+    It is an impulse at a fixed angle and v_n = 0, with which θ̇ and v_t change linearly. It ends when the slip stops; when θ̇ has
+    reversed its sign, so that the motion leaves the angle on the curve θ̇²(θ) of its arrival; or, in a jam, when f_n reaches 0
+    first. With rolling resistance it ends at θ̇ = 0, where the couple, and with it p_σ, changes.
 
-    Parameters
-    ----------
-    exact : bool
-        True if it has reached p_σ = 0, `ahead` of (s, c), and not only come near it with f_n → 0.
-    ahead : float
-        [rad].
-    rho : float
-        Rolling resistance with the sign of θ̇.
-
-    Returns
-    -------
-    jams : bool
-    vt, om, p_n, loss_t : float
-        Velocities after, normal impulse, and the loss −∫ v_t dP_t.
+    `exact` is True if the slip has reached p_σ = 0, `ahead` [rad] of (s, c), and not only come near it with f_n → 0. `rho` has
+    the sign of θ̇.
     """
     sigma = 1.0 if vt > 0.0 else -1.0
     if exact:
@@ -197,7 +173,7 @@ def singular_angle(body, s, c, u, sigma, torque, distance):
     `torque` and `distance` are q and κ p_σ.
     In the first case, the exact one, `ahead` is the angle to go, about 10⁻¹⁴ rad.
     """
-    slope = stiffness_slope(body, s, c, sigma, torque)
+    slope = kappa_p_sigma_slope(body, s, c, sigma, torque)
     if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):
         return True, True, -distance / slope
     opening = abs(body.gn - body.eps * c * u)

@@ -1,82 +1,183 @@
-"""Units, body and start of a cell."""
+"""The input of the kernels: one column of numbers per motion, its units, its body and its start; hoops assembled from parts."""
 
 from __future__ import annotations
 
 import math
+from enum import IntEnum
 
+from hophoop.kernel.numerics.arcs import hypotenuse
+from hophoop.kernel.numerics.arithmetic import plus
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.body import Body
-from hophoop.kernel.records.layout import (
-    ANGLE,
-    ECCENTRICITY,
-    GRAVITY,
-    HEIGHT,
-    IDEAL,
-    INERTIA_RATIO,
-    LAW,
-    MASS,
-    MU_KINETIC,
-    MU_STATIC,
-    OMEGA,
-    RADIUS,
-    RESTITUTION,
-    ROLLING_RESISTANCE,
-    SLIP,
-    SLOPE,
-    START_MODE,
-    STRIKE,
-    VY,
-    X,
-)  # fmt: skip
+from hophoop.kernel.physics.body import Body, scales_from
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.records.units import scales_from
 
 
-def scales_of(cells, k):
+class Cell(IntEnum):
+    """Rows of the array of cells, in SI units: the only list of the numbers that the kernels take.
+
+    The rows of hoop and plane come first, in the order of the table of parameters; they alone make a body. `MODE` is −1 if the
+    rule selects it; `ALLOWED` is 0 if the values contradict each other.
+    """
+
+    ECCENTRICITY = 0
+    INERTIA_RATIO = 1
+    RADIUS = 2
+    MASS = 3
+    MU_STATIC = 4
+    MU_KINETIC = 5
+    SLOPE = 6
+    GRAVITY = 7
+    RESTITUTION = 8
+    ROLLING_RESISTANCE = 9
+    LAW = 10
+    PAINLEVE_IMPACT = 11
+    IDEAL = 12
+    X = 13
+    HEIGHT = 14
+    ANGLE = 15
+    VY = 16
+    OMEGA = 17
+    SLIP = 18
+    MODE = 19
+    DURATION = 20
+    MAX_EVENTS = 21
+    ALLOWED = 22
+
+
+CELL = tuple(row.name.lower() for row in Cell)
+
+
+class Contact(IntEnum):
+    """Numbers of a compliant contact, in SI units; nan selects the default."""
+
+    LAW = 0
+    FRICTION_LAW = 1
+    STIFFNESS = 2
+    DAMPING = 3
+    RESTITUTION = 4
+    SLIP_SPEED = 5
+    TANGENTIAL_STIFFNESS = 6
+    RTOL = 7
+
+
+CONTACT = tuple(row.name.lower() for row in Contact)
+
+
+# --- mass properties of a hoop: the ideal hoop, and hoops assembled from parts (docs/model.md#the-body)
+
+RING, DISK, POINT_MASS, RADIAL_ROD, TANGENTIAL_ROD = range(5)
+# Columns of a table of parts: shape, mass, two lengths, and the position of the centre on the line from C to the load. The
+# lengths are the inner and outer radius of a ring, the radius of a disk, or the length of a rod.
+SHAPE, PART_MASS, FIRST, SECOND, AT = range(5)
+
+ROUNDED = 2e-12  # of ε: up to it beyond the rim, G is on the rim
+
+
+def ideal_inertia(load_fraction):
+    """Return κ of a thin ring with a point load: 1 − γ², with G at ε = γ."""
+    return (1.0 - load_fraction) * (1.0 + load_fraction)
+
+
+def part_inertia(shape, mass, first, second):
+    """Return the moment of inertia about the part's own centre."""
+    if shape == RING:
+        return 0.5 * mass * (first * first + second * second)
+    if shape == DISK:
+        return 0.5 * mass * (first * first)
+    if shape == POINT_MASS:
+        return 0.0
+    return mass * (first * first) / 12.0
+
+
+def part_reach(shape, first, second, at):
+    """Return the distance of the part's farthest point from C."""
+    if shape == RING:
+        return second
+    if shape == DISK:
+        return abs(at) + first
+    if shape == POINT_MASS:
+        return abs(at)
+    if shape == RADIAL_ROD:
+        return abs(at) + 0.5 * first
+    return hypotenuse(at, 0.5 * first)
+
+
+def combined(radius, parts):
+    """Return (mass, ε, κ) of parts, each a row of the table; sums are double-doubles.
+
+    A part of negative mass is a hole. Without mass there is no body: ε and κ are then 0. Positions are relative to the first
+    part, so that parts at one position have exactly that centre and no moment of inertia.
+    """
+    mass = 0.0
+    low = 0.0
+    for k in range(parts.shape[0]):
+        mass, low = plus(mass, low, parts[k, PART_MASS])
+    if not mass > 0.0:
+        return mass, 0.0, 0.0
+    first = parts[0, AT] / radius
+    moment = 0.0
+    low = 0.0
+    for k in range(parts.shape[0]):
+        moment, low = plus(moment, low, parts[k, PART_MASS] * (parts[k, AT] / radius - first))
+    centre = first + moment / mass
+    inertia = 0.0
+    low = 0.0
+    for k in range(parts.shape[0]):
+        own = part_inertia(parts[k, SHAPE], parts[k, PART_MASS], parts[k, FIRST], parts[k, SECOND])
+        arm = parts[k, AT] / radius - centre
+        inertia, low = plus(inertia, low, own / (radius * radius) + parts[k, PART_MASS] * (arm * arm))
+    distance = abs(centre)
+    return mass, 1.0 if 1.0 < distance < 1.0 + ROUNDED else distance, inertia / mass
+
+
+# --- units, body and start of a cell
+
+
+def scales_of(cell):
     """Return the units of a cell."""
-    return scales_from(cells[RADIUS, k], second_of(cells, k), cells[MASS, k])
+    return scales_from(cell[Cell.RADIUS], second_of(cell), cell[Cell.MASS])
 
 
-def body_of(cells, k):
-    """Return hoop and plane of a cell, as `scenario.to_body` does."""
-    weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
-    s, c = sine_and_cosine(cells[SLOPE, k])
+def body_of(cell):
+    """Return hoop and plane of a cell, of which the rows up to IDEAL are enough."""
+    weight = 1.0 if cell[Cell.GRAVITY] > 0.0 else 0.0
+    s, c = sine_and_cosine(cell[Cell.SLOPE])
     return Body(
-        cells[ECCENTRICITY, k],
-        cells[INERTIA_RATIO, k],
-        cells[MU_STATIC, k],
-        cells[MU_KINETIC, k],
-        weight * c,
-        weight * s,
-        cells[RESTITUTION, k],
-        int(cells[LAW, k]),
-        cells[STRIKE, k] != 0.0,
-        weight * cells[SLOPE, k],
-        cells[IDEAL, k] != 0.0,
-        cells[ROLLING_RESISTANCE, k],
+        eps=cell[Cell.ECCENTRICITY],
+        kap=cell[Cell.INERTIA_RATIO],
+        mu_s=cell[Cell.MU_STATIC],
+        mu_k=cell[Cell.MU_KINETIC],
+        gn=weight * c,
+        gt=weight * s,
+        rest=cell[Cell.RESTITUTION],
+        law=int(cell[Cell.LAW]),
+        painleve_impact=cell[Cell.PAINLEVE_IMPACT] != 0.0,
+        slope=weight * cell[Cell.SLOPE],
+        ideal=cell[Cell.IDEAL] != 0.0,
+        resist=cell[Cell.ROLLING_RESISTANCE],
     )
 
 
-def second_of(cells, k):
-    """Return the unit of time of a cell, as `scenario.time_unit` does."""
-    gravity = cells[GRAVITY, k]
-    return math.sqrt(cells[RADIUS, k] / (gravity if gravity > 0.0 else 1.0))
+def second_of(cell):
+    """Return the unit of time of a cell [s]."""
+    gravity = cell[Cell.GRAVITY]
+    return math.sqrt(cell[Cell.RADIUS] / (gravity if gravity > 0.0 else 1.0))
 
 
-def start_of(cells, k, second):
+def start_of(cell, second):
     """Return the start of a cell in kernel units."""
-    radius = cells[RADIUS, k]
+    radius = cell[Cell.RADIUS]
     speed = radius / second
     return start_state(
-        cells[X, k] / radius,
-        cells[HEIGHT, k] / radius,
-        cells[ANGLE, k],
-        cells[SLIP, k] / speed,
-        cells[VY, k] / speed,
-        cells[OMEGA, k] * second,
+        cell[Cell.X] / radius,
+        cell[Cell.HEIGHT] / radius,
+        cell[Cell.ANGLE],
+        cell[Cell.SLIP] / speed,
+        cell[Cell.VY] / speed,
+        cell[Cell.OMEGA] * second,
     )
 
 
-def mode_of(cells, k):
+def mode_of(cell):
     """Return the mode at the start of a cell, −1 if the rule selects it."""
-    return int(cells[START_MODE, k])
+    return int(cell[Cell.MODE])

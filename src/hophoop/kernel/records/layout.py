@@ -1,40 +1,20 @@
-"""Layout of the kernels' input, one column of numbers per motion, and of their records, one per event and per segment."""
+"""Layout of the kernels' results, one record per event and per segment; results of motions and maps; scratch arrays."""
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterable
 from typing import Any, NamedTuple, cast, get_type_hints
 
 import numpy as np
 
+from hophoop.kernel.numerics.collocation import DEPTH, ORDER
+from hophoop.kernel.panels.panel import ROWS
 from hophoop.kernel.physics.body import MODE_LETTERS, Body
-
-# Rows of the array of cells, in SI units; `mode` is −1 if the rule selects it; `allowed` is 0 if the values
-# contradict each other. `scenario.cell_of` writes them in
-# this order: the numbers of the hoop and of the plane as the table of parameters has them, then the rest.
-CELL = (
-    "eccentricity", "inertia_ratio", "radius", "mass",
-    "mu_static", "mu_kinetic", "slope", "gravity", "restitution", "rolling_resistance",
-    "duration", "max_events", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "mode", "ideal", "allowed",
-)  # fmt: skip
-(
-    ECCENTRICITY, INERTIA_RATIO, RADIUS, MASS,
-    MU_STATIC, MU_KINETIC, SLOPE, GRAVITY, RESTITUTION, ROLLING_RESISTANCE,
-    DURATION, MAX_EVENTS, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, START_MODE, IDEAL, ALLOWED,
-) = range(len(CELL))  # fmt: skip
-
-# The compliant contact, in SI units; nan selects the default.
-CONTACT = (
-    "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
-)  # fmt: skip
-(
-    CONTACT_LAW, CONTACT_FRICTION, CONTACT_STIFFNESS, CONTACT_DAMPING, CONTACT_RESTITUTION, CONTACT_SLIP_SPEED,
-    CONTACT_TANGENTIAL, CONTACT_RTOL,
-) = range(len(CONTACT))  # fmt: skip
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
 # Low-order halves of the double-double time and position, and the angle as whole revolutions and θ within one.
-_POSITION = ["t_low", "x_low", "turns", "theta", "theta_low"]
+_POSITION = ["t_low", "x_low", "revolutions", "theta", "theta_low"]
 _ENERGY = ["friction", "impact_normal", "impact_tangential"]
 # Kernel units (R, m, √(R/g)). `slip` is v_t after the event, kept because ẋ − Rθ̇ loses its digits near 0;
 # energies are those dissipated from the start to just after the event; `gain` is Kane's.
@@ -141,3 +121,44 @@ def first_rows(table: np.ndarray, count: int) -> np.ndarray:
     """Return a copy of the first rows of a `new_table`, as bytes: NumPy copies records field by field, much more slowly."""
     dtype = table.dtype
     return np.ndarray(count, dtype, cast(bytearray, table.base)[: count * dtype.itemsize])
+
+
+# --- scratch arrays
+
+STACK_ROWS, STACK_COLUMNS = DEPTH + 3, ORDER + 2  # size of the stack of `first_downcrossing`
+
+
+class Scratch(NamedTuple):
+    """Scratch arrays of a kernel; one set per thread."""
+
+    work: np.ndarray
+    values: np.ndarray
+    series: np.ndarray
+    weights: np.ndarray
+    stack: np.ndarray
+    doubt: np.ndarray  # time of the first doubt of a motion, nan if there is none
+    counts: np.ndarray  # numbers of events, segments and panels, and the limit of panels; see records.layout
+
+
+def new_scratch():
+    """Return a new set of scratch arrays."""
+    return Scratch(
+        np.zeros((ROWS, ORDER)),
+        np.zeros((2, ORDER)),
+        np.zeros(ORDER),
+        np.zeros(ORDER),
+        np.zeros((STACK_ROWS, STACK_COLUMNS)),
+        np.full(1, np.nan),
+        np.array([0, 0, 0, MOST_PANELS]),
+    )
+
+
+_own = threading.local()
+
+
+def thread_scratch() -> Scratch:
+    """Return the scratch arrays of this thread; allocating them takes 10 % of a short motion."""
+    if not hasattr(_own, "scratch"):
+        _own.scratch = new_scratch()
+    scratch: Scratch = _own.scratch
+    return scratch

@@ -8,35 +8,20 @@ from __future__ import annotations
 import math
 from enum import IntEnum
 
+from hophoop.kernel.physics.body import (
+    INERTIA_RANGE,
+    MASS_RANGE,
+    MOST_DEPTH,
+    MOST_HEIGHT,
+    MOST_SPEED,
+    SLOPE_RANGE,
+    STIFFNESS_RANGE,
+)
+from hophoop.kernel.physics.body import SLIP_SPEED_RANGE as SLIP_RANGE
 from hophoop.kernel.physics.compliant import STIFFNESS as USUAL_STIFFNESS
 from hophoop.kernel.physics.compliant import sinking
-from hophoop.kernel.physics.ranges import INERTIA_RATIO as INERTIA_RANGE
-from hophoop.kernel.physics.ranges import MASS as MASS_RANGE
-from hophoop.kernel.physics.ranges import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
-from hophoop.kernel.physics.ranges import SLIP_SPEED as SLIP_RANGE
-from hophoop.kernel.physics.ranges import SLOPE as SLOPE_RANGE
-from hophoop.kernel.physics.ranges import STIFFNESS as STIFFNESS_RANGE
-from hophoop.kernel.physics.resistance import most_resistance
-from hophoop.kernel.records.layout import (
-    ALLOWED,
-    CONTACT_SLIP_SPEED,
-    CONTACT_STIFFNESS,
-    CONTACT_TANGENTIAL,
-    ECCENTRICITY,
-    GRAVITY,
-    HEIGHT,
-    IDEAL,
-    INERTIA_RATIO,
-    MASS,
-    MU_KINETIC,
-    MU_STATIC,
-    OMEGA,
-    RADIUS,
-    ROLLING_RESISTANCE,
-    SLIP,
-    SLOPE,
-    VY,
-)
+from hophoop.kernel.physics.contact import most_resistance
+from hophoop.kernel.records.cells import Cell, Contact, second_of
 
 
 class Refusal(IntEnum):
@@ -99,21 +84,21 @@ def plane_refusal(mu_s, mu_k, slope):
 def refusal(cell, contact):
     """Return the first rule that a scenario breaks, 0 for none, and a number that its sentence needs.
 
-    `cell` is a column of `layout.CELL`, `contact` a row of `layout.CONTACT`, or empty for a rigid contact.
+    `cell` is a column of `cells.Cell`, `contact` a row of `cells.Contact`, or empty for a rigid contact.
     """
-    code = hoop_refusal(cell[MASS], cell[ECCENTRICITY], cell[INERTIA_RATIO], cell[IDEAL] != 0.0)
+    code = hoop_refusal(cell[Cell.MASS], cell[Cell.ECCENTRICITY], cell[Cell.INERTIA_RATIO], cell[Cell.IDEAL] != 0.0)
     if code == NONE:
-        code = plane_refusal(cell[MU_STATIC], cell[MU_KINETIC], cell[SLOPE])
+        code = plane_refusal(cell[Cell.MU_STATIC], cell[Cell.MU_KINETIC], cell[Cell.SLOPE])
     if code != NONE:
         return code, 0.0
-    massless = cell[INERTIA_RATIO] == 0.0
-    if massless and cell[SLOPE] != 0.0:
+    massless = cell[Cell.INERTIA_RATIO] == 0.0
+    if massless and cell[Cell.SLOPE] != 0.0:
         return MASSLESS_SLOPE, 0.0
-    resist = cell[ROLLING_RESISTANCE]
+    resist = cell[Cell.ROLLING_RESISTANCE]
     if resist != 0.0:
         if massless:
             return MASSLESS_RESISTANCE, 0.0
-        most = most_resistance(cell[ECCENTRICITY], cell[INERTIA_RATIO])
+        most = most_resistance(cell[Cell.ECCENTRICITY], cell[Cell.INERTIA_RATIO])
         if not resist < most:
             return RESISTANCE, most
     code, number = start_refusal(cell)
@@ -121,40 +106,40 @@ def refusal(cell, contact):
         return code, number
     if massless:
         return MASSLESS_COMPLIANT, 0.0
-    if cell[MU_STATIC] == math.inf:
+    if cell[Cell.MU_STATIC] == math.inf:
         return COMPLIANT_FRICTION, 0.0
     return contact_refusal(cell, contact)
 
 
 def start_refusal(cell):
     """Return the rule that a start breaks because it is too fast or too high for its hoop, as `refusal` does."""
-    radius = cell[RADIUS]
-    unit = math.sqrt(radius * (cell[GRAVITY] if cell[GRAVITY] > 0.0 else 1.0))
-    rim = radius * cell[OMEGA]
-    speed = max(abs(cell[SLIP] + rim), abs(rim), abs(cell[VY])) / unit
+    radius = cell[Cell.RADIUS]
+    unit = math.sqrt(radius * (cell[Cell.GRAVITY] if cell[Cell.GRAVITY] > 0.0 else 1.0))
+    rim = radius * cell[Cell.OMEGA]
+    speed = max(abs(cell[Cell.SLIP] + rim), abs(rim), abs(cell[Cell.VY])) / unit
     if speed > MOST_SPEED:
         return TOO_FAST, speed
-    height = cell[HEIGHT] / radius
+    height = cell[Cell.HEIGHT] / radius
     return (TOO_HIGH, height) if height > MOST_HEIGHT else (NONE, 0.0)
 
 
 def contact_refusal(cell, contact):
     """Return the rule that a spring breaks because it is too soft or too stiff for its hoop or start, as `refusal` does."""
-    radius, mass = cell[RADIUS], cell[MASS]
-    second = math.sqrt(radius / (cell[GRAVITY] if cell[GRAVITY] > 0.0 else 1.0))
-    # in the order of operations of `compliant.parameters.compliance_of`; nan selects the default
-    k = contact[CONTACT_STIFFNESS] * (second * second) / mass
+    radius, mass = cell[Cell.RADIUS], cell[Cell.MASS]
+    second = second_of(cell)
+    # in the order of operations of `compliant.motion.compliance_of`; nan selects the default
+    k = contact[Contact.STIFFNESS] * (second * second) / mass
     if not (math.isnan(k) or within(STIFFNESS_RANGE, k)):
         return STIFFNESS, k
-    tangential = contact[CONTACT_TANGENTIAL] * (second * second) / mass
+    tangential = contact[Contact.TANGENTIAL_STIFFNESS] * (second * second) / mass
     if not (math.isnan(tangential) or within(STIFFNESS_RANGE, tangential)):
         return TANGENTIAL_STIFFNESS, tangential
-    slip_speed = contact[CONTACT_SLIP_SPEED] * second / radius
+    slip_speed = contact[Contact.SLIP_SPEED] * second / radius
     if not (math.isnan(slip_speed) or within(SLIP_RANGE, slip_speed)):
         return SLIP_SPEED, slip_speed
-    unit, omega = radius / second, cell[OMEGA] * second
-    speed = abs(cell[SLIP] / unit + omega) + abs(cell[VY] / unit) + abs(omega)
-    depth = sinking(USUAL_STIFFNESS if math.isnan(k) else k, cell[GRAVITY] > 0.0, cell[HEIGHT] / radius, speed)
+    unit, omega = radius / second, cell[Cell.OMEGA] * second
+    speed = abs(cell[Cell.SLIP] / unit + omega) + abs(cell[Cell.VY] / unit) + abs(omega)
+    depth = sinking(USUAL_STIFFNESS if math.isnan(k) else k, cell[Cell.GRAVITY] > 0.0, cell[Cell.HEIGHT] / radius, speed)
     return (TOO_SOFT, depth) if depth > MOST_DEPTH else (NONE, 0.0)
 
 
@@ -162,4 +147,4 @@ def mark_refused(cells):
     """Mark the cells of motions with rigid contact that break a rule."""
     for k in range(cells.shape[1]):
         if refusal(cells[:, k], cells[:0, k])[0] != NONE:
-            cells[ALLOWED, k] = 0.0
+            cells[Cell.ALLOWED, k] = 0.0

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.double_double import PI, TWO_PI, TWO_PI_LOW, add, plus, turns_and_rest
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import PI, TWO_PI, TWO_PI_LOW, add, plus, revolutions_and_rest
 from hophoop.kernel.panels.anchor import NONE, Anchor
 
 # Maximum of abs(θ) in a revolution, so that θ keeps all its digits near the unstable equilibria on both sides.
@@ -16,7 +16,7 @@ class State(NamedTuple):
     """Position, velocities (v_t instead of ẋ, so that small slip keeps its digits) and energy dissipated so far.
 
     Times and angles accumulate over thousands of revolutions, so they are double-doubles: each has a low-order half. The angle
-    is split into whole revolutions (`turns`) and θ within one, which stays between −2π and 2π.
+    is split into whole revolutions (`revolutions`) and θ within one, which stays between −2π and 2π.
     """
 
     t: float
@@ -24,7 +24,7 @@ class State(NamedTuple):
     x: float
     x_low: float
     y: float
-    turns: float
+    revolutions: float
     th: float
     th_low: float
     vt: float
@@ -37,24 +37,24 @@ class State(NamedTuple):
     anchor: Anchor
 
 
-@apart
+@noinline
 def start_state(x, y, angle, vt, vn, om):
     """Return a state at t = 0; `angle` includes all revolutions."""
-    turns, th, th_low = turns_and_rest(angle)
-    return State(0.0, 0.0, x, 0.0, y, turns, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0, NONE)
+    revolutions, th, th_low = revolutions_and_rest(angle)
+    return State(0.0, 0.0, x, 0.0, y, revolutions, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0, NONE)
 
 
 @inline
 def whole_angle(state):
     """Return θ including all revolutions."""
-    return state.turns * TWO_PI + (state.th + (state.th_low + state.turns * TWO_PI_LOW))
+    return state.revolutions * TWO_PI + (state.th + (state.th_low + state.revolutions * TWO_PI_LOW))
 
 
 @inline
-def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
+def moved(state, t, t_low, x, x_low, y, revolutions, th, th_low):
     """Return the state at another time and position, with its velocities and losses."""
     return State(
-        t, t_low, x, x_low, y, turns, th, th_low, state.vt, state.vn, state.om,
+        t, t_low, x, x_low, y, revolutions, th, th_low, state.vt, state.vn, state.om,
         state.friction, state.impact_n, state.impact_t, state.rolling_loss, state.anchor,
     )  # fmt: skip
 
@@ -63,7 +63,7 @@ def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
 def with_velocities(state, vt, vn, om):
     """Return the state with other velocities."""
     return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low, vt, vn, om,
+        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low, vt, vn, om,
         state.friction, state.impact_n, state.impact_t, state.rolling_loss, state.anchor,
     )  # fmt: skip
 
@@ -72,7 +72,7 @@ def with_velocities(state, vt, vn, om):
 def with_losses(state, friction, impact_n, impact_t):
     """Return the state with other losses."""
     return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
+        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low,
         state.vt, state.vn, state.om, friction, impact_n, impact_t, state.rolling_loss, state.anchor,
     )  # fmt: skip
 
@@ -81,7 +81,7 @@ def with_losses(state, friction, impact_n, impact_t):
 def with_rolling_loss(state, rolling_loss):
     """Return the state with another loss to rolling resistance."""
     return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
+        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low,
         state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, rolling_loss, state.anchor,
     )  # fmt: skip
 
@@ -90,7 +90,7 @@ def with_rolling_loss(state, rolling_loss):
 def with_anchor(state, anchor):
     """Return the state with another anchor."""
     return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
+        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low,
         state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, state.rolling_loss, anchor,
     )  # fmt: skip
 
@@ -98,7 +98,7 @@ def with_anchor(state, anchor):
 @inline
 def at_time(state, t):
     """Return the state at exactly the time t."""
-    return moved(state, t, 0.0, state.x, state.x_low, state.y, state.turns, state.th, state.th_low)
+    return moved(state, t, 0.0, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low)
 
 
 @inline
@@ -113,26 +113,26 @@ def time_left(state, t_end):
     return (t_end - state.t) - state.t_low
 
 
-@apart
-def turned_by(state, angle):
-    """Return (turns, θ, its low-order half) after a rotation by any angle, with abs(θ) ≤ π."""
-    more, th, low = turns_and_rest(angle)
+@noinline
+def rotated_by(state, angle):
+    """Return (revolutions, θ, its low-order half) after a rotation by any angle, with abs(θ) ≤ π."""
+    more, th, low = revolutions_and_rest(angle)
     th, low = add((th, low), (state.th, state.th_low))
-    turns = state.turns + more
+    revolutions = state.revolutions + more
     if th > PI:
-        turns += 1.0
+        revolutions += 1.0
         th, low = add((th, low), (-TWO_PI, -TWO_PI_LOW))
     elif th < -PI:
-        turns -= 1.0
+        revolutions -= 1.0
         th, low = add((th, low), (TWO_PI, TWO_PI_LOW))
-    return turns, th, low
+    return revolutions, th, low
 
 
-@apart
+@noinline
 def flown(state, along, y, tau, vt, vn):
     """Return the state after a flight of duration tau, with θ̇ unchanged."""
     t, t_low = later(state, tau)
     x, x_low = plus(state.x, state.x_low, along)
-    turns, th, th_low = turned_by(state, state.om * tau)
-    after = with_anchor(moved(state, t, t_low, x, x_low, y, turns, th, th_low), NONE)
+    revolutions, th, th_low = rotated_by(state, state.om * tau)
+    after = with_anchor(moved(state, t, t_low, x, x_low, y, revolutions, th, th_low), NONE)
     return with_velocities(after, vt, vn, state.om)

@@ -1,4 +1,4 @@
-"""Writing of events and segments, and their conversion back to states."""
+"""Writing of events and segments, their conversion back to states, and of times in seconds to kernel units."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.native import apart, inline
+from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.panels.panel import FLY, Panel, no_panel
 from hophoop.kernel.physics.body import Mode
@@ -96,7 +96,7 @@ def write_state(row, state):
     row["x_low"] = state.x_low
     row["height"] = state.y
     row["angle"] = whole_angle(state)
-    row["turns"] = state.turns
+    row["revolutions"] = state.revolutions
     row["theta"] = state.th
     row["theta_low"] = state.th_low
     row["vy"] = state.vn
@@ -108,7 +108,7 @@ def write_state(row, state):
     row["rolling_resistance"] = state.rolling_loss
 
 
-@apart
+@noinline
 def write_event(log, cause, mode, state, gain, stable):
     """Append an event."""
     count = next_row(log.counts, EVENTS, log.events.shape[0])
@@ -185,20 +185,50 @@ def add_letter(sequences, k, length, mode):
     return length + 1
 
 
-@apart
+@noinline
 def state_of(row):
     """Return the state just after an event or at the start of a segment."""
     return State(
-        row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["turns"], row["theta"], row["theta_low"],
+        row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["revolutions"], row["theta"], row["theta_low"],
         row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"],
         row["rolling_resistance"], NONE,
     )  # fmt: skip
 
 
-@apart
+@noinline
 def panel_of(row):
     """Return the panel of a segment of rolling or slip."""
     return Panel(
         row["sigma"], row["kind"], row["level"], row["direction"], row["ref"], row["ref_low"], row["sine"], row["cosine"],
         row["extent"], row["torque"], row["curvature"], row["arm"], row["kappa_p_sigma"], row["u"], row["slip"],
     )  # fmt: skip
+
+
+# --- times
+
+
+def kernel_times(begins, end, times, second, out):
+    """Fill `out` with times [s] in kernel units, on the same side of each event as in seconds; at most the end of the motion.
+
+    `begins` are the start times of the segments. Converted to seconds and back, the time of an event may differ by rounding and
+    move to the event's other side. So a time equal to an event's time in seconds is mapped exactly to the event, and likewise
+    for the end.
+    """
+    last = begins.shape[0] - 1
+    for k in range(times.shape[0]):
+        found = min(times[k] / second, end)
+        low = 0
+        high = last + 1
+        while low < high:
+            middle = (low + high) // 2
+            if begins[middle] < found:
+                low = middle + 1
+            else:
+                high = middle
+        for index in (low - 1, low):
+            begin = begins[min(max(index, 0), last)]
+            if begin * second == times[k]:
+                found = begin
+        if end * second == times[k]:
+            found = end
+        out[k] = found

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.circular import cosine, sine_and_cosine
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW, add, plus
+from hophoop.kernel.numerics.circular import cosine, sine_and_cosine, sine_cosine, sine_cosine_change, sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import ORDER, antiderivative, dot, lagrange
-from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.numerics.trigonometry import rotated, sine_cosine, turn
 from hophoop.kernel.panels.anchor import (
     NONE,
     ROLLING,
@@ -35,11 +34,15 @@ from hophoop.kernel.panels.panel import (
 )
 from hophoop.kernel.panels.roll import u_on_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_stiffness
+from hophoop.kernel.physics.closed_forms import rest_curvature, slip_displacement
+from hophoop.kernel.physics.contact import (
+    acceleration_in_contact,
+    inertia_at_height,
+    kappa_p_sigma,
+    load_height,
+    torque_at_rest,
+)
 from hophoop.kernel.physics.modes import next_mode, slip_direction
-from hophoop.kernel.physics.resistance import acceleration_in_contact, torque_at_rest
-from hophoop.kernel.physics.roll import rest_curvature
-from hophoop.kernel.physics.slip import slip_displacement
 from hophoop.kernel.records.state import (
     FARTHEST,
     State,
@@ -77,11 +80,11 @@ LOST = 1e-9  # relative error of θ̇² near the unstable equilibrium above whic
 FINEST_PREDICTED = 24  # finest level for which the next one is predicted: beyond, near p_σ = 0, truncation errors are rounding
 
 
-@apart
+@noinline
 def with_turns(body, state, more):
-    """Count `more` revolutions in `turns` instead of in θ."""
+    """Count `more` revolutions in `revolutions` instead of in θ."""
     th, low = add((state.th, state.th_low), (-more * TWO_PI, -more * TWO_PI_LOW))
-    after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + more, th, low)
+    after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions + more, th, low)
     anchor = state.anchor
     if anchor.kind == SLIPPING and body.mu_k == 0.0:
         return after  # without friction the anchor is the same in every revolution
@@ -94,11 +97,11 @@ def with_turns(body, state, more):
 
 @inline
 def normalize_turns(body, state):
-    """Move one revolution from θ into `turns`."""
+    """Move one revolution from θ into `revolutions`."""
     return with_turns(body, state, 1.0 if state.th > 0.0 else -1.0)
 
 
-@apart
+@noinline
 def is_equilibrium(body, sigma, state):
     """Return True if θ is an equilibrium: exactly at an unstable one, within the rounding of θ at a stable one."""
     anchor = state.anchor
@@ -108,7 +111,7 @@ def is_equilibrium(body, sigma, state):
         return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)
     th = state.th
     s, c = sine_and_cosine(th)
-    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma, 0.0)
+    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else kappa_p_sigma(body, s, c, sigma, 0.0)
     rounding = STILL_ACCELERATION * (1.0 + abs(th))
     if firm > 0.0:
         rounding *= 1.0 + body.eps * (body.gn + abs(body.gt)) / firm
@@ -135,7 +138,7 @@ def square_rate_inside(panel, xi, weights, values):
     return result * ((end - xi) * (end - xi))
 
 
-@apart
+@noinline
 def rolling_loss_inside(work, weights):
     """Return the energy lost to rolling resistance up to a position inside a solved panel, given by its weights."""
     antiderivative(work[ROLLING_POWER], work[ROLLING_LOSS])
@@ -179,9 +182,9 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     else:
         s0 = panel.sine
         c0 = panel.cosine
-        ds, dc = rotated(s0, c0, sine, versine)
+        ds, dc = sine_cosine_change_by(s0, c0, sine, versine)
         if panel.kind == ARRIVE:  # from the start of the panel, not from its reference
-            back = turn(s0, c0, angle_at(panel, -1.0))
+            back = sine_cosine_change(s0, c0, angle_at(panel, -1.0))
             s0 += back[0]
             c0 += back[1]
             ds -= back[0]
@@ -191,7 +194,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     x, x_low = plus(state.x, state.x_low, along)
     th, th_low = plus(panel.ref, panel.ref_low, offset)
     return State(
-        t, t_low, x, x_low, 0.0, state.turns, th, th_low, vt, 0.0, om,
+        t, t_low, x, x_low, 0.0, state.revolutions, th, th_low, vt, 0.0, om,
         state.friction + loss, state.impact_n, state.impact_t, state.rolling_loss + rolling_loss, state.anchor,
     )  # fmt: skip
 
@@ -204,7 +207,7 @@ def propagate_anchor(body, panel, totals, xi, after):
         s, _ = sine_cosine(after.th, after.th_low)
         sine = panel.sine
         if panel.kind == ARRIVE:
-            sine += turn(panel.sine, panel.cosine, angle_at(panel, -1.0))[0]
+            sine += sine_cosine_change(panel.sine, panel.cosine, angle_at(panel, -1.0))[0]
         before = body.eps * sine
         now = body.eps * s
         growth = (body.kap + before * before) / (body.kap + now * now)
@@ -215,7 +218,7 @@ def propagate_anchor(body, panel, totals, xi, after):
     return with_anchor(after, Anchor(SLIPPING, anchor.excess * growth, anchor.base, anchor.base_low, anchor.bend))
 
 
-@apart
+@noinline
 def recover_slip_velocity(body, state, u):
     """Return the state of slip with θ̇² = u, if rounding has lost digits of θ̇ near the unstable equilibrium.
 
@@ -268,8 +271,8 @@ def snap_to_event(body, ending, state, limits, direction):
         return at_time(state, limits.t_end)
     if ending == Ending.ANGLE_LIMIT:
         after = at_span(limits, state, direction)
-        if after.turns != state.turns:  # a motion that goes on from there needs its anchor
-            after = with_anchor(after, with_turns(body, state, after.turns - state.turns).anchor)
+        if after.revolutions != state.revolutions:  # a motion that goes on from there needs its anchor
+            after = with_anchor(after, with_turns(body, state, after.revolutions - state.revolutions).anchor)
         return after
     return state
 
@@ -352,13 +355,13 @@ def slide_without_rotation(body, mode, state, t_end, log):
         t, t_low = t_end, 0.0
     x, x_low = plus(state.x, state.x_low, slid)
     friction = state.friction + sigma * body.mu_k * body.gn * slid
-    after = with_velocities(moved(state, t, t_low, x, x_low, 0.0, state.turns, state.th, state.th_low), vt, 0.0, 0.0)
+    after = with_velocities(moved(state, t, t_low, x, x_low, 0.0, state.revolutions, state.th, state.th_low), vt, 0.0, 0.0)
     after = with_losses(after, friction, state.impact_n, state.impact_t)
     write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, state, after.t)
     return ending, after
 
 
-@apart
+@noinline
 def still_step(body, phase, state, limits, log):
     """Rest, or slip without rotation until it ends; return the next phase."""
     mode = phase.mode
@@ -406,7 +409,7 @@ def after_slip(body, phase, ending, state, log):
     return begin_phase(mode, state, ending)
 
 
-@apart
+@noinline
 def turning_point_step(body, phase, state, level, limits, log):
     """Return the phase after a turning point with rolling resistance, where the couple and the contact force jump."""
     mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)

@@ -12,13 +12,11 @@ import math
 import numpy as np
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.physics.body import Body, Event, Mode, Status
+from hophoop.kernel.physics.contact import resistance_arm, slip_coefficients
 from hophoop.kernel.physics.impact import singular_angle
-from hophoop.kernel.physics.painleve import slip_coefficients
-from hophoop.kernel.physics.resistance import resistance_arm
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.writing import state_of
 from hophoop.kernel.rigid.run import run
 

@@ -7,15 +7,13 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.panels.landing import first_landing
 from hophoop.kernel.panels.panel import FLY, SKIMMING, STRUCK, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap, skim_duration, skim_state, strike, strike_limit
 from hophoop.kernel.physics.contact import free_acceleration
-from hophoop.kernel.physics.flight import flight_displacement, flight_gap
-from hophoop.kernel.physics.massless import skim_duration, skim_state, strike, strike_limit
 from hophoop.kernel.physics.modes import UNDECIDED, slip_mode
 from hophoop.kernel.records.state import at_time, flown, later, moved, time_left, with_losses, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, write_event, write_flight, write_plain_event, write_segment
@@ -32,7 +30,7 @@ SLOWEST_BOUNCE = 1e-100  # the heights of slower bounces come close to underflow
 LONGEST_FLIGHT = 1e9  # rad: after a longer rotation time is too coarse to give the angle to 1e-7 rad
 
 
-@apart
+@noinline
 def apex_state(body, state, f_n, apex):
     """Return the state at the apex of a flight."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -60,7 +58,7 @@ def flight_start(body, state, after_slip):
     return f_n, 2
 
 
-@apart
+@noinline
 def fly(body, state, f_n, vanishing, limits, log):
     """Fly until the landing, the time limit, the angle limit or `LONGEST_FLIGHT`; `flight_start` returns f_n and `vanishing`.
 
@@ -103,7 +101,7 @@ def fly(body, state, f_n, vanishing, limits, log):
     return ending, after
 
 
-@apart
+@noinline
 def is_last_bounce(body, state, after):
     """Return True if the bounces to come take less than `CLOSING` of the time so far.
 
@@ -186,11 +184,11 @@ def skim(body, state, t_end, log):
     write_segment(log, SKIM, no_panel(SKIMMING, 0, direction), STRUCK if strikes else 0.0, state, t)
     if strikes:
         x, th, vt = strike_limit(body, state.x, state.th, s, along, direction, tau)
-    after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.turns, th, 0.0), vt, 0.0, om)
+    after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.revolutions, th, 0.0), vt, 0.0, om)
     return strikes, after, -(s * state.om + body.gn * tau)
 
 
-@apart
+@noinline
 def skim_step(body, phase, limits, log):
     """Fall until the load strikes the plane or time is over; return the next phase."""
     strikes, after, vn = skim(body, phase.state, limits.t_end, log)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.circular import sine
-from hophoop.kernel.numerics.collocation import ORDER, coefficients
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import sine, sine_cosine
+from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing
 from hophoop.kernel.numerics.exponentials import binary_logarithm, logarithm, power
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
-from hophoop.kernel.numerics.trigonometry import sine_cosine
 from hophoop.kernel.panels.anchor import (
     NONE,
     SLIPPING,
@@ -32,9 +30,15 @@ from hophoop.kernel.panels.panel import (
 )
 from hophoop.kernel.panels.roll import solve_resisted, solve_roll, u_on_panel
 from hophoop.kernel.panels.slip import solve_slip
-from hophoop.kernel.physics.contact import inertia_at_height, load_height, slip_motion
-from hophoop.kernel.physics.painleve import slip_coefficients, stiffness_slope
-from hophoop.kernel.physics.resistance import clamp, resistance_arm
+from hophoop.kernel.physics.contact import (
+    clamp,
+    inertia_at_height,
+    kappa_p_sigma_slope,
+    load_height,
+    resistance_arm,
+    slip_coefficients,
+    slip_motion,
+)
 from hophoop.kernel.records.layout import PANELS
 from hophoop.kernel.records.state import with_anchor
 from hophoop.kernel.rigid.phase import START_LEVEL
@@ -58,7 +62,7 @@ LONG = 64.0  # panels are cut if they last longer than this times the time left 
 NARROWEST = 2000
 
 
-@apart
+@noinline
 def set_anchor(body, sigma, state, s, c, scratch):
     """Return the state at the start of a phase, with the anchor of the phase; s and c are sin θ and cos θ."""
     if body.resist > 0.0:
@@ -100,7 +104,7 @@ def solve(body, panel, work):
     return solve_slip(body, panel, work)
 
 
-@apart
+@noinline
 def solve_noinline(body, panel, work):
     """Call `solve` without inlining it, where it is rarely needed: copies of it would dominate the compile time."""
     return solve(body, panel, work)
@@ -115,17 +119,17 @@ def narrower_level(level, size):
     return level + max(1, min(4, more))
 
 
-@apart
+@noinline
 def extra_levels_near_singularity(body, sigma, direction, begin):
     """Return the extra levels allowed to slip that starts near p_σ = 0 and moves away from it."""
-    slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
+    slope = kappa_p_sigma_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
     if slope * direction <= 0.0 or begin.kappa_p_sigma <= 0.0:
         return 0
     distance = max(begin.kappa_p_sigma * min(begin.u, 1.0), SMALLEST_EXTENT)
     return math.ceil(2.0 * binary_logarithm(NEAR_SINGULAR / distance))
 
 
-@apart
+@noinline
 def slow_levels(body, sigma, begin):
     """Return (widest, finest) level for a panel that starts with θ̇² below `SLOW`².
 
@@ -146,7 +150,7 @@ def slow_levels(body, sigma, begin):
     return math.floor(2.0 * ratio), finest
 
 
-@apart
+@noinline
 def has_turning_point_within(body, panel, reach):
     """Return True if rolling has θ̇² < 0 at one of a few angles up to `reach` from the panel's start."""
     end = sine(reach)
@@ -159,7 +163,7 @@ def has_turning_point_within(body, panel, reach):
     return False
 
 
-@apart
+@noinline
 def turning_point_ahead(body, panel, totals, scratch):
     """Return the angle from the panel's start to the first zero of θ̇², or 0 if none is near.
 
@@ -186,7 +190,7 @@ def turning_point_ahead(body, panel, totals, scratch):
     return 0.0
 
 
-@apart
+@noinline
 def solve_arrival(body, before, ahead, work):
     """Return (panel, totals) of a panel up to the turning point, about `ahead` from the start of the linear panel `before`.
 
@@ -209,7 +213,7 @@ def solve_arrival(body, before, ahead, work):
     return panel, totals
 
 
-@apart
+@noinline
 def first_extent(body, sigma, vt, begin):
     """Return the width of the first panel to try from rest."""
     if sigma == 0 or vt == 0.0:
@@ -278,7 +282,7 @@ def exceeds_time_left(totals, left):
     return totals.time > LONG * max(left, 1.0) and left > 0.0
 
 
-@apart
+@noinline
 def narrow_to_time(body, panel, totals, state, left, scratch):
     """Return (panel, totals) of a panel narrow enough for the time left; see `exceeds_time_left`."""
     s, c = sine_cosine(state.th, state.th_low)

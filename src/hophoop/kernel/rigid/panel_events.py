@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import (
+    NOT_FOUND,
     ORDER,
     PARTS,
     antiderivative,
     coefficients,
     extremes,
+    first_downcrossing,
+    first_downcrossing_after,
     left_value,
     series_value,
 )
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing, first_downcrossing_after
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.numerics.trigonometry import rotated
 from hophoop.kernel.panels.panel import (
     ARRIVE,
     BACKWARD_MARGIN,
@@ -84,7 +86,7 @@ def margin_downcrossing(row, begins, floor, scratch):
     return first_downcrossing(scratch.series, floor, scratch.stack), near
 
 
-@apart
+@noinline
 def touches_zero(row, scale, scratch):
     """Return True if a local minimum of a margin on a panel is zero within rounding."""
     series = scratch.series
@@ -111,7 +113,7 @@ def touches_zero(row, scale, scratch):
     return False
 
 
-@apart
+@noinline
 def record_tangency(first, first_scale, second, second_scale, t, scratch):
     """Record a doubt if one of two margins on a panel has a minimum that is zero within rounding of its scale."""
     if touches_zero(first, first_scale, scratch) or touches_zero(second, second_scale, scratch):
@@ -129,19 +131,19 @@ def fill_cone_margins(body, panel, work):
         work[BACKWARD_MARGIN, i] = a * normal + b * friction
 
 
-@apart
+@noinline
 def cone_margin(body, panel, side, xi):
     """Return (margin to one side of the friction cone, size of the forces) at ξ of rolling without rolling resistance."""
     offset = angle_at(panel, xi)
     sine, versine = sine_versine_of_offset(panel, xi)
     u = u_on_panel(body, panel, sine, versine, offset)
-    ds, dc = rotated(panel.sine, panel.cosine, sine, versine)
+    ds, dc = sine_cosine_change_by(panel.sine, panel.cosine, sine, versine)
     friction, normal = rolling_forces(body, panel.sine + ds, panel.cosine + dc, u, 0.0)
     a, b = cone_weights(body.mu_s)
     return a * normal - side * b * friction, body.gn + abs(body.gt) + u
 
 
-@apart
+@noinline
 def on_cone(body, panel, side, xi):
     """Correct a zero of a margin's series to a zero of the margin.
 
@@ -179,7 +181,7 @@ def end_of_rolling(body, panel, state, begins, scratch):
     return xi, Ending.CONE_BACKWARD if side < 0.0 else Ending.CONE_FORWARD
 
 
-@apart
+@noinline
 def tangency_rounding(body, state):
     """Return the rounding of v_t in slip without friction, from the speeds since the last unstable equilibrium.
 

@@ -7,7 +7,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from hophoop.kernel.native import inline
-from hophoop.kernel.numerics.double_double import TWO_PI, TWO_PI_LOW, plus
+from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW, plus
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.modes import UNDECIDED
 from hophoop.kernel.records.state import State, moved
@@ -94,34 +94,34 @@ class Limits(NamedTuple):
     span: float
     span_turns: float  # the span as revolutions and the rest
     span_rest: float
-    turns: float  # angle of the start
+    revolutions: float  # angle of the start
     th: float
     th_low: float
 
 
 def limits_of(start, t_end, span, stop):
     """Return the limits of a motion; a span within rounding of whole revolutions means exactly these revolutions."""
-    turns = 0.0
+    revolutions = 0.0
     rest = 0.0
     if not math.isnan(span):
-        turns = 1.0 * math.floor(span / TWO_PI + 0.5)
-        rest = span - turns * TWO_PI
+        revolutions = 1.0 * math.floor(span / TWO_PI + 0.5)
+        rest = span - revolutions * TWO_PI
         if abs(rest) <= 4e-16 * span:
             rest = 0.0
-    return Limits(t_end, stop, span, turns, rest, start.turns, start.th, start.th_low)
+    return Limits(t_end, stop, span, revolutions, rest, start.revolutions, start.th, start.th_low)
 
 
 @inline
 def angle_left(limits, state, direction):
     """Return the angle to go in `direction` (±1) until θ has changed by the span."""
-    turns = limits.span_turns - direction * (state.turns - limits.turns)
+    revolutions = limits.span_turns - direction * (state.revolutions - limits.revolutions)
     rest = limits.span_rest - direction * ((state.th - limits.th) + (state.th_low - limits.th_low))
-    return turns * TWO_PI + (rest + turns * TWO_PI_LOW)
+    return revolutions * TWO_PI + (rest + revolutions * TWO_PI_LOW)
 
 
 @inline
 def at_span(limits, state, direction):
     """Return the state at exactly the angle where the span ends."""
     th, low = plus(limits.th, limits.th_low, direction * limits.span_rest)
-    turns = limits.turns + direction * limits.span_turns
-    return moved(state, state.t, state.t_low, state.x, state.x_low, state.y, turns, th, low)
+    revolutions = limits.revolutions + direction * limits.span_turns
+    return moved(state, state.t, state.t_low, state.x, state.x_low, state.y, revolutions, th, low)

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.circular import cosine
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import cosine, sine_cosine
 from hophoop.kernel.panels.panel import FLY, LINEAR, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.physics.contact import free_acceleration, slip_motion
+from hophoop.kernel.physics.contact import free_acceleration, resistance_arm, slip_coefficients, slip_motion
 from hophoop.kernel.physics.modes import can_roll, opening_sign, slip_direction, slip_mode
-from hophoop.kernel.physics.painleve import slip_coefficients
-from hophoop.kernel.physics.resistance import resistance_arm
-from hophoop.kernel.records.cells import body_of, mode_of, second_of, start_of
-from hophoop.kernel.records.layout import DURATION, EVENTS, MAX_EVENTS, SEGMENTS, Outcome
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.cells import Cell, body_of, mode_of, second_of, start_of
+from hophoop.kernel.records.layout import EVENTS, SEGMENTS, Outcome, new_scratch
 from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event, write_segment
 from hophoop.kernel.rigid.contact_phase import contact_step
 from hophoop.kernel.rigid.flight_phase import begin_skim, flight_step, land, skim_step
@@ -35,7 +31,7 @@ BY_RULE = -1  # instead of a mode at the start: the rule of the modes selects it
 RISING = 1e-6  # relative: slip that starts at the friction cone has v̇_t = 0 within rounding; slip that ends has more than this
 
 
-@apart
+@noinline
 def begin_massless(body, state, given, log):
     """Start the motion of a massless hoop, which rolls, skims, and slides with its load on the plane."""
     down = cosine(state.th) <= -1.0
@@ -57,7 +53,7 @@ def begin_massless(body, state, given, log):
     return begin_phase(mode, state, Ending.CONTINUES)
 
 
-@apart
+@noinline
 def goes_on_slipping(body, mode, state):
     """Return True if a state in contact belongs to a phase of slip that does not end there."""
     sigma = slip_direction(mode)
@@ -72,7 +68,7 @@ def goes_on_slipping(body, mode, state):
     return state.vt != 0.0 or sigma * rate > -RISING * size
 
 
-@apart
+@noinline
 def ends_in_lift_off(body, mode, state):
     """Return True if a state in contact is the last one of slip that lifts off, where N is zero within rounding."""
     if slip_direction(mode) == 0 or state.vt == 0.0 or opening_sign(body, state.th, state.om) < 0:
@@ -82,7 +78,7 @@ def ends_in_lift_off(body, mode, state):
     return abs(free_acceleration(body, s, c, u)[1]) <= CLOSE * (body.gn + body.eps * u)
 
 
-@apart
+@noinline
 def begin_in_mode(body, mode, state, log, scratch):
     """Start the motion in the mode of a state of another motion, which the rule may miss by rounding.
 
@@ -96,7 +92,7 @@ def begin_in_mode(body, mode, state, log, scratch):
     return continue_phase(phase, set_anchor(body, 0, state, s, c, scratch), phase.level, Ending.CONTINUES)
 
 
-@apart
+@noinline
 def begin(body, start, given, log, scratch):
     """Start the motion, in a given mode or BY_RULE: write its START event and return its first phase."""
     state = start
@@ -126,15 +122,15 @@ def step(body, phase, limits, log, scratch):
     return contact_step(body, phase, limits, log, scratch)
 
 
-@apart
+@noinline
 def can_follow(before, after, t_end):
     """Return True if `after` is not earlier than `before` and the squares of its quantities do not overflow."""
-    sizes = abs(after.x) + after.y + abs(after.turns) + abs(after.vt) + abs(after.vn) + abs(after.om)
+    sizes = abs(after.x) + after.y + abs(after.revolutions) + abs(after.vt) + abs(after.vn) + abs(after.om)
     lost = abs(after.friction) + abs(after.impact_n) + abs(after.impact_t) + abs(after.rolling_loss)
     return after.t >= min(before.t, t_end) and sizes < LARGEST and lost < LARGEST * LARGEST  # False for nan
 
 
-@apart
+@noinline
 def write_end(log, mode, phase):
     """Write a segment of zero length with the state after the event that ends the motion.
 
@@ -207,14 +203,14 @@ def run(body, start, mode, t_end, angle_span, stop, events, segments, scratch):
 def run_cell(tables):
     """Compute the motion of a cell up to its duration."""
     scratch = new_scratch()
-    cell = tables.cell
-    second = second_of(cell, 0)
+    cell = tables.cell[:, 0]
+    second = second_of(cell)
     events = tables.events
-    most = int(cell[MAX_EVENTS, 0])
+    most = int(cell[Cell.MAX_EVENTS])
     if events.shape[0] > most:
         events = events[:most]
     status, count, pieces = run(
-        body_of(cell, 0), start_of(cell, 0, second), mode_of(cell, 0), cell[DURATION, 0] / second, math.nan, 0, events,
+        body_of(cell), start_of(cell, second), mode_of(cell), cell[Cell.DURATION] / second, math.nan, 0, events,
         tables.segments, scratch,
     )  # fmt: skip
     return Outcome(status, count, pieces, scratch.doubt[0], scratch.counts[EVENTS] < 0)

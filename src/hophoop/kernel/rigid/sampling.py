@@ -4,21 +4,30 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.numerics.collocation import ORDER, coefficients
-from hophoop.kernel.numerics.double_double import plus
-from hophoop.kernel.numerics.roots import NOT_FOUND, first_downcrossing
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.numerics.arithmetic import plus
+from hophoop.kernel.numerics.circular import sine_cosine
+from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, STRUCK, TIME, Totals, fill_inside, no_panel
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.contact import free_acceleration, rolling_forces, slip_load, slip_motion, slip_stiffness
-from hophoop.kernel.physics.energy import kinetic_energy, potential_energy
-from hophoop.kernel.physics.flight import flight_displacement, flight_gap
-from hophoop.kernel.physics.massless import skim_state, strike_limit
+from hophoop.kernel.physics.closed_forms import (
+    flight_displacement,
+    flight_gap,
+    kinetic_energy,
+    potential_energy,
+    skim_state,
+    strike_limit,
+)
+from hophoop.kernel.physics.contact import (
+    free_acceleration,
+    kappa_p_sigma,
+    resistance_arm,
+    rolling_forces,
+    slip_coefficients,
+    slip_load,
+    slip_motion,
+)
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.physics.painleve import slip_coefficients
-from hophoop.kernel.physics.resistance import resistance_arm
-from hophoop.kernel.records.layout import COLUMNS
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import COLUMNS, new_scratch
 from hophoop.kernel.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.kernel.records.writing import panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
@@ -90,7 +99,7 @@ def state_without_rotation(body, sigma, state, t, tau):
     slid = state.vt * tau + 0.5 * rate * tau * tau
     loss = sigma * body.mu_k * body.gn * slid if sigma != 0 else 0.0
     x, x_low = plus(state.x, state.x_low, slid)
-    now = moved(state, t, 0.0, x, x_low, 0.0, state.turns, state.th, state.th_low)
+    now = moved(state, t, 0.0, x, x_low, 0.0, state.revolutions, state.th, state.th_low)
     return with_losses(
         with_velocities(now, state.vt + rate * tau, 0.0, 0.0), state.friction + loss, state.impact_n, state.impact_t
     )
@@ -106,7 +115,7 @@ def state_in_skim(body, direction, state, t, tau, strikes):
         om = direction * math.inf
     else:
         x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, direction, tau)
-    now = moved(state, t, 0.0, x, 0.0, 0.0, state.turns, th, 0.0)
+    now = moved(state, t, 0.0, x, 0.0, 0.0, state.revolutions, th, 0.0)
     return with_velocities(now, vt, 0.0, om), load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
 
 
@@ -188,7 +197,7 @@ def margins_of(body, mode, theta, theta_low, omega, slip, height):
         rho = resistance_arm(body, s, c, omega, sigma)
         normal = slip_motion(body, s, c, u, sigma, rho)[1]
         friction = -sigma * body.mu_k * normal
-        p_sigma = slip_stiffness(body, s, c, sigma, rho) / body.kap
+        p_sigma = kappa_p_sigma(body, s, c, sigma, rho) / body.kap
         mu = body.mu_k
     elif mode in (Mode.FLIGHT, Mode.SKIM):
         friction = 0.0

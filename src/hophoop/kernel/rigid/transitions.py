@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import apart, inline
-from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.numerics.trigonometry import sine_cosine
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import cone_weights, contact_arms, free_acceleration, rolling_forces
+from hophoop.kernel.physics.contact import (
+    cone_weights,
+    contact_arms,
+    free_acceleration,
+    resistance_arm,
+    rolling_forces,
+    slip_coefficients,
+)
 from hophoop.kernel.physics.impact import impact, singular_angle, singular_slip, stick_rates
 from hophoop.kernel.physics.modes import (
     INDETERMINATE,
@@ -18,8 +24,6 @@ from hophoop.kernel.physics.modes import (
     slip_direction,
     slip_mode,
 )
-from hophoop.kernel.physics.painleve import slip_coefficients
-from hophoop.kernel.physics.resistance import resistance_arm
 from hophoop.kernel.records.state import with_anchor, with_losses, with_rolling_loss, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, event_without_jump, record_doubt, write_event, write_plain_event
 from hophoop.kernel.rigid.panel_events import CLOSE, SMALLEST_SQUARE
@@ -55,7 +59,7 @@ def collide(body, rest, state, kind, mode, collision):
     return with_losses(after, state.friction, losses_n, losses_t), cause
 
 
-@apart
+@noinline
 def end_bounces(body, state):
     """Return (state after, cause) of the impact that ends infinitely many bounces, with e = 0 and v_n = 0 after it."""
     after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
@@ -75,7 +79,7 @@ def end_bounces(body, state):
     return still, PendingEvent(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
 
 
-@apart
+@noinline
 def write_cause(log, cause, mode, state):
     """Write the event, and Kane's energy gain after it if there is one."""
     write_event(log, cause, mode, state, 0.0, -1)
@@ -83,7 +87,7 @@ def write_cause(log, cause, mode, state):
         write_event(log, event_without_jump(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
 
 
-@apart
+@noinline
 def mode_is_in_doubt(body, state):
     """Return True if rounding of a state in contact may decide the mode that follows."""
     if body.kap == 0.0 or body.mu_s == 0.0 or math.isinf(body.mu_s):
@@ -105,7 +109,7 @@ def mode_is_in_doubt(body, state):
     return margin < 0.0 and opening <= CLOSE * scale
 
 
-@apart
+@noinline
 def undecided(body, state, log):
     """Return (UNDECIDED, state), with the doubt that extended precision may resolve; with infinite friction it does not."""
     if not math.isinf(body.mu_s):
@@ -141,9 +145,9 @@ def resolve_mode(body, state, cause, log):
         if mode == UNDECIDED:
             break
         if mode == INDETERMINATE:
-            after = named if body.strike else FLIGHT
+            after = named if body.painleve_impact else FLIGHT
             write_plain_event(log, PAINLEVE_INDETERMINATE, named, after, state)
-            if not body.strike:
+            if not body.painleve_impact:
                 return FLIGHT, state
         else:
             write_plain_event(log, PAINLEVE_INCONSISTENT, named, named, state)
@@ -151,7 +155,7 @@ def resolve_mode(body, state, cause, log):
     return undecided(body, state, log)
 
 
-@apart
+@noinline
 def resolve_painleve_singularity(body, mode, state, log):
     """Return (True if it jams, mode, state) after slip whose panels have shrunk to nothing.
 
@@ -187,7 +191,7 @@ def resolve_painleve_singularity(body, mode, state, log):
     return False, mode, after
 
 
-@apart
+@noinline
 def leave_cone(body, state, ahead, log):
     """Return the mode after rolling that needs all available friction (rule 2); `ahead` is True if F > 0.
 

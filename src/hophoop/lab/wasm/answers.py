@@ -8,9 +8,20 @@ import numpy as np
 from numba import carray
 
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
-from hophoop.kernel.records.cells import body_of, scales_of
-from hophoop.kernel.records.layout import CELL, CONTACT, MapRequest, MapResults
+from hophoop.kernel.records.cells import (
+    AT,
+    CELL,
+    CONTACT,
+    FIRST,
+    SECOND,
+    SHAPE,
+    body_of,
+    combined,
+    ideal_inertia,
+    part_reach,
+    scales_of,
+)
+from hophoop.kernel.records.layout import MapRequest, MapResults
 from hophoop.kernel.records.refusal import mark_refused, refusal
 from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
 from hophoop.lab.wasm.layout import PART, THRESHOLDS
@@ -48,10 +59,10 @@ def write_jams(body, out):
 
 def thresholds(given, speed, out):
     """Write the thresholds of theory for a hoop that starts from θ = 0 with `speed` [m/s] (nan: not given)."""
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     row = carray(out, (ANSWERS,))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
+    scales = scales_of(cell)
+    body = body_of(cell)
     rows = table_of(body)
     unit = scales.length / scales.time
     pair = np.empty((1, 2))
@@ -88,11 +99,11 @@ def thresholds(given, speed, out):
 
 def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
     """Write the mode that follows each state of contact without slip, as an index into `vocabulary.names.MODE_WORDS`."""
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     codes = carray(modes, (lines, columns))
     sides = carray(paradox, (2, columns))  # for θ̇ < 0 and θ̇ > 0, which differ with rolling resistance
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
+    scales = scales_of(cell)
+    body = body_of(cell)
     rows = table_of(body)
     angle = np.empty(1)
     rate = np.empty(1)
@@ -117,7 +128,7 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
 
 
 def map_cells(cells, n, span, stop, timed, quantities, numbers, words, sequences):
-    """Compute reduced quantities of n motions, each a column of `records.layout.CELL`; `span` is in rad, nan for none."""
+    """Compute reduced quantities of n motions, each a column of `records.cells.CELL`; `span` is in rad, nan for none."""
     columns = carray(cells, (ROWS, n))
     mark_refused(columns)
     results = MapResults(carray(numbers, (n, NUMBER_COUNT)), carray(words, (n, WORD_COUNT)), carray(sequences, (n, INTEGERS)))

@@ -7,16 +7,13 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop.kernel.compliant import sampling
-from hophoop.kernel.compliant.parameters import RTOL, chosen_in_si, compliance_of, load_contact
+from hophoop.kernel.compliant.motion import RTOL, chosen_in_si, compliance_of, load_contact
 from hophoop.kernel.compliant.records import OM, SIZE, TH, VN, VT, WIDTH, X, Y
-from hophoop.kernel.compliant.run import run
-from hophoop.kernel.compliant.sampling import sample
+from hophoop.kernel.compliant.run import COLUMNS, run, sample
 from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.cells import body_of, scales_of
-from hophoop.kernel.records.layout import ANGLE, CONTACT, DURATION, HEIGHT, MASS, MAX_EVENTS, OMEGA, SEGMENT, SLIP, VY
-from hophoop.kernel.records.layout import X as PLACE
-from hophoop.kernel.records.times import kernel_times
+from hophoop.kernel.records.cells import CONTACT, Cell, body_of, scales_of
+from hophoop.kernel.records.layout import SEGMENT
+from hophoop.kernel.records.writing import kernel_times
 from hophoop.lab.wasm.layout import CHOSEN, EVENT_COLUMNS, HEADS
 from hophoop.lab.wasm.motions import (
     FIELDS,
@@ -28,42 +25,42 @@ from hophoop.lab.wasm.motions import (
 )
 
 CONTACT_WIDTH, HEAD_COUNT, EVENT_WIDTH, CHOSEN_COUNT = len(CONTACT), len(HEADS), len(EVENT_COLUMNS), len(CHOSEN)
-RAW_WIDTH = len(sampling.COLUMNS)
-SPRING, DAMPER, KINETIC, POTENTIAL, FRICTION, RESISTED = (
-    sampling.COLUMNS.index(name) for name in ("spring", "damping", "kinetic", "potential", "friction", "rolling_resistance")
+RAW_WIDTH = len(COLUMNS)
+SPRING, DAMPER, KINETIC, POTENTIAL, FRICTION, ROLLING_LOSS = (
+    COLUMNS.index(name) for name in ("spring", "damping", "kinetic", "potential", "friction", "rolling_resistance")
 )
 
 
-def contact_of(cells, contact, body, scales):
+def contact_of(cell, contact, body, scales):
     """Return the parameters of the contact in kernel units."""
     return compliance_of(
-        body, scales.length, scales.time, cells[MASS, 0], int(contact[0]), int(contact[1]),
+        body, scales.length, scales.time, cell[Cell.MASS], int(contact[0]), int(contact[1]),
         contact[2], contact[3], contact[4], contact[5], contact[6],
     )  # fmt: skip
 
 
-def start_at(cells, scales):
+def start_at(cell, scales):
     """Return the start in kernel units, before the contact is loaded."""
     speed = scales.speed
     start = np.zeros(SIZE)
-    start[X] = cells[PLACE, 0] / scales.length
-    start[Y] = cells[HEIGHT, 0] / scales.length
-    start[TH] = cells[ANGLE, 0]
-    start[VT] = cells[SLIP, 0] / speed
-    start[VN] = cells[VY, 0] / speed
-    start[OM] = cells[OMEGA, 0] * scales.time
+    start[X] = cell[Cell.X] / scales.length
+    start[Y] = cell[Cell.HEIGHT] / scales.length
+    start[TH] = cell[Cell.ANGLE]
+    start[VT] = cell[Cell.SLIP] / speed
+    start[VN] = cell[Cell.VY] / speed
+    start[OM] = cell[Cell.OMEGA] * scales.time
     return start
 
 
 def compliance(given, contact, out):
     """Write the derived parameters of the contact, in the order of `layout.CHOSEN`."""
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     asked = carray(contact, (CONTACT_WIDTH,))
     row = carray(out, (CHOSEN_COUNT,))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
-    comp = contact_of(cells, asked, body, scales)
-    row[0], row[1] = chosen_in_si(comp, scales.length, scales.time, cells[MASS, 0])
+    scales = scales_of(cell)
+    body = body_of(cell)
+    comp = contact_of(cell, asked, body, scales)
+    row[0], row[1] = chosen_in_si(comp, scales.length, scales.time, cell[Cell.MASS])
 
 
 def compliant_motion(given, contact, events, most_events, most_steps, rows, most_rows, table, heads):
@@ -71,18 +68,18 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
 
     If `rows` is too short for `compliant_samples`, the status is `buffer` and the number of segments is the required length.
     """
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     asked = carray(contact, (CONTACT_WIDTH,))
-    records = carray(events, (min(most_events, int(cells[MAX_EVENTS, 0])),))
+    records = carray(events, (min(most_events, int(cell[Cell.MAX_EVENTS])),))
     kept = carray(rows, (most_rows, WIDTH))
     lines = carray(table, (most_events, EVENT_WIDTH))
     head = carray(heads, (HEAD_COUNT,))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
-    comp = contact_of(cells, asked, body, scales)
-    start = start_at(cells, scales)
+    scales = scales_of(cell)
+    body = body_of(cell)
+    comp = contact_of(cell, asked, body, scales)
+    start = start_at(cell, scales)
     touching = load_contact(body, comp, start)
-    duration = cells[DURATION, 0]
+    duration = cell[Cell.DURATION]
     t_end = duration / scales.time
     rtol = RTOL if math.isnan(asked[7]) else asked[7]
     none = np.empty(0, SEGMENT)
@@ -106,19 +103,19 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
         first[:] = 0.0
         last[:] = 0.0
     end = last[0]  # many steps may share the last digit of a late time: take the state after all of them
-    energies = (end[KINETIC], end[POTENTIAL], end[SPRING], end[DAMPER], end[FRICTION], end[RESISTED])
+    energies = (end[KINETIC], end[POTENTIAL], end[SPRING], end[DAMPER], end[FRICTION], end[ROLLING_LOSS])
     write_energies(body, scales, records[0], records[count - 1], energies, first[0, SPRING], head)
 
 
 def compliant_samples(given, contact, rows, count, times, n, left, out):
     """Write the states of a motion with compliant contact at times in s."""
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     kept = carray(rows, (count, WIDTH))
     when = carray(times, (n,))
     states = carray(out, (n, SAMPLE_WIDTH))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
-    comp = contact_of(cells, carray(contact, (CONTACT_WIDTH,)), body, scales)
+    scales = scales_of(cell)
+    body = body_of(cell)
+    comp = contact_of(cell, carray(contact, (CONTACT_WIDTH,)), body, scales)
     asked = np.empty(n)
     kernel_times(kept[:, 0], kept[count - 1, 1], when, scales.time, asked)
     raw = np.empty((n, RAW_WIDTH))

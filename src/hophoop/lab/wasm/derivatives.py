@@ -7,33 +7,26 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop.derivatives.directions import NUMBERS, direction
+from hophoop.derivatives.directions import direction
 from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import PARAMETERS, STATE_ROWS
 from hophoop.derivatives.units import UNIT_OF_ROW, sizes_and_rates
 from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
 from hophoop.kernel.numerics.collocation import ORDER
-from hophoop.kernel.records.cells import body_of, scales_of
-from hophoop.kernel.records.layout import CELL, DURATION
-from hophoop.kernel.records.scratch import new_scratch
-from hophoop.kernel.records.times import kernel_times
+from hophoop.kernel.records.cells import Cell, body_of, scales_of
+from hophoop.kernel.records.layout import new_scratch
+from hophoop.kernel.records.writing import kernel_times
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS
 from hophoop.lab.wasm.motions import FIELDS
 
-FROM = np.array([CELL.index(name) for name in NUMBERS])
-COUNT, WIDTH = len(NUMBERS), len(CHANGE_COLUMNS)
+WIDTH = len(CHANGE_COLUMNS)
 TURNING, SLIP, VX = (CHANGE_COLUMNS.index(name) for name in ("omega", "slip", "vx"))
 
 
-def directions_of(cells, more, sign, changes, start, units):
-    """Convert cells and their derivatives to directions in kernel units."""
-    numbers, rates = np.empty(COUNT), np.empty(COUNT)
-    for i in range(COUNT):
-        numbers[i] = cells[FROM[i], 0]
+def directions_of(cell, more, sign, changes, start, units):
+    """Convert a cell and its derivatives to directions in kernel units."""
     for k in range(more.shape[1]):
-        for i in range(COUNT):
-            rates[i] = more[FROM[i], k]
-        of_body, of_start, of_units = direction(numbers, rates)
+        of_body, of_start, of_units = direction(cell, more[:, k])
         for i in range(PARAMETERS):
             changes[i, k] = sign * of_body[i]
         for i in range(STATE_ROWS):
@@ -67,22 +60,22 @@ def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, 
     if it always does. `told` receives for each parameter the reason why a derivative does not exist, and the first event
     without one.
     """
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     table = carray(out, (count, WIDTH, n))
     answers = carray(told, (2, n))
     rows = carray(events, (count,))
     parts = carray(segments, (pieces,))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
+    scales = scales_of(cell)
+    body = body_of(cell)
     by = np.empty((PARAMETERS, n))
     start = np.empty((STATE_ROWS, n))
     units = np.empty((3, n))
-    directions_of(cells, carray(rates, (FIELDS, n)), sign, by, start, units)
+    directions_of(cell, carray(rates, (FIELDS, n)), sign, by, start, units)
     solution = new_solution(count, pieces, n)
     when = np.full(1, math.inf)
     if pieces > 0 and not math.isnan(doubt):
         kernel_times(parts["t"], parts[-1]["t_end"], np.full(1, doubt), scales.time, when)
-    motion = KnownMotion(rows, parts, cells[DURATION, 0] / scales.time, when[0])
+    motion = KnownMotion(rows, parts, cell[Cell.DURATION] / scales.time, when[0])
     propagate_motion(body, motion, by, start, solution, Workspace(new_scratch(), np.zeros((ROWS, ORDER))))
     for i in range(count):
         write_changes(rows[i], scales, units, sign, solution.at_events[i], table[i])

@@ -10,7 +10,8 @@ from hophoop.gaits.kernels import layout as fates
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, PASSING, ImpactLaw, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.layout import CELL, CONTACT, EVENT, LETTERS_PER_INTEGER, MORE, SEGMENT
+from hophoop.kernel.records.cells import CELL, CONTACT
+from hophoop.kernel.records.layout import EVENT, LETTERS_PER_INTEGER, MORE, SEGMENT
 from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span

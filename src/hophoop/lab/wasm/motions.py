@@ -8,19 +8,18 @@ import numpy as np
 from numba import carray
 
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.energy import energies_after
-from hophoop.kernel.physics.friction import utilization
-from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
-from hophoop.kernel.records.layout import CELL, COLUMNS, DURATION, MAX_EVENTS, PANELS
-from hophoop.kernel.records.scratch import new_scratch
-from hophoop.kernel.records.times import kernel_times
+from hophoop.kernel.physics.closed_forms import energies_after
+from hophoop.kernel.physics.contact import utilization
+from hophoop.kernel.records.cells import CELL, Cell, body_of, mode_of, scales_of, start_of
+from hophoop.kernel.records.layout import COLUMNS, PANELS, new_scratch
+from hophoop.kernel.records.writing import kernel_times
 from hophoop.kernel.rigid.run import run
 from hophoop.kernel.rigid.sampling import MARGINS, margins_of, sample
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
 RAW_WIDTH, MARGIN_WIDTH = len(COLUMNS), len(MARGINS)
-RESISTED, KINETIC, POTENTIAL = (COLUMNS.index(name) for name in ("rolling_resistance", "kinetic", "potential"))
+ROLLING_LOSS, KINETIC, POTENTIAL = (COLUMNS.index(name) for name in ("rolling_resistance", "kinetic", "potential"))
 
 
 def seconds(t, t_end, duration, second):
@@ -81,22 +80,22 @@ def write_energies(body, scales, first, last, energies, first_spring, head):
 def motion(given, events, most_events, segments, most_segments, table, heads):
     """Compute a motion.
 
-    `given` holds a scenario's numbers in the order of `records.layout.CELL`; `table` receives the events and `heads` the values
+    `given` holds a scenario's numbers in the order of `records.cells.CELL`; `table` receives the events and `heads` the values
     of `layout.HEADS`. Segments are needed by `samples`. If their table is too short, the status is `buffer`; if that of the
     events is, it is `event_limit`, with fewer events than the scenario allows.
     """
-    cells = carray(given, (FIELDS, 1))
-    records = carray(events, (min(most_events, int(cells[MAX_EVENTS, 0])),))
+    cell = carray(given, (FIELDS,))
+    records = carray(events, (min(most_events, int(cell[Cell.MAX_EVENTS])),))
     pieces = carray(segments, (most_segments,))
     rows = carray(table, (most_events, EVENT_WIDTH))
     head = carray(heads, (HEAD_COUNT,))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
-    duration = cells[DURATION, 0]
+    scales = scales_of(cell)
+    body = body_of(cell)
+    duration = cell[Cell.DURATION]
     t_end = duration / scales.time
     scratch = new_scratch()
-    start = start_of(cells, 0, scales.time)
-    status, count, length = run(body, start, mode_of(cells, 0), t_end, math.nan, 0, records, pieces, scratch)
+    start = start_of(cell, scales.time)
+    status, count, length = run(body, start, mode_of(cell), t_end, math.nan, 0, records, pieces, scratch)
     for k in range(count):
         write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), rows[k])
     head[0] = status
@@ -130,7 +129,7 @@ def write_state(body, scales, raw, row):
     row[12] = raw[12] * unit
     slips = mode in (Mode.SPIN, Mode.SKID)
     row[17] = utilization(slips, row[8], row[9], body.mu_s, body.mu_k)
-    row[18] = raw[RESISTED] * unit  # the same column in both contact models
+    row[18] = raw[ROLLING_LOSS] * unit  # the same column in both contact models
 
 
 def sampled(body, scales, segments, times, left):
@@ -144,10 +143,10 @@ def sampled(body, scales, segments, times, left):
 
 def samples(given, segments, count, times, n, left, out):
     """Write the states of a motion at times in s, from its segments; `left` is 1 for the state just before an impact."""
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     rows = carray(out, (n, SAMPLE_WIDTH))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
+    scales = scales_of(cell)
+    body = body_of(cell)
     raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
     for k in range(n):
         line = raw[k]
@@ -160,10 +159,10 @@ def samples(given, segments, count, times, n, left, out):
 
 def margins(given, segments, count, times, n, left, out):
     """Write the margins of the modes at times in s, in the order of `rigid.sampling.MARGINS` and in SI units; see `samples`."""
-    cells = carray(given, (FIELDS, 1))
+    cell = carray(given, (FIELDS,))
     rows = carray(out, (n, MARGIN_WIDTH))
-    scales = scales_of(cells, 0)
-    body = body_of(cells, 0)
+    scales = scales_of(cell)
+    body = body_of(cell)
     raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
     for k in range(n):
         line = raw[k]

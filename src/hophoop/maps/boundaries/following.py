@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from hophoop.kernel.numerics.arithmetic import weighted_sum
 from hophoop.kernel.numerics.elementwise import arccosine, arctangent2, hypotenuse, sine_and_cosine
-from hophoop.kernel.numerics.sums import weighted_sum
 from hophoop.maps.boundaries.classes import Classifier, Floats, Window, make_window
 from hophoop.scenario import InputError, Scenario
 

@@ -9,25 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.mass import ideal_inertia
-from hophoop.kernel.records.layout import (
-    ALLOWED,
-    CELL,
-    ECCENTRICITY,
-    HEIGHT,
-    IDEAL,
-    INERTIA_RATIO,
-    LAW,
-    MASS,
-    MU_KINETIC,
-    MU_STATIC,
-    OMEGA,
-    RADIUS,
-    SLIP,
-    START_MODE,
-    STRIKE,
-    VY,
-)
+from hophoop.kernel.records.cells import CELL, Cell, ideal_inertia
 from hophoop.kernel.records.refusal import mark_refused
 from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.maps.grid.axes import ordered, scenario_at
@@ -61,7 +43,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
     Returns
     -------
     cells : ndarray, shape (len(CELL), count)
-        Rows as `records.layout.CELL` names them [SI]; cells with contradictory values are marked.
+        Rows as `records.cells.CELL` names them [SI]; cells with contradictory values are marked.
     """
     cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
     paths = ordered(list(values))
@@ -77,37 +59,37 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         if path in _PLAIN:
             cells[_PLAIN[path]] = array
             if path in ("hoop.eccentricity", "hoop.inertia_ratio"):
-                cells[IDEAL] = 0.0
+                cells[Cell.IDEAL] = 0.0
         elif path == "hoop.load_fraction":
-            cells[ECCENTRICITY] = array
-            cells[INERTIA_RATIO] = ideal_inertia(array)
-            cells[IDEAL] = 1.0
+            cells[Cell.ECCENTRICITY] = array
+            cells[Cell.INERTIA_RATIO] = ideal_inertia(array)
+            cells[Cell.IDEAL] = 1.0
         elif path == "plane.mu":
-            cells[MU_STATIC] = array
-            cells[MU_KINETIC] = array
+            cells[Cell.MU_STATIC] = array
+            cells[Cell.MU_KINETIC] = array
         elif path == "plane.impact_law":
-            cells[LAW] = [LAW_CODES[word] for word in array]
+            cells[Cell.LAW] = [LAW_CODES[word] for word in array]
         elif path == "plane.painleve":
-            cells[STRIKE] = array == "impact"
+            cells[Cell.PAINLEVE_IMPACT] = array == "impact"
         elif path == "start.speed":
             rolling = True
             free["vx"] = array
         else:
             if rolling:  # a rolling start becomes a free one with one number changed
-                free |= {"height": 0.0, "vy": 0.0, "omega": free["vx"] / cells[RADIUS]}
+                free |= {"height": 0.0, "vy": 0.0, "omega": free["vx"] / cells[Cell.RADIUS]}
             rolling = False
             free[path.partition(".")[2]] = array
     if rolling:
-        cells[HEIGHT] = 0.0
-        cells[VY] = 0.0
-        cells[OMEGA] = free["vx"] / cells[RADIUS]
-        cells[SLIP] = 0.0
+        cells[Cell.HEIGHT] = 0.0
+        cells[Cell.VY] = 0.0
+        cells[Cell.OMEGA] = free["vx"] / cells[Cell.RADIUS]
+        cells[Cell.SLIP] = 0.0
     elif start.slip is None or any(path.startswith("start.") for path in paths):
-        cells[HEIGHT] = free["height"]
-        cells[VY] = free["vy"]
-        cells[OMEGA] = free["omega"]
-        cells[SLIP] = free["vx"] - cells[RADIUS] * cells[OMEGA]
-        cells[START_MODE] = BY_RULE
+        cells[Cell.HEIGHT] = free["height"]
+        cells[Cell.VY] = free["vy"]
+        cells[Cell.OMEGA] = free["omega"]
+        cells[Cell.SLIP] = free["vx"] - cells[Cell.RADIUS] * cells[Cell.OMEGA]
+        cells[Cell.MODE] = BY_RULE
     compiled(mark_refused)(cells)
     return cells
 
@@ -132,5 +114,6 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
             continue
         made[:5, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, hoop.load_fraction is not None
     place = place.reshape(-1)
-    for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, IDEAL, ALLOWED), made, strict=True):
+    rows = (Cell.RADIUS, Cell.MASS, Cell.ECCENTRICITY, Cell.INERTIA_RATIO, Cell.IDEAL, Cell.ALLOWED)
+    for row, column in zip(rows, made, strict=True):
         cells[row] = column[place]

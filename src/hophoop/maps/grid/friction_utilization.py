@@ -6,9 +6,8 @@ import math
 
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import rolling_acceleration, rolling_forces
-from hophoop.kernel.physics.friction import utilization
-from hophoop.kernel.physics.roll import rolling_u
+from hophoop.kernel.physics.closed_forms import rolling_u
+from hophoop.kernel.physics.contact import rolling_acceleration, rolling_forces, utilization
 
 SAMPLES_PER_RADIAN = 24
 RESISTED_SAMPLES_PER_RADIAN = 120

@@ -8,9 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hophoop.kernel.physics.body import PASSING, Body, Event, Mode, Status
-from hophoop.kernel.records.cells import body_of, mode_of, scales_of, start_of
-from hophoop.kernel.records.layout import ALLOWED, DURATION, EVENT, EVENTS, MAX_EVENTS, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.cells import Cell, body_of, mode_of, scales_of, start_of
+from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, new_scratch
 from hophoop.kernel.records.state import whole_angle
 from hophoop.kernel.records.writing import add_letter, new_log, state_of
 from hophoop.kernel.rigid.flight_phase import flight_start, fly
@@ -205,8 +204,7 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
 def evaluate_cell(cells, k, request, events, workspace, results):
     """Compute one cell; return False where `events` is too short for its motion.
 
-    `workspace.passing` takes 2 more events, and `workspace.segments` has length 0. This allocates no arrays, so that a GPU can
-    run it.
+    `workspace.passing` takes 2 more events, and `workspace.segments` has length 0.
     """
     for i in range(len(NUMBERS)):
         results.numbers[k, i] = math.nan
@@ -214,17 +212,17 @@ def evaluate_cell(cells, k, request, events, workspace, results):
         results.words[k, i] = NOT_ALLOWED
     for i in range(INTEGERS):
         results.sequences[k, i] = np.uint64(0)
-    if cells[ALLOWED, k] == 0.0:
+    if cells[Cell.ALLOWED, k] == 0.0:
         return True
-    scales = scales_of(cells, k)
-    body = body_of(cells, k)
-    start = start_of(cells, k, scales.time)
-    t_end = cells[DURATION, k] / scales.time if request.timed else FOREVER
+    scales = scales_of(cells[:, k])
+    body = body_of(cells[:, k])
+    start = start_of(cells[:, k], scales.time)
+    t_end = cells[Cell.DURATION, k] / scales.time if request.timed else FOREVER
     angle_span, stop, scratch = request.angle_span, request.stop, workspace.scratch
-    most = int(cells[MAX_EVENTS, k])
+    most = int(cells[Cell.MAX_EVENTS, k])
     if events.shape[0] > most:
         events = events[:most]
-    mode = mode_of(cells, k)
+    mode = mode_of(cells[:, k])
     status, count, _ = run(body, start, mode, t_end, angle_span, stop, events, workspace.segments, scratch)
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
@@ -247,4 +245,4 @@ def evaluate_block(cells, low, high, request, results):
     for k in range(low, high):
         events = usual
         while not evaluate_cell(cells, k, request, events, workspace, results):
-            events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[MAX_EVENTS, k])), EVENT)
+            events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[Cell.MAX_EVENTS, k])), EVENT)

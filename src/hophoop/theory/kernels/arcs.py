@@ -1,6 +1,6 @@
 """Arcs of pure rolling: how far the hoop gets, and how long it takes.
 
-Everything follows from θ̇²(θ), which `physics.roll` knows in closed form. Times are quadratures on Gauss
+Everything follows from θ̇²(θ), which `physics.closed_forms` has. Times are quadratures on Gauss
 panels that are halved until their Chebyshev series is resolved.
 """
 
@@ -14,8 +14,8 @@ from hophoop.kernel.numerics.arcs import arcsine, arctangent2, hypotenuse
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
 from hophoop.kernel.numerics.tables import NODES, WEIGHTS
+from hophoop.kernel.physics.closed_forms import rolling_u
 from hophoop.kernel.physics.contact import rolling_acceleration
-from hophoop.kernel.physics.roll import rolling_u
 
 TURN = 2.0 * math.pi
 RESOLVED = 1e-13

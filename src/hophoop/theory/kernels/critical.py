@@ -6,11 +6,10 @@ import math
 
 import numpy as np
 
-from hophoop.kernel.native import apart
+from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.arcs import arctangent
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.records.scratch import new_scratch
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.kernel.rigid.run import BY_RULE, run
@@ -25,7 +24,7 @@ TRIALS = 32  # speeds at which the outcome is looked at before the lowest change
 EVENTS = 4096
 
 
-@apart
+@noinline
 def first_slip(body, scratch):
     """Speed at θ = 0 from which on rolling slips, with the angle and the side of the cone; (0, nan, side) from any push on."""
     best, where, edge = math.inf, math.nan, 1.0

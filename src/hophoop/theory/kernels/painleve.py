@@ -6,8 +6,7 @@ import math
 
 from hophoop.kernel.numerics.arcs import arccosine
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.contact import contact_arms, slip_stiffness
-from hophoop.kernel.physics.resistance import resistance_arm
+from hophoop.kernel.physics.contact import contact_arms, kappa_p_sigma, resistance_arm
 from hophoop.theory.kernels.rows import body_of
 
 BOTH = 2
@@ -34,9 +33,9 @@ def regions(bodies, angles, rates, out):
         body = body_of(bodies[k])
         s, c = sine_and_cosine(angles[k])
         out[k] = 0
-        if slip_stiffness(body, s, c, -1, resistance_arm(body, s, c, rates[k], -1)) <= 0.0:
+        if kappa_p_sigma(body, s, c, -1, resistance_arm(body, s, c, rates[k], -1)) <= 0.0:
             out[k] = -1
-        if slip_stiffness(body, s, c, 1, resistance_arm(body, s, c, rates[k], 1)) <= 0.0:
+        if kappa_p_sigma(body, s, c, 1, resistance_arm(body, s, c, rates[k], 1)) <= 0.0:
             out[k] = 1 if out[k] == 0 else BOTH
 
 

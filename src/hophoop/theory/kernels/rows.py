@@ -19,7 +19,7 @@ def body_of(row):
         gt=row["gt"],
         rest=row["rest"],
         law=row["law"],
-        strike=row["strike"],
+        painleve_impact=row["painleve_impact"],
         slope=row["slope"],
         ideal=row["ideal"],
         resist=row["resist"],
@@ -38,7 +38,7 @@ def table_of(body):
     row["gt"] = body.gt
     row["rest"] = body.rest
     row["law"] = body.law
-    row["strike"] = body.strike
+    row["painleve_impact"] = body.painleve_impact
     row["slope"] = body.slope
     row["ideal"] = body.ideal
     row["resist"] = body.resist

@@ -1,28 +1,153 @@
-"""One step of the implicit method: simplified Newton iteration, error estimate, dense output."""
+"""Radau IIA with 5 stages, order 9 (Hairer & Wanner, IV.8): simplified Newton iteration, error estimate, dense output.
+
+RADAU_GAMMA is the real eigenvalue of A⁻¹, RADAU_LAMBDA holds one member of each of its two conjugate pairs. RADAU_FROM_PAIR is
+twice the eigenvectors, to include the conjugates. RADAU_DEFECT and RADAU_ERROR belong to the solution of order 5 that also uses
+f at the start with weight 1/γ; its difference from the method estimates the error:
+
+    h f(y0)/γ + Σ DEFECT_i h f_i = h f(y0)/γ + Σ ERROR_i Z_i.
+
+RADAU_POWERS gives the coefficients of s, s², …, s⁵ of the polynomial through (0, 0) and (c_i, Z_i).
+"""
 
 from __future__ import annotations
 
 import math
 
-from hophoop.kernel.compliant.elimination import divided, factor, factor_complex, product, scaled, solve, solve_complex
 from hophoop.kernel.compliant.motion import dissipation, energies, jacobian, rates
-from hophoop.kernel.compliant.records import DYNAMIC, MEASURED, OM, SIZE, VN, VT, X
-from hophoop.kernel.compliant.tableau import (
-    DEFECT,
-    ERROR,
-    FROM_PAIR,
-    FROM_REAL,
-    GAMMA,
-    LAMBDA,
-    NODES,
-    PAIRS,
-    POWERS,
-    STAGES,
-    TO_PAIR,
-    TO_REAL,
-    A,
+from hophoop.kernel.compliant.records import DYNAMIC, MEASURED, OM, PAIRS, SIZE, STAGES, VN, VT, X
+from hophoop.kernel.numerics.arithmetic import integer_power
+from hophoop.kernel.numerics.tables import (
+    RADAU_A,
+    RADAU_DEFECT,
+    RADAU_ERROR,
+    RADAU_FROM_PAIR,
+    RADAU_FROM_REAL,
+    RADAU_GAMMA,
+    RADAU_LAMBDA,
+    RADAU_NODES,
+    RADAU_POWERS,
+    RADAU_TO_PAIR,
+    RADAU_TO_REAL,
 )
-from hophoop.kernel.numerics.powers import integer_power
+
+# --- small systems of linear equations, real and complex, by Gaussian elimination with partial pivoting
+# Complex products and quotients are written out, because compilers and NumPy add their terms in different orders.
+
+
+def product(a, b):
+    """Return a b of complex numbers."""
+    return complex(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real)
+
+
+def scaled(a, factor):
+    """Return a complex number times a real one."""
+    return complex(a.real * factor, a.imag * factor)
+
+
+def divided(a, divisor):
+    """Return a complex number divided by a real one."""
+    return complex(a.real / divisor, a.imag / divisor)
+
+
+def reciprocal(a):
+    """Return 1/a of a complex number."""
+    square = a.real * a.real + a.imag * a.imag
+    return complex(a.real / square, -a.imag / square)
+
+
+def exchange_rows(matrix, one, other):
+    """Exchange two rows in place."""
+    for j in range(matrix.shape[1]):
+        matrix[one, j], matrix[other, j] = matrix[other, j], matrix[one, j]
+
+
+def exchange_entries(side, pivots):
+    """Permute the right-hand side like the rows of the factors."""
+    for k in range(side.shape[0]):
+        best = pivots[k]
+        if best != k:
+            side[k], side[best] = side[best], side[k]
+
+
+def factor(matrix, pivots):
+    """Compute LU factors of a small real matrix in place; return False if it is singular."""
+    n = matrix.shape[0]
+    for k in range(n):
+        best = k
+        size = abs(matrix[k, k])
+        for i in range(k + 1, n):
+            if abs(matrix[i, k]) > size:
+                best = i
+                size = abs(matrix[i, k])
+        pivots[k] = best
+        if not 0.0 < size < math.inf:
+            return False
+        if best != k:
+            exchange_rows(matrix, k, best)
+        inverse = 1.0 / matrix[k, k]
+        for i in range(k + 1, n):
+            matrix[i, k] *= inverse
+            for j in range(k + 1, n):
+                matrix[i, j] -= matrix[i, k] * matrix[k, j]
+    return True
+
+
+def solve(matrix, pivots, side):
+    """Solve with the factors, in place."""
+    n = matrix.shape[0]
+    exchange_entries(side, pivots)
+    for i in range(1, n):
+        for j in range(i):
+            side[i] -= matrix[i, j] * side[j]
+    for i in range(n - 1, -1, -1):
+        for j in range(i + 1, n):
+            side[i] -= matrix[i, j] * side[j]
+        side[i] /= matrix[i, i]
+
+
+def size_of(a):
+    """Return abs(Re a) + abs(Im a), the size for the choice of pivots."""
+    return abs(a.real) + abs(a.imag)
+
+
+def factor_complex(matrix, pivots):
+    """Compute LU factors of a small complex matrix in place, with reciprocal pivots; return False if it is singular."""
+    n = matrix.shape[0]
+    for k in range(n):
+        best = k
+        size = size_of(matrix[k, k])
+        for i in range(k + 1, n):
+            other = size_of(matrix[i, k])
+            if other > size:
+                best = i
+                size = other
+        pivots[k] = best
+        if not 0.0 < size < math.inf:
+            return False
+        if best != k:
+            exchange_rows(matrix, k, best)
+        matrix[k, k] = reciprocal(matrix[k, k])
+        for i in range(k + 1, n):
+            matrix[i, k] = product(matrix[i, k], matrix[k, k])
+            for j in range(k + 1, n):
+                matrix[i, j] -= product(matrix[i, k], matrix[k, j])
+    return True
+
+
+def solve_complex(matrix, pivots, side):
+    """Solve with the complex factors, in place."""
+    n = matrix.shape[0]
+    exchange_entries(side, pivots)
+    for i in range(1, n):
+        for j in range(i):
+            side[i] -= product(matrix[i, j], side[j])
+    for i in range(n - 1, -1, -1):
+        for j in range(i + 1, n):
+            side[i] -= product(matrix[i, j], side[j])
+        side[i] = product(side[i], matrix[i, i])
+
+
+# --- one step
 
 ITERATIONS = 10
 NEWTON = 1e-3  # relative to the tolerance: accepted residual of Newton's iteration
@@ -36,7 +161,7 @@ def predict(work, begin, stretch):
     for m in range(DYNAMIC):
         base = poly_value(work.poly, m, begin)
         for i in range(STAGES):
-            work.stages[i, m] = poly_value(work.poly, m, begin + stretch * NODES[i]) - base
+            work.stages[i, m] = poly_value(work.poly, m, begin + stretch * RADAU_NODES[i]) - base
 
 
 def poly_value(poly, m, s):
@@ -52,12 +177,12 @@ def to_eigenbasis(work):
     for m in range(DYNAMIC):
         total = 0.0
         for i in range(STAGES):
-            total += TO_REAL[i] * work.stages[i, m]
+            total += RADAU_TO_REAL[i] * work.stages[i, m]
         work.real_form[m] = total
         for k in range(PAIRS):
             pair = 0.0j
             for i in range(STAGES):
-                pair += scaled(TO_PAIR[k, i], work.stages[i, m])
+                pair += scaled(RADAU_TO_PAIR[k, i], work.stages[i, m])
             work.pair_form[k, m] = pair
 
 
@@ -75,19 +200,19 @@ def newton(body, comp, regime, work, start, h):
         for m in range(DYNAMIC):
             total = 0.0
             for i in range(STAGES):
-                total += TO_REAL[i] * work.rates[i, m]
-            work.real_side[m] = total - GAMMA / h * work.real_form[m]
+                total += RADAU_TO_REAL[i] * work.rates[i, m]
+            work.real_side[m] = total - RADAU_GAMMA / h * work.real_form[m]
         solve(work.real, work.real_pivots, work.real_side)
         for m in range(DYNAMIC):
             work.real_form[m] += work.real_side[m]
             part = work.real_side[m] / work.scale[m]
             size += part * part
         for k in range(PAIRS):
-            eigenvalue = divided(LAMBDA[k], h)
+            eigenvalue = divided(RADAU_LAMBDA[k], h)
             for m in range(DYNAMIC):
                 pair = 0.0j
                 for i in range(STAGES):
-                    pair += scaled(TO_PAIR[k, i], work.rates[i, m])
+                    pair += scaled(RADAU_TO_PAIR[k, i], work.rates[i, m])
                 work.pair_side[m] = pair - product(eigenvalue, work.pair_form[k, m])
             solve_complex(work.pairs[k], work.pair_pivots[k], work.pair_side)
             for m in range(DYNAMIC):
@@ -96,9 +221,9 @@ def newton(body, comp, regime, work, start, h):
                 size += shift.real * shift.real + shift.imag * shift.imag
         for i in range(STAGES):
             for m in range(DYNAMIC):
-                total = FROM_REAL[i] * work.real_form[m]
+                total = RADAU_FROM_REAL[i] * work.real_form[m]
                 for k in range(PAIRS):
-                    total += product(FROM_PAIR[i, k], work.pair_form[k, m]).real
+                    total += product(RADAU_FROM_PAIR[i, k], work.pair_form[k, m]).real
                 work.stages[i, m] = total
         size = math.sqrt(size / (STAGES * DYNAMIC))
         if not size < 1e100:
@@ -140,9 +265,9 @@ def attempt(body, comp, regime, work, start, h, rtol):
             work.real[i, j] = -work.jacobian[i, j]
             for k in range(PAIRS):
                 work.pairs[k, i, j] = -work.jacobian[i, j]
-        work.real[i, i] += GAMMA / h
+        work.real[i, i] += RADAU_GAMMA / h
         for k in range(PAIRS):
-            work.pairs[k, i, i] += divided(LAMBDA[k], h)
+            work.pairs[k, i, i] += divided(RADAU_LAMBDA[k], h)
     if not factor(work.real, work.real_pivots):
         return FAILED
     for k in range(PAIRS):
@@ -159,20 +284,20 @@ def attempt(body, comp, regime, work, start, h, rtol):
     dissipation(body, comp, regime, start, work.start_rate, DYNAMIC)
     total = 0.0
     for m in range(SIZE - DYNAMIC):
-        error = work.start_rate[DYNAMIC + m] / GAMMA
+        error = work.start_rate[DYNAMIC + m] / RADAU_GAMMA
         for i in range(STAGES):
-            error += DEFECT[i] * work.powers[i, m]
+            error += RADAU_DEFECT[i] * work.powers[i, m]
             value = 0.0
             for j in range(STAGES):
-                value += A[i, j] * work.powers[j, m]
+                value += RADAU_A[i, j] * work.powers[j, m]
             work.integrals[i, m] = h * value
         part = h * error / work.scale[DYNAMIC + m]
         total += part * part
     for m in range(DYNAMIC):
         stages = 0.0
         for i in range(STAGES):
-            stages += ERROR[i] * work.stages[i, m]
-        work.error[m] = stages * GAMMA / h
+            stages += RADAU_ERROR[i] * work.stages[i, m]
+        work.error[m] = stages * RADAU_GAMMA / h
         work.real_side[m] = work.start_rate[m] + work.error[m]
     solve(work.real, work.real_pivots, work.real_side)
     size = scaled_square(work)
@@ -217,5 +342,5 @@ def make_poly(work, start):
             total = 0.0
             for i in range(STAGES):
                 increment = work.stages[i, m] if m < DYNAMIC else work.integrals[i, m - DYNAMIC]
-                total += POWERS[j, i] * increment
+                total += RADAU_POWERS[j, i] * increment
             work.poly[m, j + 1] = total
