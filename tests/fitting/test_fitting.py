@@ -14,9 +14,9 @@ from hophoop.fitting.channels import Autocorrelation, scatter
 from hophoop.fitting.covariance import autocorrelations, covariance_of
 from hophoop.fitting.guess import merge_bounces, rates
 from hophoop.fitting.judging import least_static_friction, runs_deviation
-from hophoop.fitting.problem import defaults, problem_of
+from hophoop.fitting.problem import defaults, problem_of, run_of
 from hophoop.fitting.reporting import energies, places_in_film
-from hophoop.fitting.solving import Choice, slopes
+from hophoop.fitting.solving import parameters, slopes
 from hophoop.tracking.scatter import third_differences
 from hophoop.tracking.table import track_of
 
@@ -116,10 +116,10 @@ def lasting(rng, n, sigma, alike):
 def test_a_share_of_the_errors_that_lasts_is_found():
     """Under errors that are new in each frame a slow one hides, whose neighbours correlate by little, and for long."""
     track = track_of(np.arange(1000.0), {"x": np.arange(1000.0), "y": np.zeros(1000)}, radius=0.3, placed=True)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (1.0, None))
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (1.0, None))])
     rng = np.random.default_rng(6)
     slow = np.sqrt(0.3) * lasting(rng, 1000, 1.0, 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
-    found = autocorrelations(problem, np.concatenate([slow, rng.normal(size=1000)]))
+    found = dict(zip("xy", autocorrelations(problem, np.concatenate([slow, rng.normal(size=1000)])), strict=True))
     assert found["x"].frames == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
     assert found["x"].share < 0.6
     assert found["y"].share == 0.0
@@ -133,18 +133,18 @@ def test_errors_that_last_over_frames_count_less(hop):
     true = np.stack([state.x, state.height + RADIUS], axis=-1)
     slow = np.stack([lasting(rng, n, SIGMA, 0.7), lasting(rng, n, SIGMA, 0.7)], axis=-1)
     track = dataclasses.replace(track, centre=true + slow)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    values, _ = defaults(problem.runs[0], track)
     values |= TRUTH
     off = problem.residuals(values)
-    found = autocorrelations(problem, off)
+    found = dict(zip(("x", "y", "angle"), autocorrelations(problem, off), strict=True))
     for name in ("x", "y"):  # (1 + 0.7)/(1 − 0.7) of them say as much as one
         assert found[name].share * found[name].fade == pytest.approx(0.7, abs=0.2)
         assert found[name].frames == pytest.approx(17 / 3, rel=0.5)
     assert found["angle"].share == 0.0
     # A⁻¹ Jᵀ P J A⁻¹ with all of P written down
     names = tuple(TRUTH)
-    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    jacobian = slopes(problem, parameters(values, names))
     apart = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
     whole = np.zeros((3 * n, 3 * n))
     for k, name in enumerate(("x", "y", "angle")):
@@ -316,12 +316,12 @@ def test_axes_of_the_data_that_do_not_lie_along_the_plane(hop):
 def test_a_start_that_slides_or_flies(hop):
     sliding = hopping(start=hh.Start(vx=2.0, omega=3.0, angle=0.4), duration=0.8)
     fit = hh.fit(filmed(sliding))
-    assert fit.settings["start"] == "sliding"
+    assert fit.settings["starts"] == ["sliding"]
     assert fit.good
     assert fit.values["omega0"] == pytest.approx(3.0, abs=0.1)
     flying = hopping(start=hh.Start(vx=1.0, height=0.05, omega=4.0, angle=0.4), duration=0.8)
     fit = hh.fit(filmed(flying))
-    assert fit.settings["start"] == "flying"
+    assert fit.settings["starts"] == ["flying"]
     assert fit.good
     assert fit.values["height0"] == pytest.approx(0.05, abs=2e-3)
 
@@ -358,9 +358,10 @@ def test_scatter_from_third_differences():
 
 def test_energies_from_the_data_are_those_of_the_motion(found):
     for times, measured, computed in energies(found).values():
-        inside = slice(6, -6)
         assert np.ptp(times) > 0.9
-        assert measured[inside] == pytest.approx(computed[inside], abs=0.08 * np.ptp(computed))
+        # both are smoothed alike, so that the peaks agree as well; at the ends there are fewer data
+        inside = slice(6, -6)
+        assert measured[inside] == pytest.approx(computed[inside], abs=0.06 * np.ptp(computed))
 
 
 # --- files and pages -------------------------------------------------------------------------------
@@ -395,7 +396,7 @@ def test_a_page_of_a_fit(found, tmp_path):
 
 
 def test_a_page_of_a_fit_escapes_names(found, tmp_path):
-    named = replace(found, track=replace(found.track, source="<script>&\"'.mp4"))
+    named = replace(found, tracks=(replace(found.track, source="<script>&\"'.mp4"),))
     text = report(named, tmp_path).read_text(encoding="utf-8")
     assert text.count("Fit of &lt;script&gt;&amp;&#34;&#39;.mp4") == 2
     assert "<script" not in text

@@ -8,7 +8,7 @@ import pytest
 import hophoop as hh
 from fitting_tools import filmed, hopping
 from hophoop.fitting.mistakes import likely_mistakes
-from hophoop.fitting.problem import problem_of
+from hophoop.fitting.problem import run_of
 
 LIGHT = hh.Hoop.ideal(0.3, radius=0.3)
 LEFT = hh.Start.rolling(-1.9, angle=-0.1)
@@ -16,7 +16,7 @@ TRACKS = [filmed(hopping()), filmed(hopping(start=LEFT)), filmed(hopping(LIGHT),
 
 
 def asked(track):
-    return likely_mistakes(problem_of(track, "ideal", "rolling", hh.Plane(), (None, None)))
+    return likely_mistakes(run_of(track, "ideal", "rolling", hh.Plane(), (None, None)))
 
 
 def stretched(track, centre=1.0, angle=1.0, time=1.0, zero=0.0, radius=1.0):

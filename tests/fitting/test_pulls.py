@@ -8,8 +8,8 @@ import pytest
 import hophoop as hh
 from hophoop.fitting.covariance import inverse
 from hophoop.fitting.losses import influence, influence_slope
-from hophoop.fitting.problem import defaults, problem_of
-from hophoop.fitting.solving import Choice, slopes
+from hophoop.fitting.problem import defaults, problem_of, run_of
+from hophoop.fitting.solving import parameters, slopes
 from hophoop.tracking.table import track_of
 
 pytestmark = [pytest.mark.compiled, pytest.mark.slow, pytest.mark.timeout(1200)]  # 400 fits take some minutes
@@ -48,11 +48,11 @@ def pulls(hop, seeds, alike=0.0, signs=(1.0, -1.0)):
         track = filmed(hop, seed, alike, sign)
         fit = hh.fit(track)
         assert set(fit.free) == set(NAMES), seed
-        problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-        values, _ = defaults(problem, track)
+        problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+        values, _ = defaults(problem.runs[0], track)
         values |= TRUTH
         if estimate is None:
-            jacobian = slopes(problem, Choice(values, NAMES, {}, {}), NAMES)
+            jacobian = slopes(problem, parameters(values, NAMES))
             nodes, weights = np.polynomial.hermite_e.hermegauss(40)
             slope = weights @ influence_slope(nodes) / weights.sum()
             estimate = -inverse(jacobian.T @ jacobian) @ jacobian.T / slope

@@ -6,8 +6,8 @@ import pytest
 import hophoop as hh
 from fitting_tools import RADIUS, filmed
 from hophoop.fitting.jacobian import exact_slopes
-from hophoop.fitting.problem import defaults, problem_of
-from hophoop.fitting.solving import Choice, slopes
+from hophoop.fitting.problem import defaults, problem_of, run_of
+from hophoop.fitting.solving import parameters, slopes
 
 pytestmark = pytest.mark.compiled
 
@@ -30,16 +30,16 @@ def test_slopes_are_those_of_finer_differences(name):
     """They are derivatives, also by the couple, to one side where there is none; the differences are of the fourth order."""
     motion, seen = MOTIONS[name]
     track, plane = filmed(motion), motion.scenario.plane
-    problem = problem_of(track, "ideal", "rolling", plane, (None, None))
-    values, _ = defaults(problem, track)
+    problem = problem_of([run_of(track, "ideal", "rolling", plane, (None, None))])
+    values, _ = defaults(problem.runs[0], track)
     start = motion.scenario.start
     values |= {"gamma": 0.6, "mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic}
     values |= {"restitution": plane.restitution, "angle0": start.angle, "speed": start.vx}
     assert values["rolling_resistance"] == plane.rolling_resistance
-    names = (*seen, "rolling_resistance")
+    names = tuple(name for name in problem.names if name in (*seen, "rolling_resistance"))
     jacobian = exact_slopes(problem, values, names)
     assert np.isfinite(jacobian).all()
-    assert (slopes(problem, Choice(values, names, {}, {}), names) == jacobian).all()
+    assert (slopes(problem, parameters(values, names)) == jacobian).all()
     for k, name in enumerate(names):
         step, here = 2e-5, values[name]
         at = {j: problem.residuals(values | {name: here + j * step}) for j in range(-2, 5) if here + j * step >= 0 or here}

@@ -8,8 +8,8 @@ import pytest
 import hophoop as hh
 from hophoop.fitting.channels import LONGEST, NONE, PATCH, PLACE_ERROR, channels_of
 from hophoop.fitting.covariance import autocorrelations
-from hophoop.fitting.problem import Prior, defaults, problem_of, shared_errors
-from hophoop.fitting.solving import Choice, slopes
+from hophoop.fitting.problem import Prior, defaults, problem_of, run_of, shared_errors
+from hophoop.fitting.solving import parameters, slopes
 from hophoop.tracking import Camera, View
 from hophoop.tracking.ground import ground_line, line_through
 from hophoop.tracking.table import track_from_dict, track_of
@@ -71,7 +71,7 @@ def test_a_plan_counts_with_the_scale(hop, found):
 def test_what_is_asked_for_is_told_by_the_frames_alone(hop):
     track = filmed(hop)
     fit = hh.fit(track, free=["scale"], fixed={"tilt": 0.0})
-    assert set(fit.settings["priors"]) == {"origin_y", "slope"}
+    assert set(fit.settings["priors"][0]) == {"origin_y", "slope"}
     # two numbers known beforehand are two that were measured
     assert fit.degrees_of_freedom == 3 * len(track.t) + 2 - len(fit.free)
 
@@ -97,12 +97,13 @@ def test_where_the_scale_is_off_so_is_the_plane(hop):
 def test_slopes_of_what_is_known_are_those_of_differences(hop):
     track = filmed(hop)
     priors = shared_errors(track)
-    problem = dataclasses.replace(problem_of(track, "ideal", "rolling", PLANE, (None, None)), priors=priors)
-    values, free = defaults(problem, track)
+    run = dataclasses.replace(run_of(track, "ideal", "rolling", PLANE, (None, None)), priors=priors)
+    problem = problem_of([run])
+    values, free = defaults(run, track)
     assert set(priors) <= free
     values |= TRUTH | {"angle0": 0.1, "speed": 1.9, "scale": 1.001, "slope": 1e-4}
-    names = ("speed", *priors)
-    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    names = tuple(name for name in problem.names if name in ("speed", *priors))
+    jacobian = slopes(problem, parameters(values, names))
     assert jacobian.shape == (problem.count, 5)
     step = 1e-6
     for k, name in enumerate(names):
@@ -122,11 +123,11 @@ def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     assert channels_of(still, (None, None))[0].autocorrelation.fade == LONGEST
     assert channels_of(dataclasses.replace(track, view=None), (None, None))[0].autocorrelation == NONE
     # what the residuals say counts where it is more
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
     fresh = np.random.default_rng(5).normal(size=problem.count)
-    assert autocorrelations(problem, fresh)["x"] == x.autocorrelation
+    assert autocorrelations(problem, fresh)[0] == x.autocorrelation
     slow = np.repeat(np.random.default_rng(5).normal(size=problem.count // 40 + 1), 40)[: problem.count]
-    assert autocorrelations(problem, slow)["x"].frames > 3 * x.autocorrelation.frames
+    assert autocorrelations(problem, slow)[0].frames > 3 * x.autocorrelation.frames
 
 
 @pytest.mark.parametrize(

@@ -11,8 +11,8 @@ from fitting_tools import PLANE, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, influence, influence_slope, loss
 from hophoop.fitting.parameters import PARAMETERS
-from hophoop.fitting.problem import defaults, problem_of
-from hophoop.fitting.solving import Choice, complete, slopes
+from hophoop.fitting.problem import defaults, problem_of, run_of
+from hophoop.fitting.solving import parameters, slopes
 
 # a fit asks for hundreds of motions
 pytestmark = pytest.mark.compiled
@@ -20,11 +20,11 @@ pytestmark = pytest.mark.compiled
 
 def test_slopes_are_those_that_can_be_written_down(hop):
     track = filmed(hop)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    values, _ = defaults(problem.runs[0], track)
     values |= TRUTH
     names = ("x0", "origin_y", "marker_angle")
-    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    jacobian = slopes(problem, parameters(values, names))
     n = len(track.t)
     expected = np.zeros((3 * n, 3))
     expected[:n, 0] = expected[n : 2 * n, 1] = -1 / SIGMA
@@ -57,8 +57,8 @@ def test_slopes_are_those_of_differences(kind, marker):
         none = np.full_like(track.centre, np.nan)
         error = np.full(len(track.t), SIGMA)
         track = dataclasses.replace(track, marker=track.centre + arrow, centre=none, marker_error=error)
-    problem = problem_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, (None, None))
-    values, _ = defaults(problem, track)
+    problem = problem_of([run_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, (None, None))])
+    values, _ = defaults(problem.runs[0], track)
     start, state = motion.scenario.start, motion.at(0.0)
     values |= {name: value for name, value in TRUTH.items() if name in values}
     values |= {"angle0": start.angle, "slope": 0.02, "scale": 1.01, "tilt": 0.03, "origin_y": 0.01, "row_delay": 1e-5}
@@ -69,7 +69,7 @@ def test_slopes_are_those_of_differences(kind, marker):
     )
     # rolling resistance is at the end of its range at 0: see test_resistance
     names = tuple(name for name in problem.names if name != "rolling_resistance")
-    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    jacobian = slopes(problem, parameters(values, names))
     for k, name in enumerate(names):
         expected = differences(problem, values, name, 1e-8 if name == "row_delay" else 2e-6)
         size = np.abs(expected).max() + 1.0
@@ -82,11 +82,11 @@ def test_slopes_are_those_of_differences(kind, marker):
 
 def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
     track = filmed(hop)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    values, _ = defaults(problem.runs[0], track)
     values |= TRUTH | {"restitution": 0.0}  # with any restitution it would bounce
     assert np.isnan(exact_slopes(problem, values, ("restitution", "speed"))[-1, 0])
-    jacobian = slopes(problem, Choice(values, ("restitution", "speed"), {}, {}), ("restitution", "speed"))
+    jacobian = slopes(problem, parameters(values, ("restitution", "speed")))
     step = PARAMETERS["restitution"].step
     expected = (problem.residuals({**values, "restitution": step}) - problem.residuals(values)) / step
     assert jacobian[:, 0] == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.abs(expected).max())
@@ -95,18 +95,19 @@ def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
 
 def test_a_tied_parameter_may_depend_on_another():
     values = {"mu_kinetic": 0.4, "mu_excess": 0.0, "restitution": 0.0}
-    choice = Choice(values, ("mu_kinetic",), {}, {"restitution": "2 * mu_excess", "mu_excess": "mu_kinetic / 4"})
-    assert complete(choice, {"mu_kinetic": 0.8}) == {"mu_kinetic": 0.8, "mu_excess": 0.2, "restitution": 0.4}
+    params = parameters(values, ("mu_kinetic",), tied={"restitution": "2 * mu_excess", "mu_excess": "mu_kinetic / 4"})
+    params["mu_kinetic"].value = 0.8
+    assert params.valuesdict() == {"mu_kinetic": 0.8, "mu_excess": 0.2, "restitution": 0.4}
 
 
 def test_slopes_go_along_with_what_is_tied(hop):
     track = filmed(hop)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    values, _ = defaults(problem.runs[0], track)
     values |= TRUTH
-    tied = Choice(values, ("mu_kinetic",), {}, {"mu_excess": "mu_kinetic / 4.5"})
-    alone = slopes(problem, Choice(values, ("mu_kinetic", "mu_excess"), {}, {}), ("mu_kinetic", "mu_excess"))
-    assert slopes(problem, tied, ("mu_kinetic",))[:, 0] == pytest.approx(alone[:, 0] + alone[:, 1] / 4.5, rel=1e-6, abs=1e-4)
+    tied = parameters(values, ("mu_kinetic",), tied={"mu_excess": "mu_kinetic / 4.5"})
+    alone = slopes(problem, parameters(values, ("mu_kinetic", "mu_excess")))
+    assert slopes(problem, tied)[:, 0] == pytest.approx(alone[:, 0] + alone[:, 1] / 4.5, rel=1e-6, abs=1e-4)
 
 
 def test_the_loss_is_the_one_that_is_minimized():
@@ -129,13 +130,13 @@ def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
 
 def test_a_landing_without_restitution_leaves_differences_of_the_restitution_only():
     track = filmed(hopping(plane=hh.Plane(mu=0.9), duration=0.9))
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    values, _ = defaults(problem.runs[0], track)
     values |= TRUTH | {"restitution": 0.0}
-    names = ("gamma", "speed", "mu_kinetic", "restitution")
+    names = ("gamma", "mu_kinetic", "restitution", "speed")
     missing = np.isnan(exact_slopes(problem, values, names)).any(axis=0)
-    assert missing.tolist() == [False, False, False, True]
-    column = slopes(problem, Choice(values, names, {}, {}), names)[:, 3]
+    assert missing.tolist() == [False, False, True, False]
+    column = slopes(problem, parameters(values, names))[:, 2]
     step = PARAMETERS["restitution"].step
     above, still = (problem.residuals({**values, "restitution": e}) for e in (step, 0.0))
     np.testing.assert_array_equal(column, (above - still) / step)

@@ -102,3 +102,8 @@ def _least_width(table: Table, console: Console) -> int:
 def print_parameters(rows: Iterable[tuple[str, str, str]]) -> None:
     """Print parameters with their values and meanings."""
     print_table(("parameter", "value", "meaning"), rows, 200, ("meaning",), wrap=("meaning",))
+
+
+def print_comparison(rows: Sequence[Sequence[str]]) -> None:
+    """Print a table whose first row is its head."""
+    print_table(rows[0], rows[1:], 200, ())

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from hophoop.cli._output import named_options, print_json
-from hophoop.cli._tables import print_parameters
+from hophoop.cli._tables import print_comparison, print_parameters
 from hophoop.vocabulary.names import NAMED_LAWS
 
 OUTPUT, DATA, MODEL = "Output", "Data", "Model"
@@ -16,10 +16,11 @@ OUTPUT, DATA, MODEL = "Output", "Data", "Model"
 
 def fit(
     data: Annotated[
-        Path,
+        list[Path],
         typer.Argument(
-            metavar="DATA",
-            help="A track of `hophoop track` (.json, .csv), or a table with named columns of any program.",
+            metavar="DATA...",
+            help="A track of `hophoop track` (.json, .csv), or a table with named columns of any program; several runs of one "
+            "hoop on one plane share its parameters.",
             show_default=False,
         ),
     ],
@@ -120,6 +121,8 @@ def fit(
         check_ending("--save", save, (".json",))
     if film is not None and out is None and not lab:
         raise InputError("--film needs --out, the folder of the page, or --lab.")
+    if film is not None and len(data) > 1:
+        raise InputError("--film is for one run; fit that run alone to see it over its film.")
     columns = dict(_pairs("--column", column))
     with named_options({"since": "--from", "until": "--to", "columns": "--column"}):
         reading = Reading(
@@ -134,10 +137,10 @@ def fit(
             sigma=sigma,
             sigma_angle=sigma_angle,
         )
-        track = read_track(data, reading)
+        tracks = [read_track(one, reading) for one in data]
     with waiting("fitting", quiet=quiet or json):
         found = find(
-            track,
+            tracks,
             hoop=_hoop(hoop),
             start=start,
             fixed={name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
@@ -212,9 +215,11 @@ def _show(found: Any, json: bool) -> None:
     from hophoop.fitting.result import plain
 
     if json:
-        print_json(plain({key: value for key, value in found.to_dict().items() if key != "track"}), indent=1)
+        print_json(plain({key: value for key, value in found.to_dict().items() if key != "tracks"}), indent=1)
         return
     print_parameters(found.rows())
+    if found.alone:
+        print_comparison(found.comparison())
     for sentence in found.sentences():
         typer.echo(sentence)
 

@@ -13,7 +13,7 @@ from hophoop.tracking.scatter import spread, third_differences
 
 Floats = NDArray[np.float64]
 
-
+FEWEST = 12  # measured numbers
 LONGEST = 0.98  # maximum correlation of errors from one frame to the next
 PLACE_ERROR = 0.01  # error that depends on the position in the picture: coding, background, sensor, lens [pixel]
 PATCH = 40.0  # length over which that error changes [pixel]
@@ -37,7 +37,7 @@ NONE = Autocorrelation(0.0, 0.0)
 class Channel(NamedTuple):
     """One measured quantity."""
 
-    name: str  # x, y, angle, marker_x or marker_y
+    name: str  # x, y, angle, marker_x, marker_y or omega
     rows: NDArray[np.int64]  # of the track
     values: Floats
     errors: Floats
@@ -45,33 +45,34 @@ class Channel(NamedTuple):
 
 
 def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple[Channel, ...]:
-    """Centre and angle, or the marker if there is no centre.
+    """Centre and angle, the marker if there is no centre, and the angular velocity.
 
     sigma: standard deviations of places [m] and angles [rad], in place of the track's own.
     """
-    t, result = track.t, []
-    centred = np.isfinite(track.centre[:, 0]).any()
+    centred, marked = (np.isfinite(places[:, 0]).any() for places in (track.centre, track.marker))
     pairs: list[tuple[str, Floats, Floats, float | None]] = []
     if centred:
         pairs += [(name, track.centre[:, k], track.centre_error[:, k], sigma[0]) for k, name in enumerate(("x", "y"))]
-    elif np.isfinite(track.marker[:, 0]).any():
+    elif marked:
         pairs += [(f"marker_{name}", track.marker[:, k], track.marker_error, sigma[0]) for k, name in enumerate(("x", "y"))]
-    if centred and np.isfinite(track.angle).any():
+    if centred or not marked:
         error = track.angle_error
         if np.isnan(error).all() and np.isfinite(track.marker_error).any():
             reach = np.hypot(*(track.marker - track.centre).T)
             error = np.hypot(track.marker_error, track.centre_error.mean(axis=1)) / reach
         pairs.append(("angle", track.angle, error, sigma[1]))
-    elif np.isfinite(track.angle).any() and not pairs:
-        pairs.append(("angle", track.angle, track.angle_error, sigma[1]))
+    pairs.append(("omega", track.omega, track.omega_error, None))
+    result = []
     for name, values, errors, given in pairs:
         rows = np.flatnonzero(np.isfinite(values))
+        if not len(rows):
+            continue
         own = errors[rows] if given is None else np.full(len(rows), given)
-        if not (np.isfinite(own) & (own > 0)).all():
-            usual = scatter(t[rows], values[rows])
-            own = np.where(np.isfinite(own) & (own > 0), own, usual)
+        known = np.isfinite(own) & (own > 0)
+        if not known.all():
+            own = np.where(known, own, scatter(track.t[rows], values[rows]))
         result.append(Channel(name, rows, values[rows], own, _by_place(track, name, float(np.median(own)))))
-    if sum(len(channel.rows) for channel in result) < 12:
+    if sum(len(channel.rows) for channel in result) < FEWEST:
         raise InputError("The track has the hoop in too few frames to fit anything.")
     return tuple(result)
 
@@ -80,7 +81,7 @@ def _by_place(track: Track, name: str, error: float) -> Autocorrelation:
     """Autocorrelation of the errors that depend on the position in the picture."""
     view = track.view
     steps = np.hypot(*np.diff(track.pixel, axis=0).T)
-    if view is None or not np.isfinite(steps).any():
+    if view is None or name == "omega" or not np.isfinite(steps).any():
         return NONE
     size = PLACE_ERROR / view.scale
     if name == "angle":

@@ -35,28 +35,26 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust:
         information, square = information / slope, square / slope**2
     known = inverse(information)
     memory = autocorrelations(problem, pulls)
-    if not any(one.share for one in memory.values()) or not np.isfinite(known).all():
+    if not any(one.share for one in memory) or not np.isfinite(known).all():
         return known * square
-    variance, begin = information.copy(), 0
-    for channel in problem.channels:
-        own = jacobian[begin : begin + len(channel.rows)]
-        begin += len(channel.rows)
-        variance += own.T @ _from_neighbours(channel, own, memory[channel.name])
+    variance = information.copy()
+    for piece, one in zip(problem.pieces, memory, strict=True):
+        own = jacobian[piece.part]
+        variance += own.T @ _from_neighbours(piece.channel, own, one)
     return known @ variance @ known * square
 
 
-def autocorrelations(problem: Problem, pulls: Floats) -> dict[str, Autocorrelation]:
-    """Autocorrelation of the errors of each quantity.
+def autocorrelations(problem: Problem, pulls: Floats) -> list[Autocorrelation]:
+    """Autocorrelation of the errors of each of the problem's pieces.
 
-    pulls: shape (count,), residuals, or their influence [1]; autocorrelations: by quantity; that of the channel if none is
-    significant, or with fewer than 30 residuals [1].
+    pulls: shape (count,), residuals, or their influence [1]; autocorrelations: that of the channel if none is significant, or
+    with fewer than 30 residuals [1].
     """
-    result, begin = {}, 0
-    for channel in problem.channels:
+    result = []
+    for _, channel, part in problem.pieces:
         own = np.full(int(channel.rows[-1] - channel.rows[0]) + 1, np.nan)
-        own[channel.rows - channel.rows[0]] = pulls[begin : begin + len(channel.rows)]
-        begin += len(channel.rows)
-        result[channel.name] = max(_autocorrelation_of(own), channel.autocorrelation, key=lambda one: one.frames)
+        own[channel.rows - channel.rows[0]] = pulls[part]
+        result.append(max(_autocorrelation_of(own), channel.autocorrelation, key=lambda one: one.frames))
     return result
 
 

@@ -1,33 +1,66 @@
-"""Parameters of a filmed hoop."""
+"""Parameters of a hoop from one or several records of its motion."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.fitting.covariance import autocorrelations
-from hophoop.fitting.guess import candidates, guess, start_kind
-from hophoop.fitting.judging import WORDS, correlations, least_static_friction, misfits, shares
+from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
+from hophoop.fitting.judging import WORDS, correlations, least_static_friction, misfits, sequence_of, shares
 from hophoop.fitting.limits import NOT_SEEN, least_friction, one_sided_limits, unobserved
 from hophoop.fitting.losses import influence
 from hophoop.fitting.mistakes import likely_mistakes
-from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
-from hophoop.fitting.problem import Problem, defaults, problem_of, shared_errors
+from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
+from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.result import HOPELESS, WORST, Fit
-from hophoop.fitting.solving import Choice, Solution, best_of
+from hophoop.fitting.solving import best_of, changed, free_of, parameters
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
+
+if TYPE_CHECKING:
+    from lmfit import Parameters
 
 Floats = NDArray[np.float64]
 NO_MISTAKE = "No usual mistake of units, axes or times explains that: look at the residuals (--out, or report in Python)."
 
 
+@dataclass(frozen=True)
+class Settings:
+    """What the caller wants of a fit."""
+
+    hoop: Hoop | str
+    start: str
+    fixed: Mapping[str, float]
+    free: Sequence[str]
+    bounds: Mapping[str, tuple[float, float]]
+    tied: Mapping[str, str]
+    plane: Plane
+    sigma: tuple[float | None, float | None]
+    robust: bool
+    seed: int
+
+    def of_run(self, number: int) -> Settings:
+        """Return the settings of one of several runs: its own parameters without their number, and no others'."""
+
+        def own(name: str) -> str | None:
+            base, _, given = name.rpartition("_")
+            return name if not given.isdigit() else base if int(given) == number else None
+
+        kept: dict[str, Any] = {
+            field: {name: value for key, value in getattr(self, field).items() if (name := own(key))}
+            for field in ("fixed", "bounds", "tied")
+        }
+        return replace(self, **kept, free=[name for key in self.free if (name := own(key))])
+
+
 def fit(
-    data: Track | str | Path,
+    data: Track | str | Path | Sequence[Track | str | Path],
     hoop: Hoop | str = "ideal",
     *,
     start: str = "auto",
@@ -41,12 +74,13 @@ def fit(
     robust: bool = True,
     seed: int = 0,
 ) -> Fit:
-    """Find the parameters with which the exact motion is closest to a track.
+    """Find the parameters with which the exact motion is closest to a track, or to several of one hoop on one plane.
 
     Parameters
     ----------
-    data : Track, str or Path
-        A track, or a file of one.
+    data : Track, str, Path, or a sequence of these
+        A track, or a file of one. Several runs share the hoop, friction, restitution and rolling resistance; the other
+        parameters of each end in its number, such as speed_2.
     hoop : Hoop or {'ideal', 'general'}, default 'ideal'
         A known hoop, for example from its parts, so that only the contact is fitted; or an ideal hoop, described by gamma; or
         a general one, described by eccentricity and inertia_ratio.
@@ -80,7 +114,7 @@ def fit(
     ValueError
         If a name is unknown or cannot be fitted, or there are too few data.
     ImportError
-        If SciPy or asteval is missing.
+        If lmfit is missing.
 
     Examples
     --------
@@ -95,126 +129,158 @@ def fit(
     >>> round(found.values["gamma"], 3), found.limits["mu_static"][0]
     (0.6, '≥')
     """
-    track = data if isinstance(data, Track) else read_track(data)
     if isinstance(hoop, str) and hoop not in ("ideal", "general"):
         raise InputError.of_field("hoop", hoop, "'ideal', 'general' or a Hoop")
     if start != "auto" and start not in STARTS:
         raise InputError.of_field("start", start, f"auto, {', '.join(STARTS)}")
-    plane = plane or Plane()
-    problem = problem_of(track, hoop, "rolling" if start == "auto" else start, plane, (sigma, sigma_angle))
-    if start == "auto" and (kind := start_kind(problem)) != "rolling":
-        problem = problem_of(track, hoop, kind, plane, (sigma, sigma_angle))
-    choice = _choice(problem, track, fixed or {}, free, bounds or {}, tied or {})
+    how = Settings(
+        hoop, start, fixed or {}, free, bounds or {}, tied or {}, plane or Plane(), (sigma, sigma_angle), robust, seed
+    )
+    several = [data] if isinstance(data, Track | str | Path) else list(data)
+    tracks = [one if isinstance(one, Track) else read_track(one) for one in several]
+    if not tracks:
+        raise InputError("There is no record to fit.")
+    if len(tracks) == 1:
+        return fit_alone(tracks[0], how)
+    return _fit_together([fit_alone(track, how.of_run(k)) for k, track in enumerate(tracks, 1)], how)
+
+
+def fit_alone(track: Track, how: Settings) -> Fit:
+    """Fit one run."""
+    run = run_of(track, how.hoop, "rolling" if how.start == "auto" else how.start, how.plane, how.sigma)
+    if how.start == "auto" and (kind := start_kind(run)) != run.start:
+        run = replace(run, start=kind)
+    values, usual = defaults(run, track)
+    params = _parameters(problem_of([run]), values, usual, how)
     # parameters that the caller frees have no prior
-    priors = {name: prior for name, prior in shared_errors(track).items() if name in choice.free and name not in free}
-    problem = replace(problem, priors=priors)
-    found = guess(problem, choice.values)
-    first = {name: found[name] if name in choice.free else value for name, value in choice.values.items()}
-    if len(choice.free) >= problem.count:
-        raise InputError(f"{len(choice.free)} parameters cannot be fitted to {problem.count} numbers.")
-    starts = candidates(problem, first, set(choice.free), seed)
+    priors = {name: prior for name, prior in shared_errors(track).items() if params[name].vary and name not in how.free}
+    run = replace(run, priors=priors)
+    values = params.valuesdict()
+    first = {name: one if params[name].vary else values[name] for name, one in guess(run, values).items()}
+    problem = problem_of([run])
+    if len(free_of(params)) >= problem.count:
+        raise InputError(f"{len(free_of(params))} parameters cannot be fitted to {problem.count} numbers.")
+    starts = candidates(run, first, set(free_of(params)), how.seed)
     if not starts:
         raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
-    solution, blind = best_of(problem, choice, starts, robust)
-    settings: dict[str, object] = {
-        "hoop": hoop if isinstance(hoop, str) else hoop.to_dict(),
-        "start": problem.start,
-        "gravity": plane.gravity,
-        "law": plane.impact_law,
-        "robust": robust,
-        "sigma": sigma,
-        "sigma_angle": sigma_angle,
-        "free": list(choice.free),
-        "bounds": {name: list(limits) for name, limits in choice.bounds.items()},
-        "tied": dict(choice.tied),
-        "priors": {name: list(prior) for name, prior in priors.items()},
-    }
-    return _fit_of(problem, choice, solution, blind, track, settings)
+    return _fit_of(problem, params, starts, (track,), how)
 
 
-def _choice(
-    problem: Problem,
-    track: Track,
-    fixed: Mapping[str, float],
-    free: Sequence[str],
-    bounds: Mapping[str, tuple[float, float]],
-    tied: Mapping[str, str],
-) -> Choice:
-    values, usual = defaults(problem, track)
-    for name in (*fixed, *free, *bounds, *tied):
-        if name in REFUSED:
-            raise InputError(f"{name} is no parameter of a fit: {REFUSED[name]}.")
-        if name not in problem.names:
-            raise InputError(f"{name!r} is no parameter of this fit; it has {', '.join(problem.names)}.")
-    for name in fixed:
+def _fit_together(alone: list[Fit], how: Settings) -> Fit:
+    """Fit several runs of a hoop, from the fits of each alone."""
+    problem = problem_of([one.problem.runs[0] for one in alone])
+    values: dict[str, float] = {}
+    for run, one in zip(problem.runs, alone, strict=True):
+        values |= {run.named(name): one.values[name] for name in run.names}
+    for name in SHARED:
+        known = [one for one in alone if name in one.free]
+        if known:
+            weights = [max(one.error(name), 1e-300) ** -2 for one in known]
+            values[name] = float(np.average([one.values[name] for one in known], weights=weights))
+    usual = {run.named(name) for run, one in zip(problem.runs, alone, strict=True) for name in one.settings["free"]}
+    params = _parameters(problem, values, usual, how)
+    starts = []
+    for own in ({}, *({name: one.values[name] for name in SHARED if name in one.values} for one in alone)):
+        first = changed(params, {**values, **own}).valuesdict()
+        cost = float(np.log1p(problem.residuals(first) ** 2).sum())
+        starts.append(Candidate(first, sequence_of(problem, first), cost))
+    tracks = tuple(one.track for one in alone)
+    return replace(_fit_of(problem, params, starts, tracks, how), alone=tuple(alone))
+
+
+def _parameters(problem: Problem, values: dict[str, float], usual: set[str], how: Settings) -> Parameters:
+    """Return lmfit's parameters; a name without number is that parameter of each run."""
+
+    def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
+        result: dict[str, Any] = {}
+        for name, value in given.items():
+            if name in REFUSED:
+                raise InputError(f"{name} is no parameter of a fit: {REFUSED[name]}.")
+            places = [name] if name in problem.names else [run.named(name) for run in problem.runs if name in run.names]
+            if not places:
+                raise InputError(f"{name!r} is no parameter of this fit; it has {', '.join(problem.names)}.")
+            result |= dict.fromkeys(places, value)
+        return result
+
+    fixed, bounds, tied = expanded(how.fixed), expanded(how.bounds), expanded(how.tied)
+    free = expanded(dict.fromkeys(how.free))
+    for name, value in fixed.items():
         if name in free or name in tied:
             raise InputError(f"{name} cannot be fixed and {'free' if name in free else 'tied'}.")
-        if not np.isfinite(fixed[name]):
-            raise InputError(f"fixed {name} = {fixed[name]} must be a finite number.")
+        if not np.isfinite(value):
+            raise InputError(f"fixed {name} = {value} must be a finite number.")
     for name, (low, high) in bounds.items():
         if not low < high:
             raise InputError(f"bounds of {name} = {low}, {high} must be a lower and a greater number.")
-    if "row_delay" in free and problem.rows is None:
-        raise InputError("row_delay cannot be fitted: the data do not say in which row of the picture the hoop was.")
-    chosen = tuple(name for name in problem.names if (name in usual or name in free) and name not in fixed and name not in tied)
-    values |= {name: float(value) for name, value in fixed.items()}
-    for name in chosen:
-        low, high = bounds.get(name, (PARAMETERS[name].low, PARAMETERS[name].high))
-        values[name] = float(np.clip(values[name], low, high))
-    return Choice(values, chosen, dict(bounds), dict(tied))
+    for run in problem.runs:
+        if run.named("row_delay") in free and run.rows is None:
+            raise InputError("row_delay cannot be fitted: the data do not say in which row of the picture the hoop was.")
+    chosen = [name for name in problem.names if name in {*usual, *free} - {*fixed, *tied}]
+    return parameters(values | {name: float(value) for name, value in fixed.items()}, chosen, bounds, tied)
 
 
-def _fit_of(
-    problem: Problem, choice: Choice, solution: Solution, blind: list[str], track: Track, settings: dict[str, object]
-) -> Fit:
+def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], tracks: tuple[Track, ...], how: Settings) -> Fit:
     """Return the fit, with limits of parameters that may be at an end of their range or have no effect."""
-    robust, wanted = bool(settings["robust"]), choice
-    gone = unobserved(problem.motion(solution.values)) & set(blind)
-    names = [name for name in choice.free if name not in gone]
-    solution, limits = one_sided_limits(problem, choice.only(solution.free), solution, names, robust)
-    limits |= {name: NOT_SEEN for name in choice.free if name in gone or name not in (*solution.free, *limits)}
-    motion = problem.motion(solution.values)
-    gone = unobserved(motion)
+    robust, wanted = how.robust, free_of(params)
+    solution, blind = best_of(problem, params, starts, robust)
+    gone = unobserved(problem.motions(solution.minimum.values)) & set(blind)
+    names = [name for name in wanted if name not in gone]
+    solution, limits = one_sided_limits(problem, solution, names, robust)
+    limits |= {name: NOT_SEEN for name in wanted if name in gone or name not in (*solution.free, *limits)}
+    values, residuals = solution.minimum.values, solution.minimum.residuals
+    motions = problem.motions(values)
+    gone = unobserved(motions)
     notes = []
+    tied = {name: one.expr for name, one in params.items() if one.expr}
     if "mu_excess" in gone and {"mu_kinetic", "mu_excess"} & set(limits):
-        least = least_static_friction(motion)
-        if not choice.tied:
-            least = least_friction(problem, wanted, solution, least, robust)
+        least = max(least_static_friction(motion) for motion in motions)
+        if not tied:
+            least = least_friction(problem, params, solution, least, robust)
         limits["mu_static"] = ("≥", least)
         notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction has no effect.")
     if "restitution" in gone & set(limits):
         notes.append("There is no impact in the film, so restitution cannot be determined.")
     notes += [f"The film does not determine {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
-    chi_square = float((solution.residuals**2).sum())
+    chi_square = float((residuals**2).sum())
     degrees_of_freedom = problem.count - len(solution.free)
     worse = chi_square / max(degrees_of_freedom, 1)
-    mistakes = likely_mistakes(problem) if worse > WORST else []
+    mistakes = likely_mistakes(problem.runs[0]) if worse > WORST else []
     if worse > HOPELESS:
         notes = mistakes or [NO_MISTAKE]
     else:
-        notes = mistakes + notes + _correlated_errors(problem, influence(solution.residuals) if robust else solution.residuals)
-    scale = max(1.0, float(np.sqrt(worse)))
+        notes = mistakes + notes + _correlated_errors(problem, influence(residuals) if robust else residuals)
     return Fit(
-        solution.values,
+        values,
         solution.free,
         solution.covariance,
         chi_square,
         degrees_of_freedom,
         limits,
-        shares(problem, solution, scale),
+        shares(problem, solution, max(1.0, float(np.sqrt(worse)))),
         correlations(solution, set(problem.priors)),
-        misfits(problem, motion, solution.residuals),
+        misfits(problem, motions, residuals),
         tuple(notes),
-        track,
-        settings,
-        problem.computed[0],
+        tracks,
+        {
+            "hoop": how.hoop if isinstance(how.hoop, str) else how.hoop.to_dict(),
+            "starts": [run.start for run in problem.runs],
+            "gravity": how.plane.gravity,
+            "law": how.plane.impact_law,
+            "robust": robust,
+            "sigma": how.sigma[0],
+            "sigma_angle": how.sigma[1],
+            "free": list(wanted),
+            "bounds": {name: list(limits) for name, limits in how.bounds.items()},
+            "tied": tied,
+            "priors": [{name: list(prior) for name, prior in run.priors.items()} for run in problem.runs],
+        },
     )
 
 
 def _correlated_errors(problem: Problem, pulls: Floats) -> list[str]:
     return [
-        f"Errors of {WORDS[name]} are correlated ({memory.frames:.1f} frames have the information of one); "
+        f"Errors of {WORDS[piece.channel.name]} are correlated ({memory.frames:.1f} frames have the information of one); "
         "the uncertainties include that."
-        for name, memory in autocorrelations(problem, pulls).items()
+        for piece, memory in zip(problem.pieces, autocorrelations(problem, pulls), strict=True)
         if memory.share
     ]

@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.problem import Problem
+from hophoop.fitting.channels import Channel
+from hophoop.fitting.problem import Run
 from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
@@ -16,10 +17,13 @@ Floats = NDArray[np.float64]
 WIDTH = 0.05  # of the pieces for velocities [s]
 LEAST = 5  # minimum frames of such a piece
 FIRST = 8  # minimum frames for the start
+ROLLING = 8  # minimum frames of rolling for the share of the load
 SLIPS = 4.0  # significant slip over its standard deviation
 DRAWS = 160
 A_SEQUENCE = 2  # starts of each sequence
 SEQUENCES = 4
+SPREADS = {"mu_kinetic": (0.05, 1.2), "mu_excess": (0.0, 0.2), "restitution": (0.0, 0.7)}
+SPEEDS, NEAR = ("speed", "vx0", "omega0"), 0.02  # parts of the guess, and how far from it they are drawn
 
 
 class Rates(NamedTuple):
@@ -36,124 +40,104 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
 
     t, values, errors: shape (n,), times [s], data and their standard deviations [1].
     """
-    step = float(np.median(np.diff(t)))
-    half = max(LEAST // 2, round(0.5 * WIDTH / step))
+    half = max(LEAST // 2, round(0.5 * WIDTH / float(np.median(np.diff(t)))))
     rows = []
     for k in range(len(t)):
-        near = slice(max(0, k - half), min(len(t), k + half + 1))
-        at, weight = t[near] - t[k], 1.0 / errors[near]
-        design = np.column_stack([np.ones_like(at), at, at**2]) * weight[:, None]
-        inverse = np.linalg.pinv(design.T @ design)
-        found = inverse @ (design.T @ (values[near] * weight))
-        rows.append((found[0], found[1], float(np.sqrt(max(inverse[1, 1], 0.0)))))
-    table = np.array(rows)
-    return Rates(t, table[:, 0], table[:, 1], table[:, 2])
+        near = slice(max(0, k - half), k + half + 1)
+        rows.append(_parabola(t[near] - t[k], values[near], errors[near]))
+    return Rates(t, *np.array(rows).T)
 
 
-def rates_of(problem: Problem, name: str) -> Rates | None:
-    """Return the rates of a channel.
-
-    rates: None if it was not measured.
-    """
-    for channel in problem.channels:
-        if channel.name == name and len(channel.rows) >= LEAST:
-            return rates(problem.t[channel.rows], channel.values, channel.errors)
-    return None
+def _parabola(t: Floats, values: Floats, errors: Floats) -> tuple[float, float, float]:
+    """Return value, rate and the rate's standard deviation at t = 0 of the parabola through data."""
+    weight = 1.0 / errors
+    design = np.column_stack([np.ones_like(t), t, t**2]) * weight[:, None]
+    inverse = np.linalg.pinv(design.T @ design)
+    found = inverse @ (design.T @ (values * weight))
+    return float(found[0]), float(found[1]), float(np.sqrt(max(inverse[1, 1], 0.0)))
 
 
-def start_kind(problem: Problem) -> str:
-    """Return the kind of motion in the first frame.
-
-    start: 'rolling' unless the data contradict it.
-    """
-    x, angle, y = (initial_rate(problem, name) for name in ("x", "angle", "y"))
-    if x is None or angle is None:
-        return "rolling"
-    if y is not None:
-        gap = y.values[:3] - problem.radius
-        if (gap > 6.0 * y.errors[:3]).all() and (gap > 3e-3 * problem.radius).all():
-            return "flying"
-    slip = x.rate - problem.radius * angle.rate
-    error = float(np.hypot(x.error, problem.radius * angle.error))
-    return "sliding" if abs(slip) > max(SLIPS * error, 0.03 * abs(x.rate)) else "rolling"
+def channel_of(run: Run, name: str) -> Channel | None:
+    """Return a channel with enough data for rates."""
+    return next((channel for channel in run.channels if channel.name == name and len(channel.rows) >= LEAST), None)
 
 
-class InitialRate(NamedTuple):
+def rates_of(run: Run, name: str) -> Rates | None:
+    """Return the rates of a channel; None if it was not measured."""
+    channel = channel_of(run, name)
+    return None if channel is None else rates(run.t[channel.rows], channel.values, channel.errors)
+
+
+class Initial(NamedTuple):
     """A quantity and its rate in the first frame, from a parabola through the first frames."""
 
     value: float
     rate: float
     error: float  # of the rate
-    values: Floats  # data of the first frames
-    errors: Floats
 
 
-def initial_rate(problem: Problem, name: str) -> InitialRate | None:
-    """Return value and rate of a quantity in the first frame.
-
-    name: of a channel; rate: None if it was not measured.
-    """
-    for channel in problem.channels:
-        if channel.name == name and len(channel.rows) >= LEAST:
-            t = problem.t[channel.rows]
-            count = max(FIRST, int(np.searchsorted(t, t[0] + WIDTH)))
-            at, weight = t[:count], 1.0 / channel.errors[:count]
-            design = np.column_stack([np.ones_like(at), at, at**2]) * weight[:, None]
-            inverse = np.linalg.pinv(design.T @ design)
-            found = inverse @ (design.T @ (channel.values[:count] * weight))
-            error = float(np.sqrt(max(inverse[1, 1], 0.0)))
-            return InitialRate(float(found[0]), float(found[1]), error, channel.values[:count], channel.errors[:count])
-    return None
+def initial(run: Run, name: str) -> Initial | None:
+    """Return value and rate of a channel in the first frame; None if it was not measured."""
+    channel = channel_of(run, name)
+    if channel is None:
+        return None
+    t = run.t[channel.rows]
+    near = slice(max(FIRST, int(np.searchsorted(t, t[0] + WIDTH))))
+    return Initial(*_parabola(t[near], channel.values[near], channel.errors[near]))
 
 
-def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
+def start_kind(run: Run) -> str:
+    """Return the kind of motion in the first frame: 'rolling' unless the data contradict it."""
+    x, angle, y = initial(run, "x"), initial(run, "angle"), channel_of(run, "y")
+    if x is None or angle is None:
+        return "rolling"
+    if y is not None:
+        gap = y.values[:3] - run.radius
+        if (gap > 6.0 * y.errors[:3]).all() and (gap > 3e-3 * run.radius).all():
+            return "flying"
+    slip = x.rate - run.radius * angle.rate
+    error = float(np.hypot(x.error, run.radius * angle.error))
+    return "sliding" if abs(slip) > max(SLIPS * error, 0.03 * abs(x.rate)) else "rolling"
+
+
+def guess(run: Run, values: dict[str, float]) -> dict[str, float]:
     """Guess parameters from the data: the start from the first frames, the share of the load from the energy in rolling.
 
     values: known and default values.
     """
     result = dict(values)
-    x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
-    if x is None and (marker := rates_of(problem, "marker_x")) is not None:
-        travel = np.polyfit(marker.t, marker.value, 1)  # the marker revolves about the centre
-        x = Rates(
-            marker.t,
-            np.asarray(np.polyval(travel, marker.t), dtype=float),
-            np.full(len(marker.t), travel[0]),
-            np.full(len(marker.t), 1.0),
-        )
-    if x is not None:
-        first = initial_rate(problem, "x")
-        place, rate = (float(x.value[0]), float(x.rate[0])) if first is None else (first.value, first.rate)
-        result |= {"x0": place, "speed": rate, "vx0": rate}
-    if "tilt" in values and x is not None and y is not None and not values["tilt"] and np.ptp(x.value) > problem.radius:
-        line = np.polyfit(x.value, y.value, 1)
-        if abs(line[0]) > 1e-3:
-            result["tilt"] = float(np.arctan(line[0]))
-    if y is not None:
-        above = initial_rate(problem, "y")
-        if above is not None:
-            result |= {"height0": max(above.value - problem.radius, 0.0), "vy0": above.rate}
-        result["origin_y"] = float(np.quantile(y.value, 0.1)) - problem.radius if "origin_y" in values else 0.0
-    if angle is not None:
-        turning = initial_rate(problem, "angle")
-        assert turning is not None
-        result |= {"angle0": turning.value - values["marker_angle"], "omega0": turning.rate}
-        if x is None:
-            result["speed"] = problem.radius * result["omega0"]
-        found = share_of_load(problem, angle, x, result)
-        if found is not None and "gamma" in result:
-            result["gamma"] = found
-        elif found is not None and "eccentricity" in result:
-            result |= {"eccentricity": found, "inertia_ratio": 1.0 - found**2}
+    x, y, angle = (rates_of(run, name) for name in ("x", "y", "angle"))
+    if x is not None and (first := initial(run, "x")) is not None:
+        result |= {"x0": first.value, "speed": first.rate, "vx0": first.rate}
+    elif (marker := channel_of(run, "marker_x")) is not None:
+        speed, place = np.polyfit(run.t[marker.rows], marker.values, 1)  # the marker revolves about the centre
+        result |= {"x0": float(place), "speed": float(speed), "vx0": float(speed)}
+    if x is not None and y is not None and not values["tilt"] and np.ptp(x.value) > run.radius:
+        tilt = float(np.arctan(np.polyfit(x.value, y.value, 1)[0]))
+        result["tilt"] = tilt if abs(tilt) > 1e-3 else 0.0
+    if y is not None and (first := initial(run, "y")) is not None:
+        result |= {"height0": max(first.value - run.radius, 0.0), "vy0": first.rate}
+        result["origin_y"] = float(np.quantile(y.value, 0.1)) - run.radius
+    load = None
+    if angle is not None and (first := initial(run, "angle")) is not None:
+        result |= {"angle0": first.value - values["marker_angle"], "omega0": first.rate}
+        load = share_of_load(run, angle, x, result)
+    elif (omega := rates_of(run, "omega")) is not None:
+        result["omega0"] = float(omega.value[0])
+        load, result["angle0"] = load_of_turning(run, omega.t, omega.value)
+    if x is None and (angle is not None or channel_of(run, "omega")):
+        result["speed"] = result["vx0"] = run.radius * result["omega0"]
+    if load is not None:
+        result |= {"gamma": load, "eccentricity": load, "inertia_ratio": 1.0 - load**2}
     return {name: result[name] for name in values}
 
 
-def share_of_load(problem: Problem, angle: Rates, x: Rates | None, values: dict[str, float]) -> float | None:
+def share_of_load(run: Run, angle: Rates, x: Rates | None, values: dict[str, float]) -> float | None:
     """Return γ from the conserved energy while the hoop rolls: (1 + γ cosθ) R²θ̇² + γ g R cos(θ + β) − g R θ sinβ.
 
     x: to detect rolling; values: slope and angle of the marker; gamma: None if the data do not determine it [1].
     """
-    radius, gravity = problem.radius, problem.plane.gravity
+    radius, gravity = run.radius, run.plane.gravity
     theta, slope = angle.value - values["marker_angle"], values["slope"]
     rolls = np.ones(len(theta), dtype=bool)
     if x is not None:
@@ -161,7 +145,7 @@ def share_of_load(problem: Problem, angle: Rates, x: Rates | None, values: dict[
         error = np.hypot(np.interp(angle.t, x.t, x.error), radius * angle.error)
         broken = np.flatnonzero(np.abs(slip) > SLIPS * error + 0.02 * np.abs(radius * angle.rate))
         rolls[broken[0] if len(broken) else len(rolls) :] = False
-    if rolls.sum() < 8:
+    if rolls.sum() < ROLLING:
         return None
     square = (radius * angle.rate[rolls]) ** 2
     turning, sinking = np.cos(theta[rolls]) * square, gravity * radius * np.cos(theta[rolls] + slope)
@@ -169,6 +153,27 @@ def share_of_load(problem: Problem, angle: Rates, x: Rates | None, values: dict[
     design = np.column_stack([turning + sinking, -np.ones(rolls.sum())])
     found, _, rank, _ = np.linalg.lstsq(design, known, rcond=None)
     return float(np.clip(found[0], 0.05, 0.95)) if rank == 2 else None
+
+
+def load_of_turning(run: Run, t: Floats, omega: Floats) -> tuple[float, float]:
+    """Return γ and the first angle from the angular velocity alone: θ̇² + γ (θ̇² + g/R) cosθ is constant while the hoop rolls.
+
+    With θ = θ0 + the integral of θ̇ that is linear in γ cosθ0, γ sinθ0 and the constant. The hoop may slip from some time on,
+    so that of several spans from the start the one counts whose equation holds best.
+    """
+    turned = np.concatenate([[0.0], np.cumsum(0.5 * (omega[1:] + omega[:-1]) * np.diff(t))])
+    weight = omega**2 + run.plane.gravity / run.radius
+    design = np.column_stack([weight * np.cos(turned), -weight * np.sin(turned), -np.ones_like(t)])
+    found = []
+    for share in (0.25, 0.4, 0.6, 0.8, 1.0):
+        count = max(int(share * len(t)), ROLLING)
+        answer, *_ = np.linalg.lstsq(design[:count], -(omega[:count] ** 2), rcond=None)
+        off = design[:count] @ answer + omega[:count] ** 2
+        found.append(
+            (float(np.std(off)) / share, float(np.hypot(answer[0], answer[1])), float(np.arctan2(answer[1], answer[0])))
+        )
+    _, load, angle = min(found)
+    return float(np.clip(load, 0.05, 0.95)), angle
 
 
 def merge_bounces(sequence: str) -> str:
@@ -184,7 +189,7 @@ class Candidate(NamedTuple):
     cost: float
 
 
-def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: int = 0) -> list[Candidate]:
+def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0) -> list[Candidate]:
     """Return the best motions of each sequence, of many drawn around a guess.
 
     The sum of squares has a basin for each sequence, and descent from one basin does not lead into another.
@@ -192,40 +197,31 @@ def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: 
     first: the guess; free: parameters that may differ from it; seed: seed of the draws [1]; candidates: the best first.
     """
     rng = np.random.default_rng(seed)
-    measured = {channel.name for channel in problem.channels}
+    measured = {channel.name for channel in run.channels}
     found: list[Candidate] = []
     for k in range(DRAWS):
         values = dict(first)
         if k:
-            for name, (low, high) in SPREADS.items():
-                if name in free:
-                    values[name] = float(rng.uniform(low, high))
-            for name, part in NEAR.items():
-                if name in free:
-                    values[name] *= float(1.0 + part * rng.uniform(-1, 1))
+            drawn = {name: float(rng.uniform(*ends)) for name, ends in SPREADS.items() if name in free}
+            drawn |= {name: values[name] * float(1.0 + NEAR * rng.uniform(-1, 1)) for name in SPEEDS if name in free}
             if "gamma" in free and rng.random() < 0.5:
-                values["gamma"] = float(np.clip(first["gamma"] + 0.1 * rng.uniform(-1, 1), 0.05, 0.95))
-            if "angle" not in measured and "angle0" in free:
-                values |= (
-                    {"angle0": float(rng.uniform(-np.pi, np.pi)), "gamma": float(rng.uniform(0.2, 0.9))}
-                    if ("gamma" in free)
-                    else {"angle0": float(rng.uniform(-np.pi, np.pi))}
-                )
+                drawn["gamma"] = float(np.clip(first["gamma"] + 0.1 * rng.uniform(-1, 1), 0.05, 0.95))
+            if "omega" in measured and rng.random() < 0.5:
+                drawn["angle0"] = first["angle0"] + float(rng.normal(0.0, 0.3))
+            elif not measured & {"angle", "omega"}:
+                drawn |= {"angle0": float(rng.uniform(-np.pi, np.pi)), "gamma": float(rng.uniform(0.2, 0.9))}
+            values |= {name: value for name, value in drawn.items() if name in free}
         try:
-            motion = problem.motion(values)
+            motion = run.motion(values)
         except InputError:
             continue
-        off = problem.distances(problem.places(motion, values), values)
+        off = run.distances(run.places(motion, values), values)
         # cut large residuals: the part of the film that agrees counts
-        found.append(Candidate(values, motion.sequence, float(np.log1p(off**2).sum())))
+        found.append(Candidate(values, merge_bounces(motion.sequence), float(np.log1p(off**2).sum())))
     best: dict[str, list[Candidate]] = {}
     for one in sorted(found, key=lambda candidate: candidate.cost):
-        group = best.setdefault(merge_bounces(one.sequence)[:12], [])
+        group = best.setdefault(one.sequence[:12], [])
         if len(group) < A_SEQUENCE:
             group.append(one)
     few = list(best.values())[:SEQUENCES]
     return sorted((one for group in few for one in group), key=lambda candidate: candidate.cost)
-
-
-SPREADS = {"mu_kinetic": (0.05, 1.2), "mu_excess": (0.0, 0.2), "restitution": (0.0, 0.7)}
-NEAR = {"speed": 0.02, "vx0": 0.02, "omega0": 0.02}

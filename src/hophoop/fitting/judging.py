@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from itertools import groupby
 from typing import Any
 
@@ -21,16 +21,24 @@ CORRELATED = 0.95
 RUNS = -4.0  # deviation of the runs test that shows a misfit
 FEWEST = 16  # residuals of a phase for the test
 DRAWS = 100
+PHASES = {"R": "rolling", "S": "slip", "K": "slip", "H": "flight", "M": "skimming"}
+WORDS = {
+    "x": "x",
+    "y": "y",
+    "angle": "the angle",
+    "marker_x": "x of the marker",
+    "marker_y": "y of the marker",
+    "omega": "the angular velocity",
+}
 
 
 def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[str, str, float]]:
-    """Return pairs of parameters that the data hardly distinguish, the strongest first.
+    """Return pairs of parameters that the data hardly distinguish, with their correlation [1], the strongest first.
 
-    known: parameters with priors; two of these are no pair; pairs: with their correlation [1].
+    known: parameters with priors; two of these are no pair.
     """
-    with np.errstate(invalid="ignore"):  # a singular problem has negative variances
+    with np.errstate(divide="ignore", invalid="ignore"):  # a singular problem has negative variances
         size = np.sqrt(np.diag(solution.covariance))
-    with np.errstate(divide="ignore", invalid="ignore"):
         matrix = solution.covariance / np.outer(size, size)
     names = solution.free
     pairs = [
@@ -42,38 +50,44 @@ def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[
     return sorted(pairs, key=lambda pair: -abs(pair[2]))
 
 
-def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) -> dict[str, float]:
-    """Return the sequences of motions within the uncertainties, with their shares.
+def sequence_of(problem: Problem, values: Mapping[str, float]) -> str:
+    """Return the sequence of each run, bounces in a row as one 'H+'."""
+    return ", ".join(merge_bounces(motion.sequence) for motion in problem.motions(values))
 
-    scale: factor of the errors [1]; shares: by sequence, bounces in a row as one 'H+', the largest first [1].
+
+def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) -> dict[str, float]:
+    """Return the sequences of motions within the uncertainties, with their shares [1], the largest first.
+
+    scale: factor of the errors [1].
     """
-    rng = np.random.default_rng(seed)
-    found: dict[str, int] = {}
+    values = solution.minimum.values
     covariance = solution.covariance * scale**2
-    if not len(solution.free) or not np.isfinite(covariance).all():
-        return {merge_bounces(problem.motion(solution.values).sequence): 1.0}
-    values, vectors = np.linalg.eigh(0.5 * (covariance + covariance.T))
-    root = vectors * np.sqrt(np.maximum(values, 0.0))
-    centre = np.array([solution.values[name] for name in solution.free])
-    for _ in range(DRAWS):
-        drawn = dict(solution.values) | dict(
-            zip(solution.free, (centre + root @ rng.normal(size=len(centre))).tolist(), strict=True)
-        )
+    drawn = [values]
+    if solution.free and np.isfinite(covariance).all():
+        place = np.array([values[name] for name in solution.free])
+        rng = np.random.default_rng(seed)
+        places = rng.multivariate_normal(place, covariance, DRAWS, check_valid="ignore", method="eigh")
+        drawn = [values | dict(zip(solution.free, place.tolist(), strict=True)) for place in places]
+    return count_sequences(problem, drawn) or count_sequences(problem, [values])
+
+
+def count_sequences(problem: Problem, drawn: Collection[Mapping[str, float]]) -> dict[str, float]:
+    """Return the sequences of some motions with their shares [1], the largest first."""
+    found: dict[str, int] = {}
+    for values in drawn:
         try:
-            sequence = merge_bounces(problem.motion(drawn).sequence)
+            sequence = sequence_of(problem, values)
         except InputError:
             continue
         found[sequence] = found.get(sequence, 0) + 1
     total = sum(found.values())
-    if not total:
-        return {merge_bounces(problem.motion(solution.values).sequence): 1.0}
     return {name: number / total for name, number in sorted(found.items(), key=lambda item: -item[1])}
 
 
 def runs_deviation(residuals: Floats) -> float:
     """Return the deviation of the number of runs of one sign from its expectation (Wald–Wolfowitz test).
 
-    residuals shape (n,) [1]; deviation: negative if neighbours are alike; 0 if all must have one sign [standard deviations].
+    deviation: negative if neighbours are alike; 0 if all must have one sign [standard deviations].
     """
     signs = residuals > 0
     above, below = int(signs.sum()), int((~signs).sum())
@@ -85,41 +99,25 @@ def runs_deviation(residuals: Floats) -> float:
     return float((sum(1 for _ in groupby(signs)) - usual) / spread)
 
 
-PHASES = {"R": "rolling", "S": "slip", "K": "slip", "H": "flight", "M": "skimming"}
-WORDS = {"x": "x", "y": "y", "angle": "the angle", "marker_x": "x of the marker", "marker_y": "y of the marker"}
-
-
-def misfits(problem: Problem, motion: Trajectory, residuals: Floats) -> list[dict[str, Any]]:
+def misfits(problem: Problem, motions: list[Trajectory], residuals: Floats) -> list[dict[str, Any]]:
     """Return quantities and phases in which residuals have too few runs: the model lacks something there.
 
-    residuals shape (count,) [1]; places: ``quantity``, ``phase``, ``deviation`` of the number of runs, ``spread`` of the
-    residuals.
+    places: ``run``, ``quantity``, ``phase``, ``deviation`` of the number of runs, ``spread`` of the residuals.
     """
-    modes = motion.at(np.clip(problem.t, 0.0, motion.duration)).mode
-    found, begin = [], 0
-    for channel in problem.channels:
-        own = residuals[begin : begin + len(channel.rows)]
-        begin += len(channel.rows)
-        phase = np.array([PHASES[letter] for letter in modes[channel.rows]])
+    found = []
+    for k, channel, piece in problem.pieces:
+        modes = motions[k].at(np.clip(problem.runs[k].t[channel.rows], 0.0, motions[k].duration)).mode
+        phase = np.array([PHASES[letter] for letter in modes])
         for word in dict.fromkeys(phase.tolist()):
-            part = own[phase == word]
+            part = residuals[piece][phase == word]
             if len(part) >= FEWEST and (deviation := runs_deviation(part)) < RUNS:
-                found.append(
-                    {
-                        "quantity": channel.name,
-                        "phase": word,
-                        "deviation": deviation,
-                        "spread": float(np.sqrt((part**2).mean())),
-                    }
-                )
+                spread = float(np.sqrt((part**2).mean()))
+                found.append({"run": k, "quantity": channel.name, "phase": word, "deviation": deviation, "spread": spread})
     return found
 
 
 def least_static_friction(motion: Trajectory, points: int = 2000) -> float:
-    """Return the maximum of abs(F)/N while the hoop rolls, the friction that it needs at least.
-
-    points: number of times [1].
-    """
+    """Return the maximum of abs(F)/N while the hoop rolls, the friction that it needs at least."""
     state = motion.at(motion.times(points))
     rolling = (state.mode == "R") & (state.normal_force > 0)
     if not rolling.any():

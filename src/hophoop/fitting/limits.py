@@ -2,31 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from hophoop.fitting.problem import Problem
 from hophoop.fitting.solving import (
     CONFIDENT,
-    Choice,
     Minimum,
     Solution,
     approach,
-    complete,
-    cost_at,
+    changed,
+    cost_of,
+    free_of,
+    held,
     minimize,
     solve,
     spread_of,
 )
 from hophoop.simulation.trajectory import Trajectory
 
+if TYPE_CHECKING:
+    from lmfit import Parameters
+
 AGREES = 4.0  # rise of the sum of squares at an end of a range that the data agree with: two standard deviations
 NEAR = 9.0  # rise at an end that is near: three standard deviations
 STEPS = 12  # of a search for a limit
 FINE = 0.01  # accuracy of a limit, over its distance from the end
 NOT_SEEN = ("", float("nan"))
+
+Limits = dict[str, tuple[str, float]]
 
 
 class End(NamedTuple):
@@ -37,123 +44,131 @@ class End(NamedTuple):
     blind: list[str]  # parameters without effect there
 
 
-def unobserved(motion: Trajectory) -> set[str]:
-    """Return parameters of the contact that a motion does not determine: friction without slip, restitution without impact."""
-    slips = {"S", "K"} & set(motion.sequence)
-    lands = motion.find("impact") or motion.find("bounce_limit")  # bounces too small to count end at once
+def unobserved(motions: Sequence[Trajectory]) -> set[str]:
+    """Return parameters of the contact that motions do not determine: friction without slip, restitution without impact."""
+    slips = any({"S", "K"} & set(motion.sequence) for motion in motions)
+    # bounces too small to count end at once
+    lands = any(motion.find("impact") or motion.find("bounce_limit") for motion in motions)
     return (set() if slips else {"mu_kinetic", "mu_excess"}) | (set() if lands else {"restitution"})
 
 
-def one_sided_limits(
-    problem: Problem, choice: Choice, solution: Solution, names: Sequence[str], robust: bool
-) -> tuple[Solution, dict[str, tuple[str, float]]]:
+def one_sided_limits(problem: Problem, solution: Solution, names: Sequence[str], robust: bool) -> tuple[Solution, Limits]:
     """Find limits of parameters that may be at an end of their range, and their effect on the others.
 
     The slopes at the minimum do not suffice: the sum of squares may be steep at the minimum and flat towards the end.
 
-    solution: the minimum of `choice`; names: parameters that may have a limit: free ones, and ones without effect at the
-    minimum; result: the minimum with the limited parameters at the end of their range. The covariance of the others includes
-    their change up to the limit. Within three standard deviations of an end, the standard deviation is at least that of the sum
-    of squares there; limits: the sign and the limit at 95 % of each parameter; no sign and nan where the data agree with both
-    ends [its unit].
+    names: parameters that may have a limit: free ones, and ones without effect at the minimum; result: the minimum with the
+    limited parameters at the end of their range. The covariance of the others includes their change up to the limit. Within
+    three standard deviations of an end, the standard deviation is at least that of the sum of squares there; limits: the sign
+    and the limit at 95 % of each parameter; no sign and nan where the data agree with both ends [its unit].
     """
     limits, changes = {}, []
     for name in names:
-        spread = spread_of(problem, solution.cost, len(solution.free))
-        near = _ends(problem, choice, solution, name, robust)
-        agreed = [end for end in near if end.found.cost - solution.cost <= AGREES * spread]
+        params, cost = changed(solution.minimum.params, {}, solution.free), solution.minimum.cost
+        spread = spread_of(problem, cost, len(solution.free))
+        near = _ends(problem, params, solution, name, robust)
+        agreed = [end for end in near if end.found.cost - cost <= AGREES * spread]
         if len(agreed) == 1:
             ((side, found, blind),) = agreed
-            begin = min((solution.values, solution.cost), (found.values, found.cost), key=lambda one: one[1])
-            allowed = begin[1] + CONFIDENT * spread
-            step = 0.01 * min(np.subtract(*choice.limits(name)[::-1]), 1.0)
-            values = _reach(problem, choice.at(begin[0]), name, -side * step, allowed, robust)
-            limits[name] = ("≤" if side < 0 else "≥", values[name])
-            free = tuple(other for other in solution.free if other != name and other not in blind)
-            solution = solve(problem, choice.at(found.values).only(free), robust)
-            changes.append({other: (values[other] - solution.values[other]) / np.sqrt(CONFIDENT * spread) for other in free})
+            begin = min(solution.minimum, found, key=lambda one: one.cost)
+            step, end = 0.01 * min(params[name].max - params[name].min, 1.0), params[name].max if side < 0 else params[name].min
+            value, values = _reach(
+                problem,
+                changed(params, begin.values),
+                partial(_alone, name),
+                (begin.values[name], end),
+                -side * step,
+                begin.cost + CONFIDENT * spread,
+                robust,
+            )
+            limits[name] = ("≤" if side < 0 else "≥", value)
+            free = [other for other in solution.free if other != name and other not in blind]
+            solution = solve(problem, changed(params, found.values, free), robust)
+            now, size = solution.minimum.values, np.sqrt(CONFIDENT * spread)
+            changes.append({other: (values[other] - now[other]) / size for other in free})
         elif agreed or name not in solution.free:
             limits[name] = NOT_SEEN
             solution = solution.without(name)
-        for end in near if not agreed else ():
-            size = np.sqrt((end.found.cost - solution.cost) / spread)  # distance to the end in standard deviations
-            solution = solution.with_error(name, abs(end.found.values[name] - solution.values[name]) / size)
-        choice = choice.at(solution.values).only(solution.free)
+        for one in near if not agreed else ():
+            size = np.sqrt((one.found.cost - cost) / spread)  # distance to the end in standard deviations
+            solution = solution.with_error(name, abs(one.found.values[name] - solution.minimum.values[name]) / size)
     covariance = solution.covariance.copy()
-    for one in changes:
-        own = np.array([one.get(name, 0.0) for name in solution.free])
+    for change in changes:
+        own = np.array([change.get(name, 0.0) for name in solution.free])
         covariance += np.outer(own, own)
     return solution._replace(covariance=covariance), limits
 
 
-def _ends(problem: Problem, choice: Choice, solution: Solution, name: str, robust: bool) -> list[End]:
+def _ends(problem: Problem, params: Parameters, solution: Solution, name: str, robust: bool) -> list[End]:
     """Return the ends of a parameter's range that are near by the sum of squares."""
     result = []
-    for side, end in zip((-1, 1), choice.limits(name), strict=True):
+    cost = solution.minimum.cost
+    for side, end in ((-1, params[name].min), (1, params[name].max)):
         if not np.isfinite(end):
             continue
-        held = choice.at(solution.values).without(name, end)
-        starts = [held.values, _values_at(choice, solution, name, end)]
-        costs = [cost_at(problem, complete(held, values), robust) for values in starts]
-        if min(costs) - solution.cost > problem.count:
+        starts = [held(changed(params, values), {name: end}) for values in ({}, _values_at(solution, name, end))]
+        costs = [cost_of(problem, one, robust) for one in starts]
+        if min(costs) - cost > problem.count:
             continue  # too far: fitting the others does not help
-        found, blind = approach(problem, held.at(starts[int(np.argmin(costs))]), robust)
-        if found.cost - solution.cost <= NEAR * spread_of(problem, solution.cost, len(solution.free)):
+        found, blind = approach(problem, starts[int(np.argmin(costs))], robust)
+        if found.cost - cost <= NEAR * spread_of(problem, cost, len(solution.free)):
             result.append(End(side, found, blind))
     return result
 
 
-def _values_at(choice: Choice, solution: Solution, name: str, end: float) -> dict[str, float]:
-    """Return values with one at the end of its range and the others by linear regression."""
-    values = {**solution.values, name: end}
+def _values_at(solution: Solution, name: str, end: float) -> dict[str, float]:
+    """Return the values of the others by linear regression, with one at the end of its range."""
     if name not in solution.free or not np.isfinite(solution.covariance).all():
-        return values
-    along = solution.covariance[solution.free.index(name)]
-    for other, change in zip(solution.free, along / along[solution.free.index(name)], strict=True):
-        if other != name:
-            moved = values[other] + change * (end - solution.values[name])
-            values[other] = float(np.clip(moved, *choice.limits(other)))
-    return values
+        return {}
+    values, place = solution.minimum.values, solution.free.index(name)
+    changes = solution.covariance[place] / solution.covariance[place, place] * (end - values[name])
+    return {other: values[other] + change for other, change in zip(solution.free, changes.tolist(), strict=True)}
 
 
-def _reach(problem: Problem, choice: Choice, name: str, step: float, allowed: float, robust: bool) -> dict[str, float]:
-    """Return the values with one as far away as the allowed sum of squares permits, the others fitted."""
-    near, far = dict(choice.values), None
-    begin = near[name]
+def _alone(name: str, value: float) -> dict[str, float]:
+    return {name: value}
+
+
+def _reach(
+    problem: Problem,
+    params: Parameters,
+    hold: Callable[[float], dict[str, float]],
+    ends: tuple[float, float],
+    step: float,
+    allowed: float,
+    robust: bool,
+) -> tuple[float, dict[str, float]]:
+    """Go as far as the allowed sum of squares permits, with the other parameters fitted.
+
+    hold: parameters that a place fixes; ends: the first place and the last possible one.
+    """
+    near, values, far = ends[0], params.valuesdict(), np.nan
     for _ in range(STEPS):
-        value = float(np.clip(near[name] + step, *choice.limits(name)))
-        there = minimize(problem, choice.at(near).without(name, value), robust)
+        place = float(np.clip(near + step, min(ends), max(ends)))
+        there = minimize(problem, held(changed(params, values), hold(place)), robust)
         if there.cost > allowed:
-            far, step = value, 0.5 * (value - near[name])
+            far, step = place, 0.5 * (place - near)
         else:
-            near, step = there.values, (2.0 * step if far is None else 0.5 * (far - value))
-        if (far is None and value in choice.limits(name)) or (far is not None and abs(step) < FINE * abs(near[name] - begin)):
+            near, values, step = place, there.values, 0.5 * (far - place) if np.isfinite(far) else 2.0 * step
+        if near == ends[1] or abs(step) < FINE * abs(near - ends[0]):
             break
-    return near
+    return near, values
 
 
-def least_friction(problem: Problem, choice: Choice, solution: Solution, needed: float, robust: bool) -> float:
+def least_friction(problem: Problem, params: Parameters, solution: Solution, needed: float, robust: bool) -> float:
     """Return the minimum static friction at 95 % of a hoop that was not seen to slip.
 
-    choice: the choice with friction free; solution: a motion that never slips; needed: friction required by this motion [1];
-    friction: a little less than required, since very short slip cannot be detected [1].
+    params: with friction free; solution: a motion that never slips; needed: friction required by this motion [1]; friction: a
+    little less than required, since very short slip cannot be detected [1].
     """
-    scale = spread_of(problem, solution.cost, len(solution.free))
-    near, far, step = needed, 0.0, 0.02 * needed
-    for _ in range(STEPS):
-        value = max(near - step, 0.5 * (near + far))
-        held = {"mu_kinetic": value, "mu_excess": 0.0}
-        if "mu_kinetic" not in choice.free:
-            held = {"mu_excess": max(value - choice.values["mu_kinetic"], 0.0)}
-        elif "mu_excess" not in choice.free:
-            held = {"mu_kinetic": max(value - choice.values["mu_excess"], 0.0)}
-        fixed = choice.at(solution.values)
-        for name, number in held.items():
-            fixed = fixed.without(name, number)
-        for name in set(fixed.free) - set(solution.free):
-            fixed = fixed.without(name, solution.values[name])
-        if minimize(problem, fixed, robust).cost - solution.cost > CONFIDENT * scale:
-            far = value
-        else:
-            near, step = value, 2.0 * step
-    return near
+    minimum, free = solution.minimum, free_of(params)
+
+    def hold(friction: float) -> dict[str, float]:
+        if {"mu_kinetic", "mu_excess"} <= set(free):
+            return {"mu_kinetic": friction, "mu_excess": 0.0}
+        name, other = ("mu_excess", "mu_kinetic") if "mu_excess" in free else ("mu_kinetic", "mu_excess")
+        return {name: max(friction - params[other].value, 0.0)}
+
+    allowed = minimum.cost + CONFIDENT * spread_of(problem, minimum.cost, len(solution.free))
+    first = changed(minimum.params, {}, solution.free)
+    return _reach(problem, first, hold, (needed, 0.0), -0.02 * needed, allowed, robust)[0]

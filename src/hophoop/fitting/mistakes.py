@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.fitting.guess import LEAST, SLIPS, Rates, rates_of
-from hophoop.fitting.problem import Problem
+from hophoop.fitting.problem import Run
 
 Floats = NDArray[np.float64]
 
@@ -19,7 +19,7 @@ ASIDE = 60.0  # angle between fastest rotation and the bottom that is no effect 
 LEAST_ARC = 1.5  # of rolling, for an estimate of gravity [rad]
 
 
-def likely_mistakes(problem: Problem) -> list[str]:
+def likely_mistakes(problem: Run) -> list[str]:
     """Ask about usual mistakes. Every hoop has x ≈ R θ, hops upwards and is fastest with its load at the bottom.
 
     questions: at most one sentence; empty if nothing is conspicuous.
@@ -36,7 +36,7 @@ def likely_mistakes(problem: Problem) -> list[str]:
     return _of_units(ratio) or _of_the_angle(angle, ratio) or _of_gravity(problem, x, angle)
 
 
-def _hops_down(height: Floats, problem: Problem) -> bool:
+def _hops_down(height: Floats, problem: Run) -> bool:
     """True if the centre leaves its usual height downwards."""
     low, usual, high = np.quantile(height, [0.02, 0.5, 0.98])
     noise = next(float(np.median(one.errors)) for one in problem.channels if one.name == "y")
@@ -73,7 +73,7 @@ def _of_the_angle(angle: Rates, ratio: float) -> list[str]:
     return []
 
 
-def _of_gravity(problem: Problem, x: Rates, angle: Rates) -> list[str]:
+def _of_gravity(problem: Run, x: Rates, angle: Rates) -> list[str]:
     """Ask about time and the radius, from the energy while the hoop rolls: θ̇² (1 + γ cosθ) + γ g/R cosθ is constant."""
     slip = np.interp(angle.t, x.t, x.rate) - problem.radius * angle.rate
     error = np.hypot(np.interp(angle.t, x.t, x.error), problem.radius * angle.error)

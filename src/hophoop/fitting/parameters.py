@@ -38,7 +38,10 @@ PARAMETERS: dict[str, ParameterSpec] = {
     "row_delay": ParameterSpec("s", "delay of the exposure from row to row, beyond the track's", -1e-3, 1e-3, 1e-8),
     "marker_angle": ParameterSpec("rad", "angle from the load to the marker", -INFINITE, INFINITE, 1e-6),
     "marker_ratio": ParameterSpec("1", "distance of the marker from the centre over the radius", 0.01, 1.5, 1e-6),
+    "omega_offset": ParameterSpec("rad/s", "offset of the measured angular velocity", -INFINITE, INFINITE, 1e-6),
 }  # fmt: skip
+# Parameters that several runs of a hoop have in common; each run has its own of the others.
+SHARED = ("gamma", "eccentricity", "inertia_ratio", "mu_kinetic", "mu_excess", "restitution", "rolling_resistance")
 # Numbers of the scenario that change with a parameter by the same amount.
 PATHS: dict[str, tuple[str, ...]] = {
     "gamma": ("hoop.load_fraction",),
@@ -71,3 +74,9 @@ REFUSED = {
     "mu_static": "static friction is mu_kinetic + mu_excess; fix or free those",
     "gravity": "gravity is given, not fitted; scale can be",
 }
+
+
+def spec(name: str) -> ParameterSpec:
+    """Return the parameter of a name, which may have the number of its run, such as speed_2."""
+    base, _, number = name.rpartition("_")
+    return PARAMETERS[base if number.isdigit() and name not in PARAMETERS else name]

@@ -13,9 +13,9 @@ from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.judging import correlations, least_static_friction
 from hophoop.fitting.limits import one_sided_limits, unobserved
 from hophoop.fitting.parameters import PARAMETERS, REFUSED
-from hophoop.fitting.problem import Prior, Problem, defaults, problem_of
+from hophoop.fitting.problem import Prior, Run, defaults, problem_of, run_of
 from hophoop.fitting.result import format_value
-from hophoop.fitting.solving import Choice, Solution, insensitive, slopes
+from hophoop.fitting.solving import Minimum, Solution, changed, free_of, insensitive, parameters, slopes
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
 from hophoop.tracking import Track
@@ -155,25 +155,25 @@ def plan(
     if not 12 <= count <= MOST_FRAMES:
         raise InputError(f"The film would have {count} frames; a plan needs 12 to {MOST_FRAMES:,}.")
     track = _film(scenario, np.arange(count) / rate, sigma, sigma_angle)
-    start = _start(scenario)
     ideal = scenario.hoop.load_fraction is not None
     hoop = scenario.hoop if hoop_known or scenario.hoop.massless else "ideal" if ideal else "general"
-    problem = problem_of(track, hoop, start, scenario.plane, (None, None))
-    values = _values(problem, track, scenario)
-    _, usual = defaults(problem, track)
+    run = run_of(track, hoop, _start(scenario), scenario.plane, (None, None))
+    values, usual = defaults(run, track)
+    values |= _known(scenario, values)
     for name in (*free, *fixed):
-        if name in REFUSED or name not in problem.names:
-            raise InputError(f"{name!r} is no parameter of this plan; it has {', '.join(problem.names)}.")
-    problem = replace(problem, priors=_shared(problem, sigma_scale, {*free, *fixed}))
-    chosen = {*usual, *free, *problem.priors} - set(fixed)
-    names = tuple(name for name in problem.names if name in chosen)
-    choice = Choice(values, names, {}, {})
-    blind = tuple(insensitive(problem, choice))
-    seen = Choice(values, tuple(name for name in names if name not in blind), {}, {})
-    jacobian = slopes(problem, seen, seen.free)
-    whole = Solution(values, seen.free, inverse(jacobian.T @ jacobian), 0.0, np.zeros(0))
-    gone = unobserved(motion) & set(blind)
-    solution, limits = one_sided_limits(problem, seen, whole, [name for name in names if name not in gone], False)
+        if name in REFUSED or name not in run.names:
+            raise InputError(f"{name!r} is no parameter of this plan; it has {', '.join(run.names)}.")
+    priors = _shared(run, sigma_scale, {*free, *fixed})
+    problem = problem_of([replace(run, priors=priors)])
+    chosen = {*usual, *free, *priors} - set(fixed)
+    names = tuple(name for name in run.names if name in chosen)
+    params = parameters(values, names)
+    blind = tuple(insensitive(problem, params))
+    seen = changed(params, {}, [name for name in names if name not in blind])
+    jacobian = slopes(problem, seen)
+    whole = Solution(Minimum(seen, 0.0, np.zeros(0)), free_of(seen), inverse(jacobian.T @ jacobian))
+    gone = unobserved([motion]) & set(blind)
+    solution, limits = one_sided_limits(problem, whole, [name for name in names if name not in gone], False)
     errors = {name: float(np.sqrt(solution.covariance[k, k])) for k, name in enumerate(solution.free)}
     limits = {name: limit for name, limit in limits.items() if limit[0]}
     blind = tuple(name for name in names if name not in (*solution.free, *limits))
@@ -182,9 +182,9 @@ def plan(
     return Plan(values, errors, limits, blind, correlations(solution, set(problem.priors)), motion.sequence, count, least)
 
 
-def _shared(problem: Problem, sigma_scale: float, told: Set[str]) -> dict[str, Prior]:
+def _shared(run: Run, sigma_scale: float, told: Set[str]) -> dict[str, Prior]:
     """Priors of the scale and of the plane's height, R below the centre, whose error follows from that of the scale."""
-    priors = {"scale": Prior(1.0, sigma_scale), "origin_y": Prior(0.0, sigma_scale * problem.radius)} if sigma_scale else {}
+    priors = {"scale": Prior(1.0, sigma_scale), "origin_y": Prior(0.0, sigma_scale * run.radius)} if sigma_scale else {}
     return {name: prior for name, prior in priors.items() if name not in told}
 
 
@@ -207,8 +207,7 @@ def _start(scenario: Scenario) -> str:
     return "rolling" if start.state(scenario.hoop).slip == 0.0 else "sliding"
 
 
-def _values(problem: Problem, track: Track, scenario: Scenario) -> dict[str, float]:
-    values, _ = defaults(problem, track)
+def _known(scenario: Scenario, values: dict[str, float]) -> dict[str, float]:
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
     known = {
         "gamma": hoop.load_fraction, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
@@ -217,4 +216,4 @@ def _values(problem: Problem, track: Track, scenario: Scenario) -> dict[str, flo
         "x0": start.x, "angle0": start.angle, "speed": start.vx, "height0": start.height,
         "vx0": start.vx, "vy0": start.vy, "omega0": start.omega,
     }  # fmt: skip
-    return values | {name: float(value) for name, value in known.items() if name in values and value is not None}
+    return {name: float(value) for name, value in known.items() if name in values and value is not None}

@@ -1,22 +1,23 @@
-"""The fitted problem: from parameters to the exact motion and its residuals."""
+"""The fitted problem: from parameters to the exact motion of each run, and its residuals."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.fitting.channels import Channel, channels_of
-from hophoop.fitting.parameters import STARTS
+from hophoop.fitting.parameters import SHARED, STARTS
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
 
 Floats = NDArray[np.float64]
+Values = dict[str, float]
 
 FAR = 1e4  # residual of an impossible motion [standard deviations]
 SAME = 1e-6  # relative difference of radii that is rounding
@@ -31,72 +32,48 @@ class Prior(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Problem:
-    """Data and known quantities; the parameters complete them to a scenario.
+class Run:
+    """Data of one motion; parameters complete them to a scenario.
 
-    Attributes
-    ----------
-    t : ndarray, shape (n,)
-        Times from the first frame [s].
-    channels : tuple of Channel
-    rows : ndarray, shape (n,) or None
-        Picture row of the centre, minus the mean [pixel].
-    radius : float
-        [m]
-    hoop : Hoop or None
-        If it is known.
-    general : bool
-        Whether the hoop is a general one instead of an ideal one.
-    start : str
-        A key of STARTS.
-    plane : Plane
-        Gravity and the impact law.
-    priors : mapping of str to Prior
-        Priors of parameters; each counts as a measured number.
-    computed : list of int
-        Number of motions computed so far [1].
+    `values` of its methods are all of its `names`, without suffix.
     """
 
-    t: Floats
+    t: Floats  # times from the first frame [s]
     channels: tuple[Channel, ...]
-    rows: Floats | None
-    radius: float
-    hoop: Hoop | None
-    general: bool
-    start: str
-    plane: Plane = field(default_factory=Plane)
-    priors: Mapping[str, Prior] = field(default_factory=dict)
-    computed: list[int] = field(default_factory=lambda: [0])
+    rows: Floats | None  # picture row of the centre, minus the mean [pixel]
+    radius: float  # [m]
+    hoop: Hoop | None  # if it is known
+    general: bool  # a general hoop instead of an ideal one
+    start: str  # key of STARTS
+    plane: Plane  # gravity and the impact law
+    priors: Mapping[str, Prior] = field(default_factory=dict)  # each counts as a measured number
+    suffix: str = ""  # of its own parameters, among several runs
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Parameters of this problem."""
+        """Parameters of this run."""
         hoop = () if self.hoop is not None else ("eccentricity", "inertia_ratio") if self.general else ("gamma",)
         return (
             *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", "rolling_resistance", *STARTS[self.start],
             "scale", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
+            *(["omega_offset"] if any(channel.name == "omega" for channel in self.channels) else []),
         )  # fmt: skip
+
+    def named(self, name: str) -> str:
+        """Return the name of a parameter of this run in the problem."""
+        return name if name in SHARED else name + self.suffix
+
+    def own(self, values: Mapping[str, float]) -> Values:
+        """Return the values of this run from those of the problem."""
+        return {name: values[self.named(name)] for name in self.names}
 
     @property
     def count(self) -> int:
         """Number of measured numbers [1]."""
         return sum(len(channel.values) for channel in self.channels) + len(self.priors)
 
-    @property
-    def data(self) -> Floats:
-        """Measured values, channel after channel."""
-        return np.concatenate([channel.values for channel in self.channels])
-
-    @property
-    def errors(self) -> Floats:
-        """Standard deviations of the data."""
-        return np.concatenate([channel.errors for channel in self.channels])
-
-    def scenario(self, values: dict[str, float]) -> Scenario:
-        """Return the scenario of parameters.
-
-        values: all of `names`.
-        """
+    def scenario(self, values: Values) -> Scenario:
+        """Return the scenario of parameters."""
         if self.hoop is not None:
             hoop = self.hoop
         elif self.general:
@@ -106,42 +83,22 @@ class Problem:
         known = {name: value for name, value in self.plane.to_dict().items() if name != "mu"}
         fitted = {name: values[name] for name in ("slope", "mu_kinetic", "restitution", "rolling_resistance")}
         plane = Plane(**{**known, **fitted, "mu_static": values["mu_kinetic"] + values["mu_excess"]})
-        if self.start == "rolling":
-            start = Start(x=values["x0"], angle=values["angle0"], speed=values["speed"])
-        else:
-            free = self.start == "flying"
-            start = Start(
-                x=values["x0"],
-                height=values["height0"] if free else 0.0,
-                angle=values["angle0"],
-                vx=values["vx0"],
-                vy=values["vy0"] if free else 0.0,
-                omega=values["omega0"],
-            )
+        # 'x0' is the field 'x' of a start, and 'speed' the field 'speed'
+        start = Start(**{name.removesuffix("0"): values[name] for name in STARTS[self.start]})
         margin = abs(values["row_delay"]) * (float(np.ptp(self.rows)) if self.rows is not None else 0.0)
         return Scenario(hoop=hoop, plane=plane, start=start, duration=float(self.t[-1]) * BEYOND + margin)
 
-    def motion(self, values: dict[str, float]) -> Trajectory:
-        """Compute the motion of parameters.
-
-        values: all of `names`.
-        """
-        self.computed[0] += 1
+    def motion(self, values: Values) -> Trajectory:
+        """Compute the motion of parameters."""
         return simulate(self.scenario(values))
 
-    def moments(self, motion: Trajectory, values: dict[str, float]) -> Floats:
-        """Times of the motion at which the centre was exposed in each frame.
-
-        values: all of `names`; t shape (n,) [s].
-        """
+    def moments(self, motion: Trajectory, values: Values) -> Floats:
+        """Times of the motion at which the centre was exposed in each frame, shape (n,) [s]."""
         times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
         return np.clip(times, 0.0, motion.duration)
 
-    def places(self, motion: Trajectory, values: dict[str, float]) -> dict[str, Floats]:
-        """Predicted data of a motion in each frame.
-
-        values: all of `names`; places: by name of the channel [m or rad].
-        """
+    def places(self, motion: Trajectory, values: Values) -> dict[str, Floats]:
+        """Predicted data of a motion in each frame, by name of the channel [m, rad or rad/s]."""
         state = motion.at(self.moments(motion, values))
         reach = values["marker_ratio"] * self.radius
         marked = state.angle + values["marker_angle"]
@@ -153,31 +110,81 @@ class Problem:
 
         first, second = rotate(x, y)
         third, fourth = rotate(x + reach * np.sin(marked), y + reach * np.cos(marked))
-        return {"x": first, "y": second, "marker_x": third, "marker_y": fourth, "angle": marked - values["tilt"]}
+        omega = state.omega + values.get("omega_offset", 0.0)
+        return {
+            "x": first,
+            "y": second,
+            "marker_x": third,
+            "marker_y": fourth,
+            "angle": marked - values["tilt"],
+            "omega": omega,
+        }
 
-    def residuals(self, values: dict[str, float]) -> Floats:
-        """Return data minus motion, in standard deviations.
-
-        values: all of `names`; residuals shape (count,) [1].
-        """
+    def residuals(self, values: Values) -> Floats:
+        """Return data minus motion, shape (count,) [standard deviations]."""
         try:
             motion = self.motion(values)
         except InputError:
             return np.full(self.count, FAR)
         return self.distances(self.places(motion, values), values)
 
-    def distances(self, places: dict[str, Floats], values: dict[str, float]) -> Floats:
-        """Return data minus predicted data, and priors minus values, in standard deviations.
-
-        places: as `places` gives them [m or rad]; values: all of `names`; residuals shape (count,) [1].
-        """
+    def distances(self, places: dict[str, Floats], values: Values) -> Floats:
+        """Return data minus predicted data, and priors minus values, shape (count,) [standard deviations]."""
         parts = [(channel.values - places[channel.name][channel.rows]) / channel.errors for channel in self.channels]
         parts.append(np.array([(prior.value - values[name]) / prior.error for name, prior in self.priors.items()]))
         return np.nan_to_num(np.concatenate(parts), nan=FAR, posinf=FAR, neginf=-FAR)
 
 
-def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: tuple[float | None, float | None]) -> Problem:
-    """Return the problem of a track.
+class Piece(NamedTuple):
+    """The residuals of one channel of one run, among all."""
+
+    run: int
+    channel: Channel
+    part: slice
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """One run, or several runs of one hoop on one plane; `values` are all of `names`."""
+
+    runs: tuple[Run, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Parameters of this problem, with the number of the run if there are several."""
+        return tuple(dict.fromkeys(run.named(name) for run in self.runs for name in run.names))
+
+    @property
+    def count(self) -> int:
+        """Number of measured numbers [1]."""
+        return sum(run.count for run in self.runs)
+
+    @property
+    def pieces(self) -> Iterator[Piece]:
+        """The residuals, channel by channel."""
+        begin = 0
+        for k, run in enumerate(self.runs):
+            for channel in run.channels:
+                yield Piece(k, channel, slice(begin, begin + len(channel.rows)))
+                begin += len(channel.rows)
+            begin += len(run.priors)
+
+    @property
+    def priors(self) -> dict[str, Prior]:
+        """Priors of all runs."""
+        return {run.named(name): prior for run in self.runs for name, prior in run.priors.items()}
+
+    def motions(self, values: Mapping[str, float]) -> list[Trajectory]:
+        """Compute the motion of each run."""
+        return [run.motion(run.own(values)) for run in self.runs]
+
+    def residuals(self, values: Mapping[str, float]) -> Floats:
+        """Return data minus motions, run after run, shape (count,) [standard deviations]."""
+        return np.concatenate([run.residuals(run.own(values)) for run in self.runs])
+
+
+def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: tuple[float | None, float | None]) -> Run:
+    """Return the run of a track.
 
     hoop: the known hoop, or the kind of an unknown one; start: a key of STARTS; plane: gravity and the impact law; sigma:
     standard deviations of places [m] and angles [rad], in place of the track's own.
@@ -192,19 +199,24 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
     channels = channels_of(track, sigma)
     first = min(int(channel.rows[0]) for channel in channels)
     last = max(int(channel.rows[-1]) for channel in channels)
-    kept = tuple(channel._replace(rows=channel.rows - first) for channel in channels)
     rows = track.pixel[first : last + 1, 1]
-    rowed = bool(np.isfinite(rows).any())
-    return Problem(
-        track.t[first : last + 1] - track.t[first],
-        kept,
-        np.nan_to_num(rows - np.nanmean(rows)) if rowed else None,
-        float(radius),
-        hoop if isinstance(hoop, Hoop) else None,
-        hoop == "general",
-        start,
-        plane,
+    return Run(
+        t=track.t[first : last + 1] - track.t[first],
+        channels=tuple(channel._replace(rows=channel.rows - first) for channel in channels),
+        rows=np.nan_to_num(rows - np.nanmean(rows)) if np.isfinite(rows).any() else None,
+        radius=float(radius),
+        hoop=hoop if isinstance(hoop, Hoop) else None,
+        general=hoop == "general",
+        start=start,
+        plane=plane,
     )
+
+
+def problem_of(runs: list[Run]) -> Problem:
+    """Return the problem of some runs; of several each has its number as a suffix."""
+    if len(runs) == 1:
+        return Problem((replace(runs[0], suffix=""),))
+    return Problem(tuple(replace(run, suffix=f"_{k}") for k, run in enumerate(runs, 1)))
 
 
 def shared_errors(track: Track) -> dict[str, Prior]:
@@ -222,25 +234,23 @@ def shared_errors(track: Track) -> dict[str, Prior]:
     return {name: prior for name, prior in found.items() if np.isfinite(prior).all() and prior.error > 0}
 
 
-def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]]:
-    """Return default values of the parameters, and the parameters that are free by default."""
-    measured = {channel.name for channel in problem.channels}
-    values: dict[str, Any] = {
+def defaults(run: Run, track: Track) -> tuple[Values, set[str]]:
+    """Return default values of a run's parameters, and those that are free by default."""
+    measured = {channel.name for channel in run.channels}
+    values: dict[str, Any] = dict.fromkeys(run.names, 0.0) | {
         "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,
         "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
-        "rolling_resistance": problem.plane.rolling_resistance,
-        "x0": 0.0, "angle0": 0.0, "speed": 1.0, "height0": 0.0, "vx0": 1.0, "vy0": 0.0, "omega0": 1.0 / problem.radius,
-        "scale": 1.0, "tilt": 0.0, "origin_y": 0.0, "row_delay": 0.0, "marker_angle": 0.0, "marker_ratio": 1.0,
+        "rolling_resistance": run.plane.rolling_resistance,
+        "speed": 1.0, "vx0": 1.0, "omega0": 1.0 / run.radius, "scale": 1.0, "marker_ratio": 1.0,
     }  # fmt: skip
     if track.view is not None and np.isfinite(track.view.marker_ratio):
         values["marker_ratio"] = track.view.marker_ratio
-    free = {name for name in problem.names if name in ("gamma", "eccentricity", "inertia_ratio", *STARTS[problem.start])}
-    free |= {"mu_kinetic", "mu_excess", "restitution"}
-    free |= set(shared_errors(track))
+    free = {"gamma", "eccentricity", "inertia_ratio", "mu_kinetic", "mu_excess", "restitution", *STARTS[run.start]}
+    free |= {"omega_offset", *shared_errors(track)}
     if not track.placed:
-        free |= {"tilt", "origin_y"} & set(problem.names)
-    if "x" not in measured and "marker_x" not in measured:
+        free |= {"tilt", "origin_y"}
+    if not measured & {"x", "marker_x"}:
         free -= {"x0", "tilt", "origin_y"}
     if "marker_x" in measured:
         free |= {"marker_ratio"}
-    return {name: values[name] for name in problem.names}, free
+    return {name: values[name] for name in run.names}, free & set(run.names)

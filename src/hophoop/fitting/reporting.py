@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,7 +15,9 @@ from hophoop._support.files import replacing
 from hophoop._support.pages import render
 from hophoop._version import __version__
 from hophoop.fitting.guess import rates_of
+from hophoop.fitting.problem import Run
 from hophoop.fitting.result import GIVEN, Fit
+from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import overlay
 from hophoop.tracking.plots import Curve, plot
 from hophoop.vocabulary import colors
@@ -22,7 +25,7 @@ from hophoop.vocabulary.names import mode_words
 
 Floats = NDArray[np.float64]
 
-UNITS = {"x": ("m", 1e3, "mm"), "y": ("m", 1e3, "mm"), "angle": ("rad", 1e3, "mrad")}
+UNITS = {"angle": "mrad", "omega": "mrad/s"}  # of residuals; those of places are in mm
 MEASURED, COMPUTED = "#0a6", "currentColor"
 
 
@@ -71,10 +74,10 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
 
     centre shape (n, 2) [m]; angle shape (n,) [rad].
     """
-    problem = fit.problem
-    places = problem.places(fit.motion, fit.values)
+    run = fit.problem.runs[0]
+    places = run.places(fit.motion, run.own(fit.values))
     first = first_row(fit)
-    count = len(problem.t)
+    count = len(run.t)
     centre, angle = np.full((len(fit.track.t), 2), np.nan), np.full(len(fit.track.t), np.nan)
     centre[first : first + count] = np.stack([places["x"], places["y"]], axis=-1)
     angle[first : first + count] = places["angle"]
@@ -83,7 +86,8 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
 
 def first_row(fit: Fit) -> int:
     """Return the first row of the track with data, the start of the motion [1]."""
-    known = np.isfinite(fit.track.centre[:, 0]) | np.isfinite(fit.track.marker[:, 0]) | np.isfinite(fit.track.angle)
+    track = fit.track
+    known = np.isfinite([track.centre[:, 0], track.marker[:, 0], track.angle, track.omega]).any(axis=0)
     return int(np.flatnonzero(known)[0])
 
 
@@ -97,58 +101,65 @@ def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> t
     return cos * x + sin * (y - ground), -sin * x + cos * (y - ground)
 
 
-def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
-    """Return energies per kilogram, measured and computed.
+def energies(fit: Fit, k: int = 0) -> dict[str, tuple[Floats, Floats, Floats]]:
+    """Return energies per kilogram of a run, from the data and from the motion in their place.
+
+    Velocities of both are those of parabolas through pieces of `guess.WIDTH`, so that sharp peaks are lower in both alike.
 
     energies: 'kinetic' and 'potential', each with times [s], measured and computed values [J/kg]; empty where the centre or the
     angle was not measured.
     """
-    problem, scenario = fit.problem, fit.scenario
-    x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
+    run = fit.problem.runs[k]
+    values = run.own(fit.values)
+    places = run.places(fit.motions[k], values)
+    exact = replace(run, channels=tuple(one._replace(values=places[one.name][one.rows]) for one in run.channels))
+    measured, computed = _energies_of(run, values), _energies_of(exact, values)
+    return {name: (t, own, computed[name][1]) for name, (t, own) in measured.items()}
+
+
+def _energies_of(run: Run, values: dict[str, float]) -> dict[str, tuple[Floats, Floats]]:
+    x, y, angle = (rates_of(run, name) for name in ("x", "y", "angle"))
     if x is None or y is None or angle is None:
         return {}
-    hoop, plane = scenario.hoop, scenario.plane
-    t = angle.t
-    turn, offset = fit.values["tilt"], fit.values["marker_angle"]
-    theta, omega = angle.value + turn - offset, angle.rate
+    scenario = run.scenario(values)
+    hoop, plane, t = scenario.hoop, scenario.plane, angle.t
+    theta, omega = angle.value + values["tilt"] - values["marker_angle"], angle.rate
     flat = [np.interp(t, one.t, getattr(one, part)) for part in ("value", "rate") for one in (x, y)]
-    place_x, place_y = on_plane(fit.values, flat[0], flat[1], fit.values["origin_y"])
-    speed_x, speed_y = on_plane(fit.values, flat[2], flat[3], 0.0)
+    place_x, place_y = on_plane(values, flat[0], flat[1], values["origin_y"])
+    speed_x, speed_y = on_plane(values, flat[2], flat[3], 0.0)
     arm = hoop.eccentricity * hoop.radius
     vx, vy = speed_x + arm * omega * np.cos(theta), speed_y - arm * omega * np.sin(theta)
     kinetic = 0.5 * (vx**2 + vy**2 + hoop.inertia_ratio * (hoop.radius * omega) ** 2)
-    gravity, slope = plane.gravity, plane.slope
     rise = place_y - hoop.radius + arm * (np.cos(theta) - 1.0)
-    potential = gravity * (np.cos(slope) * rise - np.sin(slope) * (place_x + arm * np.sin(theta)))
-    state = fit.motion.at(np.clip(t, 0.0, fit.motion.duration))
-    return {
-        "kinetic": (t, kinetic, state.kinetic / hoop.mass),
-        "potential": (t, potential, state.potential / hoop.mass),
-    }
+    along = place_x + arm * np.sin(theta)
+    potential = plane.gravity * (np.cos(plane.slope) * rise - np.sin(plane.slope) * along)
+    return {"kinetic": (t, kinetic), "potential": (t, potential)}
 
 
 def _page(fit: Fit, film: str | None) -> str:
-    t, ribbon = fit.problem.t, _ribbon(fit)
-    residuals = []
-    for channel in fit.problem.channels:
-        _, factor, unit = UNITS.get(channel.name, ("m", 1e3, "mm"))
-        off = fit.residuals[channel.name] * channel.errors * factor
-        label = f"{channel.name} ({unit}), one standard deviation {factor * float(np.median(channel.errors)):.2g}"
-        residuals.append(plot([Curve(t[channel.rows], off, MEASURED)], label, ribbon=ribbon, zero=True))
-    both = []
-    for key, (times, measured, computed) in energies(fit).items():
-        curves = [Curve(times, measured, MEASURED), Curve(times, computed, COMPUTED, line=True)]
-        both.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
-    state = fit.motion.at(fit.motion.times(600))
-    words = dict.fromkeys(mode_words(state.mode, state.omega).tolist())
+    residuals, both = [], []
+    words: dict[str, None] = {}
+    for k, (run, motion) in enumerate(zip(fit.problem.runs, fit.motions, strict=True)):
+        ribbon, of_run = _ribbon(run, motion), f", run {k + 1}" if fit.alone else ""
+        for channel in run.channels:
+            unit, errors = UNITS.get(channel.name, "mm"), 1e3 * channel.errors
+            off = fit.residuals[channel.name + run.suffix] * errors
+            label = f"{channel.name} ({unit}){of_run}, one standard deviation {float(np.median(errors)):.2g}"
+            residuals.append(plot([Curve(run.t[channel.rows], off, MEASURED)], label, ribbon=ribbon, zero=True))
+        for name, (times, measured, computed) in energies(fit, k).items():
+            curves = [Curve(times, measured, MEASURED), Curve(times, computed, COMPUTED, line=True)]
+            both.append(plot(curves, f"{name} energy (J/kg){of_run}", ribbon=ribbon))
+        state = motion.at(motion.times(600))
+        words |= dict.fromkeys(mode_words(state.mode, state.omega).tolist())
     return render(
         need("jinja2", "fit"),
         "fitting/fit.html",
         version=__version__,
-        source=fit.track.source or "a hoop",
+        source=fit.source,
         sentences=fit.sentences(),
         found=[row for row in fit.rows() if not row[1].endswith(GIVEN)],
         given=[(name, text.removesuffix(GIVEN), meaning) for name, text, meaning in fit.rows() if text.endswith(GIVEN)],
+        comparison=fit.comparison() if fit.alone else [],
         query=fit.scenario.to_query(),
         film=film,
         modes=[(word, colors.mode_color(word)) for word in words],
@@ -157,10 +168,10 @@ def _page(fit: Fit, film: str | None) -> str:
     )
 
 
-def _ribbon(fit: Fit) -> list[tuple[float, float, str]]:
+def _ribbon(run: Run, motion: Trajectory) -> list[tuple[float, float, str]]:
     """Pieces of time and the colour of their mode."""
-    t = np.linspace(0.0, min(float(fit.problem.t[-1]), fit.motion.duration), 600)
-    state = fit.motion.at(t)
+    t = np.linspace(0.0, min(float(run.t[-1]), motion.duration), 600)
+    state = motion.at(t)
     modes = mode_words(state.mode, state.omega)
     borders = [0, *(np.flatnonzero(modes[1:] != modes[:-1]) + 1).tolist(), len(t)]
     return [(float(t[a]), float(t[min(b, len(t) - 1)]), colors.mode_color(str(modes[a]))) for a, b in pairwise(borders)]

@@ -1,4 +1,4 @@
-"""A fit: parameters with their uncertainties, what they rest on, and what the data do not tell."""
+"""A fit: parameters with their uncertainties, what they rest on, and what the data leave open."""
 
 from __future__ import annotations
 
@@ -6,30 +6,35 @@ import json
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support import tables
+from hophoop._support.extras import need
 from hophoop._support.files import replacing
 from hophoop._version import __version__
-from hophoop.fitting.guess import merge_bounces
-from hophoop.fitting.judging import WORDS
-from hophoop.fitting.parameters import PARAMETERS
-from hophoop.fitting.posterior import Posterior, posterior_from_dict
-from hophoop.fitting.problem import Prior, Problem, problem_of
-from hophoop.fitting.solving import Choice
+from hophoop.fitting.judging import WORDS, sequence_of
+from hophoop.fitting.parameters import SHARED, spec
+from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
+from hophoop.fitting.sampling import Posterior, posterior_from_dict
+from hophoop.fitting.solving import parameters
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
 from hophoop.tracking.table import track_from_dict
 
+if TYPE_CHECKING:
+    from lmfit import Parameters
+
 Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-fit/1"
+FRICTION = ("mu_kinetic", "mu_excess")  # whose sum is static friction
 GIVEN = " (given)"  # suffix of values that were not fitted
 WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
+UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the details of the residuals mean nothing
 
 
@@ -40,7 +45,7 @@ class Fit:
     Attributes
     ----------
     values : dict of float
-        All parameters [SI units].
+        All parameters; with several runs those of a run end in its number, such as speed_2 [SI units].
     free : tuple of str
         Fitted parameters that the data determine.
     covariance : ndarray, shape (len(free), len(free))
@@ -59,14 +64,14 @@ class Fit:
         Quantities and phases whose residuals have too few runs.
     notes : tuple of str
         Remarks, one sentence each.
-    track : Track
-        The data.
+    tracks : tuple of Track
+        The data of each run.
     settings : dict
-        Settings of the fit: start, hoop, gravity, law, robust, sigma, sigma_angle, free, bounds, tied, priors.
-    calls : int
-        Number of motions computed [1].
+        Settings of the fit: starts, hoop, gravity, law, robust, sigma, sigma_angle, free, bounds, tied, priors.
     posterior : Posterior or None
         From a chain of `hophoop.fitting.sample`.
+    alone : tuple of Fit
+        With several runs, the fit of each alone.
     """
 
     values: dict[str, float]
@@ -79,10 +84,15 @@ class Fit:
     correlated: list[tuple[str, str, float]]
     misfits: list[dict[str, Any]]
     notes: tuple[str, ...]
-    track: Track
+    tracks: tuple[Track, ...]
     settings: dict[str, Any]
-    calls: int = 0
     posterior: Posterior | None = None
+    alone: tuple[Fit, ...] = ()
+
+    @property
+    def track(self) -> Track:
+        """The data of the first run."""
+        return self.tracks[0]
 
     @property
     def reduced(self) -> float:
@@ -116,50 +126,52 @@ class Fit:
         ValueError
             If there is no such parameter.
         """
-        if name == "mu_static":
-            both = [self.free.index(part) for part in ("mu_kinetic", "mu_excess") if part in self.free]
-            return self.inflation * _root(self.covariance[np.ix_(both, both)].sum())
-        if name not in self.values:
+        parts = FRICTION if name == "mu_static" else (name,)
+        if not set(parts) <= set(self.values):
             raise InputError(f"{name!r} is none of {', '.join(self.values)}.")
-        if name not in self.free:
-            return 0.0
-        place = self.free.index(name)
-        return self.inflation * _root(self.covariance[place, place])
+        places = [self.free.index(part) for part in parts if part in self.free]
+        variance = float(self.covariance[np.ix_(places, places)].sum())
+        # a singular problem has negative variances
+        return self.inflation * variance**0.5 if variance >= 0 else float("nan")
 
     @cached_property
     def problem(self) -> Problem:
         """Data and model."""
         how = self.settings
         hoop = Hoop(**how["hoop"]) if isinstance(how["hoop"], dict) else how["hoop"]
-        plane = Plane(gravity=how["gravity"], impact_law=how["law"])
-        problem = problem_of(self.track, hoop, how["start"], plane, (how["sigma"], how["sigma_angle"]))
-        return replace(problem, priors={name: Prior(*pair) for name, pair in how.get("priors", {}).items()})
+        plane, sigma = Plane(gravity=how["gravity"], impact_law=how["law"]), (how["sigma"], how["sigma_angle"])
+        runs = []
+        for track, start, priors in zip(self.tracks, how["starts"], how["priors"], strict=True):
+            run = run_of(track, hoop, start, plane, sigma)
+            runs.append(replace(run, priors={name: Prior(*pair) for name, pair in priors.items()}))
+        return problem_of(runs)
 
-    @cached_property
-    def choice(self) -> Choice:
-        """Free, bounded and tied parameters, including those that the data do not determine."""
-        how = self.settings
-        bounds = {name: (float(low), float(high)) for name, (low, high) in how["bounds"].items()}
-        return Choice(self.values, tuple(how["free"]), bounds, how["tied"])
+    @property
+    def params(self) -> Parameters:
+        """Parameters of lmfit: the values with their limits and ties, free also where the data do not determine them."""
+        return parameters(self.values, self.settings["free"], self.settings["bounds"], self.settings["tied"])
 
     @cached_property
     def scenario(self) -> Scenario:
-        """The fitted motion's scenario, for the lab or another duration."""
-        return self.problem.scenario(self.values)
+        """The fitted motion's scenario, for the lab or another duration; that of the first run."""
+        run = self.problem.runs[0]
+        return run.scenario(run.own(self.values))
 
     @cached_property
+    def motions(self) -> list[Trajectory]:
+        """The fitted motion of each run."""
+        return self.problem.motions(self.values)
+
+    @property
     def motion(self) -> Trajectory:
-        """The fitted motion; its time starts at the first frame with data."""
-        return self.problem.motion(self.values)
+        """The fitted motion, of the first run; its time starts at the first frame with data."""
+        return self.motions[0]
 
     @cached_property
     def residuals(self) -> dict[str, Floats]:
-        """Data minus motion in standard deviations, by quantity [1]."""
-        off, begin, result = self.problem.residuals(self.values), 0, {}
-        for channel in self.problem.channels:
-            result[channel.name] = off[begin : begin + len(channel.rows)]
-            begin += len(channel.rows)
-        return result
+        """Data minus motion in standard deviations, by quantity, with the number of the run if there are several [1]."""
+        off, runs = self.problem.residuals(self.values), self.problem.runs
+        return {channel.name + runs[k].suffix: off[part] for k, channel, part in self.problem.pieces}
 
     def rows(self) -> list[tuple[str, str, str]]:
         """Parameters for people: name, value with uncertainty or limit, unit and meaning.
@@ -170,28 +182,81 @@ class Fit:
         """
         result = []
         for name in self.values:
-            kind = PARAMETERS[name]
+            kind = spec(name)
             unit = "" if kind.unit == "1" else f" {kind.unit}"
-            if name in self.limits:
+            if name in self.free:
+                text = self._shown(name) + unit
+            elif name in self.limits:
                 sign, value = self.limits[name]
                 text = f"{sign} {value:.3g}{unit}" if np.isfinite(value) else "not determined"
-            elif name in self.free and self.posterior is not None:
-                text = f"{format_range(*self.posterior.quantiles(name))}{unit}"
-            elif name in self.free:
-                text = f"{format_value(self.values[name], self.error(name))}{unit}"
             else:
                 text = f"{self.values[name]:.6g}{unit}{GIVEN}"
             result.append((name, text, kind.meaning))
-        if "mu_static" not in self.limits and {"mu_kinetic", "mu_excess"} <= set(self.free):
-            static = self.values["mu_kinetic"] + self.values["mu_excess"]
-            text = format_value(static, self.error("mu_static"))
-            if self.posterior is not None:
-                text = format_range(*self.posterior.quantiles("mu_static"))
-            result.append(("mu_static", text, "static friction, the sum of the two"))
-        elif "mu_static" in self.limits:
+        if "mu_static" in self.limits:
             sign, value = self.limits["mu_static"]
             result.append(("mu_static", f"{sign} {value:.3g}", "static friction"))
+        elif set(FRICTION) <= set(self.free):
+            result.append(("mu_static", self._shown("mu_static"), "static friction, the sum of the two"))
         return result
+
+    def _shown(self, name: str) -> str:
+        if self.posterior is not None:
+            return format_range(*self.posterior.quantiles(name))
+        parts = FRICTION if name == "mu_static" else (name,)
+        return format_value(sum(self.values[part] for part in parts), self.error(name))
+
+    def comparison(self) -> list[list[str]]:
+        """Parameters that several runs share, of all together and of each alone.
+
+        Returns
+        -------
+        rows : list of list of str
+            The first is the head.
+        """
+        head = ["parameter", "together", *(f"run {k}: {one.source}" for k, one in enumerate(self.alone, 1)), "agree"]
+        rows = []
+        for name in SHARED:
+            texts = [{name: text for name, text, _ in one.rows()}.get(name, "") for one in (self, *self.alone)]
+            if not all(text.endswith(GIVEN) or not text for text in texts):
+                chance = self.agreement(name)
+                rows.append([name, *texts, "" if np.isnan(chance) else "yes" if chance > UNLIKELY else f"no ({chance:.1g})"])
+        return [head, *rows]
+
+    def agreement(self, name: str) -> float:
+        """Probability that several runs differ in a parameter by more than they do, if it is the same in all.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        probability : float
+            nan if fewer than two runs determine the parameter [1].
+        """
+        known = [one for one in self.alone if name in one.free]
+        if len(known) < 2:
+            return float("nan")
+        values, weights = [one.values[name] for one in known], [one.error(name) ** -2 for one in known]
+        apart = np.dot(weights, np.subtract(values, np.average(values, weights=weights)) ** 2)
+        return float(need("scipy.special", "fit").gammaincc(0.5 * (len(known) - 1), 0.5 * apart))
+
+    def _of_runs(self) -> list[str]:
+        """Describe whether several runs agree."""
+        if not self.alone:
+            return []
+        said = [
+            f"Run {k} ({one.source}) alone is not explained: χ² is {one.reduced:.1f} times the degrees of freedom."
+            for k, one in enumerate(self.alone, 1)
+            if not one.good
+        ]
+        off = [name for name in SHARED if self.agreement(name) <= UNLIKELY]
+        seen = [name for name in SHARED if self.agreement(name) > UNLIKELY]
+        if off:
+            said.append(f"The runs do not agree in {', '.join(off)}: look at the table of runs, and for the run that differs.")
+        elif seen:
+            said.append(f"The runs agree in {', '.join(seen)}.")
+        return said
 
     def sentences(self) -> list[str]:
         """Describe the fit.
@@ -200,7 +265,7 @@ class Fit:
         -------
         sentences : list of str
         """
-        sequence = merge_bounces(self.motion.sequence)
+        sequence = sequence_of(self.problem, self.values)
         said = [f"χ² = {self.chi_square:.1f} for {self.degrees_of_freedom} degrees of freedom ({self.reduced:.2f} each)."]
         if not self.good:
             said.append(f"No fit is good: χ² is {self.reduced:.1f} times the degrees of freedom, more than {WORST:g}.")
@@ -214,9 +279,9 @@ class Fit:
             said[-1] = said[-1].rstrip(".") + f" ({others})."
         if self.posterior is not None:
             said.append(_about(self.posterior))
-        of_the_table = self.track.notes if self.track.view is None else ()
+        of_the_tables = [note for track in self.tracks if track.view is None for note in track.notes]
         if self.reduced > HOPELESS:
-            return [*said[:2], *self.notes, *of_the_table]
+            return [*said[:2], *self._of_runs(), *self.notes, *of_the_tables]
         for first, second, size in self.correlated[:4]:
             said.append(f"{first} and {second} can hardly be distinguished (correlation {size:+.3f}).")
         for place in self.misfits:
@@ -224,7 +289,7 @@ class Fit:
                 f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
                 f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
             )
-        return [*said, *self.notes, *of_the_table]
+        return [*said, *self._of_runs(), *self.notes, *of_the_tables]
 
     def to_dict(self) -> dict[str, Any]:
         """Convert to a dictionary, including the data.
@@ -234,26 +299,17 @@ class Fit:
         fit : dict
             Ready for `json.dumps`; SI units and radians.
         """
+        kept = ("values", "free", "chi_square", "degrees_of_freedom", "good", "limits", "shares", "correlated", "misfits")
         return {
             "schema": SCHEMA,
             "version": __version__,
-            "values": self.values,
+            **{name: getattr(self, name) for name in (*kept, "notes", "settings")},
             "errors": {name: self.error(name) for name in self.free},
-            "free": list(self.free),
             "covariance": self.covariance.tolist(),
-            "chi_square": self.chi_square,
-            "degrees_of_freedom": self.degrees_of_freedom,
-            "good": self.good,
-            "limits": {name: list(limit) for name, limit in self.limits.items()},
-            "shares": self.shares,
-            "correlated": [list(pair) for pair in self.correlated],
-            "misfits": self.misfits,
-            "notes": list(self.notes),
-            "settings": self.settings,
-            "calls": self.calls,
             "posterior": None if self.posterior is None else self.posterior.to_dict(),
             "scenario": self.scenario.to_dict(),
-            "track": self.track.to_dict(),
+            "tracks": [track.to_dict() for track in self.tracks],
+            "alone": [{name: part for name, part in one.to_dict().items() if name != "tracks"} for one in self.alone],
         }
 
     def save(self, path: str | Path) -> None:
@@ -283,30 +339,23 @@ class Fit:
 
     def __repr__(self) -> str:
         some = ", ".join(f"{name} = {format_value(self.values[name], self.error(name))}" for name in self.free[:4])
-        return f"<Fit of {self.track.source or 'a hoop'}: {some}, χ²/dof = {self.reduced:.2f}>"
+        return f"<Fit of {self.source}: {some}, χ²/dof = {self.reduced:.2f}>"
 
-
-def _root(variance: float) -> float:
-    """Return the square root, nan for the negative variance of a singular problem."""
-    return float(np.sqrt(variance)) if variance >= 0 else float("nan")
+    @property
+    def source(self) -> str:
+        """Names of the films or files."""
+        return ", ".join(track.source for track in self.tracks if track.source) or "a hoop"
 
 
 def format_value(value: float, error: float) -> str:
-    """Format a value and its uncertainty with their significant digits.
-
-    text: such as '0.6002 ± 0.0003'.
-    """
+    """Format a value and its uncertainty with two significant digits, such as '0.60020 ± 0.00031'."""
     if not (np.isfinite(error) and error > 0):
         return f"{value:.6g}"
-    digits = max(0, min(12, 1 - int(np.floor(np.log10(error)))))
-    return f"{value:.{digits}f} ± {error:.{digits}f}"
+    return f"{need('uncertainties', 'fit').ufloat(value, error):.2ufP}".replace("±", " ± ")
 
 
 def format_range(low: float, middle: float, high: float) -> str:
-    """Format the median of a posterior and its central two thirds.
-
-    text: such as '0.102 +0.011 −0.013'.
-    """
+    """Format the median of a posterior and its central two thirds, such as '0.102 +0.011 −0.013'."""
     size = min(high - middle, middle - low)
     if not (np.isfinite(size) and size > 0):
         return f"{middle:.6g}"
@@ -347,29 +396,27 @@ def load_fit(path: str | Path) -> Fit:
     if not isinstance(data, dict) or data.get("schema") != SCHEMA:
         raise InputError(f"{file} is not a fit of hophoop ({SCHEMA}).")
     try:
-        return Fit(
-            data["values"],
-            tuple(data["free"]),
-            np.array(data["covariance"], dtype=float).reshape(len(data["free"]), -1),
-            float(data["chi_square"]),
-            int(data["degrees_of_freedom"]),
-            {
-                name: (str(limit[0]), float(limit[1]) if limit[1] is not None else np.nan)
-                for name, limit in data["limits"].items()
-            },
-            data["shares"],
-            [(pair[0], pair[1], float(pair[2])) for pair in data["correlated"]],
-            data["misfits"],
-            tuple(data["notes"]),
-            track_from_dict(data["track"], str(file)),
-            data["settings"],
-            int(data["calls"]),
-            None if data.get("posterior") is None else posterior_from_dict(data["posterior"]),
-        )
+        tracks = [track_from_dict(one, str(file)) for one in data["tracks"]]
+        alone = [_from_dict(one, [track]) for one, track in zip(data["alone"], tracks, strict=False)]
+        return replace(_from_dict(data, tracks), alone=tuple(alone))
     except InputError:
         raise
     except (KeyError, TypeError, IndexError, AttributeError, ValueError) as error:
         raise InputError(f"{file} is incomplete: {error}.") from None
+
+
+def _from_dict(data: dict[str, Any], tracks: list[Track]) -> Fit:
+    same = ("values", "chi_square", "degrees_of_freedom", "shares", "misfits", "settings")
+    return Fit(
+        **{name: data[name] for name in same},
+        free=tuple(data["free"]),
+        covariance=np.array(data["covariance"], dtype=float).reshape(len(data["free"]), -1),
+        limits={name: (sign, np.nan if value is None else float(value)) for name, (sign, value) in data["limits"].items()},
+        correlated=[(first, second, float(size)) for first, second, size in data["correlated"]],
+        notes=tuple(data["notes"]),
+        tracks=tuple(tracks),
+        posterior=None if data["posterior"] is None else posterior_from_dict(data["posterior"]),
+    )
 
 
 def plain(value: Any) -> Any:

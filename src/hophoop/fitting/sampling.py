@@ -1,9 +1,11 @@
-"""Sample the posterior of a fit with an ensemble sampler (emcee)."""
+"""Sample the posterior of a fit with emcee, through lmfit."""
 
 from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,13 +13,15 @@ from numpy.typing import NDArray
 from hophoop._support.extras import need
 from hophoop.fitting.channels import Autocorrelation
 from hophoop.fitting.covariance import autocorrelations
-from hophoop.fitting.guess import merge_bounces
+from hophoop.fitting.judging import count_sequences
 from hophoop.fitting.losses import influence, loss
-from hophoop.fitting.posterior import Posterior
 from hophoop.fitting.problem import Problem
-from hophoop.fitting.result import Fit
-from hophoop.fitting.solving import Choice, complete
 from hophoop.scenario import InputError
+
+if TYPE_CHECKING:
+    from lmfit import Parameters
+
+    from hophoop.fitting.result import Fit
 
 Floats = NDArray[np.float64]
 
@@ -25,6 +29,85 @@ LEAST_STEPS, MOST_STEPS = 10, 1_000_000
 BURNT = 0.25  # share of the steps dropped at the start
 DRAWN = 1000  # samples for the shares of sequences
 TRIES, NEAR = 60, 25.0  # draws of a walker's start, and its maximum rise of the sum of squares
+LONG = 50.0  # autocorrelation times that a chain should have
+KEPT = 4000  # maximum number of saved samples
+
+
+@dataclass(frozen=True, eq=False)
+class Posterior:
+    """Samples of the posterior of the parameters.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Names of the sampled parameters.
+    samples : ndarray, shape (n, len(names))
+        [SI units]
+    shares : dict of float
+        Sequences of the sampled motions, bounces in a row as one 'H+', and their shares [1].
+    steps, walkers : int
+        Size of the chain [1].
+    memory : float
+        Longest autocorrelation time [steps].
+    acceptance : float
+        Share of accepted steps [1].
+    """
+
+    names: tuple[str, ...]
+    samples: Floats
+    shares: dict[str, float]
+    steps: int
+    walkers: int
+    memory: float
+    acceptance: float
+
+    @property
+    def long_enough(self) -> bool:
+        """True if the chain has at least 50 times its autocorrelation time, so that its quantiles are reliable."""
+        return self.steps > LONG * self.memory
+
+    def quantiles(self, name: str, shares: tuple[float, ...] = (0.16, 0.5, 0.84)) -> tuple[float, ...]:
+        """Return quantiles of a parameter.
+
+        Parameters
+        ----------
+        name : str
+            A sampled parameter, or mu_static.
+        shares : tuple of float, default (0.16, 0.5, 0.84)
+            [1]
+
+        Returns
+        -------
+        values : tuple of float
+            [SI units]
+
+        Raises
+        ------
+        ValueError
+            If the parameter was not sampled.
+        """
+        parts = ("mu_kinetic", "mu_excess") if name == "mu_static" else (name,)
+        if not set(parts) <= set(self.names):
+            raise InputError(f"{name!r} was not sampled; sampled were {', '.join(self.names)}.")
+        column = self.samples[:, [self.names.index(part) for part in parts]].sum(axis=1)
+        return tuple(np.quantile(column, shares).tolist())
+
+    def to_dict(self) -> dict[str, Any]:
+        """Convert to a dictionary, with long chains thinned.
+
+        Returns
+        -------
+        posterior : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        step = max(1, -(-len(self.samples) // KEPT))
+        return dataclasses.asdict(self) | {"names": list(self.names), "samples": self.samples[::step].tolist()}
+
+
+def posterior_from_dict(data: dict[str, Any]) -> Posterior:
+    """Return the posterior that `Posterior.to_dict` wrote."""
+    samples = np.array(data["samples"], dtype=float).reshape(-1, len(data["names"]))
+    return Posterior(**data | {"names": tuple(data["names"]), "samples": samples})
 
 
 def sample(
@@ -61,11 +144,9 @@ def sample(
     ValueError
         If there are too few or too many steps or walkers, or nothing was fitted.
     ImportError
-        If emcee is missing.
+        If lmfit or emcee is missing.
     """
-    emcee = need("emcee", "fit")
-    problem, choice = fit.problem, fit.choice
-    names = choice.free
+    problem, params, names = fit.problem, fit.params, tuple(fit.settings["free"])
     if not names:
         raise InputError("Nothing was fitted, so there is nothing to sample.")
     count = 4 * len(names) if walkers is None else walkers
@@ -73,9 +154,12 @@ def sample(
         raise InputError.of_field("steps", steps, f"from {LEAST_STEPS} to {MOST_STEPS:,}")
     if not 2 * len(names) <= count <= 10_000:
         raise InputError.of_field("walkers", count, f"from {2 * len(names)}, twice the number of parameters, to 10,000")
-    likelihood = _likelihood(fit, problem, choice)
+    # not by lmfit's own call, which has other moves, no progress, and prints a traceback at Ctrl-C
+    emcee = need("emcee", "fit")
+    place = _Place(params, names)
+    likelihood = _likelihood(fit, problem, place)
     rng = np.random.default_rng(seed)
-    begin = _places(fit, choice, likelihood, count, rng)
+    begin = _begin(fit, place, likelihood, count, rng)
     moves = [(emcee.moves.DEMove(), 0.8), (emcee.moves.DESnookerMove(), 0.2)] if count > 5 else None
     sampler = emcee.EnsembleSampler(count, len(names), likelihood, moves=moves)
     sampler.log_prob_fn = likelihood  # emcee's own prints a traceback at Ctrl-C
@@ -85,99 +169,84 @@ def sample(
             progress(done, steps)
     memory = float(np.max(sampler.get_autocorr_time(tol=0, quiet=True)))
     samples = sampler.get_chain(discard=int(BURNT * steps), flat=True)
-    found = Posterior(
-        names,
-        samples,
-        _shares(problem, choice, samples, rng),
-        steps,
-        count,
-        memory if np.isfinite(memory) else float(steps),
-        float(np.mean(sampler.acceptance_fraction)),
-    )
-    return dataclasses.replace(fit, posterior=found, shares=found.shares)
+    some = samples[rng.choice(len(samples), min(DRAWN, len(samples)), replace=False)]
+    parts = count_sequences(problem, [place.values(one) for one in some])
+    acceptance = float(np.mean(sampler.acceptance_fraction))
+    found = Posterior(names, samples, parts, steps, count, memory if np.isfinite(memory) else float(steps), acceptance)
+    return dataclasses.replace(fit, posterior=found, shares=parts)
 
 
-def _likelihood(fit: Fit, problem: Problem, choice: Choice) -> Callable[[Floats], float]:
+class _Place:
+    """Values of all parameters from those that are sampled."""
+
+    def __init__(self, params: Parameters, names: tuple[str, ...]) -> None:
+        self.params, self.names = params, names
+        self.low, self.high = (np.array([getattr(params[name], end) for name in names]) for end in ("min", "max"))
+
+    def values(self, place: Floats) -> dict[str, float]:
+        for name, value in zip(self.names, place.tolist(), strict=True):
+            self.params[name].value = value
+        return dict(self.params.valuesdict())
+
+
+def _likelihood(fit: Fit, problem: Problem, at: _Place) -> Callable[[Floats], float]:
     """Logarithm of the posterior up to a constant; −∞ outside the bounds."""
-    names, robust = choice.free, bool(fit.settings["robust"])
-    low, high = (np.array([choice.limits(name)[k] for name in names]) for k in (0, 1))
+    robust = bool(fit.settings["robust"])
     off = problem.residuals(fit.values)
     memory = autocorrelations(problem, influence(off) if robust else off)
     scale = fit.inflation
 
     def likelihood(place: Floats) -> float:
-        if (place < low).any() or (place > high).any():
+        if (place < at.low).any() or (place > at.high).any():
             return -np.inf
-        values = complete(choice, dict(zip(names, place.tolist(), strict=True)))
-        fresh = innovations(problem, problem.residuals(values), memory)
+        fresh = innovations(problem, problem.residuals(at.values(place)), memory)
         return -0.5 * loss(fresh, robust) / scale**2
 
     return likelihood
 
 
-def innovations(problem: Problem, residuals: Floats, memory: dict[str, Autocorrelation]) -> Floats:
+def innovations(problem: Problem, residuals: Floats, memory: list[Autocorrelation]) -> Floats:
     """Innovation of each residual given those before it, in standard deviations.
 
     Errors are a correlated share and independent noise, so a Kalman filter predicts each from those before.
 
-    residuals shape (count,) [1]; memory: by quantity [1]; innovations: shape (count,), the residuals themselves without
-    autocorrelation [1].
+    memory: by piece; innovations: shape (count,), the residuals themselves without autocorrelation [1].
     """
-    result, begin = residuals.copy(), 0
-    for channel in problem.channels:
-        share, fade = memory[channel.name]
+    result = residuals.copy()
+    for (_, channel, part), (share, fade) in zip(problem.pieces, memory, strict=True):
         if share:
-            own = residuals[begin : begin + len(channel.rows)].tolist()
             fading = [0.0, *(fade ** np.diff(channel.rows).astype(float)).tolist()]
             expected, unsure = 0.0, share
-            for k, value in enumerate(own):
+            for k, value in enumerate(residuals[part].tolist()):
                 expected, unsure = fading[k] * expected, share + fading[k] ** 2 * (unsure - share)
                 spread = unsure + 1.0 - share
-                result[begin + k] = (value - expected) / spread**0.5
+                result[part.start + k] = (value - expected) / spread**0.5
                 expected, unsure = expected + unsure / spread * (value - expected), unsure * (1.0 - share) / spread
-        begin += len(channel.rows)
     return result
 
 
-def _places(fit: Fit, choice: Choice, likelihood: Callable[[Floats], float], count: int, rng: np.random.Generator) -> Floats:
+def _begin(fit: Fit, at: _Place, likelihood: Callable[[Floats], float], count: int, rng: np.random.Generator) -> Floats:
     """Starts of the walkers: around the minimum, and anywhere along parameters that the data do not determine."""
-    names = choice.free
-    best = np.array([fit.values[name] for name in names])
-    seen = [names.index(name) for name in fit.free]
-    spread = np.zeros((len(names), len(names)))
+    best = np.array([fit.values[name] for name in at.names])
+    seen = [at.names.index(name) for name in fit.free]
+    spread = np.zeros((len(best), len(best)))
     spread[np.ix_(seen, seen)] = fit.covariance
-    size, vectors = np.linalg.eigh(0.5 * (spread + spread.T))
-    root = vectors * np.sqrt(np.maximum(size, 0.0))
-    top = likelihood(_inside(choice, best))
+    ends = np.clip([at.low, at.high], -1e3, 1e3)
+    for k, name in enumerate(at.names):
+        limit = fit.limits.get(name, ("", np.nan))[1]
+        if np.isfinite(limit):
+            ends[:, k] = sorted((best[k], limit))
+    unseen = [k for k in range(len(best)) if k not in seen]
+    top = likelihood(np.clip(best, at.low, at.high))
     result = []
     for _ in range(count):
-        for _ in range(TRIES):
-            place = best + root @ rng.normal(size=len(names))
-            for k, name in enumerate(names):
-                if k not in seen:
-                    low, high = choice.limits(name)
-                    limit = fit.limits.get(name, ("", np.nan))[1]
-                    ends = (min(best[k], limit), max(best[k], limit)) if np.isfinite(limit) else (low, high)
-                    place[k] = rng.uniform(*np.clip(ends, -1e3, 1e3))
-            place = _inside(choice, place)
+        for tried in range(TRIES + 1):
+            size = 1.0 if tried < TRIES else 1e-6
+            place = rng.multivariate_normal(best, size * spread, check_valid="ignore", method="eigh")
+            if tried < TRIES:
+                place[unseen] = rng.uniform(*ends[:, unseen])
+            place = np.clip(place, at.low, at.high)
             if likelihood(place) > top - NEAR:
                 break
-        else:
-            place = _inside(choice, best + 1e-3 * (root @ rng.normal(size=len(names))))
         result.append(place)
     return np.array(result)
-
-
-def _inside(choice: Choice, place: Floats) -> Floats:
-    limits = np.array([choice.limits(name) for name in choice.free])
-    return np.asarray(np.clip(place, limits[:, 0], limits[:, 1]), dtype=float)
-
-
-def _shares(problem: Problem, choice: Choice, samples: Floats, rng: np.random.Generator) -> dict[str, float]:
-    found: dict[str, int] = {}
-    for place in samples[rng.choice(len(samples), min(DRAWN, len(samples)), replace=False)]:
-        values = complete(choice, dict(zip(choice.free, place.tolist(), strict=True)))
-        sequence = merge_bounces(problem.motion(values).sequence)
-        found[sequence] = found.get(sequence, 0) + 1
-    total = sum(found.values())
-    return {name: number / total for name, number in sorted(found.items(), key=lambda item: -item[1])}

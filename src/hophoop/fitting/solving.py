@@ -1,81 +1,56 @@
-"""Least squares of the exact motion against the data, from several starts."""
+"""Least squares of the exact motion against the data, by lmfit, from several starts."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.fitting.covariance import covariance_of
-from hophoop.fitting.guess import SPREADS, Candidate, merge_bounces
+from hophoop.fitting.guess import SPREADS, Candidate
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, loss
-from hophoop.fitting.parameters import PARAMETERS
-from hophoop.fitting.problem import FAR, Problem
+from hophoop.fitting.parameters import spec
+from hophoop.fitting.problem import Problem
 from hophoop.scenario import InputError
+
+if TYPE_CHECKING:
+    from lmfit import Parameters
 
 Floats = NDArray[np.float64]
 
 FIRST_CALLS, MOST_CALLS = 12, 100  # maximum calls of the motion, in a first and in the last minimization
 BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter without effect
 WALK = 15  # steps along a parameter
+ROUNDS = 4  # of walks, while they help and the data are not explained
 WORTH_TRYING, MOST_WALKS = 4.0, 4  # maximum factor of the cost of a step, and maximum number of such starts
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
 ENOUGH = 1.0  # friction with which most motions never slip
+EXPLAINED = 1.15  # cost over the number of data of a motion that explains them
 
 
-@dataclass(frozen=True)
-class Choice:
-    """Free, bounded and tied parameters.
+class Minimum(NamedTuple):
+    """A minimum without uncertainties."""
 
-    Attributes
-    ----------
-    values : dict
-        Start values of free parameters, values of the others.
-    free : tuple of str
-    bounds : dict
-        Minimum and maximum.
-    tied : dict
-        Expressions of other parameters.
-    """
+    params: Parameters
+    cost: float  # sum of the squares, or the robust loss
+    residuals: Floats  # [standard deviations]
 
-    values: dict[str, float]
-    free: tuple[str, ...]
-    bounds: dict[str, tuple[float, float]]
-    tied: dict[str, str]
-
-    def limits(self, name: str) -> tuple[float, float]:
-        """Return minimum and maximum of a parameter."""
-        kind = PARAMETERS[name]
-        low, high = self.bounds.get(name, (kind.low, kind.high))
-        return max(low, kind.low), min(high, kind.high)
-
-    def without(self, name: str, value: float) -> Choice:
-        """Return the choice with one parameter fixed."""
-        free = tuple(other for other in self.free if other != name)
-        return Choice({**self.values, name: value}, free, self.bounds, self.tied)
-
-    def only(self, names: tuple[str, ...]) -> Choice:
-        """Return the choice with only these parameters free."""
-        return Choice(self.values, names, self.bounds, self.tied)
-
-    def at(self, values: Mapping[str, float]) -> Choice:
-        """Return the choice with other values."""
-        return Choice({**self.values, **values}, self.free, self.bounds, self.tied)
+    @property
+    def values(self) -> dict[str, float]:
+        """All parameters [SI units]."""
+        return dict(self.params.valuesdict())
 
 
 class Solution(NamedTuple):
-    """A minimum."""
+    """A minimum with the covariance of some of its parameters."""
 
-    values: dict[str, float]
+    minimum: Minimum
     free: tuple[str, ...]
-    covariance: Floats  # of the free ones
-    cost: float  # sum of the squares, or the robust loss
-    residuals: Floats  # [standard deviations]
+    covariance: Floats
 
     def without(self, name: str) -> Solution:
         """Return the solution without the uncertainty of one parameter."""
@@ -90,58 +65,95 @@ class Solution(NamedTuple):
         return self._replace(covariance=self.covariance * np.outer(factors, factors))
 
 
-class Minimum(NamedTuple):
-    """A minimum without uncertainties."""
+def parameters(
+    values: Mapping[str, float],
+    free: Sequence[str],
+    bounds: Mapping[str, Sequence[float]] | None = None,
+    tied: Mapping[str, str] | None = None,
+) -> Parameters:
+    """Return lmfit's parameters.
 
-    values: dict[str, float]
-    cost: float  # sum of the squares, or the robust loss
-    residuals: Floats  # [standard deviations]
-
-
-def solve(problem: Problem, choice: Choice, robust: bool) -> Solution:
-    """Find one minimum and its covariance.
-
-    robust: whether outliers count less.
+    values: start values of free parameters, values of the others; bounds: minimum and maximum; tied: expressions of others.
     """
-    values, cost, off = minimize(problem, choice, robust, MOST_CALLS)
-    found = slopes(problem, choice.at(values), choice.free)
-    return Solution(values, choice.free, covariance_of(problem, found, off, robust), cost, off)
+    lmfit = need("lmfit", "fit")
+    result = lmfit.Parameters()
+    for name, value in values.items():
+        low, high = (bounds or {}).get(name, (-np.inf, np.inf))
+        low, high = max(low, spec(name).low), min(high, spec(name).high)
+        # a value that is given is kept, also outside of the range of a fit
+        ends = {"min": low, "max": high} if name in free else {}
+        result.add(name, value, vary=name in free, **ends)
+    for name, text in (tied or {}).items():
+        kind = spec(name)
+        try:
+            result[name].set(expr=text)
+            result.update_constraints()
+            known = kind.low <= result[name].value <= kind.high and "open" not in text  # no files
+        except RecursionError:
+            raise InputError(f"tied parameters ({', '.join(tied or ())}) depend on each other in a circle.") from None
+        except Exception:  # whatever an expression can do wrong
+            known = False
+        if not known:
+            allowed = f"with a value from {kind.low:g} to {kind.high:g}"
+            raise InputError(f"tied {name} = {text!r} is no expression of the other parameters {allowed}.")
+    return result
 
 
-def minimize(problem: Problem, choice: Choice, robust: bool, most: int = FIRST_CALLS) -> Minimum:
-    """Return one minimum, found by SciPy's trust-region least squares.
+def changed(params: Parameters, values: Mapping[str, float], vary: Sequence[str] | None = None) -> Parameters:
+    """Return a copy with other values, and with only some of its free parameters free."""
+    result = params.copy()
+    for name, one in result.items():
+        if one.expr is None:
+            one.value = values.get(name, one.value)
+            one.vary = one.vary and (vary is None or name in vary)
+    return result
+
+
+def held(params: Parameters, values: Mapping[str, float]) -> Parameters:
+    """Return a copy with some parameters fixed at values."""
+    return changed(params, values, [name for name in free_of(params) if name not in values])
+
+
+def free_of(params: Parameters) -> tuple[str, ...]:
+    """Return the names of the free parameters."""
+    return tuple(name for name, one in params.items() if one.vary)
+
+
+def minimize(problem: Problem, params: Parameters, robust: bool, most: int = FIRST_CALLS) -> Minimum:
+    """Return one minimum.
 
     robust: whether outliers count less; most: maximum number of calls of the motion [1].
     """
-    begin = complete(choice, {})
-    if not choice.free:
-        off = problem.residuals(begin)
-        return Minimum(begin, loss(off, robust), off)
+    tried: list[tuple[float, dict[str, float], Floats]] = []
 
-    def at(free: Floats) -> dict[str, float]:
-        return complete(choice, dict(zip(choice.free, free.tolist(), strict=True)))
+    def residuals(params: Parameters) -> Floats:
+        values = params.valuesdict()
+        off = problem.residuals(values)
+        tried.append((loss(off, robust), values, off))
+        return off
 
-    def residuals(free: Floats) -> Floats:
-        try:
-            return problem.residuals(at(free))
-        except InputError:  # an expression has no value there
-            return np.full(problem.count, FAR)
-
-    found = need("scipy.optimize", "fit").least_squares(
-        residuals,
-        [begin[name] for name in choice.free],
-        lambda free: slopes(problem, choice.at(at(free)), choice.free),
-        np.transpose([choice.limits(name) for name in choice.free]),
-        loss="soft_l1" if robust else "linear",
-        f_scale=SOFT,
-        max_nfev=most,
-    )
-    return Minimum(at(found.x), 2.0 * float(found.cost), found.fun)
+    if free_of(params):
+        minimizer = need("lmfit", "fit").Minimizer(residuals, params, max_nfev=most)
+        how = {"Dfun": lambda params: slopes(problem, params), "loss": "soft_l1" if robust else "linear", "f_scale": SOFT}
+        with np.errstate(divide="ignore", invalid="ignore"):  # of its own covariance, which is not used
+            minimizer.least_squares(**how)
+    else:
+        residuals(params)
+    # the last call of a minimization that was stopped is not always its best
+    cost, values, off = min(tried, key=lambda one: one[0])
+    return Minimum(changed(params, values), cost, off)
 
 
-def cost_at(problem: Problem, values: dict[str, float], robust: bool) -> float:
-    """Return the sum of squares or the robust loss at values of all parameters."""
-    return loss(problem.residuals(values), robust)
+def solve(problem: Problem, params: Parameters, robust: bool) -> Solution:
+    """Find one minimum and its covariance."""
+    found = minimize(problem, params, robust, MOST_CALLS)
+    jacobian = slopes(problem, found.params)
+    return Solution(found, free_of(params), covariance_of(problem, jacobian, found.residuals, robust))
+
+
+def cost_of(problem: Problem, params: Parameters, robust: bool) -> float:
+    """Return the sum of squares or the robust loss."""
+    return loss(problem.residuals(params.valuesdict()), robust)
 
 
 def spread_of(problem: Problem, cost: float, free: int) -> float:
@@ -149,160 +161,129 @@ def spread_of(problem: Problem, cost: float, free: int) -> float:
     return max(1.0, cost / max(problem.count - free, 1))
 
 
-def complete(choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
-    """Return all values: the free ones within their limits, the tied ones computed from the others [SI units]."""
-    values = {**choice.values, **free}
-    for name in choice.free:
-        low, high = choice.limits(name)
-        values[name] = min(max(values[name], low), high)
-    for _ in choice.tied:  # one may depend on another
-        values |= _tied_values(choice, values)
-    if choice.tied and _tied_values(choice, values).items() - values.items():
-        raise InputError(f"tied parameters ({', '.join(choice.tied)}) depend on each other in a circle.")
-    return values
-
-
-def _tied_values(choice: Choice, values: dict[str, float]) -> dict[str, float]:
-    """Return the tied values, each computed once from the given ones."""
-    evaluator = need("asteval", "fit").Interpreter(user_symbols=values, minimal=True)
-    evaluator.symtable.pop("open", None)
-    result = {}
-    for name, text in choice.tied.items():
-        try:
-            result[name] = float(evaluator.eval(text, show_errors=False, raise_errors=True))
-            if not np.isfinite(result[name]):
-                raise ValueError
-        except Exception:
-            raise InputError(f"tied {name} = {text!r} is no expression of the other parameters.") from None
-    return result
-
-
-def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
-    """Derivatives of the residuals by parameters, with those tied to them changing as well.
+def slopes(problem: Problem, params: Parameters) -> Floats:
+    """Derivatives of the residuals by the free parameters, with those tied to them changing as well.
 
     They are exact where the motion has derivatives. Elsewhere they are differences, both ways if the limits allow.
 
-    choice: its values are the point; jacobian shape (count, len(names)) [1 over the parameter's unit].
+    jacobian shape (count, number of free ones) [1 over the parameter's unit].
     """
-    tied = tuple(choice.tied)
+    names = free_of(params)
+    tied = tuple(name for name, one in params.items() if one.expr)
     try:
-        jacobian = exact_slopes(problem, complete(choice, {}), (*names, *tied))
+        jacobian = exact_slopes(problem, params.valuesdict(), (*names, *tied))
     except InputError:
         jacobian = np.full((problem.count, len(names) + len(tied)), np.nan)
     result = jacobian[:, : len(names)]
     if tied:
-        together = _differences(choice, names, lambda values: [values[name] for name in tied])
+        together = _differences(params, names, lambda values: np.array([values[name] for name in tied]))
         result = result + jacobian[:, len(names) :] @ together
-    missing = tuple(name for k, name in enumerate(names) if not np.isfinite(result[:, k]).all())
+    missing = [k for k in range(len(names)) if not np.isfinite(result[:, k]).all()]
     if missing:
-        places = [names.index(name) for name in missing]
-        result[:, places] = _differences(choice, missing, problem.residuals)
+        result[:, missing] = _differences(params, [names[k] for k in missing], problem.residuals)
     return result
 
 
-def _differences(choice: Choice, names: tuple[str, ...], of: Callable[[dict[str, float]], Floats | list[float]]) -> Floats:
-    """Return derivatives by central differences."""
+def _differences(params: Parameters, names: Sequence[str], of: Callable[[dict[str, float]], Floats]) -> Floats:
+    """Return derivatives by differences within the limits."""
     columns = []
     for name in names:
-        low, high = choice.limits(name)
-        here = min(max(choice.values[name], low), high)
-        step = PARAMETERS[name].step * max(1.0, abs(here))
-        above, below = min(here + step, high), max(here - step, low)
-        ends = [np.asarray(of(complete(choice, {name: value})), dtype=float) for value in (above, below)]
-        columns.append((ends[0] - ends[1]) / (above - below))
+        one, here = params[name], params[name].value
+        step = spec(name).step * max(1.0, abs(here))
+        places = min(here + step, one.max), max(here - step, one.min)
+        ends = []
+        for value in places:
+            one.value = value
+            ends.append(of(params.valuesdict()))
+        one.value = here
+        columns.append((ends[0] - ends[1]) / (places[0] - places[1]))
     return np.column_stack(columns)
 
 
-def insensitive(problem: Problem, choice: Choice) -> list[str]:
+def insensitive(problem: Problem, params: Parameters) -> list[str]:
     """Return the free parameters without effect on the data at the present values."""
-    jacobian = slopes(problem, choice, choice.free)
-    result = []
-    for k, name in enumerate(choice.free):
-        low, high = choice.limits(name)
-        span = min(high - low, 1.0) if np.isfinite(high - low) else 1.0
-        if float((jacobian[:, k] ** 2).sum()) * span**2 < BLIND:
-            result.append(name)
-    return result
+    names = free_of(params)
+    span = [min(params[name].max - params[name].min, 1.0) for name in names]
+    rise = (slopes(problem, params) ** 2).sum(axis=0) * np.square(span) if names else []
+    return [name for name, one in zip(names, rise, strict=True) if one < BLIND]
 
 
-def best_of(problem: Problem, choice: Choice, starts: list[Candidate], robust: bool) -> tuple[Solution, list[str]]:
+def approach(problem: Problem, params: Parameters, robust: bool) -> tuple[Minimum, list[str]]:
+    """Return an approximate minimum after few steps, and the parameters without effect at the start."""
+    blind = insensitive(problem, params)
+    return minimize(problem, held(params, {name: params[name].value for name in blind}), robust), blind
+
+
+def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], robust: bool) -> tuple[Solution, list[str]]:
     """Find the lowest minimum from several starts, and the parameters without effect there."""
     found: list[tuple[Minimum, list[str]]] = []
     explained = False
     tried: set[str] = set()
     for start in starts:
-        sequence = merge_bounces(start.sequence)
         # another sequence may explain the data better, also if they are explained to their scatter
-        if explained and sequence in tried:
+        if explained and start.sequence in tried:
             continue
-        found.append(approach(problem, choice.at(start.values), robust))
-        tried.add(sequence)
-        explained = explained or found[-1][0].cost < 1.15 * problem.count
+        found.append(approach(problem, changed(params, start.values), robust))
+        tried.add(start.sequence)
+        explained = explained or found[-1][0].cost < EXPLAINED * problem.count
     best, blind = min(found, key=lambda pair: pair[0].cost)
-    for values in _walks(problem, choice, best, robust):
-        other = approach(problem, choice.at(values), robust)
-        if other[0].cost < best.cost - 1e-6:
-            best, blind = other
-    plain = _without_slip(problem, choice, best, robust)
-    if plain is not None:
-        best, blind = plain
-    last = solve(problem, _without_all(choice.at(best.values), blind), robust)
-    for _ in range(2):
-        now = insensitive(problem, choice.at(last.values))
-        if now == blind:
+    for _ in range(ROUNDS):
+        cost = best.cost
+        for values in _walks(problem, params, best, robust):
+            other = approach(problem, changed(params, values), robust)
+            if other[0].cost < best.cost - 1e-6:
+                best, blind = other
+        if best.cost < EXPLAINED * problem.count or best.cost > 0.99 * cost:
             break
-        blind = now  # parameters have lost or gained effect on the way
-        last = solve(problem, _without_all(choice.at(last.values), blind), robust)
+    best, blind = _without_slip(problem, params, best, robust) or (best, blind)
+    values = best.values
+    for _ in range(3):
+        last = solve(problem, held(changed(params, values), {name: values[name] for name in blind}), robust)
+        values, before = last.minimum.values, blind
+        blind = insensitive(problem, changed(params, values))
+        if blind == before:
+            break  # else parameters have lost or gained effect on the way
     return last, blind
 
 
-def _without_slip(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> tuple[Minimum, list[str]] | None:
+def _without_slip(problem: Problem, params: Parameters, best: Minimum, robust: bool) -> tuple[Minimum, list[str]] | None:
     """Return a motion that never slips if the data agree with it as well as with the best one."""
-    if "mu_kinetic" not in choice.free or choice.tied or not _slips(problem, best.values):
+    friction, tied = params.get("mu_kinetic"), any(one.expr for one in params.values())
+    if not friction.vary or tied or not slips(problem, best.values):
         return None
-    low, high = choice.limits("mu_kinetic")
-    for friction in (float(np.clip(ENOUGH, low, high)), high):
-        values = {**best.values, "mu_kinetic": friction}
-        cost = cost_at(problem, values, robust)
-        if cost < WORTH_TRYING * best.cost and not _slips(problem, values):
-            other, blind = approach(problem, choice.at(values), robust)
-            alike = other.cost < best.cost + CONFIDENT * spread_of(problem, best.cost, len(choice.free))
-            return (other, blind) if alike and not _slips(problem, other.values) else None
+    for value in (float(np.clip(ENOUGH, friction.min, friction.max)), friction.max):
+        there = changed(params, {**best.values, "mu_kinetic": value})
+        if cost_of(problem, there, robust) < WORTH_TRYING * best.cost and not slips(problem, there.valuesdict()):
+            other, blind = approach(problem, there, robust)
+            alike = other.cost < best.cost + CONFIDENT * spread_of(problem, best.cost, len(free_of(params)))
+            return (other, blind) if alike and not slips(problem, other.values) else None
     return None
 
 
-def _slips(problem: Problem, values: dict[str, float]) -> bool:
+def slips(problem: Problem, values: Mapping[str, float]) -> bool:
+    """True if any run slips, or there is no motion."""
     try:
-        return bool({"S", "K"} & set(problem.motion(values).sequence))
+        return any({"S", "K"} & set(motion.sequence) for motion in problem.motions(values))
     except InputError:
         return True
 
 
-def _walks(problem: Problem, choice: Choice, best: Minimum, robust: bool) -> list[dict[str, float]]:
+def _walks(problem: Problem, params: Parameters, best: Minimum, robust: bool) -> list[dict[str, float]]:
     """Other starts: along each parameter of the contact, the two lowest values apart from the minimum.
 
     Along these the sum of squares has steps and plateaus, such as restitution so small that nothing bounces.
     """
-    result = []
+    result, there = [], changed(params, best.values)
     for name, (low, high) in SPREADS.items():
-        if name not in choice.free:
+        one = there[name]
+        if not one.vary:
             continue
-        least, most = choice.limits(name)
-        grid = np.linspace(max(low, least), min(high, most), WALK)
-        costs = [(cost_at(problem, {**best.values, name: float(value)}, robust), float(value)) for value in grid]
+        costs = []
+        for value in np.linspace(max(low, one.min), min(high, one.max), WALK).tolist():
+            one.value = value
+            costs.append((cost_of(problem, there, robust), value))
+        one.value = best.values[name]
         for cost, value in sorted(costs)[:2]:
             if cost < WORTH_TRYING * best.cost:
                 result.append((cost, {**best.values, name: value}))
     return [values for _, values in sorted(result, key=lambda pair: pair[0])[:MOST_WALKS]]
-
-
-def approach(problem: Problem, choice: Choice, robust: bool) -> tuple[Minimum, list[str]]:
-    """Return an approximate minimum after few steps, and the parameters without effect at the start."""
-    blind = insensitive(problem, choice)
-    return minimize(problem, _without_all(choice, blind), robust), blind
-
-
-def _without_all(choice: Choice, blind: list[str]) -> Choice:
-    for name in blind:
-        choice = choice.without(name, choice.values[name])
-    return choice

@@ -46,7 +46,7 @@ def test_corners_lie_where_the_camera_saw_them(filmed):
         backdrop(fit, small, folder / "no.mp4")
     assert not (folder / "no.mp4").exists()
     with pytest.raises(ValueError, match="not to a track of a film"):
-        backdrop(dataclasses.replace(fit, track=dataclasses.replace(fit.track, view=None)), video, folder / "no.mp4")
+        backdrop(dataclasses.replace(fit, tracks=(dataclasses.replace(fit.track, view=None),)), video, folder / "no.mp4")
 
 
 @pytest.fixture(scope="module")
