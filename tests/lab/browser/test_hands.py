@@ -137,7 +137,7 @@ def test_a_load_keeps_the_speed_of_the_hoop_unless_it_is_flicked(visit):
 def test_reset_goes_back_to_what_was_opened_or_chosen(visit, first):
     page = visit(first, reduced_motion="reduce")
     still(page)
-    button = page.get_by_role("button", name="Back to the motion that was opened or chosen last")
+    button = page.get_by_role("button", name="Reset: back to the motion that was opened or chosen last")
     assert button.is_disabled()
     opened = page.evaluate("hophoopLab.film().query")
     page.locator("input[data-path='plane.mu']").fill("0.5")

@@ -32,7 +32,7 @@ export async function png(lab: Shown): Promise<Blob> {
 export async function svg(lab: Shown) {
   if (lab.stage.options.three) throw new Error("save.no_svg_in_space");
   const { width, height } = lab.stage.canvas().getBoundingClientRect();
-  const { Context } = await fetched(import("svgcanvas"));
+  const { Context } = await fetched(import("./svg.ts"));
   const context = new Context({ width, height, document });
   background(context, lab, width, height);
   flat(context, lab, width, height);

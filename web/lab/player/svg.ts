@@ -1,0 +1,3 @@
+// Lines and curves instead of pixels: large, and only needed to keep a picture.
+
+export { Context } from "svgcanvas";
