@@ -16,7 +16,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 import hophoop as hh
 from hophoop.animate import Look, Timing
-from hophoop.animate.mpl import Film2D
+from hophoop.animate.film2d import Film2D
 from hophoop.plots import colors
 from hophoop.tracking import drawing
 from hophoop.tracking.video import pictures, rgb

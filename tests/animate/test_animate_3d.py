@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 from animate_tools import darkest_spot, decoded, motion, places
-from hophoop.animate import film_3d, player, scene3d
+from hophoop.animate import film3d, film_3d, player
+from hophoop.animate.film3d import SUN, Film3D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import CAMERAS_3D, Look3D
-from hophoop.animate.scene3d import Film3D
-from hophoop.animate.shapes3d import SUN, shadow_matrix, torus, torus_faces
 from hophoop.vocabulary import colors
 
 SIZE = (400, 224)
@@ -20,7 +19,7 @@ SIZE = (400, 224)
 @pytest.fixture(autouse=True)
 def quick(monkeypatch):
     """Smooth edges take most of the time of software rendering."""
-    monkeypatch.setattr(scene3d, "SMOOTH", 0)
+    monkeypatch.setattr(film3d, "SMOOTH", 0)
 
 
 def film(options=None, fps=5, runs=None, **timing):
@@ -53,7 +52,7 @@ def test_the_load_is_where_the_motion_says(camera):
         world = places(run, shown.clock.times[0])
         for k in range(shown.count):
             wanted = shown.pixel_of(k, 0, world[k])
-            found = darkest_spot(shown.draw(k), 5, below=32)
+            found = darkest_spot(shown.draw(k)[:200], 5, below=62 if camera == "hold" else 32)  # above the keys
             assert np.hypot(*(found - wanted)) < 4.0
 
 
@@ -61,7 +60,7 @@ def test_the_load_seen_from_the_side_moves_as_in_2d():
     """A camera at rest, far off: the ways in the picture are nearly those of the world, at one scale."""
     run = motion()
     with film({"camera": "hold"}, fps=4) as shown:
-        found = np.array([darkest_spot(shown.draw(k), 3, below=32) for k in range(shown.count)])
+        found = np.array([darkest_spot(shown.draw(k)[:200], 3, below=62) for k in range(shown.count)])
     world = places(run, shown.clock.times[0])
     for axis in (0, 1):
         assert np.corrcoef(found[:, axis], world[:, axis] * (1, -1)[axis])[0, 1] > 0.99
@@ -121,18 +120,12 @@ def test_arrows_show_where_there_are_forces():
     assert changed[1] == 0
 
 
-def test_the_scale_of_arrows_follows_the_forces_and_is_said():
+def test_arrows_keep_one_scale_within_a_film():
     run = motion()
-    with film({"forces": True, "camera": "side", "size": (640, 360)}, fps=20) as shown:
+    with film({"forces": True, "camera": "side"}, fps=20) as shown:
         sample = run.at(shown.clock.times[0])
         force = np.maximum(sample.normal_force, np.abs(sample.friction_force))
-        newtons = np.array([shown.newton(k) for k in range(shown.count)])
-        assert (newtons * force).max() <= 1.3 * (1.0 + 1e-12)
-        assert newtons.max() > 3.0 * newtons.min()
-        x, y, width, height = (round(part) for part in shown.layout.forces)
-        weak, strong = int(np.argmax(newtons)), int(np.argmin(newtons))
-        keys = [shown.draw(k)[360 - y - height : 360 - y, x : x + width].astype(int) for k in (weak, strong)]
-        assert np.abs(keys[0] - keys[1]).max() > 80
+        assert shown.newton * force.max() == pytest.approx(1.3, rel=0.03)
 
 
 def test_marks_letters_and_keys():
@@ -141,9 +134,9 @@ def test_marks_letters_and_keys():
     with film({"camera": "hold", "traces": True}, fps=20) as shown:
         assert [one.kind for one in shown.actors[0].found] == ["takeoff", "impact"]
         assert shown.actors[0].tag == ""
-        assert "airborne" in [words for _, words in shown._keys]
+        assert "airborne" in [words for _, words, _ in shown.keys]
         shown.draw(0)  # the camera is set where a picture is drawn
-        spot = shown._visible_point(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
+        spot = shown.on_screen(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
         k = int(down.t * 20)
         row, column = round(SIZE[1] - spot[1]), round(spot[0])
         window = (slice(row - 2, row + 25), slice(column - 12, column + 13))
@@ -151,7 +144,7 @@ def test_marks_letters_and_keys():
         assert (np.abs(after - before).max(axis=-1) > 60).sum() > 15
     with film({"traces": True}, runs=[motion(2.0), motion(1.0)]) as two:
         assert [actor.tag for actor in two.actors] == ["A", "B"]
-        assert "airborne" not in [words for _, words in two._keys]
+        assert "airborne" not in [words for _, words, _ in two.keys]
 
 
 def test_several_motions_run_in_lanes():
@@ -177,23 +170,13 @@ def test_the_hoop_stays_in_the_picture_on_a_slope():
                 assert 0 < row < SIZE[1]
 
 
-def test_the_torus():
-    points, normals, angles = torus(1.0, 0.05)
-    assert np.hypot(points[:, 0], points[:, 2]).max() == pytest.approx(1.0, abs=1e-3)
-    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1.0)
-    faces = torus_faces()
-    corners = points[faces]
-    outward = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    assert (np.einsum("ij,ij->i", outward, normals[faces[:, 0]]) > 0).all()
-    assert len(points) % len(angles) == 0
-
-
 @pytest.mark.parametrize("slope", [0.0, 0.3])
 def test_shadows_lie_on_the_plane_along_the_light(slope):
-    matrix = shadow_matrix(slope, 0.0)
+    with film(runs=[motion(slope=slope)]) as shown:
+        matrix = shown.flat
     normal = np.array([np.sin(slope), 0.0, np.cos(slope)])
     for point in ([0.3, 0.1, 1.2], [-2.0, 0.5, 2.0]):
-        shadow = matrix[:3, :3] @ point + matrix[:3, 3]
+        shadow = matrix[:3, :3] @ point
         assert shadow @ normal == pytest.approx(0.0, abs=1e-12)
         assert np.linalg.norm(np.cross(shadow - point, SUN)) == pytest.approx(0.0, abs=1e-12)
 

@@ -5,9 +5,9 @@ import pytest
 
 from golden_films import PICTURES, kept, shrunk
 from hophoop.animate import picture
+from hophoop.animate.film2d import Film2D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look
-from hophoop.animate.mpl import Film2D
 
 
 @pytest.mark.images

@@ -2,16 +2,14 @@
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 import hophoop as hh
 from animate_tools import darkest_spot, motion, places
 from hophoop.animate import Player, film, picture, player
-from hophoop.animate.canvas import Canvas, TextStyle
+from hophoop.animate.film2d import Film2D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look
-from hophoop.animate.mpl import Film2D
-from hophoop.animate.panels import DRAWN
+from hophoop.animate.panels import CURVES
 from hophoop.plots.curves import curve
 
 SIZE = (640, 360)
@@ -136,31 +134,6 @@ def test_unknown_formats_are_refused(tmp_path):
         film(motion(), tmp_path / "a.gif", Timing(fps=60))
 
 
-# Text and lines
-
-
-def test_text_stands_where_it_should():
-    canvas = Canvas((200, 100), "#FFFFFF")
-    canvas.text(100, 50, "H", TextStyle("#000000", 40, anchor="center", vertical="center"))
-    rows, columns = np.nonzero(canvas.pixels[..., 0] < 128)
-    assert columns.mean() == pytest.approx(100, abs=2)
-    assert rows.mean() == pytest.approx(50, abs=2)
-    canvas.text(150, 50, "11", TextStyle("#000000", 20, anchor="right"))
-    assert (canvas.pixels[:, 150:, 0] > 128).all()
-
-
-def test_text_that_leaves_the_picture_is_cut():
-    canvas = Canvas((100, 64), "#FFFFFF")
-    for x, y in ((-30, 10), (95, 60), (50, -5), (300, 300)):
-        canvas.text(x, y, "long words 12", TextStyle("#000000", 20))
-    canvas.clip((20, 0, 20, 64))
-    before = canvas.pixels.copy()
-    canvas.text(0, 30, "MMMMMMMM", TextStyle("#FF0000", 20))
-    changed = np.flatnonzero((canvas.pixels != before).any(axis=(0, 2)))
-    assert changed.min() >= 20
-    assert changed.max() < 40
-
-
 # The player
 
 
@@ -183,14 +156,12 @@ def test_a_word_or_a_list_is_as_good_as_a_tuple():
 
 def test_the_energy_panel_shows_what_impacts_take():
     """The landing's loss: friction and impacts together are what kinetic and potential energy have lost."""
-    figure = Figure()
-    axes, run = figure.subplots(), motion()
-    DRAWN["energy"](axes, run, curve(run))
-    drawn = {line.get_label(): line.get_ydata() for line in axes.get_lines()}
+    run = motion()
+    drawn = {label: values for label, _, values in CURVES["energy"](run, curve(run))[1]}
     lost = drawn["sum"][0] - drawn["sum"]
-    np.testing.assert_allclose(drawn["friction"] + drawn["impacts, normal"], lost, atol=1e-9)
-    assert drawn["impacts, normal"][-1] == pytest.approx(run.ledger.impact_normal, rel=1e-12)
-    assert drawn["impacts, normal"][-1] > 1.0
+    np.testing.assert_allclose(drawn["friction"] + drawn["impacts"], lost, atol=1e-9)
+    assert drawn["impacts"][-1] == pytest.approx(run.ledger.impact_normal, rel=1e-12)
+    assert drawn["impacts"][-1] > 1.0
 
 
 @pytest.mark.parametrize("camera", ["follow", "hold"])

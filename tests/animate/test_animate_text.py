@@ -1,23 +1,21 @@
 """Text of films: at least 20 pixels at 1280 × 720, whole, and never on other text.
 
-All text is written on the canvas, also the distances on the plane in 3D.
+The distances on the plane in 3D as well.
 """
 
 import itertools
 import math
 import re
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from animate_tools import motion
-from hophoop.animate.canvas import Canvas
+from hophoop.animate.film2d import Film2D
+from hophoop.animate.film3d import Film3D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
-from hophoop.animate.mpl import Film2D
-from hophoop.animate.scene3d import Film3D
-from hophoop.animate.words import StateLine, draw_state
+from hophoop.animate.sheet import FONT, MODE_FONT, Sheet
 
 LEAST = 20.0  # [pixels] of a picture of 1280 × 720
 PANELS = ("velocity", "energy", "forces", "utilization", "phase")
@@ -40,30 +38,31 @@ LOOKS = {
 
 @pytest.fixture
 def written(monkeypatch):
-    """Texts that the canvas writes: words, size and rectangle (left, bottom, right, top) [pixels]."""
-    found, write = [], Canvas.text
+    """Texts that films write: words, size and rectangle (left, bottom, right, top) [pixels]."""
+    found, write = [], Sheet.text
 
-    def text(self, x, y, words, style):
-        wide, high = self.text_width(words, style.size, style.weight), 0.73 * style.size * self.unit
-        left = x - {"left": 0.0, "center": 0.5, "right": 1.0}[style.anchor] * wide
-        low = y - {"baseline": 0.0, "center": 0.5, "top": 1.0}[style.vertical] * high
-        found.append((words, style.size * self.unit, (left, low, left + wide, low + high)))
-        write(self, x, y, words, style)
+    def text(self, x, y, words, color, anchor="ls", bold=False):
+        wide, size = self.text_width(words, bold), (MODE_FONT if bold else FONT) * self.unit
+        left = x - {"l": 0.0, "m": 0.5, "r": 1.0}[anchor[0]] * wide
+        low = y - {"s": 0.0, "m": 0.5}[anchor[1]] * 0.73 * size
+        found.append((words, size, (left, low, left + wide, low + 0.73 * size)))
+        write(self, x, y, words, color, anchor, bold)
 
-    monkeypatch.setattr(Canvas, "text", text)
+    monkeypatch.setattr(Sheet, "text", text)
     return found
 
 
-def plotted(canvas):
-    """The same of the texts of the canvas's figure."""
+def plotted(sheet):
+    """The same of the texts of the figure."""
     drawn = []
-    for axes in canvas.figure.axes:
+    for axes in sheet.figure.axes:
         spans = ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim()))
-        drawn += [axes.xaxis.label, axes.yaxis.label]
+        drawn += [axes.xaxis.label, axes.yaxis.label, axes._left_title]
+        drawn += axes.get_legend().get_texts() if axes.get_legend() else []
         for axis, (least, most) in spans:
             drawn += [tick.label1 for tick in axis.get_major_ticks() if least <= tick.get_loc() <= most]
     return [
-        (text.get_text(), text.get_size() * canvas.figure.dpi / 72.0, text.get_window_extent(canvas._renderer).extents)
+        (text.get_text(), text.get_size() * sheet.figure.dpi / 72.0, text.get_window_extent(sheet.renderer).extents)
         for text in drawn
         if text.get_visible() and text.get_text()
     ]
@@ -80,7 +79,7 @@ def test_text_can_be_read_and_never_meets(name, written):
     for k in range(0, shown.count, 3):
         written.clear()
         shown.draw(k)
-        texts = still + written + plotted(shown.canvas)
+        texts = still + written + plotted(shown.sheet)
         seen += len(texts)
         assert min(size for _, size, _ in texts) >= LEAST * share - 1e-9, min((size, words) for words, size, _ in texts)
         for words, _, (left, low, right, top) in texts:
@@ -100,7 +99,7 @@ def test_text_can_be_read_and_never_meets(name, written):
 
 def projected(film, k, point):
     """A point of the world in the k-th picture, from the lower left [pixels]; computed from where the camera stands."""
-    eye, focus = (path[min(k, len(path) - 1)] for path in film._path)
+    eye, focus = (path[min(k, len(path) - 1)] for path in film.path)
     ahead = (focus - eye) / np.linalg.norm(focus - eye)
     right = np.cross(ahead, [0.0, 0.0, 1.0])
     right /= np.linalg.norm(right)
@@ -117,37 +116,10 @@ def test_a_distance_stands_at_its_mark(camera, slope, written):
         for k in (0, 4):
             written.clear()
             film.draw(k)
-            numbers = {words: box for words, _, box in written if re.fullmatch(r"−?\d+ m", words)}
+            numbers = {words: box for words, _, box in written if re.fullmatch(r"-?\d+ m", words)}
             assert len(numbers) >= 2
             for words, (left, _, right, top) in numbers.items():
-                along = float(words.removesuffix(" m").replace("−", "-"))
+                along = float(words.removesuffix(" m"))
                 edge = projected(film, k, (along * math.cos(slope), -1.1, -along * math.sin(slope)))
                 assert 0.5 * (left + right) == pytest.approx(edge[0], abs=1.0)
                 assert 4.0 < edge[1] - top < 15.0
-
-
-def test_distances_leave_room_for_labels_of_events(written):
-    """The label of the landing at 9.2 m takes the place of a number; those beside it stay."""
-    with Film3D([motion(3.1)], Timing(fps=10), Look3D(camera="hold")) as film:
-        film.draw(0)
-        before = {words for words, _, _ in written if words.endswith(" m")}
-        written.clear()
-        film.draw(film.count - 1)
-        after = {words for words, _, _ in written if words.endswith(" m")}
-    assert after < before
-    assert len(after) >= len(before) - 2
-
-
-def test_words_of_a_narrow_view_stay_in_it():
-    drawn = []
-    canvas = SimpleNamespace(
-        unit=1.0,
-        disc=lambda *_: None,
-        text=lambda x, y, words, *_, **__: drawn.append(words),
-        text_width=lambda words, size, *_: 0.6 * size * len(words),
-    )
-    line = StateLine("roll", t=0.5, angle=0.3, extra="v = 1.00 m/s")
-    for room, count in ((1000.0, 4), (400.0, 2), (288.0, 1)):
-        drawn.clear()
-        draw_state(canvas, SimpleNamespace(ink="#000000"), (0.0, 0.0), line, room)
-        assert len(drawn) == count

@@ -62,9 +62,8 @@ def test_slow_motion_traces_and_forces_in_the_data():
     plain = scene_data([motion()], Timing(fps=60), Look3D(theme="dark", traces=False))
     assert plain["hoops"][0]["traces"] is None
     force = np.maximum(plain["hoops"][0]["normalForce"], np.abs(plain["hoops"][0]["frictionForce"]))
-    lengths = plain["newton"] * force
-    assert lengths.max() <= 1.3 * (1.0 + 1e-12)
-    assert plain["steadyNewton"] == pytest.approx(plain["newton"].min(), rel=0.05)
+    assert len(set(plain["newton"])) == 1  # one scale
+    assert (plain["newton"] * force).max() == pytest.approx(1.3, rel=0.03)
 
 
 def test_marks_letters_and_keys_in_the_data():

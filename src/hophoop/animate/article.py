@@ -12,11 +12,11 @@ from typing import Final
 import numpy as np
 
 from hophoop.animate.export import save_png, write
+from hophoop.animate.film2d import Film2D
+from hophoop.animate.film3d import Film3D
 from hophoop.animate.films import FPS_2D, FPS_3D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
-from hophoop.animate.mpl import Film2D
-from hophoop.animate.scene3d import Film3D
 from hophoop.animate.web import scene
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate

@@ -17,7 +17,7 @@ import numpy as np
 from hophoop._support.extras import need
 from hophoop._support.files import replacing, require_folder_of
 from hophoop._support.stopping import temporary_folder
-from hophoop.animate.canvas import Bytes
+from hophoop.animate.sheet import Bytes
 from hophoop.scenario import InputError
 
 Progress = Callable[[int, int], None]

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from hophoop._support.stopping import temporary_folder
-from hophoop.animate.canvas import Bytes
 from hophoop.animate.export import Progress, check_film, format_of, write
+from hophoop.animate.film2d import Film2D
+from hophoop.animate.film3d import Film3D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
-from hophoop.animate.mpl import Film2D
-from hophoop.animate.scene3d import Film3D
+from hophoop.animate.sheet import Bytes
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 

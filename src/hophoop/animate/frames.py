@@ -10,11 +10,11 @@ from itertools import pairwise
 import numpy as np
 
 from hophoop.kernel.physics.body import EVENT_NAMES
-from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, to_world, turned_at
 from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary.names import STATUSES
+from hophoop.vocabulary.names import EVENTS, STATUSES
 
 STEPS = ("time", "angle")
 USUAL_RATE = 60.0
@@ -232,6 +232,26 @@ def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> T
     bounds = [0, *edges.tolist(), len(airborne)]
     runs = [(a, b, bool(airborne[a])) for a, b in pairwise(bounds) if b > a]
     return Trace(t, poses.load, poses.gravity_center, runs)
+
+
+@dataclass(frozen=True)
+class EventMark:
+    """A marked event: kind, time [s], and position along the plane and in the world [m]."""
+
+    kind: str
+    t: float
+    along: float
+    place: Floats
+
+
+def event_marks(motion: Trajectory, times: Floats) -> list[EventMark]:
+    """Return the events to mark in a film, in order of time; times: of the pictures [s]."""
+    slope = motion.scenario.plane.slope
+    return [
+        EventMark(event.kind, event.t, event.x, to_world(event.x, 0.0, slope))
+        for event in motion.events
+        if EVENTS[event.kind].filmed and times[0] <= event.t <= times[-1]
+    ]
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,9 @@ CAMERAS_3D = ("chase", "side", "orbit", "hold")
 LAYOUTS = ("side", "overlay")
 PANELS = ("velocity", "energy", "forces", "utilization", "phase")
 MAX_SIDE = 16384
+FORCE_LENGTH, LONGEST = 1.3, 4.0  # of the arrow of the film's maximum force, in radii; of longer ones, over it
+LANE = 1.6  # between several motions in 3D, in radii
+TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of motions in one view
 
 
 @dataclass(frozen=True)

@@ -9,266 +9,146 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.extras import need
-from hophoop.animate.canvas import Bytes, Canvas, Rectangle, TextStyle
-from hophoop.animate.layout import FONT
+from hophoop.animate.sheet import FONT, Bytes, Rectangle, Sheet
 from hophoop.animate.themes import Theme
 from hophoop.plots.curves import curve
-from hophoop.results.poses import Floats, Poses
+from hophoop.results.poses import Poses
 from hophoop.results.records import ArraySample
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
 
-# Opacity of the future part of a curve
-AHEAD = 0.28
-ROW, TIME_AXIS, GAP, RIGHT = 27.0, 56.0, 8.0, 32.0  # of titles, under an axis, between panels, on the right [units]
-KEY_LINE, KEY_GAP = 20.0, 16.0  # of a line's key, and between keys [units]
-
-
-_Words = tuple[float, str, str]  # left end [pixels], text, and colour of its line or nothing
+AHEAD = 0.28  # opacity of the future part of a curve
 
 
 class Panels:
-    """The side panels of a film.
+    """The side panels of a film, of its first motion.
 
-    Parameters
-    ----------
-    canvas : Canvas
-        Canvas for the panels; its figure gets the axes.
-    area : tuple of float
-        Left, bottom, width, height [pixels].
-    theme : Theme
-    motions : sequence of Trajectory
-        The first one is plotted.
-    names : sequence of str
-    start, end : float
-        Part of the motion [s].
+    sheet: gets the axes in `area`: left, bottom, width, height [pixels]; start, end: part of the motion [s].
     """
 
     def __init__(
-        self,
-        canvas: Canvas,
-        area: Rectangle,
-        theme: Theme,
-        motions: Sequence[Trajectory],
-        names: Sequence[str],
-        start: float,
-        end: float,
+        self, sheet: Sheet, area: Rectangle, theme: Theme, motion: Trajectory, names: Sequence[str], start: float, end: float
     ) -> None:
-        self._canvas, self._theme = canvas, theme
-        self._axes: list[tuple[str, Any]] = []
+        self.sheet, self.theme = sheet, theme
+        self.sample = curve(motion, start, end)
+        self.axes: list[tuple[str, Any]] = []
         if not names:
             return
-        motion = motions[0]
-        sample = curve(motion, start, end)
-        for name in names:
-            axes = canvas.figure.add_axes((0.0, 0.0, 1.0, 1.0), label=name)
-            self._style(axes, most_ticks=4 if len(names) < 3 else 2)
-            DRAWN[name](axes, motion, sample)
-            self._axes.append((name, axes))
-        titles = self._place(area)
-        self._paint()
-        for x, y, title in titles:
-            self._write(x, y, title)
+        u, (width, height) = sheet.unit, sheet.size
+        left, bottom, wide, high = area
+        engine = need("matplotlib.layout_engine", "plots").ConstrainedLayoutEngine
+        place = ((left + 8.0 * u) / width, (bottom + 6.0 * u) / height, (wide - 24.0 * u) / width, (high - 6.0 * u) / height)
+        sheet.figure.set_layout_engine(engine(rect=place, h_pad=3.0 / 72.0, w_pad=0.0, hspace=0.0))
+        over_time = [name for name in names if name != "phase"]
+        for name, ax in zip(names, sheet.figure.subplots(len(names), 1, squeeze=False)[:, 0], strict=True):
+            self._style(ax, 4 if len(names) < 3 else 2)
+            last = not over_time or name == "phase" or name == over_time[-1]
+            self._draw_curves(name, ax, motion, wide - 75.0 * u, last)
+            self.axes.append((name, ax))
+        sheet.canvas.draw()  # lays out
+        sheet.figure.set_layout_engine("none")
+        sheet.render()
+        self.full: Bytes = sheet.pixels.copy()
+        for _, ax in self.axes:
+            for line in ax.get_lines():
+                line.set_alpha(AHEAD)
+        sheet.render()
 
-    def _place(self, area: Rectangle) -> list[tuple[float, float, list[_Words]]]:
-        """Place the axes under their titles; return the rows of the titles with their left ends and baselines [pixels]."""
-        canvas, unit = self._canvas, self._canvas.unit
-        left, bottom, width, height = area
-        names = [name for name, _ in self._axes]
-        margin = max(_margin(canvas, axes) for _, axes in self._axes)
-        inner = width - margin - RIGHT * unit
-        rows = [self._title(axes, inner) for _, axes in self._axes]
-        # only the lowest panel over time has the label
-        named = [name == "phase" or set(names[k + 1 :]) <= {"phase"} for k, name in enumerate(names)]
-        taken = TIME_AXIS * sum(named) + GAP * (len(names) - 1) + ROW * sum(map(len, rows))
-        high = max((height - taken * unit) / len(names), 4.0 * unit)
-        y, titles = bottom + height, []
-        for (_, axes), title, labelled in zip(self._axes, rows, named, strict=True):
-            for row in title:
-                y -= ROW * unit
-                titles.append((left + margin, y + 8.0 * unit, row))
-            y -= high
-            size = canvas.size
-            axes.set_position(((left + margin) / size[0], y / size[1], inner / size[0], high / size[1]))
-            if not labelled:
-                axes.tick_params(labelbottom=False)
-                axes.set_xlabel("")
-            y -= (TIME_AXIS * labelled + GAP) * unit
-        return titles
-
-    def _title(self, axes: Any, width: float) -> list[list[_Words]]:
-        """Return the rows of a panel's title: its quantity, and the keys of several lines."""
-        canvas, theme, unit = self._canvas, self._theme, self._canvas.unit
-        words = [(axes.get_ylabel(), "")]
-        axes.set_ylabel("")
-        lines = axes.get_lines()
-        if len(lines) > 1:
-            words += [(str(line.get_label()), theme.visible(line.get_color())) for line in lines]
-        rows: list[list[_Words]] = [[]]
-        x = 0.0
-        for text, color in words:
-            broad = canvas.text_width(text, FONT) + (KEY_LINE + 6.0) * unit * bool(color)
-            if x and x + broad > width:
-                rows.append([])
-                x = 0.0
-            rows[-1].append((x, text, color))
-            x += broad + KEY_GAP * unit
-        return rows
-
-    def _write(self, x: float, y: float, row: list[_Words]) -> None:
-        canvas, unit = self._canvas, self._canvas.unit
-        for start, text, color in row:
-            here = x + start
-            if color:
-                level = y + 7.0 * unit
-                canvas.line(np.array([[here, level], [here + KEY_LINE * unit, level]]), color, 3.0)
-                here += (KEY_LINE + 6.0) * unit
-            canvas.text(here, y, text, TextStyle(self._theme.ink, FONT))
-
-    def _style(self, axes: Any, most_ticks: int) -> None:
-        theme, ticker = self._theme, need("matplotlib.ticker", "plots")
-        for axis, most in ((axes.xaxis, 5), (axes.yaxis, most_ticks)):
+    def _style(self, ax: Any, most_ticks: int) -> None:
+        theme, ticker = self.theme, need("matplotlib.ticker", "plots")
+        for axis, most in ((ax.xaxis, 5), (ax.yaxis, most_ticks)):
             axis.set_major_locator(ticker.MaxNLocator(most))
-            axis.set_major_formatter(ticker.FuncFormatter(_number))
-        axes.set_facecolor(theme.background)
-        axes.tick_params(colors=theme.ink, labelsize=FONT)
-        for spine in axes.spines.values():
-            spine.set_color(theme.muted)
-        axes.grid(True, color=theme.muted, alpha=0.22, linewidth=0.8)
-        axes.xaxis.label.set_color(theme.ink)
+            axis.set_major_formatter(ticker.StrMethodFormatter("{x:g}"))
+        ax.set_facecolor(theme.background)
+        ax.tick_params(colors=theme.ink, labelsize=FONT)
+        ax.spines[:].set_color(theme.muted)
+        ax.grid(True, color=theme.muted, alpha=0.22, linewidth=0.8)
 
-    def _paint(self) -> None:
-        canvas, theme = self._canvas, self._theme
-        for _, axes in self._axes:
-            axes.xaxis.label.set_size(FONT)
-            for line in axes.get_lines():
-                line.set_color(theme.visible(line.get_color()))
-        canvas.render()
-        self._full: Bytes = canvas.pixels.copy()
-        for _, axes in self._axes:
-            for line in axes.get_lines():
-                line.set_visible(False)
-        canvas.render()
-        bare = canvas.pixels.astype(np.float32)
-        for _, axes in self._axes:
-            for line in axes.get_lines():
-                line.set_visible(True)
-        faded = bare + AHEAD * (self._full.astype(np.float32) - bare)
-        canvas.pixels[...] = np.round(faded).astype(np.uint8)
-
-    def draw(self, now: Sequence[tuple[float, Poses | None, int]]) -> None:
-        """Uncover the curves up to now: for each motion its time, its poses and the index of the present one."""
-        if not self._axes:
+    def _draw_curves(self, name: str, ax: Any, motion: Trajectory, room: float, labelled: bool) -> None:
+        """Draw the curves of a panel and its title: the quantity, and the keys of several curves in rows of `room` pixels."""
+        sample, theme = self.sample, self.theme
+        title, curves = CURVES[name](motion, sample)
+        across = np.degrees(sample.angle) if name == "phase" else sample.t
+        for label, color, values in curves:
+            ax.plot(across, values, color=theme.visible(color), lw=1.8, label=label)
+        if name == "utilization":
+            ax.set_ylim(0.0, 1.15)
+            ax.set_yticks([0.0, 0.5, 1.0])
+        if name != "phase":
+            ax.set_xlim(sample.t[0], max(sample.t[-1], np.nextafter(sample.t[0], math.inf)))
+        ax.tick_params(labelbottom=labelled)
+        if labelled:
+            ax.set_xlabel(quantities.ANGLE if name == "phase" else quantities.TIME, color=theme.ink, fontsize=FONT)
+        if len(curves) == 1:
+            ax.set_title(title, loc="left", fontsize=FONT, color=theme.ink, pad=5.0)
             return
-        canvas = self._canvas
-        t, poses, i = now[0]
-        assert poses is not None
-        for name, axes in self._axes:
-            box = axes.bbox
+        handles = [need("matplotlib.lines", "plots").Line2D([], [], ls="none"), *ax.get_lines()]
+        words = [title, *(label for label, _, _ in curves)]
+        widths = np.array([self.sheet.text_width(each) for each in words]) + 41.0 * self.sheet.unit
+        fits = [n for n in range(1, len(words) + 1) if sum(widths[k::n].max() for k in range(n)) <= room]
+        columns = max(fits, default=1)
+        order = [k for column in range(columns) for k in range(column, len(words), columns)]  # legends go down, words across
+        ax.legend(
+            [handles[k] for k in order], [words[k] for k in order], ncols=columns, fontsize=FONT, labelcolor=theme.ink,
+            loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False, borderpad=0.0, borderaxespad=0.2,
+            handlelength=0.9, handletextpad=0.3, columnspacing=0.7, labelspacing=0.2,
+        )  # fmt: skip
+
+    def draw(self, t: float, poses: Poses, i: int) -> None:
+        """Uncover the curves up to now; poses, i: the present pose."""
+        sheet, theme = self.sheet, self.theme
+        for name, ax in self.axes:
+            box = ax.bbox
+            top, low = sheet.size[1] - math.floor(box.y1), sheet.size[1] - math.ceil(box.y0)
             if name == "phase":
-                here = np.array([math.degrees(poses.angle[i]), poses.omega[i]])
-                self._draw_way(axes, t, here)
+                past = int(np.searchsorted(self.sample.t, t))
+                here = math.degrees(poses.angle[i]), poses.omega[i]
+                way = np.column_stack([np.degrees(self.sample.angle[:past]), self.sample.omega[:past]])
+                sheet.line(ax.transData.transform(np.vstack([way, here])), color=theme.ink, lw=1.6, clip=box)
+                sheet.dot(ax.transData.transform(here), 11.0, theme.ink, theme.background)
                 continue
-            x = float(axes.transData.transform((t, 0.0))[0])
+            x = float(ax.transData.transform((t, 0.0))[0])
             a, b = math.ceil(box.x0), min(math.floor(x), math.floor(box.x1))
-            top, low = canvas.size[1] - math.floor(box.y1), canvas.size[1] - math.ceil(box.y0)
             if b > a:
-                canvas.pixels[top:low, a:b] = self._full[top:low, a:b]
-            canvas.clip((box.x0, box.y0, box.width, box.height))
-            canvas.line(np.array([[x, box.y0], [x, box.y1]]), self._theme.muted, 1.0)
-            for line in axes.get_lines():
-                value = _value(line, t)
+                sheet.pixels[top:low, a:b] = self.full[top:low, a:b]
+            sheet.line(np.array([[x, box.y0], [x, box.y1]]), color=theme.muted, lw=1.0)
+            for line in ax.get_lines():
+                value = float(np.interp(t, *line.get_data()))
                 if math.isfinite(value):
-                    spot = axes.transData.transform((t, value))
-                    canvas.disc(spot, 4.0 * canvas.unit, line.get_color(), self._theme.background, 1.0)
-            canvas.clip(None)
-
-    def _draw_way(self, axes: Any, t: float, here: Floats) -> None:
-        canvas, box = self._canvas, axes.bbox
-        line = axes.get_lines()[0]
-        past = int(np.searchsorted(line.hophoop_times, t))
-        way = np.vstack([np.column_stack(line.get_data())[:past], here])
-        canvas.clip((box.x0, box.y0, box.width, box.height))
-        canvas.line(axes.transData.transform(way), self._theme.ink, 1.6)
-        canvas.disc(axes.transData.transform(here), 5.5 * canvas.unit, self._theme.ink, self._theme.background, 1.2)
-        canvas.clip(None)
+                    sheet.dot(ax.transData.transform((t, value)), 8.0, line.get_color(), theme.background)
 
 
-def _value(line: Any, t: float) -> float:
-    x, y = line.get_xdata(), line.get_ydata()
-    return float(np.interp(t, x, y)) if len(x) > 1 else math.nan
+Curves = list[tuple[str, str, Any]]  # label, colour and values
 
 
-def _number(value: float, _place: int | None = None) -> str:
-    """Text of a tick."""
-    return f"{value:g}".replace("-", "−")
+def _velocity(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
+    turning = motion.scenario.hoop.radius * sample.omega
+    return quantities.VELOCITY, [("v", colors.CENTER_SPEED, sample.vx), ("Rθ̇", colors.ROTATION_SPEED, turning)]
 
 
-def _margin(canvas: Canvas, axes: Any) -> float:
-    """Width of the texts on the left of axes [pixels]."""
-    low, high = sorted(axes.get_ylim())
-    shown = [_number(value) for value in axes.get_yticks() if low <= value <= high]
-    return float(max((canvas.text_width(words, FONT) for words in shown), default=0.0)) + 16.0 * canvas.unit
+def _energy(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
+    return quantities.ENERGY, [
+        ("kinetic", colors.KINETIC, sample.kinetic),
+        ("potential", colors.POTENTIAL, sample.potential),
+        ("sum", colors.TOTAL, sample.total),
+        ("friction", colors.FRICTION_LOSS, sample.friction_loss),
+        ("impacts" if motion.scenario.contact.model == "rigid" else "damper", colors.IMPACT_LOSS, sample.normal_loss),
+    ]
 
 
-def _velocity(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
-    axes.plot(sample.t, sample.vx, color=colors.CENTER_SPEED, linewidth=1.8, label="v")
-    axes.plot(
-        sample.t,
-        motion.scenario.hoop.radius * sample.omega,
-        color=colors.ROTATION_SPEED,
-        linewidth=1.8,
-        label="Rθ̇",
-    )
-    axes.set_ylabel(quantities.VELOCITY)
-    _over_time(axes, sample.t)
+def _forces(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
+    return quantities.FORCE, [
+        ("normal", colors.NORMAL_FORCE, sample.normal_force),
+        ("friction", colors.FRICTION_FORCE, sample.friction_force),
+    ]
 
 
-def _energy(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
-    for values, color, label in (
-        (sample.kinetic, colors.KINETIC, "kinetic"),
-        (sample.potential, colors.POTENTIAL, "potential"),
-        (sample.total, colors.TOTAL, "sum"),
-        (sample.friction_loss, colors.FRICTION_LOSS, "friction"),
-        (sample.normal_loss, colors.IMPACT_LOSS, "impacts, normal" if motion.scenario.contact.model == "rigid" else "damper"),
-    ):
-        axes.plot(sample.t, values, color=color, linewidth=1.8, label=label)
-    axes.set_ylabel(quantities.ENERGY)
-    _over_time(axes, sample.t)
+def _utilization(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
+    return quantities.UTILIZATION, [("|F| / μN", colors.FRICTION_FORCE, sample.utilization(motion.scenario.plane))]
 
 
-def _forces(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
-    axes.plot(sample.t, sample.normal_force, color=colors.NORMAL_FORCE, linewidth=1.8, label="normal")
-    axes.plot(sample.t, sample.friction_force, color=colors.FRICTION_FORCE, linewidth=1.8, label="friction")
-    axes.set_ylabel(quantities.FORCE)
-    _over_time(axes, sample.t)
+def _phase(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
+    return "θ̇ (rad/s)", [("θ̇", colors.BLACK, sample.omega)]
 
 
-def _utilization(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
-    share = sample.utilization(motion.scenario.plane)
-    axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
-    axes.set_ylabel(quantities.UTILIZATION)
-    _over_time(axes, sample.t)
-    axes.set_ylim(0.0, 1.15)
-    axes.set_yticks([0.0, 0.5, 1.0])
-
-
-def _phase(axes: Any, motion: Trajectory, sample: ArraySample) -> None:
-    (line,) = axes.plot(np.degrees(sample.angle), sample.omega, color=colors.BLACK, linewidth=1.6)
-    line.hophoop_times = sample.t
-    axes.set_xlabel(quantities.ANGLE)
-    axes.set_ylabel("θ̇ (rad/s)")
-
-
-def _over_time(axes: Any, times: Floats) -> None:
-    axes.set_xlim(times[0], times[-1] if times[-1] > times[0] else times[0] + 1.0)
-    axes.set_xlabel(quantities.TIME)
-
-
-DRAWN = {
-    "velocity": _velocity,
-    "energy": _energy,
-    "forces": _forces,
-    "utilization": _utilization,
-    "phase": _phase,
-}
+CURVES = {"velocity": _velocity, "energy": _energy, "forces": _forces, "utilization": _utilization, "phase": _phase}

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from hophoop.animate.canvas import Points, Rectangle
 from hophoop.animate.frames import Extent, follow
+from hophoop.animate.sheet import Points, Rectangle
 from hophoop.results.poses import Floats, to_world
 
 # Margins of a view in radii: below the plane, above a hoop on it, ahead and behind.

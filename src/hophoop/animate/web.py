@@ -13,13 +13,10 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.files import replacing
-from hophoop.animate.event_marks import event_marks
-from hophoop.animate.frames import Clock, Timing, clock, extent, trace
-from hophoop.animate.look import Look3D, labels_of, nice
-from hophoop.animate.scaling import LONGEST, force_levels
-from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
+from hophoop.animate.frames import Clock, Timing, clock, event_marks, extent, trace
+from hophoop.animate.look import FORCE_LENGTH, LANE, LONGEST, TAGS, Look3D, labels_of, nice
+from hophoop.animate.sheet import shades_of
 from hophoop.animate.themes import theme_of
-from hophoop.animate.words import shades_of
 from hophoop.results.poses import Floats, load_distance, poses_of
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
@@ -93,8 +90,7 @@ def scene_data(
     for i, motion in enumerate(motions):
         hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1)), force))
         hoops[-1]["traces"] = _traces(motion, timing.start, ends[i]) if look.traces else None
-        hoops[-1]["tag"] = chr(ord("A") + i % 26) if len(motions) > 1 else ""
-    levels = force_levels(motions, shown, timing.frame_rate, force)
+        hoops[-1]["tag"] = TAGS[i % len(TAGS)] if len(motions) > 1 else ""
     return {
         "fps": timing.frame_rate,
         "count": shown.count,
@@ -105,8 +101,7 @@ def scene_data(
         "height": max(size.height for size in extents),
         "grid": nice(1.01 * radius),
         "topSpeed": top,
-        "newton": FORCE_LENGTH * radius / levels if look.forces else None,
-        "steadyNewton": FORCE_LENGTH * radius / force if look.forces else 0.0,
+        "newton": np.full(shown.count, FORCE_LENGTH * radius / force) if look.forces else None,
         "flies": any(hoop["traces"] is not None and hoop["traces"]["airborne"].any() for hoop in hoops),
         "map": np.rint(255.0 * shades_of(np.linspace(0.0, 1.0, 64), 1.0)[:, :3]).astype(int),
         "theme": {

@@ -33,7 +33,7 @@ STARTS = ("slip_start", "takeoff")  # events of the table of motions
 # names in the text: name of the file, and caption
 FILMS = {
     "hop": ("v3.1", "The hop, at 3.1 m/s. It runs slower around take-off and landing, where a ring spreads."),
-    "slow": ("v0.1", "A nudge of 0.1 m/s. The arrows are the forces of the floor; their scale, shown above, follows them."),
+    "slow": ("v0.1", "A nudge of 0.1 m/s. The arrows are the forces of the floor, to the scale shown above."),
     "faster": ("v2", "At 2 m/s it rolls as before, only faster and more evenly."),
     "slipping": ("v2.8", "At 2.8 m/s it slips twice per revolution. Watch the word at the upper left."),
     "low": ("v0.1-mu0.3", "0.1 m/s on μ = 0.3: it slips, turns back, and rocks."),
