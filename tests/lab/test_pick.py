@@ -60,7 +60,7 @@ def test_the_marker_has_the_colour_that_was_clicked(film):
     stills = [one for one, _ in sample_pictures(film, None)]
     middle = np.array([60.0, 131.0]) + 39.0 * 0.86 * np.array([np.sin(0.1), -np.cos(0.1)])
     hints = clicked({"still": 0, "rim": rim(), "marker": middle.tolist()}, stills, Hints())
-    red, green, blue = (int(hints.marker[k : k + 2], 16) for k in (1, 3, 5))
+    red, green, blue = (int(hints.marker_color[k : k + 2], 16) for k in (1, 3, 5))
     drawn = next(frames(article_like(duration=0.2), FILM))[round(middle[1]), round(middle[0])]
     assert [red, green, blue] == pytest.approx(drawn, abs=45)
     assert red > 2 * max(green, blue)

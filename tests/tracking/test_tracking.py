@@ -3,15 +3,18 @@
 import dataclasses
 import functools
 import re
+import struct
+from fractions import Fraction
 
+import av
 import numpy as np
 import pytest
 
 import hophoop as hh
-from film_maker import Film, article_like, make, project
+from film_maker import TICKS, Film, article_like, frames, make, planes, project
 from hophoop.tracking import Camera, Hints, overlay
 from hophoop.tracking.circle import Circle, fit_circle, robust_circle
-from hophoop.tracking.film import _doubts
+from hophoop.tracking.doubts import doubt_marker
 from hophoop.tracking.ground import ground_line
 from hophoop.tracking.video import pictures, sample_pictures
 
@@ -126,12 +129,12 @@ def test_the_scale_comes_from_the_radius(films):
 @pytest.mark.long
 def test_hints_are_followed(films, motion):
     path, film = films("short")
-    track = tracked(film, path, marker="red", ring="dark")
+    track = tracked(film, path, marker_color="red", ring="dark")
     assert np.nanmax(errors(track, motion, film)[0]) < 0.2
     u, v = track.pixel[5]
     pointed = tracked(film, path, centre=(u + 2, v - 2), rim=40.0, at=track.t[5])
     assert np.nanmax(errors(pointed, motion, film)[0]) < 0.2
-    bare = tracked(film, path, marker="none")
+    bare = tracked(film, path, marker_color="none")
     assert set(bare.state) == {"no marker", "lost"}
     below = tracked(film, path, ground=(0.0, 170.0, 319.0, 170.0), slope=0.1)
     assert below.slope == 0.1
@@ -139,7 +142,7 @@ def test_hints_are_followed(films, motion):
     with pytest.raises(ValueError, match="show no rim in the frame"):
         tracked(film, path, centre=(280.0, 40.0), rim=25.0)
     with pytest.raises(ValueError, match="no patch of that colour"):
-        tracked(film, path, marker="cyan")
+        tracked(film, path, marker_color="cyan")
 
 
 def test_what_was_found_is_drawn_where_it_is(films, tmp_path):
@@ -200,7 +203,7 @@ def test_a_patch_that_does_not_turn_with_the_hoop_is_doubted(tmp_path):
 )
 def test_a_marker_is_doubted_for_a_reason(turned, visible, doubt):
     x = np.linspace(0.0, 4.0, 40)
-    said = _doubts(x, np.where(np.arange(40) < visible * 40, turned * x, np.nan))
+    said = doubt_marker(x, np.where(np.arange(40) < visible * 40, turned * x, np.nan))
     assert len(said) == (doubt is not None)
     assert doubt is None or re.search(doubt, said[0])
 
@@ -244,8 +247,8 @@ def test_files_that_are_no_films(tmp_path):
     [
         ({"radius": 0.0}, "radius = 0.0 must be a number above 0"),
         ({"radius": float("nan")}, "radius = nan must be"),
-        ({"marker": "gray"}, "marker = 'gray' must be auto, none, red"),
-        ({"marker": "#888888"}, "too near to gray"),
+        ({"marker_color": "gray"}, "marker_color = 'gray' must be auto, none, red"),
+        ({"marker_color": "#888888"}, "too near to gray"),
         ({"ring": "blue"}, "ring = 'blue' must be auto, dark or light"),
         ({"centre": (1.0, 2.0)}, "rim is missing"),
         ({"ground": (1.0, 2.0)}, "ground = .* must be 4 numbers"),
@@ -349,3 +352,119 @@ def test_films_as_a_phone_takes_them(tmp_path, motion, change):
     assert np.sqrt(np.nanmean(angle**2)) < (2e-3 if coarse else 1.5e-3)
     known = angle[np.isfinite(angle)]
     assert (np.abs(known) < 3e-3).mean() > (0.9 if coarse else 0.97)
+
+
+# --- what a player does, and films whose times are wrong -------------------------------------------
+
+
+SHORT = Film(size=(320, 192), scale=130.0, origin=(60.0, 170.0), frames=36, rate=60.0, shutter=1 / 1000, marker_size=0.045)
+
+
+def encode(path, pictures, times, aspect=None, matrix=None):
+    """A film of planes at given times in ticks; with the pixel's aspect ratio, and a display matrix written into its header."""
+    with av.open(str(path), "w") as box:
+        stream = box.add_stream("libx264", rate=60)
+        stream.height, stream.width = pictures[0].shape[0] * 2 // 3, pictures[0].shape[1]
+        stream.pix_fmt, stream.options = "yuv420p", {"crf": "18", "preset": "veryfast"}
+        stream.time_base = stream.codec_context.time_base = Fraction(1, TICKS)
+        if aspect is not None:
+            stream.codec_context.sample_aspect_ratio = aspect
+        for picture, tick in zip(pictures, times, strict=True):
+            frame = av.VideoFrame.from_ndarray(picture, format="yuv420p")
+            frame.pts, frame.time_base = int(tick), Fraction(1, TICKS)
+            box.mux(stream.encode(frame))
+        box.mux(stream.encode())
+    if matrix is not None:  # nine numbers of the track's header, 48 bytes behind its first ones
+        data = bytearray(path.read_bytes())
+        at = data.index(b"tkhd") + 4 + 40
+        data[at : at + 36] = struct.pack(">9i", *matrix)
+        path.write_bytes(data)
+    return path
+
+
+@pytest.fixture(scope="module")
+def shorts(motion):
+    return [planes(picture) for picture in frames(motion, SHORT)]
+
+
+STEP = TICKS // 60
+
+
+def test_a_film_is_mirrored_and_turned_as_players_show_it(tmp_path, shorts):
+    one = 65536
+    times = np.arange(len(shorts)) * STEP
+    plain = next(pictures(encode(tmp_path / "plain.mp4", shorts, times)))
+    cases = {
+        "mirror": ((-one, 0, 0, 0, one, 0, 320 * one, 0, 1 << 30), plain.luma[:, ::-1]),
+        "turn": ((0, one, 0, -one, 0, 0, 192 * one, 0, 1 << 30), np.rot90(plain.luma, -1)),
+        "back": ((-one, 0, 0, 0, -one, 0, 320 * one, 192 * one, 1 << 30), plain.luma[::-1, ::-1]),
+    }
+    for name, (matrix, wanted) in cases.items():
+        shown = next(pictures(encode(tmp_path / f"{name}.mp4", shorts, times, matrix=matrix)))
+        np.testing.assert_array_equal(shown.luma, wanted)
+    right = hh.track(tmp_path / "plain.mp4", RADIUS)
+    mirrored = hh.track(tmp_path / "mirror.mp4", RADIUS)
+    assert mirrored.centre[:, 0] == pytest.approx(-right.centre[:, 0], abs=2e-3)
+    assert mirrored.angle == pytest.approx(-right.angle, abs=2e-2)
+
+
+def test_pixels_that_are_not_square(tmp_path, shorts):
+    film = encode(tmp_path / "wide.mp4", shorts, np.arange(len(shorts)) * STEP, aspect=Fraction(4, 3))
+    assert next(pictures(film)).size == (426, 192)
+
+
+def test_a_film_at_two_speeds_is_doubted(tmp_path, shorts):
+    steps = np.where((np.arange(len(shorts) - 1) > 11) & (np.arange(len(shorts) - 1) < 24), 4 * STEP, STEP)
+    film = encode(tmp_path / "ramp.mp4", shorts, np.concatenate([[0], np.cumsum(steps)]))
+    track = hh.track(film, RADIUS)
+    assert track.notes[0].startswith("Doubtful: the film plays at two speeds, 60 and 15 frames per second")
+    assert "--rate 60" in track.notes[0]
+    cured = hh.track(film, RADIUS, Hints(rate=60.0))
+    assert not any(note.startswith("Doubtful") for note in cured.notes)
+
+
+def test_repeated_pictures_are_doubted_and_left_out_with_the_rate(tmp_path, shorts):
+    order = [k for k in range(len(shorts)) for _ in range(2 if k % 4 == 3 else 1)][:-1]
+    film = encode(tmp_path / "repeats.mp4", [shorts[k] for k in order], np.arange(len(order)) * STEP)
+    track = hh.track(film, RADIUS)
+    assert any(re.search("Doubtful: 8 of 44 pictures repeat the one before.* about --rate 49", note) for note in track.notes)
+    cured = hh.track(film, RADIUS, Hints(rate=60.0))
+    there = np.isfinite(cured.centre[:, 0])
+    assert cured.t[there] == pytest.approx(np.unique(order)[: there.sum()] / 60.0, abs=1e-9)
+
+
+def test_pictures_that_were_cut_out_are_doubted(tmp_path, shorts):
+    kept = [picture for k, picture in enumerate(shorts) if k != 14]
+    track = hh.track(encode(tmp_path / "cut.mp4", kept, np.arange(len(kept)) * STEP), RADIUS)
+    assert any("Doubtful: the hoop leaps ahead at 0.217 s" in note and "--from or --to" in note for note in track.notes)
+    times = np.delete(np.arange(len(shorts)), 14) * STEP
+    gap = hh.track(encode(tmp_path / "gap.mp4", kept, times), RADIUS)
+    assert any("1 pictures are missing in the film" in note for note in gap.notes)
+    assert not any(note.startswith("Doubtful") for note in gap.notes)
+
+
+def test_a_window_of_a_film(tmp_path, shorts):
+    film = encode(tmp_path / "plain.mp4", shorts, np.arange(len(shorts)) * STEP)
+    whole, part = hh.track(film, RADIUS), hh.track(film, RADIUS, Hints(since=0.1, until=0.3))
+    assert part.t == pytest.approx(whole.t[6:19])
+    assert part.view.first == 6
+    assert part.angle == pytest.approx(whole.angle[6:19], abs=5e-3)
+    assert whole.between(0.1, 0.3).view.first == 6
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_rings_of_light_are_no_hoop(tmp_path, seed):
+    rng = np.random.default_rng(seed)
+    v, u = np.mgrid[0:240, 0:320]
+    waves = [(rng.uniform(-100, 420), rng.uniform(-100, 340), rng.uniform(40, 90), rng.uniform(0, 6)) for _ in range(5)]
+    water = []
+    for k in range(40):
+        light = sum(np.cos(2 * np.pi * np.hypot(u - x, v - y) / wide + phase - 0.7 * k) for x, y, wide, phase in waves)
+        grey = 110 + 25 * light + rng.normal(0, 3, light.shape)
+        water.append(planes(np.repeat(grey[..., None], 3, axis=-1).clip(0, 255)))
+    film = encode(tmp_path / "water.mp4", water, np.arange(40) * STEP)
+    try:
+        track = hh.track(film, RADIUS)
+    except ValueError:
+        return  # not found
+    assert track.notes[0].startswith("Doubtful: perhaps this is no hoop: ")

@@ -21,19 +21,21 @@ def track(
     save: Annotated[
         Path | None, typer.Option(metavar="FILE", help="The track: .json (everything) or .csv.", rich_help_panel=OUTPUT)
     ] = None,
-    film: Annotated[
+    overlay: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Film with the track drawn over it, .mp4.", rich_help_panel=OUTPUT)
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
     rate: Annotated[
         float | None, typer.Option(help="Frames per second as taken, if the file is in slow motion.", rich_help_panel=FILM)
     ] = None,
+    since: Annotated[float | None, typer.Option("--from", help="Time from which to track, s.", rich_help_panel=FILM)] = None,
+    until: Annotated[float | None, typer.Option("--to", help="Time up to which to track, s.", rich_help_panel=FILM)] = None,
     exposure: Annotated[float, typer.Option(help="Exposure time, s.", rich_help_panel=FILM)] = 0.0,
     row_delay: Annotated[float, typer.Option(help="Rolling shutter: delay from row to row, s.", rich_help_panel=FILM)] = 0.0,
     pick: Annotated[
         bool, typer.Option("--pick", help="Click on the hoop in a still, on a page.", rich_help_panel=HINTS)
     ] = False,
-    marker: Annotated[
+    marker_color: Annotated[
         str, typer.Option(help="Colour of the marker: auto, none, a name such as red, or #rrggbb.", rich_help_panel=HINTS)
     ] = "auto",
     ring: Annotated[str, typer.Option(help="auto, dark or light.", rich_help_panel=HINTS)] = "auto",
@@ -63,18 +65,19 @@ def track(
     ] = None,
     focal: Annotated[float | None, typer.Option(help="Focal length, pixels.", rich_help_panel=CAMERA)] = None,
 ) -> None:
-    """Track a hoop in a film: time, centre, angle and their uncertainties per frame, as CSV or in files."""
+    """Track a hoop in a film: time, centre, angle and their uncertainties per frame; status 1 if the track is doubtful."""
     from hophoop._support.progress import bar
-    from hophoop.cli import say
+    from hophoop.cli import NO_ANSWER, say
     from hophoop.cli._output import named_options
     from hophoop.tracking import Hints
     from hophoop.tracking import track as find
+    from hophoop.tracking.doubts import DOUBT
 
-    _check(out, save, film, video)
+    _check(out, save, overlay, video)
     tilt = _numbers("--tilt-deg", tilt_deg, 2)
     with named_options({"level": "--level-deg", "slope": "--slope-deg", "tilt": "--tilt-deg"}):
         hints = Hints(
-            marker=marker,
+            marker_color=marker_color,
             ring=ring,
             centre=_numbers("--centre", centre, 2),
             rim=rim,
@@ -85,6 +88,8 @@ def track(
             exposure=exposure,
             row_delay=row_delay,
             rate=rate,
+            since=since,
+            until=until,
             tilt=None if tilt is None else (math.radians(tilt[0]), math.radians(tilt[1])),
             focal=focal,
         )
@@ -93,19 +98,21 @@ def track(
         with bar("tracking", quiet=quiet) as progress:
             found = find(video, radius, hints, progress)
     say(f"Found in {int(found.found.sum())} of {len(found.t)} frames. " + " ".join(found.notes))
-    _write(found, video, out, save, film, quiet)
+    _write(found, video, out, save, overlay, quiet)
+    if any(note.startswith(DOUBT) for note in found.notes):
+        raise typer.Exit(NO_ANSWER)
 
 
-def _check(out: Path | None, save: Path | None, film: Path | None, video: Path) -> None:
+def _check(out: Path | None, save: Path | None, overlay: Path | None, video: Path) -> None:
     from hophoop.cli._output import check_apart, check_ending, check_folder
 
     if save is not None:
         check_ending("--save", save, (".json", ".csv"))
         check_folder("--save", save)
-    if film is not None:
-        check_ending("--film", film, (".mp4",))
-        check_folder("--film", film)
-    named = [path for path in (out, save, film) if path is not None]
+    if overlay is not None:
+        check_ending("--overlay", overlay, (".mp4",))
+        check_folder("--overlay", overlay)
+    named = [path for path in (out, save, overlay) if path is not None]
     check_apart(named)
     if any(path.absolute() == video.absolute() for path in named):
         from hophoop.scenario import InputError
@@ -113,25 +120,25 @@ def _check(out: Path | None, save: Path | None, film: Path | None, video: Path) 
         raise InputError(f"{video} is the film itself: name another file for the output.")
 
 
-def _write(found: Any, video: Path, out: Path | None, save: Path | None, film: Path | None, quiet: bool) -> None:
+def _write(found: Any, video: Path, out: Path | None, save: Path | None, overlay: Path | None, quiet: bool) -> None:
     from hophoop._support.progress import bar
     from hophoop.cli import say
-    from hophoop.tracking import overlay
+    from hophoop.tracking import overlay as draw
 
     page = None
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
         found.save(out / "track.json")
         found.save(out / "track.csv")
-        page, film = out / "index.html", film or out / "overlay.mp4"
+        page, overlay = out / "index.html", overlay or out / "overlay.mp4"
     if save is not None:
         found.save(save)
-    if film is not None:
+    if overlay is not None:
         with bar("drawing", quiet=quiet) as progress:
-            overlay(video, found, film, page, progress)
+            draw(video, found, overlay, page, progress)
     if out is not None:
         say(f"The page: {out / 'index.html'}")
-    if out is None and save is None and film is None:
+    if out is None and save is None and overlay is None:
         _print(found)
 
 

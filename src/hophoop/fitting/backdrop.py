@@ -82,14 +82,14 @@ def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[
     camera, target = view.camera, Path(film)
     size, first, start = (camera.width, camera.height), first_row(fit), 0.0
     with open_writer(target, size, EVERY) as writer:
-        for row, picture in enumerate(pictures(video, view.rate)):
+        for picture in pictures(video, view.rate):
             if picture.size != size:
                 raise InputError(f"{video} is not the film of the track, whose pictures have {size[0]} × {size[1]} pixels.")
-            if row == first:
+            if picture.row == view.first + first:
                 start = picture.t
             writer.add(rgb(picture), picture.t)
             if progress is not None:
-                progress(row + 1, max(len(fit.track.t), row + 1))
+                progress(picture.row + 1, max(len(fit.track.t), picture.row + 1))
     wide, tall = size[0] - 0.5, size[1] - 0.5
     pixels = np.array([[-0.5, -0.5], [wide, -0.5], [wide, tall], [-0.5, tall]])
     places = view.to_plane(pixels, fit.track.radius)

@@ -150,10 +150,12 @@ def overlay(
 
 def _rows(video: str | Path, track: Track) -> Iterator[tuple[int, Any]]:
     assert track.view is not None
-    for row, picture in enumerate(pictures(video, track.view.rate)):
+    for picture in pictures(video, track.view.rate):
+        row = picture.row - track.view.first
         if row >= len(track.t):
             break
-        yield row, picture
+        if row >= 0:
+            yield row, picture
 
 
 def _stills(track: Track) -> list[int]:

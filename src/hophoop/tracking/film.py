@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import RADIUS_ERROR
+from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker, doubt_times, repeated, steps_of
 from hophoop.tracking.following import Follower, Rows
 from hophoop.tracking.ground import Ground, ground_line, line_through
 from hophoop.tracking.hints import Hints
@@ -21,9 +22,7 @@ from hophoop.tracking.video import count, pictures, sample_pictures
 
 Floats = NDArray[np.float64]
 
-LEAST_TURN = 0.25  # minimum rotation of a marker per radius that the hoop goes; rolling has 1, a skid less [rad]
 SIDEWAYS = 2.0  # rise or fall of a hoop in a film that lies on its side, over the radius
-MOSTLY = 0.5  # minimum share of the frames in which a marker is visible
 LEAST_ERROR = 0.02  # minimum error of a centre, from lens and sensor [pixel]
 
 
@@ -62,18 +61,44 @@ def track(
     hints = hints or Hints()
     source = Path(video).name
     total = count(video)
-    known = learn(sample_pictures(video, hints.rate), hints, source)
+    window = (hints.rate, hints.since, hints.until)
+    known = learn(sample_pictures(video, *window), hints, source)
     follower = Follower(known.search, known.marker, hints.exposure, hints.row_delay)
-    for k, picture in enumerate(pictures(video, hints.rate)):
+    first, times, changes, before = 0, [], [], None
+    for k, picture in enumerate(pictures(video, *window)):
         if picture.size != (known.search.camera.width, known.search.camera.height):
             raise InputError(f"{source} has pictures of different sizes.")
         follower.add(picture)
+        first = picture.row - k
+        times.append(picture.t)
+        small = picture.luma[::2, ::2].astype(np.int16)
+        changes.append(np.nan if before is None else float(np.abs(small - before).mean()))
+        before = small
         if progress is not None:
             progress(k + 1, total)
-    return _track_from_rows(follower.rows, known, hints, radius, source)
+    notes = _correct_times(follower.rows, np.array(times), np.array(changes), hints.rate)
+    return _track_from_rows(follower.rows, known, hints, radius, source, first, notes)
 
 
-def _track_from_rows(rows: Rows, known: FilmSetup, hints: Hints, radius: float, source: str) -> Track:
+def _correct_times(rows: Rows, t: Floats, changes: Floats, rate: float | None) -> list[str]:
+    """Leave out repeated pictures, and count a given rate without them; return what there is to say about the times."""
+    circle, angle = np.array(rows.circle), np.array(rows.angle)
+    if np.isfinite(circle[:, 0]).sum() < 3:
+        return []
+    steps = steps_of(circle, angle)
+    again = repeated(changes, steps)
+    for k in np.flatnonzero(again):
+        rows.forget(int(k))
+    if rate is not None and again.any():
+        right = np.arange(len(t)) - np.cumsum(again) + 0.5 * again  # between the neighbours, for an increasing order
+        rows.t = (np.array(rows.t) - t + t[0] + right / rate).tolist()
+        return [f"{int(again.sum())} repeated pictures are left out."]
+    return doubt_times(t, steps, again)
+
+
+def _track_from_rows(
+    rows: Rows, known: FilmSetup, hints: Hints, radius: float, source: str, first: int, notes: list[str]
+) -> Track:
     """Convert rectified pixels to metres along and above the plane."""
     circle, covariance = np.array(rows.circle), np.array(rows.covariance)
     arrow, angle = _at_one_time(rows, circle)
@@ -113,6 +138,7 @@ def _track_from_rows(rows: Rows, known: FilmSetup, hints: Hints, radius: float, 
         camera, scale, float(origin[0]), float(origin[1]), line.angle,
         None if known.marker is None else (known.marker.blue, known.marker.red), ratio,
         hints.exposure, hints.row_delay, hints.rate, RADIUS_ERROR / size, line.height_error / scale, line.angle_error,
+        first,
     )  # fmt: skip
     given = hints.slope is not None
     others: dict[str, Any] = {
@@ -120,9 +146,12 @@ def _track_from_rows(rows: Rows, known: FilmSetup, hints: Hints, radius: float, 
         "slope": hints.slope if given else hints.level - line.angle,
         "slope_error": float("nan") if given else line.angle_error,
     }  # fmt: skip
-    doubts = () if known.marker is None else _doubts(columns["x"] / radius, columns["angle"])
-    notes = (*doubts, *_notes(rows, state, known, line, hints))
-    return track_of(np.array(rows.t), columns, state, notes=notes, **others)
+    t = np.array(rows.t)
+    tilt = (camera.tilt_x, camera.tilt_y) if known.tilted else (0.0, 0.0)
+    doubts = doubt_hoop(circle, np.array(rows.agreement), float(np.median(np.diff(t))), radius, tilt) or notes
+    if known.marker is not None:
+        doubts += doubt_marker(columns["x"] / radius, columns["angle"])
+    return track_of(t, columns, state, notes=(*doubts, *_notes(rows, state, known, line, hints)), **others)
 
 
 def _rotate_variances(covariance: Floats, turn: Floats) -> Floats:
@@ -173,22 +202,6 @@ def _marker_error(t: Floats, arrow: Floats, angle: Floats, covariance: Floats) -
     return np.where(np.isfinite(reach), np.maximum(min(scatter), least), np.nan)
 
 
-def _doubts(x: Floats, angle: Floats) -> tuple[str, ...]:
-    """Reasons to doubt that the patch taken for the marker turns with the hoop, from positions in radii and angles."""
-    there, marked = int(np.isfinite(x).sum()), np.isfinite(angle)
-    advice = "Look at the overlay, and give the marker's colour (--marker) or use --marker none."
-    if marked.any():
-        distance, turned = float(np.ptp(x[marked])), float(np.ptp(angle[marked]))
-        if distance > 1.0 and turned < LEAST_TURN * distance:
-            return (
-                f"Doubtful: the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by "
-                f"{turned:.2f} rad. {advice}",
-            )
-    if marked.sum() < MOSTLY * there:
-        return (f"Doubtful: the marker is visible in only {int(marked.sum())} of {there} frames with the hoop. {advice}",)
-    return ()
-
-
 def _notes(rows: Rows, state: list[str], known: FilmSetup, line: Ground, hints: Hints) -> tuple[str, ...]:
     notes = []
     lost, bare = state.count(LOST), state.count(UNMARKED)
@@ -202,7 +215,7 @@ def _notes(rows: Rows, state: list[str], known: FilmSetup, line: Ground, hints: 
         notes.append(f"Whole revolutions may be missing after {rows.uncertain[0]:.3f} s, where the marker comes back.")
     circle = np.array(rows.circle)
     if not line.directed and np.ptp(circle[np.isfinite(circle[:, 0]), 1]) > SIDEWAYS * np.nanmedian(circle[:, 2]):
-        notes.append("Doubtful: the hoop moves up or down the picture. Is the film sideways? Turn it, and track it again.")
+        notes.append(f"{DOUBT}the hoop moves up or down the picture. Is the film sideways? Turn it, and track it again.")
     elif not line.directed:
         notes.append("The hoop stays in one place, so the slope is unknown; the picture's rows are taken as level.")
     elif hints.ground is None:

@@ -28,11 +28,20 @@ class Rows:
     t: list[float] = field(default_factory=list)  # of the frame's first row, from the file
     circle: list[tuple[float, float, float]] = field(default_factory=list)
     covariance: list[tuple[float, float, float]] = field(default_factory=list)  # xx, xy, yy
+    agreement: list[float] = field(default_factory=list)  # share of the whole rim that is seen
     arrow: list[tuple[float, float]] = field(default_factory=list)  # from the centre to the marker, at the exposure of its row
     late: list[float] = field(default_factory=list)  # delay of that after the centre's row
     angle: list[float] = field(default_factory=list)  # of the arrow from up, clockwise, without jumps
     marker_pixel: list[tuple[float, float]] = field(default_factory=list)
     uncertain: list[float] = field(default_factory=list)  # times after which whole revolutions may be missing
+
+    def forget(self, row: int) -> None:
+        """Mark the hoop as lost in a frame."""
+        for name in ("circle", "covariance"):
+            getattr(self, name)[row] = (np.nan,) * 3
+        for name in ("arrow", "marker_pixel"):
+            getattr(self, name)[row] = (np.nan, np.nan)
+        self.angle[row] = self.agreement[row] = np.nan
 
 
 class Follower:
@@ -59,6 +68,7 @@ class Follower:
             rows.t.append(picture.t + 0.5 * self.exposure)
             rows.circle.append((np.nan, np.nan, np.nan))
             rows.covariance.append((np.nan, np.nan, np.nan))
+            rows.agreement.append(np.nan)
             self._add_without_marker()
             return
         middle = np.array([rim.circle.x, rim.circle.y])
@@ -67,6 +77,7 @@ class Follower:
         rows.t.append(t)
         rows.circle.append((rim.circle.x, rim.circle.y, rim.circle.radius))
         rows.covariance.append((rim.covariance[0, 0], rim.covariance[0, 1], rim.covariance[1, 1]))
+        rows.agreement.append(rim.share * rim.seen)
         spot = self._spot(picture, rim.circle)
         if spot is None:
             self._add_without_marker()

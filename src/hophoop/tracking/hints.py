@@ -15,7 +15,7 @@ class Hints:
 
     Parameters
     ----------
-    marker : str, default 'auto'
+    marker_color : str, default 'auto'
         Colour of the marker: a name such as 'red', '#rrggbb', or 'none'.
     ring : {'auto', 'dark', 'light'}, default 'auto'
         Whether the rim is darker or lighter than its background.
@@ -37,6 +37,8 @@ class Hints:
         Rolling shutter: delay of the exposure from row to row [s].
     rate : float, optional
         Frames per second as taken, if the file's own times are those of slow motion [Hz].
+    since, until : float, optional
+        Times between which the hoop is tracked, from the first frame of the film [s].
     tilt : tuple of float, optional
         Rotation of the plane of motion about the picture's horizontal and vertical axis; (0, 0) is straight on [rad].
     focal : float, optional
@@ -48,7 +50,7 @@ class Hints:
         If a value is not allowed.
     """
 
-    marker: str = "auto"
+    marker_color: str = "auto"
     ring: str = "auto"
     centre: tuple[float, float] | None = None
     rim: float | None = None
@@ -59,14 +61,16 @@ class Hints:
     exposure: float = 0.0
     row_delay: float = 0.0
     rate: float | None = None
+    since: float | None = None
+    until: float | None = None
     tilt: tuple[float, float] | None = None
     focal: float | None = None
 
     def __post_init__(self) -> None:
-        if self.marker not in ("auto", "none"):
+        if self.marker_color not in ("auto", "none"):
             from hophoop.tracking.marker import colour_chroma
 
-            colour_chroma(self.marker)
+            colour_chroma(self.marker_color)
         if self.ring not in ("auto", "dark", "light"):
             raise InputError.of_field("ring", self.ring, "auto, dark or light")
         if (self.centre is None) != (self.rim is None):

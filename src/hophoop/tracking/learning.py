@@ -175,14 +175,16 @@ def _common_radius(camera: Camera, before: Camera, seen: list[tuple[Picture, Hoo
 
 
 def _marker(seen: list[tuple[Picture, Circle]], camera: Camera, hints: Hints) -> Marker | None:
-    if hints.marker == "none":
+    if hints.marker_color == "none":
         return None
-    if hints.marker == "auto":
+    if hints.marker_color == "auto":
         return find_marker(seen, camera)
-    blue, red = colour_chroma(hints.marker)
+    blue, red = colour_chroma(hints.marker_color)
     found = refine_marker(Marker(blue, red, np.nan, np.nan), seen, camera)
     if np.isnan(found.area):
         raise InputError(
-            f"marker = {hints.marker!r}: no patch of that colour was seen on the hoop.", field="marker", value=hints.marker
+            f"marker_color = {hints.marker_color!r}: no patch of that colour was seen on the hoop.",
+            field="marker_color",
+            value=hints.marker_color,
         )
     return found

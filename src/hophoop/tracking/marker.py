@@ -62,11 +62,13 @@ def colour_chroma(text: str) -> tuple[float, float]:
                 raise ValueError
             r, g, b = (int(word[k : k + 2], 16) for k in (1, 3, 5))
         except ValueError:
-            raise InputError.of_field("marker", text, f"auto, none, {', '.join(NAMES)} or a colour as #rrggbb") from None
+            raise InputError.of_field("marker_color", text, f"auto, none, {', '.join(NAMES)} or a colour as #rrggbb") from None
     blue = (-37.797 * r - 74.203 * g + 112.0 * b) / 255
     red = (112.0 * r - 93.786 * g - 18.214 * b) / 255
     if np.hypot(blue, red) < LEAST_CHROMA:
-        raise InputError(f"marker = {text!r} is too near to gray to be found by its colour.", field="marker", value=text)
+        raise InputError(
+            f"marker_color = {text!r} is too near to gray to be found by its colour.", field="marker_color", value=text
+        )
     return blue, red
 
 
@@ -89,7 +91,9 @@ def _patch(picture: Picture, camera: Camera, circle: Circle) -> _Patch | None:
     if right - left < 3 or bottom - top < 3:
         return None
     cut = np.s_[top:bottom, left:right]
-    columns, rows = np.meshgrid(np.arange(left, right) * 2.0 + picture.chroma_shift, np.arange(top, bottom) * 2.0 + 0.5)
+    columns, rows = np.meshgrid(
+        np.arange(left, right) * 2.0 + picture.chroma[0], np.arange(top, bottom) * 2.0 + picture.chroma[1]
+    )
     pixels = np.stack([columns, rows], axis=-1)
     blue, red = picture.blue[cut].astype(float) - 128, picture.red[cut].astype(float) - 128
     return _Patch(blue, red, pixels, camera.to_plane(pixels))

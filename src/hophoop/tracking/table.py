@@ -52,6 +52,8 @@ class View:
         Standard deviation of the height of the plane at x = 0 [m].
     rise_error : float
         Standard deviation of the rise [rad].
+    first : int
+        Number of the film's pictures before the first frame of the track [1].
     """
 
     camera: Camera
@@ -67,6 +69,7 @@ class View:
     scale_error: float = float("nan")
     height_error: float = float("nan")
     rise_error: float = float("nan")
+    first: int = 0
 
     def to_picture(self, points: Floats, radius: float) -> Floats:
         """Project points of the plane to pixels.
@@ -222,7 +225,10 @@ class Track:
                 "are in the window; at least 3 are needed."
             )
         arrays = {name: getattr(self, name)[keep] for name in dict.fromkeys(name for name, _, _ in COLUMNS.values())}
-        return replace(self, **arrays, state=tuple(word for word, kept in zip(self.state, keep, strict=True) if kept))
+        view = self.view and replace(self.view, first=self.view.first + int(np.argmax(keep)))
+        return replace(
+            self, **arrays, view=view, state=tuple(word for word, kept in zip(self.state, keep, strict=True) if kept)
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Convert to a dictionary, nan as None.
@@ -357,7 +363,8 @@ def track_from_dict(data: Any, name: str) -> Track:
 
 
 def _view_from_dict(data: Any, name: str) -> View:
-    parts: dict[str, Any] = {key: float(value) for key, value in data.items() if key not in ("camera", "chroma")}
+    parts: dict[str, Any] = {key: float(value) for key, value in data.items() if key not in ("camera", "chroma", "first")}
+    parts["first"] = int(data.get("first", 0))
     if "chroma" in data:
         blue, red = data["chroma"]
         parts["chroma"] = (float(blue), float(red))

@@ -30,13 +30,14 @@ SMALLEST, LARGEST = 32, 16384  # side of a picture [pixel]
 
 @dataclass(frozen=True)
 class Picture:
-    """A frame: its time from the file [s], luma, and the two chroma planes at half the size."""
+    """A frame as a player shows it: time, luma, and the two chroma planes at half the size."""
 
-    t: float
+    row: int  # its number in the film, from 0
+    t: float  # from the first frame of the film [s]
     luma: Bytes
     blue: Bytes
     red: Bytes
-    chroma_shift: float  # of the chroma samples to the right [pixel]
+    chroma: tuple[float, float]  # of the first chroma sample: column and row [pixel]
 
     @property
     def size(self) -> tuple[int, int]:
@@ -44,11 +45,13 @@ class Picture:
         return self.luma.shape[1], self.luma.shape[0]
 
 
-def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
+def pictures(
+    path: str | Path, rate: float | None = None, since: float | None = None, until: float | None = None
+) -> Iterator[Picture]:
     """Yield the frames of a video in the order of display, one in memory at a time.
 
-    rate: frames per second as taken, if the file's own times are wrong, such as in slow motion [Hz]; picture: its time is the
-    file's, relative to the first frame.
+    rate: frames per second as taken, if the file's own times are wrong, such as in slow motion [Hz]; since, until: times of
+    the first and the last frame to yield, from the first frame of the film [s].
     """
     av = need("av", "track")
     file = Path(path)
@@ -57,20 +60,20 @@ def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
             raise InputError(f"{file} has no video.")
         stream = box.streams.video[0]
         stream.thread_type = "AUTO"
-        shift = 0.5 if stream.codec_context.name in CENTRED_CHROMA else 0.0
-        first = last = None
-        for k, frame in enumerate(box.decode(stream)):
-            if rate is not None:
-                t = k / rate
-            elif frame.pts is None:
+        aspect = float(stream.sample_aspect_ratio or 1.0)
+        row, first, last = 0, None, -1.0
+        for frame in box.decode(stream):
+            if rate is None and frame.pts is None:
                 raise InputError(f"{file} has no times of its frames: give the rate, in frames per second.")
-            else:
-                t = float((frame.pts - (first or 0)) * frame.time_base) if first is not None else 0.0
-                first = frame.pts if first is None else first
-                if last is not None and not t > last:
-                    continue  # a repeated frame
-            last = t
-            yield _picture(frame, t, shift, file)
+            first = frame.pts if first is None else first
+            t = float((frame.pts - first) * frame.time_base) if rate is None else row / rate
+            if not t > last:
+                continue  # a repeated frame
+            if until is not None and t > until:
+                break
+            if since is None or t >= since:
+                yield _picture(frame, row, t, aspect, stream.codec_context.name in CENTRED_CHROMA, file)
+            row, last = row + 1, t
 
 
 def _local(file: Path) -> str:
@@ -93,17 +96,24 @@ def _refusals(file: Path, av: Any) -> Iterator[None]:
         raise InputError(f"{file} cannot be read as a video: {reason}.") from None
 
 
-def _picture(frame: Any, t: float, shift: float, file: Path) -> Picture:
-    wide, tall = frame.width, frame.height
+def _picture(frame: Any, row: int, t: float, aspect: float, centred: bool, file: Path) -> Picture:
+    """Return a frame with square pixels, turned and mirrored by the display matrix of its file."""
+    wide, tall = round(frame.width * aspect / 2) * 2 if aspect != 1.0 else frame.width, frame.height
     if min(wide, tall) < SMALLEST or max(wide, tall) > LARGEST:
         raise InputError(f"{file} has pictures of {wide} × {tall} pixels; each side must be from {SMALLEST} to {LARGEST}.")
-    if frame.format.name not in ("yuv420p", "yuvj420p"):
-        frame = frame.reformat(format="yuv420p")
-    luma, blue, red = (_plane(plane) for plane in frame.planes[:3])
-    turn = round(-getattr(frame, "rotation", 0) / 90) % 4
-    if turn:  # phones write the rotation into the file instead of rotating the picture
-        luma, blue, red = (np.ascontiguousarray(np.rot90(plane, -turn)) for plane in (luma, blue, red))
-    return Picture(t, luma, blue, red, shift)
+    if frame.format.name not in ("yuv420p", "yuvj420p") or wide != frame.width:
+        frame = frame.reformat(width=wide, height=tall, format="yuv420p")
+    planes = [_plane(plane) for plane in frame.planes[:3]]
+    chroma = (0.5 if centred else 0.0, 0.5)
+    matrix = next((bytes(data) for data in frame.side_data if data.type.name == "DISPLAYMATRIX"), None)
+    if matrix is not None:
+        a, b, _, c, d = np.frombuffer(matrix, dtype=np.int32)[:5].tolist()
+        if abs(b) > abs(a):
+            planes, chroma, a, d = [plane.T for plane in planes], chroma[::-1], c, b
+        planes = [plane[:: -1 if d < 0 else 1, :: -1 if a < 0 else 1] for plane in planes]
+        chroma = (1.0 - chroma[0] if a < 0 else chroma[0], 1.0 - chroma[1] if d < 0 else chroma[1])
+    luma, blue, red = (np.ascontiguousarray(plane) for plane in planes)
+    return Picture(row, t, luma, blue, red, chroma)
 
 
 def _plane(plane: Any) -> Bytes:
@@ -136,18 +146,25 @@ class _Sample:
 
 
 def sample_pictures(
-    path: str | Path, rate: float | None, most_bytes: float = 2e8, fewest: int = 8, most: int = 16
+    path: str | Path,
+    rate: float | None,
+    since: float | None = None,
+    until: float | None = None,
+    *,
+    most_bytes: float = 2e8,
+    fewest: int = 8,
+    most: int = 16,
 ) -> list[tuple[Picture, Picture | None]]:
     """Return pictures spread evenly over a video, in memory that does not grow with its length.
 
-    rate: as in `pictures` [Hz]; most_bytes: maximum memory, unless `fewest` pictures take more [1]; fewest, most: there are
-    from `fewest` to twice `most` pictures; all if the video has fewer [1]; pictures: the first one and every n-th after it,
-    each with the next picture.
+    rate, since, until: as in `pictures`; most_bytes: maximum memory, unless `fewest` pictures take more [1]; fewest, most:
+    there are from `fewest` to twice `most` pictures; all if the video has fewer [1]; pictures: the first one and every n-th
+    after it, each with the next picture.
     """
     result: list[_Sample] = []
     stride, limit, seen = 1, 2 * most, 0
     before: _Sample | None = None
-    for picture in pictures(path, rate):
+    for picture in pictures(path, rate, since, until):
         if not result:
             limit = 2 * max(fewest, min(most, int(most_bytes / (6 * picture.luma.nbytes))))
         if before is not None:
@@ -159,7 +176,8 @@ def sample_pictures(
             result.append(before)
         seen += 1
     if seen < 3:
-        raise InputError(f"{path} has {seen} frame{'s' if seen != 1 else ''}; tracking needs at least 3.")
+        window = " from --from to --to" if since is not None or until is not None else ""
+        raise InputError(f"{path} has {seen} frame{'s' if seen != 1 else ''}{window}; tracking needs at least 3.")
     return [(one.picture, one.following) for one in result]
 
 

@@ -93,7 +93,7 @@ def test_clicks_are_hints(asked, dark):
     assert hints.rim == pytest.approx(RIM, abs=0.7)
     assert hints.at == 0.0
     assert hints.ground == pytest.approx((10, 170, 310, 170), abs=0.6)
-    assert int(hints.marker[1:3], 16) > 2 * int(hints.marker[3:5], 16)
+    assert int(hints.marker_color[1:3], 16) > 2 * int(hints.marker_color[3:5], 16)
 
 
 def test_another_frame_and_clicks_taken_back(asked):

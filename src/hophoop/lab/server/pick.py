@@ -131,7 +131,7 @@ def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
         raise InputError("The points on the rim do not lie on a circle.")
     values: dict[str, Any] = {"centre": (x, y), "rim": radius, "at": still.t}
     if spot is not None:
-        values["marker"] = colour_at(rgb(still), spot[0], spot[1])
+        values["marker_color"] = colour_at(rgb(still), spot[0], spot[1])
     if len(ground) == 2:
         values["ground"] = (ground[0, 0], ground[0, 1], ground[1, 0], ground[1, 1])
     return replace(hints, **values)

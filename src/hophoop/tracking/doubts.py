@@ -1,0 +1,134 @@
+"""Reasons to doubt a track: a hoop that is none, a marker that does not turn with it, a film whose times are wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+LEAST_TURN = 0.25  # minimum rotation of a marker per radius that the hoop goes; rolling has 1, a skid less [rad]
+MOSTLY = 0.5  # minimum share of the frames in which a marker is visible, and of a rim that is seen in half of the frames
+UNSTEADY = 0.005  # change of the step between frames above which a hoop may be none, over the radius
+STEEP = 15.0  # tilt of the plane of motion that is unusual [degrees]
+FAST = 10.0  # speed that is unusual, over the root of gravity times radius
+GRAVITY = 9.81  # [m/s²]
+CHANGED = 1.7  # ratio of times or steps between frames that is no scatter
+STILL = 0.3  # change of a repeated picture over the usual change
+MOVES = 1.0  # step between frames that is seen [pixel]
+DOUBLE = 1.5  # ratio of the step after a repeated picture to a usual one, if the film has lost a picture there
+FEWEST = 3  # repeated pictures that are no accident
+DOUBT = "Doubtful: "
+
+
+def doubt_hoop(circle: Floats, agreement: Floats, step: float, radius: float, tilt: tuple[float, float]) -> list[str]:
+    """Doubt that the circles are those of a hoop.
+
+    circle: shape (n, 3), centres and radii, nan where lost [pixel]; agreement: shape (n,), share of the rim that is seen [1];
+    step: usual time between frames [s]; radius: of the hoop [m]; tilt: of the plane of motion, found in the film [rad].
+    """
+    there = np.isfinite(circle[:, 0])
+    size = np.median(circle[there, 2])
+    steps = np.diff(circle[:, :2], axis=0) / size
+    ways, changes = np.hypot(*steps.T), np.hypot(*np.diff(steps, axis=0).T)
+    said = []
+    seen = float(np.median(agreement[there]))
+    if seen < MOSTLY:
+        said.append(f"only {100 * seen:.0f} % of a rim are seen in half of the frames")
+    if np.isfinite(changes).any() and np.nanmedian(changes) > max(UNSTEADY, 0.5 * np.nanmedian(ways)):
+        said.append("the circle jumps back and forth")
+    if np.isfinite(ways).any():
+        speed = float(np.nanquantile(ways, 0.9)) * radius / step
+        if speed > FAST * np.sqrt(GRAVITY * radius):
+            said.append(f"it moves at {speed:.0f} m/s")
+    if said and max(map(abs, tilt)) > np.radians(STEEP):
+        said.append(f"its plane is tilted by {np.degrees(max(map(abs, tilt))):.0f}°")
+    if not said:
+        return []
+    return [f"{DOUBT}perhaps this is no hoop: {', and '.join(said)}. Look at the overlay, and show the hoop by --pick."]
+
+
+def doubt_marker(x: Floats, angle: Floats) -> list[str]:
+    """Doubt that the patch taken for the marker turns with the hoop, from positions in radii and angles."""
+    there, marked = int(np.isfinite(x).sum()), np.isfinite(angle)
+    advice = "Look at the overlay, and give the marker's colour (--marker-color) or use --marker-color none."
+    if marked.any():
+        distance, turned = float(np.ptp(x[marked])), float(np.ptp(angle[marked]))
+        if distance > 1.0 and turned < LEAST_TURN * distance:
+            return [
+                f"{DOUBT}the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by "
+                f"{turned:.2f} rad. {advice}"
+            ]
+    if marked.sum() < MOSTLY * there:
+        return [f"{DOUBT}the marker is visible in only {int(marked.sum())} of {there} frames with the hoop. {advice}"]
+    return []
+
+
+def steps_of(circle: Floats, angle: Floats) -> Floats:
+    """Distance that the rim goes from one frame to the next, shape (n − 1,), nan where it is lost [pixel]."""
+    turned = np.nan_to_num(np.diff(angle)) * np.nanmedian(circle[:, 2])
+    steps: Floats = np.hypot(np.hypot(*np.diff(circle[:, :2], axis=0).T), turned)
+    return steps
+
+
+def repeated(changes: Floats, steps: Floats) -> Flags:
+    """Return True for each picture that repeats the one before while the hoop moves.
+
+    changes: shape (n,), mean change of luma from the picture before [1]; steps: shape (n − 1,), as `steps_of` returns them.
+    """
+    padded = np.pad(steps, 2)
+    before, after = np.fmax(padded[:-4], padded[1:-3]), np.fmax(padded[3:-1], padded[4:])
+    still = (changes[1:] < STILL * np.nanmedian(changes)) & (steps < 0.3 * MOVES)
+    return np.concatenate([[False], still & (np.minimum(before, after) > MOVES)])
+
+
+def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
+    """Doubt the times of a film: two speeds, repeated pictures and dropped ones.
+
+    t: shape (n,), times of the pictures [s]; steps: as `steps_of` returns them; again: as `repeated` returns it.
+    """
+    waits = np.diff(t)
+    if len(waits) < 12:
+        return []
+    usual = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(waits, 2, mode="edge"), 5), axis=1)
+    slow = usual > np.sqrt(usual.min() * usual.max())
+    if usual.max() > CHANGED * usual.min():
+        change = t[int(np.flatnonzero(slow != slow[0])[0])]
+        fast = f"{1 / usual.min():.0f}"
+        return [
+            f"{DOUBT}the film plays at two speeds, {fast} and {1 / usual.max():.0f} frames per second, "
+            f"which change at {change:.3f} s. "
+            f"If it was taken at one rate, give that, such as --rate {fast}; otherwise keep to one part by --from and --to."
+        ]
+    said = []
+    count, freezes = int(again.sum()), _double_after(steps, again)
+    if count >= FEWEST and not freezes:
+        rate = (len(t) - 1 - count) / (t[-1] - t[0])
+        said.append(
+            f"{DOUBT}{count} of {len(t)} pictures repeat the one before, the first at {t[int(again.argmax())]:.3f} s: the film "
+            f"was converted to another rate. Give the rate at which it was taken, about --rate {rate:.0f}."
+        )
+    elif again.any():
+        said.append(f"{count} pictures that repeat the one before are left out.")
+    gaps = waits > CHANGED * usual
+    if gaps.any():
+        missing, after = int(np.round(waits[gaps] / usual[gaps] - 1).sum()), t[int(gaps.argmax())]
+        said.append(f"{missing} pictures are missing in the film, the first after {after:.3f} s; its times allow for that.")
+    speeds = steps / waits
+    beside = np.maximum(speeds[:-2], speeds[2:])
+    leaps = (speeds[1:-1] > CHANGED * beside) & (np.minimum(steps[:-2], steps[2:]) > MOVES) & ~again[1:-2] & ~gaps[1:-1]
+    if leaps.any():
+        at = t[int(leaps.argmax()) + 1]
+        said.append(
+            f"{DOUBT}the hoop leaps ahead at {at:.3f} s: pictures were cut out of the film, and its times lack them. "
+            "Keep to one side by --from or --to."
+        )
+    return said
+
+
+def _double_after(steps: Floats, again: Flags) -> bool:
+    """Return True if the step after a repeated picture is double: the camera lost one, and the times are right."""
+    rows = np.flatnonzero(again)
+    rows = rows[(rows >= 2) & (rows < len(steps))]
+    return bool(len(rows)) and bool(np.nanmedian(steps[rows] / np.maximum(steps[rows - 2], 1e-9)) > DOUBLE)
