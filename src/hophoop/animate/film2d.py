@@ -55,7 +55,8 @@ class _Actor:
     def dress(self, label: str, tag: str, alpha: float) -> None:
         """Make the artists."""
         self.label, self.tag, self.alpha = label, tag, alpha
-        lines, patches, transforms = (need(f"matplotlib.{name}", "plots") for name in ("lines", "patches", "transforms"))
+        lines, patches = need("matplotlib.lines", "plots"), need("matplotlib.patches", "plots")
+        transforms = need("matplotlib.transforms", "plots")
         collections = need("matplotlib.collections", "plots")
         theme, view, hoop, unit = self.theme, self.view, self.motion.scenario.hoop, self.sheet.unit
         world, self.here = transforms.Affine2D(), transforms.Affine2D()
