@@ -273,7 +273,8 @@ class Fit:
             said.append(
                 f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than the errors of the data."
             )
-        said.append(f"Sequence {sequence}: {100 * self.shares.get(sequence, 0.0):.0f} % of the posterior has it.")
+        of = "the motions within the uncertainties have" if self.posterior is None else "the posterior has"
+        said.append(f"Sequence {sequence}: {100 * self.shares.get(sequence, 0.0):.0f} % of {of} it.")
         if len(self.shares) > 1:
             others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(self.shares.items())[:4])
             said[-1] = said[-1].rstrip(".") + f" ({others})."
