@@ -10,8 +10,7 @@ from hophoop import maps
 from hophoop.maps.boundaries.classes import Classifier, make_window
 from hophoop.maps.boundaries.following import follow
 from hophoop.plots.maps import motion_map
-from hophoop.vocabulary.colors import CODES, class_color
-from hophoop.vocabulary.names import WORDS
+from hophoop.vocabulary.colors import CODES, MODES, class_color
 
 WINDOW = {"plane.mu": (0.05, 2.0), "start.speed": (0.05, 5.0)}
 
@@ -200,5 +199,5 @@ def test_bad_pictures(dataset):
 def test_no_class_has_the_colour_of_a_mode():
     names = ["R", "RK", "RS", "RKR", "RSR", "RKS", "RSK", "H", "RH", "RSH", "RKRSH", "RKRSRKH", "MR", "RMR", "MKR", "RMKR"]
     paint = np.array([[int(class_color(name)[i : i + 2], 16) for i in (1, 3, 5)] for name in names])
-    modes = np.array([[int(facts.color[i : i + 2], 16) for i in (1, 3, 5)] for facts in WORDS.values()])
+    modes = np.array([[int(color[i : i + 2], 16) for i in (1, 3, 5)] for color in MODES.values()])
     assert np.abs(paint[:, None] - modes[None]).sum(axis=2).min() > 60
