@@ -244,7 +244,7 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
     chi_square = float((residuals**2).sum())
     degrees_of_freedom = problem.count - len(solution.free)
     worse = chi_square / max(degrees_of_freedom, 1)
-    mistakes = likely_mistakes(problem.runs[0]) if worse > WORST else []
+    mistakes = likely_mistakes(problem.runs[0], tracks[0]) if worse > WORST else []
     if worse > HOPELESS:
         notes = mistakes or [NO_MISTAKE]
     else:

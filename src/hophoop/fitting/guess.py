@@ -189,17 +189,18 @@ class Candidate(NamedTuple):
     cost: float
 
 
-def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0) -> list[Candidate]:
+def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0, draws: int = DRAWS) -> list[Candidate]:
     """Return the best motions of each sequence, of many drawn around a guess.
 
     The sum of squares has a basin for each sequence, and descent from one basin does not lead into another.
 
-    first: the guess; free: parameters that may differ from it; seed: seed of the draws [1]; candidates: the best first.
+    first: the guess; free: parameters that may differ from it; seed, draws: seed and number of the draws [1];
+    candidates: the best first.
     """
     rng = np.random.default_rng(seed)
     measured = {channel.name for channel in run.channels}
     found: list[Candidate] = []
-    for k in range(DRAWS):
+    for k in range(draws):
         values = dict(first)
         if k:
             drawn = {name: float(rng.uniform(*ends)) for name, ends in SPREADS.items() if name in free}

@@ -2,24 +2,34 @@
 
 from __future__ import annotations
 
-from itertools import groupby
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.guess import LEAST, SLIPS, Rates, rates_of
-from hophoop.fitting.problem import Run
+from hophoop.fitting.channels import Channel
+from hophoop.fitting.guess import SLIPS, candidates, guess, rates_of, start_kind
+from hophoop.fitting.problem import Run, defaults, problem_of
+from hophoop.fitting.solving import minimize, parameters
+from hophoop.tracking import Track
 
 Floats = NDArray[np.float64]
 
 FAR_OFF = 8.0  # factor by which lengths or gravity are off that no loss of energy explains
 LEAST_RISE = 0.02  # of the centre, over the radius, that is a hop
-LEAST_SWING = 0.1  # of the angular velocity over a revolution, over its mean
-ASIDE = 60.0  # angle between fastest rotation and the bottom that is no effect of slip [degrees]
-LEAST_ARC = 1.5  # of rolling, for an estimate of gravity [rad]
+TIMES = (1 / 1000, 1 / 8, 1 / 4, 1 / 2, 5 / 6, 6 / 5, 2.0, 4.0, 8.0)  # usual factors of times
+DRAWS = 24  # motions of a trial
+POLISHED, STARTED, CALLS = 4, 2, 40  # trials that are minimized, starts of each, and calls of the motion
+GOOD = 4.0  # cost over the number of data of a motion that fits after so few calls
+FAR = 3.0  # times the cost of the best, of each other
+WORSE = 20.0  # times the cost of a window, of the whole record
+LONGEST = 30.0  # motion that is tried [s]
+PARTS = 20  # of the record, for its window
+SHORTEST = 40  # frames of a cut window
 
 
-def likely_mistakes(problem: Run) -> list[str]:
+def likely_mistakes(problem: Run, track: Track) -> list[str]:
     """Ask about usual mistakes. Every hoop has x ≈ R θ, hops upwards and is fastest with its load at the bottom.
 
     questions: at most one sentence; empty if nothing is conspicuous.
@@ -33,7 +43,7 @@ def likely_mistakes(problem: Run) -> list[str]:
         return ["The centre jumps down and not up: does y count downwards, or is the film upside down? y is the height."]
     place = np.interp(angle.t, x.t, x.value)
     ratio = float(np.polyfit(angle.value, place, 1)[0]) / problem.radius if np.ptp(angle.value) else np.inf
-    return _of_units(ratio) or _of_the_angle(angle, ratio) or _of_gravity(problem, x, angle)
+    return _of_units(ratio) or _of_the_angle(ratio) or _cured(problem, track)
 
 
 def _hops_down(height: Floats, problem: Run) -> bool:
@@ -58,44 +68,106 @@ def _of_units(ratio: float) -> list[str]:
     return []
 
 
-def _of_the_angle(angle: Rates, ratio: float) -> list[str]:
-    """Ask about the direction and the zero of the angle."""
+def _of_the_angle(ratio: float) -> list[str]:
+    """Ask about the direction of the angle."""
     if ratio < 0:
         return ["x grows while the angle falls: the angle counts clockwise if x counts to the right. Does yours?"]
-    design = np.column_stack([np.ones_like(angle.t), np.cos(angle.value), np.sin(angle.value)])
-    mean, cosine, sine = np.linalg.lstsq(design, angle.rate, rcond=None)[0] * np.sign(np.median(angle.rate))
-    fastest = float(np.degrees(np.arctan2(sine, cosine))) % 360.0
-    if np.hypot(cosine, sine) > LEAST_SWING * abs(mean) and abs(fastest - 180.0) > ASIDE:
-        return [
-            f"The hoop turns fastest at about {10 * round(fastest / 10)}°, but it should at 180°, with the load at the bottom: "
-            "is your angle zero with the load at the top? A known difference is --fix marker_angle=…, in rad."
-        ]
     return []
 
 
-def _of_gravity(problem: Run, x: Rates, angle: Rates) -> list[str]:
-    """Ask about time and the radius, from the energy while the hoop rolls: θ̇² (1 + γ cosθ) + γ g/R cosθ is constant."""
-    slip = np.interp(angle.t, x.t, x.rate) - problem.radius * angle.rate
-    error = np.hypot(np.interp(angle.t, x.t, x.error), problem.radius * angle.error)
-    rolls = np.abs(slip) < SLIPS * error + 0.03 * np.abs(problem.radius * angle.rate)
-    pieces = [[k for k, _ in group] for rolling, group in groupby(enumerate(rolls), key=lambda pair: pair[1]) if rolling]
-    pieces = [piece for piece in pieces if len(piece) > LEAST]
-    if sum(np.ptp(angle.value[piece]) for piece in pieces) < LEAST_ARC:
-        return []
-    rows, square = np.concatenate(pieces), angle.rate**2
-    own = np.concatenate([np.full(len(piece), k) for k, piece in enumerate(pieces)])
-    cosine = np.cos(angle.value[rows])
-    design = np.column_stack([square[rows] * cosine, cosine, *(np.where(own == k, -1.0, 0.0) for k in range(len(pieces)))])
-    gamma, sinking = np.linalg.lstsq(design, -square[rows], rcond=None)[0][:2]
-    if not (0.02 < gamma < 1.0 and sinking > 0):
-        return []
-    found, known = float(sinking / gamma) * problem.radius, problem.plane.gravity
-    said = f"Gravity in the data is about {float(f'{found:.1g}'):g} m/s², not {known:g}:"
-    if found < known / FAR_OFF:
-        return [
-            f"{said} is the film in slow motion? Give the frames per second as taken, hophoop track --rate 240, "
-            "or correct the times."
-        ]
-    if found > known * FAR_OFF:
-        return [f"{said} is the radius in m, and are times in s?"]
-    return []
+def _run_with(run: Run, time: float = 1.0, length: float = 1.0, radius: float = 1.0, zero: float = 0.0) -> Run:
+    """Return a run with other times, lengths, radius [factors] and another zero of the angle [rad]."""
+
+    def channel(one: Channel) -> Channel:
+        if one.name == "angle":
+            return one._replace(values=one.values - zero)
+        return one._replace(values=length * one.values, errors=length * one.errors)
+
+    channels = tuple(channel(one) for one in run.channels)
+    return replace(run, t=time * run.t, channels=channels, radius=radius * run.radius)
+
+
+def _cut(run: Run, first: int, last: int) -> Run:
+    """Return the run from one frame to before another."""
+    channels = []
+    for one in run.channels:
+        kept = (one.rows >= first) & (one.rows < last)
+        channels.append(one._replace(rows=one.rows[kept] - first, values=one.values[kept], errors=one.errors[kept]))
+    rows = None if run.rows is None else run.rows[first:last]
+    return replace(run, t=run.t[first:last] - run.t[first], channels=tuple(channels), rows=rows)
+
+
+class Trial(NamedTuple):
+    """A run without one mistake."""
+
+    question: str
+    run: Run
+    extra: str = ""  # a parameter that is free in addition
+
+
+def _trials(run: Run) -> list[Trial]:
+    """Return the run without each usual mistake; the first is the run as it is."""
+    slow = (
+        "With times {:g} times as long the motion fits: is the film in slow motion? Give the frames per second as taken, "
+        "hophoop track --rate 240, or correct the times."
+    )
+    fast = "With times {:g} times as long the motion fits: are frames per second (--rate) and times right, in s?"
+    top = "With another zero of the angle the motion fits: is your angle zero with the load at the top? "
+    top += "A known difference is --fix marker_angle=…, in rad."
+    radius = "With a radius of {:.3g} m the motion fits: is the radius in m, and no diameter?"
+    found = [Trial("", run)]
+    found += [Trial((slow if one < 1.0 else fast).format(one), _run_with(run, time=one)) for one in TIMES]
+    found += [Trial(radius.format(one * run.radius), _run_with(run, radius=one)) for one in (0.5, 2.0)]
+    found += [Trial(radius.format(one * run.radius), _run_with(run, length=one, radius=one)) for one in (0.01, 0.001)]
+    found += [Trial(top, _run_with(run, zero=one), "marker_angle") for one in np.radians(range(45, 360, 45))]
+    found += [Trial("With other lengths the motion fits: is the scale of lengths right?", run, "scale")]
+    return found
+
+
+def _cost(trial: Trial, track: Track, polish: bool) -> float:
+    """Return the cost of the best motion over the number of data, about 1 where a motion fits."""
+    if trial.run.t[-1] > LONGEST:
+        return np.inf
+    run = replace(trial.run, start=start_kind(trial.run), priors={})
+    values, free = defaults(run, track)
+    starts = candidates(run, guess(run, values), free, draws=DRAWS)
+    if not starts:
+        return np.inf
+    if not polish:
+        return starts[0].cost / run.count
+    problem, names = problem_of([run]), sorted(free | {trial.extra} - {""})
+    lowest = (minimize(problem, parameters(one.values, names), True, CALLS).cost for one in starts[:STARTED])
+    return min(lowest) / run.count
+
+
+def _costs(trials: list[Trial], track: Track) -> list[tuple[float, Trial]]:
+    """Return the costs of the trials that are the best by drawn motions, the best first."""
+    order = sorted(trials, key=lambda trial: _cost(trial, track, polish=False))[:POLISHED]
+    return sorted(((_cost(trial, track, polish=True), trial) for trial in order), key=lambda pair: pair[0])
+
+
+def _cured(run: Run, track: Track) -> list[str]:
+    """Ask about the mistake without which a motion fits far better than without each other; else about the window."""
+    costs = _costs(_trials(run), track)
+    best, trial = costs[0]
+    others = [cost for cost, other in costs if other.question != trial.question]
+    if best < GOOD:
+        return [trial.question] if trial.question and min(others, default=np.inf) > FAR * best else []
+    windows = [trial for cost, trial in _costs(_windows(run, float(track.t[0])), track) if cost < min(GOOD, best / WORSE)]
+    return [max(windows, key=lambda trial: len(trial.run.t)).question] if windows else []
+
+
+def _windows(run: Run, begin: float) -> list[Trial]:
+    """Return the run without some of its first, or of its last, part; `begin` is the time of its first frame [s]."""
+    found: list[Trial] = []
+    step = 0.1 * np.ceil(run.t[-1] / PARTS / 0.1)
+    for time in np.arange(step, run.t[-1], step):
+        k = int(np.searchsorted(run.t, time - 1e-9))
+        first, last = f"--from {begin + run.t[k]:.3g}", f"--to {begin + run.t[k]:.3g}"
+        if 2 * k < len(run.t) and len(run.t) - k > SHORTEST:
+            said = "The first part is no free motion (a hand?), but the rest fits one"
+            found.append(Trial(f"{said}: give {first}.", _cut(run, k, len(run.t))))
+        if 2 * k > len(run.t) and k > SHORTEST:
+            said = "The last part is no free motion (a hand, a wall?), but the rest fits one"
+            found.append(Trial(f"{said}: give {last}.", _cut(run, 0, k)))
+    return found
