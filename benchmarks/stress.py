@@ -77,7 +77,7 @@ def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
         **{name: plane[name] for name in ("gravity", "mu_static", "mu_kinetic", "restitution")},
         "slope": sign * plane["slope"],
         "law": int(ImpactLaw[plane["impact_law"].upper()]),
-        "strike": plane["painleve"] == "impact",
+        "painleve_impact": plane["painleve"] == "impact",
         "x": 0.0,
         "height": start.get("height", 0.0),
         "angle": sign * start["angle"],
