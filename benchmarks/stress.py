@@ -183,7 +183,7 @@ def evaluate(cells, mirrors, kinds, worst, doubts):
             kinds[i, events[k]["kind"]] += 1
         if pieces > 0:
             measure(body_of(cell), events, count, segments, pieces, out, times, worst[i])
-        mirror = mirrors[i].reshape(-1, 1)
+        mirror = mirrors[i]
         again, number, _ = one_motion(mirror, other, segments, scratch)
         differs = 0.0
         if again != status or number != count:

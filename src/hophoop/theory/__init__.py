@@ -13,6 +13,7 @@ from hophoop.theory.critical import (
     immediate_hop_speed,
     slip_angle,
 )
+from hophoop.theory.decay import SlipDecay, slip_decay
 from hophoop.theory.massless import ContactLoss, massless_loss
 from hophoop.theory.painleve import (
     JamState,
@@ -39,7 +40,6 @@ from hophoop.theory.rolling import (
     rolling_speed,
     rolling_time,
 )
-from hophoop.theory.slip_decay import SlipDecay, slip_decay
 from hophoop.theory.summary import Quantity, summary
 
 __all__ = [

@@ -110,7 +110,7 @@ def slip_decay(hoop: Hoop, plane: Plane = Plane()) -> SlipDecay:
     omega = math.sqrt((inertia_at_height(body, 2.0) * squared + 4.0 * body.eps * body.gn) / bottom)
     rate = lost * bottom * omega / (energy_rate * energy_rate)
     unit = Units.of_scenario(scenario).of("omega")
-    return SlipDecay(omega * unit, rate / unit)
+    return SlipDecay(omega * unit, float(rate / unit))
 
 
 def _curvature(body: Body, angle: float, side: float) -> float:
