@@ -30,10 +30,7 @@ SHORTEST = 40  # frames of a cut window
 
 
 def likely_mistakes(problem: Run, track: Track) -> list[str]:
-    """Ask about usual mistakes. Every hoop has x ≈ R θ, hops upwards and is fastest with its load at the bottom.
-
-    questions: at most one sentence; empty if nothing is conspicuous.
-    """
+    """Ask about the usual mistake that x ≈ R θ or a hop shows, or without which a motion fits; at most one sentence."""
     x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
     if x is None or angle is None:
         return []
@@ -108,19 +105,19 @@ class Trial(NamedTuple):
 def _trials(run: Run) -> list[Trial]:
     """Return the run without each usual mistake; the first is the run as it is."""
     slow = (
-        "With times {:g} times as long the motion fits: is the film in slow motion? Give the frames per second as taken, "
+        "If times are multiplied by {:g}, a motion fits: is the film in slow motion? Give the frames per second as taken, "
         "hophoop track --rate 240, or correct the times."
     )
-    fast = "With times {:g} times as long the motion fits: are frames per second (--rate) and times right, in s?"
-    top = "With another zero of the angle the motion fits: is your angle zero with the load at the top? "
+    fast = "If times are multiplied by {:g}, a motion fits: are frames per second (--rate) and times right, in s?"
+    top = "With another zero of the angle a motion fits: is your angle zero with the load at the top? "
     top += "A known difference is --fix marker_angle=…, in rad."
-    radius = "With a radius of {:.3g} m the motion fits: is the radius in m, and no diameter?"
+    radius = "With a radius of {:.3g} m a motion fits: is the radius in m, and no diameter?"
     found = [Trial("", run)]
     found += [Trial((slow if one < 1.0 else fast).format(one), _run_with(run, time=one)) for one in TIMES]
     found += [Trial(radius.format(one * run.radius), _run_with(run, radius=one)) for one in (0.5, 2.0)]
     found += [Trial(radius.format(one * run.radius), _run_with(run, length=one, radius=one)) for one in (0.01, 0.001)]
     found += [Trial(top, _run_with(run, zero=one), "marker_angle") for one in np.radians(range(45, 360, 45))]
-    found += [Trial("With other lengths the motion fits: is the scale of lengths right?", run, "scale")]
+    found += [Trial("With other lengths a motion fits: is the scale of lengths right?", run, "scale")]
     return found
 
 
