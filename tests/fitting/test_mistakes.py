@@ -93,6 +93,13 @@ def test_the_right_mistake_is_named_or_none(track, mistake, question):
     assert not found or (question and question in found[0])
 
 
+def test_an_angular_velocity_is_corrected_as_the_times_are():
+    track = stretched(TRACKS[0], time=8.0)
+    omega = np.gradient(track.angle, track.t)
+    (found,) = asked(replace(track, omega=omega, omega_error=np.full(len(omega), 0.05)))
+    assert "is the film in slow motion" in found
+
+
 def test_a_hoop_that_was_held_first():
     track, rest = TRACKS[0], 72
     before = np.zeros(rest, int)

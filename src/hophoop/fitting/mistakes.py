@@ -78,6 +78,8 @@ def _run_with(run: Run, time: float = 1.0, length: float = 1.0, radius: float = 
     def channel(one: Channel) -> Channel:
         if one.name == "angle":
             return one._replace(values=one.values - zero)
+        if one.name == "omega":
+            return one._replace(values=one.values / time, errors=one.errors / time)
         return one._replace(values=length * one.values, errors=length * one.errors)
 
     channels = tuple(channel(one) for one in run.channels)
