@@ -1,4 +1,4 @@
-"""The rules of the house, kept by machine: lint, types, layers, imports, extras, docstrings, citations."""
+"""The rules of the house that no linter knows: imports, extras, docstrings, citations."""
 
 import ast
 import functools
@@ -35,25 +35,6 @@ def run(*command):
 
 def python(code):
     return run(sys.executable, "-c", code)
-
-
-# Tools
-
-
-def test_ruff_finds_nothing():
-    run(sys.executable, "-m", "ruff", "check", ".")
-
-
-def test_the_code_is_formatted():
-    run(sys.executable, "-m", "ruff", "format", "--check", ".")
-
-
-def test_types_hold():
-    run(sys.executable, "-m", "mypy")
-
-
-def test_dependencies_run_one_way():
-    run(sys.executable, "-c", "from importlinter.cli import lint_imports_command as lint; lint()")
 
 
 def test_only_collecting_tests_leaves_cycles_where_they_are():

@@ -15,6 +15,7 @@ const PART = /-[A-Z0-9]{8}\.js$/; // what several scripts share, or what comes l
 
 const common = {
   absWorkingDir: web,
+  preserveSymlinks: true, // the names of parts depend on the paths of what is in them
   bundle: true,
   minify: true,
   lineLimit: 4000,
