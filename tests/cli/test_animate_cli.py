@@ -73,7 +73,7 @@ def test_comparisons(hop, tmp_path):
         (["--out", "a.mp4", "--size", "wide"], "--size = wide must be a width and a height"),
         (["--out", "a.mp4", "--size", "321x181"], "must be even numbers"),
         (["--out", "a.mp4", "--slow-at", "hop"], "--slow-at = 'hop' is not a time or one of"),
-        (["--out", "a.mp4", "--vary", "plane.mu"], "--vary plane.mu must be a path and values"),
+        (["--out", "a.mp4", "--vary", "plane.mu"], "--vary = 'plane.mu' must be a path and values"),
         (["--out", "a.mp4", "--3d", "--overlay"], "cannot be given together with --3d"),
         (["--out", "a.mp4", "--theme", "blue"], "--theme = 'blue' must be one of"),
         (["--out", "a.mp4", "--to", "9"], "--to = 9.0 must be from the start at 0.0 s to"),

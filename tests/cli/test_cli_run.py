@@ -53,24 +53,19 @@ def test_numbers_keep_every_bit():
     assert [event["angle"] for event in events] == [event.angle for event in hop().events]
 
 
-def test_json_into_a_file_leaves_the_table(tmp_path):
+def test_the_same_json_into_a_file_leaves_the_table(tmp_path):
     path = tmp_path / "result.json"
-    done = run("run", *HOP, "--json", path)
+    done = run("run", *HOP, "--out", path)
     assert done.exit_code == 0
     assert json.loads(path.read_text(encoding="utf-8")) == hop().to_dict()
     assert "takeoff" in done.stdout
     assert "RKRSHR" in done.stdout
 
 
-def test_json_never_writes_over_the_scenario(scenario, tmp_path):
+def test_json_never_writes_over_the_scenario(scenario):
     before = scenario.read_text(encoding="utf-8")
-    # what follows --json would be its file, were it not the only scenario around
-    done = run("run", "--json", scenario)
-    assert json.loads(done.stdout)["sequence"] == "RKRSHR"
-    same = tmp_path / "same.json"
-    same.write_text(json.dumps(hh.Scenario.load(scenario).to_dict()), encoding="utf-8")
-    assert json.loads(run("run", "--json", same).stdout)["sequence"] == "RKRSHR"
-    refused = run("run", scenario, "--json", scenario)
+    assert json.loads(run("run", "--json", scenario).stdout)["sequence"] == "RKRSHR"
+    refused = run("run", scenario, "--out", scenario)
     assert refused.exit_code == 2
     assert "is the scenario itself" in refused.stderr
     assert scenario.read_text(encoding="utf-8") == before
@@ -223,16 +218,16 @@ def test_a_folder_is_not_replaced(tmp_path):
         (["--mu", "nan"], "plane.mu = nan"),
         (["--slope", "0.1", "--slope-deg", "3"], "--slope-deg cannot be given together with --slope"),
         (["--set", "plane.colour=1"], "colour"),
-        (["--set", "plane.mu"], "--set plane.mu must be a path and a value"),
+        (["--set", "plane.mu"], "--set = 'plane.mu' must be a path and a value"),
         (["nowhere.toml"], "nowhere.toml: No such file or directory"),
         (["--plot", "picture.xyz"], "--plot = picture.xyz must end in"),
         (["--save", "motion.txt"], "--save = motion.txt must end in"),
         (["--save", "gone/hop.nc"], "--save = gone/hop.nc must be in an existing folder; gone does not exist"),
-        (["--json", "gone/hop.json"], "--json = gone/hop.json must be in an existing folder"),
+        (["--out", "gone/hop.json"], "--out = gone/hop.json must be in an existing folder"),
         (["--csv", "gone/hop.csv"], "--csv = gone/hop.csv must be in an existing folder"),
         (["--plot", "gone/hop.png"], "--plot = gone/hop.png must be in an existing folder"),
         (["--samples", "1"], "--samples = 1 must be at least 2"),
-        (["--csv", "a", "--json", "a"], "a is used for two outputs"),
+        (["--csv", "a", "--out", "a"], "a is used for two outputs"),
         (["--mu", "much"], "--mu"),
         (["--colour", "red"], "--colour"),
     ],
@@ -248,7 +243,7 @@ def test_bad_input_is_one_sentence(arguments, sentence):
 
 def test_no_answer_is_written_and_told(tmp_path):
     path = tmp_path / "result.json"
-    done = run("run", *HOP, "--set", "contact.max_events=3", "--json", path)
+    done = run("run", *HOP, "--set", "contact.max_events=3", "--out", path)
     assert done.exit_code == 1
     assert "event_limit" in done.stderr
     data = json.loads(path.read_text(encoding="utf-8"))
@@ -352,7 +347,7 @@ def test_sensitivity_is_in_the_json(tmp_path):
     printed = run("run", *options, "--json")
     assert printed.exit_code == 0, printed.output
     data = json.loads(printed.stdout)
-    written = run("run", *options, "--json", tmp_path / "hop.json")
+    written = run("run", *options, "--out", tmp_path / "hop.json")
     assert written.exit_code == 0, written.output
     assert "takeoff.angle  by plane.mu: +0.221788164 rad" in written.stdout
     assert json.loads((tmp_path / "hop.json").read_text(encoding="utf-8")) == data

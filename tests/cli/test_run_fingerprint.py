@@ -48,7 +48,7 @@ def test_a_motion_without_an_answer_has_a_fingerprint_too():
 
 @pytest.mark.parametrize("text", ["", "12", OTHER[:-1] + "g", OTHER + "0", f" {OTHER}", f"{OTHER}\n"])
 def test_what_is_no_fingerprint_is_refused(text, tmp_path):
-    done = run("run", *HOP, f"--check-fingerprint={text}", "--json", tmp_path / "hop.json")
+    done = run("run", *HOP, f"--check-fingerprint={text}", "--out", tmp_path / "hop.json")
     assert done.exit_code == 2
     assert done.stderr == f"Error: --check-fingerprint = {text!r} must be 16 hexadecimal digits.\n"
     assert not (tmp_path / "hop.json").exists()

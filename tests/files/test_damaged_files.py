@@ -185,7 +185,7 @@ def run_limited(limit, said, *words):
         ("--save", "hop.zarr", 300),
         ("--save", "hop.zarr.zip", 30000),
         ("--csv", "hop.csv", 5000),
-        ("--json", "hop.json", 1000),
+        ("--out", "hop.json", 1000),
         ("--plot", "hop.png", 5000),
     ],
 )

@@ -82,7 +82,7 @@ def test_run_with_digits():
 def test_a_write_of_digits_that_fails_leaves_the_old_file(tmp_path, monkeypatch):
     """The file is whole or as it was; nothing else is left beside it."""
     file = tmp_path / "hop.json"
-    words = ("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--json", file)
+    words = ("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--out", file)
     assert run(*words).exit_code == 0
     before = file.read_text(encoding="utf-8")
     assert json.loads(before)["events"][1]["t"] == "0.26639349087571672725"

@@ -21,9 +21,8 @@ from hophoop._support.extras import MissingExtra
 from hophoop._support.stopping import Stopping, stop_on_signals
 
 # In the order of --help.
-COMMANDS = (
-    "run", "prove", "theory", "reproduce", "animate", "map", "gait", "diagram", "track", "fit", "plan", "lab",
-)  # fmt: skip
+COMMANDS = ("run", "lab", "animate", "map", "track", "fit", "plan")
+RESEARCH = ("theory", "prove", "gait", "diagram", "reproduce")
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
 DEFECT = 1
@@ -34,7 +33,7 @@ class Commands(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Return the names of the commands."""
-        return [name for name in COMMANDS if find_spec(f"hophoop.cli.{name}") is not None]
+        return [name for name in COMMANDS + RESEARCH if find_spec(f"hophoop.cli.{name}") is not None]
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
         """Return the command of a name, or None."""
@@ -45,6 +44,7 @@ class Commands(TyperGroup):
         one.command(
             cmd_name,
             cls=getattr(module, "COMMAND_CLASS", None),
+            rich_help_panel="Research" if cmd_name in RESEARCH else None,
             context_settings={"help_option_names": ["-h", "--help"]},
         )(getattr(module, cmd_name))
         return typer.main.get_command(one)

@@ -6,10 +6,12 @@ import inspect
 import math
 from collections.abc import Callable
 from functools import wraps
+from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 import typer
 
+from hophoop._support.errors import InputError
 from hophoop.vocabulary.parameters import TABLE, WORD, section_of
 
 
@@ -24,11 +26,31 @@ class ScenarioOption(NamedTuple):
     to_si: Callable[[float], float] | None = None
 
 
-START = "Start and duration"
+START, ADVANCED = "Start and duration", "Advanced"
+Quiet = Annotated[bool, typer.Option("--quiet", help="Show no progress.")]
+Json = Annotated[bool, typer.Option("--json", help="Print JSON, in SI units and radians.")]
+Picture = Annotated[Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg, .pdf or .jpg.")]
+File = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="FILE",
+        help="Scenario in TOML or JSON; '-' is standard input. Options change it; without it they change the reference case.",
+        show_default=False,
+    ),
+]
+Assign = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="PATH=VALUE",
+        help="Any parameter of a scenario, such as contact.model=compliant; may be repeated.",
+        rich_help_panel=START,
+    ),
+]
 _PANELS = {"hoop": "Hoop", "plane": "Plane", "start": START, "motion": START}
 OPTIONS = tuple(
     ScenarioOption(
-        option.flag, row.path, option.help, _PANELS[section_of(row)],
+        option.flag, row.path, option.help, ADVANCED if option.rare else _PANELS[section_of(row)],
         str if row.unit == WORD else float, math.radians if option.in_degrees else None,
     )
     for row in TABLE for option in row.options
@@ -38,72 +60,42 @@ OPTIONS = tuple(
 def with_scenario(command: Callable[..., None]) -> Callable[..., None]:
     """Add FILE and the options above to a command, which is called with `scenario` instead."""
     own = inspect.signature(command, eval_str=True)
-    names = [_name(option) for option in OPTIONS]
-    added = [
-        inspect.Parameter(
-            "file",
-            inspect.Parameter.POSITIONAL_OR_KEYWORD,
-            default=None,
-            annotation=Annotated[
-                str | None,
-                typer.Argument(
-                    metavar="FILE",
-                    help="Scenario in TOML or JSON; '-' is standard input. Options change it; "
-                    "without it they change the reference case.",
-                    show_default=False,
-                ),
-            ],
-        )
-    ]
-    added += [
-        inspect.Parameter(
-            name,
-            inspect.Parameter.KEYWORD_ONLY,
-            default=None,
-            annotation=Annotated[
-                option.kind | None,
-                typer.Option(option.flag, help=option.help, rich_help_panel=option.panel, show_default=False),
-            ],
-        )
-        for name, option in zip(names, OPTIONS, strict=True)
-    ]
-    added.append(
-        inspect.Parameter(
-            "assign",
-            inspect.Parameter.KEYWORD_ONLY,
-            default=None,
-            annotation=Annotated[
-                list[str] | None,
-                typer.Option(
-                    "--set",
-                    metavar="PATH=VALUE",
-                    help="Any parameter of a scenario, such as contact.model=compliant; may be repeated.",
-                    rich_help_panel=START,
-                    show_default=False,
-                ),
-            ],
-        )
-    )
+    names = {_name(option): option for option in OPTIONS}
+    shown = [name for name, option in names.items() if option.panel != ADVANCED]
+    rare = [name for name in names if name not in shown]
 
     @wraps(command)
     def run(**values: Any) -> None:
         file = values.pop("file")
-        given = {option: values.pop(name) for name, option in zip(names, OPTIONS, strict=True)}
+        given = {option: values.pop(name) for name, option in names.items()}
         settings = values.pop("assign") or []
         if "file" in own.parameters:  # for commands that need the name of the file
             values["file"] = file
         command(scenario=scenario_of(file, given, settings), **values)
 
-    rest = [
-        parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY)
-        for parameter in own.parameters.values()
-        if parameter.name not in ("scenario", "file")
+    rest = [parameter for name, parameter in own.parameters.items() if name not in ("scenario", "file")]
+    parameters = [
+        _added("file", File),
+        *(_added(name, _annotation(names[name])) for name in shown),
+        _added("assign", Assign),
+        *(parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in rest),
+        *(_added(name, _annotation(names[name])) for name in rare),
     ]
-    parameters = [*added, *rest]
     run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     run.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     del run.__wrapped__
     return run
+
+
+def _added(name: str, annotation: Any) -> inspect.Parameter:
+    """One more parameter of a command."""
+    return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation)
+
+
+def _annotation(option: ScenarioOption) -> Any:
+    """What Typer makes an option of."""
+    told = typer.Option(option.flag, help=option.help, rich_help_panel=option.panel, show_default=False)
+    return Annotated[option.kind | None, told]
 
 
 def _name(option: ScenarioOption) -> str:
@@ -112,7 +104,7 @@ def _name(option: ScenarioOption) -> str:
 
 def scenario_of(file: str | None, given: dict[ScenarioOption, Any], settings: list[str]) -> Any:
     """Return the scenario of a file, or the reference case, changed by the options."""
-    from hophoop.scenario import InputError, Scenario
+    from hophoop.scenario import Scenario
 
     base = Scenario() if file is None else Scenario.load(file)
     values: dict[str, Any] = {}
@@ -125,21 +117,17 @@ def scenario_of(file: str | None, given: dict[ScenarioOption, Any], settings: li
         names[option.path] = option.flag
         values[option.path] = value if option.to_si is None else option.to_si(value)
     for text in settings:
-        path, sign, word = text.partition("=")
-        path = path.strip()
-        if not sign or not path:
-            raise InputError(f"--set {text} must be a path and a value, such as plane.mu=0.5.")
+        path, word = assigned("--set", text, "a path and a value, such as plane.mu=0.5")
         if path in names:
             raise InputError(f"--set {path} cannot be given together with {names[path]}.")
         names[path] = f"--set {path}"
-        values[path] = value_of(word.strip())
+        values[path] = value_of(word)
     _check_redundancy(base, names)
     return base.with_values(values)
 
 
 def _check_redundancy(base: Any, names: dict[str, str]) -> None:
     """Refuse redundant options, and options that make a rolling start an incomplete free one."""
-    from hophoop.scenario import InputError
     from hophoop.scenario.paths import contradiction
 
     pair = contradiction(names)
@@ -162,3 +150,22 @@ def value_of(word: str) -> Any:
         except ValueError:
             continue
     return word
+
+
+def assigned(option: str, text: str, wanted: str) -> tuple[str, str]:
+    """Split NAME=VALUE, or say what is wanted."""
+    name, sign, value = (part.strip() for part in text.partition("="))
+    if not (sign and name and value):
+        raise InputError.of_field(option, text, wanted)
+    return name, value
+
+
+def numbers(option: str, text: str, count: int, wanted: str, comma: str = ",") -> tuple[float, ...]:
+    """Return the numbers of a text, or say what is wanted."""
+    try:
+        values = tuple(float(word) for word in text.split(comma))
+    except ValueError:
+        values = ()
+    if len(values) != count:
+        raise InputError.of_field(option, text, wanted)
+    return values

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._options import with_scenario
+from hophoop.cli._options import Quiet, assigned, value_of, with_scenario
 from hophoop.cli._output import check_folder, named_options
 
 PICTURE, PACE, COMPARE = "Picture", "Pace", "Comparison"
@@ -106,7 +106,7 @@ def animate(
         list[str] | None,
         typer.Option(help="Label of a motion, in their order; may be repeated.", rich_help_panel=COMPARE, show_default=False),
     ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Make a film of one motion or of several, with traces and forces to scale."""
     from hophoop._support.extras import need
@@ -167,15 +167,10 @@ def animate(
 
 
 def _variations(scenario: Any, vary: str | None) -> list[Any]:
-    from hophoop.cli._options import value_of
-    from hophoop.scenario import InputError
-
     if vary is None:
         return [scenario]
-    path, sign, values = vary.partition("=")
-    if not sign or not path or not values:
-        raise InputError(f"--vary {vary} must be a path and values, such as plane.mu=0.3,1.")
-    return [scenario.replace(path.strip(), value_of(word.strip())) for word in values.split(",")]
+    path, values = assigned("--vary", vary, "a path and values, such as plane.mu=0.3,1")
+    return [scenario.replace(path, value_of(word.strip())) for word in values.split(",")]
 
 
 def _mark(text: str) -> str | float:

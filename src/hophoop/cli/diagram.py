@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from hophoop.cli._options import with_scenario
+from hophoop.cli._options import Picture, Quiet, with_scenario
 
 if TYPE_CHECKING:
     from hophoop.gaits.diagram import Diagram
@@ -24,8 +24,8 @@ def diagram(
     passages: Annotated[int, typer.Option(help="The most passages of each motion.")] = 1500,
     section: Annotated[str, typer.Option(help="bottom (load at the bottom) or landing.")] = "bottom",
     out: Annotated[Path | None, typer.Option(help="File of the attractors, ending in .nc or .csv.")] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw the diagram: .png, .svg, .pdf or .jpg.")] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
+    plot: Picture = None,
+    quiet: Quiet = False,
 ) -> None:
     """Compute on what a hoop settles, over a parameter and from several starts; Ctrl-C keeps the values that are done."""
     from hophoop._support.progress import bar

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from hophoop.cli._options import with_scenario
+from hophoop.cli._options import Json, Picture, Quiet, assigned, numbers, with_scenario
 from hophoop.cli._output import print_json
 from hophoop.cli._tables import print_table
 
@@ -33,9 +33,9 @@ def gait(
         str | None,
         typer.Option(metavar="PATH=LOW:HIGH", help="Follow the first one over a parameter: print the branch's special points."),
     ] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw the branch: .png, .svg, .pdf or .jpg.")] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON, in SI units and radians.")] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
+    plot: Picture = None,
+    json: Json = False,
+    quiet: Quiet = False,
 ) -> None:
     """Find the periodic gaits of a hoop on a slope, stable or not, the slowest first, and follow one over a parameter."""
     from hophoop._support.progress import bar
@@ -86,16 +86,12 @@ def gait(
 def _range(scenario: Scenario, text: str) -> tuple[str, tuple[float, float]]:
     """Return path and range of --follow; refuse what cannot be followed before the search, which takes seconds."""
     from hophoop.gaits.branch import range_of
-    from hophoop.scenario import InputError
 
-    path, _, rest = text.partition("=")
-    low, colon, high = rest.partition(":")
-    try:
-        bounds = float(low), float(high if colon else "")
-    except ValueError:
-        raise InputError.of_field("--follow", text, "PATH=LOW:HIGH, such as plane.slope=0.001:0.1") from None
-    range_of(scenario, path.strip(), bounds)
-    return path.strip(), bounds
+    wanted = "PATH=LOW:HIGH, such as plane.slope=0.001:0.1"
+    path, span = assigned("--follow", text, wanted)
+    low, high = numbers("--follow", span, 2, wanted, ":")
+    range_of(scenario, path, (low, high))
+    return path, (low, high)
 
 
 def _factors(one: Special) -> str:

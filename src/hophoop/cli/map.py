@@ -8,6 +8,8 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand
 
+from hophoop.cli._options import Picture, Quiet
+
 
 def _quantity_names() -> list[str]:
     from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
@@ -63,11 +65,11 @@ def map(
     ] = "first_revolution",
     out: Annotated[Path | None, typer.Option(help="File of the map, ending in .zarr or .nc.")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Resume a map that was stopped.")] = False,
-    plot: Annotated[Path | None, typer.Option(help="Draw the map's first quantity: .png, .svg, .pdf or .jpg.")] = None,
+    plot: Picture = None,
     threads: Annotated[int | None, typer.Option(help="Number of cores; by default all.")] = None,
     workers: Annotated[int | None, typer.Option(help="Start a local Dask cluster with this number of processes.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a running Dask scheduler.")] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the reference hoop)."""
     from hophoop._support.files import replacing

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from hophoop.results.records import EventRecord
 
 
-def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, everything: bool) -> None:
+def run(scenario: Any, digits: int, check: bool, json: bool, out: Path | None, quiet: bool, everything: bool) -> None:
     """Solve in arbitrary precision; print or write the motion, or compare the kernel's motion with it."""
     from hophoop.cli import NO_ANSWER, say
     from hophoop.simulation.simulate import simulate
@@ -28,7 +28,7 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, 
         from hophoop.precise import compare
 
         agreement = compare(simulate(scenario), precise)
-        if json is not None:
+        if json:
             print_json(_agreement_dict(agreement, precise))
         elif not quiet:
             _show_agreement(agreement, precise, everything)
@@ -36,11 +36,11 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool, 
             say(agreement.difference)
             raise typer.Exit(NO_ANSWER)
         return
-    if json == "-":
+    if out is not None:
+        write_json(precise.to_dict(), out)
+    if json:
         print_json(precise.to_dict())
-    elif json is not None:
-        write_json(precise.to_dict(), Path(json))
-    if json != "-" and not quiet:
+    elif not quiet:
         _show_motion(precise, digits, everything)
     if precise.digits_right < digits:
         say(f"Only {precise.digits_right} of the {digits} digits asked are certain.")

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import json as json_text
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from typer.core import TyperCommand
 
-from hophoop.cli._options import with_scenario
+from hophoop.cli._options import ADVANCED, with_scenario
 from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS
 
 if TYPE_CHECKING:
@@ -24,80 +22,16 @@ STORES = (".nc", ".zarr", ".zarr.zip")
 CHECK_DIGITS = 25
 
 
-class RunCommand(TyperCommand):
-    """The command with `--json`, whose value is optional."""
-
-    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Replace `--json` by `--json=FILE` or `--json=-`."""
-        return super().parse_args(ctx, _with_explicit_json(list(args), self._options_with_value()))
-
-    def _options_with_value(self) -> set[str]:
-        return {name for parameter in self.params if not getattr(parameter, "is_flag", False) for name in parameter.opts}
-
-
-def _with_explicit_json(args: list[str], valued: set[str]) -> list[str]:
-    """Return the arguments with the value of `--json`: the next word, unless that is the only scenario.
-
-    So `run --json hop.toml` reads hop.toml and prints, and never overwrites it.
-    """
-    result: list[str] = []
-    words = 0  # scenarios seen outside of options
-    pending = -1
-    k = 0
-    while k < len(args):
-        word = args[k]
-        if word == "--":
-            words += len(args) - k - 1
-            result += args[k:]
-            break
-        if word == "--json":
-            following = args[k + 1] if k + 1 < len(args) else "--"
-            if following.startswith("-"):
-                result.append("--json=-")
-            else:
-                pending = len(result)
-                result.append(f"--json={following}")
-                k += 1
-        else:
-            result.append(word)
-            if word.startswith("--") and "=" not in word and word in valued and k + 1 < len(args):
-                result.append(args[k + 1])
-                k += 1
-            elif word == "-" or not word.startswith("-"):
-                words += 1
-        k += 1
-    if pending >= 0 and words == 0:
-        name = result[pending].removeprefix("--json=")
-        if name.lower().endswith(".toml") or (Path(name).is_file() and _is_scenario(Path(name))):
-            result[pending : pending + 1] = ["--json=-", name]
-    return result
-
-
-def _is_scenario(path: Path) -> bool:
-    """Return True if an existing file is a scenario, not a result."""
-    try:
-        data = json_text.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return False
-    return isinstance(data, dict) and "schema" not in data
-
-
-COMMAND_CLASS = RunCommand
-
-
 @with_scenario
 def run(
     scenario: Any,
     file: Any,
     json: Annotated[
-        str | None,
-        typer.Option(
-            "--json",
-            metavar="[FILE]",
-            help="The whole result as JSON, to standard output or a file.",
-            rich_help_panel=OUTPUT,
-            show_default=False,
-        ),
+        bool, typer.Option("--json", help="Print the whole result as JSON, and nothing else.", rich_help_panel=OUTPUT)
+    ] = False,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="The same JSON into a file.", rich_help_panel=OUTPUT, show_default=False),
     ] = None,
     csv: Annotated[
         Path | None,
@@ -140,7 +74,7 @@ def run(
     ] = False,
     errors: Annotated[
         bool,
-        typer.Option("--errors", help="Print also the estimated errors of the events.", rich_help_panel=OUTPUT),
+        typer.Option("--errors", help="Print also the estimated errors of the events.", rich_help_panel=ADVANCED),
     ] = False,
     explain: Annotated[
         bool,
@@ -151,8 +85,8 @@ def run(
         typer.Option(
             "--sensitivity",
             metavar="OF,…",
-            help="Print, also in --json, derivatives of quantities like takeoff.angle,hop.height by the parameters of --wrt.",
-            rich_help_panel=OUTPUT,
+            help="Print, also in the JSON, derivatives of quantities like takeoff.angle,hop.height by the parameters of --wrt.",
+            rich_help_panel=ADVANCED,
             show_default=False,
         ),
     ] = None,
@@ -162,7 +96,7 @@ def run(
             "--wrt",
             metavar="PATH,…",
             help="Parameters for --sensitivity, such as plane.mu,start.speed.",
-            rich_help_panel=OUTPUT,
+            rich_help_panel=ADVANCED,
             show_default=False,
         ),
     ] = None,
@@ -181,8 +115,8 @@ def run(
         typer.Option(
             "--digits",
             metavar="N",
-            help="Solve with this number of digits, 15 to 1000: the table, and --json with decimal strings.",
-            rich_help_panel=OUTPUT,
+            help="Solve with this number of digits, 15 to 1000: the table, and --json and --out with decimal strings.",
+            rich_help_panel=ADVANCED,
             show_default=False,
         ),
     ] = None,
@@ -191,7 +125,7 @@ def run(
         typer.Option(
             "--check",
             help="Print the number of correct digits of each event, by a solution in 25 digits or --digits.",
-            rich_help_panel=OUTPUT,
+            rich_help_panel=ADVANCED,
         ),
     ] = False,
     check_fingerprint: Annotated[
@@ -200,7 +134,7 @@ def run(
             "--check-fingerprint",
             metavar="HEX",
             help="Compare the motion's fingerprint with this one, to check that this machine gets the same bits.",
-            rich_help_panel=OUTPUT,
+            rich_help_panel=ADVANCED,
             show_default=False,
         ),
     ] = None,
@@ -219,12 +153,11 @@ def run(
         raise InputError.of_field("--samples", samples, "at least 2")
     if check_fingerprint is not None and not is_fingerprint(check_fingerprint):
         raise InputError.of_field("--check-fingerprint", check_fingerprint, f"{DIGITS} hexadecimal digits")
-    result = Path(json) if json not in (None, "-") else None
     if (sensitivity is None) != (wrt is None):
         raise InputError("--sensitivity and --wrt need each other: the quantities and the parameters.")
     if errors and scenario.contact.model != "rigid":
         raise InputError("--errors needs rigid contact; a compliant contact keeps to contact.rtol.")
-    outputs = {"--csv": csv, "--save": save, "--plot": plot, "--json": result}
+    outputs = {"--csv": csv, "--save": save, "--plot": plot, "--out": out}
     for option, path in outputs.items():
         if path is not None:
             check_folder(option, path)
@@ -239,21 +172,21 @@ def run(
             "--until": until,
         }
         for option, given in asked.items():
-            if given and (check or option != "--json"):
+            if given and (check or option != "--out"):
                 raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
         from hophoop.cli import precise
 
-        precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet, everything)
+        precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, out, quiet, everything)
         return
     if until is not None and explain:
         raise InputError("--until cannot be given together with --explain.")
-    shown = not quiet and json != "-"
+    shown = not (quiet or json)
     explained = _phases(scenario) if explain else None  # refuses a compliant contact before anything is computed
     motion = _simulate(scenario, quiet, until)
     with named_options({"of": "--sensitivity"}):
         derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
     more = {} if derived is None else {"sensitivity": derived.to_dict()}
-    if json == "-":
+    if json:
         print_json(motion.to_dict() | more)
     _write(motion, outputs, samples, more)
     if shown:
@@ -266,7 +199,7 @@ def run(
             _motion.print_phases(explained, everything)
         if derived is not None:
             typer.echo(derived)
-    same = check_fingerprint is None or _compare_fingerprints(motion, check_fingerprint.lower(), json == "-")
+    same = check_fingerprint is None or _compare_fingerprints(motion, check_fingerprint.lower(), json)
     if not motion.ok:
         say(_motion.no_answer(motion.duration, motion.status))
     if not (motion.ok and same):
@@ -320,8 +253,8 @@ def _write(motion: Trajectory, outputs: Mapping[str, Path | None], samples: int,
     """Write the requested files."""
     from hophoop import io
 
-    if (result := outputs["--json"]) is not None:
-        io.write_json(motion, result, more)
+    if (out := outputs["--out"]) is not None:
+        io.write_json(motion, out, more)
     if (csv := outputs["--csv"]) is not None:
         io.write_csv(motion, csv, motion.times(samples))
     if (save := outputs["--save"]) is not None:

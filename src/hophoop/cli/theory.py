@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
-import typer
-
-from hophoop.cli._options import with_scenario
+from hophoop.cli._options import Json, with_scenario
 from hophoop.cli._output import print_json
 from hophoop.cli._tables import print_table
 
@@ -18,7 +16,7 @@ if TYPE_CHECKING:
 @with_scenario
 def theory(
     scenario: Any,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON, in SI units and radians.")] = False,
+    json: Json = False,
 ) -> None:
     """Print the thresholds and closed forms of a hoop on its plane."""
     from hophoop.theory.summary import summary, summary_dict

@@ -55,6 +55,7 @@ class Option(NamedTuple):
     flag: str
     help: str
     in_degrees: bool = False
+    rare: bool = False  # among the advanced ones of the help
 
 
 class Slider(NamedTuple):
@@ -129,13 +130,13 @@ TABLE: Final = (
     ),
     Parameter(
         "hoop.eccentricity", "Distance of the centre of gravity from the centre, over the radius", "1", 0.75, _RATIO,
-        "Eccentricity", "ε", (Option("--eccentricity", "Distance of G from the centre over R, ε."),),
+        "Eccentricity", "ε", (Option("--eccentricity", "Distance of G from the centre over R, ε.", rare=True),),
         Slider(0.0, 1.0, 0.01), Axis(0.05, 0.95), "Eccentricity ε", "eccentricity", derivative=True,
     ),
     Parameter(
         "hoop.inertia_ratio", "Moment of inertia about the centre of gravity over m R²", "1", 0.4375,
         Range(*INERTIA_RANGE, (0.0,)), "Inertia ratio", "κ",
-        (Option("--inertia-ratio", "Moment of inertia about G over m R², κ."),),
+        (Option("--inertia-ratio", "Moment of inertia about G over m R², κ.", rare=True),),
         Slider(0.01, 1.0, 0.01), Axis(0.05, 1.0), "Inertia ratio κ", "inertia_ratio", derivative=True,
     ),
     Parameter(
@@ -153,12 +154,12 @@ TABLE: Final = (
     ),
     Parameter(
         "plane.mu_static", "Static friction", "1", 1.0, _FRICTION,
-        "Static friction", "μs", (Option("--mu-static", "Static friction."),),
+        "Static friction", "μs", (Option("--mu-static", "Static friction.", rare=True),),
         Slider(0.0, 1.5, 0.01), None, r"Static friction $\mu_s$", "mu_static", derivative=True,
     ),
     Parameter(
         "plane.mu_kinetic", "Kinetic friction", "1", 1.0, _FRICTION,
-        "Kinetic friction", "μk", (Option("--mu-kinetic", "Kinetic friction."),),
+        "Kinetic friction", "μk", (Option("--mu-kinetic", "Kinetic friction.", rare=True),),
         Slider(0.0, 1.5, 0.01), None, r"Kinetic friction $\mu_k$", "mu_kinetic", derivative=True,
     ),
     Parameter(
@@ -179,17 +180,17 @@ TABLE: Final = (
     ),
     Parameter(
         "plane.rolling_resistance", "Rolling resistance: couple against the rotation over R N", "1", 0.0, _RATIO,
-        "Rolling resistance", "f", (Option("--rolling-resistance", "Couple against the rotation over R N, f."),),
+        "Rolling resistance", "f", (Option("--rolling-resistance", "Couple against the rotation over R N, f.", rare=True),),
         Slider(0.0, 0.2, 0.001), Axis(0.0, 0.1), column="rolling_resistance", derivative=True, left_out=True,
     ),
     Parameter(
         "plane.impact_law", "Law of restitution", WORD, next(iter(LAWS)).name.lower(), label="Law of impact",
-        options=(Option("--law", f"{NAMED_LAWS}."),),
+        options=(Option("--law", f"Law of impact: {NAMED_LAWS}.", rare=True),),
         choices=tuple((law.name.lower(), LAWS[law].label) for law in sorted(LAWS, reverse=True)),
     ),
     Parameter(
         "plane.painleve", "What follows an indeterminate contact", WORD, "flight", label="Painlevé: two solutions",
-        options=(Option("--painleve", "Where indeterminate: flight or impact."),),
+        options=(Option("--painleve", "Where Painlevé's paradox leaves both open: flight or impact.", rare=True),),
         choices=(("flight", "flight"), ("impact", "impact")),
     ),
     Parameter(
@@ -206,7 +207,7 @@ TABLE: Final = (
     ),
     Parameter(
         "start.x", "Position of the centre along the plane", "m", 0.0, Range(-1e9, 1e9),
-        options=(Option("--x", "Position of the centre along the plane, m."),), column="x", derivative=True,
+        options=(Option("--x", "Position of the centre along the plane, m.", rare=True),), column="x", derivative=True,
     ),
     Parameter(
         "start.height", "Gap between rim and plane", "m", 0.0, Range(0.0, 1e6),
