@@ -29,7 +29,7 @@ def test_json_stays_alone_on_standard_output():
 
 def test_other_bits_end_with_status_1_and_the_output_is_written(tmp_path):
     result = tmp_path / "hop.json"
-    done = run("run", *HOP, "--check-fingerprint", OTHER, "--json", result, "--quiet")
+    done = run("run", *HOP, "--check-fingerprint", OTHER, "--out", result, "--quiet")
     assert (done.exit_code, done.stdout) == (1, "")
     assert done.stderr == (
         f"hophoop {hh.__version__} gets other bits on this machine: the fingerprint is {hop().fingerprint}, not {OTHER}. "
