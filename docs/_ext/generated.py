@@ -21,11 +21,14 @@ from sphinx.application import Sphinx
 
 import hophoop.cli
 from hophoop.cli._options import OPTIONS
+from hophoop.kernel.physics.body import MOST_DEPTH
+from hophoop.maps.grid.axes import SECTIONS
 from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.paths import ONWARD
-from hophoop.vocabulary.parameters import RANGES, Range
+from hophoop.vocabulary.names import EVENTS, STATUSES
+from hophoop.vocabulary.parameters import PARAMETERS, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Range
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks" / "engines"))
 import table as engine_tables
@@ -223,6 +226,41 @@ def quantities() -> str:
     return table(["quantity", "meaning", "unit"], rows)
 
 
+# Events and statuses
+
+
+def events() -> str:
+    """Every kind of event, and when it occurs."""
+    return table(["kind", "when"], ([f"`{kind}`", facts.when] for kind, facts in EVENTS.items()))
+
+
+def statuses() -> str:
+    """Every status of a motion, and what it means."""
+    return table(["`motion.status`", "means"], ([f"`{status}`", facts.means] for status, facts in STATUSES.items()))
+
+
+# Ranges
+
+PARTS = {"hoop.parts.mass": "kg", "hoop.parts.length": "m"}
+FRICTIONS = ("plane.mu", "plane.mu_static", "plane.mu_kinetic")  # of one range
+
+
+def ranges() -> str:
+    """What the numbers of a scenario may be, and what those of a compliant contact may be relative to its hoop."""
+    rows = []
+    for path, allowed in sorted(RANGES.items(), key=lambda item: SECTIONS.index(item[0].partition(".")[0])):
+        if path not in FRICTIONS[1:]:
+            unit = PARTS.get(path) or PARAMETERS[path].unit
+            names = FRICTIONS if path in FRICTIONS else (path,)
+            rows.append([", ".join(f"`{name}`" for name in names), "" if unit == "1" else unit, allowed.words()])
+    rows += [
+        ["`contact.stiffness`, `contact.tangential_stiffness`, also", "m g/R", RELATIVE_STIFFNESS.words()],
+        ["`contact.slip_speed`, also", "√(g R)", RELATIVE_SLIP_SPEED.words()],
+        ["depth to which the speeds of a start press the rim of a compliant contact", "R", f"up to {MOST_DEPTH:g}"],
+    ]
+    return table(["number", "unit", "may be"], rows)
+
+
 # Physics engines
 
 
@@ -275,6 +313,9 @@ MAKERS: dict[str, Callable[[], str]] = {
     "commands": commands,
     "scenario-file": scenario_file,
     "quantities": quantities,
+    "events": events,
+    "statuses": statuses,
+    "ranges": ranges,
     "engines-short": lambda: engines(engine_tables.short),
     "engines-full": lambda: engines(engine_tables.full),
     "claims": claims,

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
 
 import hophoop as hh
-from fuzz.ranges_table import ranges_table
 from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 from strategies import said
 
@@ -120,9 +118,3 @@ def test_the_schema_has_the_ranges():
     stiffness = schema["$defs"]["Compliant"]["properties"]["stiffness"]["anyOf"][0]
     assert stiffness["maximum"] == 1e18
     assert not math.isinf(schema["properties"]["duration"]["maximum"])
-
-
-def test_the_table_of_the_documentation():
-    """What `python tests/fuzz/ranges_table.py` prints."""
-    table = Path(__file__).resolve().parents[2] / "docs" / "tables" / "ranges.md"
-    assert table.read_text(encoding="utf-8") == ranges_table()

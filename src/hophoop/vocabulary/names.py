@@ -6,9 +6,8 @@ A mode's letter gives the sign of the slip velocity: S for v_t < 0, K for v_t > 
 spins where v_t θ̇ < 0 (the rim turns too fast for its motion along the plane) and skids where v_t θ̇ > 0 (it slides ahead) or
 θ̇ = 0. With θ̇ > 0, S is spin and K is skid; with θ̇ < 0 it is the other way round. Colours follow the words.
 
-A new mode, event, status or law needs a member of the kernel's enum and a row here. A new event also belongs to `PASSING` if it
-does not end a phase; its sentence on the page is in lab/words, by `story.` and its name. A new fate needs a member of `Fate`, a
-row of `FATES`, and a decision in `gaits.kernels.fates`. Colours are in `vocabulary.colors`.
+A new mode, event, status or law needs a member of the kernel's enum and a row here; docs/architecture.md has recipes. A new
+fate needs a member of `Fate`, a row of `FATES`, and a decision in `gaits.kernels.fates`. Colours are in `vocabulary.colors`.
 """
 
 from __future__ import annotations
@@ -138,6 +137,7 @@ class EventFacts(NamedTuple):
 
     noun: str  # in figures and films
     label: str  # in the lab
+    when: str  # in the documentation
     mark: tuple[int, str] | None = None  # in figures: priority among many marks, and Matplotlib's marker
     sign: tuple[int, str] | None = None  # on the lab's time bar: priority and character
     filmed: bool = False  # whether films mark it
@@ -145,23 +145,45 @@ class EventFacts(NamedTuple):
 
 
 _EVENTS: Final[dict[Event, EventFacts]] = {
-    Event.START: EventFacts("start", "start"),
-    Event.SLIP_START: EventFacts("slip starts", "slip starts"),
-    Event.STICK: EventFacts("slip ends", "slip ends"),
-    Event.SLIP_REVERSAL: EventFacts("slip reverses", "slip reverses"),
-    Event.TAKEOFF: EventFacts("take-off", "take-off", (4, "^"), (7, "▲"), filmed=True),
-    Event.IMPACT: EventFacts("landing", "landing", (3, "v"), (8, "▼"), filmed=True),
-    Event.TURN: EventFacts("turns back", "turns back", (5, "<"), (9, "↺"), summed_up=False),
-    Event.APEX: EventFacts("apex", "highest point", (7, "d"), (10, "•"), summed_up=False),
-    Event.BOUNCE_LIMIT: EventFacts("end of the bounces", "bounces end", sign=(4, "≋")),
-    Event.PAINLEVE_INCONSISTENT: EventFacts("Painlevé", "Painlevé: no solution", (1, "X"), (1, "◆"), filmed=True),
-    Event.PAINLEVE_INDETERMINATE: EventFacts("Painlevé", "Painlevé: several solutions", (2, "X"), (2, "◇"), filmed=True),
-    Event.JAM: EventFacts("jam", "jam", (0, "X"), (0, "✖"), filmed=True),
-    Event.KANE_GAIN: EventFacts("gain of energy", "energy gain (Kane)", sign=(3, "✚")),
-    Event.SKIM: EventFacts("skims", "skimming starts", (6, "s"), (5, "◗")),
-    Event.REST: EventFacts("rest", "at rest", sign=(6, "■")),
-    Event.END: EventFacts("end", "end", summed_up=False),
-}
+    Event.START: EventFacts("start", "start", "at the beginning"),
+    Event.SLIP_START: EventFacts("slip starts", "slip starts", "rolling ends, and the rim slips"),
+    Event.STICK: EventFacts("slip ends", "slip ends", "slip ends, and the hoop rolls"),
+    Event.SLIP_REVERSAL: EventFacts("slip reverses", "slip reverses", "slip goes over into slip the other way"),
+    Event.TAKEOFF: EventFacts("take-off", "take-off", "contact ends", (4, "^"), (7, "▲"), filmed=True),
+    Event.IMPACT: EventFacts(
+        "landing", "landing", "velocities jump: a landing, or an impact without collision (`collision` false)",
+        (3, "v"), (8, "▼"), filmed=True,
+    ),
+    Event.TURN: EventFacts(
+        "turns back", "turns back", "the hoop turns back, θ̇ = 0; the mode stays", (5, "<"), (9, "↺"), summed_up=False,
+    ),
+    Event.APEX: EventFacts(
+        "apex", "highest point", "the centre is highest in a flight; the mode stays", (7, "d"), (10, "•"), summed_up=False,
+    ),
+    Event.BOUNCE_LIMIT: EventFacts(
+        "end of the bounces", "bounces end", "bounces that become shorter and shorter have come to their end", sign=(4, "≋"),
+    ),
+    Event.PAINLEVE_INCONSISTENT: EventFacts(
+        "Painlevé", "Painlevé: no solution", "Painlevé's paradox: no force obeys all the laws", (1, "X"), (1, "◆"), filmed=True,
+    ),
+    Event.PAINLEVE_INDETERMINATE: EventFacts(
+        "Painlevé", "Painlevé: several solutions", "Painlevé's paradox: several motions obey them",
+        (2, "X"), (2, "◇"), filmed=True,
+    ),
+    Event.JAM: EventFacts(
+        "jam", "jam", "the normal force grows beyond all bounds; the motion ends", (0, "X"), (0, "✖"), filmed=True,
+    ),
+    Event.KANE_GAIN: EventFacts(
+        "gain of energy", "energy gain (Kane)", "Newton's law has created energy in an impact; `gain` says how much",
+        sign=(3, "✚"),
+    ),
+    Event.SKIM: EventFacts(
+        "skims", "skimming starts", "the massless hoop loses the contact force, and its rim touches without one",
+        (6, "s"), (5, "◗"),
+    ),
+    Event.REST: EventFacts("rest", "at rest", "the hoop comes to rest", sign=(6, "■")),
+    Event.END: EventFacts("end", "end", "at the end", summed_up=False),
+}  # fmt: skip
 EVENTS: Final = {kind.name.lower(): facts for kind, facts in _EVENTS.items()}
 """By name."""
 
@@ -244,6 +266,7 @@ class StatusFacts(NamedTuple):
     """Facts about a status."""
 
     sentence: str  # empty if the motion reached its duration
+    means: str  # in the documentation
     stopped: str = ""  # in films, if the motion has no answer beyond; the command line then exits with status 1
 
     @property
@@ -253,16 +276,20 @@ class StatusFacts(NamedTuple):
 
 
 _STATUSES: Final[dict[Status, StatusFacts]] = {
-    Status.COMPLETED: StatusFacts(""),
-    Status.AT_REST: StatusFacts("It has come to rest."),
+    Status.COMPLETED: StatusFacts("", "it was followed to the end of its duration"),
+    Status.AT_REST: StatusFacts("It has come to rest.", "it came to rest before"),
     Status.JAMMED: StatusFacts(
-        "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.", "jammed"
+        "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",
+        "it ran into the jam, where the rigid model ends", "jammed",
     ),
-    Status.UNDETERMINED: StatusFacts("The model does not determine the motion beyond.", "no answer"),
+    Status.UNDETERMINED: StatusFacts(
+        "The model does not determine the motion beyond.", "the model does not say how it goes on", "no answer"
+    ),
     Status.EVENT_LIMIT: StatusFacts(
-        "The limit of events (contact.max_events), or of work for one motion, was reached before the end.", "stopped"
+        "The limit of events (contact.max_events), or of work for one motion, was reached before the end.",
+        "it used up the events or steps that it may take ({doc}`testing`)", "stopped",
     ),
-}
+}  # fmt: skip
 STATUSES: Final = {status.name.lower(): facts for status, facts in _STATUSES.items()}
 """By name."""
 

@@ -1,8 +1,8 @@
 """Parameters of a scenario, one row of a table each: meaning, unit, range, and how people set and see them.
 
 A new parameter needs its field in `scenario.models` and a row of `TABLE`. Its option of the command line, its slider and axis
-in the lab, its entry in tables.json, maps and derivatives follow. A parameter of the kernel also needs a column of `CELL`, in
-the order of this table.
+in the lab, its entry in tables.json and its axis in maps follow. A parameter of the kernel also needs a row of
+`kernel.records.cells.Cell`, in the order of this table; docs/architecture.md has the recipe.
 """
 
 from __future__ import annotations
