@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hophoop.kernel.physics.body import MODE_LETTERS, Body, Event, Mode
+from hophoop.kernel.physics.body import MODE_LETTERS, PASSING, Body, Event, Mode
 from hophoop.kernel.rigid.sampling import MARGINS, margins_of
 from hophoop.results.records import EventRecord
 from hophoop.results.units import Units
@@ -73,7 +73,7 @@ class PhaseRecord:
     then : str
         The next mode and the reason, in a sentence; empty if the motion ends.
     events : tuple of EventRecord
-        Events at its end, and an apex inside it.
+        Events at its end, and those inside it that leave the mode as it is.
     """
 
     mode: str
@@ -141,7 +141,7 @@ def _phases(motion: Trajectory) -> Iterator[PhaseRecord]:
         begin = _last_of_event(rows, 1)  # it starts with a landing
     while begin < end:
         first = begin + 1
-        while rows[first]["kind"] in (Event.APEX, Event.REST):
+        while rows[first]["kind"] in PASSING and rows[first]["kind"] != Event.TURN:
             first += 1
         if first == end and rows[first]["t"] == rows[begin]["t"]:
             return  # the motion ended with its last event
