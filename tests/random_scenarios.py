@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 import hophoop as hh
+from hophoop.vocabulary.names import LAW_CODES
 
 EVENTS = 2000  # beyond these an elastic or nearly elastic bouncing is cut off
 
@@ -42,7 +43,7 @@ def draw(seed: int, index: int) -> tuple[int, dict[str, Any]]:
         "mu_static": static,
         "mu_kinetic": static * (float(random.random()) if random.random() < 0.3 and math.isfinite(static) else 1.0),
         "restitution": float(random.choice([0.0, random.random(), 1.0], p=[0.5, 0.4, 0.1])),
-        "impact_law": str(random.choice(["stronge", "newton", "poisson"])),
+        "impact_law": str(random.choice(list(LAW_CODES))),
         "painleve": str(random.choice(["flight", "impact"])),
     }
     speed = math.sqrt(hoop["radius"] * 9.81)

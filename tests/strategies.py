@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 import hophoop as hh
 from hophoop.kernel.physics.body import MOST_HEIGHT, MOST_SPEED
 from hophoop.scenario import sentence
+from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import RANGES
 
 
@@ -76,7 +77,7 @@ def scenarios(draw):
             [
                 hh.Plane(mu=friction, gravity=draw(ranged("plane.gravity")), restitution=draw(unit)),
                 hh.Plane(mu_static=friction, mu_kinetic=min(ratio * 1e6, friction), painleve="impact"),
-                hh.Plane(impact_law=draw(st.sampled_from(["stronge", "newton", "poisson"]))),
+                hh.Plane(impact_law=draw(st.sampled_from(list(LAW_CODES)))),
             ]
         )
     )

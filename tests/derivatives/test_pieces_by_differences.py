@@ -40,7 +40,7 @@ from hophoop.derivatives.layout import (
     Y,
 )
 from hophoop.derivatives.pieces import flight_and_rest as moving
-from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.body import Body, ImpactLaw
 from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap, skim_duration, skim_state, strike
 from hophoop.kernel.physics.contact import contact_arms
 from hophoop.kernel.physics.impact import impact, stick_rates
@@ -91,7 +91,7 @@ def struck(body, state):
     return vt, vn, spin, p_n, p_t, loss_n, loss_t
 
 
-@pytest.mark.parametrize("law", [0, 1, 2])
+@pytest.mark.parametrize("law", ImpactLaw)
 @pytest.mark.parametrize(("mu", "rest"), [(0.3, 0.5), (0.05, 0.8), (1.2, 0.3), (math.inf, 0.5), (0.0, 1.0)])
 @pytest.mark.parametrize(("th", "vt"), [(0.7, 0.4), (-0.7, 0.4), (2.0, -1.5), (-1.2, -0.05), (2.6, 0.02)])
 def test_an_impact(law, mu, rest, th, vt):

@@ -11,6 +11,7 @@ import hophoop as hh
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.results.sensitivity import EDGE
 from hophoop.kernel.native import forced
+from hophoop.vocabulary.names import LAW_CODES
 
 GRAZES = (REASONS[Reason.BORDER], REASONS[Reason.GRAZE])
 
@@ -62,7 +63,7 @@ def test_a_start_in_contact_has_no_derivative_by_what_lifts_it(query, path):
     assert np.isnan([result.smaller, result.larger]).all()
 
 
-@pytest.mark.parametrize("law", ["stronge", "newton", "poisson"])
+@pytest.mark.parametrize("law", LAW_CODES)
 def test_a_hoop_dropped_without_rotation_lands_without_slip(law):
     """v_t = 0 at the landing: a little slip is ended by the impact, by the same impulse on either side."""
     plane = hh.Plane(mu=0.9, restitution=0.4, impact_law=law)
@@ -122,7 +123,7 @@ def reason_of(scenario, of, wrt):
     return result.reasons[0][0]
 
 
-@pytest.mark.parametrize("law", ["stronge", "newton", "poisson"])
+@pytest.mark.parametrize("law", LAW_CODES)
 def test_restitution_that_is_zero(law):
     """Up to the landing, its time and place included, nothing changes; from there on there is no derivative."""
     scenario = hh.Scenario(plane=hh.Plane(impact_law=law), duration=1.95)

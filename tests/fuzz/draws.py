@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Range
 
 ANGLES = (0.0, math.pi / 2, math.pi, -math.pi, 2 * math.pi, math.nextafter(math.pi, 4.0), 1e-9, -1e-300, 3.0, 100.0, 1e6)
@@ -104,7 +105,7 @@ def plane(source: Source, massless: bool, compliant: bool) -> dict[str, Any]:
         "mu_static": static,
         "mu_kinetic": static * ratio,
         "restitution": source.choice([0.0, 0.0, 1.0, source.between(0.0, 1.0), magnitude(source, TINY, 1.0)]),
-        "impact_law": source.choice(["stronge", "newton", "poisson"]),
+        "impact_law": source.choice(list(LAW_CODES)),
         "painleve": source.choice(["flight", "impact"]),
     }
 

@@ -16,6 +16,7 @@ import hophoop as hh
 from hophoop.kernel.native import compiled, forced, mode
 from hophoop.kernel.native.library import BUILD, Library
 from hophoop.theory.kernels.phase_plane import lift_off
+from hophoop.vocabulary.names import LAW_CODES
 
 FIRST = """
 import json, sys
@@ -154,7 +155,7 @@ def random_scenario(rng):
         mu=float(rng.choice([0.0, 0.05, 0.2, 0.5, 1.0, 3.0, math.inf])),
         slope=rng.uniform(-0.5, 0.5) if rng.random() < 0.3 else 0.0,
         restitution=rng.uniform(0.0, 1.0) if rng.random() < 0.3 else 0.0,
-        impact_law=str(rng.choice(["newton", "poisson", "stronge"])),
+        impact_law=str(rng.choice(sorted(LAW_CODES))),
     )
     angle, vx, omega = rng.uniform(-3.0, 3.0), rng.uniform(-6.0, 6.0), rng.uniform(-8.0, 8.0)
     start = (

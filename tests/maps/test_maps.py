@@ -18,6 +18,7 @@ from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.evaluate import make_plan, run_cells, thread_limit
 from hophoop.maps.grid.quantities import make_span
 from hophoop.scenario import paths
+from hophoop.vocabulary.names import LAW_CODES
 
 SPEEDS = np.linspace(0.05, 5.0, 23)
 FRICTIONS = np.linspace(0.05, 1.95, 17)
@@ -36,7 +37,7 @@ def cell_of(scenario):
         **{name: getattr(state, name) for name in ("x", "height", "angle", "vy", "omega", "slip")},
         "mode": -1.0,  # by the rule
         "rolling_resistance": plane.rolling_resistance,
-        "law": {"newton": 0, "poisson": 1, "stronge": 2}[plane.impact_law],
+        "law": LAW_CODES[plane.impact_law],
         "painleve_impact": plane.painleve == "impact",
         "duration": scenario.duration,
         "max_events": scenario.contact.max_events,
@@ -59,7 +60,7 @@ VALUES = {
     "plane.mu_kinetic": st.floats(0.0, 2.0),
     "plane.restitution": st.floats(0.0, 1.0),
     "plane.rolling_resistance": st.sampled_from([0.0, 0.01, 1.0]),
-    "plane.impact_law": st.sampled_from(["newton", "poisson", "stronge"]),
+    "plane.impact_law": st.sampled_from(sorted(LAW_CODES)),
     "plane.painleve": st.sampled_from(["flight", "impact"]),
     "start.x": st.floats(-3.0, 3.0),
     "start.height": st.floats(0.0, 2.0),

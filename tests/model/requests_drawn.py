@@ -11,6 +11,7 @@ from urllib.parse import quote_plus
 import hophoop as hh
 from hophoop.lab.site.presets import presets
 from hophoop.scenario import paths
+from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import RANGES
 
 SECTIONS = {
@@ -25,7 +26,7 @@ SECTIONS = {
     ],
 }  # fmt: skip
 WORDS = {
-    "impact_law": ["stronge", "newton", "poisson"],
+    "impact_law": list(LAW_CODES),
     "painleve": ["flight", "impact"],
     "model": ["rigid", "compliant"],
     "law": ["kelvin-voigt", "hunt-crossley"],

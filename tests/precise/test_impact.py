@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from hophoop.kernel.physics.body import ImpactLaw
 from hophoop.precise.impact import Contact, impact
+from hophoop.vocabulary.names import LAW_CODES
 from oracles import rational
 
 
@@ -41,7 +42,7 @@ shares = st.fractions(0, 1, max_denominator=12)
 speeds = st.fractions(-3, 3, max_denominator=8)
 
 
-@pytest.mark.parametrize("law", ["newton", "poisson", "stronge"])
+@pytest.mark.parametrize("law", LAW_CODES)
 @given(
     shares, st.fractions(Fraction(1, 8), 1, max_denominator=8), st.fractions(-3, 3, max_denominator=6),
     st.fractions(0, 2, max_denominator=6), shares, shares, speeds, st.fractions(-2, Fraction(-1, 8), max_denominator=8),

@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.vocabulary.names import LAW_CODES
 from oracles import hybrid, mechanics, rational
 from oracles.cases import Case
 
-LAWS = ("newton", "poisson", "stronge")
+LAWS = tuple(sorted(LAW_CODES))
 DISK = {"eccentricity": Q(0), "inertia_ratio": Q(1, 2), "sine": Q(0), "cosine": Q(1)}
 ROD = {"eccentricity": Q(1, 2), "inertia_ratio": Q(39, 100), "sine": Q(-4, 5), "cosine": Q(3, 5)}
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from hophoop.vocabulary.names import LAW_CODES
 from oracle_program import STATE, essential, highest_apexes, program_events, simulate
 from oracles import hybrid
 from oracles.cases import Case
@@ -29,7 +30,7 @@ def draw(seed: int) -> Case:
         "mu_static": mu * float(random.choice([1.0, random.uniform(1.0, 1.5)])),
         "mu_kinetic": mu,
         "restitution": float(random.choice([0.0, 0.0, 0.3])),
-        "impact_law": str(random.choice(["newton", "poisson", "stronge"])),
+        "impact_law": str(random.choice(sorted(LAW_CODES))),
         "angle": float(random.uniform(-math.pi, math.pi)),
         "vx": float(random.normal() * speed),
         "omega": float(random.normal() * 1.5 * speed / radius),

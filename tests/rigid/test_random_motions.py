@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 import invariants
+from hophoop.vocabulary.names import LAW_CODES
 
-LAWS = ("newton", "poisson", "stronge")
+LAWS = tuple(sorted(LAW_CODES))
 STATUSES = {"completed", "at_rest", "jammed", "undetermined", "event_limit"}
 
 

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
+from hophoop.derivatives.parameters import directions_of
 from hophoop.kernel.records.cells import CELL, Cell
 from hophoop.lab.api import motion as film
 from hophoop.lab.site.presets import presets
@@ -265,6 +266,26 @@ def test_every_parameter_of_a_scenario_is_a_row():
     assert {row.column for row in parameters.TABLE if row.column} <= set(CELL)
     for row in parameters.TABLE:
         assert (row.unit == parameters.WORD) == (row.range is None), row.path
+
+
+@pytest.mark.parametrize("row", [row for row in parameters.TABLE if row.column], ids=lambda row: row.path)
+def test_every_number_of_a_cell_reaches_the_other_engines(row):
+    """A number that one of them ignores would silently be its default there."""
+    scenarios = pytest.importorskip("hophoop.prove.checker.scenarios", reason="the extra 'prove' is not installed")
+    start = hh.Start(x=1.0, height=0.2, angle=0.5, vx=1.5, vy=-0.5, omega=2.5)
+    hoop = hh.Hoop(eccentricity=0.4, inertia_ratio=0.8)
+    scenario = hh.Scenario(hoop=hoop, plane=hh.Plane(mu_static=0.5, mu_kinetic=0.4), start=start)
+    section, _, name = row.path.rpartition(".")
+    value = getattr(getattr(scenario, section) if section else scenario, name)
+    changed = 9 if name == "max_events" else 0.9 * value + 0.01
+    other = scenario.replace(row.path, changed)
+    assert cell_of(other) != cell_of(scenario)
+    np.testing.assert_array_equal(make_cells(scenario, {row.path: np.array([changed])}, 1)[:, 0], cell_of(other))
+    assert Problem.of(other) != Problem.of(scenario)
+    assert scenarios.NUMBERS[row.path] == (row.range.least, row.range.most, *row.range.also)
+    if row.derivative:
+        found = directions_of(scenario, [row.path])
+        assert found.parameter_tangents.any() or found.start.any() or found.units.any()
 
 
 def test_choices_are_the_words_of_the_models():
