@@ -104,7 +104,7 @@ def draw_energy(folder: Path) -> None:
     energy_balance(*axes)
     for ax in axes:
         title = ax.get_title(loc="left")
-        ax.set_title(title, loc="left", pad=38, fontsize=12)  # above the names of events
+        ax.set_title(title, loc="left", pad=26, fontsize=12)  # above the marks of events
         for words in ax.get_legend().get_texts():
             words.set_fontsize(9)
     keep(figure, folder / "compliant-energy.svg")

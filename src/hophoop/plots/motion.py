@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from itertools import cycle
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -22,12 +23,34 @@ if TYPE_CHECKING:
 else:
     Axes = Any
 
-LOOK = [
-    ("-", LINE, 1.0),
-    ((0, (5, 2)), LINE, 1.0),
-    ((0, (1, 1.4)), LINE, 1.0),
-    ((0, (6, 2, 1, 2)), LINE, 1.0),
-]
+DASHES = ("-", (0, (5, 2)), (0, (1, 1.4)), (0, (6, 2, 1, 2)))  # of several motions
+BROKEN, THIN = (0, (4, 1.6)), 1.0
+
+
+class Curve(NamedTuple):
+    """A line of a figure: its field of a sample, what it shows, and how."""
+
+    field: str
+    label: str
+    color: str
+    dashes: Any = "-"
+    width: float = LINE
+    always: bool = True  # also where it is zero throughout
+
+
+ENERGIES = (
+    Curve("kinetic", "kinetic", colors.KINETIC),
+    Curve("potential", "potential", colors.POTENTIAL, BROKEN),
+    Curve("total", "kinetic + potential", colors.TOTAL, (0, (7, 1.5, 1.2, 1.5))),
+    Curve("friction_loss", "lost to friction", colors.FRICTION_LOSS, (0, (1.2, 1.2)), always=False),
+    Curve("normal_loss", "", colors.IMPACT_LOSS, (0, (3, 1.2, 1, 1.2, 1, 1.2)), always=False),
+    Curve("rolling_resistance", "lost to rolling resistance", colors.GRAY, (0, (2, 1, 1, 1)), always=False),
+    Curve("spring", "in the contact's spring", colors.GRAY, width=THIN, always=False),
+)
+FORCES = (
+    Curve("normal_force", "normal force", colors.NORMAL_FORCE),
+    Curve("friction_force", "friction", colors.FRICTION_FORCE),
+)
 
 
 def velocities(
@@ -64,14 +87,11 @@ def velocities(
     check_against(against)
     ax = new_axes(ax)
     sample = curve(motion)
-    across = _across(sample, against)
     radius = motion.scenario.hoop.radius
     draw_bands(ax, uncertainty, sample, against, {"vx": (1.0, colors.CENTER_SPEED), "omega": (radius, colors.ROTATION_SPEED)})
-    ax.plot(across, sample.vx, color=colors.CENTER_SPEED, lw=LINE, label="centre, $v$")
-    ax.plot(
-        across, radius * sample.omega, color=colors.ROTATION_SPEED, lw=LINE, ls=(0, (4, 1.6)),
-        label=r"rotation, $R\dot\theta$",
-    )  # fmt: skip
+    across = _across(sample, against)
+    _line(ax, across, sample.vx, Curve("vx", "centre, $v$", colors.CENTER_SPEED))
+    _line(ax, across, radius * sample.omega, Curve("omega", r"rotation, $R\dot\theta$", colors.ROTATION_SPEED, BROKEN))
     _frame(ax, motion, against, quantities.VELOCITY, modes)
     return ax
 
@@ -103,48 +123,13 @@ def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = N
     """
     check_against(against)
     ax = new_axes(ax)
-    sample = curve(motion)
-    across = _across(sample, against)
     ax.axhline(0.0, color=colors.GRAY, lw=0.7)
-    ax.plot(across, sample.kinetic, color=colors.KINETIC, lw=LINE, label="kinetic")
-    ax.plot(across, sample.potential, color=colors.POTENTIAL, lw=LINE, ls=(0, (4, 1.6)), label="potential")
-    ax.plot(
-        across,
-        sample.total,
-        color=colors.TOTAL,
-        lw=LINE,
-        ls=(0, (7, 1.5, 1.2, 1.5)),
-        label="kinetic + potential",
-    )
-    if np.any(sample.friction_loss > 0.0):
-        ax.plot(
-            across,
-            sample.friction_loss,
-            color=colors.FRICTION_LOSS,
-            lw=LINE,
-            ls=(0, (1.2, 1.2)),
-            label="lost to friction",
-        )
-    if np.any(sample.normal_loss != 0.0):
-        ax.plot(
-            across,
-            sample.normal_loss,
-            color=colors.IMPACT_LOSS,
-            lw=LINE,
-            ls=(0, (3, 1.2, 1, 1.2, 1, 1.2)),
-            label=quantities.normal_loss(motion.scenario.contact.model),
-        )
-    if np.any(sample.rolling_resistance > 0.0):
-        ax.plot(
-            across,
-            sample.rolling_resistance,
-            color=colors.GRAY,
-            lw=LINE,
-            ls=(0, (2, 1, 1, 1)),
-            label="lost to rolling resistance",
-        )
-    if np.any(sample.spring > 0.0):
-        ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")
+    sample = curve(motion)
+    for one in ENERGIES:
+        values = getattr(sample, one.field)
+        if one.always or np.any(values != 0.0):
+            label = one.label or quantities.normal_loss(motion.scenario.contact.model)
+            _line(ax, _across(sample, against), values, one._replace(label=label))
     _frame(ax, motion, against, quantities.ENERGY, modes)
     return ax
 
@@ -186,26 +171,11 @@ def contact_forces(
     names = _names(many, labels)
     ax = new_axes(ax)
     ax.axhline(0.0, color=colors.GRAY, lw=0.7)
-    for k, (motion, name) in enumerate(zip(many, names, strict=True)):
+    for motion, name, dashes in zip(many, names, cycle(DASHES), strict=False):
         sample = curve(motion)
-        across = _across(sample, against)
-        dash, width, _ = LOOK[k % len(LOOK)]
-        ax.plot(
-            across,
-            sample.normal_force,
-            color=colors.NORMAL_FORCE,
-            lw=width,
-            ls=dash,
-            label=f"normal force{name}",
-        )
-        ax.plot(
-            across,
-            sample.friction_force,
-            color=colors.FRICTION_FORCE,
-            lw=width,
-            ls=dash,
-            label=f"friction{name}",
-        )
+        for one in FORCES:
+            told = one._replace(label=one.label + name, dashes=dashes)
+            _line(ax, _across(sample, against), getattr(sample, one.field), told)
     _frame(ax, _widest(many, against), against, quantities.FORCE, modes and len(many) == 1)
     return ax
 
@@ -253,18 +223,10 @@ def friction_utilization(
     for level in (-1.0, 1.0):
         ax.axhline(level, color=colors.LIMIT, lw=1.0, ls=(0, (4, 2)))
     ax.axhline(0.0, color=colors.GRAY, lw=0.7)
-    for k, (motion, name) in enumerate(zip(many, names, strict=True)):
+    for motion, name, dashes in zip(many, names, cycle(DASHES), strict=False):
         sample = curve(motion)
-        dash, width, _ = LOOK[k % len(LOOK)]
-        label = name.removeprefix(", ") or None
-        ax.plot(
-            _across(sample, against),
-            sample.utilization(motion.scenario.plane, signed=True),
-            color=colors.FRICTION_FORCE,
-            lw=width,
-            ls=dash,
-            label=label,
-        )
+        used = sample.utilization(motion.scenario.plane, signed=True)
+        _line(ax, _across(sample, against), used, Curve("", name.removeprefix(", "), colors.FRICTION_FORCE, dashes))
     ax.set_ylim(-1.15, 1.15)
     _frame(ax, _widest(many, against), against, rf"{quantities.UTILIZATION}, $F/(\mu N)$", modes and len(many) == 1)
     return ax
@@ -305,10 +267,14 @@ def gap(
     ax = new_axes(ax)
     sample = curve(motion)
     draw_bands(ax, uncertainty, sample, against, {"height": (1.0, colors.BLACK)})
-    ax.plot(_across(sample, against), sample.height, color=colors.BLACK, lw=LINE)
+    _line(ax, _across(sample, against), sample.height, Curve("height", "", colors.BLACK))
     ax.set_ylim(bottom=min(0.0, float(np.min(sample.height))))
     _frame(ax, motion, against, quantities.GAP, modes)
     return ax
+
+
+def _line(ax: Axes, across: Any, values: Any, one: Curve) -> None:
+    ax.plot(across, values, color=one.color, lw=one.width, ls=one.dashes, label=one.label or None)
 
 
 def _frame(ax: Axes, motion: Trajectory, against: Against, up: str, modes: bool) -> None:

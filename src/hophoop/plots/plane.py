@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from hophoop import theory
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve, shown_words
-from hophoop.plots.naming import name_curves
 from hophoop.plots.style import degrees, new_axes
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.simulation.trajectory import Trajectory
@@ -85,7 +84,6 @@ def phase_plane(
     ax = new_axes(ax, (8.4, 5.6))
     shown = _regions(ax, hoop, plane, angles, (low, high))
     _borders(ax, hoop, plane, angles, (low, high))
-    drawn = len(ax.get_lines())
     for motion in motions:
         own = motion.scenario.hoop == hoop and motion.scenario.plane == plane
         _draw(ax, motion, "-" if own else (0, (3, 1.2)), angles)
@@ -96,8 +94,7 @@ def phase_plane(
     ax.set_ylabel(quantities.ROTATION)
     _legend(ax, shown)
     if labels is not None:
-        borders = [np.asarray(line.get_xydata(), dtype=float) for line in ax.get_lines()[:drawn]]
-        name_curves(ax, [_way(motion) for motion in motions], labels, borders)
+        _name(ax, motions, labels, angles)
     return ax
 
 
@@ -189,9 +186,25 @@ def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]
             ax.plot(math.degrees(event.angle), event.omega, sign, color="black", mec="white", ms=8, zorder=6)
 
 
-def _way(motion: Trajectory) -> Any:
-    sample = curve(motion)
-    return np.column_stack([np.degrees(sample.angle), sample.omega])
+def _name(ax: Axes, motions: Sequence[Trajectory], labels: Sequence[str], angles: tuple[float, float]) -> None:
+    """Put a number on each motion, at an angle of its own, and explain the numbers below."""
+    span = min(angles[1] - angles[0], 2.0 * math.pi)
+    for k, motion in enumerate(motions):
+        sample = curve(motion)
+        at = int(np.nanargmin(np.abs(sample.angle - angles[0] - span * (k + 1) / (len(motions) + 1))))
+        ax.text(
+            math.degrees(sample.angle[at]), sample.omega[at], str(k + 1), ha="center", va="center", fontsize=9,
+            bbox={"boxstyle": "circle,pad=0.15", "fc": "white", "ec": colors.GRAY, "lw": 0.6}, zorder=7, clip_on=True,
+        )  # fmt: skip
+    above = cast("Any", ax.get_legend())
+    ax.add_artist(above)
+    above.set_clip_on(False)  # it would be given no room
+    line = need("matplotlib.lines", "plots").Line2D
+    handles = [line([], [], ls="", label=f"{k + 1}  {label}") for k, label in enumerate(labels)]
+    ax.legend(
+        handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.09), ncol=min(3, len(handles)), frameon=False, fontsize=9,
+        handlelength=0, handletextpad=0,
+    )  # fmt: skip
 
 
 FOLLOWS = {

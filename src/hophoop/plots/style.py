@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 from hophoop._support.extras import need
 from hophoop.plots.curves import Phase, phases, turning
-from hophoop.plots.marks import mark_events
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
+from hophoop.vocabulary.names import EVENTS, MARKS
 from hophoop.vocabulary.parameters import PARAMETERS
 
 if TYPE_CHECKING:
@@ -24,6 +24,7 @@ Against = Literal["time", "angle"]
 SIZE = (7.2, 4.0)
 LINE = 1.8
 SMALL = 8.5
+MOST_LINES = 12  # at take-offs or landings; more would hide the curves
 ON_COLOR = "on-color"  # id of marks on a colour, which keep their ink on dark pages
 ON_PAPER = "on-paper"  # id of axes whose colours fade to white, so that the picture keeps a white background
 
@@ -155,7 +156,20 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
                 0.5 * (begin + end), 1.026, word, transform=transform, ha="center", va="center_baseline",
                 fontsize=SMALL - 1, color=_ink(piece.word), zorder=5, gid=f"{ON_COLOR}-{k}",
             )  # fmt: skip
-    mark_events(ax, motion, [event.t if against == "time" else math.degrees(event.angle) for event in motion.events])
+    _mark_events(ax, motion, against)
+
+
+def _mark_events(ax: Axes, motion: Trajectory, against: Against) -> None:
+    """Draw marks above the ribbon, which the legend explains, and lines at take-offs and landings."""
+    style: dict[str, Any] = {"ls": "", "ms": 5, "color": colors.BLACK, "transform": ax.get_xaxis_transform(), "clip_on": False}
+    shown = [event for event in motion.events if event.kind in MARKS]
+    for kind in dict.fromkeys(event.kind for event in shown):
+        places = [event.t if against == "time" else math.degrees(event.angle) for event in shown if event.kind == kind]
+        count = f"{len(places)} × " if len(places) > MOST_LINES else ""  # the marks of as many may lie over each other
+        ax.plot(places, [1.09] * len(places), marker=MARKS[kind], label=count + EVENTS[kind].noun, **style)
+        if kind in ("takeoff", "impact") and len(places) <= MOST_LINES:
+            for place in places:
+                ax.axvline(place, color=colors.GRAY, lw=0.8, ls=(0, (2, 2)), zorder=1)
 
 
 def _word(piece: Phase, share: float, ax: Axes) -> str:
@@ -173,7 +187,7 @@ def _ink(word: str) -> str:
 
 def set_title(ax: Axes, title: str) -> None:
     """Set a title with space for the ribbon and its marks."""
-    ax.set_title(title, fontsize=11, loc="left", pad=30)
+    ax.set_title(title, fontsize=11, loc="left", pad=24)
 
 
 def as_list(motions: Trajectory | Sequence[Trajectory]) -> list[Trajectory]:
