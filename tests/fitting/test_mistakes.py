@@ -7,6 +7,7 @@ import pytest
 
 import hophoop as hh
 from fitting_tools import filmed, hopping
+from hophoop.fitting.channels import Sigma
 from hophoop.fitting.mistakes import likely_mistakes
 from hophoop.fitting.problem import run_of
 
@@ -16,7 +17,7 @@ TRACKS = [filmed(hopping()), filmed(hopping(start=LEFT)), filmed(hopping(LIGHT),
 
 
 def asked(track):
-    return likely_mistakes(run_of(track, "ideal", "rolling", hh.Plane(), (None, None)), track)
+    return likely_mistakes(run_of(track, "ideal", "rolling", hh.Plane(), Sigma()), track)
 
 
 def stretched(track, centre=1.0, angle=1.0, time=1.0, zero=0.0, radius=1.0):

@@ -5,6 +5,7 @@ import pytest
 
 import hophoop as hh
 from fitting_tools import RADIUS, TRUTH, hopping
+from hophoop.fitting.channels import GYROSCOPE, scatter
 from hophoop.tracking.table import track_of
 
 pytestmark = pytest.mark.compiled
@@ -35,3 +36,36 @@ def test_pulls_of_twenty_records():
     found = np.array([pulls(seed) for seed in range(20)])
     assert np.sqrt(np.nanmean(found**2)) == pytest.approx(1.0, abs=0.25)
     assert np.abs(np.nanmean(found, axis=0)).max() < 4 / np.sqrt(20)
+
+
+@pytest.mark.parametrize("digits", [12, 2], ids=["exact", "rounded"])
+def test_a_record_without_noise_is_explained(digits):
+    """Its scatter is zero, so the error is that of a usual gyroscope, or of the rounding."""
+    t = np.arange(120) / 120.0
+    omega = np.round(hopping().at(t).omega, digits)
+    fit = hh.fit(track_of(t, {"omega": omega}, radius=RADIUS))
+    assert fit.good
+    for name in NAMES:
+        assert fit.values[name] == pytest.approx(TRUTH[name], abs=3 * fit.error(name))
+    assert fit.error("gamma") < 1e-3
+
+
+def test_rounding_is_the_least_error():
+    t = np.arange(40) / 100.0
+    assert scatter(t, np.round(t**2, 1)) >= 0.1 / np.sqrt(12.0)
+    assert scatter(t, np.exp(t), GYROSCOPE) == GYROSCOPE
+
+
+def test_the_error_may_be_given():
+    t = np.arange(40) / 100.0
+    track = track_of(t, {"omega": hopping().at(t).omega}, radius=RADIUS)
+    fits = [hh.fit(track, sigma_omega=sigma) for sigma in (0.01, 0.02)]
+    assert fits[1].error("gamma") == pytest.approx(2 * fits[0].error("gamma"), rel=0.05)
+    with pytest.raises(ValueError, match=r"sigma_omega = -1.* above 0"):
+        hh.fit(track, sigma_omega=-1.0)
+
+
+@pytest.mark.parametrize("seed", [13, 16])
+def test_the_lowest_basin_is_found(seed):
+    """Where an impact passes a measured value the sum of squares has a step, with small basins on both sides."""
+    assert np.nanmax(np.abs(pulls(seed))) < 3.0

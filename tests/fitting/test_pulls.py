@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.fitting.channels import Sigma
 from hophoop.fitting.covariance import inverse
 from hophoop.fitting.losses import influence, influence_slope
 from hophoop.fitting.problem import defaults, problem_of, run_of
@@ -48,7 +49,7 @@ def pulls(hop, seeds, alike=0.0, signs=(1.0, -1.0)):
         track = filmed(hop, seed, alike, sign)
         fit = hh.fit(track)
         assert set(fit.free) == set(NAMES), seed
-        problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+        problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
         values, _ = defaults(problem.runs[0], track)
         values |= TRUTH
         if estimate is None:

@@ -5,6 +5,7 @@ import pytest
 
 import hophoop as hh
 from fitting_tools import RADIUS, filmed
+from hophoop.fitting.channels import Sigma
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.problem import defaults, problem_of, run_of
 from hophoop.fitting.solving import parameters, slopes
@@ -30,7 +31,7 @@ def test_slopes_are_those_of_finer_differences(name):
     """They are derivatives, also by the couple, to one side where there is none; the differences are of the fourth order."""
     motion, seen = MOTIONS[name]
     track, plane = filmed(motion), motion.scenario.plane
-    problem = problem_of([run_of(track, "ideal", "rolling", plane, (None, None))])
+    problem = problem_of([run_of(track, "ideal", "rolling", plane, Sigma())])
     values, _ = defaults(problem.runs[0], track)
     start = motion.scenario.start
     values |= {"gamma": 0.6, "mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic}

@@ -7,7 +7,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.fitting import Posterior, sample
-from hophoop.fitting.channels import Autocorrelation
+from hophoop.fitting.channels import Autocorrelation, Sigma
 from hophoop.fitting.problem import problem_of, run_of
 from hophoop.fitting.sampling import innovations
 from hophoop.tracking.table import track_of
@@ -127,7 +127,7 @@ def test_a_short_chain_is_said_to_be_short():
 def test_news_of_lasting_errors_have_their_likelihood():
     """The sum of the squares of the innovations is rᵀ P⁻¹ r with all of P written down."""
     track = rolled(0.9, frames=20)
-    problem = problem_of([run_of(track, "ideal", "rolling", hh.Plane(), (None, None))])
+    problem = problem_of([run_of(track, "ideal", "rolling", hh.Plane(), Sigma())])
     off = np.random.default_rng(3).normal(size=problem.count)
     memory = [Autocorrelation(1.0, 0.6), Autocorrelation(0.0, 0.0), Autocorrelation(0.4, 0.8)]
     found = innovations(problem, off, memory)

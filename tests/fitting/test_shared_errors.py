@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.fitting.channels import LONGEST, NONE, PATCH, PLACE_ERROR, channels_of
+from hophoop.fitting.channels import LONGEST, NONE, PATCH, PLACE_ERROR, Sigma, channels_of
 from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.problem import Prior, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.solving import parameters, slopes
@@ -97,7 +97,7 @@ def test_where_the_scale_is_off_so_is_the_plane(hop):
 def test_slopes_of_what_is_known_are_those_of_differences(hop):
     track = filmed(hop)
     priors = shared_errors(track)
-    run = dataclasses.replace(run_of(track, "ideal", "rolling", PLANE, (None, None)), priors=priors)
+    run = dataclasses.replace(run_of(track, "ideal", "rolling", PLANE, Sigma()), priors=priors)
     problem = problem_of([run])
     values, free = defaults(run, track)
     assert set(priors) <= free
@@ -113,17 +113,17 @@ def test_slopes_of_what_is_known_are_those_of_differences(hop):
 
 def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     track = filmed(hop)
-    x, _, angle = channels_of(track, (None, None))
+    x, _, angle = channels_of(track, Sigma())
     assert x.autocorrelation.share == pytest.approx((PLACE_ERROR / PIXELS / SIGMA) ** 2)
     assert angle.autocorrelation.share == pytest.approx((PLACE_ERROR / PIXELS / (0.8 * RADIUS) / SIGMA_ANGLE) ** 2)
     way = float(np.hypot(*np.diff(track.pixel, axis=0).T).sum())
     # over the whole film they fade as often as the patches that the hoop passes
     assert (len(track.t) - 1) * np.log(x.autocorrelation.fade) == pytest.approx(-way / PATCH)
     still = dataclasses.replace(track, pixel=np.zeros_like(track.pixel))
-    assert channels_of(still, (None, None))[0].autocorrelation.fade == LONGEST
-    assert channels_of(dataclasses.replace(track, view=None), (None, None))[0].autocorrelation == NONE
+    assert channels_of(still, Sigma())[0].autocorrelation.fade == LONGEST
+    assert channels_of(dataclasses.replace(track, view=None), Sigma())[0].autocorrelation == NONE
     # what the residuals say counts where it is more
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
     fresh = np.random.default_rng(5).normal(size=problem.count)
     assert autocorrelations(problem, fresh)[0] == x.autocorrelation
     slow = np.repeat(np.random.default_rng(5).normal(size=problem.count // 40 + 1), 40)[: problem.count]

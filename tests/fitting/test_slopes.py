@@ -8,6 +8,7 @@ from scipy.optimize import least_squares
 
 import hophoop as hh
 from fitting_tools import PLANE, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
+from hophoop.fitting.channels import Sigma
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, influence, influence_slope, loss
 from hophoop.fitting.parameters import PARAMETERS
@@ -20,7 +21,7 @@ pytestmark = pytest.mark.compiled
 
 def test_slopes_are_those_that_can_be_written_down(hop):
     track = filmed(hop)
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
     values, _ = defaults(problem.runs[0], track)
     values |= TRUTH
     names = ("x0", "origin_y", "marker_angle")
@@ -57,7 +58,7 @@ def test_slopes_are_those_of_differences(kind, marker):
         none = np.full_like(track.centre, np.nan)
         error = np.full(len(track.t), SIGMA)
         track = dataclasses.replace(track, marker=track.centre + arrow, centre=none, marker_error=error)
-    problem = problem_of([run_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, (None, None))])
+    problem = problem_of([run_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, Sigma())])
     values, _ = defaults(problem.runs[0], track)
     start, state = motion.scenario.start, motion.at(0.0)
     values |= {name: value for name, value in TRUTH.items() if name in values}
@@ -82,7 +83,7 @@ def test_slopes_are_those_of_differences(kind, marker):
 
 def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
     track = filmed(hop)
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
     values, _ = defaults(problem.runs[0], track)
     values |= TRUTH | {"restitution": 0.0}  # with any restitution it would bounce
     assert np.isnan(exact_slopes(problem, values, ("restitution", "speed"))[-1, 0])
@@ -102,7 +103,7 @@ def test_a_tied_parameter_may_depend_on_another():
 
 def test_slopes_go_along_with_what_is_tied(hop):
     track = filmed(hop)
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
     values, _ = defaults(problem.runs[0], track)
     values |= TRUTH
     tied = parameters(values, ("mu_kinetic",), tied={"mu_excess": "mu_kinetic / 4.5"})
@@ -130,7 +131,7 @@ def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
 
 def test_a_landing_without_restitution_leaves_differences_of_the_restitution_only():
     track = filmed(hopping(plane=hh.Plane(mu=0.9), duration=0.9))
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, (None, None))])
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
     values, _ = defaults(problem.runs[0], track)
     values |= TRUTH | {"restitution": 0.0}
     names = ("gamma", "mu_kinetic", "restitution", "speed")

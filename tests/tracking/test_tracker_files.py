@@ -64,8 +64,8 @@ def test_frames_that_were_stepped_over_are_not_lost(tmp_path, marked):
 def test_a_hoop_marked_by_hand_is_found(tmp_path, motion, marked):
     file = tmp_path / "hoop.txt"
     file.write_text(text(marked), encoding="utf-8")
-    track = read_track(file, Reading(radius=RADIUS, sigma=0.5 / SCALE))
-    fit = hh.fit(track)
+    track = read_track(file, Reading(radius=RADIUS))
+    fit = hh.fit(track, sigma=0.5 / SCALE)
     assert fit.good
     assert fit.values["gamma"] == pytest.approx(0.6, abs=4 * fit.error("gamma"))
     assert fit.values["mu_kinetic"] == pytest.approx(0.45, abs=4 * fit.error("mu_kinetic"))

@@ -46,9 +46,12 @@ def fit(
     ] = None,
     sigma: Annotated[
         float | None,
-        typer.Option(help="Standard deviation of each coordinate, m, if the data lack it.", rich_help_panel=DATA),
+        typer.Option(help="Standard deviation of each coordinate, m; found in the data by default.", rich_help_panel=DATA),
     ] = None,
     sigma_angle: Annotated[float | None, typer.Option(help="Standard deviation of angles, rad.", rich_help_panel=DATA)] = None,
+    sigma_omega: Annotated[
+        float | None, typer.Option(help="Standard deviation of angular velocities, rad/s.", rich_help_panel=DATA)
+    ] = None,
     since: Annotated[
         float | None, typer.Option("--from", help="Time from which the motion is free, s.", rich_help_panel=DATA)
     ] = None,
@@ -134,8 +137,6 @@ def fit(
             until=until,
             angle_unit=angle_unit,
             radius=radius,
-            sigma=sigma,
-            sigma_angle=sigma_angle,
         )
         tracks = [read_track(one, reading) for one in data]
     with waiting("fitting", quiet=quiet or json):
@@ -150,6 +151,7 @@ def fit(
             plane=Plane(gravity=gravity, impact_law=law),
             sigma=sigma,
             sigma_angle=sigma_angle,
+            sigma_omega=sigma_omega,
             robust=not squares,
         )
     if sample is not None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.fitting.channels import Sigma
 from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
 from hophoop.fitting.judging import WORDS, correlations, least_static_friction, misfits, sequence_of, shares
@@ -41,7 +42,7 @@ class Settings:
     bounds: Mapping[str, tuple[float, float]]
     tied: Mapping[str, str]
     plane: Plane
-    sigma: tuple[float | None, float | None]
+    sigma: Sigma
     robust: bool
     seed: int
 
@@ -71,6 +72,7 @@ def fit(
     plane: Plane | None = None,
     sigma: float | None = None,
     sigma_angle: float | None = None,
+    sigma_omega: float | None = None,
     robust: bool = True,
     seed: int = 0,
 ) -> Fit:
@@ -98,8 +100,8 @@ def fit(
         Parameters that are expressions of others.
     plane : Plane, optional
         Gravity and the impact law.
-    sigma, sigma_angle : float, optional
-        Standard deviations of places [m] and angles [rad], in place of the track's own.
+    sigma, sigma_angle, sigma_omega : float, optional
+        Standard deviations of places [m], angles [rad] and angular velocities [rad/s], in place of the track's own.
     robust : bool, default True
         Let outliers count less than by their square.
     seed : int, default 0
@@ -134,8 +136,20 @@ def fit(
     if start != "auto" and start not in STARTS:
         raise InputError.of_field("start", start, f"auto, {', '.join(STARTS)}")
     how = Settings(
-        hoop, start, fixed or {}, free, bounds or {}, tied or {}, plane or Plane(), (sigma, sigma_angle), robust, seed
+        hoop,
+        start,
+        fixed or {},
+        free,
+        bounds or {},
+        tied or {},
+        plane or Plane(),
+        Sigma(sigma, sigma_angle, sigma_omega),
+        robust,
+        seed,
     )
+    for name, value in (("sigma", sigma), ("sigma_angle", sigma_angle), ("sigma_omega", sigma_omega)):
+        if value is not None and not (np.isfinite(value) and value > 0):
+            raise InputError.of_field(name, value, "a number above 0")
     several = [data] if isinstance(data, Track | str | Path) else list(data)
     tracks = [one if isinstance(one, Track) else read_track(one) for one in several]
     if not tracks:
@@ -267,8 +281,7 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
             "gravity": how.plane.gravity,
             "law": how.plane.impact_law,
             "robust": robust,
-            "sigma": how.sigma[0],
-            "sigma_angle": how.sigma[1],
+            "sigma": list(how.sigma),
             "free": list(wanted),
             "bounds": {name: list(limits) for name, limits in how.bounds.items()},
             "tied": tied,

@@ -106,7 +106,7 @@ def _ends(problem: Problem, params: Parameters, solution: Solution, name: str, r
     for side, end in ((-1, params[name].min), (1, params[name].max)):
         if not np.isfinite(end):
             continue
-        starts = [held(changed(params, values), {name: end}) for values in ({}, _values_at(solution, name, end))]
+        starts = [held(changed(params, values), {name: end}) for values in ({}, solution.values_at(name, end))]
         costs = [cost_of(problem, one, robust) for one in starts]
         if min(costs) - cost > problem.count:
             continue  # too far: fitting the others does not help
@@ -114,15 +114,6 @@ def _ends(problem: Problem, params: Parameters, solution: Solution, name: str, r
         if found.cost - cost <= NEAR * spread_of(problem, cost, len(solution.free)):
             result.append(End(side, found, blind))
     return result
-
-
-def _values_at(solution: Solution, name: str, end: float) -> dict[str, float]:
-    """Return the values of the others by linear regression, with one at the end of its range."""
-    if name not in solution.free or not np.isfinite(solution.covariance).all():
-        return {}
-    values, place = solution.minimum.values, solution.free.index(name)
-    changes = solution.covariance[place] / solution.covariance[place, place] * (end - values[name])
-    return {other: values[other] + change for other, change in zip(solution.free, changes.tolist(), strict=True)}
 
 
 def _alone(name: str, value: float) -> dict[str, float]:

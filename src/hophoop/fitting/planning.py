@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hophoop._support import tables
+from hophoop.fitting.channels import Sigma
 from hophoop.fitting.covariance import inverse
 from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.judging import correlations, least_static_friction
@@ -157,7 +158,7 @@ def plan(
     track = _film(scenario, np.arange(count) / rate, sigma, sigma_angle)
     ideal = scenario.hoop.load_fraction is not None
     hoop = scenario.hoop if hoop_known or scenario.hoop.massless else "ideal" if ideal else "general"
-    run = run_of(track, hoop, _start(scenario), scenario.plane, (None, None))
+    run = run_of(track, hoop, _start(scenario), scenario.plane, Sigma())
     values, usual = defaults(run, track)
     values |= _known(scenario, values)
     for name in (*free, *fixed):

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.channels import Channel, channels_of
+from hophoop.fitting.channels import Channel, Sigma, channels_of
 from hophoop.fitting.parameters import SHARED, STARTS
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
@@ -183,11 +183,11 @@ class Problem:
         return np.concatenate([run.residuals(run.own(values)) for run in self.runs])
 
 
-def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: tuple[float | None, float | None]) -> Run:
+def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: Sigma) -> Run:
     """Return the run of a track.
 
     hoop: the known hoop, or the kind of an unknown one; start: a key of STARTS; plane: gravity and the impact law; sigma:
-    standard deviations of places [m] and angles [rad], in place of the track's own.
+    standard deviations in place of the track's own.
     """
     radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
     if not (np.isfinite(radius) and radius > 0):

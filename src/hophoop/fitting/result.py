@@ -15,6 +15,7 @@ from hophoop._support import tables
 from hophoop._support.extras import need
 from hophoop._support.files import replacing
 from hophoop._version import __version__
+from hophoop.fitting.channels import Sigma
 from hophoop.fitting.judging import WORDS, sequence_of
 from hophoop.fitting.parameters import SHARED, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
@@ -67,7 +68,7 @@ class Fit:
     tracks : tuple of Track
         The data of each run.
     settings : dict
-        Settings of the fit: starts, hoop, gravity, law, robust, sigma, sigma_angle, free, bounds, tied, priors.
+        Settings of the fit: starts, hoop, gravity, law, robust, sigma, free, bounds, tied, priors.
     posterior : Posterior or None
         From a chain of `hophoop.fitting.sample`.
     alone : tuple of Fit
@@ -139,7 +140,7 @@ class Fit:
         """Data and model."""
         how = self.settings
         hoop = Hoop(**how["hoop"]) if isinstance(how["hoop"], dict) else how["hoop"]
-        plane, sigma = Plane(gravity=how["gravity"], impact_law=how["law"]), (how["sigma"], how["sigma_angle"])
+        plane, sigma = Plane(gravity=how["gravity"], impact_law=how["law"]), Sigma(*how["sigma"])
         runs = []
         for track, start, priors in zip(self.tracks, how["starts"], how["priors"], strict=True):
             run = run_of(track, hoop, start, plane, sigma)

@@ -53,10 +53,6 @@ class Reading:
         Unit of angles and angular velocities, if the file has none.
     radius : float, optional
         Radius of the rim [m].
-    sigma : float, optional
-        Standard deviation of each coordinate, if the file has none [m].
-    sigma_angle : float, optional
-        The same of the angle [rad].
 
     Raises
     ------
@@ -72,8 +68,6 @@ class Reading:
     until: float | None = None
     angle_unit: str | None = None
     radius: float | None = None
-    sigma: float | None = None
-    sigma_angle: float | None = None
 
     def __post_init__(self) -> None:
         if self.angle_unit not in (None, "rad", "deg"):
@@ -81,7 +75,7 @@ class Reading:
         for name in self.columns:
             if name not in CHANNELS:
                 raise InputError(f"columns cannot name {name!r}; it can name {', '.join(CHANNELS)}.", field="columns")
-        for name in ("radius", "rate", "sigma", "sigma_angle"):
+        for name in ("radius", "rate"):
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise InputError.of_field(name, value, "a number above 0")
@@ -163,14 +157,6 @@ def _fill_in(track: Track, how: Reading) -> Track:
             values["angle"] = angle
     if how.radius is not None:
         values["radius"] = how.radius
-    if how.sigma is not None:
-        there = np.where(np.isfinite(track.centre), how.sigma, np.nan)
-        values["centre_error"] = np.where(np.isfinite(track.centre_error), track.centre_error, there)
-        there = np.where(np.isfinite(track.marker[:, 0]), how.sigma, np.nan)
-        values["marker_error"] = np.where(np.isfinite(track.marker_error), track.marker_error, there)
-    if how.sigma_angle is not None:
-        there = np.where(np.isfinite(track.angle), how.sigma_angle, np.nan)
-        values["angle_error"] = np.where(np.isfinite(track.angle_error), track.angle_error, there)
     return replace(track, **values) if values else track
 
 
