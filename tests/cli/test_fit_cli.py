@@ -119,7 +119,7 @@ def test_the_lab_shows_values_to_their_error_and_a_slope_within_its_error_as_lev
 def test_no_good_fit_is_status_1(table):
     done = call("fit", table, "--radius", 0.3, "--sigma", 1e-4, "--fix", "gamma=0.2")
     assert done.exit_code == 1
-    assert "No fit is good" in done.stdout
+    assert "Wrong: no motion fits" in done.stdout
 
 
 @pytest.mark.parametrize(

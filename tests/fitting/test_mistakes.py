@@ -1,6 +1,7 @@
 """Data with the mistakes that a class makes: a fit that is not good asks about the right one, and about none without reason."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,8 +9,9 @@ import pytest
 import hophoop as hh
 from fitting_tools import filmed, hopping
 from hophoop.fitting.channels import Sigma
-from hophoop.fitting.mistakes import likely_mistakes
+from hophoop.fitting.mistakes import likely_mistakes, without_shutter
 from hophoop.fitting.problem import run_of
+from hophoop.tracking import read_track
 
 LIGHT = hh.Hoop.ideal(0.3, radius=0.3)
 LEFT = hh.Start.rolling(-1.9, angle=-0.1)
@@ -130,10 +132,33 @@ def test_a_fit_that_is_not_good_asks_and_leaves_the_details_out():
     found = hh.fit(stretched(TRACKS[0], centre=100.0))
     assert not found.good
     said = found.sentences()
-    assert "No fit is good" in said[1]
-    assert "are lengths in cm" in said[2]
-    assert len(said) == 3  # no correlations, no runs of residuals of a motion that is another one
-    assert found.notes == tuple(said[2:])
+    assert said[0].startswith("Wrong: no motion fits.")
+    assert "are lengths in cm" in said[1]
+    assert len(said) == 2
+    assert found.notes == tuple(said[1:])
+    assert len(found.details()) == 1  # no correlations, no runs of residuals of a motion that is another one
+
+
+def test_a_film_tracked_without_its_shutter():
+    """The sample film without --exposure and --row-delay gives γ to 0.001, and says why it is not perfect."""
+    film = read_track(Path(__file__).parents[2] / "examples" / "film" / "track.json")
+    late = 8e-6 * (film.marker_pixel[:, 1] - film.pixel[:, 1])
+    omega = np.gradient(film.angle, film.t)
+    bare = replace(
+        film,
+        t=film.t - 8e-6 * film.pixel[:, 1],
+        angle=film.angle + omega * late,
+        view=replace(film.view, exposure=0.0, row_delay=0.0),
+    )
+    found = hh.fit(bare)
+    assert not found.good
+    assert found.usable
+    said = found.sentences()
+    assert said[0].startswith("Not perfect, but usable")
+    assert "enough to test the theory: gamma" in said[1]
+    assert any("The likely cause is the shutter" in one and "--exposure" in one and "--row-delay" in one for one in said)
+    assert abs(found.values["gamma"] - 0.6) < 0.001
+    assert without_shutter((film,)) == []
 
 
 def test_a_fit_without_a_usual_mistake_says_so():

@@ -108,8 +108,8 @@ def test_it_is_told_and_saved(sampled, tmp_path):
     assert " +" in rows["gamma"]
     assert " −" in rows["gamma"]
     assert any("chain of 20 walkers and 500 steps" in sentence for sentence in sampled.sentences())
-    assert any("of the posterior has it" in sentence for sentence in sampled.sentences())
-    assert not any("posterior" in sentence for sentence in replace(sampled, posterior=None).sentences())
+    assert any("of the posterior has it" in sentence for sentence in sampled.details())
+    assert not any("posterior" in sentence for sentence in replace(sampled, posterior=None).details())
     sampled.save(tmp_path / "fit.json")
     back = hh.load_fit(tmp_path / "fit.json")
     assert back.shares == sampled.shares

@@ -222,7 +222,7 @@ def _show(found: Any, json: bool) -> None:
     print_parameters(found.rows())
     if found.alone:
         print_comparison(found.comparison())
-    for sentence in found.sentences():
+    for sentence in (*found.sentences(), "", "Details", *found.details()):
         typer.echo(sentence)
 
 

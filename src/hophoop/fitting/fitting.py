@@ -11,12 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.fitting.channels import Sigma
-from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
-from hophoop.fitting.judging import WORDS, correlations, least_static_friction, misfits, sequence_of, shares
+from hophoop.fitting.judging import correlations, least_static_friction, misfits, sequence_of, shares
 from hophoop.fitting.limits import NOT_SEEN, least_friction, one_sided_limits, unobserved
-from hophoop.fitting.losses import influence
-from hophoop.fitting.mistakes import likely_mistakes
+from hophoop.fitting.mistakes import likely_mistakes, without_shutter
 from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
 from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.result import HOPELESS, WORST, Fit
@@ -258,11 +256,9 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
     chi_square = float((residuals**2).sum())
     degrees_of_freedom = problem.count - len(solution.free)
     worse = chi_square / max(degrees_of_freedom, 1)
-    mistakes = likely_mistakes(problem.runs[0], tracks[0]) if worse > WORST else []
-    if worse > HOPELESS:
-        notes = mistakes or [NO_MISTAKE]
-    else:
-        notes = mistakes + notes + _correlated_errors(problem, influence(residuals) if robust else residuals)
+    if worse > WORST:
+        causes = likely_mistakes(problem.runs[0], tracks[0]) or without_shutter(tracks)
+        notes = causes + notes if worse <= HOPELESS else causes or [NO_MISTAKE]
     return Fit(
         values,
         solution.free,
@@ -288,12 +284,3 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
             "priors": [{name: list(prior) for name, prior in run.priors.items()} for run in problem.runs],
         },
     )
-
-
-def _correlated_errors(problem: Problem, pulls: Floats) -> list[str]:
-    return [
-        f"Errors of {WORDS[piece.channel.name]} are correlated ({memory.frames:.1f} frames have the information of one); "
-        "the uncertainties include that."
-        for piece, memory in zip(problem.pieces, autocorrelations(problem, pulls), strict=True)
-        if memory.share
-    ]

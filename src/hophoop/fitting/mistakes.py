@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -41,6 +42,19 @@ def likely_mistakes(problem: Run, track: Track) -> list[str]:
     place = np.interp(angle.t, x.t, x.value)
     ratio = float(np.polyfit(angle.value, place, 1)[0]) / problem.radius if np.ptp(angle.value) else np.inf
     return _of_units(ratio) or _of_the_angle(ratio) or _cured(problem, track)
+
+
+def without_shutter(tracks: Sequence[Track]) -> list[str]:
+    """Name the shutter of films that were tracked without their exposure time or rolling shutter."""
+    views = [track.view for track in tracks if track.view is not None]
+    missing = []
+    if any(not view.exposure for view in views):
+        missing.append("--exposure 0.001 (the exposure time, s)")
+    if any(not view.row_delay for view in views):
+        missing.append("--row-delay 1e-5 (the delay from row to row, s, of a rolling shutter)")
+    if not missing:
+        return []
+    return [f"The likely cause is the shutter: track the film with {' and '.join(missing)}, with the numbers of your camera."]
 
 
 def _hops_down(height: Floats, problem: Run) -> bool:

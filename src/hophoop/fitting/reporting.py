@@ -157,6 +157,7 @@ def _page(fit: Fit, film: str | None) -> str:
         version=__version__,
         source=fit.source,
         sentences=fit.sentences(),
+        details=fit.details(),
         found=[row for row in fit.rows() if not row[1].endswith(GIVEN)],
         given=[(name, text.removesuffix(GIVEN), meaning) for name, text, meaning in fit.rows() if text.endswith(GIVEN)],
         comparison=fit.comparison() if fit.alone else [],

@@ -16,7 +16,9 @@ from hophoop._support.extras import need
 from hophoop._support.files import replacing
 from hophoop._version import __version__
 from hophoop.fitting.channels import Sigma
+from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.judging import WORDS, sequence_of
+from hophoop.fitting.losses import influence
 from hophoop.fitting.parameters import SHARED, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
 from hophoop.fitting.sampling import Posterior, posterior_from_dict
@@ -36,7 +38,13 @@ FRICTION = ("mu_kinetic", "mu_excess")  # whose sum is static friction
 GIVEN = " (given)"  # suffix of values that were not fitted
 WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
 UNLIKELY = 0.003  # probability below which runs do not agree
-HOPELESS = 10.0 * WORST  # above it the details of the residuals mean nothing
+HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
+# Relative errors, and what they are enough for.
+ACCURACIES = {
+    0.01: "Known to 1 %, enough to test the theory",
+    0.1: "Known to 10 %, enough to predict another run",
+    float("inf"): "Known only roughly",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +112,11 @@ class Fit:
     def good(self) -> bool:
         """True if the motion explains the data: chi-square at most twice the degrees of freedom."""
         return self.reduced <= WORST
+
+    @property
+    def usable(self) -> bool:
+        """True if the fit is good or not perfect; false if no motion fits, and its numbers mean nothing."""
+        return self.reduced <= HOPELESS
 
     @property
     def inflation(self) -> float:
@@ -247,7 +260,7 @@ class Fit:
         if not self.alone:
             return []
         said = [
-            f"Run {k} ({one.source}) alone is not explained: χ² is {one.reduced:.1f} times the degrees of freedom."
+            f"Run {k} ({one.source}) alone is {'not perfect' if one.usable else 'wrong'}: no motion explains its data."
             for k, one in enumerate(self.alone, 1)
             if not one.good
         ]
@@ -260,30 +273,58 @@ class Fit:
         return said
 
     def sentences(self) -> list[str]:
-        """Describe the fit.
+        """Describe the fit: whether it is good, how accurate each parameter is and for what, and what to do.
 
         Returns
         -------
         sentences : list of str
         """
-        sequence = sequence_of(self.problem, self.values)
+        if self.good:
+            said = ["The motion explains the data."]
+        elif self.usable:
+            said = [
+                f"Not perfect, but usable: the data are {self.inflation:.1f} times as far from the motion as their errors let "
+                "expect; the uncertainties allow for that."
+            ]
+        else:
+            said = [f"Wrong: no motion fits. The data are {self.inflation:.0f} times as far from the best one as their errors."]
+        if self.usable:
+            said += self._accuracies()
+        if self.posterior is not None:
+            said.append(_about(self.posterior))
+        of_the_tables = [note for track in self.tracks if track.view is None for note in track.notes]
+        return [*said, *self._of_runs(), *self.notes, *of_the_tables]
+
+    def _accuracies(self) -> list[str]:
+        """Group the parameters of hoop and contact by their accuracy, and say what it is good for."""
+        found: dict[str, list[str]] = {}
+        for name in (*SHARED, "mu_static"):
+            parts = FRICTION if name == "mu_static" else (name,)
+            error = self.error(name) if set(parts) <= set(self.free) else 0.0
+            if error > 0 and name != "mu_excess":
+                share = error / max(abs(sum(self.values[part] for part in parts)), 1e-300)
+                word = next(text for limit, text in ACCURACIES.items() if share <= limit)
+                found.setdefault(word, []).append(f"{name} (to {error:.1g})")
+        return [f"{text}: {', '.join(found[text])}." for text in ACCURACIES.values() if text in found]
+
+    def details(self) -> list[str]:
+        """Describe the statistics of the fit; nothing where no motion fits.
+
+        Returns
+        -------
+        sentences : list of str
+        """
         said = [f"χ² = {self.chi_square:.1f} for {self.degrees_of_freedom} degrees of freedom ({self.reduced:.2f} each)."]
-        if not self.good:
-            said.append(f"No fit is good: χ² is {self.reduced:.1f} times the degrees of freedom, more than {WORST:g}.")
-        elif self.inflation > 1.05:
-            said.append(
-                f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than the errors of the data."
-            )
+        if not self.usable:
+            return said
+        if self.inflation > 1.05:
+            said.append(f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than those of the data.")
+        sequence = sequence_of(self.problem, self.values)
         of = "the motions within the uncertainties have" if self.posterior is None else "the posterior has"
         said.append(f"Sequence {sequence}: {100 * self.shares.get(sequence, 0.0):.0f} % of {of} it.")
         if len(self.shares) > 1:
             others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(self.shares.items())[:4])
             said[-1] = said[-1].rstrip(".") + f" ({others})."
-        if self.posterior is not None:
-            said.append(_about(self.posterior))
-        of_the_tables = [note for track in self.tracks if track.view is None for note in track.notes]
-        if self.reduced > HOPELESS:
-            return [*said[:2], *self._of_runs(), *self.notes, *of_the_tables]
         for first, second, size in self.correlated[:4]:
             said.append(f"{first} and {second} can hardly be distinguished (correlation {size:+.3f}).")
         for place in self.misfits:
@@ -291,7 +332,15 @@ class Fit:
                 f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
                 f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
             )
-        return [*said, *self._of_runs(), *self.notes, *of_the_tables]
+        residuals = self.problem.residuals(self.values)
+        memories = autocorrelations(self.problem, influence(residuals) if self.settings["robust"] else residuals)
+        for piece, memory in zip(self.problem.pieces, memories, strict=True):
+            if memory.share:
+                said.append(
+                    f"Errors of {WORDS[piece.channel.name]} are correlated ({memory.frames:.1f} frames have the information of "
+                    "one); the uncertainties include that."
+                )
+        return said
 
     def to_dict(self) -> dict[str, Any]:
         """Convert to a dictionary, including the data.
