@@ -1,4 +1,4 @@
-"""Figures of the pages on formulas, method, proofs, films, the reference article and filming a hoop, from computed motions.
+"""Figures of the pages on formulas, method, proofs, films, the reference article, filming a hoop and the code.
 
 Usage: python examples/page_figures.py [FOLDER]   (default: docs/figures)
 """
@@ -214,6 +214,50 @@ def draw_camera(path: Path) -> None:
     save(figure, path)
 
 
+# The packages: each imports only from those to its right and from the rows below, as the contract in pyproject.toml says.
+CODE = (
+    (("cli", "commands"), ("lab", "page, server"), ("web/", "the page's scripts")),
+    (("fitting", "parameters"), ("article", "reproduction"), ("animate", "films"), ("plots", "figures")),
+    (
+        ("maps", "sweeps"),
+        ("tracking", "films to tracks"),
+        ("gaits", "long term"),
+        ("prove", "enclosures"),
+        ("theory", "thresholds"),
+    ),
+    (("simulation", "4  Trajectory"), ("derivatives", "through events"), ("precise", "extended precision")),
+    (("results", "5  Sample, events"), ("scenario", "1  input, checked"), ("vocabulary", "tables of facts")),
+    (
+        ("rigid", "3  event loop"),
+        ("compliant", "spring"),
+        ("records", "2  cell, tables"),
+        ("panels", "roll, slip"),
+        ("physics", "model"),
+    ),
+)
+ON_THE_WAY = ("scenario", "records", "rigid", "simulation", "results")  # of one motion
+
+
+def draw_code(path: Path) -> None:
+    """The packages in rows, with the way of one motion."""
+    figure, ax = plt.subplots(figsize=(7.6, 4.4), layout="constrained")
+    for i, row in enumerate(CODE):
+        width = 1.0 / len(row)
+        for k, (name, words) in enumerate(row):
+            on_the_way = name in ON_THE_WAY
+            color = colors.SERIES[1] if on_the_way else colors.GRAY
+            place = (k * width + 0.006, -i + 0.1)
+            ax.add_patch(plt.Rectangle(place, width - 0.012, 0.8, fill=False, ec=color, lw=2.5 if on_the_way else 1.0))
+            middle = (k + 0.5) * width
+            ax.text(middle, -i + 0.64, name, ha="center", va="center", fontsize=11, family="monospace")
+            ax.text(middle, -i + 0.32, words, ha="center", va="center", fontsize=10, color=color)
+    kernel = len(CODE) - 1
+    ax.text(-0.015, -kernel + 0.5, "kernel/", ha="right", va="center", fontsize=11, family="monospace")
+    ax.set(xlim=(-0.11, 1.0), ylim=(-kernel, 1.0))
+    ax.axis("off")
+    save(figure, path)
+
+
 FIGURES = {
     "required-friction.svg": draw_required_friction,
     "phases.svg": draw_phases,
@@ -223,6 +267,7 @@ FIGURES = {
     "film-frame.png": draw_film,
     "article-hop.svg": draw_article,
     "camera.svg": draw_camera,
+    "code.svg": draw_code,
 }
 
 

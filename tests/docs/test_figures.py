@@ -4,6 +4,7 @@ import math
 import re
 import runpy
 import sys
+import tomllib
 from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
@@ -165,3 +166,14 @@ def test_the_picture_of_the_film_is_its_film_at_a_page_s_size(tmp_path):
     assert drawn.shape == (720, 1280, 3)
     assert np.mean(np.abs(drawn - shown).max(axis=-1) > 40) < 0.01
     assert kept.stat().st_size < 150_000
+
+
+def test_the_map_of_the_code_has_the_order_of_the_contracts():
+    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]["contracts"]
+    layers = [re.findall(r"\w+", line) for contract in contracts[:2] for line in contract["layers"]]
+    rank = {name: place for place, layer in enumerate(layers) for name in layer}
+    drawn = [name for row in PAGES["CODE"] for name, _ in row if name in rank]
+    assert [rank[name] for name in drawn] == sorted(rank[name] for name in drawn)
+    assert set(rank) - set(drawn) <= {
+        "__main__", "cite", "io", "kernel", "_support", "_version", "build", "entries", "numerics", "native",
+    }  # fmt: skip

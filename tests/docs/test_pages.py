@@ -108,10 +108,15 @@ def test_commands_are_found_because_the_environment_is_activated():
 
 def test_the_architecture_names_what_there_is():
     text = (DOCS / "architecture.md").read_text(encoding="utf-8")
-    names = re.findall(r"`((?:scenario|simulation|kernel|precise|results)\.[\w.]+)`", text)
-    assert len(names) > 25
+    packages = {path.name for path in (DOCS.parent / "src" / "hophoop").iterdir() if path.is_dir()}
+    names = [name for name in re.findall(r"`(\w+\.[\w.]*\w)`", text) if name.partition(".")[0] in packages]
+    assert len(names) > 50
     for name in names:
         pkgutil.resolve_name(f"hophoop.{name}")
+    files = re.findall(r"`([\w/]+/[\w.]*)`", text)
+    assert len(files) > 20
+    for file in files:
+        assert any((DOCS.parent / root / file).exists() for root in ("", "src/hophoop", "src/hophoop/kernel")), file
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.lab import tables
 from hophoop.scenario import paths
-from hophoop.vocabulary.names import WORDS
+from hophoop.vocabulary.names import EVENTS, WORDS
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
@@ -61,6 +61,14 @@ def test_every_language_has_every_text(code):
             places = [sorted(PLACE.findall(one)) for one in (form, forms(english).get("other", english))]
             assert places[0] == places[1], key
         assert text != english or isinstance(text, dict) or ALIKE.match(english), key
+
+
+def test_every_event_is_told_and_summed_up():
+    assert {f"story.{kind}" for kind in EVENTS} - set(ENGLISH) == {"story.end"}
+    by_word = {"start", "slip_start", "slip_reversal"}
+    assert {f"summary.{kind}" for kind, facts in EVENTS.items() if facts.summed_up} - set(ENGLISH) == {
+        f"summary.{kind}" for kind in by_word
+    }
 
 
 @pytest.mark.parametrize("code", TABLES)

@@ -7,12 +7,14 @@ import pytest
 
 import hophoop as hh
 from hophoop import article
+from hophoop.kernel.physics.body import EVENT_NAMES, PASSING
 from random_scenarios import draw
 
 
 def split(motion):
     """Beginnings of the phases of a motion, also from turning points on."""
-    marks = [event for event in motion.events if event.kind not in ("apex", "kane_gain", "rest")]
+    inside = {EVENT_NAMES[kind] for kind in PASSING} - {"turn"}
+    marks = [event for event in motion.events if event.kind not in inside]
     return [(event.t, event.to_mode) for event, after in itertools.pairwise(marks) if after.t > event.t]
 
 
