@@ -75,7 +75,6 @@ interface Pose {
   omega: number;
   normal_force: number;
   friction_force: number;
-  digits: number; // of speeds and forces that are right
   [column: string]: any;
 }
 
@@ -85,12 +84,14 @@ type Column = Float64Array | Float32Array | Uint8Array;
 type FilmHeader = ReturnType<typeof import("./model/header.ts").headerOf> & { doubt?: Message };
 type MapHeader = ReturnType<typeof import("./model/cells.ts").mapReply>["header"];
 
-interface Reply<Header = FilmHeader> {
+interface Reply<Header> {
   header: Header;
   arrays: Record<string, any>;
-  /** Of a film: its columns at one time, where the page can compute them at once. */
-  exact?(time: number): Record<string, Column>;
-  /** Of a film that another computes: its columns from one time to another. */
+}
+
+interface FilmReply extends Reply<FilmHeader> {
+  /** The columns at one time. */
+  exact(time: number): Record<string, Column>;
 }
 
 type Change = [path: string, value: unknown];
@@ -296,6 +297,7 @@ interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
   vy: number;
   omega: number;
   slip: number; // v_t: exactly 0 in a rolling start, else vx − radius · omega
+  mode: ModeLetter | null; // of a start that goes on; else it follows from the state
   rolling: boolean; // the scenario has start.speed: theory's numbers of a rolling start are asked for with vx
   duration: number;
   max_events: number;
@@ -311,15 +313,23 @@ interface Mechanics {
     radius: number,
     parts: WholePart[],
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
-  /** The columns of a film at one time, from the pieces of the motion; missing where the kernel keeps none. */
-  instant?(given: Given, pieces: Uint8Array, time: number): Record<string, Column>;
+  /** The columns of a film at one time, from the pieces of the motion. */
+  instant(given: Given, pieces: Uint8Array, time: number): Record<string, Column>;
   /** The first rule of the kernel that a scenario breaks, 0 for none, and the number that its sentence needs. */
   refused(given: Given): [code: number, number: number];
   /** What a compliant contact chooses by itself, in SI units. */
   chosen(given: Given): Record<string, number>;
 }
 
-interface ComputedMotion extends Omit<SentMotion, "query" | "turning"> {
+// As Trajectory.to_dict has it.
+interface ComputedMotion {
+  status: MotionStatus;
+  sequence: string;
+  fingerprint: string;
+  events: MotionEvent[];
+  final: MotionState & { mode: ModeLetter };
+  energy: Record<string, number>;
+  duration: number;
   doubt: number | null; // from when on doubles do not decide what comes, null where they do [s]
 }
 
@@ -358,17 +368,17 @@ interface MapValues {
 interface Kernel {
   limit?: number; // milliseconds that an answer may take
   /** A motion and its columns at once. */
-  film?(
+  film(
     given: Given,
     signal?: AbortSignal,
   ): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column>; pieces: Uint8Array }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
-  /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
+  /** The film's columns, as the player needs them: t, x, height, angle, …; `mode` is the code of the mode's word. */
   columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;
   /** The state at some times, as Trajectory.at. */
   samples(given: Given, times: Float64Array, signal?: AbortSignal): MaybeLater<Samples>;
   thresholds(given: Given, signal?: AbortSignal): MaybeLater<TheoryNumbers>;
-  /** θ from and to, θ̇ from and to; arrays as lab/regions.regions: `modes` (rows upwards) and `paradox`. */
+  /** θ from and to, θ̇ from and to; arrays `modes` (rows upwards) and `paradox`. */
   regions(
     given: Given,
     window: [number, number, number, number],
@@ -481,6 +491,8 @@ interface CheckedStart {
   vx: number;
   vy: number;
   omega: number | null;
+  slip: number | null; // of a start that goes on from another motion, as its mode
+  mode: ModeLetter | null;
 }
 
 interface CompliantContact {
@@ -589,18 +601,6 @@ interface MotionEvent extends MotionState {
   collision?: boolean;
   gain?: number | null;
   stable?: boolean | null;
-}
-
-interface SentMotion {
-  status: MotionStatus;
-  sequence: string;
-  fingerprint: string;
-  events: MotionEvent[];
-  final: MotionState & { mode: ModeLetter };
-  energy: Record<string, number>;
-  query: string;
-  duration: number;
-  turning: Record<string, number>;
 }
 
 // A canvas whose strokes become an SVG.

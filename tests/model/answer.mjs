@@ -53,12 +53,10 @@ const rated = () => (carrying ??= opened(derivatives));
 const local = new Backend(kernel, mechanics);
 const listed = (arrays) => Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]]));
 const packed = ({ header, arrays }) => ({ header, arrays: listed(arrays) });
-CALLS.film = async (body) => packed(await local.film(body));
+CALLS.film = async (body) => packed(await local.film(body, undefined, body.bounded));
 CALLS.map = async (body) => packed(await local.map(body));
 CALLS.samples = async ({ scenario, window }) => listed(await local.samples(scenario, window));
 CALLS.theory = ({ scenario }) => local.theory(scenario);
-// what Python has computed, as the page shows it
-CALLS.shown = ({ header, arrays }) => local.shown({ header, arrays }).header;
 // a Python that says what it is asked for
 CALLS.served = async (asked) => {
   const said = [];

@@ -236,6 +236,7 @@ def given_of(scenario: hh.Scenario) -> dict[str, Any]:
         "ideal": hoop.load_fraction is not None,
         **{name: getattr(plane, name) for name in SECTIONS["plane"] if name != "mu"},
         **state._asdict(),
+        "mode": start.mode,
         "rolling": start.speed is not None,
         "duration": scenario.duration,
         "max_events": contact.max_events,

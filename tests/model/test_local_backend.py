@@ -14,13 +14,12 @@ import pytest
 import hophoop as hh
 from hophoop._support.fingerprint import is_fingerprint
 from hophoop.lab.api.limits import within
-from hophoop.lab.api.motion import columns, result
-from hophoop.lab.api.packing import finite
 from hophoop.lab.site import presets
 from hophoop.vocabulary.colors import class_color
 from hophoop.vocabulary.names import class_text
 from model.asked import asked
 from model.test_page_model import answers
+from page_films import number, same_columns
 from web_tools import english, needs_node
 
 pytestmark = needs_node
@@ -34,14 +33,8 @@ BODIES: list[dict[str, Any]] = [
 ]
 
 
-def of_python(body: dict[str, Any]) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    scenario = asked(json.loads(json.dumps(body)))
-    motion = hh.simulate(within(scenario))
-    return finite(result(motion, scenario)), columns(motion, window=body.get("window"))
-
-
-def number(value: Any) -> float:
-    return float(value) if isinstance(value, str) else math.nan if value is None else value
+def of_python(body: dict[str, Any]) -> hh.Trajectory:
+    return hh.simulate(within(asked(json.loads(json.dumps(body)))))
 
 
 def alike(one: Any, other: Any, path: str = "") -> None:
@@ -59,31 +52,49 @@ def alike(one: Any, other: Any, path: str = "") -> None:
         assert one == other, path
 
 
-RESULTS = ("status", "sequence", "fingerprint", "events", "final", "energy", "query", "duration")
+RESULTS = ("status", "sequence", "fingerprint", "events", "final", "energy")
 
 
-def same_columns(found: dict[str, list[Any]], arrays: dict[str, np.ndarray], body: Any) -> None:
-    assert found.keys() == arrays.keys()
-    for name, column in arrays.items():
-        np.testing.assert_array_equal(np.array([number(value) for value in found[name]]), column, err_msg=f"{body} {name}")
-
-
-def test_films_are_those_of_python_and_told_alike_whoever_computes_them():
+def test_films_are_those_of_python():
     bodies = [*BODIES, {"query": "plane.rolling_resistance=0.02&plane.mu=0.4"}]
     bodies += [{"query": preset.scenario.to_query()} for preset in presets.presets()]
     bodies += [{"query": "duration=60"}]  # sampled coarsely, and where the load passes top and bottom
     bodies += [{"changes": [["contact.model", "compliant"], ["contact.stiffness", 1e5]], "query": "duration=0.5"}]
-    films = [answer["value"] for answer in answers("film", bodies)]
-    results = []
-    for body, film in zip(bodies, films, strict=True):
-        header, arrays = of_python(body)
+    motion = hh.simulate(hh.Scenario())
+    # motions that go on from a state of another, also in slip
+    starts = [hh.Start.of(motion.at(t)) for t in (0.55, 1.2, 1.9, 2.1)]
+    bodies += [{"query": hh.Scenario(start=start).to_query()} for start in starts]
+    for body, answer in zip(bodies, answers("film", bodies), strict=True):
+        film, motion = answer["value"], of_python(body)
+        written = motion.to_dict()
         for name in RESULTS:
-            alike(film["header"][name], header[name], f"{body} {name}")
-        same_columns(film["arrays"], arrays, body)
-        results.append({"header": header, "arrays": {}})
-    # from Python's results the page makes the same story, summary, values …
-    for body, film, shown in zip(bodies, films, answers("shown", results), strict=True):
-        alike(film["header"], shown["value"], str(body))
+            alike(film["header"][name], written[name], f"{body} {name}")
+        assert film["header"]["query"] == asked(body).to_query()
+        assert film["header"]["duration"] == motion.duration
+        same_columns(film["arrays"], motion, body)
+
+
+def test_a_notebook_shows_motions_of_any_length():
+    (answer,) = answers("film", [{"query": "duration=1000", "bounded": False}])
+    same_columns(answer["value"]["arrays"], hh.simulate(hh.Scenario(duration=1000.0)))
+
+
+def test_a_motion_without_length_has_a_frame():
+    (answer,) = answers("film", [{"query": "start.angle=0&start.vx=1&start.omega=1&duration=1e-9"}])
+    assert len(answer["value"]["arrays"]["t"]) >= 2
+
+
+def test_a_long_motion_is_sampled_where_its_speed_is_extreme():
+    motion = hh.simulate(hh.Scenario(duration=60.0))
+    (answer,) = answers("film", [{"query": "duration=60"}])
+    found = {name: np.array(answer["value"]["arrays"][name]) for name in ("t", "vx", "angle")}
+    coarse = motion.at(np.linspace(0.0, motion.duration, 6001))
+    fine = motion.at(np.linspace(57.0, 60.0, 60_001))
+    late, steady = found["t"] > 57.0, coarse.t > 57.0
+    assert found["vx"][late].max() == pytest.approx(fine.vx.max(), rel=1e-5)
+    assert found["vx"][late].max() >= coarse.vx[steady].max()
+    bottoms = np.mod(found["angle"][late], 2.0 * np.pi) - np.pi
+    assert np.abs(bottoms).min() < 1e-3 < np.abs(np.mod(coarse.angle[steady], 2.0 * np.pi) - np.pi).min()
 
 
 # The speed at which the contact force is zero at the start: its double may lie on either side.
@@ -108,7 +119,9 @@ def test_a_part_of_a_film_is_finer():
     windows: list[Any] = [[0, 3.5], [100.2, 101.9], [199.5, 250]]
     asked = [{"scenario": scenario.to_dict(), "window": window} for window in windows]
     for body, answer in zip(asked, answers("samples", asked), strict=True):
-        same_columns(answer["value"], of_python(body)[1], body["window"])
+        arrays, (begin, end) = answer["value"], body["window"]
+        assert (arrays["t"][0], arrays["t"][-1]) == (begin, min(end, 200.0))
+        same_columns(arrays, of_python(body), body)
 
 
 def test_thresholds_are_those_of_theory():

@@ -21,7 +21,6 @@ import hophoop as hh
 import random_scenarios
 from hophoop._support import errors
 from hophoop.lab import tables
-from hophoop.lab.api.packing import finite
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.scenario import InputError
@@ -59,6 +58,11 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
     )
     assert done.returncode == 0, done.stderr[-2000:]
     return [json.loads(line) for line in done.stdout.split("\n") if line]
+
+
+def finite(value: float) -> float | None:
+    """What JSON has of a number."""
+    return value if math.isfinite(value) else None
 
 
 def of_python(body: Any) -> hh.Scenario | str:

@@ -9,20 +9,19 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 import hophoop as hh
 from hophoop._support.fingerprint import STATE, fingerprint
 from hophoop.kernel.compliant.motion import chosen_in_si
 from hophoop.kernel.physics.body import EVENT_NAMES
-from hophoop.lab.api import motion as film
 from hophoop.lab.wasm.layout import EVENT_COLUMNS
 from hophoop.lab.wasm.stamp import HERE, MODULE
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.compliant import to_compliance
 from module.host import Host
 from module.module_tools import cell_of, drawn, given_of
+from page_films import same_columns
 
 KERNEL = HERE.parent / "static" / "kernel.js"
 
@@ -89,11 +88,7 @@ def test_what_is_told_of_a_motion_is_the_same(answers: dict[str, Any]) -> None:
 @pytest.mark.long
 def test_columns_of_a_film_are_the_same(answers: dict[str, Any]) -> None:
     for motion, answer in computed(answers):
-        theirs = film.columns(motion)
-        assert answer["columns"].keys() == theirs.keys()
-        for name, column in theirs.items():
-            mine = np.array([float(each) for each in answer["columns"][name]])
-            np.testing.assert_array_equal(mine, column, err_msg=f"{motion.scenario.to_query()} {name}")
+        same_columns(answer["columns"], motion, motion.scenario.to_query())
 
 
 def test_what_a_contact_chooses_is_the_same(answers: dict[str, Any]) -> None:

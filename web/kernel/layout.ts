@@ -18,7 +18,7 @@ export const WORD: Record<string, number> = places(layout.words);
 const CODED: Record<string, (given: Given) => number> = {
   law: ({ impact_law }) => layout.impact_laws.indexOf(impact_law),
   painleve_impact: ({ painleve }) => Number(painleve === "impact"),
-  mode: () => -1, // selected by the rule
+  mode: ({ mode }) => (mode ? layout.letters.indexOf(mode) : -1), // selected by the rule
   allowed: () => 1,
 };
 

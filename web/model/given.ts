@@ -1,9 +1,11 @@
 // A scenario as the numbers that the kernel takes.
 
+const ROUNDED = 1e-9; // of the velocities: within it a start's own slip agrees with them
+
 export function given({ duration, hoop, plane, start, contact }: Checked): Given {
   const { radius, mass, eccentricity, inertia_ratio } = hoop;
   const { mu, apart, ...ofPlane } = plane;
-  const { x, height, angle, vx, vy, omega, slip } = stateOf(start, radius);
+  const { x, height, angle, vx, vy, omega, slip, mode } = stateOf(start, radius);
   const { max_events, model, ...rest } = contact;
   return {
     radius,
@@ -19,6 +21,7 @@ export function given({ duration, hoop, plane, start, contact }: Checked): Given
     vy,
     omega,
     slip,
+    mode,
     rolling: start.speed !== null,
     duration,
     max_events,
@@ -28,9 +31,12 @@ export function given({ duration, hoop, plane, start, contact }: Checked): Given
 
 /**
  * The start as numbers, as Python's `Start.state`: a rolling one turns with its speed over the radius and does not
- * slip.
+ * slip; one that goes on from another motion has the slip and the mode of that.
  */
-export function stateOf({ x, height, angle, speed, vx, vy, omega }: CheckedStart, radius: number) {
-  const turning = speed === null ? Number(omega) : speed / radius;
-  return { x, height, angle, vx, vy, omega: turning, slip: speed === null ? vx - radius * turning : 0 };
+export function stateOf({ x, height, angle, speed, vx, vy, omega, slip, mode }: CheckedStart, radius: number) {
+  const state = { x, height, angle, vx, vy };
+  if (speed !== null) return { ...state, omega: speed / radius, slip: 0, mode: null };
+  const rim = radius * Number(omega);
+  const goesOn = slip !== null && Math.abs(slip - (vx - rim)) <= ROUNDED * (Math.abs(vx) + Math.abs(rim));
+  return { ...state, omega: Number(omega), slip: goesOn ? slip : vx - rim, mode: goesOn ? mode : null };
 }

@@ -1,7 +1,7 @@
 // A scenario from a dictionary, a link or changes to another, checked as Python checks it, and written as keys and links.
 
 import { finding, InputError, isTable, modelOf, readFields, readValue, unknownKey, whole } from "./check.ts";
-import { given } from "./given.ts";
+import { given, stateOf } from "./given.ts";
 import { replaced } from "./paths.ts";
 import { queryText, readQuery } from "./query.ts";
 import { broken, COMPLETE } from "./rules.ts";
@@ -91,7 +91,8 @@ const namesOf = (model: string) => Object.keys(knowledge.models[model].fields);
 export function toDict({ duration, hoop, plane, start, contact }: Checked): Scenario {
   const unwritten = plane.apart ? ["mu"] : ["mu_static", "mu_kinetic"];
   const usual = (name: string) => name in leftOut && (plane as any)[name] === leftOut[name];
-  const free = ["x", "height", "angle", "vx", "vy", "omega"];
+  const goesOn = stateOf(start, hoop.radius).slip === start.slip;
+  const free = ["x", "height", "angle", "vx", "vy", "omega", ...(goesOn ? ["slip", "mode"] : [])];
   return {
     duration,
     hoop: hoopKeys(hoop),

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from hophoop._support.extras import MissingExtra, need
 from hophoop.lab.wasm.stamp import DERIVATIVES
 from hophoop.scenario import InputError, Scenario
@@ -33,8 +31,8 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
     -------
     widget : anywidget.AnyWidget
         Its `motion` is the Trajectory shown, also after a slider has moved; assign another one to show it. Its `query`, the
-        scenario's link, changes with it and can be observed. The film is stored in the notebook, with what its
-        sliders need: both work without a kernel.
+        scenario's link, changes with it and can be observed. What computes the motion is stored in the notebook: the player
+        and its sliders work without a kernel.
 
     Raises
     ------
@@ -62,8 +60,6 @@ def _widget_class() -> Any:
     traitlets = need("traitlets", "notebook")
     from hophoop.lab.api import files
     from hophoop.lab.api.limits import within
-    from hophoop.lab.api.motion import columns, result
-    from hophoop.lab.api.packing import pack
     from hophoop.lab.api.refusals import refusal
     from hophoop.lab.site import export
 
@@ -72,8 +68,8 @@ def _widget_class() -> Any:
 
         _esm = export.static_text("widget.js")
         _css = export.static_text("lab.css")
-        # the results of the motion; the page makes its words from them
-        film = traitlets.Bytes().tag(sync=True)
+        # the link of the motion that Python shows, which the page computes
+        given = traitlets.Unicode().tag(sync=True)
         panels = traitlets.List().tag(sync=True)
         # the page's scripts and its kernel: sliders need no round trip, even in a notebook exported to HTML
         scripts = traitlets.Dict().tag(sync=True)
@@ -84,13 +80,14 @@ def _widget_class() -> Any:
         query = traitlets.Unicode().tag(sync=True)
 
         def __init__(self, motion: Trajectory, panels: list[str]) -> None:
+            query = motion.scenario.to_query()
             super().__init__(
-                film=pack(result(motion), columns(motion)),
+                given=query,
                 panels=panels,
                 module=export.packed_module(),
                 scripts=export.scripts(),
                 words=export.packed_words(),
-                query=motion.scenario.to_query(),
+                query=query,
             )
             self._motion = motion
             self._shown = self.query
@@ -106,8 +103,7 @@ def _widget_class() -> Any:
         def motion(self, motion: Trajectory) -> None:
             self._motion = motion
             self._shown = motion.scenario.to_query()
-            self.film = pack(result(motion), columns(motion))
-            self.query = self._shown
+            self.given = self.query = self._shown
 
         def _follow(self, change: Any) -> None:
             """After an undo, or a switch between two hoops, recompute: the motion shown is not the one computed last."""
@@ -121,8 +117,7 @@ def _widget_class() -> Any:
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
             reply = {"view": message.get("view"), "number": message.get("number")}
             if message.get("call") == "derivatives":  # larger than most notebooks, so only sent on request
-                content = np.frombuffer(export.packed_module(DERIVATIVES), np.uint8)
-                self.send(reply, [pack({}, {"content": content})])
+                self.send(reply, [export.packed_module(DERIVATIVES)])
                 return
             try:
                 body = message.get("body")
@@ -134,7 +129,7 @@ def _widget_class() -> Any:
             except Exception:
                 self.send({**reply, "status": 500})
                 raise
-            self.send(reply, [pack({}, {"content": np.frombuffer(made, np.uint8)})])
+            self.send(reply, [made])
 
     _made.append(MotionWidget)
     return MotionWidget

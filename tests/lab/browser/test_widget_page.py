@@ -27,13 +27,13 @@ def opened(visit, module=None):
     page.expose_function("kernel", kernel)
     page.expose_function("chosen", lambda query: setattr(widget, "query", query))
     page.evaluate(
-        """async ({ film, panels, module, scripts, start }) => {
+        """async ({ given, panels, module, scripts, start }) => {
           const bytes = (text) => {
             const raw = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
             return new DataView(raw.buffer);
           };
           const listeners = [];
-          const traits = { film: bytes(film), panels, module: bytes(module), scripts, query: "" };
+          const traits = { given, panels, module: bytes(module), scripts, query: "" };
           const model = {
             get: (name) => traits[name],
             set: (name, value) => (traits[name] = value),
@@ -53,7 +53,7 @@ def opened(visit, module=None):
           globalThis.leave = await widget.render({ model, el });
         }""",
         {
-            "film": base64.b64encode(widget.film).decode(),
+            "given": widget.given,
             "panels": widget.panels,
             "module": base64.b64encode(widget.module if module is None else module).decode(),
             "scripts": widget.scripts,

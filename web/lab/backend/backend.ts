@@ -35,45 +35,25 @@ export class Backend {
     this.files = [...Object.keys(OWN_FILES), ...(python ? PYTHON_FILES : [])];
   }
 
-  /** The motion of a scenario for the player. */
-  async film(asked: Asked, signal?: AbortSignal): Promise<Reply> {
+  /** The motion of a scenario for the player. `bounded`: whether it must be one that a page computes. */
+  async film(asked: Asked, signal?: AbortSignal, bounded = true): Promise<FilmReply> {
     signal?.throwIfAborted();
     const checked = model.asked(asked, this.mechanics);
-    const given = model.given(model.within(checked));
-    const { motion, columns, pieces } = this.kernel.film
-      ? await this.kernel.film(given, signal)
-      : {
-          motion: await this.kernel.motion(given, signal),
-          columns: await this.kernel.columns(given, signal),
-          pieces: null,
-        };
+    const given = model.given(bounded ? model.within(checked) : checked);
+    const { motion, columns, pieces } = await this.kernel.film(given, signal);
     const { doubt } = motion;
     const omega = await this.turning(given, motion, signal);
     const header = model.headerOf(checked, motion, omega, this.mechanics);
-    const instant = this.mechanics.instant?.bind(this.mechanics);
     return {
       header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) },
       arrays: columns,
-      exact: instant && pieces ? (time) => instant(given, pieces, time) : undefined,
+      exact: (time) => this.mechanics.instant(given, pieces, time),
     };
-  }
-
-  /** How a motion that came from elsewhere is known at any time. */
-  async exact(scenario: any): Promise<Pick<Reply, "exact">> {
-    const { exact } = await this.film({ scenario });
-    return { exact };
   }
 
   /** What a link says in spite of what is wrong in it. */
   readable(query: string) {
     return model.readable(query, this.mechanics);
-  }
-
-  /** A motion that Python has computed, for the player. */
-  shown({ header: motion, arrays }: Reply<SentMotion>): Reply {
-    const checked = model.fromQuery(motion.query, this.mechanics);
-    const omega = (number: number) => motion.turning[number];
-    return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays };
   }
 
   /** A part of a motion, for a film that is too long to be as dense as it is seen. `window`: times from and to. */

@@ -1,6 +1,5 @@
 // Files that need Python, from the server of the page or from the kernel of the notebook.
 
-import { unpack } from "../backend/packing.ts";
 import { Refused } from "../words/words.ts";
 
 const GONE = "backend.server_silent";
@@ -61,16 +60,16 @@ export class NotebookKernel implements Python {
     model.on("msg:custom", this.listen);
   }
 
-  answered(message: any, buffers: any[]) {
+  answered(message: any, buffers: DataView<ArrayBuffer>[]) {
     const waits = message?.view === this.view && this.waiting.get(message.number);
     if (!waits) return;
     clearTimeout(waits.timer);
     this.waiting.delete(message.number);
     if (message.status) waits.reject(refused(message.status, { install: message.install ?? "" }));
-    else waits.resolve(unpack(buffers[0]));
+    else waits.resolve(buffers[0]);
   }
 
-  ask(call: "file" | "derivatives", body: object): Promise<Reply<any>> {
+  ask(call: "file" | "derivatives", body: object): Promise<DataView<ArrayBuffer>> {
     const number = ++this.number;
     return new Promise((resolve, reject) => {
       // a saved notebook plays without a kernel, but its kernel makes no files
@@ -87,13 +86,12 @@ export class NotebookKernel implements Python {
   }
 
   async file(name: string, scenario: Scenario) {
-    const { arrays } = await this.ask("file", { scenario, name });
-    return new Blob([arrays.content]);
+    return new Blob([await this.ask("file", { scenario, name })]);
   }
 
   /** The module of derivatives, which only comes when it is asked for: it is larger than most notebooks. */
-  async derivatives() {
-    return (await this.ask("derivatives", {})).arrays.content;
+  derivatives() {
+    return this.ask("derivatives", {});
   }
 
   close() {

@@ -280,7 +280,7 @@ export class Plot {
       this.shades(now, lane).forEach((curve, k, all) => {
         if (!this.compares(curve, lane, all.length)) return;
         const value = curve.values[0];
-        if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, now.sure ? 3 : 2);
+        if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, 3);
         const y = this.y(value);
         if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
         context.fillStyle = curve.color ?? this.look.ink;

@@ -1,4 +1,4 @@
-// A computed motion: what Python has sent, and the state at any time in it.
+// A computed motion, and the state at any time in it.
 
 import { tables } from "../../model/tables.ts";
 import { clamp } from "../common/clamp.ts";
@@ -8,15 +8,10 @@ export const MODE_LETTERS: string = tables.words.letters;
 const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks
 const STRETCH = 10; // seconds of a film that have one scale of rim speeds
 const PART = 8; // seconds that are made finer at a time
-const RATES: Record<string, string> = { x: "vx", angle: "omega", height: "vy" };
 
 export class Film {
   /** the film of one instant that was asked for last */
   latest: Film | null = null;
-  /** an instant of a film without `exact`, as its kernel has it */
-  pinned: Film | null = null;
-  /** whether a film of one instant is exact, not interpolated */
-  sure: boolean = true;
   cache: Map<string, Column> = new Map();
   /** the part that is looked at, if the whole is coarse */
   part: Film | null = null;
@@ -25,7 +20,7 @@ export class Film {
   duration: number;
   status: MotionStatus;
   sequence: string;
-  /** hash of the bits of all events; null where this page does not decide them */
+  /** hash of the bits of all events */
   fingerprint: string;
   events: MotionEvent[];
   values: Record<string, any>;
@@ -37,8 +32,8 @@ export class Film {
   /** that more digits would have to decide what comes, if they would */
   doubt: Message;
   columns: Record<string, Column>;
-  /** the state at any time; without it, states between samples are interpolated */
-  exact: Reply["exact"];
+  /** the columns at any time */
+  exact: FilmReply["exact"];
   t: Float64Array;
   length: number;
   radius: number;
@@ -49,7 +44,7 @@ export class Film {
   phases: Phase[];
   extent: { left: number; right: number; top: number; speed: number };
 
-  constructor(reply: Reply) {
+  constructor(reply: FilmReply) {
     Object.assign(this, { doubt: "" }, reply.header);
     this.columns = reply.arrays;
     this.exact = reply.exact;
@@ -86,20 +81,8 @@ export class Film {
   /** The same motion at other times. */
   with(columns: Record<string, any>): Film {
     const { t } = columns;
-    const own = { columns, t, length: t.length, cache: new Map(), part: null, latest: null, pinned: null, sure: true };
+    const own = { columns, t, length: t.length, cache: new Map(), part: null, latest: null };
     return Object.assign(Object.create(this), own);
-  }
-
-  /** Take the state at one time. */
-  pin(columns: Record<string, any>, time: number) {
-    const found = this.with(columns);
-    this.pinned = found.one(found.index(time));
-    this.latest = null;
-  }
-
-  /** The film of one sample. */
-  one(i: number) {
-    return this.with(Object.fromEntries(Object.entries(this.columns).map(([name, column]) => [name, [column[i]]])));
   }
 
   /** What holds a time: the finer part where it does, else the whole. */
@@ -168,66 +151,19 @@ export class Film {
     ];
   }
 
-  /** The film of one instant: each column has its value at a time, exactly where `sure`. */
+  /** The film of one instant: each column has its value at a time. */
   moment(time: number): Film {
     const now = clamp(time, 0, this.duration);
     if (this.latest?.t[0] === now) return this.latest;
-    const { pinned, exact } = this;
     const film = this.holding(now);
-    const i = film.index(now);
-    if (exact) this.latest = this.with({ ...exact(now), mode: [film.columns.mode[i]] });
-    else if (pinned?.t[0] === now) this.latest = pinned;
-    else this.latest = film.t[i] === now ? film.one(i) : film.between(now, i);
+    this.latest = this.with({ ...this.exact(now), mode: [film.columns.mode[film.index(now)]] });
     return this.latest;
   }
 
-  /**
-   * A film of one instant between two samples; a time at which something happens has a sample on either side. `i`:
-   * the sample before.
-   */
-  between(now: number, i: number) {
-    const j = Math.min(i + 1, this.length - 1);
-    const span = this.t[j] - this.t[i];
-    const share = span > 0 ? (now - this.t[i]) / span : 0;
-    const weights = this.weights(now, i, j);
-    const columns: Record<string, number[]> = {};
-    for (const [name, column] of Object.entries(this.columns)) {
-      const a = column[i];
-      const b = column[j];
-      const rate = this.columns[RATES[name]];
-      if (name === "mode" || !Number.isFinite(b)) columns[name] = [a];
-      else if (rate) columns[name] = [hermite(a, b, rate[i] * span, rate[j] * span, share)];
-      else columns[name] = [this.weighed(name, weights)];
-    }
-    return Object.assign(this.with({ ...columns, t: [now] }), { sure: false });
-  }
-
-  /** Of a cubic through four samples about a time, none of them beyond an event: their numbers and their weights. */
-  weights(now: number, i: number, j: number): [number, number][] {
-    const { t } = this;
-    let [first, last] = [i, j];
-    while (first > 0 && i - first < 3 && t[first - 1] < t[first]) first--;
-    while (last < this.length - 1 && last - j < 3 && t[last] < t[last + 1]) last++;
-    const from = Math.max(first, Math.min(i - 1, last - 3));
-    const places = Array.from({ length: Math.min(from + 3, last) - from + 1 }, (_, k) => from + k);
-    return places.map((k) => [
-      k,
-      places.reduce((product, other) => (other === k ? product : (product * (now - t[other])) / (t[k] - t[other])), 1),
-    ]);
-  }
-
-  weighed(name: string, weights: [number, number][]) {
-    const column = this.columns[name];
-    if (name !== "utilization") return weights.reduce((sum, [k, weight]) => sum + weight * column[k], 0);
-    // where friction changes its sign, its size has a kink
-    const { friction_force } = this.columns;
-    return Math.abs(weights.reduce((sum, [k, weight]) => sum + weight * Math.sign(friction_force[k]) * column[k], 0));
-  }
-
   at(time: number): Pose {
-    const { columns, sure } = this.moment(time);
+    const { columns } = this.moment(time);
     const values = Object.fromEntries(Object.entries(columns).map(([name, [value]]) => [name, value]));
-    return { ...values, mode: MODE_LETTERS[columns.mode[0]], digits: sure ? 3 : 2 } as any;
+    return { ...values, mode: MODE_LETTERS[columns.mode[0]] } as any;
   }
 
   /** A derived column, computed once. */
@@ -236,11 +172,4 @@ export class Film {
     this.cache.set(name, found);
     return found;
   }
-}
-
-/** Cubic through both values with both rates: exact to drawing also at a tenth of the speed. */
-function hermite(a: number, b: number, da: number, db: number, s: number) {
-  if (!Number.isFinite(da) || !Number.isFinite(db)) return a + (b - a) * s;
-  const r = 1 - s;
-  return r * r * (1 + 2 * s) * a + s * s * (3 - 2 * s) * b + s * r * (r * da - s * db);
 }

@@ -5,8 +5,6 @@ import { Stopped, type Computing } from "../shell/computing.ts";
 import { History } from "../shell/history.ts";
 import type { Asked } from "../backend/backend.ts";
 
-const INSTANT = 1e-6; // seconds: of a window that is asked for its first moment only
-
 /**
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under
  * way.
@@ -66,21 +64,8 @@ export class Motions {
     return this.lanes.length > 1 ? "AB"[this.active] : "";
   }
 
-  /** A film; one that came with a notebook is computed here too, to be exact at any time. */
-  filmOf(reply: Reply) {
-    const film = new Film(reply);
-    const known = reply.exact ? null : this.backend.exact(film.scenario);
-    known
-      ?.then((found) => {
-        Object.assign(film, found, { latest: null });
-        this.listener.refined();
-      })
-      .catch(() => {}); // it plays on between its samples
-    return film;
-  }
-
-  set(replies: Reply[]) {
-    this.lanes = replies.map((reply) => ({ film: this.filmOf(reply) }));
+  set(replies: FilmReply[]) {
+    this.lanes = replies.map((reply) => ({ film: new Film(reply) }));
     this.active = Math.min(this.active, this.lanes.length - 1);
   }
 
@@ -129,14 +114,12 @@ export class Motions {
       const { film } = lane;
       if (lane.refining || lane.coarse === film) continue;
       const window = film.wanted(time, ahead);
-      const instant = !window && ahead === 0 && !film.moment(time).sure;
-      if (!window && !instant) continue;
+      if (!window) continue;
       lane.refining = true;
       this.backend
-        .samples(film.scenario, window ?? [time, time + INSTANT])
+        .samples(film.scenario, window)
         .then((columns) => {
-          if (window) film.refine(columns);
-          else film.pin(columns, time);
+          film.refine(columns);
           this.listener.refined();
         })
         .catch(() => {
@@ -167,9 +150,9 @@ export class Motions {
   }
 
   /** Another motion in place of the chosen one. */
-  replace(reply: Reply) {
+  replace(reply: FilmReply) {
     // an answer that is still under way belongs to what was there before
-    this.lanes[this.active] = { film: this.filmOf(reply) };
+    this.lanes[this.active] = { film: new Film(reply) };
     this.listener.shown();
     this.note();
   }

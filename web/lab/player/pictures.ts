@@ -72,7 +72,7 @@ function words(context: CanvasRenderingContext2D, lab: Shown, height: number) {
     const pose = film.at(clock.time);
     const hoop = films.length > 1 ? `${"AB"[i]}: ` : "";
     const mode = t(theme.colors.mode_names[pose.mode]);
-    const numbers = `t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, pose.digits)} m/s`;
+    const numbers = `t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`;
     const top = stage.options.three ? 10 + 20 * px * i : 10 + (i * height) / films.length;
     context.fillStyle = theme.colors.modes[pose.mode];
     context.fillRect(12, top + 2 * px, 11 * px, 11 * px);

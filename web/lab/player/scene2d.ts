@@ -310,18 +310,12 @@ export class Scene {
     const size = (force: number) => (0.55 * R * force) / weight;
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const foot = [pose.x, pose.height];
-    this.arrow(
-      foot,
-      [0, size(pose.normal_force)],
-      colors.normal_force,
-      `N = ${show(pose.normal_force, pose.digits)} N`,
-      false,
-    );
+    this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N = ${show(pose.normal_force, 3)} N`, false);
     this.arrow(
       foot,
       [size(pose.friction_force), 0],
       colors.friction_force,
-      `F = ${show(pose.friction_force, pose.digits)} N`,
+      `F = ${show(pose.friction_force, 3)} N`,
       true,
     );
   }

@@ -109,8 +109,8 @@ export class Stage {
       t(this.colors.mode_names[pose.mode]),
       local(`${pose.t.toFixed(3)} s`),
       degrees(pose.angle),
-      withUnit(show(pose.vx, pose.digits), "m/s"),
-      withUnit(show(pose.omega * film.radius, pose.digits), "m/s"),
+      withUnit(show(pose.vx, 3), "m/s"),
+      withUnit(show(pose.omega * film.radius, 3), "m/s"),
       pose.height > 0 ? length(pose.height) : "0",
     ];
     for (const [i, text] of values.entries()) {

@@ -4,7 +4,6 @@ import { tables } from "../../model/index.ts";
 import { queries, readShown, type Address } from "./address.ts";
 import { say } from "../common/dom.ts";
 import { Lab } from "./lab.ts";
-import { unpack } from "../backend/packing.ts";
 import { NotebookKernel, type Model } from "../backend/python.ts";
 import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
 import { preferred, messageOf, speak, wordsFrom } from "../words/words.ts";
@@ -88,7 +87,7 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
 }
 
 /**
- * anywidget: the motion travels with the notebook, so that it plays without a kernel as well. `worker`: address of its
+ * anywidget: the module travels with the notebook, so that it plays without a kernel as well. `worker`: address of its
  * script.
  */
 async function render({ model, el }: { model: Model; el: HTMLElement }, worker: string) {
@@ -96,16 +95,19 @@ async function render({ model, el }: { model: Model; el: HTMLElement }, worker: 
   el.append(root);
   const words = speakPacked(model.get("words"));
   const python = new NotebookKernel(model);
+  // the motion that Python shows, however long
+  const given = () => backend.film({ query: model.get("given") }, undefined, false);
   let backend: Backend;
+  let first: FilmReply;
   try {
     backend = await widgetBackend(model, python, worker);
     await words;
+    first = await given();
   } catch (error) {
     await words;
     say(root, messageOf(error));
     return () => python.close();
   }
-  const shown = () => backend.shown(unpack(model.get("film")));
   const lab = new Lab(root, backend, tables.setup, {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
@@ -115,12 +117,12 @@ async function render({ model, el }: { model: Model; el: HTMLElement }, worker: 
       model.save_changes();
     },
   });
-  lab.motions.set([shown()]);
+  lab.motions.set([first]);
   lab.begin();
-  const replaced = () => lab.motions.replace(shown());
-  model.on("change:film", replaced);
+  const replaced = () => lab.motions.inTurn(async () => lab.motions.replace(await given()));
+  model.on("change:given", replaced);
   return () => {
-    model.off("change:film", replaced);
+    model.off("change:given", replaced);
     python.close();
     lab.close();
   };
