@@ -9,7 +9,19 @@ const LIMIT = 10_000; // milliseconds
 const UNLOADED = "kernel.derivatives_not_loaded";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
-const worker = (address: string | URL) => () => new Worker(address, { type: "module" });
+/** Starts workers; the first one at once, so that its scripts load while the module does. */
+function startOf(address: string | URL) {
+  const start = () => new Worker(address, { type: "module" });
+  let first: Worker | null = start();
+  first.onerror = () => {
+    first = null; // the next one reports what is wrong
+  };
+  return () => {
+    const worker = first ?? start();
+    first = null;
+    return worker;
+  };
+}
 
 /** A worker's script must be of the page itself; what it imports may be from elsewhere. */
 function importing({ href }: URL) {
@@ -49,11 +61,12 @@ export class WorkerKernel implements Kernel {
 
   /** From the files beside the page. `base`: folder of kernel.js and hophoop.wasm. */
   static async load(base: URL | string) {
-    const compiled = await fetched(new URL(`hophoop.wasm?${layout.module}`, base));
-    const derivatives = () => fetched(new URL(`hophoop-derivatives.wasm?${layout.derivatives}`, base));
     const script = new URL(`kernel.js?${layout.module}`, base);
     const own = script.origin === globalThis.location?.origin;
-    return new WorkerKernel(compiled, worker(own ? script : importing(script)), derivatives);
+    const start = startOf(own ? script : importing(script));
+    const compiled = await fetched(new URL(`hophoop.wasm?${layout.module}`, base));
+    const derivatives = () => fetched(new URL(`hophoop-derivatives.wasm?${layout.derivatives}`, base));
+    return new WorkerKernel(compiled, start, derivatives);
   }
 
   /**
@@ -65,7 +78,8 @@ export class WorkerKernel implements Kernel {
     script: string,
     derivatives: () => Promise<ArrayBufferView<ArrayBuffer>>,
   ) {
-    return new WorkerKernel(await unpacked(packed), worker(script), async () => unpacked(await derivatives()));
+    const start = startOf(script);
+    return new WorkerKernel(await unpacked(packed), start, async () => unpacked(await derivatives()));
   }
 
   motion(given: Given, signal?: AbortSignal) {
