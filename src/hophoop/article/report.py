@@ -19,9 +19,8 @@ from hophoop.article.formulas import FORMULAS
 from hophoop.article.inks import for_both
 from hophoop.article.runs import Runs
 from hophoop.article.scenarios import scenarios
-from hophoop.article.statement import Statement
+from hophoop.article.statement import AGREES, DIFFERS, FAILS, WITHIN_READING, Statement
 from hophoop.article.typeset import typeset
-from hophoop.article.verdicts import AGREES, DIFFERS, FAILS, WITHIN_READING
 from hophoop.plots.curves import phases
 from hophoop.scenario import Scenario
 from hophoop.simulation.trajectory import Trajectory

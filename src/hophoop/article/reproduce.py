@@ -23,7 +23,7 @@ from hophoop.article import report
 from hophoop.article.figures import FIGURES, draw_figure
 from hophoop.article.runs import Runs
 from hophoop.article.statement import Statement
-from hophoop.article.statements import count, statements
+from hophoop.article.statements import STATED, statements
 
 DPI = 160
 
@@ -191,7 +191,7 @@ def _be_quiet_and_mortal() -> None:
 
 
 def _check_statements(runs: Runs, progress: Progress) -> tuple[Statement, ...]:
-    total = count()
+    total = len(STATED)
     done = 0
 
     def step(_: str) -> None:

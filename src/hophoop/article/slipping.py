@@ -11,29 +11,23 @@ import numpy as np
 from hophoop import theory
 from hophoop.article.runs import LONG, Runs, crossings, largest
 from hophoop.article.slow_end import slow_end
-from hophoop.article.statement import Check, Statement
-from hophoop.article.verdicts import WITHIN_READING, agreement, difference
+from hophoop.article.statement import WITHIN_READING, Result, agreement, difference
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 
 
-def slips(runs: Runs) -> Statement:
+def slips(runs: Runs) -> Result:
     motion, sample = runs.motion("slipping"), runs.sample("slipping")
     sliding = np.isin(sample.mode, ["S", "K"])
     used = sample.utilization(runs.plane)[sliding]
     apart = largest(motion, sample.t, lambda state: np.abs(state.vx - state.omega))
     begin = motion.find("slip_start")[0]
-    return Statement(
-        key="slips",
-        section="Increase the Speed",
-        statement="At 2.8 m/s the friction used levels out at 1: the hoop slips, and v and Rθ̇ part.",
-        article="slip",
+    return Result(
         ours=f"phases {motion.sequence[:7]}…; skids from {math.degrees(begin.angle):.2f}° (t = {begin.t:.4f} "
         "s), v and Rθ̇ "
         f"up to {apart:.3f} m/s apart",
         verdict=agreement("K" in motion.sequence and "S" in motion.sequence and bool(np.all(np.abs(used - 1.0) < 1e-9))),
-        why="It skids (slides ahead) on the way down and spins (over-rotates) on the way up, with rolling between.",
         numbers={"sequence": motion.sequence, "slip_angle": begin.angle, "largest_slip": apart},
     )
 
@@ -46,21 +40,17 @@ def peaks_of(motion: Trajectory, turns: int) -> list[float]:
     return [largest(motion, times[turn == k], lambda state: state.vx) for k in whole]
 
 
-def peaks_fall(runs: Runs) -> Statement:
+def peaks_fall(runs: Runs) -> Result:
     motion = simulate(runs.motion("slipping").scenario.replace("duration", 9.0))
     peaks = peaks_of(motion, 6)
-    return Statement(
-        key="peaks_fall",
-        section="Increase the Speed",
-        statement="At 2.8 m/s the peak of the velocity decreases with each cycle.",
-        article="decreasing",
+    return Result(
         ours=", ".join(f"{peak:.3f}" for peak in peaks) + " m/s",
         verdict=agreement(len(peaks) >= 5 and all(b < a for a, b in pairwise(peaks))),
         numbers={"peaks": peaks},
     )
 
 
-def ends_rolling(runs: Runs) -> Statement:
+def ends_rolling(runs: Runs) -> Result:
     """Slip above the critical speed never ends: the loss per cycle is proportional to the square of the excess."""
     motion = runs.long_slipping
     critical = float(theory.first_slip_speed(runs.hoop, runs.plane))
@@ -75,21 +65,13 @@ def ends_rolling(runs: Runs) -> Statement:
     missing = [1.0 - product / limit for product in products]
     algebraic = 0.0 < missing[1] < 0.7 * missing[0] and missing[1] < 0.03
     still = motion.sequence[-8:].count("S") + motion.sequence[-8:].count("K") >= 3 and min(excess.values()) > 0.0
-    return Statement(
-        key="ends_rolling",
-        section="Increase the Speed",
-        statement="Continued, the motion at 2.8 m/s would end in pure rolling, once enough energy has been dissipated.",
-        article="ends in pure rolling (no time given)",
+    return Result(
         ours=f"it tends to rolling with {critical:.6f} m/s at the top, but never gets there: what it has above "
         "that energy "
         f"falls in the end as {limit:.3f} J s/t ({excess[30.0]:.3f} J after 30 s, {excess[LONG]:.4f} J after "
         f"{LONG:.0f} s, which is {products[1]:.2f} J s/t); "
         f"slip stays below 0.1 m/s after {times[0.1]:.1f} s, below 1 cm/s after {times[0.01]:.1f} s",
         verdict=difference(algebraic and still),
-        why="The nearer to the critical speed, the shorter and slower the slip: the loss of a cycle goes as "
-        "the square of "
-        "the excess energy, and an excess that falls as 1/t never is zero. On a plot it soon looks like "
-        "rolling.",
         numbers={
             "critical_speed": critical,
             "excess_energy": {f"{t:g}": float(value) for t, value in excess.items()},
@@ -131,17 +113,13 @@ def slip_below(motion: Trajectory, limits: tuple[float, ...]) -> dict[float, flo
     return result
 
 
-def hops(runs: Runs) -> Statement:
+def hops(runs: Runs) -> Result:
     motion = runs.motion("hop")
     off, down = motion.find("takeoff")[0], motion.find("impact")[0]
     top = motion.find("apex")[0].height
     least = float(theory.first_hop_speed(runs.hoop, runs.plane))
     angle = math.degrees(off.angle)
-    return Statement(
-        key="hops",
-        section="Let's Hop!",
-        statement="At 3.1 m/s the hoop jumps, just before a full revolution is completed.",
-        article="before 360°",
+    return Result(
         ours=f"takes off at {angle:.3f}° (t = {off.t:.6f} s), rises {top:.4f} m, lands at "
         f"{math.degrees(down.angle):.3f}° "
         f"(t = {down.t:.6f} s)",
@@ -158,22 +136,18 @@ def hops(runs: Runs) -> Statement:
     )
 
 
-def spin_in_flight(runs: Runs) -> Statement:
+def constant_rotation(runs: Runs) -> Result:
     sample = runs.sample("hop")
     rates = sample.omega[sample.mode == "H"]
     spread = float(np.ptp(rates))
-    return Statement(
-        key="constant_rotation",
-        section="Let's Hop!",
-        statement="In flight the angular velocity is constant.",
-        article="constant",
+    return Result(
         ours=f"{rates[0]:.6f} rad/s throughout, " + (f"to {spread:.0e}" if spread else "to the last bit"),
         verdict=agreement(spread <= 1e-12 * rates[0]),
         numbers={"omega": float(rates[0]), "spread": spread},
     )
 
 
-def center_in_flight(runs: Runs) -> Statement:
+def centre_in_flight(runs: Runs) -> Result:
     motion, sample = runs.motion("hop"), runs.sample("hop")
     air = sample.mode == "H"
     inner = np.flatnonzero(air)[1:-1]
@@ -186,13 +160,7 @@ def center_in_flight(runs: Runs) -> Statement:
     slowest = -largest(motion, sample.t[air], lambda state: -state.vx)
     highest = largest(motion, sample.t[air], lambda state: state.vx)
     level = float(np.ptp(along[inner]))
-    return Statement(
-        key="centre_in_flight",
-        section="Let's Hop!",
-        statement="In flight the velocity of the centre varies, that of the centre of gravity along the plane does "
-        "not; its "
-        "path is a parabola.",
-        article="varies; constant; parabola",
+    return Result(
         ours=f"centre from {slowest:.4f} to {highest:.4f} m/s; centre of gravity "
         f"{along[inner][0]:.6f} m/s to "
         f"{level:.0e}, off a parabola with g = {-2.0 * bend:.6f} m/s² by {off_line:.0e} m",
@@ -201,26 +169,21 @@ def center_in_flight(runs: Runs) -> Statement:
     )
 
 
-def positive_potential(runs: Runs) -> Statement:
+def positive_potential(runs: Runs) -> Result:
     motion, sample = runs.motion("hop"), runs.sample("hop")
     late = sample.t > 0.5
     times = crossings(motion, sample.potential[late], sample.t[late], lambda state: state.potential)
     angles = [math.degrees(motion.at(t).angle) for t in times]
     highest = largest(motion, sample.t, lambda state: state.potential)
     near = len(angles) >= 2 and abs(angles[0] - 350.0) < 2.5 and abs(angles[1] - 395.0) < 2.5
-    return Statement(
-        key="positive_potential",
-        section="Let's Hop!",
-        statement="The potential energy is above zero for a while, since the centre has moved up.",
-        article="between 350° and 395°",
+    return Result(
         ours=f"between {angles[0]:.3f}° and {angles[1]:.3f}°, up to {highest:.4f} J",
         verdict=WITHIN_READING if near else difference(False),
-        why="The article's bounds are read off its plot, to about 5°.",
         numbers={"angles_deg": angles[:2], "largest": highest},
     )
 
 
-def landing(runs: Runs) -> Statement:
+def landing(runs: Runs) -> Result:
     motion = runs.motion("hop")
     down = motion.find("impact")[0]
     slip = next((event for event in motion.find("slip_start") if event.t > down.t), None)
@@ -233,39 +196,22 @@ def landing(runs: Runs) -> Statement:
             f"{math.degrees(slip.angle - down.angle):.0f}°), then it spins again"
         )
     )
-    return Statement(
-        key="landing",
-        section="Let's Hop!",
-        statement="After the landing there is pure rolling (a result that, it says, cannot be trusted).",
-        article="pure rolling",
+    return Result(
         ours=f"the landing ends the slip at once, and the hoop rolls{again}",
         verdict=agreement(rolls) if slip is None else difference(rolls),
-        why="The first part agrees: during a plastic impact on μ = 1 the slip stops before the normal "
-        "velocity does. "
-        "But the landing leaves more speed than rolling on to the top allows, so that slip returns on "
-        "the way up. "
-        "The article's simulation may end before it.",
         numbers={"mode_after": down.to_mode, "slips_again_deg": None if slip is None else math.degrees(slip.angle)},
     )
 
 
-def impact_loss(runs: Runs) -> Statement:
+def impact_loss(runs: Runs) -> Result:
     motion = runs.motion("hop")
     down = motion.find("impact")[0]
     total = down.impact_normal + down.impact_tangential
     before = down.friction
-    return Statement(
-        key="impact_loss",
-        section="Let's Hop!",
-        statement="The energy lost in the impact is significantly larger than the frictional loss at the same moment.",
-        article="significantly larger",
+    return Result(
         ours=f"{total:.4f} J lost in the impact, {down.impact_tangential:.4f} J of it to friction and "
         f"{down.impact_normal:.4f} J in the normal direction; all slip before it took {before:.4f} J",
         verdict=agreement(total > 1.5 * down.impact_tangential),
-        why="The loss is as much the contact model's as the hoop's, as the article says itself: here a "
-        "plastic impact of "
-        "rigid bodies with Coulomb friction (Routh's impulse), where nothing is left to numerical "
-        "parameters.",
         numbers={
             "lost": total,
             "normal": down.impact_normal,
@@ -275,19 +221,13 @@ def impact_loss(runs: Runs) -> Statement:
     )
 
 
-def low_friction(runs: Runs) -> Statement:
+def low_friction_rocks(runs: Runs) -> Result:
     motion = runs.motion("low_friction")
     turns = motion.find("turn")
     highest = math.degrees(max(event.angle for event in motion.events))
     angles = [math.degrees(event.angle) for event in turns]
     rocks = len(angles) >= 2 and highest < 360.0
-    return Statement(
-        key="low_friction_rocks",
-        section="Revisiting Low Friction",
-        statement="At 0.1 m/s on μ = 0.3 the hoop slips; too little energy is left to lift the load to the top "
-        "again. It turns "
-        "back and rocks to and fro.",
-        article="turns back, rocks",
+    return Result(
         ours=f"slips first at {math.degrees(motion.find('slip_start')[0].angle):.2f}°; turns back at "
         + ", ".join(f"{angle:.1f}°" for angle in angles),
         verdict=agreement(rocks and motion.sequence.startswith("RS")),
@@ -295,22 +235,18 @@ def low_friction(runs: Runs) -> Statement:
     )
 
 
-def low_friction_slips(runs: Runs) -> Statement:
+def low_friction_slips(runs: Runs) -> Result:
     motion = runs.motion("low_friction")
     slips_ = motion.find("slip_start")
     lost = motion.ledger.friction
-    return Statement(
-        key="low_friction_slips",
-        section="Revisiting Low Friction",
-        statement="The lower friction lets the hoop slip several times.",
-        article="several times",
+    return Result(
         ours=f"{len(slips_)} times in {motion.duration:g} s, with {lost:.3f} J lost",
         verdict=agreement(len(slips_) >= 3),
         numbers={"slips": len(slips_), "friction": lost},
     )
 
 
-def littlewood(runs: Runs) -> Statement:
+def littlewood(runs: Runs) -> Result:
     """γ = 1: the contact force vanishes at 90°, but the rim skims the plane instead of hopping."""
     loss = theory.massless_loss(0.0, plane=Plane(mu=2.0))
     limit = math.degrees(float(loss.angle))
@@ -319,33 +255,10 @@ def littlewood(runs: Runs) -> Statement:
     skim = motion.find("skim")
     angle = math.degrees(skim[0].angle) if skim else math.nan
     rises = any(event.height > 0.0 for event in motion.events) or "H" in motion.sequence
-    return Statement(
-        key="littlewood",
-        section="A First Attempt",
-        statement="With all mass in the load there should be a hop already at θ = 90° (Littlewood).",
-        article="hop at 90°",
+    return Result(
         ours=f"the contact force vanishes at {limit:.6f}° (computed motion: {angle:.6f}°), but the rim does "
         "not rise: it "
         f"skims the plane, phases {motion.sequence}",
         verdict=difference(abs(limit - 90.0) < 1e-9 and abs(angle - 90.0) < 1e-6 and not rises),
-        why="Littlewood's angle is right, and needs μ > 1. But the load then falls freely, and a massless "
-        "rim has nothing "
-        "that would lift it: it stays in touch without force (Butler; Theron and du Plessis).",
         numbers={"angle_deg": limit, "computed_deg": angle, "sequence": motion.sequence},
     )
-
-
-CHECKS: tuple[Check, ...] = (
-    littlewood,
-    slips,
-    peaks_fall,
-    ends_rolling,
-    hops,
-    spin_in_flight,
-    center_in_flight,
-    positive_potential,
-    landing,
-    impact_loss,
-    low_friction,
-    low_friction_slips,
-)

@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Any
+import math
+from dataclasses import asdict, dataclass, field
+from typing import Any, NamedTuple
 
-from hophoop.article.verdicts import Verdict
+AGREES = "agrees"
+WITHIN_READING = "agrees within reading accuracy"
+DIFFERS = "differs"
+FAILS = "fails"
+VERDICTS = (AGREES, WITHIN_READING, DIFFERS, FAILS)
+
+
+class Result(NamedTuple):
+    """What a check finds; `article` and `why` where they hold computed numbers, otherwise statements.toml has them."""
+
+    ours: str
+    verdict: str
+    numbers: dict[str, Any]
+    article: str = ""
+    why: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Statement(Verdict):
+class Statement:
     """One statement of the article, checked.
 
     Attributes
@@ -34,12 +48,40 @@ class Statement(Verdict):
         The numbers behind `ours`, in full precision.
     """
 
+    key: str
     section: str
     statement: str
     article: str
+    ours: str
+    verdict: str
+    why: str = ""
     numbers: dict[str, Any] = field(default_factory=dict)
 
-    _json = ("key", "section", "statement", "article", "ours", "verdict", "why", "numbers")
+    @property
+    def holds(self) -> bool:
+        """True unless the verdict is 'fails'."""
+        return self.verdict != FAILS
+
+    def to_dict(self) -> dict[str, Any]:
+        """Convert to a dictionary for JSON.
+
+        Returns
+        -------
+        fields : dict
+            Numbers that JSON lacks are words, such as 'inf'.
+        """
+        return {name: _plain(value) for name, value in asdict(self).items()}
 
 
-Check = Callable[[Any], Statement]
+def _plain(value: Any) -> Any:
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def agreement(holds: bool, exact: bool = True) -> str:
+    """Return the verdict on a statement that either holds or fails."""
+    return (AGREES if exact else WITHIN_READING) if holds else FAILS
+
+
+def difference(reason_holds: bool) -> str:
+    """Return the verdict if the article is not confirmed: 'differs' with a checked reason, otherwise 'fails'."""
+    return DIFFERS if reason_holds else FAILS

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable
+from importlib.resources import files
+from typing import Any
 
 from hophoop.article import rolling, slipping
 from hophoop.article.runs import Runs
-from hophoop.article.statement import Check, Statement
-from hophoop.article.verdicts import FAILS
+from hophoop.article.statement import FAILS, Result, Statement
 
-SECTIONS = ("A First Attempt", "Increase the Speed", "Let's Hop!", "Revisiting Low Friction")
+STATED: dict[str, dict[str, Any]] = tomllib.loads(files("hophoop.article").joinpath("statements.toml").read_text("utf-8"))
 
 
 def statements(runs: Runs | None = None, progress: Callable[[str], None] | None = None) -> tuple[Statement, ...]:
@@ -33,25 +35,19 @@ def statements(runs: Runs | None = None, progress: Callable[[str], None] | None 
     """
     runs = runs or Runs()
     found = []
-    for check in (*rolling.CHECKS, *slipping.CHECKS):
-        statement = check_statement(check, runs)
-        found.append(statement)
+    for key, stated in STATED.items():
+        result = _check(key, runs)._asdict()
+        own = {name: value for name, value in result.items() if value or name not in stated}
+        found.append(Statement(key=key, **stated | own))
         if progress is not None:
-            progress(statement.key)
-    return tuple(sorted(found, key=lambda statement: SECTIONS.index(statement.section)))
+            progress(key)
+    return tuple(found)
 
 
-def check_statement(check: Check, runs: Runs) -> Statement:
+def _check(key: str, runs: Runs) -> Result:
     """Check one statement; it fails if the computed motion lacks its subject."""
+    check: Callable[[Runs], Result] = getattr(rolling if hasattr(rolling, key) else slipping, key)
     try:
         return check(runs)
     except (IndexError, StopIteration, ValueError):
-        why = "The computed motion lacks the subject of the statement."
-        return Statement(
-            key=check.__name__, section=SECTIONS[0], statement=check.__name__, article="–", ours="–", verdict=FAILS, why=why
-        )
-
-
-def count() -> int:
-    """Return the number of statements."""
-    return len(rolling.CHECKS) + len(slipping.CHECKS)
+        return Result("–", FAILS, {}, why="The computed motion lacks the subject of the statement.")
