@@ -19,8 +19,8 @@ from hophoop.article.figures import FIGURES
 from hophoop.article.runs import Runs
 from hophoop.article.scenarios import scenarios
 from hophoop.article.slow_end import slow_end
-from hophoop.article.statements import STATED
 from hophoop.article.statement import AGREES, DIFFERS, FAILS, VERDICTS, WITHIN_READING, agreement, difference
+from hophoop.article.statements import STATED
 from hophoop.cli import app
 
 # the package gives its name to the function
