@@ -16,9 +16,7 @@ from hophoop.vocabulary.parameters import RANGES
 
 SECTIONS = {
     "hoop": ["radius", "mass", "load_fraction", "eccentricity", "inertia_ratio", "parts"],
-    "plane": [
-        "gravity", "slope", "mu", "mu_static", "mu_kinetic", "restitution", "impact_law", "painleve", "rolling_resistance",
-    ],
+    "plane": list(hh.Plane.model_fields),
     "start": ["x", "height", "angle", "speed", "vx", "vy", "omega"],
     "contact": [
         "model", "stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol",
