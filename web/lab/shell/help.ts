@@ -1,6 +1,7 @@
 // Keys and help.
 
 import { h, rowOf } from "../common/dom.ts";
+import { MARKS } from "../player/marks.ts";
 
 const KEYS = [
   ["keys.key_space", "keys.play"],
@@ -27,16 +28,10 @@ const MODES = [
   ["H", "mode.flight", "keys.mode_flight"],
   ["M", "mode.skim", "keys.mode_skim"],
 ];
-const MARKED = [
-  ["▲ ▼", "keys.mark_flight"],
-  ["•", "event.apex"],
-  ["↺", "event.turn"],
-  ["◆ ◇", "keys.mark_painleve"],
-  ["✖", "event.jam"],
-  ["✚", "example.kane"],
-  ["≋", "keys.mark_bounce_limit"],
-  ["◗ ■", "keys.mark_skim_rest"],
-];
+// The rarest last.
+const MARKED = Object.entries(MARKS)
+  .map(([kind, sign]) => [sign, `event.${kind}`])
+  .reverse();
 
 const table = (title: string, rows: string[][], mark: (letter: string) => HTMLElement | false = () => false) =>
   h(
@@ -78,7 +73,7 @@ export function helpDialog(about: HTMLDialogElement, colors: Colors, keys: HTMLE
   const dialog = h(
     "dialog",
     { class: "help", "aria-label": "keys.title" },
-    h("h2", {}, "player.picture"),
+    h("h2", { tabindex: "-1", autofocus: true }, "player.picture"), // else the button at the end has the focus
     h("p", {}, "keys.intro"),
     table("keys.modes", MODES, (letter) => h("i", { class: "dot", style: `background:${colors.modes[letter]}` })),
     table("keys.marks", MARKED),
