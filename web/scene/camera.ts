@@ -1,5 +1,7 @@
 // Where the scene is seen from: it turns, comes closer and moves under mouse and fingers, and follows the hoops.
 
+import { clamp } from "../lab/common/clamp.ts";
+import { follow, pinch } from "../lab/common/pointer.ts";
 import { between } from "./data.ts";
 
 export class Camera {
@@ -30,7 +32,7 @@ export class Camera {
 
   closer(factor: number) {
     const R = this.data.radius;
-    this.away = Math.min(Math.max(this.away * factor, 2 * R), 200 * R);
+    this.away = clamp(this.away * factor, 2 * R, 200 * R);
   }
 
   /** What is looked at, along the plane: it lags a little behind, so that fits and starts are followed calmly. */
@@ -61,32 +63,13 @@ export class Camera {
   }
 
   listen(canvas: HTMLCanvasElement) {
-    const fingers: Map<number, PointerEvent> = new Map();
+    const pinched = pinch(canvas, (factor) => this.closer(1 / factor));
     canvas.addEventListener("pointerdown", (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      fingers.set(event.pointerId, event);
-    });
-    for (const name of ["pointerup", "pointercancel"] as const) {
-      canvas.addEventListener(name, (event: PointerEvent) => fingers.delete(event.pointerId));
-    }
-    canvas.addEventListener("pointermove", (event) => {
-      const old = fingers.get(event.pointerId);
-      if (!old) return;
-      const [dx, dy] = [event.clientX - old.clientX, event.clientY - old.clientY];
-      if (fingers.size === 2) {
-        const [other] = [...fingers.values()].filter((each) => each.pointerId !== event.pointerId);
-        const span = (one: PointerEvent) => Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
-        this.closer(span(old) / Math.max(span(event), 1));
-      } else if (event.shiftKey || event.buttons === 2) {
-        const scale = this.away / canvas.clientHeight;
-        this.shift[0] -= dx * scale * Math.cos(this.turn);
-        this.shift[1] += dy * scale;
-        this.shift[2] += dx * scale * Math.sin(this.turn);
-      } else {
-        this.turn -= dx * 0.008;
-        this.rise = Math.min(Math.max(this.rise + dy * 0.006, 0.02), 1.5);
-      }
-      fingers.set(event.pointerId, event);
+      let before = event;
+      follow(canvas, event, (now) => {
+        if (!pinched()) this.drag(canvas, now, now.clientX - before.clientX, now.clientY - before.clientY);
+        before = now;
+      });
     });
     canvas.addEventListener(
       "wheel",
@@ -97,5 +80,17 @@ export class Camera {
       { passive: false },
     );
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  drag(canvas: HTMLCanvasElement, { shiftKey, buttons }: PointerEvent, dx: number, dy: number) {
+    if (shiftKey || buttons === 2) {
+      const scale = this.away / canvas.clientHeight;
+      this.shift[0] -= dx * scale * Math.cos(this.turn);
+      this.shift[1] += dy * scale;
+      this.shift[2] += dx * scale * Math.sin(this.turn);
+    } else {
+      this.turn -= dx * 0.008;
+      this.rise = clamp(this.rise + dy * 0.006, 0.02, 1.5);
+    }
   }
 }
