@@ -20,6 +20,7 @@ from starlette.testclient import TestClient  # noqa: E402
 import hophoop as hh  # noqa: E402
 from hophoop.lab.api.limits import within  # noqa: E402
 from hophoop.lab.server import app, site  # noqa: E402
+from hophoop.lab.wasm.stamp import built  # noqa: E402
 from hophoop.scenario import InputError  # noqa: E402
 from lab_tools import POSIX  # noqa: E402
 
@@ -78,12 +79,16 @@ def test_the_page_names_its_files_and_allows_no_others(client):
         reply = client.get(f"/{name}")
         assert reply.status_code == 200
         assert "immutable" in reply.headers["cache-control"]
+    # the module comes along with the script that asks for it
+    (asked,) = re.findall(r'rel="preload" href="static/[0-9a-f]{16}/hophoop\.wasm\?(\w+)"', page.text)
+    assert asked == built()["module"]
+    assert not re.search("service-worker|manifest|http-equiv|http.server", page.text)  # of an exported folder
     assert client.get("/static/x/hophoop.wasm").headers["content-type"] == "application/wasm"
     assert client.get("/favicon.ico").headers["content-type"] == "image/svg+xml"
 
 
 @pytest.mark.parametrize(
-    "path", ["/static/x/../../app.py", "/static/x/site.html", "/static/x/%2e%2e%2ftables.py", "/static/x/", "/lab.js", "/etc"]
+    "path", ["/static/x/../../app.py", "/static/x/index.html", "/static/x/%2e%2e%2ftables.py", "/static/x/", "/lab.js", "/etc"]
 )
 def test_no_other_file_can_be_reached(client, path):
     assert client.get(path).status_code == 404

@@ -7,6 +7,7 @@ import hashlib
 import ipaddress
 import json
 import logging
+import re
 import socket
 import subprocess
 import sys
@@ -27,7 +28,7 @@ from starlette.routing import Route
 
 from hophoop.lab.api.files import TYPES
 from hophoop.lab.server.work import REFUSED
-from hophoop.lab.site.export import POLICY, site_files, static_text
+from hophoop.lab.site.export import POLICY, page_text, site_files, static_text
 
 if TYPE_CHECKING:
     from hophoop.fitting import Backdrop
@@ -55,6 +56,10 @@ MEDIA = {
     ".json": "application/json",
     ".wasm": "application/wasm",
 }
+# Of the page, what only an exported folder needs.
+FOLDER_ONLY = re.compile(
+    r'<(?:meta http-equiv|meta name="hophoop-site"|link rel="manifest").*\n|\n<p class="loading late">.*?</p>'
+)
 FOREVER = {"Cache-Control": "public, max-age=31536000, immutable"}
 
 
@@ -114,7 +119,7 @@ def html(filmed: bool = False) -> str:
     -------
     text : str
     """
-    text = static_text("index.html")
+    text = FOLDER_ONLY.sub("", page_text("index.html"))
     if filmed:
         text = text.replace("</head>", '<script type="module" src="backdrop.js"></script>\n</head>')
     return text.replace('="static/', f'="static/{_tag()}/')

@@ -22,10 +22,10 @@ POLICY = (
     "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
 # Files of static/ that are not for visitors: other pages, and what Python fills or the notebook widget starts with.
-OWN = ("backdrop.js", "index.html", "pick.html", "service-worker.js", "tables.json", "widget.js")
+OWN = ("backdrop.js", "pick.html", "service-worker.js", "tables.json", "widget.js")
 _STATIC = files("hophoop.lab") / "static"
 _WORDS = files("hophoop.lab") / "words"
-PAGES = {"site.html": "index.html", "embed.html": "embed.html"}
+PAGES = ("index.html", "embed.html")
 # Scripts that the notebook widget does without.
 APART = ("embed.js", "hophoop-motion.js")
 
@@ -66,6 +66,11 @@ def static_text(name: str) -> str:
     return static_bytes(name).decode()
 
 
+def page_text(name: str) -> str:
+    """Return a page whose request for the module has the hash with which the script asks for it."""
+    return static_text(name).replace("{module}", built()["module"])
+
+
 @cache
 def packed_module(name: str = MODULE) -> bytes:
     """Return a module compressed by gzip, for the notebook widget."""
@@ -92,11 +97,10 @@ def site_files(docs: str = "", url: str = "") -> dict[str, bytes]:
         made[f"static/words.{code}.json"] = (_WORDS / f"{code}.json").read_bytes()
     for name in (MODULE, DERIVATIVES):
         made[f"static/{name}"] = (files("hophoop.lab.wasm") / name).read_bytes()
-    for name, public in PAGES.items():
-        page = static_bytes(name).replace(b"{policy}", POLICY.encode())
-        page = page.replace(b"{module}", built()["module"].encode())  # the hash with which the script requests it
+    for name in PAGES:
+        page = page_text(name).encode().replace(b"{policy}", POLICY.encode())
         page = page.replace(b'="og:image" content="', b'="og:image" content="' + _address_of(url))
-        made[public] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
+        made[name] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
     for name, content in sorted(made.items()):
