@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from enum import StrEnum
+from enum import IntEnum, StrEnum
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -362,6 +362,9 @@ class Fate(StrEnum):
 
 FATE_CODES: Final = tuple(Fate)
 """By the numbers that the kernels use for them."""
+
+FateCode = IntEnum("FateCode", [(fate.name, code) for code, fate in enumerate(Fate)])  # type: ignore[misc]
+"""The number that the kernels use for each fate."""
 
 
 class FateFacts(NamedTuple):

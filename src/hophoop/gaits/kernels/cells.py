@@ -7,16 +7,8 @@ import math
 import numpy as np
 
 from hophoop.gaits.kernels.fates import (
-    CHAOTIC,
-    GAIT,
     OPEN,
-    RESTS,
-    ROCKS,
     ROLLING_TURNS,
-    ROLLS_AHEAD,
-    ROLLS_BACK,
-    SLIPS_EVER_LESS,
-    UNDECIDED,
 )
 from hophoop.gaits.kernels.layout import (
     BOTTOM,
@@ -52,6 +44,7 @@ from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import GOING
 from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.theory.kernels.extrema import cone_margin_line
+from hophoop.vocabulary.names import FateCode
 
 BATCHES, BATCH = 20, 30  # of passages over which neighbours of an undecided motion are followed
 NEIGHBOUR = 1e-7  # relative distance of a neighbour
@@ -87,19 +80,19 @@ def judge_cells(cells, low, high, request, codes, numbers):
         codes[k, 2] = hops_in(buffers.numbers, passages, period)
         codes[k, 3] = passages
         codes[k, 4] = status
-        codes[k, 5] = turns_in(buffers.numbers, passages, period) if fate == GAIT else 0
+        codes[k, 5] = turns_in(buffers.numbers, passages, period) if fate == FateCode.GAIT else 0
         numbers[k, REVOLUTIONS] = abs(buffers.memory[TURNED])
         write_numbers(buffers, fate, period, passages, scales, numbers, k)
-        if fate == SLIPS_EVER_LESS:
+        if fate == FateCode.SLIPS_EVER_LESS:
             numbers[k, FINAL_LOSS] = loss_until_rolling(body, start) * scales.energy
-        if fate == RESTS and status == Status.AT_REST:
+        if fate == FateCode.RESTS and status == Status.AT_REST:
             numbers[k, FINAL_LOSS] = buffers.memory[LOST] * scales.energy
         row = buffers.numbers[(passages - 1) % ROWS]
-        if fate == UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
+        if fate == FateCode.UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
             mean, error = follow_neighbours(body, row[OMEGA], bottom, buffers, scratch)
             numbers[k, LYAPUNOV] = mean
             if mean > SURE * error and mean * BATCHES * BATCH > APART:
-                fate = CHAOTIC
+                fate = FateCode.CHAOTIC
         codes[k, 0] = fate
 
 
@@ -108,21 +101,21 @@ def write_numbers(buffers, fate, period, passages, scales, numbers, k):
     """Write the numbers of a decided motion."""
     rows, memory = buffers.numbers, buffers.memory
     last = rows[(passages - 1) % ROWS]
-    if fate in (RESTS, ROCKS):
+    if fate in (FateCode.RESTS, FateCode.ROCKS):
         numbers[k, MEAN_SPEED] = 0.0
-    if fate in (GAIT, ROLLS_AHEAD, ROLLS_BACK):
-        cycle = period if fate == GAIT else 1
+    if fate in (FateCode.GAIT, FateCode.ROLLS_AHEAD, FateCode.ROLLS_BACK):
+        cycle = period if fate == FateCode.GAIT else 1
         before = rows[(passages - 1 - cycle) % ROWS]
         numbers[k, MEAN_SPEED] = (last[X] - before[X]) / (last[T] - before[T]) * scales.speed
-    if fate == GAIT:
+    if fate == FateCode.GAIT:
         highest = 0.0
         for i in range(period):
             highest = max(highest, rows[(passages - 1 - i) % ROWS, HIGHEST])
         numbers[k, FINAL_HOP_HEIGHT] = highest * scales.length
         if last[MODE] == ROLL:
             numbers[k, FINAL_OMEGA] = last[OMEGA] * scales.rate
-    swings = fate == ROCKS and memory[ROLLING_TURNS] >= 2.0
-    if swings or fate in (ROLLS_AHEAD, ROLLS_BACK):
+    swings = fate == FateCode.ROCKS and memory[ROLLING_TURNS] >= 2.0
+    if swings or fate in (FateCode.ROLLS_AHEAD, FateCode.ROLLS_BACK):
         numbers[k, FINAL_LOSS] = memory[LOST] * scales.energy
 
 

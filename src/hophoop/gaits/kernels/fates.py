@@ -36,11 +36,8 @@ from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.physics.body import ImpactLaw, Mode
 from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
 from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
-from hophoop.vocabulary.names import FATE_CODES, Fate
+from hophoop.vocabulary.names import FateCode
 
-(
-    ROLLS_AHEAD, ROLLS_BACK, SLIPS_EVER_LESS, ROCKS, RESTS, SLIDES_AWAY, GAIT, CHAOTIC, RUNS_AWAY, JAM, UNDETERMINED, UNDECIDED,
-) = (FATE_CODES.index(fate) for fate in Fate)  # fmt: skip
 OPEN = -1  # not decided so far
 
 LONGEST_PERIOD = 64
@@ -64,7 +61,7 @@ def fate_at_start(body, state):
         return OPEN
     c = sine_cosine(state.th, state.th_low)[1]
     drifts = state.vt + state.om * (1.0 + body.eps * c) != 0.0
-    return SLIDES_AWAY if body.gt != 0.0 or drifts else OPEN
+    return FateCode.SLIDES_AWAY if body.gt != 0.0 or drifts else OPEN
 
 
 @noinline
@@ -88,13 +85,13 @@ def fate_at_turn(body, event, memory):
     if rolls:
         memory[ROLLING_TURNS] += 1.0
     if body.resist == 0.0 and memory[ROLLING_TURNS] >= 2.0:
-        return ROCKS
+        return FateCode.ROCKS
     # The first swing may be one without slip: then the loss is known too.
     level = body.gt == 0.0 and not gains_in_impacts(body)  # `is_below_top` is enough there
     if level or (rolls and body.resist == 0.0 and memory[CONTACT_TURNS] < 2.0):
         return OPEN
     if stays_in_well(body, event["theta"], event["slip"], 0.0):
-        return ROCKS if body.resist == 0.0 else RESTS
+        return FateCode.ROCKS if body.resist == 0.0 else FateCode.RESTS
     return OPEN
 
 
@@ -218,7 +215,7 @@ def fate_at_passage(body, numbers, words, k, section, memory):
     last, before = numbers[k % length], numbers[(k - 1) % length]
     om = last[OMEGA]
     if abs(om) > memory[FASTEST] and om * body.gt > 0.0:
-        return RUNS_AWAY, 0
+        return FateCode.RUNS_AWAY, 0
     if k < 1:
         return OPEN, 0
     way = 1.0 if om > 0.0 else -1.0
@@ -228,9 +225,9 @@ def fate_at_passage(body, numbers, words, k, section, memory):
         return OPEN, 0
     if body.gt == 0.0:
         if rolled and body.resist == 0.0:
-            return ROLLS_AHEAD if om > 0.0 else ROLLS_BACK, 0
+            return FateCode.ROLLS_AHEAD if om > 0.0 else FateCode.ROLLS_BACK, 0
         if rolled and body.gn > 0.0:
-            return RESTS, 0
+            return FateCode.RESTS, 0
         if k >= 2 and revolved and body.resist == 0.0 and body.mu_k == body.mu_s and last[HOPS] + before[HOPS] == 0.0:
             first = numbers[(k - 2) % length]
             fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
@@ -241,10 +238,10 @@ def fate_at_passage(body, numbers, words, k, section, memory):
                 and 0.0 < falls < fell
                 and rolls_slowly(body)
             ):
-                return SLIPS_EVER_LESS, 0
+                return FateCode.SLIPS_EVER_LESS, 0
         return OPEN, 0
     if body.eps == 0.0 and rolled and way * (om - before[OMEGA]) > 0.0:
-        return RUNS_AWAY, 0
+        return FateCode.RUNS_AWAY, 0
     if rolled and body.resist == 0.0:  # it gains what the slope gives, however little
         return OPEN, 0
     period = period_of(numbers, words, k, section)
@@ -252,6 +249,6 @@ def fate_at_passage(body, numbers, words, k, section, memory):
         past = numbers[(k - period) % length]
         turned = (last[TURNS] - past[TURNS]) * TWO_PI + (last[THETA] - past[THETA])
         if abs(turned) < 3.0:
-            return OPEN if section == LANDING and bounces_die(numbers, k, period) else ROCKS, 0
-        return GAIT, period
+            return OPEN if section == LANDING and bounces_die(numbers, k, period) else FateCode.ROCKS, 0
+        return FateCode.GAIT, period
     return OPEN, 0

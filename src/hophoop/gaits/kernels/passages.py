@@ -7,17 +7,10 @@ import math
 from hophoop.gaits.kernels.fates import (
     CONTACT_TURNS,
     FASTEST,
-    JAM,
     LONGEST_PERIOD,
     MEMORY,
     OPEN,
-    RESTS,
-    ROCKS,
     ROLLING_TURNS,
-    RUNS_AWAY,
-    SLIDES_AWAY,
-    UNDECIDED,
-    UNDETERMINED,
     fastest_of,
     fate_at_passage,
     fate_at_start,
@@ -55,6 +48,7 @@ from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
 from hophoop.kernel.records.writing import add_letter, count_panel, has_room, new_log
 from hophoop.kernel.rigid.phase import GOING, Ending, Limits, angle_left, continue_phase
 from hophoop.kernel.rigid.run import begin, can_follow, step
+from hophoop.vocabulary.names import FateCode
 
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
 
@@ -159,20 +153,20 @@ def fate_without_passages(body, phase, revolutions):
     """Return the fate of a motion that passes its section no more."""
     status = phase.status
     if status == Status.AT_REST:
-        return RESTS
+        return FateCode.RESTS
     if status == Status.JAMMED:
-        return JAM
+        return FateCode.JAM
     if status == Status.UNDETERMINED:
-        return UNDETERMINED
+        return FateCode.UNDETERMINED
     if abs(body.gt) > body.mu_s * body.gn:  # friction cannot hold it: it gets faster and faster
-        return RUNS_AWAY if revolutions > 2.0 else SLIDES_AWAY
-    return UNDECIDED
+        return FateCode.RUNS_AWAY if revolutions > 2.0 else FateCode.SLIDES_AWAY
+    return FateCode.UNDECIDED
 
 
 def lands_no_more(section, status, fate):
     """Return True if a motion that is judged at landings has gone on without any: what becomes of it is seen at the bottom."""
     open_end = status in (Status.EVENT_LIMIT, Status.COMPLETED)
-    return section == LANDING and open_end and fate in (UNDECIDED, SLIDES_AWAY, RUNS_AWAY)
+    return section == LANDING and open_end and fate in (FateCode.UNDECIDED, FateCode.SLIDES_AWAY, FateCode.RUNS_AWAY)
 
 
 def follow_passages(body, start, mode, request, buffers, scratch):
@@ -203,7 +197,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
         phase = after
         found = note_events(body, log, words, row, memory)
         if fate == OPEN and found == OPEN and is_below_top(body, phase.state):
-            found = ROCKS if body.resist == 0.0 else RESTS
+            found = FateCode.ROCKS if body.resist == 0.0 else FateCode.RESTS
         if fate == OPEN:
             fate = found
         if not ends_at_section(before, phase, request.section):
