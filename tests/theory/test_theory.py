@@ -15,8 +15,7 @@ import hophoop as hh
 from hophoop import theory
 from hophoop.kernel.physics.closed_forms import rolling_u
 from hophoop.scenario import to_body
-from hophoop.theory._columns import Columns
-from hophoop.theory.kernels import arcs, rows
+from hophoop.theory.kernels import arcs
 from oracles import elliptic, mechanics
 from oracles.cases import case_of
 from strategies import hoops
@@ -385,13 +384,3 @@ def test_bad_arguments_get_a_sentence(call, sentence):
     with pytest.raises(ValueError) as refusal:
         call()
     assert sentence in str(refusal.value)
-
-
-@pytest.mark.parametrize("hoop", [hh.Hoop.ideal(0.75), hh.Hoop(eccentricity=0.5, inertia_ratio=0.39)])
-def test_a_row_of_a_table_gives_the_body_back(hoop):
-    plane = hh.Plane(mu_static=0.9, mu_kinetic=0.7, slope=0.2, restitution=0.3, painleve="impact", rolling_resistance=0.1)
-    body = to_body(hoop, plane)
-    cases = Columns(hoop, plane, resisted=True)
-    assert cases.bodies() == [body]
-    assert rows.body_of(cases.body[0]) == body
-    assert rows.table_of(body) == cases.body

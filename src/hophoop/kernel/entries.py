@@ -13,7 +13,7 @@ import numpy as np
 
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import Compliance
-from hophoop.kernel.records.layout import BODY, EVENT, SEGMENT, MapRequest, MapResults, Scratch, Tables
+from hophoop.kernel.records.layout import EVENT, SEGMENT, MapRequest, MapResults, Scratch, Tables
 from hophoop.kernel.records.state import State
 
 
@@ -46,7 +46,7 @@ class Named(NamedTuple):
 
 
 REAL, WHOLE = np.dtype(np.float64), np.dtype(np.int64)
-BODIES, EVENTS, SEGMENTS = Array(BODY), Array(EVENT), Array(SEGMENT)
+EVENTS, SEGMENTS = Array(EVENT), Array(SEGMENT)
 ROW, TABLE, CUBE, COUNTS = Array(REAL), Array(REAL, 2), Array(REAL, 3), Array(WHOLE)
 
 # Arrays in named tuples, whose annotations do not state dtype and dimensions.
@@ -101,22 +101,22 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         "hophoop.kernel.rigid.sampling.sample": (Body, SEGMENTS, ROW, bool, TABLE),
         "hophoop.kernel.records.writing.kernel_times": (ROW, float, ROW, float, ROW),
         "hophoop.kernel.physics.contact.utilizations": (Array(np.dtype(np.bool_)), ROW, ROW, ROW, ROW, ROW),
-        _THEORY + "critical.slip_speeds": (BODIES, ROW),
+        _THEORY + "critical.slip_speed": (Body,),
         _THEORY + "painleve.border": (Body, float, bool),
-        _THEORY + "painleve.minima": (BODIES, TABLE),
-        _THEORY + "painleve.regions": (BODIES, ROW, ROW, COUNTS),
-        _THEORY + "painleve.thresholds": (BODIES, ROW, ROW),
+        _THEORY + "painleve.minimum": (Body,),
+        _THEORY + "painleve.regions": (Body, ROW, ROW, COUNTS),
+        _THEORY + "painleve.thresholds": (Body, ROW, ROW),
         _THEORY + "phase_plane.lift_off": (Body, float),
-        _THEORY + "phase_plane.lift_off_speeds": (BODIES, ROW, ROW),
-        _THEORY + "phase_plane.modes": (BODIES, ROW, ROW, COUNTS),
-        _THEORY + "phase_plane.rolling_ranges": (BODIES, ROW, TABLE),
-        _THEORY + "rolling.contact_losses": (BODIES, ROW, TABLE),
-        _THEORY + "rolling.forces": (BODIES, ROW, ROW, TABLE),
-        _THEORY + "rolling.kinetic": (BODIES, ROW, ROW, ROW),
-        _THEORY + "rolling.needed_frictions": (BODIES, ROW, TABLE),
-        _THEORY + "rolling.rocking_periods": (BODIES, ROW, ROW),
-        _THEORY + "rolling.speeds": (BODIES, ROW, ROW, ROW),
-        _THEORY + "rolling.times": (BODIES, ROW, ROW, ROW),
+        _THEORY + "phase_plane.lift_off_speeds": (Body, ROW, ROW),
+        _THEORY + "phase_plane.modes": (Body, ROW, ROW, COUNTS),
+        _THEORY + "phase_plane.rolling_ranges": (Body, ROW, TABLE),
+        _THEORY + "rolling.contact_losses": (Body, ROW, TABLE),
+        _THEORY + "rolling.forces": (Body, ROW, ROW, TABLE),
+        _THEORY + "rolling.kinetic": (Body, ROW, ROW, ROW),
+        _THEORY + "rolling.needed_frictions": (Body, ROW, TABLE),
+        _THEORY + "rolling.rocking_periods": (Body, ROW, ROW),
+        _THEORY + "rolling.speeds": (Body, ROW, ROW, ROW),
+        _THEORY + "rolling.times": (Body, ROW, ROW, ROW),
     },
 }  # fmt: skip
 

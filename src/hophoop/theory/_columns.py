@@ -9,18 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop.kernel.physics.body import Body
-from hophoop.kernel.records.layout import BODY
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 
 Floats = NDArray[np.float64]
 
 
 class Columns:
-    """Numbers of one common shape, one row for each case, with one hoop and one plane.
+    """Numbers of one common shape, one for each case, with one hoop and one plane.
 
-    `body` has the record of `Body` in each row; `length`, `time` and `mass` are the kernels' units in SI. With `resisted` the
-    plane may have rolling resistance.
+    `body` is in the kernels' units; `length`, `time` and `mass` are these units in SI. With `resisted` the plane may have
+    rolling resistance.
     """
 
     def __init__(self, hoop: Hoop, plane: Plane, *, resisted: bool = False, **numbers: ArrayLike) -> None:
@@ -36,16 +34,11 @@ class Columns:
             said = ", ".join(f"{name} {value.shape}" for name, value in values.items())
             raise InputError(f"The shapes of the arguments do not go together: {said}.") from None
         self.length, self.time, self.mass = hoop.radius, time_unit(hoop, plane), hoop.mass
-        self._body = to_body(hoop, plane)
+        self.body = to_body(hoop, plane)
         self._values = {name: np.broadcast_to(value, self.shape).flatten() for name, value in values.items()}
-        self.body = np.full(math.prod(self.shape), np.array(tuple(self._body), BODY))
 
     def __getitem__(self, name: str) -> Floats:
         return self._values[name]
-
-    def bodies(self) -> list[Body]:
-        """The Body of each case."""
-        return [self._body] * self.body.size
 
     @property
     def speed(self) -> float:
@@ -64,7 +57,7 @@ class Columns:
 
     def new(self, *tail: int) -> Floats:
         """An array for a result, one row for each case."""
-        return np.empty((self.body.shape[0], *tail))
+        return np.empty((math.prod(self.shape), *tail))
 
     def shaped(self, values: Any) -> Any:
         """A result in the common shape; a plain number where all arguments were."""
@@ -72,11 +65,10 @@ class Columns:
         return whole.item() if whole.ndim == 0 else whole
 
     def require(self, good: Callable[[Any], Any], column: str, sentence: str) -> None:
-        """Refuse cases; `column` is a field of Body, and the sentence has a place {} for its value."""
-        values = self.body[column]
-        bad = ~np.asarray(good(values), dtype=bool)
-        if bad.any():
-            raise InputError(sentence.format(f"{values[bad][0].item()!r}"))
+        """Refuse a hoop or plane; `column` is a field of Body, and the sentence has a place {} for its value."""
+        value = getattr(self.body, column)
+        if not good(value):
+            raise InputError(sentence.format(f"{value!r}"))
 
 
 def require_no_resistance(plane: Plane) -> None:

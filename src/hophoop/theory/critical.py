@@ -109,9 +109,7 @@ def first_slip_speed(hoop: Hoop, plane: Plane = Plane()) -> Any:
     2.043173912
     """
     cases = _cases(hoop, plane)
-    speeds = cases.new()
-    compiled(kernels.slip_speeds)(cases.body, speeds)
-    return cases.shaped(speeds * cases.speed)
+    return float(compiled(kernels.slip_speed)(cases.body)) * cases.speed
 
 
 def first_hop_speed(hoop: Hoop, plane: Plane = Plane(), turns: int = 1) -> Any:
@@ -149,8 +147,7 @@ def first_hop_speed(hoop: Hoop, plane: Plane = Plane(), turns: int = 1) -> Any:
     if not (isinstance(turns, int | np.integer) and turns >= 1):
         raise InputError.of_field("turns", turns, "a whole number of at least 1")
     cases = _cases(hoop, plane)
-    speeds = np.array([float(compiled(kernels.hop_speed)(body, float(turns))) for body in cases.bodies()])
-    return cases.shaped(speeds * cases.speed)
+    return float(compiled(kernels.hop_speed)(cases.body, float(turns))) * cases.speed
 
 
 def immediate_hop_speed(hoop: Hoop, plane: Plane = Plane()) -> Any:
@@ -274,6 +271,5 @@ def hop_angle(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
 def _first_angle(hoop: Hoop, v0: ArrayLike, plane: Plane, which: int) -> Any:
     cases = _cases(hoop, plane, v0=v0)
     trials = _Trials()
-    starts = zip(cases.bodies(), cases.of_speed("v0"), strict=True)
-    angles = np.array([trials.angles(body, speed)[which] for body, speed in starts])
+    angles = np.array([trials.angles(cases.body, speed)[which] for speed in cases.of_speed("v0")])
     return cases.shaped(angles)

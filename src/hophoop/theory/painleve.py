@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.elementwise import cosine
@@ -123,10 +123,7 @@ def painleve_minimum(hoop: Hoop) -> PainleveMinimum:
     >>> round(mu, 6), round(angle, 6)
     (0.881917, 0.722734)
     """
-    cases = Columns(hoop, Plane())
-    both = cases.new(2)
-    compiled(kernels.minima)(cases.body, both)
-    return PainleveMinimum(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
+    return PainleveMinimum(*compiled(kernels.minimum)(Columns(hoop, Plane()).body))
 
 
 def painleve_region(
@@ -170,31 +167,32 @@ def painleve_region(
     cases = Columns(hoop, Plane(), theta=theta, mu=mu, rolling_resistance=rolling_resistance, omega=rates)
     if (cases["mu"] < 0.0).any():
         raise InputError.of_field("mu", float(cases["mu"].min()), "at least 0")
-    bodies = cases.body.copy()
-    bodies["mu_s"] = bodies["mu_k"] = cases["mu"]
-    bodies["resist"] = cases["rolling_resistance"]
-    if bodies["resist"].any():
-        _check_resistance(bodies)
-        if omega is None:
-            raise InputError.of_field("omega", None, "given: with rolling resistance the direction of rotation counts")
-    directions = np.empty(len(bodies), dtype=np.int64)
-    compiled(kernels.regions)(bodies, cases["theta"], cases["omega"], directions)
+    frictions, kinds = np.unique(np.stack((cases["mu"], cases["rolling_resistance"])), axis=1, return_inverse=True)
+    for resist in np.unique(frictions[1]).tolist():
+        if resist != 0.0:
+            _check_resistance(hoop, resist)
+            if omega is None:
+                raise InputError.of_field("omega", None, "given: with rolling resistance the direction of rotation counts")
+    directions = np.empty(kinds.size, dtype=np.int64)
+    for k, (friction, resist) in enumerate(frictions.T.tolist()):
+        chosen = np.flatnonzero(kinds.reshape(-1) == k)
+        found = np.empty_like(chosen)
+        body = cases.body._replace(mu_s=friction, mu_k=friction, resist=resist)
+        compiled(kernels.regions)(body, cases["theta"][chosen], cases["omega"][chosen], found)
+        directions[chosen] = found
     return cases.shaped(directions)
 
 
-def _check_resistance(bodies: NDArray[Any]) -> None:
+def _check_resistance(hoop: Hoop, given: float) -> None:
     """Refuse a rolling resistance that the hoop cannot have."""
     allowed = RANGES["plane.rolling_resistance"]
-    for eccentricity, inertia_ratio, given in np.unique(bodies[["eps", "kap", "resist"]]).tolist():
-        if given == 0.0:
-            continue
-        if not allowed.least <= given <= allowed.most:
-            raise InputError.of_field("rolling_resistance", given, allowed.words())
-        if inertia_ratio == 0.0:
-            raise InputError.of_field("rolling_resistance", given, "0 for the massless hoop (hoop.inertia_ratio = 0)")
-        most = most_resistance(eccentricity, inertia_ratio)
-        if not given < most:
-            raise InputError.of_field("rolling_resistance", given, f"below {most:.6g} for this hoop")
+    if not allowed.least <= given <= allowed.most:
+        raise InputError.of_field("rolling_resistance", given, allowed.words())
+    if hoop.inertia_ratio == 0.0:
+        raise InputError.of_field("rolling_resistance", given, "0 for the massless hoop (hoop.inertia_ratio = 0)")
+    most = most_resistance(hoop.eccentricity, hoop.inertia_ratio)
+    if not given < most:
+        raise InputError.of_field("rolling_resistance", given, f"below {most:.6g} for this hoop")
 
 
 def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:

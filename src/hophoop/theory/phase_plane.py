@@ -58,7 +58,7 @@ def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoop, plane: Plane = Plane
     array(['R', 'K', 'H'], dtype='<U1')
     """
     cases = Columns(hoop, plane, resisted=True, theta=theta, omega=omega)
-    codes = np.empty(cases.body.shape[0], dtype=np.int64)
+    codes = np.empty(cases["theta"].size, dtype=np.int64)
     compiled(kernels.modes)(cases.body, cases["theta"], cases["omega"] * cases.time, codes)
     return cases.shaped(_LETTERS[codes])
 

@@ -232,7 +232,7 @@ def friction_utilization(
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
     friction, normal = _force_columns(cases)
-    share = utilization_of(False, friction, normal, cases.body["mu_s"], cases.body["mu_k"])
+    share = utilization_of(False, friction, normal, cases.body.mu_s, cases.body.mu_k)
     return cases.shaped(np.where(normal <= 0.0, np.inf, share))
 
 

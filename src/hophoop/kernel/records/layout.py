@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable
-from typing import Any, NamedTuple, cast, get_type_hints
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from hophoop.kernel.numerics.collocation import DEPTH, ORDER
 from hophoop.kernel.panels.panel import ROWS
-from hophoop.kernel.physics.body import MODE_LETTERS, Body
+from hophoop.kernel.physics.body import MODE_LETTERS
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
 # Low-order halves of the double-double time and position, and the angle as whole revolutions and θ within one.
@@ -47,10 +47,6 @@ COLUMNS = (
     "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta", "theta_low",
     "rolling_resistance", "kinetic", "potential",
 )  # fmt: skip
-
-# A Body in a table of cases.
-BODY = np.dtype([(name, {float: "f8", int: "i8", bool: "?"}[kind]) for name, kind in get_type_hints(Body).items()])
-
 
 # A sequence of phases is packed into integers, three bits per letter (0: no letter).
 LETTERS_PER_INTEGER = 21

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from numba import carray
 
 from hophoop.kernel.physics.body import Mode
@@ -21,20 +20,17 @@ from hophoop.kernel.records.cells import (
     part_reach,
     scales_of,
 )
-from hophoop.kernel.records.layout import MapRequest, MapResults
+from hophoop.kernel.records.layout import MapRequest, MapResults, new_scratch
 from hophoop.kernel.records.refusal import mark_refused, refusal
 from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
 from hophoop.lab.wasm.layout import PART, THRESHOLDS
 from hophoop.lab.wasm.motions import FIELDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS, evaluate_block
 from hophoop.theory.kernels.arcs import TURN, first_valley
-from hophoop.theory.kernels.critical import hop_speed, slip_speeds
-from hophoop.theory.kernels.painleve import border, minima
-from hophoop.theory.kernels.painleve import regions as paradox_sides
-from hophoop.theory.kernels.phase_plane import lift_off
-from hophoop.theory.kernels.phase_plane import modes as following_modes
-from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
-from hophoop.theory.kernels.rows import table_of
+from hophoop.theory.kernels.critical import hop_speed, slip_speed
+from hophoop.theory.kernels.painleve import border, minimum, region
+from hophoop.theory.kernels.phase_plane import lift_off, mode_without_slip
+from hophoop.theory.kernels.rolling import contact_loss, needed_friction
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 PART_WIDTH, CONTACT_WIDTH = len(PART), len(CONTACT)
@@ -63,35 +59,25 @@ def thresholds(given, speed, out):
     row = carray(out, (ANSWERS,))
     scales = scales_of(cell)
     body = body_of(cell)
-    rows = table_of(body)
     unit = scales.length / scales.time
-    pair = np.empty((1, 2))
-    single = np.empty(1)
-    speeds = np.full(1, speed / unit)
     row[:] = math.nan
     row[2] = lift_off(body, 0.0) * unit
     if body.resist > 0.0:
         return  # no closed form is known
     weighs = body.gn > 0.0
     if body.kap > 0.0:
-        minima(rows, pair)
-        row[5] = pair[0, 0]
-        row[6] = pair[0, 1]
+        row[5], row[6] = minimum(body)
         if weighs and body.eps > 0.0 and body.mu_k < math.inf:
             write_jams(body, row[7:11])
         if body.gt >= 0.0:
-            slip_speeds(rows, single)
-            row[0] = single[0] * unit
+            row[0] = slip_speed(body) * unit
             row[1] = hop_speed(body, 1) * unit
     if not math.isnan(speed):
-        needed_frictions(rows, speeds, pair)
-        row[3] = pair[0, 0]
-        row[4] = pair[0, 1]
+        row[3], row[4] = needed_friction(body, speed / unit, new_scratch())
         if body.kap == 0.0 and weighs:
-            loss = np.empty((1, 3))
-            contact_losses(rows, speeds, loss)
-            row[12] = loss[0, 0]
-            row[13] = loss[0, 2]
+            angle, _, by_friction = contact_loss(body, speed / unit)
+            row[12] = angle
+            row[13] = 1.0 if by_friction else 0.0
     valley = first_valley(body)
     if not math.isnan(valley) and equilibrium_is_stable(body, valley):
         row[11] = valley % TURN
@@ -104,23 +90,15 @@ def regions(given, left, right, bottom, top, columns, lines, modes, paradox):
     sides = carray(paradox, (2, columns))  # for θ̇ < 0 and θ̇ > 0, which differ with rolling resistance
     scales = scales_of(cell)
     body = body_of(cell)
-    rows = table_of(body)
-    angle = np.empty(1)
-    rate = np.empty(1)
-    found = np.empty(1, np.int64)
     for i in range(columns):
-        angle[0] = left + (i + 0.5) * ((right - left) / columns)
+        angle = left + (i + 0.5) * ((right - left) / columns)
         for turning in range(2):
             sides[turning, i] = 0
             if body.kap > 0.0 and body.mu_k < math.inf:
-                rate[0] = 2.0 * turning - 1.0
-                paradox_sides(rows, angle, rate, found)
-                sides[turning, i] = found[0]
+                sides[turning, i] = region(body, angle, 2.0 * turning - 1.0)
         for j in range(lines):
             omega = bottom + (j + 0.5) * ((top - bottom) / lines)
-            rate[0] = omega * scales.time
-            following_modes(rows, angle, rate, found)
-            mode = found[0]
+            mode = mode_without_slip(body, angle, omega * scales.time)
             if mode in (Mode.SPIN, Mode.SKID):  # the word of a slip depends on sign(v_t θ̇)
                 ahead = (mode == Mode.SPIN and omega > 0.0) or (mode == Mode.SKID and omega < 0.0)
                 mode = Mode.SPIN if ahead else Mode.SKID

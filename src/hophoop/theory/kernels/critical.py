@@ -16,7 +16,6 @@ from hophoop.kernel.rigid.run import BY_RULE, run
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
 from hophoop.theory.kernels.phase_plane import lift_off
-from hophoop.theory.kernels.rows import body_of
 
 STOP = STOP_AT_TURN | STOP_AT_TAKEOFF
 ANY_TIME = 1e9  # the turn ends the motion
@@ -43,10 +42,9 @@ def first_slip(body, scratch):
     return best, where, edge
 
 
-def slip_speeds(bodies, out):
-    scratch = new_scratch()
-    for k in range(out.shape[0]):
-        out[k] = first_slip(body_of(bodies[k]), scratch)[0]
+def slip_speed(body):
+    """The smallest speed at θ = 0 with slip in the first turn."""
+    return first_slip(body, new_scratch())[0]
 
 
 def hop_speed(body, turns):

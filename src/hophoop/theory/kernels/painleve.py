@@ -7,7 +7,6 @@ import math
 from hophoop.kernel.numerics.arcs import arccosine
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.contact import contact_arms, kappa_p_sigma, resistance_arm
-from hophoop.theory.kernels.rows import body_of
 
 BOTH = 2
 
@@ -21,22 +20,22 @@ def threshold(body, th, sigma):
     return smooth / (smooth - rough) if rough < smooth else math.inf
 
 
-def thresholds(bodies, angles, out):
+def thresholds(body, angles, out):
     for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
         out[k] = min(threshold(body, angles[k], 1), threshold(body, angles[k], -1))
 
 
-def regions(bodies, angles, rates, out):
+def region(body, angle, rate):
     """σ of the slip with p_σ ≤ 0, 0 if there is none, BOTH if both directions have it."""
+    s, c = sine_and_cosine(angle)
+    spin = kappa_p_sigma(body, s, c, -1, resistance_arm(body, s, c, rate, -1)) <= 0.0
+    skid = kappa_p_sigma(body, s, c, 1, resistance_arm(body, s, c, rate, 1)) <= 0.0
+    return (BOTH if spin else 1) if skid else (-1 if spin else 0)
+
+
+def regions(body, angles, rates, out):
     for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        s, c = sine_and_cosine(angles[k])
-        out[k] = 0
-        if kappa_p_sigma(body, s, c, -1, resistance_arm(body, s, c, rates[k], -1)) <= 0.0:
-            out[k] = -1
-        if kappa_p_sigma(body, s, c, 1, resistance_arm(body, s, c, rates[k], 1)) <= 0.0:
-            out[k] = 1 if out[k] == 0 else BOTH
+        out[k] = region(body, angles[k], rates[k])
 
 
 def worst_angle(eps, kap):
@@ -55,11 +54,10 @@ def worst_angle(eps, kap):
     return arccosine(low)
 
 
-def minima(bodies, out):
-    for k in range(bodies.shape[0]):
-        body = body_of(bodies[k])
-        out[k, 1] = worst_angle(body.eps, body.kap)
-        out[k, 0] = threshold(body, out[k, 1], -1)
+def minimum(body):
+    """(the smallest threshold, θ in [0, π/2] where it is)."""
+    angle = worst_angle(body.eps, body.kap)
+    return threshold(body, angle, -1), angle
 
 
 def border(body, mu, high_side):

@@ -8,22 +8,24 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.contact import cone_weights, free_acceleration, rolling_forces
 from hophoop.kernel.physics.modes import can_roll, next_mode
-from hophoop.theory.kernels.rows import body_of
 
-NONE = len(Mode)
+ROLL, SKIM, NONE = int(Mode.ROLL), int(Mode.SKIM), len(Mode)
 
 
-def modes(bodies, angles, rates, out):
+def mode_without_slip(body, angle, rate):
+    """The mode that follows a state of contact without slip; NONE if there is none."""
+    if body.kap > 0.0:
+        mode = next_mode(body, angle, 0.0, rate, 0.0)
+        return mode if mode <= SKIM else NONE
+    if can_roll(body, angle, rate):
+        return ROLL
+    s, c = sine_and_cosine(angle)
+    return SKIM if s * rate > 0.0 or c == 1.0 else NONE
+
+
+def modes(body, angles, rates, out):
     for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        if body.kap > 0.0:
-            mode = next_mode(body, angles[k], 0.0, rates[k], 0.0)
-            out[k] = mode if mode <= Mode.SKIM else NONE
-        elif can_roll(body, angles[k], rates[k]):
-            out[k] = Mode.ROLL
-        else:
-            s, c = sine_and_cosine(angles[k])
-            out[k] = Mode.SKIM if s * rates[k] > 0.0 or c == 1.0 else NONE
+        out[k] = mode_without_slip(body, angles[k], rates[k])
 
 
 def narrowed(low, high, at_rest, moving):
@@ -36,10 +38,9 @@ def narrowed(low, high, at_rest, moving):
     return low, high if at_rest >= 0.0 else -1.0
 
 
-def rolling_ranges(bodies, angles, out):
+def rolling_ranges(body, angles, out):
     """Rolling needs N ≥ 0 and two cone margins ≥ 0, each a line in u = θ̇²."""
     for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
         s, c = sine_and_cosine(angles[k])
         a, b = cone_weights(body.mu_s)
         friction0, normal0 = rolling_forces(body, s, c, 0.0, 0.0)
@@ -59,6 +60,6 @@ def lift_off(body, th):
     return math.sqrt(-at_rest / (moving - at_rest)) if moving > at_rest else math.inf
 
 
-def lift_off_speeds(bodies, angles, out):
+def lift_off_speeds(body, angles, out):
     for k in range(angles.shape[0]):
-        out[k] = lift_off(body_of(bodies[k]), angles[k])
+        out[k] = lift_off(body, angles[k])
