@@ -50,10 +50,24 @@ class Anchor(NamedTuple):
 NONE = Anchor(FREE, 0.0, 0.0, 0.0, 0.0)
 
 
+@inline
+def has_equilibria(body):
+    """Return True if rolling has an unstable and a stable equilibrium in each revolution."""
+    return body.eps > 0.0 and body.gn > 0.0 and abs(body.gt) < body.eps
+
+
 def rolling_unstable_equilibrium(body):
-    """Return θ of the unstable equilibrium on a slope as a double-double; requires abs(sin β) < ε."""
+    """Return θ of the unstable equilibrium, ε sin(θ + β) = −sin β, as a double-double; requires `has_equilibria`."""
+    if body.gt == 0.0:
+        return 0.0, 0.0
     sine = divide(exact_sine_versine((body.slope, 0.0))[0], (body.eps, 0.0))
     return add(negative(exact_arcsine(sine)), (-body.slope, 0.0))
+
+
+def rolling_stable_equilibrium(body, unstable, direction):
+    """Return θ of the stable equilibrium on one side (±1) of the unstable one, π − 2β − θ_unstable, as a double-double."""
+    valley = add((direction * PI, direction * PI_LOW), (-2.0 * body.slope, 0.0))
+    return add(valley, negative(unstable))
 
 
 @inline
@@ -74,23 +88,16 @@ def potential_drop(body, bend, psi):
 @noinline
 def rolling_anchor(body, th, low, s, c, u):
     """Return the anchor of a rolling phase that starts at θ with θ̇² = u."""
-    if body.eps == 0.0 or body.gn == 0.0 or abs(body.gt) >= body.eps:
+    if not has_equilibria(body):
         return NONE
-    base = 0.0
-    base_low = 0.0
-    if body.gt != 0.0:
-        base, base_low = rolling_unstable_equilibrium(body)
+    base, base_low = rolling_unstable_equilibrium(body)
     top, side = sine_and_cosine(base)
     bend = -rest_curvature(body, top, side)
     psi = offset_from(th, low, base, base_low)
     energy = inertia_at_height(body, load_height(s, c)) * u
     excess = energy - 2.0 * potential_drop(body, bend, psi)
     if excess < -2.0 * bend:
-        # closer to the stable equilibrium: θ_stable = π − 2β − θ_unstable
-        direction = 1.0 if psi > 0.0 else -1.0
-        valley = add((direction * PI, direction * PI_LOW), (-2.0 * body.slope, 0.0))
-        valley = add(valley, (-base, -base_low))
-        base, base_low = valley
+        base, base_low = rolling_stable_equilibrium(body, (base, base_low), 1.0 if psi > 0.0 else -1.0)
         bend = -bend
         excess = energy - 2.0 * potential_drop(body, bend, offset_from(th, low, base, base_low))
     return Anchor(ROLLING, excess, base, base_low, bend)

@@ -10,10 +10,10 @@ import math
 
 import numpy as np
 
-from hophoop.kernel.numerics.arcs import arcsine, arctangent2, hypotenuse
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
 from hophoop.kernel.numerics.tables import NODES, WEIGHTS
+from hophoop.kernel.panels.anchor import has_equilibria, rolling_stable_equilibrium, rolling_unstable_equilibrium
 from hophoop.kernel.physics.closed_forms import rolling_u
 from hophoop.kernel.physics.contact import rolling_acceleration
 
@@ -43,20 +43,20 @@ def relative_tail(series, scale):
 def first_maximum(body):
     """Angle of the potential's maximum between −π and π, nan if the slope is too steep for one.
 
-    Maxima are at ε sin(θ + β) = −sin β, one per revolution, each lower than the one uphill by the same amount.
+    Maxima are one per revolution, each lower than the one uphill by the same amount.
     """
-    weight = hypotenuse(body.gn, body.gt)
-    if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
+    if not has_equilibria(body):
         return math.nan
-    return arcsine(-body.gt / (body.eps * weight)) - arctangent2(body.gt, body.gn)
+    angle, low = rolling_unstable_equilibrium(body)
+    return angle + low
 
 
 def first_valley(body):
     """Angle of the valley after `first_maximum`."""
-    weight = hypotenuse(body.gn, body.gt)
-    if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
+    if not has_equilibria(body):
         return math.nan
-    return math.pi + arcsine(body.gt / (body.eps * weight)) - arctangent2(body.gt, body.gn)
+    angle, low = rolling_stable_equilibrium(body, rolling_unstable_equilibrium(body), 1.0)
+    return angle + low
 
 
 def next_of(angle, start, way):
