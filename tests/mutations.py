@@ -50,7 +50,7 @@ class Room(NamedTuple):
 
 ROOMS = {
     "physics": Room(("kernel/physics/*.py",), ("tests/physics",)),
-    "rigid": Room(("kernel/rigid/*.py",), ("tests/rigid", "tests/physics"), patience=4.0),
+    "rigid": Room(("kernel/rigid/*.py", "simulation/event_errors.py"), ("tests/rigid", "tests/physics"), patience=4.0),
     "derivatives": Room(
         tuple(
             f"derivatives/{name}.py"

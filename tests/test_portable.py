@@ -15,15 +15,13 @@ COVERED = (
     "kernel/numerics", "kernel/physics", "kernel/panels", "kernel/records", "kernel/rigid", "kernel/compliant",
     "scenario", "precise", "derivatives", "theory", "maps", "lab/wasm", "results/records.py", "results/units.py",
     "results/poses.py", "results/save.py", "simulation/simulate.py", "simulation/rigid.py", "simulation/compliant.py",
-    "simulation/trajectory.py", "_support/fingerprint.py",
+    "simulation/event_errors.py", "simulation/trajectory.py", "_support/fingerprint.py",
 )  # fmt: skip
 WHOLE = "whole numbers"
 WRITTEN_OUT = "products and quotients of complex numbers are written out in compliant/radau.py"
-MPMATH = "numbers of mpmath, in 60 digits, rounded once"
 EXACT = "integers, fractions and numbers of mpmath"
 # File or folder → what it does → why that is the same everywhere.
 ALLOWED = {
-    "kernel/numerics/generate.py": {"**": MPMATH, "sum": MPMATH},
     "kernel/numerics/circular.py": {"**": "powers of −1 and of 2"},
     "kernel/compliant/records.py": {"numpy.complex128": WRITTEN_OUT},
     "kernel/compliant/radau.py": {"complex": WRITTEN_OUT},

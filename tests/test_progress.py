@@ -49,9 +49,9 @@ def test_a_rigid_motion_reports_its_end(more):
 
 
 def test_errors_of_events_report_their_share(monkeypatch):
-    from hophoop.kernel.rigid import errors
+    from hophoop.simulation import event_errors as errors
 
-    monkeypatch.setattr(errors, "event_errors", slowly(errors.event_errors))
+    monkeypatch.setattr(errors, "estimated_errors", slowly(errors.estimated_errors))
     monkeypatch.setattr(reporting, "LOOKS", 0.002)
     motion = hh.simulate(hh.Scenario(duration=2.0))
     shares = []

@@ -9,10 +9,10 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.compliant import flight
-from hophoop.kernel.compliant.records import OM, SIZE, VN, Y, new_work
+from hophoop.kernel.compliant.records import OM, SIZE, VN, WIDTH, Y, new_work
 from hophoop.kernel.compliant.run import run
 from hophoop.kernel.physics.body import Event, Status
-from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records.layout import EVENT
 from hophoop.simulation.compliant import to_compliance, to_start
 from invariants import check
 
@@ -24,13 +24,28 @@ def test_steps_are_used_up(steps):
     start, touching = to_start(scenario, body, comp)
     events = np.empty(64, EVENT)
     reached = np.zeros(1)
-    status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, steps, events, np.empty(0, SEGMENT), reached)
+    rows = np.empty((steps, WIDTH))
+    status, count, pieces = run(body, comp, start, touching, t_end, rtol, steps, events, rows, reached)
     assert reached[0] == events[count - 1]["t"] / t_end  # what somebody who looks on is told
     assert status == Status.EVENT_LIMIT
     assert pieces < steps
     assert events[count - 1]["kind"] == Event.END
     if pieces:
         assert events[count - 1]["t"] == rows[pieces - 1, 1]
+
+
+def test_steps_beyond_the_table_are_counted():
+    """So that it can be made as long as is needed."""
+    scenario = hh.Scenario(contact=hh.Compliant(), duration=0.1)
+    body, comp, t_end, rtol = to_compliance(scenario)
+    start, touching = to_start(scenario, body, comp)
+    found = []
+    for room in (3, 100):
+        rows = np.zeros((room, WIDTH))
+        given = (body, comp, start, touching, t_end, rtol, 1000, np.empty(64, EVENT), rows, np.zeros(1))
+        found.append((*run(*given), rows[:3].tobytes()))
+    assert found[0] == found[1]
+    assert 3 < found[0][2] <= 100
 
 
 @pytest.mark.parametrize("limit", [1, 3, 5])

@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev, legendre
 
-from hophoop.kernel.numerics import generate, tables
+from hophoop.kernel.numerics import tables
 from hophoop.kernel.panels.panel import SINES
+from kernel_tables import text
 
 POINTS = tables.NODES
 
 
 def test_the_generator_writes_these_tables():
-    assert tables.FILE.read_bytes() == generate.text().encode()
+    assert tables.FILE.read_bytes() == text().encode()
 
 
 def test_quadrature_is_that_of_gauss():

@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.native import forced
-from hophoop.kernel.rigid import errors
+from hophoop.simulation import event_errors as errors
 
 ROUNDING = 4e-16
 RING = hh.Hoop(eccentricity=0.0, inertia_ratio=1.0)  # with radius, mass and gravity 1, all units are 1
@@ -93,7 +93,7 @@ def test_an_event_that_cannot_be_computed_again_leaves_the_others(monkeypatch):
 
     monkeypatch.setattr(errors, "_recompute", none_at_first)
     with forced("interpreted"):
-        table = errors.event_errors(body, events, 4.0)
+        table = errors.estimated_errors(body, events, 4.0)
     of_x = errors.FIELDS.index("x")
     assert table[1, of_x] == squares(1.0 + events[1]["x"])
     assert table[2, of_x] == pytest.approx(
@@ -111,7 +111,7 @@ def test_where_a_changed_motion_has_too_many_events_nothing_is_known_after_the_c
 
     monkeypatch.setattr(errors, "_recompute", none_if_changed)
     with forced("interpreted"):
-        table = errors.event_errors(body, events, 4.0)
+        table = errors.estimated_errors(body, events, 4.0)
     assert np.isinf(table[1:]).all()
     assert table[0, errors.FIELDS.index("x")] == squares(1.0)
 
@@ -126,7 +126,7 @@ def test_both_coefficients_of_friction_are_rounded_together(monkeypatch):
 
     monkeypatch.setattr(errors, "_recompute", noted)
     with forced("interpreted"):
-        errors.event_errors(body, motion._events, 4.0)
+        errors.estimated_errors(body, motion._events, 4.0)
     assert parts == {(0.0, 0.0), (1e-8, 1e-8)}
 
 

@@ -13,7 +13,8 @@ from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import COLUMNS, SEGMENT, new_scratch
-from hophoop.kernel.rigid.sampling import contact_force, find_segment, sample, xi_at_time
+from hophoop.kernel.records.writing import find_segment
+from hophoop.kernel.rigid.sampling import contact_force, sample, xi_at_time
 from newton_euler import accelerations
 from random_scenarios import draw, scenario_of
 
@@ -77,11 +78,10 @@ def test_what_rolling_resistance_has_taken():
 
 
 def test_a_time_at_a_border_is_in_the_segment_before_or_after():
-    segments = np.zeros(3, SEGMENT)
-    segments["t"] = [0.0, 1.0, 2.0]
+    begins = np.array([0.0, 1.0, 2.0])
     for t, before, after in ((0.0, 0, 0), (0.5, 0, 0), (1.0, 0, 1), (1.5, 1, 1), (2.0, 1, 2), (9.0, 2, 2)):
-        assert find_segment(segments, t, True) == before
-        assert find_segment(segments, t, False) == after
+        assert find_segment(begins, t, True) == before
+        assert find_segment(begins, t, False) == after
 
 
 @pytest.mark.parametrize("end", [1.0, 0.5])

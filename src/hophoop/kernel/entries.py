@@ -73,9 +73,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
         _THEORY + "critical.hop_speed": (Body, float),
     },
     "compliant": {
-        "hophoop.kernel.compliant.run.run_into": (
-            Body, Compliance, ROW, bool, float, float, int, EVENTS, SEGMENTS, ROW, TABLE,
-        ),
+        "hophoop.kernel.compliant.run.run": (Body, Compliance, ROW, bool, float, float, int, EVENTS, TABLE, ROW),
         "hophoop.kernel.compliant.run.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
     },
     "derivatives": {

@@ -26,12 +26,11 @@ from hophoop.kernel.compliant.records import (
     X,
     Y,
 )  # fmt: skip
-from hophoop.kernel.compliant.run import COLUMNS, MAX_STEPS, run_into, sample
+from hophoop.kernel.compliant.run import COLUMNS, MAX_STEPS, run, sample
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Body, Mode, Status
 from hophoop.kernel.physics.compliant import Compliance
 from hophoop.kernel.records.layout import EVENT
-from hophoop.kernel.records.layout import SEGMENT as RIGID_SEGMENT
 from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import contact_of, time_unit, to_body
 
@@ -54,9 +53,7 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
     while True:
         events = np.empty(size, EVENT)
         rows = np.empty((room, WIDTH))
-        status, count, pieces = compiled(run_into)(
-            body, comp, start, touching, t_end, rtol, MAX_STEPS, events, np.empty(0, RIGID_SEGMENT), reached, rows
-        )
+        status, count, pieces = compiled(run)(body, comp, start, touching, t_end, rtol, MAX_STEPS, events, rows, reached)
         if pieces > room:
             room = MAX_STEPS
             continue

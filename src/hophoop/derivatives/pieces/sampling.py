@@ -12,9 +12,9 @@ from hophoop.derivatives.pieces.flight_and_rest import accelerations, step_along
 from hophoop.derivatives.pieces.panels import prepare_panel
 from hophoop.derivatives.pieces.pieces import follow_prepared, follow_without_panel, is_panel
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, TIME, Totals, fill_inside, no_panel
-from hophoop.kernel.records.writing import panel_of
+from hophoop.kernel.records.writing import find_segment, panel_of
 from hophoop.kernel.rigid.panel_choice import solve
-from hophoop.kernel.rigid.sampling import find_segment, xi_at_time
+from hophoop.kernel.rigid.sampling import xi_at_time
 
 STATE = ("x", "height", "theta", "omega", "slip", "vy")
 
@@ -47,7 +47,7 @@ def sample_tangents(body, pieces, clock, times, left, samples, workspace):
     totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for i in range(times.shape[0]):
-        index = find_segment(segments, times[i], left)
+        index = find_segment(segments["t"], times[i], left)
         row = segments[index]
         tangents[:] = at_segments[index]
         tau = (min(times[i], row["t_end"]) - row["t"]) - row["t_low"]

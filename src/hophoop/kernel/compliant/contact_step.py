@@ -278,13 +278,13 @@ def arm_guards(comp, regime, armed, work):
         armed[which] = value > floor
 
 
-def come_to_rest(phase, t_end, stable, log, rows, work):
-    """End the motion at rest; return (phase, segments)."""
+def come_to_rest(phase, t_end, stable, log, work):
+    """End the motion at rest; return the phase."""
     write_plain_event(log, REST, phase.mode, phase.mode, phase.t, phase.revolutions, work.state)
     if has_room(log):
         log.events[log.counts[EVENTS] - 1]["stable"] = 1 if stable else 0
-    rows = append_segment(log, rows, phase, t_end, RESTING, 0.0, work)
-    return end_motion(phase, t_end, AT_REST), rows
+    append_segment(log, phase, t_end, RESTING, 0.0, work)
+    return end_motion(phase, t_end, AT_REST)
 
 
 def shorten(body, comp, regime, which, s, length, rtol, work):
@@ -301,11 +301,11 @@ def shorten(body, comp, regime, which, s, length, rtol, work):
     return length, True
 
 
-def accept(phase, after, behind, length, log, rows, work):
-    """Accept a step and write a turning point inside it; return (phase, segments)."""
+def accept(phase, after, behind, length, log, work):
+    """Accept a step and write a turning point inside it; return the phase."""
     u = work.state
     direction = phase.direction
-    rows = append_segment(log, rows, phase, after, STEP, length, work)
+    append_segment(log, phase, after, STEP, length, work)
     spin = poly_value(work.poly, OM, 1.0)
     if direction * spin < 0.0:
         s = sign_change(work.poly, OM) if work.poly[OM, 0] * spin < 0.0 else 0.0
@@ -319,7 +319,7 @@ def accept(phase, after, behind, length, log, rows, work):
     for m in range(SIZE):
         u[m] += work.stages[STAGES - 1, m] if m < DYNAMIC else work.integrals[STAGES - 1, m - DYNAMIC]
     revolutions, u[TH] = within_revolution(phase.revolutions, u[TH])
-    return Phase(after, revolutions, behind, phase.mode, phase.regime, False, phase.h, length, direction, phase.status), rows
+    return Phase(after, revolutions, behind, phase.mode, phase.regime, False, phase.h, length, direction, phase.status)
 
 
 def meet_threshold(comp, regime, work):
@@ -366,8 +366,8 @@ def change(comp, phase, which, armed, log, work):
     )
 
 
-def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
-    """Try one step; return (phase, segments). After a failed step only the length of the next step changes."""
+def contact_step(body, comp, phase, t_end, rtol, armed, log, work):
+    """Try one step; return the next phase. After a failed step only the length of the next step changes."""
     u = work.state
     regime = phase.regime
     if phase.begins:
@@ -375,10 +375,10 @@ def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
         phase = with_step(phase, first_step(body, comp, regime, u, rtol), 0.0)
         rests, stable = at_rest(body, comp, regime, u, work)
         if rests:
-            return come_to_rest(phase, t_end, stable, log, rows, work)
+            return come_to_rest(phase, t_end, stable, log, work)
     h = phase.h
     if h < SHORTEST:
-        return end_motion(phase, phase.t, UNDETERMINED), rows
+        return end_motion(phase, phase.t, UNDETERMINED)
     left = t_end - phase.t
     last = h >= 0.999 * left
     length = left if last else h
@@ -386,26 +386,26 @@ def contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work):
     error = attempt(body, comp, regime, work, u, length, rtol)
     if error >= FAILED:
         # Newton's iteration may have diverged because of its first guess
-        return with_step(phase, (0.25 if phase.before == 0.0 else 0.5) * length, 0.0), rows
+        return with_step(phase, (0.25 if phase.before == 0.0 else 0.5) * length, 0.0)
     factor = SAFETY * power(max(error, 1e-10), -1.0 / ORDER_OF_ERROR)
     if error > 1.0:
-        return with_step(phase, max(factor, SLOWER) * length, phase.before), rows
+        return with_step(phase, max(factor, SLOWER) * length, phase.before)
     phase = with_step(phase, min(factor, FASTER) * length, phase.before)
     make_poly(work, u)
     which, s = first_exit(comp, regime, work.poly, armed)
     if which != NONE and s * length < SHORTEST:
-        return change(comp, phase, which, armed, log, work), rows
+        return change(comp, phase, which, armed, log, work)
     if which != NONE:
         length, done = shorten(body, comp, regime, which, s, length, rtol, work)
         if not done:
-            return with_step(phase, length, 0.0), rows
+            return with_step(phase, length, 0.0)
         last = False
     after = t_end if last else phase.t + (length + phase.behind)
     behind = phase.behind if length == 0.0 else (length + phase.behind) - (after - phase.t)
-    phase, rows = accept(phase, after, behind, length, log, rows, work)
+    phase = accept(phase, after, behind, length, log, work)
     if which != NONE:
-        return change(comp, phase, which, armed, log, work), rows
+        return change(comp, phase, which, armed, log, work)
     rests, stable = at_rest(body, comp, regime, u, work)
     if rests:
-        return come_to_rest(phase, t_end, stable, log, rows, work)
-    return phase, rows
+        return come_to_rest(phase, t_end, stable, log, work)
+    return phase

@@ -120,8 +120,8 @@ def fly_above(body, begin, f_n, vanishing_derivatives, limit):
     return (GIVEN_UP if seen < limit else LASTS), seen, apex
 
 
-def flight_step(body, comp, phase, t_end, log, rows, work):
-    """Fly up to the next contact or the final time; return (phase, segments)."""
+def flight_step(body, comp, phase, t_end, log, work):
+    """Fly up to the next contact or the final time; return the next phase."""
     u = work.state
     t = phase.t
     s, c = sine_and_cosine(u[TH])
@@ -139,17 +139,17 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
         work.start[VN] = 0.0
         write_plain_event(log, APEX, FLIGHT, FLIGHT, t + apex, phase.revolutions + more, work.start)
     after = t_end if what == LASTS else t + tau
-    rows = append_segment(log, rows, phase, after, FLY, f_n, work)
+    append_segment(log, phase, after, FLY, f_n, work)
     phase = add_revolutions(phase, fly_state(body, comp, u, f_n, tau, work.start))
     if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
         work.start[Y] = 0.0
     for m in range(SIZE):
         u[m] = work.start[m]
     if what == GIVEN_UP:
-        return end_motion(phase, after, EVENT_LIMIT), rows
+        return end_motion(phase, after, EVENT_LIMIT)
     if what != LANDED:
-        return begin_phase(phase, after, FLIGHT, phase.regime), rows
+        return begin_phase(phase, after, FLIGHT, phase.regime)
     regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
     mode = mode_of(regime)
     write_plain_event(log, IMPACT, FLIGHT, mode, after, phase.revolutions, u)
-    return begin_phase(phase, after, mode, regime), rows
+    return begin_phase(phase, after, mode, regime)

@@ -11,7 +11,7 @@ from hophoop.kernel.numerics.collocation import DEPTH, ORDER
 from hophoop.kernel.numerics.tables import RADAU_LAMBDA, RADAU_NODES
 from hophoop.kernel.physics.body import Event, Mode
 from hophoop.kernel.records.layout import EVENTS, SEGMENTS
-from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses, with_rolling_loss
+from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses
 from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
 
 STAGES, PAIRS = len(RADAU_NODES), len(RADAU_LAMBDA)  # of Radau IIA
@@ -95,17 +95,6 @@ def new_work():
     )
 
 
-def grow_rows(rows, count):
-    """Return `rows`, or a copy twice as long if `count` rows fill it."""
-    if count < rows.shape[0]:
-        return rows
-    larger = np.empty((2 * rows.shape[0], rows.shape[1]))
-    for i in range(count):  # a loop compiles 10 times faster than a slice
-        for j in range(rows.shape[1]):
-            larger[i, j] = rows[i, j]
-    return larger
-
-
 # --- the phase
 
 # NumPy integers, because Numba would compile a function again for every Python integer that it is called with.
@@ -173,7 +162,7 @@ def as_state(t, revolutions, u):
     """Return the state in the form in which events are written."""
     start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
     there = moved(start, t, 0.0, start.x, 0.0, start.y, start.revolutions + revolutions, start.th, start.th_low)
-    return with_rolling_loss(with_losses(there, u[FRICTION], 0.0, 0.0), u[ROLLING_LOSS])
+    return with_losses(there, u[FRICTION], 0.0, 0.0, u[ROLLING_LOSS])
 
 
 def write_plain_event(log, kind, before, after, t, revolutions, u):
@@ -184,12 +173,13 @@ def write_plain_event(log, kind, before, after, t, revolutions, u):
         log.events[log.counts[EVENTS] - 1]["collision"] = 1
 
 
-def append_segment(log, rows, phase, t_end, kind, length, work):
-    """Append a segment; return the table, which may be a longer copy."""
+def append_segment(log, phase, t_end, kind, length, work):
+    """Append a segment; those beyond the end of the table are only counted."""
     pieces = log.counts[SEGMENTS]
     log.counts[SEGMENTS] = pieces + 1
-    rows = grow_rows(rows, pieces)
-    row = rows[pieces]
+    if pieces >= log.segments.shape[0]:
+        return
+    row = log.segments[pieces]
     row[T] = phase.t
     row[T_END] = t_end
     row[KIND] = kind
@@ -204,4 +194,3 @@ def append_segment(log, rows, phase, t_end, kind, length, work):
                 row[at] = work.poly[m, j]
             else:
                 row[at] = work.state[m] if j == 0 else 0.0
-    return rows

@@ -31,7 +31,6 @@ from hophoop.kernel.compliant.records import (
     TH,
     VN,
     VT,
-    WIDTH,
     Phase,
     T,
     X,
@@ -48,7 +47,7 @@ from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
 from hophoop.kernel.physics.compliant import BRISTLE, first_regime, normal_force, spring_energy
 from hophoop.kernel.records.layout import EVENTS, PANELS, SEGMENTS
-from hophoop.kernel.records.writing import Log, count_panel, has_room
+from hophoop.kernel.records.writing import Log, count_panel, find_segment, has_room
 
 START, END = np.int64(Event.START), np.int64(Event.END)
 NO_MODE = np.int64(-1)
@@ -83,42 +82,33 @@ def begin(comp, touching, log, work):
     return Phase(0.0, revolutions, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
 
 
-def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached):
-    """Compute a motion up to `t_end`; return (status, number of events, segments, number of segments).
+def run(body, comp, start, touching, t_end, rtol, max_steps, events, rows, reached):
+    """Compute a motion up to `t_end`; return (status, number of events, number of segments).
 
     `start` has the shape (SIZE,) and is not changed; `touching` is True if the contact acts there. The motion is given up after
-    `max_steps` steps, failed ones included, and flights. `events` is filled; `no_segments` has length 0. `reached[0]` is the
-    computed fraction of the time, for another thread.
+    `max_steps` steps, failed ones included, and flights. `events` and `rows` are filled; if there are more segments than rows,
+    these are only counted. `reached[0]` is the computed fraction of the time, for another thread.
     """
     work = new_work()
-    rows = np.empty((256, WIDTH))
     armed = np.zeros(GUARDS, np.bool_)
     for m in range(SIZE):
         work.state[m] = start[m]
     set_tolerances(body, comp, work)
-    log = Log(events, no_segments, np.array([0, 0, 0, max_steps + 1]), np.full(1, math.nan))
+    log = Log(events, rows, np.array([0, 0, 0, max_steps + 1]), np.full(1, math.nan))
     phase = begin(comp, touching, log, work)
     while phase.status == GOING and phase.t < t_end and has_room(log):
         count_panel(log)  # failed steps count too
         if log.counts[PANELS] >= max_steps:
             phase = end_motion(phase, phase.t, EVENT_LIMIT)
         elif phase.mode == FLIGHT:
-            phase, rows = flight_step(body, comp, phase, t_end, log, rows, work)
+            phase = flight_step(body, comp, phase, t_end, log, work)
         else:
-            phase, rows = contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work)
+            phase = contact_step(body, comp, phase, t_end, rtol, armed, log, work)
         reached[0] = phase.t / t_end
     write_plain_event(log, END, phase.mode, phase.mode, phase.t, phase.revolutions, work.state)
     if log.counts[EVENTS] < 0:
-        return EVENT_LIMIT, events.shape[0], rows, log.counts[SEGMENTS]
-    return COMPLETED if phase.status == GOING else phase.status, log.counts[EVENTS], rows, log.counts[SEGMENTS]
-
-
-def run_into(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached, kept):
-    """Compute as `run` does and copy the segments into `kept` as far as they fit; return (status, events, segments)."""
-    status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached)
-    for k in range(min(pieces, kept.shape[0])):
-        kept[k] = rows[k]
-    return status, count, pieces
+        return EVENT_LIMIT, events.shape[0], log.counts[SEGMENTS]
+    return COMPLETED if phase.status == GOING else phase.status, log.counts[EVENTS], log.counts[SEGMENTS]
 
 
 # --- sampling, from the steps' own polynomials
@@ -131,26 +121,12 @@ COLUMNS = (
 )  # fmt: skip
 
 
-def find_row(rows, t, left):
-    """Return the index of the segment that contains the time t; at a boundary the earlier one if `left`."""
-    low = 0
-    high = rows.shape[0]
-    while high - low > 1:
-        middle = (low + high) // 2
-        begin = rows[middle, T]
-        if begin < t or (begin == t and not left):
-            low = middle
-        else:
-            high = middle
-    return low
-
-
 def sample(body, comp, rows, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     u = np.zeros(SIZE)
     begin = np.zeros(SIZE)
     for index in range(times.shape[0]):
-        row = rows[find_row(rows, times[index], left)]
+        row = rows[find_segment(rows[:, T], times[index], left)]
         t = min(max(times[index], row[T]), row[T_END])
         kind = row[KIND]
         regime = int(row[REGIME])

@@ -76,21 +76,6 @@ def extremes(values):
 
 
 @inline
-def smallest(values):
-    """Return the smallest value, in 4 parallel chains."""
-    l0 = values[0]
-    l1 = values[1]
-    l2 = values[2]
-    l3 = values[3]
-    for i in range(4, ORDER, 4):
-        l0 = min(l0, values[i])
-        l1 = min(l1, values[i + 1])
-        l2 = min(l2, values[i + 2])
-        l3 = min(l3, values[i + 3])
-    return min(min(l0, l1), min(l2, l3))
-
-
-@inline
 def _small_exponential(x):
     """Return exp x for abs(x) ≤ 1 by a series that vectorizes over the nodes."""
     square = x * x

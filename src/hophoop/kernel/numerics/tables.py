@@ -1,4 +1,4 @@
-"""Tables of numbers: the content of `tables.json`, which `generate.py` computes."""
+"""Tables of numbers: the content of `tables.json`, which `tests/kernel_tables.py` computes."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from hophoop.kernel.numerics.collocation import (
     ORDER,
     antiderivative,
     divided_by_exponentials,
-    smallest,
+    extremes,
     total,
     truncation_error,
 )
@@ -90,7 +90,7 @@ def solve_slip(body, panel, work):
         kappa_p_sigmas[i] = kappa_p_sigma
         damping[i] = -eps * c * share
         drive[i] = body.gn * share
-    least = smallest(kappa_p_sigmas)
+    least = extremes(kappa_p_sigmas)[0]
     if not least > 0.0:
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     size = truncation_error(damping, 0.5)
@@ -105,7 +105,7 @@ def solve_slip(body, panel, work):
     for i in range(ORDER):
         us[i] = growth[i] * (panel.u + driven[i])
     u_far = growth_far * (panel.u + driven_far)
-    if not (smallest(us) > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
+    if not (extremes(us)[0] > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
         return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
     rates = work[RATE]
     normals = work[NORMAL]

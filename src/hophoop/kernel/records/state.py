@@ -69,20 +69,11 @@ def with_velocities(state, vt, vn, om):
 
 
 @inline
-def with_losses(state, friction, impact_n, impact_t):
+def with_losses(state, friction, impact_n, impact_t, rolling_loss):
     """Return the state with other losses."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low,
-        state.vt, state.vn, state.om, friction, impact_n, impact_t, state.rolling_loss, state.anchor,
-    )  # fmt: skip
-
-
-@inline
-def with_rolling_loss(state, rolling_loss):
-    """Return the state with another loss to rolling resistance."""
-    return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low,
-        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, rolling_loss, state.anchor,
+        state.vt, state.vn, state.om, friction, impact_n, impact_t, rolling_loss, state.anchor,
     )  # fmt: skip
 
 

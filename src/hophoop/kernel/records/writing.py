@@ -207,6 +207,19 @@ def panel_of(row):
 # --- times
 
 
+def find_segment(begins, t, left):
+    """Return the index of the segment that contains the time t, by start times; at a boundary the earlier one if `left`."""
+    low = 0
+    high = begins.shape[0]
+    while high - low > 1:
+        middle = (low + high) // 2
+        if begins[middle] < t or (begins[middle] == t and not left):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
 def kernel_times(begins, end, times, second, out):
     """Fill `out` with times [s] in kernel units, on the same side of each event as in seconds; at most the end of the motion.
 
@@ -217,16 +230,9 @@ def kernel_times(begins, end, times, second, out):
     last = begins.shape[0] - 1
     for k in range(times.shape[0]):
         found = min(times[k] / second, end)
-        low = 0
-        high = last + 1
-        while low < high:
-            middle = (low + high) // 2
-            if begins[middle] < found:
-                low = middle + 1
-            else:
-                high = middle
-        for index in (low - 1, low):
-            begin = begins[min(max(index, 0), last)]
+        before = find_segment(begins, found, True)
+        for index in (before, min(before + 1, last)):
+            begin = begins[index]
             if begin * second == times[k]:
                 found = begin
         if end * second == times[k]:

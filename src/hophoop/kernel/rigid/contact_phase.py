@@ -356,7 +356,7 @@ def slide_without_rotation(body, mode, state, t_end, log):
     x, x_low = plus(state.x, state.x_low, slid)
     friction = state.friction + sigma * body.mu_k * body.gn * slid
     after = with_velocities(moved(state, t, t_low, x, x_low, 0.0, state.revolutions, state.th, state.th_low), vt, 0.0, 0.0)
-    after = with_losses(after, friction, state.impact_n, state.impact_t)
+    after = with_losses(after, friction, state.impact_n, state.impact_t, state.rolling_loss)
     write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, state, after.t)
     return ending, after
 

@@ -197,7 +197,7 @@ def skim_step(body, phase, limits, log):
     along, p_n, p_t = strike(body, after.vt, vn)
     lost_n = after.impact_n + 0.5 * vn * vn
     lost_t = after.impact_t + 0.5 * (after.vt * after.vt - along * along)
-    landed = with_losses(with_velocities(after, along, 0.0, 0.0), after.friction, lost_n, lost_t)
+    landed = with_losses(with_velocities(after, along, 0.0, 0.0), after.friction, lost_n, lost_t, after.rolling_loss)
     cause = PendingEvent(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 0.0, 1)
     mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)
     if body.rest > 0.0:

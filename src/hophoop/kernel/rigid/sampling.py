@@ -29,7 +29,7 @@ from hophoop.kernel.physics.contact import (
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.records.layout import COLUMNS, new_scratch
 from hophoop.kernel.records.state import flown, moved, whole_angle, with_losses, with_velocities
-from hophoop.kernel.records.writing import panel_of, state_of
+from hophoop.kernel.records.writing import find_segment, panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
 from hophoop.kernel.rigid.flight_phase import time_to_strike
 from hophoop.kernel.rigid.panel_choice import solve
@@ -41,20 +41,6 @@ from hophoop.kernel.rigid.panel_choice import solve
 ) = range(len(COLUMNS))  # fmt: skip
 # Margins of a mode, in kernel units; documented in `hophoop.simulation.phases.Margins`.
 MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleration", "slip", "height", "p_sigma")
-
-
-def find_segment(segments, t, left):
-    """Return the index of the segment that contains the time t; at a boundary the earlier one if `left`."""
-    low = 0
-    high = segments.shape[0]
-    while high - low > 1:
-        middle = (low + high) // 2
-        begin = segments[middle]["t"]
-        if begin < t or (begin == t and not left):
-            low = middle
-        else:
-            high = middle
-    return low
 
 
 def xi_at_time(panel_time, segment, tau, scratch):
@@ -100,9 +86,8 @@ def state_without_rotation(body, sigma, state, t, tau):
     loss = sigma * body.mu_k * body.gn * slid if sigma != 0 else 0.0
     x, x_low = plus(state.x, state.x_low, slid)
     now = moved(state, t, 0.0, x, x_low, 0.0, state.revolutions, state.th, state.th_low)
-    return with_losses(
-        with_velocities(now, state.vt + rate * tau, 0.0, 0.0), state.friction + loss, state.impact_n, state.impact_t
-    )
+    now = with_velocities(now, state.vt + rate * tau, 0.0, 0.0)
+    return with_losses(now, state.friction + loss, state.impact_n, state.impact_t, state.rolling_loss)
 
 
 def state_in_skim(body, direction, state, t, tau, strikes):
@@ -126,7 +111,7 @@ def sample(body, segments, times, left, out):
     totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for k in range(times.shape[0]):
-        index = find_segment(segments, times[k], left)
+        index = find_segment(segments["t"], times[k], left)
         segment = segments[index]
         kind, direction, sigma = segment["kind"], segment["direction"], segment["sigma"]
         state = state_of(segment)

@@ -24,7 +24,7 @@ from hophoop.kernel.physics.modes import (
     slip_direction,
     slip_mode,
 )
-from hophoop.kernel.records.state import with_anchor, with_losses, with_rolling_loss, with_velocities
+from hophoop.kernel.records.state import with_anchor, with_losses, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, event_without_jump, record_doubt, write_event, write_plain_event
 from hophoop.kernel.rigid.panel_events import CLOSE, SMALLEST_SQUARE
 
@@ -56,7 +56,7 @@ def collide(body, rest, state, kind, mode, collision):
     losses_n = state.impact_n + loss_n
     losses_t = state.impact_t + loss_t
     after = with_anchor(with_velocities(state, vt, vn, om), NONE)  # the anchor's quantity is not conserved by an impact
-    return with_losses(after, state.friction, losses_n, losses_t), cause
+    return with_losses(after, state.friction, losses_n, losses_t, state.rolling_loss), cause
 
 
 @noinline
@@ -73,7 +73,8 @@ def end_bounces(body, state):
     p_t = r * p_n
     om = after.om + turn * p_n
     lost = after.impact_n - 0.5 * after.vn * p_n
-    still = with_losses(with_velocities(state, 0.0, 0.0, om), state.friction, lost, after.impact_t)
+    still = with_velocities(state, 0.0, 0.0, om)
+    still = with_losses(still, state.friction, lost, after.impact_t, state.rolling_loss)
     p_n += cause.p_n
     p_t += cause.p_t
     return still, PendingEvent(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
@@ -176,8 +177,8 @@ def resolve_painleve_singularity(body, mode, state, log):
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om, rho)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss
-    after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses)
-    after = with_rolling_loss(after, state.rolling_loss + 0.5 * rho * (state.om + om) * p_n)
+    rolling_loss = state.rolling_loss + 0.5 * rho * (state.om + om) * p_n
+    after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses, rolling_loss)
     if jams:
         cause = PendingEvent(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
         write_event(log, cause, mode, after, 0.0, -1)

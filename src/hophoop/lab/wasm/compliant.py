@@ -12,7 +12,6 @@ from hophoop.kernel.compliant.records import OM, SIZE, TH, VN, VT, WIDTH, X, Y
 from hophoop.kernel.compliant.run import COLUMNS, run, sample
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import CONTACT, Cell, body_of, scales_of
-from hophoop.kernel.records.layout import SEGMENT
 from hophoop.kernel.records.writing import kernel_times
 from hophoop.lab.wasm.layout import CHOSEN, EVENT_COLUMNS, HEADS
 from hophoop.lab.wasm.motions import (
@@ -82,12 +81,9 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     duration = cell[Cell.DURATION]
     t_end = duration / scales.time
     rtol = RTOL if math.isnan(asked[7]) else asked[7]
-    none = np.empty(0, SEGMENT)
-    status, count, found, pieces = run(body, comp, start, touching, t_end, rtol, most_steps, records, none, np.zeros(1))
+    status, count, pieces = run(body, comp, start, touching, t_end, rtol, most_steps, records, kept, np.zeros(1))
     for k in range(count):
         write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), lines[k])
-    for k in range(min(pieces, most_rows)):
-        kept[k] = found[k]
     head[0] = Status.BUFFER if pieces > most_rows else status
     head[1] = count
     head[2] = pieces
@@ -96,9 +92,9 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     head[5] = pieces
     first = np.empty((1, RAW_WIDTH))
     last = np.empty((1, RAW_WIDTH))
-    if pieces > 0:
-        sample(body, comp, found[:pieces], np.zeros(1), True, first)
-        sample(body, comp, found[:pieces], np.full(1, records[count - 1]["t"]), False, last)
+    if 0 < pieces <= most_rows:
+        sample(body, comp, kept[:pieces], np.zeros(1), True, first)
+        sample(body, comp, kept[:pieces], np.full(1, records[count - 1]["t"]), False, last)
     else:
         first[:] = 0.0
         last[:] = 0.0

@@ -1,4 +1,4 @@
-"""Generator of `tables.json`, the tables of the kernels with 60 digits: `python -m hophoop.kernel.numerics.generate`.
+"""Generator of the kernels' tables, with 60 digits: `python tests/kernel_tables.py` writes kernel/numerics/tables.json.
 
 Each entry is rounded once, to the nearest double, so that no table depends on a BLAS, a C library or a processor. Only mpmath
 computes here; it has its own integer arithmetic. Quadrature nodes are rounded first, and all tables use the rounded nodes, at
@@ -10,10 +10,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from mpmath import mp
+
+from hophoop.kernel.numerics.tables import FILE
 
 DIGITS = 60
 ORDER = 16  # Gauss–Legendre nodes of a panel
@@ -269,4 +270,4 @@ def text() -> str:
 
 
 if __name__ == "__main__":
-    Path(__file__).with_name("tables.json").write_text(text(), encoding="utf-8", newline="\n")
+    FILE.write_text(text(), encoding="utf-8", newline="\n")
