@@ -255,7 +255,7 @@ def test_the_blow_of_a_load(side, mu):
 
     def blown(body, state):
         s, c = math.sin(state.th), math.cos(state.th)
-        tau = skim_duration(body, c, s * state.om)
+        tau = skim_duration(body, 1.0 + c, s * state.om)
         sink, speed = s * state.om + body.gn * tau, state.vt + state.om * (1.0 + c)
         after, p_n, p_t = strike(body, speed, -sink)
         x = state.x + s + speed * tau

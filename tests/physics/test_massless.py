@@ -21,7 +21,7 @@ def load_after(x, th, vt, om, tau):
 
 @pytest.mark.parametrize(("th", "om"), [(1.0, 0.8), (2.0, 0.3), (1.2, -0.2)])
 def test_the_load_falls_for_so_long(th, om):
-    tau = skim_duration(BODY, math.cos(th), math.sin(th) * om)
+    tau = skim_duration(BODY, 1.0 + math.cos(th), math.sin(th) * om)
     assert tau > 0.0
     assert load_after(0.0, th, 0.0, om, tau)[1] == pytest.approx(0.0, abs=1e-14)
 
@@ -59,7 +59,7 @@ def test_edges_of_skimming():
         assert om == pytest.approx(way * math.sqrt(BODY.gn), rel=1e-6)
     assert skim_state(BODY, 0.0, 0.0, 0.0, 0.0, 1, 0.0)[3] == pytest.approx(math.sqrt(BODY.gn))
     # where the load strikes the plane the rim turns infinitely fast
-    tau = skim_duration(BODY, math.cos(1.0), math.sin(1.0) * 0.8) * (1.0 + 1e-12)
+    tau = skim_duration(BODY, 1.0 + math.cos(1.0), math.sin(1.0) * 0.8) * (1.0 + 1e-12)
     for th, om, way in ((1.0, 0.8, 1), (TURN - 1.0, -0.8, -1)):
         assert skim_state(BODY, 0.0, th, 0.0, om, way, tau)[3] == way * math.inf
 
@@ -105,15 +105,15 @@ def test_without_gravity_the_load_goes_on_as_it_went(th, om):
     """It reaches the plane after its height over its speed; one that does not sink never does."""
     body = Body(1.0, 0.0, 0.5, 0.4, 0.0, 0.0, 0.0, 0, False, 0.0)
     height, sink = 1.0 + math.cos(th), math.sin(th) * om
-    tau = skim_duration(body, math.cos(th), sink)
+    tau = skim_duration(body, 1.0 + math.cos(th), sink)
     assert height - sink * tau == pytest.approx(0.0, abs=1e-15)
-    assert skim_duration(body, math.cos(th), 0.0) == math.inf
+    assert skim_duration(body, 1.0 + math.cos(th), 0.0) == math.inf
 
 
 @pytest.mark.parametrize("gravity", [1.0, 0.5])
 def test_with_gravity_it_falls(gravity):
     body = Body(1.0, 0.0, 0.5, 0.4, gravity, 0.0, 0.0, 0, False, 0.0)
-    tau = skim_duration(body, math.cos(2.0), 0.3)
+    tau = skim_duration(body, 1.0 + math.cos(2.0), 0.3)
     assert 1.0 + math.cos(2.0) - 0.3 * tau - 0.5 * gravity * tau * tau == pytest.approx(0.0, abs=1e-15)
 
 
@@ -129,5 +129,5 @@ def test_a_load_that_rounding_lifts_above_the_top_stays_there():
 def test_the_load_has_fallen_its_height_when_it_strikes(sink, c):
     """ẏ t + ½ g t² = 1 + cos θ, also where it sinks so fast that gravity hardly counts."""
     body = Body(1.0, 0.0, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
-    t = skim_duration(body, c, sink)
+    t = skim_duration(body, 1.0 + c, sink)
     assert sink * t + 0.5 * t * t == pytest.approx(1.0 + c, rel=1e-14)

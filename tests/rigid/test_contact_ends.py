@@ -78,7 +78,7 @@ def turned(mode, th, vt=0.0, stop=0, **plane):
     """What follows a turning point there, and what is written."""
     log, _ = log_of()
     state = state_of(th, 0.0, vt)._replace(t=3.0)
-    limits = limits_of(state, 8.0, math.nan, stop)
+    limits = limits_of(state, 8.0, math.nan, stop, 0)
     phase = phase_at(mode, state)
     after = contact_phase.turning_point_step(body_of(**plane), phase, state, 7, limits, log)
     return after, events_of(log)
@@ -121,7 +121,7 @@ def test_slip_without_rotation_that_stops_on_a_slope_turns_round(sigma):
     mode, other = (SKID, SPIN) if sigma > 0 else (SPIN, SKID)
     body = body_of(mu=0.0, slope=-0.25 * sigma)
     phase = sliding(sigma)
-    limits = limits_of(phase.state, 50.0, math.nan, 0)
+    limits = limits_of(phase.state, 50.0, math.nan, 0, 0)
     log, _ = log_of()
     after = contact_phase.still_step(body, phase, phase.state, limits, log)
     assert (after.mode, after.ending, after.status) == (other, Ending.SLIP_END, -1)

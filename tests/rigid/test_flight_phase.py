@@ -27,7 +27,7 @@ def state_of(angle=0.5, *, y=0.0, vt=0.0, vn=0.0, om=0.0, time=0.0):
 
 
 def limits(state, t_end=9.0, span=math.nan, stop=0):
-    return limits_of(state, t_end, span, stop)
+    return limits_of(state, t_end, span, stop, 0)
 
 
 def tables():

@@ -7,8 +7,18 @@ import math
 import pytest
 from mpmath import mp, mpf
 
+from hophoop.kernel.numerics.arithmetic import revolutions_and_rest
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, angle_left, at_span, limits_of
+from hophoop.kernel.rigid.phase import (
+    STOP_AT_TAKEOFF,
+    STOP_AT_TURN,
+    angle_left,
+    at_span,
+    limits_at_angle,
+    limits_of,
+    limits_until,
+)
+from hophoop.simulation.until import NOTHING
 
 EXACT_TURN = 2.0 * math.pi
 
@@ -18,7 +28,7 @@ def start_of(angle=0.25, low=0.0):
 
 
 def limits(span, start=None):
-    return limits_of(start or start_of(), 9.0, span, STOP_AT_TURN)
+    return limits_of(start or start_of(), 9.0, span, STOP_AT_TURN, 0)
 
 
 def exactly(turns, high, low=0.0):
@@ -103,3 +113,44 @@ def test_the_state_at_the_end_of_the_span_is_there_exactly(way, span):
         expected = begin + way * exactly(given.span_turns, given.span_rest)
         assert abs(exactly(found.revolutions, found.th, found.th_low) - expected) < 1e-29
     assert abs(float(angle_left(given, found, way))) < 1e-15
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.25, -0.25, 1.5, -1.5, 3.0, -3.0, math.pi, -math.pi, 100.0])
+@pytest.mark.parametrize("at", [0.1, 2.0, 4.0, 6.2, -0.1, -2.9, -6.2, 50.0])
+def test_a_motion_ends_at_the_next_passage_of_an_angle_on_either_side(angle, at):
+    """Both are less than a revolution from the start, and differ by one."""
+    start = start_of(at)
+    given = limits_at_angle(start, 9.0, angle)
+    assert (given.t_end, given.stop, given.landings, given.span) == (9.0, 0, 0, math.pi)
+    ahead = (angle - at) % EXACT_TURN
+    assert float(angle_left(given, start, 1.0)) == pytest.approx(ahead, abs=1e-13)
+    assert float(angle_left(given, start, -1.0)) == pytest.approx(EXACT_TURN - ahead, abs=1e-13)
+    with mp.workdps(40):
+        for way in (1.0, -1.0):
+            found = at_span(given, start, way)
+            beyond = (exactly(found.revolutions, found.th, found.th_low) - mpf(angle)) / (2 * mp.pi)
+            assert abs(beyond - mp.nint(beyond)) < 1e-29 + abs(angle) * 1e-32
+            assert abs(found.th) <= EXACT_TURN
+
+
+@pytest.mark.parametrize("angle", [0.0, 1.5, -3.0, math.pi])
+@pytest.mark.parametrize("turns", [-3, 0, 3])
+@pytest.mark.parametrize("off", [0.0, 1e-15, -1e-15])
+def test_a_start_at_the_angle_does_not_end_there(angle, turns, off):
+    """It is one revolution from the next passage in both directions, also if rounding moved it."""
+    revolutions, th, low = revolutions_and_rest(angle)
+    start = start_of()._replace(revolutions=revolutions + turns, th=th, th_low=low + off)
+    given = limits_at_angle(start, 9.0, angle)
+    for way in (1.0, -1.0):
+        assert float(angle_left(given, start, way)) == pytest.approx(EXACT_TURN, abs=1e-14)
+        found = at_span(given, start, way)
+        assert (found.revolutions, found.th, found.th_low) == (revolutions + turns + way, th, low)
+
+
+def test_what_ends_a_motion_before_its_duration():
+    start = start_of()
+    assert limits_until(start, 9.0, NOTHING._replace(revolutions=0.3)) == limits_of(start, 9.0, EXACT_TURN * 0.3, 0, 0)
+    assert limits_until(start, 9.0, NOTHING._replace(angle=0.3)) == limits_at_angle(start, 9.0, 0.3)
+    found = limits_until(start, 9.0, NOTHING._replace(stop=STOP_AT_TURN, landings=3))
+    assert (found.stop, found.landings) == (STOP_AT_TURN, 3)
+    assert math.isnan(found.span)

@@ -79,9 +79,10 @@ def test_beside_the_top_the_load_passes_it(angle, om):
 def skim(body, state, t_end):
     """(whether it strikes, state, v_n of the load, segment)."""
     log, scratch = tables()
-    strikes, after, vn = flight_phase.skim(body, state, t_end, log)
+    ending, after, vn = flight_phase.skim(body, state, limits_of(state, t_end, math.nan, 0, 0), log)
     assert scratch.counts[:2].tolist() == [0, 1]
-    return strikes, after, vn, log.segments[0]
+    assert ending in (Ending.LOAD_STRIKE, Ending.TIME_LIMIT)
+    return ending == Ending.LOAD_STRIKE, after, vn, log.segments[0]
 
 
 def fall(body, state):
@@ -157,7 +158,7 @@ def test_without_gravity_a_load_at_rest_never_strikes():
 def step(body, state, t_end=99.0):
     log, scratch = tables()
     phase = begin_phase(int(Mode.SKIM), state, Ending.LOAD_STRIKE)
-    given = limits_of(state, t_end, math.nan, 0)
+    given = limits_of(state, t_end, math.nan, 0, 0)
     after = flight_phase.skim_step(body, phase, given, log)
     return phase, after, log.events[: scratch.counts[EVENTS]], log.segments[: scratch.counts[SEGMENTS]]
 

@@ -344,7 +344,7 @@ FAR = 1e3
 
 
 def earliest(body, panel, totals, state, scratch, *, t_end=FAR, span=math.nan, begin=None, begins=False):
-    limits = limits_of(begin or state, t_end, span, 0)
+    limits = limits_of(begin or state, t_end, span, 0, 0)
     return panel_events.earliest_event(body, panel, totals, state, begins, 0, limits, scratch)
 
 

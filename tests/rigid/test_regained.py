@@ -38,7 +38,7 @@ def test_what_is_conserved_sets_a_lost_rate_of_turning_right(off, regains, sigma
     state = start_state(0.25, 0.0, 0.05, 3.0 * sigma, 0.0, lost)._replace(anchor=Anchor(SLIPPING, 1e-3, 0.0, 0.0, 0.75))
     log = new_log(np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch())
     phase = Phase(contact_phase.SKID if sigma > 0 else contact_phase.SPIN, state, False, 5, Ending.CONTINUES, -1)
-    limits = limits_of(state, 0.125, math.nan, 0)
+    limits = limits_of(state, 0.125, math.nan, 0, 0)
     what, after, _ = contact_phase.advance_contact(body, phase, limits, log, new_scratch())
     first = log.segments[0]
     assert (what, after.t, first["t"]) == (Ending.TIME_LIMIT, 0.125, 0.0)

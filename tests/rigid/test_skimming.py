@@ -90,7 +90,7 @@ def test_a_plane_without_slip_has_no_limit_where_it_presses():
 def test_the_angle_that_is_left_has_its_digits(way, turns):
     """Also where hardly anything is left of many turns."""
     start = start_state(0.0, 0.0, 0.25, 0.0, 0.0, 1.0)
-    limits = limits_of(start, 9.0, 2.0 * math.pi * turns, 0)
+    limits = limits_of(start, 9.0, 2.0 * math.pi * turns, 0, 0)
     th, low = way * 6.5, 1e-17
     state = start._replace(revolutions=way * (turns - 1), th=th, th_low=low)
     with mp.workdps(40):

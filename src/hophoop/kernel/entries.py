@@ -15,6 +15,7 @@ from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import Compliance
 from hophoop.kernel.records.layout import EVENT, SEGMENT, MapRequest, MapResults, Scratch, Tables
 from hophoop.kernel.records.state import State
+from hophoop.kernel.rigid.phase import Until
 
 
 class Array(NamedTuple):
@@ -67,7 +68,7 @@ WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))
 GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
     "motions": {
         "hophoop.kernel.rigid.run.run": (Body, State, int, float, float, int, EVENTS, SEGMENTS, Scratch),
-        "hophoop.kernel.rigid.run.run_cell": (Tables,),
+        "hophoop.kernel.rigid.run.run_cell": (Tables, Until),
         "hophoop.maps.grid.kernel.evaluate_block": (TABLE, int, int, MapRequest, MapResults),
         "hophoop.kernel.records.refusal.mark_refused": (TABLE,),
         _THEORY + "critical.hop_speed": (Body, float),

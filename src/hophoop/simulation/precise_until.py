@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from hophoop._version import __version__
 from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.rigid.phase import Until
 from hophoop.precise.motion import Record
 from hophoop.precise.result import PreciseMotion, motion_of
 from hophoop.precise.solver import Solution, check, solve
 from hophoop.scenario import Scenario, time_unit
 from hophoop.simulation.rigid import simulate_rigid
-from hophoop.simulation.until import Until, is_met
 
 AFTER = 1e-6  # √(R/g): by which a motion is solved beyond the event that ends it
 FAR = 0.5  # rad: a passage that is farther from the one in double precision is another one
@@ -25,32 +28,28 @@ def simulate_precisely_until(scenario: Scenario, digits: int, asked: str, until:
     scenario: With rigid contact; digits: From 15 to 1000 [1]; asked: The name of `until`.
     """
     check(scenario, digits)
-    rough = simulate_rigid(scenario, until).events[-1]
-    if rough["t"] >= scenario.duration / time_unit(scenario.hoop, scenario.plane):
-        return motion_of(scenario, solve(scenario, digits), digits, __version__)
-    at_event = until.word not in ("revolutions", "angle")
-    solution = _to_event(scenario, digits, until, rough) if at_event else _to_passage(scenario, digits, until, rough)
-    if solution is None:
-        return motion_of(scenario, solve(scenario, digits), digits, __version__)
-    return motion_of(scenario, solution, digits, __version__, asked if solution.status == Status.COMPLETED else None)
+    events = simulate_rigid(scenario, until).events
+    solution = None
+    if events["t"][-1] < scenario.duration / time_unit(scenario.hoop, scenario.plane):
+        at_event = until.stop or until.landings
+        solution = _to_event(scenario, digits, events) if at_event else _to_passage(scenario, digits, until, events[-1])
+    ended = solution is not None and solution.status == Status.COMPLETED
+    return motion_of(scenario, solution or solve(scenario, digits), digits, __version__, asked if ended else None)
 
 
-def _to_event(scenario: Scenario, digits: int, until: Until, rough: Any) -> Solution | None:
-    """Return the motion up to just after the event that ends it; None if there is no such event."""
-    last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
-    ahead = AFTER
-    while True:
-        whole = rough["t"] + ahead >= last
-        solution = solve(scenario, digits, until=None if whole else float(rough["t"]) + ahead)
-        left = until.number
-        for row, record in enumerate(solution.records):
-            state = record.state
-            left -= is_met(until, record.kind, record.after_mode, state.y, state.vn, record.collision)
-            if left <= 0.0:
-                return _ended(solution, row)
-        if whole:
-            return None
-        ahead = max(16.0 * ahead, 1e-2)
+def _to_event(scenario: Scenario, digits: int, events: np.ndarray) -> Solution | None:
+    """Return the motion up to just after the event that ends it in double precision; None if there is no such event.
+
+    events: In double precision. The last one before END is the n-th of its kind.
+    """
+    kind = events["kind"][-2]
+    number = np.count_nonzero(events["kind"] == kind)
+    for end in (float(events["t"][-1]) + AFTER, None):
+        solution = solve(scenario, digits, until=end)
+        rows = [row for row, record in enumerate(solution.records) if record.kind == kind]
+        if len(rows) >= number:
+            return _ended(solution, rows[number - 1])
+    return None
 
 
 def _ended(solution: Solution, row: int) -> Solution:
@@ -70,11 +69,11 @@ def _to_passage(scenario: Scenario, digits: int, until: Until, rough: Any) -> So
         solution = solve(scenario, digits, until=t)
         ctx, state = solution.body.ctx, solution.records[-1].state
         start = solution.records[0].state.th
-        way = 1 if state.th > start else -1
-        if until.word == "revolutions":
-            target = start + way * 2 * ctx.pi * ctx.mpf(until.number)
+        if math.isnan(until.angle):
+            way = 1 if state.th > start else -1
+            target = start + way * 2 * ctx.pi * ctx.mpf(until.revolutions)
         else:
-            target = ctx.mpf(until.number)
+            target = ctx.mpf(until.angle)
             turns = ctx.nint((state.th - target) / (2 * ctx.pi))
             target += 2 * ctx.pi * turns
         ahead = target - state.th

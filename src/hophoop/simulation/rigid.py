@@ -6,18 +6,20 @@ import math
 import struct
 import threading
 from collections.abc import Callable
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Status
+from hophoop.kernel.panels.panel import FLY, LINEAR
+from hophoop.kernel.physics.body import Mode, Status
+from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.records.cells import CELL
 from hophoop.kernel.records.layout import COLUMNS, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
+from hophoop.kernel.rigid.phase import Until
 from hophoop.scenario import Scenario
-from hophoop.scenario.scenario import cell_of, to_body
-from hophoop.simulation.until import Until, cut, end_of
+from hophoop.scenario.scenario import cell_of, time_unit, to_body
+from hophoop.simulation.until import NOTHING
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
 
@@ -34,7 +36,7 @@ class _Own(threading.local):
 
 
 _own = _Own()
-_run: Callable[[Tables], Outcome] = compiled("hophoop.kernel.rigid.run.run_cell")
+_run: Callable[[Tables, Until], Outcome] = compiled("hophoop.kernel.rigid.run.run_cell")
 _sample = compiled("hophoop.kernel.rigid.sampling.sample")
 _fill = struct.Struct(f"{len(CELL)}d").pack_into  # 5 times as fast as assignment
 
@@ -48,35 +50,15 @@ class RigidMotion(NamedTuple):
     doubt: float  # time from which double precision does not suffice; inf if it always does
 
 
-def simulate_rigid(scenario: Scenario, until: Until | None = None) -> RigidMotion:
-    """Compute the motion of a scenario with rigid contact.
+def simulate_rigid(scenario: Scenario, until: Until = NOTHING) -> RigidMotion:
+    """Compute the motion of a scenario with rigid contact, in larger tables until they are long enough.
 
     until: What ends the motion before its duration.
     """
-    return _simulated(scenario) if until is None else _simulated_until(scenario, until)
-
-
-def _simulated_until(scenario: Scenario, until: Until) -> RigidMotion:
-    """Compute as many events as are needed, and cut the motion."""
-    whole, most = scenario.contact.max_events, FIRST_EVENTS
-    while True:
-        brief = scenario if whole <= most else scenario.replace("contact.max_events", most)
-        motion = _simulated(brief)
-        found = cut(until, motion.events, motion.segments, partial(sampled, scenario, motion.segments))
-        if found is not None:
-            doubt = motion.doubt if motion.doubt <= found[0]["t"][-1] else math.inf
-            return RigidMotion(Status.COMPLETED, found[0], found[1], doubt)
-        if not (motion.status == Status.EVENT_LIMIT and len(motion.events) == most < whole):
-            return motion
-        most = min(4 * most, whole)
-
-
-def _simulated(scenario: Scenario) -> RigidMotion:
-    """Run the kernel, with larger tables until they are long enough."""
     tables = _own.tables
     _fill(tables.cell.base, 0, *cell_of(scenario))
     while True:
-        outcome = _run(tables)
+        outcome = _run(tables, until)
         if outcome.status == Status.BUFFER:
             tables = tables._replace(segments=new_table(min(16 * len(tables.segments), MOST_PANELS), SEGMENT))
         elif outcome.events_full and len(tables.events) < scenario.contact.max_events:
@@ -85,7 +67,27 @@ def _simulated(scenario: Scenario) -> RigidMotion:
             break
     events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
     doubt = math.inf if math.isnan(outcome.doubt) else outcome.doubt
-    return RigidMotion(outcome.status, events, segments if len(segments) else end_of(events, False), doubt)
+    passes = not (math.isnan(until.angle) and math.isnan(until.revolutions))
+    if not len(segments):  # a limit ended the motion before any time passed
+        segments = _end_of(events, False)
+    elif passes and segments["t"][-1] < events["t"][-1] < scenario.duration / time_unit(scenario.hoop, scenario.plane):
+        segments = np.append(segments, _end_of(events, True))
+    return RigidMotion(outcome.status, events, segments, doubt)
+
+
+def _end_of(events: np.ndarray, forces: bool) -> np.ndarray:
+    """Return a segment of zero length with the state after the last event, as `kernel.rigid.run.write_end` does.
+
+    forces: Whether the contact forces of its mode are known; segments: shape (1,).
+    """
+    last = np.zeros(1, SEGMENT)
+    for name in set(SEGMENT.names or ()).intersection(EVENT.names or ()) - {"kind"}:
+        last[name] = events[name][-1]
+    mode = int(events["after_mode"][-1])
+    last["t_end"], last["mode"], last["sigma"] = events["t"][-1], mode, slip_direction(mode)
+    last["kind"] = LINEAR if forces and mode in (Mode.ROLL, Mode.SPIN, Mode.SKID) else FLY
+    last["direction"] = np.sign(last["omega"])
+    return last
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool = False) -> np.ndarray:

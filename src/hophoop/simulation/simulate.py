@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, overload
 
 from hophoop._support.progress import compute_reporting
 from hophoop._version import __version__
+from hophoop.kernel.rigid.phase import Until
 from hophoop.scenario import Compliant, Hoop, InputError, Plane, Rigid, Scenario, Start
 from hophoop.simulation.rigid import simulate_rigid
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.simulation.until import Until, read_until
+from hophoop.simulation.until import NOTHING, read_until
 
 if TYPE_CHECKING:
     from hophoop.derivatives.results.sensitivity import Sensitivity
@@ -88,8 +89,8 @@ def simulate(
         Takes a few tenths of a second [1].
     until : str, optional
         What ends the motion before its duration: ``revolutions:N`` (θ has changed by so many revolutions), ``landings:N``
-        (just after the N-th landing), ``angle:RADIANS`` (θ next passes this angle, in any revolution), ``takeoff`` or
-        ``reversal``. Rigid contact only; `Trajectory.ending` says what ended the motion.
+        (just after the N-th landing), ``angle:RADIANS`` (θ next passes this angle, in any revolution), ``takeoff`` (after the
+        start) or ``reversal``. Rigid contact only; `Trajectory.ending` says what ended the motion.
     progress : callable, optional
         Called with the computed fraction, 0 to 1: about ten times a second in compliant contact, and at the end.
 
@@ -147,7 +148,9 @@ def _simulate_precisely(scenario: Scenario, digits: int, until: str | None) -> P
     return motion
 
 
-def _asked(scenario: Scenario, until: str) -> Until:
+def _asked(scenario: Scenario, until: str | None) -> Until:
+    if until is None:
+        return NOTHING
     if isinstance(scenario.contact, Compliant):
         raise InputError(f"until = {until!r} needs rigid contact: a compliant motion ends at its duration.", field="until")
     return read_until(until)
@@ -166,7 +169,7 @@ def _refuse_parts(**parts: Any) -> None:
 
 def _simulate(scenario: Scenario, until: str | None, progress: Progress | None) -> Trajectory:
     doubt = None
-    end = None if until is None else _asked(scenario, until)
+    end = _asked(scenario, until)
     if isinstance(scenario.contact, Compliant):
         from hophoop.simulation.compliant import simulate_compliant
 

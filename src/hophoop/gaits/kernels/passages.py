@@ -46,13 +46,11 @@ from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.physics.body import PASSING, Event, Mode, Status
 from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
 from hophoop.kernel.records.writing import add_letter, count_panel, has_room, new_log
-from hophoop.kernel.rigid.phase import GOING, Ending, Limits, angle_left, continue_phase
+from hophoop.kernel.rigid.phase import GOING, ROUNDING, Ending, Limits, angle_left, continue_phase
 from hophoop.kernel.rigid.run import begin, can_follow, step
 from hophoop.vocabulary.names import FateCode
 
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
-
-ROUNDING = 4e-15  # rad per revolution: within it a start is on the section, and not about to pass it
 
 # What is remembered since the last passage: the present phase's letter and start, letters, hops, the highest gap; and of the
 # motion's end, the energy lost and the revolutions.
@@ -63,7 +61,7 @@ SIZE = MEMORY + 7
 @inline
 def limits_in_cell(t_end, cell, bounded):
     """Return limits half a revolution to either side of a load at the top, if the rim is bounded to them."""
-    return Limits(t_end, 0, PI if bounded else math.nan, 0.0, PI if bounded else 0.0, cell, 0.0, 0.0)
+    return Limits(t_end, 0, 0, PI if bounded else math.nan, 0.0, PI if bounded else 0.0, 0.0, cell, 0.0, 0.0)
 
 
 @noinline

@@ -118,11 +118,11 @@ def flight_displacement(body, vt, om, s, c, tau):
 TOP_ROUNDING = 1e-8  # revolutions: this close to the top cos θ rounds to 1
 
 
-def skim_duration(body, c, sink):
-    """Return the time until the load strikes the plane, from cos θ and its sinking rate, which must not be negative."""
-    gained = 2.0 * body.gn * (1.0 + c)  # increase of the squared rate
+def skim_duration(body, fall, sink):
+    """Return the time until the load has fallen so far, from its sinking rate, which must not be negative."""
+    gained = 2.0 * body.gn * fall  # increase of the squared rate
     if sink * sink > gained:  # at a high rate the difference below would lose all digits
-        return 2.0 * (1.0 + c) / (sink + math.sqrt(sink * sink + gained))
+        return 2.0 * fall / (sink + math.sqrt(sink * sink + gained))
     if body.gn == 0.0:
         return math.inf
     return (-sink + math.sqrt(sink * sink + gained)) / body.gn

@@ -8,16 +8,25 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import inline, noinline
-from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
+from hophoop.kernel.numerics.arithmetic import PI
+from hophoop.kernel.numerics.circular import sine, sine_and_cosine, sine_cosine
 from hophoop.kernel.panels.landing import first_landing
 from hophoop.kernel.panels.panel import FLY, SKIMMING, STRUCK, no_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap, skim_duration, skim_state, strike, strike_limit
+from hophoop.kernel.physics.closed_forms import (
+    flight_displacement,
+    flight_gap,
+    revolutions_before,
+    skim_duration,
+    skim_state,
+    strike,
+    strike_limit,
+)
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.physics.modes import UNDECIDED, slip_mode
 from hophoop.kernel.records.state import at_time, flown, later, moved, time_left, with_losses, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, write_event, write_flight, write_plain_event, write_segment
-from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, Ending, angle_left, at_span, begin_phase, end_motion
+from hophoop.kernel.rigid.phase import ROUNDING, STOP_AT_TAKEOFF, Ending, angle_left, at_span, begin_phase, end_motion
 from hophoop.kernel.rigid.transitions import collide, end_bounces, resolve_mode
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
@@ -162,11 +171,20 @@ def begin_skim(body, state, log):
 def time_to_strike(body, state):
     """Return the time from the start of a skim until the load strikes the plane."""
     s, c = sine_and_cosine(state.th)
-    return skim_duration(body, c, max(s * state.om, 0.0))  # within rounding of the top the load may still rise
+    return skim_duration(body, 1.0 + c, max(s * state.om, 0.0))  # within rounding of the top the load may still rise
 
 
-def skim(body, state, t_end, log):
-    """Skim until the load strikes or time is over; return (True if the load strikes, state, v_n of the load).
+def time_to_angle(body, state, ahead, direction):
+    """Return the time from the start of a skim until θ has changed by an angle; inf if the load strikes before."""
+    to_strike = PI * (2.0 * revolutions_before(state.th, direction) + 1.0) - direction * state.th
+    if not 0.0 <= ahead < to_strike:
+        return math.inf
+    fall = 2.0 * direction * sine(state.th + 0.5 * direction * ahead) * sine(0.5 * ahead)
+    return skim_duration(body, max(fall, 0.0), max(sine(state.th) * state.om, 0.0))
+
+
+def skim(body, state, limits, log):
+    """Skim until the load strikes, or a limit of time or angle; return (ending, state, v_n of the load).
 
     If the load strikes, v_t of the state is the velocity of the load along the plane.
     """
@@ -174,26 +192,34 @@ def skim(body, state, t_end, log):
     direction = 1.0 if state.om > 0.0 or (state.om == 0.0 and s > 0.0) else -1.0
     along = state.vt + state.om * (1.0 + c)
     duration = time_to_strike(body, state)
-    left = time_left(state, t_end)
-    strikes = duration <= left
-    tau = duration if strikes else left
+    left = time_left(state, limits.t_end)
+    ending = Ending.LOAD_STRIKE if duration <= left else Ending.TIME_LIMIT
+    tau = min(duration, left)
+    if not math.isnan(limits.span):
+        reach = time_to_angle(body, state, angle_left(limits, state, direction), direction)
+        if reach < tau:
+            ending = Ending.ANGLE_LIMIT
+            tau = reach
+    strikes = ending == Ending.LOAD_STRIKE
     x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, direction, tau)
     t, t_low = later(state, tau)
-    if not strikes:
-        t, t_low = t_end, 0.0
+    if ending == Ending.TIME_LIMIT:
+        t, t_low = limits.t_end, 0.0
     write_segment(log, SKIM, no_panel(SKIMMING, 0, direction), STRUCK if strikes else 0.0, state, t)
     if strikes:
         x, th, vt = strike_limit(body, state.x, state.th, s, along, direction, tau)
     after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.revolutions, th, 0.0), vt, 0.0, om)
-    return strikes, after, -(s * state.om + body.gn * tau)
+    if ending == Ending.ANGLE_LIMIT:
+        after = at_span(limits, after, direction)
+    return ending, after, -(s * state.om + body.gn * tau)
 
 
 @noinline
 def skim_step(body, phase, limits, log):
     """Fall until the load strikes the plane or time is over; return the next phase."""
-    strikes, after, vn = skim(body, phase.state, limits.t_end, log)
-    if not strikes:
-        return end_motion(phase, SKIM, after, Ending.TIME_LIMIT, COMPLETED)
+    ending, after, vn = skim(body, phase.state, limits, log)
+    if ending != Ending.LOAD_STRIKE:
+        return end_motion(phase, SKIM, after, ending, COMPLETED)
     along, p_n, p_t = strike(body, after.vt, vn)
     lost_n = after.impact_n + 0.5 * vn * vn
     lost_t = after.impact_t + 0.5 * (after.vt * after.vt - along * along)
@@ -207,4 +233,6 @@ def skim_step(body, phase, limits, log):
         # a segment of zero length holds the state after the strike; before the strike θ̇ is unbounded
         write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, landed, landed.t)
         return end_motion(phase, mode, landed, Ending.LOAD_STRIKE, UNDETERMINED)
+    if not math.isnan(limits.span) and min(angle_left(limits, landed, 1.0), angle_left(limits, landed, -1.0)) <= ROUNDING:
+        return end_motion(phase, mode, landed, Ending.ANGLE_LIMIT, COMPLETED)
     return begin_phase(mode, landed, Ending.LOAD_STRIKE)

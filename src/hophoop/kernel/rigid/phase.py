@@ -7,7 +7,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from hophoop.kernel.native import inline
-from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW, plus
+from hophoop.kernel.numerics.arithmetic import PI, PI_LOW, TWO_PI, TWO_PI_LOW, add, plus, revolutions_and_rest
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.modes import UNDECIDED
 from hophoop.kernel.records.state import State, moved
@@ -84,23 +84,38 @@ def end_motion(phase, mode, state, ending, status):
 # --- limits ------------------------------------------------------------------------------------------------------------------
 
 STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
+ROUNDING = 4e-15  # rad per revolution: within it a start is at an angle, and not about to pass it
+
+
+class Until(NamedTuple):
+    """What ends a motion before its duration; one of these is given."""
+
+    stop: int  # sum of STOP_AT_TURN, STOP_AT_TAKEOFF
+    landings: int  # 0: no limit
+    revolutions: float  # to either side of the start (nan: no limit)
+    angle: float  # the next time that θ is this angle in any revolution [rad] (nan: no limit)
 
 
 class Limits(NamedTuple):
-    """Latest end of a motion: a time, and an angle to either side of the start (nan: no limit)."""
+    """Latest end of a motion: a time, events, and an angle to either side of a centre (nan: no limit)."""
 
     t_end: float
     stop: int  # sum of STOP_AT_TURN, STOP_AT_TAKEOFF
+    landings: int  # 0: no limit
     span: float
-    span_turns: float  # the span as revolutions and the rest
+    span_turns: float  # the span as revolutions and the rest, a double-double
     span_rest: float
-    revolutions: float  # angle of the start
+    span_low: float
+    revolutions: float  # angle of the centre
     th: float
     th_low: float
 
 
-def limits_of(start, t_end, span, stop):
-    """Return the limits of a motion; a span within rounding of whole revolutions means exactly these revolutions."""
+def limits_of(start, t_end, span, stop, landings):
+    """Return the limits of a motion; the span is to either side of the start.
+
+    A span within rounding of whole revolutions means exactly these revolutions.
+    """
     revolutions = 0.0
     rest = 0.0
     if not math.isnan(span):
@@ -108,7 +123,34 @@ def limits_of(start, t_end, span, stop):
         rest = span - revolutions * TWO_PI
         if abs(rest) <= 4e-16 * span:
             rest = 0.0
-    return Limits(t_end, stop, span, revolutions, rest, start.revolutions, start.th, start.th_low)
+    return Limits(t_end, stop, landings, span, revolutions, rest, 0.0, start.revolutions, start.th, start.th_low)
+
+
+def limits_at_angle(start, t_end, angle):
+    """Return the limits of a motion that ends where θ next is `angle` in any revolution.
+
+    These are half a revolution to either side of the opposite angle, or a whole one for a start at `angle` itself.
+    """
+    _, th, low = revolutions_and_rest(angle)
+    ahead = (start.th - th) + (start.th_low - low)  # from the angle in the revolution of the start
+    passed = 1.0 * math.floor(ahead / TWO_PI + 0.5)
+    revolutions = start.revolutions + passed
+    ahead -= passed * TWO_PI
+    if abs(ahead) <= ROUNDING * (1.0 + abs(revolutions)):
+        return Limits(t_end, 0, 0, TWO_PI, 1.0, 0.0, 0.0, revolutions, th, low)
+    side = 1.0 if ahead > 0.0 else -1.0
+    if side * th > 0.0:  # so that the opposite angle is within half a revolution, too
+        revolutions += side
+        side = -side
+    th, low = add((th, low), (side * PI, side * PI_LOW))
+    return Limits(t_end, 0, 0, PI, 0.0, PI, PI_LOW, revolutions, th, low)
+
+
+def limits_until(start, t_end, until):
+    """Return the limits of a motion that something ends before its duration."""
+    if not math.isnan(until.angle):
+        return limits_at_angle(start, t_end, until.angle)
+    return limits_of(start, t_end, TWO_PI * until.revolutions, until.stop, until.landings)
 
 
 @inline
@@ -116,12 +158,13 @@ def angle_left(limits, state, direction):
     """Return the angle to go in `direction` (±1) until θ has changed by the span."""
     revolutions = limits.span_turns - direction * (state.revolutions - limits.revolutions)
     rest = limits.span_rest - direction * ((state.th - limits.th) + (state.th_low - limits.th_low))
-    return revolutions * TWO_PI + (rest + revolutions * TWO_PI_LOW)
+    return revolutions * TWO_PI + ((rest + limits.span_low) + revolutions * TWO_PI_LOW)
 
 
 @inline
 def at_span(limits, state, direction):
     """Return the state at exactly the angle where the span ends."""
     th, low = plus(limits.th, limits.th_low, direction * limits.span_rest)
+    th, low = plus(th, low, direction * limits.span_low)
     revolutions = limits.revolutions + direction * limits.span_turns
     return moved(state, state.t, state.t_low, state.x, state.x_low, state.y, revolutions, th, low)

@@ -17,7 +17,17 @@ from hophoop.kernel.rigid.contact_phase import contact_step
 from hophoop.kernel.rigid.flight_phase import begin_skim, flight_step, land, skim_step
 from hophoop.kernel.rigid.panel_choice import set_anchor
 from hophoop.kernel.rigid.panel_events import CLOSE
-from hophoop.kernel.rigid.phase import GOING, START_LEVEL, Ending, Phase, begin_phase, continue_phase, limits_of
+from hophoop.kernel.rigid.phase import (
+    GOING,
+    START_LEVEL,
+    Ending,
+    Phase,
+    begin_phase,
+    continue_phase,
+    end_motion,
+    limits_of,
+    limits_until,
+)
 from hophoop.kernel.rigid.transitions import resolve_mode
 
 ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
@@ -144,8 +154,19 @@ def write_end(log, mode, phase):
 
 
 @inline
+def count_landing(phase, landings, limits):
+    """Return (landings so far, phase) after a step; the last of the landings that are asked for ends the motion."""
+    if phase.ending == Ending.LANDING or phase.ending == Ending.LOAD_STRIKE:
+        landings += 1
+        if landings == limits.landings:
+            phase = end_motion(phase, phase.mode, phase.state, phase.ending, COMPLETED)
+    return landings, phase
+
+
+@inline
 def follow(body, phase, limits, log, scratch):
     """Go from phase to phase until the motion ends; return what `run` does."""
+    landings, phase = count_landing(phase, 0, limits)
     while phase.status == GOING and has_room(log):
         count_panel(log)
         events_before, segments_before = log.counts[EVENTS], log.counts[SEGMENTS]
@@ -153,7 +174,7 @@ def follow(body, phase, limits, log, scratch):
         if not can_follow(phase.state, after.state, limits.t_end):
             log.counts[EVENTS], log.counts[SEGMENTS] = events_before, segments_before
             break
-        phase = after
+        landings, phase = count_landing(after, landings, limits)
     if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also if the panels are used up: END is at the state reached
         last = log.events[log.counts[EVENTS] - 1]
         mode, ends = last["after_mode"], last["t"] == phase.state.t
@@ -195,13 +216,18 @@ def run(body, start, mode, t_end, angle_span, stop, events, segments, scratch):
         Status.BUFFER: the segments were full. EVENT_LIMIT: the events were full, and the motion ends at the last one, even if
         later segments exist; or the limit of panels or of the size of quantities was reached.
     """
+    return run_within(body, start, mode, limits_of(start, t_end, angle_span, stop, 0), events, segments, scratch)
+
+
+@inline
+def run_within(body, start, mode, limits, events, segments, scratch):
+    """Compute a motion within its limits, as `run` does."""
     log = new_log(events, segments, scratch)
-    limits = limits_of(start, t_end, angle_span, stop)
     return follow(body, begin(body, start, mode, log, scratch), limits, log, scratch)
 
 
-def run_cell(tables):
-    """Compute the motion of a cell up to its duration."""
+def run_cell(tables, until):
+    """Compute the motion of a cell up to its duration, or to what ends it before."""
     scratch = new_scratch()
     cell = tables.cell[:, 0]
     second = second_of(cell)
@@ -209,8 +235,7 @@ def run_cell(tables):
     most = int(cell[Cell.MAX_EVENTS])
     if events.shape[0] > most:
         events = events[:most]
-    status, count, pieces = run(
-        body_of(cell), start_of(cell, second), mode_of(cell), cell[Cell.DURATION] / second, math.nan, 0, events,
-        tables.segments, scratch,
-    )  # fmt: skip
+    start = start_of(cell, second)
+    limits = limits_until(start, cell[Cell.DURATION] / second, until)
+    status, count, pieces = run_within(body_of(cell), start, mode_of(cell), limits, events, tables.segments, scratch)
     return Outcome(status, count, pieces, scratch.doubt[0], scratch.counts[EVENTS] < 0)

@@ -87,7 +87,7 @@ def reduce_flight(motion, hop, scales, workspace, numbers, k):
         return
     f_n, vanishing = flight_start(body, state, False)
     log = new_log(workspace.passing, workspace.segments, workspace.scratch)
-    ending, landed = fly(body, state, f_n, vanishing, limits_of(state, FOREVER, math.nan, 0), log)
+    ending, landed = fly(body, state, f_n, vanishing, limits_of(state, FOREVER, math.nan, 0, 0), log)
     if ending != Ending.LANDING:
         return
     numbers[k, HOP_HEIGHT] = (workspace.passing[0]["height"] if log.counts[EVENTS] > 0 else 0.0) * scales.length
