@@ -155,7 +155,7 @@ def test_the_lower_top_counts(slope):
     """Below the upper top but above the lower one a hoop rolls over it, downhill."""
     scenario = on_slope(slope, 0.75)
     body = scenario.to_body()
-    top = first_maximum(body)
+    top = float(first_maximum(body))
     tops = sorted((potential(body, angle), angle) for angle in (top, top + 2.0 * math.pi))
     angle = top + math.pi
     for energy, stays in ((tops[0][0] - 0.05, True), (tops[0][0] + 0.05, False)):

@@ -67,12 +67,17 @@ def simulate_rigid(scenario: Scenario, until: Until = NOTHING) -> RigidMotion:
             break
     events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
     doubt = math.inf if math.isnan(outcome.doubt) else outcome.doubt
-    passes = not (math.isnan(until.angle) and math.isnan(until.revolutions))
     if not len(segments):  # a limit ended the motion before any time passed
         segments = _end_of(events, False)
-    elif passes and segments["t"][-1] < events["t"][-1] < scenario.duration / time_unit(scenario.hoop, scenario.plane):
+    elif until is not NOTHING and outcome.status == Status.COMPLETED and _passes(scenario, events, segments):
         segments = np.append(segments, _end_of(events, True))
     return RigidMotion(outcome.status, events, segments, doubt)
+
+
+def _passes(scenario: Scenario, events: np.ndarray, segments: np.ndarray) -> bool:
+    """Return True if a motion ended in passing an angle: before its duration, and not at an event, whose segment is there."""
+    end = scenario.duration / time_unit(scenario.hoop, scenario.plane)
+    return bool(segments["t"][-1] < events["t"][-1] < end)
 
 
 def _end_of(events: np.ndarray, forces: bool) -> np.ndarray:
