@@ -1,5 +1,7 @@
 """Newton's and Euler's equations of the hoop as one linear system, with no formula of `physics/` in it.
 
+It repeats the formulas of the kernel on purpose, derived another way.
+
 C is the centre at (x, 1 + y), G = C + ε (sin θ, cos θ), P the lowest point of the rim; gravity is (g_t, −g_n), and the plane
 acts on P with (F, N). Unknowns are ẍ, ÿ, θ̈, F and N.
 """

@@ -3,11 +3,13 @@
     python benchmarks/engines/make_truth.py            # all anew
     python benchmarks/engines/make_truth.py NAME …     # some motions anew
     python benchmarks/engines/make_truth.py --measures # the solutions as they are, measured anew
+    python benchmarks/engines/make_truth.py --check    # the file against the second solution, which is computed anew
 
 The first solution is hophoop.precise's (Taylor series in whole numbers, two working precisions), asked anew for the state
-at every time of the grid; the second is the tests' oracle (Taylor series in mpmath of the equations rederived from the
-Lagrangian), which shares no line with it. The kernel in doubles is compared with both. Some ten minutes on one core;
-`prove_truth.py` then proves a bound of the errors.
+at every time of the grid. It has the formulas, the rule of modes and the impact of the kernel, so that it tests the kernel's
+solver only. The second is the tests' oracle (Taylor series in mpmath of the equations rederived from the Lagrangian), which
+shares no line with either and tests the formulas. The kernel in doubles is compared with the first. About ten minutes on one
+core; `prove_truth.py` then proves a bound of the errors.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ import json
 import sys
 from dataclasses import asdict
 from decimal import Decimal, localcontext
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -165,9 +168,37 @@ def measures_of(entry: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
+def digits_of_oracle(entry: dict[str, Any]) -> tuple[int, int]:
+    """Digits that all states, and all events before endless bounces are over, share with the oracle, which solves them anew."""
+    task = task_of(entry["task"])
+    solution = oracle.solve(case_of(task), 44)
+    states, digits = entry["states"], []
+    with mp.workdps(60):
+        for k, t in enumerate(states["t"]):
+            sample = solution.at(mpf(t))
+            digits.append(shared([Decimal(states[name][k]) for name in NAMES], [sample[name] for name in STATE]))
+        ours = list(takewhile(lambda event: event["kind"] != "bounce_limit", entry["events"]))
+        ours = [event for event in ours if event["kind"] not in PASSING]
+        theirs = [event for event in solution.events if event["kind"] not in PASSING]
+        if [event["kind"] for event in ours] != [event["kind"] for event in theirs[: len(ours)]]:
+            raise SystemExit(f"{task.name}: the oracle has other events")
+        numbers = [
+            ([Decimal(one[name]) for name in ("t", *NAMES)], [two[name] for name in ("t", *STATE)])
+            for one, two in zip(ours, theirs, strict=False)
+        ]
+    return min(digits), min((shared(*pair) for pair in numbers), default=DIGITS)
+
+
 def main() -> None:
-    """Write the truth and its checksum."""
+    """Write the truth and its checksum, or check it."""
     scenarios = json.loads(DATA.read_text(encoding="utf-8"))["scenarios"]
+    if "--check" in sys.argv:
+        for name, entry in scenarios.items():
+            print(
+                "{}: the oracle shares {} digits of every state and {} of every event".format(name, *digits_of_oracle(entry)),
+                flush=True,
+            )
+        return
     for name in sys.argv[1:] or list(scenarios):
         if name in scenarios:
             scenarios[name] = truth_of(scenarios[name])

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import truth
 from adapters.hophoop import run, scenario_of
+from make_truth import digits_of_oracle
 from phases import phases
 from truth import job, scored, truths
 
@@ -64,6 +65,14 @@ def test_two_solutions_agree_on_at_least_28_digits(document):
     for entry in document["scenarios"].values():
         assert min(entry["states"]["digits"]) >= 28
         assert min(event["digits"] for event in entry["events"]) >= 28
+
+
+@pytest.mark.parametrize(
+    "name", [name if name in ("drop", "painleve") else pytest.param(name, marks=pytest.mark.long) for name in truths()]
+)
+def test_the_truth_is_that_of_the_oracle(document, name):
+    """Solved once more by the oracle, which shares no formula with hophoop."""
+    assert min(digits_of_oracle(document["scenarios"][name])) >= 29
 
 
 def test_all_but_endless_bounces_have_a_proved_bound(document):

@@ -2,7 +2,8 @@
 
 Nothing in this package imports ``hophoop``. The equations of motion are rederived from the Lagrangian in
 coordinates (x, y, θ) of the rim's centre, with the contact force as a multiplier in one augmented linear
-system, and never reduced to the contact-space formulas that the program uses.
+system, and never reduced to the contact-space formulas that the program uses. They repeat the program's formulas on
+purpose: kernel, extended precision and derivatives share theirs, so that only these can show a mistake in one.
 
 * :mod:`oracles.cases`     the scenarios of the reference data
 * :mod:`oracles.mechanics` mass matrix, forces, energies: plain numbers and arrays

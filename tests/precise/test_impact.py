@@ -1,41 +1,28 @@
-"""The impact that precise motions and proofs share, in exact fractions against the exact oracle."""
+"""The kernel's impact over exact fractions, against the exact oracle."""
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
+from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hophoop.kernel.physics.body import ImpactLaw
-from hophoop.precise.impact import Contact, impact
+from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.impact import impact
+from hophoop.precise.kernels import Kernels
 from hophoop.vocabulary.names import LAW_CODES
 from oracles import rational
 
+FRACTIONS = {"math": SimpleNamespace(inf=math.inf, isinf=lambda value: abs(value) == math.inf, sqrt=rational.root)}
+exact_impact = Kernels(Fraction, FRACTIONS)(impact)
 
-class Exact:
-    """Fractions, about which every decision is exact."""
 
-    zero = Fraction(0)
-
-    def sign(self, value, what):
-        return (value > 0) - (value < 0)
-
-    def judged_sign(self, value, scale, what):
-        return self.sign(value, what)
-
-    def order(self, one, other):
-        return self.sign(one - other, "")
-
-    def is_zero(self, value):
-        return value == 0
-
-    def sqrt(self, value):
-        return rational.root(value)
-
-    def endless(self):
-        return ArithmeticError("an impact does not end")
+def body_of(eps, kap, mu_s, mu_k, law):
+    """A body on a level plane, of which an impact reads these numbers."""
+    return Body(eps, kap, mu_s, mu_k, Fraction(1), Fraction(0), Fraction(0), LAW_CODES[law], False, Fraction(0))
 
 
 shares = st.fractions(0, 1, max_denominator=12)
@@ -54,9 +41,7 @@ def test_it_is_the_impact_of_the_exact_oracle(law, eps, kap, slope, mu_s, ratio,
     # from v_t and v_n to the velocities of the centre, with θ̇ = 0
     expected = rational.collide(body, (slip, approach, Fraction(0)), rest, law)
     vx, vy, om = expected["velocity"]
-    contact = Contact(1 + eps * c, eps * s, kap, mu_s, mu_k, ImpactLaw[law.upper()])
-    blow = impact(contact, Exact(), rest, slip, approach)
-    found = (blow.vt, blow.vn, blow.spin, blow.p_n, blow.p_t, -blow.work_n, -blow.work_t)
+    found = exact_impact(body_of(eps, kap, mu_s, mu_k, law), rest, s, c, slip, approach)
     impulse = expected["impulse"]
     wanted = (vx - om, vy, om, impulse["normal"], impulse["tangential"], expected["loss_normal"], expected["loss_tangential"])
     # the roots of the energetic law are not rational
@@ -67,14 +52,14 @@ def test_it_is_the_impact_of_the_exact_oracle(law, eps, kap, slope, mu_s, ratio,
 def test_infinite_friction_stops_the_slip_at_once_and_keeps_it():
     """The tangential impulse alone, then compression in stick; the momentum about the contact point is kept."""
     eps, kap, s, c = Fraction(3, 4), Fraction(7, 16), Fraction(-3, 5), Fraction(4, 5)
-    contact = Contact(1 + eps * c, eps * s, kap, None, None, ImpactLaw.POISSON)
-    blow = impact(contact, Exact(), Fraction(0), Fraction(2), Fraction(-1))
-    assert blow.vt == blow.vn == 0
+    body = body_of(eps, kap, math.inf, math.inf, "poisson")
+    vt, vn, spin, p_n, p_t, loss_n, loss_t = exact_impact(body, Fraction(0), s, c, Fraction(2), Fraction(-1))
+    assert vt == vn == 0
+    arm, lever = 1 + eps * c, eps * s
     # κ Δθ̇ = ε s P_n − (1 + ε c) P_t, and v_t = 0 from Δẋ_G = P_t
-    assert kap * blow.spin == contact.normal_arm * blow.p_n - contact.tangential_arm * blow.p_t
-    assert Fraction(2) + blow.p_t - contact.tangential_arm * blow.spin == 0
+    assert kap * spin == lever * p_n - arm * p_t
+    assert Fraction(2) + p_t - arm * spin == 0
     # the loss of energy is the work of both impulses
     before = Fraction(2) ** 2 + Fraction(-1) ** 2
-    along, up = contact.tangential_arm * blow.spin, -contact.normal_arm * blow.spin
-    after = along**2 + up**2 + kap * blow.spin**2
-    assert before - after == -2 * (blow.work_n + blow.work_t)
+    after = (arm * spin) ** 2 + (lever * spin) ** 2 + kap * spin**2
+    assert before - after == 2 * (loss_n + loss_t)

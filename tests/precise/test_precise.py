@@ -12,7 +12,6 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.kernel.physics.body import Mode
 from hophoop.precise import solve
 from hophoop.precise.contact import advance
 from hophoop.precise.jam import approach, ending
@@ -367,7 +366,7 @@ def test_slip_stops_just_before_the_jam(hair):
     judge = Judge(110, True)
     begin = body.start()
     assert float(begin.vt) == pytest.approx(float(state.vt))
-    near = advance(body, judge, Mode.SKID, begin, 0, body.ctx.mpf("0.4222"), False).state
+    _, near = advance(body, judge, 1, begin, 0, body.ctx.mpf("0.4222"))
     ahead = approach(body, near, 1)
     assert ahead is not None
     assert 0 < ahead.power < 1

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -48,8 +47,8 @@ def test_compliant_contact_has_no_more_digits():
         hh.simulate(HOOP, hh.Plane(), hh.Start(), contact=hh.Compliant(), digits=30)
 
 
-def test_state_for_the_kernel():
-    """`solve` stops after so many events or at a time in units of √(R/g), with states that the kernel can go on from."""
+def test_a_solution_that_stops():
+    """`solve` stops after so many events or at a time in units of √(R/g)."""
     scenario = hh.Scenario(start=hh.Start.rolling(3.1))
     solution = solve(scenario, 20, max_events=3)
     assert [record.kind.name for record in solution.records] == ["START", "SLIP_START", "STICK"]
@@ -58,11 +57,6 @@ def test_state_for_the_kernel():
     assert float(state.t * solution.body.time) == pytest.approx(kernel.t, rel=1e-13)
     assert float(state.th) == pytest.approx(kernel.angle, rel=1e-13)
     assert state.vt == 0
-    high, low = solution.pair(state.th)
-    assert high == float(state.th)
-    assert abs(Fraction(high) + Fraction(low) - Fraction(str(solution.body.ctx.nstr(state.th, 40)))) < Fraction(1, 10**30)
-    turns, rest = solution.turns(state.th)
-    assert (turns, float(rest)) == (0, float(state.th))
     short = solve(scenario, 20, until=0.5)
     assert float(short.records[-1].state.t) == 0.5
 

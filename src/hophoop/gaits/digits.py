@@ -1,4 +1,4 @@
-"""A gait with many digits: the solver of `simulate(digits=...)` over a period, which shares nothing with the kernel.
+"""A gait with many digits: the solver of `simulate(digits=...)` over a period, which shares no panel with the kernel.
 
 Newton's method leads to the point of the section that comes back. Its derivative is the kernel's, right to about 11 digits: so
 many are added by each step. At the bottom the section is θ = π with all digits, not the double next to it.

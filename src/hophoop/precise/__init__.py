@@ -1,4 +1,4 @@
-"""The rigid hoop's motion in as many digits as asked: Taylor series in whole numbers, independent of the kernel's panels.
+"""The rigid hoop's motion in as many digits as asked: the kernel's formulas, with Taylor series in integers for its panels.
 
 `hophoop.simulate` with ``digits=`` calls it; `solve` is for those who need the numbers themselves.
 """

@@ -2,62 +2,38 @@
 
 from __future__ import annotations
 
-from enum import Enum, auto
-from typing import NamedTuple
+from collections.abc import Sequence
 
-from hophoop.kernel.physics.body import Status
+from hophoop.kernel.physics.contact import cone_weights, resistance_arm
+from hophoop.kernel.records.state import State
+from hophoop.kernel.rigid.phase import Ending
 from hophoop.precise.jam import NEAR, approach, ending, missing_angle
-from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction, work_of_resistance
-from hophoop.precise.problem import Body, Number, PreciseState
-from hophoop.precise.rules import cone_margins, direction, tie_exponent
+from hophoop.precise.kernels import Number
+from hophoop.precise.phases import Step, expand, integral_to, order_for, work
+from hophoop.precise.problem import Body
 from hophoop.precise.series import Judge, MorePrecision, sign_changes, stretched, value
 
 ESTIMATE_ORDER = 14
-MOST_STEPS = 1_000_000
-
-
-class Advance(Enum):
-    """The ends of a phase of contact, in the order of precedence of simultaneous ones."""
-
-    CONE_AHEAD = auto()
-    CONE_BACK = auto()
-    LIFT = auto()
-    STOP = auto()
-    TURN = auto()
-    JAM = auto()
-    LIMIT = auto()
-
-
-class Done(NamedTuple):
-    """The end of an advance and the state there."""
-
-    what: Advance
-    state: PreciseState
-
-
-class Stopped(Exception):
-    """The motion has come to an end that is asked for or that the physics sets."""
-
-    def __init__(self, status: Status) -> None:
-        super().__init__(status.name)
-        self.status = status
 
 
 class Stiff(Exception):
     """Slip runs into p_σ = 0: its steps have shrunk to nothing."""
 
 
-def advance(body: Body, judge: Judge, mode: int, state: PreciseState, zeros: int, t_end: Number, rolled: bool) -> Done:
+def advance(body: Body, judge: Judge, sigma: int, state: State, zeros: int, t_end: Number) -> tuple[Ending, State]:
     """Roll or slip from the start of a phase, or from a turning point in it, up to the next event.
 
     Parameters
     ----------
     zeros : int
         How many leading coefficients of v_t are zero at the start of a slip phase.
-    rolled : bool
-        Whether the phase goes on from a turning point: its margins are not zero there.
+
+    Returns
+    -------
+    ending : Ending
+        SINGULAR: the motion ends in the dynamic jam.
+    state : State
     """
-    sigma = direction(mode)
     order = order_for(body.bits)
     fresh = True
     exponent = _first_exponent(body, sigma, state)
@@ -71,7 +47,7 @@ def advance(body: Body, judge: Judge, mode: int, state: PreciseState, zeros: int
                 ahead = approach(body, state, sigma)
                 reached = ending(ahead) if ahead is not None else None
                 if reached is not None and reached[1].t <= t_end:
-                    return Done(Advance.JAM if reached[0] else Advance.STOP, reached[1])
+                    return Ending.SINGULAR if reached[0] else Ending.SLIP_END, reached[1]
                 if ahead is not None:
                     tried = body.zero  # time is over before, or the slip
         step = expand(body, sigma, state, exponent, order)
@@ -89,10 +65,10 @@ def advance(body: Body, judge: Judge, mode: int, state: PreciseState, zeros: int
         found = first_event(body, judge, sigma, state, step, part, fresh, zeros) if part > 0 else None
         if found is not None:
             what, where = found
-            return Done(what, _settled(what, at(body, sigma, state, step, where), body))
-        if final:
-            return Done(Advance.LIMIT, at(body, sigma, state, step, part)._replace(t=t_end))
+            return what, _settled(what, at(body, sigma, state, step, where), body)
         following = at(body, sigma, state, step, part)
+        if final:
+            return Ending.TIME_LIMIT, following._replace(t=t_end)
         if sigma == 0 and body.gt == 0 and body.resist == 0 and _turned(body, begin, following):
             following = _whole_turns(body, begin, state, step, part, following, t_end)
             begin = begin._replace(om=body.zero)  # once is enough
@@ -109,9 +85,9 @@ def _check_step(body: Body, judge: Judge, exponent: int) -> None:
         raise Stiff
 
 
-def _first_exponent(body: Body, sigma: int, state: PreciseState) -> int:
+def _first_exponent(body: Body, sigma: int, state: State) -> int:
     """A step from the decay of a short series."""
-    exponent = tie_exponent(state.om)
+    exponent = -2 - int(abs(state.om)).bit_length()
     while True:
         step = expand(body, sigma, state, exponent, ESTIMATE_ORDER)
         if step is not None:
@@ -130,33 +106,28 @@ def _first_exponent(body: Body, sigma: int, state: PreciseState) -> int:
 
 
 def first_event(
-    body: Body, judge: Judge, sigma: int, state: PreciseState, step: Step, part: int, fresh: bool, zeros: int
-) -> tuple[Advance, int] | None:
+    body: Body, judge: Judge, sigma: int, state: State, step: Step, part: int, fresh: bool, zeros: int
+) -> tuple[Ending, int] | None:
     """(what, s) of the first event with s ≤ part."""
     bits = body.bits
     scale = max(body.integer(body.gn + abs(body.gt) + state.om * state.om), 1)
-    watched: list[tuple[Advance, list[int], int, int]] = []  # (what, series, sign just after 0, zeros divided out)
+    watched: list[tuple[Ending, Sequence[int], int, int]] = []  # (what, series, sign just after 0, zeros divided out)
     if sigma == 0:
-        margins = cone_margins(body, step.normal, step.friction)
-        for what, margin in zip((Advance.CONE_AHEAD, Advance.CONE_BACK), margins, strict=False):
+        margins = _cone_margins(body, step)
+        for what, margin in zip((Ending.CONE_FORWARD, Ending.CONE_BACKWARD), margins, strict=False):
             known, sign = judge.leading(margin, scale) if fresh else (0, 1)
             if sign > 0:  # a margin that stays zero (rest without friction) is no event
                 watched.append((what, margin, 1, known))
     else:
-        known, sign = judge.leading(step.normal, scale) if fresh else (0, 1)
-        watched.append((Advance.LIFT, list(step.normal), 1, known))
-        if zeros:
-            known, sign = judge.leading(step.slip, scale, zeros)
-        else:
-            known = 0
-        watched.append((Advance.STOP, list(step.slip), sigma, known))
+        watched.append((Ending.LIFT_OFF, step.normal, 1, judge.leading(step.normal, scale)[0] if fresh else 0))
+        watched.append((Ending.SLIP_END, step.slip, sigma, judge.leading(step.slip, scale, zeros)[0] if zeros else 0))
     if state.om == 0:
         known, sign = judge.leading(step.omega, scale, 1)
     else:
         known, sign = 0, 1 if state.om > 0 else -1
     if sign:
-        watched.append((Advance.TURN, list(step.omega), sign, known))
-    events: list[tuple[int, int, Advance]] = []
+        watched.append((Ending.TURNING_POINT, step.omega, sign, known))
+    events: list[tuple[int, int, Ending]] = []
     for rank, (what, series, sign, known) in enumerate(watched):
         rest = series[known:]
         # most series show at once that they stay away from zero
@@ -175,46 +146,52 @@ def first_event(
     return first[2], first[0]
 
 
-def at(body: Body, sigma: int, state: PreciseState, step: Step, s: int) -> PreciseState:
+def at(body: Body, sigma: int, state: State, step: Step, s: int) -> State:
     """State at s of a step."""
     bits, ctx = body.bits, body.ctx
     tau = ctx.ldexp(ctx.mpf(s), step.exponent - bits)
     turned = body.of_integer(value(step.angle, s, bits))
-    om = body.of_integer(value(step.omega, s, bits))
     if body.resist > 0:
-        rho = body.integer(body.resistance(state.th, state.om, sigma))
-        state = state._replace(resisted=state.resisted + body.of_integer(work_of_resistance(step, rho, body.fixed, s)))
+        cosine, sine = ctx.cos_sin(state.th)
+        rho = body.kernels(resistance_arm)(body, sine, cosine, state.om, sigma)
+        state = state._replace(rolling_loss=state.rolling_loss + rho * body.of_integer(work(step, step.omega, bits, s)))
+    state = state._replace(
+        t=state.t + tau, x=state.x + turned, th=state.th + turned, om=body.of_integer(value(step.omega, s, bits))
+    )
     if sigma == 0:
-        return state._replace(t=state.t + tau, x=state.x + turned, th=state.th + turned, om=om)
-    slid = body.of_integer(travel(step, body.fixed, s))
-    lost = body.of_integer(work_of_friction(step, body.fixed, s))
+        return state
+    lost = sigma * body.mu_k * body.of_integer(work(step, step.slip, bits, s))
     return state._replace(
-        t=state.t + tau,
-        x=state.x + turned + slid,
-        th=state.th + turned,
+        x=state.x + body.of_integer(integral_to(step, step.slip, bits, s)),
         vt=body.of_integer(value(step.slip, s, bits)),
-        om=om,
         friction=state.friction + lost,
     )
 
 
-def _settled(what: Advance, state: PreciseState, body: Body) -> PreciseState:
+def _settled(what: Ending, state: State, body: Body) -> State:
     """The state with the quantity of the event set to 0."""
-    if what == Advance.STOP:
+    if what == Ending.SLIP_END:
         return state._replace(vt=body.zero)
-    if what == Advance.TURN:
+    if what == Ending.TURNING_POINT:
         return state._replace(om=body.zero)
     return state
 
 
-def _turned(body: Body, begin: PreciseState, state: PreciseState) -> bool:
+def _cone_margins(body: Body, step: Step) -> list[list[int]]:
+    """(μs N − F, μs N + F), over √(1 + μs²) so that neither part outweighs the other; N where μ is infinite."""
+    if body.ctx.isinf(body.mu_s):
+        return [list(step.normal)]
+    a, b = map(body.integer, body.kernels(cone_weights)(body.mu_s))
+    pairs = [(a * n, b * f) for n, f in zip(step.normal, step.friction, strict=True)]
+    return [[(n - f) >> body.bits for n, f in pairs], [(n + f) >> body.bits for n, f in pairs]]
+
+
+def _turned(body: Body, begin: State, state: State) -> bool:
     """Return True if rolling has gone through a revolution since the phase began; False once that has been used."""
     return bool(begin.om != 0 and abs(state.th - begin.th) >= 2 * body.ctx.pi)
 
 
-def _whole_turns(
-    body: Body, begin: PreciseState, state: PreciseState, step: Step, part: int, following: PreciseState, t_end: Number
-) -> PreciseState:
+def _whole_turns(body: Body, begin: State, state: State, step: Step, part: int, following: State, t_end: Number) -> State:
     """Rolling on the level without an event in a whole turn has none in any: go on by as many turns as there is time for."""
     ctx, bits = body.ctx, body.bits
     way = 1 if begin.om > 0 else -1

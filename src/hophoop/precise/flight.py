@@ -2,32 +2,36 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
+from hophoop.kernel.physics.closed_forms import flight_displacement
+from hophoop.kernel.physics.contact import free_acceleration
+from hophoop.kernel.records.state import State
+from hophoop.precise.kernels import Number
 from hophoop.precise.phases import gap_series
-from hophoop.precise.problem import Body, Number, PreciseState
-from hophoop.precise.rules import free_opening
+from hophoop.precise.problem import Body
 from hophoop.precise.series import Judge, sign_changes, slope_at, stretched, value
 
 
 class Landing(NamedTuple):
     """The end of a flight: the state there, whether it lands, and the state where the centre is highest."""
 
-    state: PreciseState
+    state: State
     lands: bool
-    apex: PreciseState | None
+    apex: State | None
 
 
 class Step(NamedTuple):
     """A step of flight: its start, and the series of the gap over 2^exponent with coefficients in units of 2^−bits."""
 
-    state: PreciseState
+    state: State
     series: list[int]
     bits: int
     exponent: int
 
 
-def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Number) -> Landing:
+def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> Landing:
     """Fly until the rim meets the plane or time is over.
 
     Parameters
@@ -36,10 +40,10 @@ def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Numb
         Whether the hoop has just left the plane from slip with N → 0, so that f_n is zero.
     """
     known = 0 if state.y > 0 else 1 if state.vn != 0 else 3 if lifted else 2
-    apex: PreciseState | None = None
+    apex: State | None = None
     highest = state.y
     while True:
-        opening = body.zero if known == 3 else free_opening(body, state.th, state.om)
+        opening = body.zero if known == 3 else opening_at(body, state)
         left = t_end - state.t
         if left <= 0:
             return Landing(state._replace(t=t_end), False, apex)
@@ -76,7 +80,13 @@ def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Numb
         state, known = after, 0
 
 
-def _exponent(body: Body, state: PreciseState, opening: Number, left: Number) -> int:
+def opening_at(body: Body, state: State) -> Number:
+    """f_n: acceleration of the lowest point off the plane without contact force."""
+    cosine, sine = body.ctx.cos_sin(state.th)
+    return body.kernels(free_acceleration)(body, sine, cosine, state.om * state.om)[1]
+
+
+def _exponent(body: Body, state: State, opening: Number, left: Number) -> int:
     """h = 2^exponent: at most half a turn, and not much beyond where a parabola would land."""
     ctx = body.ctx
     sizes = [left]
@@ -90,30 +100,17 @@ def _exponent(body: Body, state: PreciseState, opening: Number, left: Number) ->
     return int(ctx.ceil(ctx.log(min(sizes), 2)))
 
 
-def _order(body: Body, state: PreciseState, exponent: int, bits: int) -> int:
+def _order(body: Body, state: State, exponent: int, bits: int) -> int:
     """Terms until those of the cosine are below rounding."""
     turned = float(abs(body.ctx.ldexp(state.om, exponent)))
-    k, size = 3, bits
-    term = 1.0
-    lost = 0
-    while lost < size and turned > 0.0 and k < 4000:
-        term *= max(turned / k, 1e-300)
-        if term < 1e-200:
-            lost += 660
-            term *= 1e200
-        if lost - _log2(term) > size:
-            break
+    k, small = 3, 0.0
+    while turned > 0.0 and small <= bits and k < 4000:
+        small -= math.log2(turned / k)
         k += 1
-    return k + 2
+    return k + 1
 
 
-def _log2(number: float) -> float:
-    import math
-
-    return math.log2(number) if number > 0.0 else -1000.0
-
-
-def _highest(body: Body, judge: Judge, step: Step, known: int, where: int, best: Number) -> PreciseState | None:
+def _highest(body: Body, judge: Judge, step: Step, known: int, where: int, best: Number) -> State | None:
     """The highest apex of the gap in a step, if it is higher than the best of the flight so far."""
     state, bits = step.state, step.bits
     rate = [k * step.series[k] for k in range(1, len(step.series))]
@@ -134,7 +131,7 @@ def _highest(body: Body, judge: Judge, step: Step, known: int, where: int, best:
     return found
 
 
-def _at(body: Body, step: Step, s: int) -> PreciseState:
+def _at(body: Body, step: Step, s: int) -> State:
     """State at s of a step of flight."""
     ctx = body.ctx
     state, series, bits, exponent = step
@@ -144,16 +141,8 @@ def _at(body: Body, step: Step, s: int) -> PreciseState:
     return _moved(body, state, tau, y, vn)
 
 
-def _moved(body: Body, state: PreciseState, tau: Number, y: Number, vn: Number) -> PreciseState:
+def _moved(body: Body, state: State, tau: Number, y: Number, vn: Number) -> State:
     """The state after τ with this gap: G is a projectile and θ̇ is constant."""
-    ctx = body.ctx
-    cosine, sine = ctx.cos_sin(state.th)
-    th = state.th + state.om * tau
-    later_cosine, later_sine = ctx.cos_sin(th)
-    along = state.vt + state.om * (1 + body.eps * cosine)  # ẋ_G
-    x = state.x + along * tau + body.gt * tau * tau / 2 - body.eps * (later_sine - sine)
-    vt = state.vt
-    if state.om != 0 and body.eps != 0:
-        vt -= body.eps * state.om * (later_cosine - cosine)
-    vt += body.gt * tau
-    return state._replace(t=state.t + tau, x=x, y=y, th=th, vt=vt, vn=vn)
+    cosine, sine = body.ctx.cos_sin(state.th)
+    along, vt = body.kernels(flight_displacement)(body, state.vt, state.om, sine, cosine, tau)
+    return state._replace(t=state.t + tau, x=state.x + along, y=y, th=state.th + state.om * tau, vt=vt, vn=vn)

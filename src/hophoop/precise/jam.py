@@ -10,11 +10,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from hophoop.precise.problem import Body, Number, PreciseState
+from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy, slip_displacement
+from hophoop.kernel.physics.contact import kappa_p_sigma_slope, resistance_arm, slip_torque_arm
+from hophoop.kernel.records.state import State
+from hophoop.precise.kernels import Number
+from hophoop.precise.problem import Body
 
 NEAR = 0.02  # rad
 EARLY = 40  # natural logarithm of the part of the angle that steps in time still cross
 SHRINK = 2  # terms of the series have to shrink by this factor each
+
+Series = list[Number]
 
 
 @dataclass
@@ -22,14 +28,14 @@ class Approach:
     """Slip near the singular angle: u(δ) as two series in z = δ/δ₀."""
 
     body: Body
-    state: PreciseState
+    state: State
     sigma: int
     way: int
     singular: Number  # the angle where p_σ = 0
     extent: Number  # δ₀, the angle missing in `state`
     power: Number  # a
-    regular: list[Number]
-    factor: list[Number]  # C δ₀ᵃ B
+    regular: Series
+    factor: Series  # C δ₀ᵃ B
 
     def square(self, z: Number) -> Number:
         """θ̇² where the part z of the angle is still missing."""
@@ -43,25 +49,23 @@ class Approach:
         ctx = self.body.ctx
         return self.extent * ctx.quad(lambda part: 1 / ctx.sqrt(self.square(part)), [z, 1])
 
-    def at(self, z: Number) -> PreciseState:
+    def at(self, z: Number) -> State:
         """The state where the part z is missing; the friction's work is what the energy lacks."""
-        body, before = self.body, self.state
+        body, before, kernels = self.body, self.state, self.body.kernels
         th = self.singular - self.way * self.extent * z
         om = self.way * body.ctx.sqrt(self.square(z))
         tau = self.duration(z)
-        drag = self.sigma * body.mu_k
-        cosine, sine = body.ctx.cos_sin(before.th)
-        later_cosine, later_sine = body.ctx.cos_sin(th)
+        c, s = body.ctx.cos_sin(before.th)
+        dc, ds = (after - start for after, start in zip(body.ctx.cos_sin(th), (c, s), strict=True))
+        along = kernels(slip_displacement)(body, self.sigma, before.vt, before.om, s, c, ds, dc, tau)
         # ẋ_G + σ μ ẏ_G feels gravity alone
-        steady = body.gt - drag * body.gn
-        kept = before.vt + before.om * (1 + body.eps * cosine - drag * body.eps * sine)
-        vt = kept + steady * tau - om * (1 + body.eps * later_cosine - drag * body.eps * later_sine)
-        shift = body.eps * (later_sine - sine) + drag * body.eps * (later_cosine - cosine)
-        x = before.x + kept * tau + steady * tau * tau / 2 - shift
-        after = before._replace(t=before.t + tau, x=x, th=th, vt=vt, om=om)
-        resisted = self.resisted(z, before.om * before.om * sine - om * om * later_sine)
+        drag = self.sigma * body.mu_k
+        arm = 1 + body.eps * (c - drag * s)
+        vt = before.vt + before.om * arm + (body.gt - drag * body.gn) * tau - om * (arm + body.eps * (dc - drag * ds))
+        after = before._replace(t=before.t + tau, x=before.x + along, th=th, vt=vt, om=om)
+        resisted = self.resisted(z, before.om * before.om * s - om * om * (s + ds))
         lost = _energy(body, before) - _energy(body, after)
-        return after._replace(friction=before.friction + lost - resisted, resisted=before.resisted + resisted)
+        return after._replace(friction=before.friction + lost - resisted, rolling_loss=before.rolling_loss + resisted)
 
     def resisted(self, z: Number, less: Number) -> Number:
         """Energy lost to rolling resistance until the part z is missing; `less` is by how much θ̇² sin θ has become less.
@@ -77,29 +81,27 @@ class Approach:
         return self.way * body.resist * pressed
 
 
-def _energy(body: Body, state: PreciseState) -> Number:
-    cosine, sine = body.ctx.cos_sin(state.th)
-    along, up = state.vt + state.om * (1 + body.eps * cosine), -body.eps * state.om * sine
-    kinetic = (along * along + up * up + body.kap * state.om * state.om) / 2
-    return kinetic + body.gn * body.eps * cosine - body.gt * (state.x + body.eps * sine)
+def _energy(body: Body, state: State) -> Number:
+    kinetic = body.kernels(kinetic_energy)(body, state.th, state.om, state.vt, state.vn, state.th_low)
+    return kinetic + body.kernels(potential_energy)(body, state.x, state.y, state.th)
 
 
-def missing_angle(body: Body, state: PreciseState, sigma: int) -> Number:
+def missing_angle(body: Body, state: State, sigma: int) -> Number:
     """Estimate of the angle still missing to p_σ = 0; negative where it does not come nearer."""
     cosine, sine = body.ctx.cos_sin(state.th)
-    stiff, rate = _stiffness(body, sigma, cosine, sine, body.resistance(state.th, state.om, sigma))
+    rho = body.kernels(resistance_arm)(body, sine, cosine, state.om, sigma)
+    stiff, rate = _stiffness(body, sigma, cosine, sine, rho)
     rate *= 1 if state.om > 0 else -1
     return -stiff / rate if rate < 0 else -body.one
 
 
 def _stiffness(body: Body, sigma: int, cosine: Number, sine: Number, rho: Number) -> tuple[Number, Number]:
     """(Π, dΠ/dθ)."""
-    eps, drag = body.eps, sigma * body.mu_k
-    torque = eps * sine + drag * (1 + eps * cosine) - rho
-    return body.kap + eps * sine * torque, eps * (cosine * torque + sine * eps * (cosine - drag * sine))
+    torque = body.kernels(slip_torque_arm)(body, sine, cosine, sigma) - rho
+    return body.kap + body.eps * sine * torque, body.kernels(kappa_p_sigma_slope)(body, sine, cosine, sigma, torque)
 
 
-def approach(body: Body, state: PreciseState, sigma: int) -> Approach | None:
+def approach(body: Body, state: State, sigma: int) -> Approach | None:
     """Slip near p_σ = 0 as a series about the singular angle; None where that does not hold, or not yet."""
     ctx = body.ctx
     way = 1 if state.om > 0 else -1
@@ -122,68 +124,57 @@ def approach(body: Body, state: PreciseState, sigma: int) -> Approach | None:
     power = 2 * body.kap * cosine / (sine * rate)
     if power <= 0:
         return None
-    order = body.bits + 8
-    series = _series(body, sigma, way, singular, extent, power, order)
+    series = _series(body, sigma, way, singular, extent, power)
     if series is None:
         return None
     regular, factor = series
-    one = body.one
-    found = Approach(body, state, sigma, way, singular, extent, power, regular, factor)
     scale = (state.om * state.om - ctx.fsum(regular)) / ctx.fsum(factor)
     if scale >= 0:  # f_n comes to zero before p_σ does
         return None
-    found.factor = [scale * number for number in factor]
-    return found if found.square(one / 2) > 0 else None
+    found = Approach(body, state, sigma, way, singular, extent, power, regular, [scale * number for number in factor])
+    return found if found.square(body.one / 2) > 0 else None
 
 
-def _series(
-    body: Body, sigma: int, way: int, singular: Number, extent: Number, power: Number, order: int
-) -> tuple[list[Number], list[Number]] | None:
-    """(A, B) in z = δ/extent, up to the term that rounding hides; None where they do not shrink fast enough."""
-    ctx, eps, drag, rho = body.ctx, body.eps, sigma * body.mu_k, way * body.resist
-    cosine, sine = ctx.cos_sin(singular)
-    # sin and cos of θ* − way δ
-    cycle = ((sine, -way * cosine, -sine, way * cosine), (cosine, way * sine, -cosine, -way * sine))
-    sines: list[Number] = []
-    cosines: list[Number] = []
-    torques: list[Number] = []
-    stiffness: list[Number] = []
-    term = body.one
-    grow: list[Number] = []  # 2 ε way q cos θ / Π₁
-    push: list[Number] = []  # −2 way g q / Π₁
-    loads: list[Number] = []  # q cos θ
-    regular: list[Number] = []
-    factor: list[Number] = []
-    small = ctx.ldexp(body.one, -body.bits - 4)
-    for k in range(order):
-        # Π needs one term more than the others, for it is divided by δ
-        while len(sines) < k + 2:
-            j = len(sines)
-            sines.append(term * cycle[0][j % 4])
-            cosines.append(term * cycle[1][j % 4])
-            torques.append(eps * sines[j] + drag * (eps * cosines[j] + (1 if j == 0 else 0)) - (rho if j == 0 else 0))
-            stiffness.append(eps * ctx.fdot(zip(sines, torques[::-1], strict=True)))
-            term = term * extent / (j + 1)
-        loads.append(ctx.fdot(zip(cosines[: k + 1], torques[k::-1], strict=True)))
-        lead = stiffness[1]
-        for series, value in ((grow, 2 * way * eps * loads[k]), (push, -2 * way * body.gn * torques[k])):
-            rest = ctx.fdot((stiffness[j + 1], series[k - j]) for j in range(1, k + 1))
-            # Π = z (Π₁ extent), and the equation has the factor extent as well
-            series.append((value * extent - rest) / lead)
-        carried = ctx.fdot((grow[j], regular[k - j]) for j in range(1, k + 1))
-        regular.append((push[k] + carried) / (k - power))
+def _series(body: Body, sigma: int, way: int, singular: Number, extent: Number, power: Number) -> tuple[Series, Series] | None:
+    """(A, B) in z = δ/extent, up to the term that rounding hides; None where they do not shrink fast enough.
+
+    With θ = θ* − way δ the coefficient of z^k in Π du/dz = 2 way extent (ε q cos θ u − g q) gives the next one of u.
+    """
+    ctx, eps, drag = body.ctx, body.eps, sigma * body.mu_k
+    (c, s), (c2, s2) = ctx.cos_sin(singular), ctx.cos_sin(2 * singular)
+    constant, turned, pull = drag - way * body.resist, -way * extent, 2 * way * extent
+    stiffness: Series = []  # Π
+    loads: Series = []  # 2 way extent ε q cos θ
+    regular: Series = []
+    factor: Series = []
+    rates: tuple[Series, Series] = ([], [])  # k times their coefficients, and k + power times
+
+    def known(series: Series, rate: Series) -> Number:
+        """The terms of a coefficient that the earlier ones determine."""
+        driven = ctx.fdot(zip(loads[1:], series[::-1], strict=True))
+        return driven - ctx.fdot(zip(stiffness[2:], rate[::-1], strict=True))
+
+    for k in range(body.bits + 8):
+        q = eps * (s + drag * c) + (constant if k == 0 else 0)
+        loads.append(pull * eps * (constant * c + eps * (s2 + drag * c2 + (drag if k == 0 else 0)) / 2))
         if k == 0:
-            factor.append(body.one)
-        else:
-            factor.append(ctx.fdot((grow[j], factor[k - j]) for j in range(1, k + 1)) / k)
-        if k > 4 and max(abs(regular[k] / regular[0]), abs(factor[k]), abs(regular[k - 1] / regular[0])) < small:
+            stiffness.append(body.zero)
+        # the coefficients of sin θ, cos θ, sin 2θ and cos 2θ for z^(k + 1), of which Π needs one more than the others
+        s, c, s2, c2 = (turned / (k + 1) * one for one in (c, -s, 2 * c2, -2 * s2))
+        stiffness.append(eps * (constant * s + eps * (drag * s2 - c2) / 2))
+        regular.append((known(regular, rates[0]) - pull * body.gn * q) / (stiffness[1] * (k - power)))
+        factor.append(known(factor, rates[1]) / (stiffness[1] * k) if k > 0 else body.one)
+        rates[0].append(k * regular[k])
+        rates[1].append((k + power) * factor[k])
+        largest = max(abs(regular[k] / regular[0]), abs(factor[k]))
+        if k > 4 and max(largest, abs(regular[k - 1] / regular[0])) < ctx.ldexp(1, -body.bits - 4):
             return regular, factor
-        if k > 16 and max(abs(regular[k] / regular[0]), abs(factor[k])) > ctx.mpf(SHRINK) ** (4 - k):
+        if k > 16 and largest > ctx.mpf(SHRINK) ** (4 - k):
             return None
     return None
 
 
-def ending(found: Approach) -> tuple[bool, PreciseState] | None:
+def ending(found: Approach) -> tuple[bool, State] | None:
     """(whether it jams, the state at the end): the jam, or where the slip stops only just before it.
 
     None where it stops so early that steps in time get there too.
@@ -192,32 +183,15 @@ def ending(found: Approach) -> tuple[bool, PreciseState] | None:
     last = found.at(body.zero)
     if found.sigma * last.vt > 0:
         return True, last
+
     # the slip falls with a power of the angle: the place is looked for in its logarithm
+    def slip(logarithm: Number) -> Number:
+        return found.sigma * found.at(ctx.exp(logarithm)).vt
+
     high, low = ctx.mpf(-EARLY), ctx.mpf(-2 * EARLY)
-    above = found.sigma * found.at(ctx.exp(high)).vt
-    if above <= 0:
+    if slip(high) <= 0:
         return None
-    below = found.sigma * found.at(ctx.exp(low)).vt
-    while below > 0:
-        high, above, low = low, below, 2 * low
-        below = found.sigma * found.at(ctx.exp(low)).vt
-    # regula falsi after Illinois
-    side = 0
-    for _ in range(2 * body.bits):
-        middle = low - below * (high - low) / (above - below)
-        if not low < middle < high:
-            break
-        value = found.sigma * found.at(ctx.exp(middle)).vt
-        if value == 0 or high - low < ctx.ldexp(body.one, -body.bits + 8):
-            break
-        if value > 0:
-            high, above = middle, value
-            if side > 0:
-                below /= 2
-            side = 1
-        else:
-            low, below = middle, value
-            if side < 0:
-                above /= 2
-            side = -1
-    return False, found.at(ctx.exp((low + high) / 2 if not low < middle < high else middle))._replace(vt=body.zero)
+    while slip(low) > 0:
+        high, low = low, 2 * low
+    place = ctx.findroot(slip, (low, high), solver="illinois", tol=ctx.ldexp(1, 16 - body.bits), maxsteps=300, verify=False)
+    return False, found.at(ctx.exp(place))._replace(vt=body.zero)

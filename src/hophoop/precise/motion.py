@@ -1,27 +1,24 @@
-"""The event loop: phases between events and events between phases, at one working precision."""
+"""One motion at one working precision: the kernel's steps from event to event, with Taylor series for what lies between."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.precise.contact import Advance, Stopped, advance
+from hophoop.kernel.physics.contact import acceleration_in_contact
+from hophoop.kernel.physics.modes import next_mode, slip_direction
+from hophoop.kernel.records.state import State
+from hophoop.kernel.records.writing import PendingEvent, event_without_jump
+from hophoop.kernel.rigid.contact_phase import contact_step, vanishing_slip_derivatives
+from hophoop.kernel.rigid.flight_phase import land
+from hophoop.kernel.rigid.phase import GOING, Ending, Limits, Phase, end_motion, limits_of
+from hophoop.kernel.rigid.run import BY_RULE, begin
+from hophoop.precise.contact import advance
 from hophoop.precise.flight import fly
-from hophoop.precise.impact import impact
-from hophoop.precise.problem import Body, Number, PreciseState, Problem
-from hophoop.precise.rules import (
-    INCONSISTENT,
-    INDETERMINATE,
-    UNDECIDED,
-    Judged,
-    contact_at,
-    free_opening,
-    next_mode,
-    sign,
-    slip_mode,
-    turning_acceleration,
-)
+from hophoop.precise.kernels import Kernels, Number, numbers_of
+from hophoop.precise.problem import Body, Problem
 from hophoop.precise.series import Judge, Work
 
 
@@ -35,7 +32,7 @@ class Record:
     kind: Event
     before_mode: int | None
     after_mode: int
-    state: PreciseState
+    state: State
     before_vt: Number
     before_vn: Number
     before_om: Number
@@ -46,8 +43,12 @@ class Record:
     stable: bool | None = None
 
 
+class _TooManyEvents(Exception):
+    """The motion has as many events as are allowed."""
+
+
 class Run:
-    """One motion at one working precision.
+    """One motion at one working precision; it is also the log that the kernel's steps write their events to.
 
     Parameters
     ----------
@@ -76,302 +77,127 @@ class Run:
         max_events: int | None = None,
         work: Work | None = None,
     ) -> None:
+        self.doubt = None  # for `record_doubt`
         self.problem = problem
         self.body = Body(problem, bits, work)
         self.judge = Judge(bits, last)
         ctx = self.body.ctx
-        self.closing = ctx.mpf(closing)
         self.t_end = self.body.number(problem.duration) / self.body.time if until is None else ctx.mpf(until)
         self.max_events = problem.max_events if max_events is None else max_events
         self.records: list[Record] = []
-        self.state = self.body.start()
-        self.origin = self.state
-        self.mode: int = Mode.FLIGHT
-        self.lifted = False  # in flight: whether it began with N → 0 in slip
-        self.slip_zeros = 0  # of v_t at the start of a new slip phase, as far as known
-        self.last_bounce = self.body.zero
-        self.turns: list[PreciseState] = []  # turning points of the present phase of rolling
+        self.turns: list[State] = []  # turning points of the present phase of rolling
         self.status = Status.COMPLETED
+        self.tie = ctx.ldexp(ctx.one, -(bits // 2))
+        self.kernels = Kernels(ctx.mpf, numbers_of(ctx) | self.steps_of() | {"CLOSING": ctx.mpf(closing)})
 
-    # --- events --------------------------------------------------------------------------------
-
-    def write(self, kind: Event, before: int | None, after: int, cause: PreciseState | None = None, **details: Any) -> None:
-        """Append an event in the present state; `cause` has the velocities before it, `details` are other fields of Record."""
+    def steps_of(self) -> dict[str, Any]:
+        """What the kernel's steps from event to event find under these names: this solver, and what zero is here."""
         zero = self.body.zero
-        was = self.state if cause is None else cause
-        if len(self.records) >= self.max_events:
-            raise Stopped(Status.EVENT_LIMIT)
-        fields = {"p_n": zero, "p_t": zero, "gain": zero} | details
-        self.records.append(Record(kind, before, after, self.state, was.vt, was.vn, was.om, **fields))
-
-    def write_cause(self, kind: Event, before: int | None, after: int, cause: dict[str, Any]) -> None:
-        """The event, and Kane's gain after it where there is one."""
-        gain = cause.pop("gain", None)
-        self.write(kind, before, after, **cause)
-        if gain:
-            self.write(Event.KANE_GAIN, after, after, gain=gain)
-
-    def settle(self, kind: Event, before: int | None, **cause: Any) -> None:
-        """Apply the mode rule after an event, writing it and every paradox met on the way."""
-        body, judge = self.body, self.judge
-        for _ in range(8):
-            if self.state.vn > 0:
-                self.write_cause(kind, before, Mode.FLIGHT, cause)
-                self.enter(Mode.FLIGHT)
-                return
-            mode = next_mode(body, judge, self.state)
-            named = mode
-            if mode > Mode.SKIM:
-                named = Mode.ROLL if self.state.vt == 0 else slip_mode(1 if self.state.vt > 0 else -1)
-            if kind == Event.STICK and named != Mode.ROLL:
-                kind = Event.TAKEOFF if named == Mode.FLIGHT else Event.SLIP_REVERSAL
-            self.write_cause(kind, before, named, cause)
-            if mode <= Mode.SKIM:
-                self.enter(mode)
-                return
-            if mode == UNDECIDED:
-                self.mode = UNDECIDED
-                raise Stopped(Status.UNDETERMINED)
-            if mode == INDETERMINATE:
-                after = named if self.problem.painleve_impact else Mode.FLIGHT
-                self.write(Event.PAINLEVE_INDETERMINATE, named, after)
-                if not self.problem.painleve_impact:
-                    self.enter(Mode.FLIGHT)
-                    return
-            else:
-                assert mode == INCONSISTENT
-                self.write(Event.PAINLEVE_INCONSISTENT, named, named)
-            kind, before = Event.IMPACT, named
-            cause = self.collide(body.rest, False)
-        raise Stopped(Status.UNDETERMINED)
-
-    def enter(self, mode: int) -> None:
-        """Begin a phase in the present state."""
-        self.mode = mode
-        self.lifted = False
-        self.turns = []
-        vt = self.state.vt
-        self.slip_zeros = 1 if vt == 0 else 0
-        if mode == Mode.ROLL and vt != 0:
-            self.state = self.state._replace(vt=self.body.zero)
-
-    def collide(self, rest: Number, collision: bool) -> dict[str, Any]:
-        """Go through an impact; return the fields of its event."""
-        body, before = self.body, self.state
-        blow = impact(contact_at(body, before.th), Judged(body, self.judge), rest, before.vt, before.vn)
-        self.state = before._replace(
-            vt=blow.vt,
-            vn=blow.vn,
-            om=before.om + blow.spin,
-            impact_n=before.impact_n - blow.work_n,
-            impact_t=before.impact_t - blow.work_t,
-        )
-        gain = blow.work_n + blow.work_t
-        size = abs(blow.work_n) + abs(blow.work_t) + before.vn * before.vn
-        if gain <= body.ctx.ldexp(size, -body.bits // 2):
-            gain = body.zero
-        return {"cause": before, "p_n": blow.p_n, "p_t": blow.p_t, "gain": gain, "collision": collision}
-
-    # --- bounces -------------------------------------------------------------------------------
-
-    def land(self) -> None:
-        """The impact at the end of a flight; it closes the bounces where they are endless and nearly over."""
-        before = self.state
-        cause = self.collide(self.body.rest, True)
-        kind = Event.IMPACT
-        if self.is_last_bounce():
-            self.state = before
-            kind, cause = Event.BOUNCE_LIMIT, self.close_bounces()
-        self.last_bounce = self.state.vn
-        self.settle(kind, Mode.FLIGHT, **cause)
-
-    def is_last_bounce(self) -> bool:
-        """Return True if the bounces that would follow take less than the part of the time so far that closes them."""
-        state, last = self.state, self.last_bounce
-        closing = -free_opening(self.body, state.th, state.om)
-        if not (state.vn > 0 and closing > 0 and state.vn < last):
-            return False
-        left: Number = 2 * state.vn / (closing * (1 - state.vn / last))
-        return bool(left < self.closing * max(state.t, self.body.one))
-
-    def close_bounces(self) -> dict[str, Any]:
-        """The impact with e = 0 that ends endless bounces, without a jerk along the plane that lifts the rim again."""
-        body = self.body
-        cause = self.collide(body.zero, True)
-        state = self.state
-        if state.vn > 0:
-            # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
-            cosine, sine = body.ctx.cos_sin(state.th)
-            arm, lever = 1 + body.eps * cosine, body.eps * sine
-            denominator = body.kap + arm * arm
-            p_n = -state.vn / (1 + lever * lever / denominator)
-            self.state = state._replace(
-                vt=body.zero,
-                vn=body.zero,
-                om=state.om + lever / denominator * p_n,
-                impact_n=state.impact_n - state.vn * p_n / 2,
-            )
-            cause["p_n"] += p_n
-            cause["p_t"] += arm * lever / denominator * p_n
-        cause["gain"] = body.zero
-        return cause
-
-    # --- the loop ------------------------------------------------------------------------------
+        return {
+            "advance_contact": self.advance,
+            "is_equilibrium": self.is_equilibrium,
+            "next_mode": self.next_mode,
+            "resolve_painleve_singularity": self.jam,
+            "write_event": self.write,
+            "write_segment": lambda *arguments: None,
+            "set_anchor": lambda body, sigma, state, *rest: state,
+            "mode_is_in_doubt": lambda body, state: False,
+            "record_doubt": lambda doubt, t: None,
+            "sign_beyond": self.judge.sign_beyond,
+            **dict.fromkeys(("TIE", "ZERO", "GAIN_FLOOR"), self.tie),
+            **dict.fromkeys(("ROUNDING", "SMALLEST_SQUARE", "SLOWEST_BOUNCE"), zero),
+        }
 
     def run(self) -> Run:
-        """Compute the motion; `records`, `state`, `mode` and `status` hold it then."""
+        """Compute the motion; `records` and `status` hold it then."""
+        body, given = self.body, self.problem.mode
+        limits = limits_of(body.start(), self.t_end, math.nan, 0)
         try:
-            self.begin()
-            while True:
-                self.phase()
-        except Stopped as end:
-            self.status = end.status
-        if self.status != Status.EVENT_LIMIT:
-            last = self.records[-1].after_mode
-            try:
-                self.write(Event.END, last, last)
-            except Stopped as end:
-                self.status = end.status
+            phase = self.kernels(begin)(body, body.start(), BY_RULE if given is None else given, self, None)
+            while phase.status == GOING:
+                phase = self.flight(phase) if phase.mode == Mode.FLIGHT else self.contact(phase, limits)
+            self.status = Status(phase.status)
+            self.write_passing(Event.END, self.records[-1].after_mode, phase.state)
+        except _TooManyEvents:
+            self.status = Status.EVENT_LIMIT
         return self
 
-    def begin(self) -> None:
-        """The start, with the impact of a hoop that starts into the plane."""
-        state = self.state
-        if self.problem.mode is not None:
-            self.write(Event.START, None, self.problem.mode)
-            self.enter(self.problem.mode)
-            if state.vt == 0 and self.mode in (Mode.SPIN, Mode.SKID):  # it has just left the cone
-                self.slip_zeros = 2 if self.problem.mu_s == self.problem.mu_k else 1
-        elif state.y > 0 or state.vn != 0:
-            self.write(Event.START, Mode.FLIGHT, Mode.FLIGHT)
-            if state.y == 0 and state.vn < 0:
-                self.land()
-        else:
-            self.settle(Event.START, None)
+    def write(self, log: Any, cause: PendingEvent, mode: int, state: State, gain: Number, stable: int) -> None:
+        """Append an event."""
+        if len(self.records) >= self.max_events:
+            raise _TooManyEvents
+        before = None if cause.mode < 0 else cause.mode
+        whether = [None if flag < 0 else bool(flag) for flag in (cause.collision, stable)]
+        jump = (cause.vt, cause.vn, cause.om, cause.p_n, cause.p_t)
+        self.records.append(Record(Event(cause.kind), before, mode, state, *jump, gain, *whether))
 
-    def phase(self) -> None:
-        """One phase, or a part of it up to an event that leaves the mode as it is."""
-        if self.mode == Mode.FLIGHT:
-            landing = fly(self.body, self.judge, self.state, self.lifted, self.t_end)
-            if landing.apex is not None:
-                self.state = landing.apex
-                self.write(Event.APEX, Mode.FLIGHT, Mode.FLIGHT)
-            self.state = landing.state
-            if not landing.lands:
-                raise Stopped(Status.COMPLETED)
-            self.land()
-            return
-        if self.state.om == 0 and self.is_still():
-            self.stand()
-            return
-        self.contact()
+    def write_passing(self, kind: Event, mode: int, state: State) -> None:
+        """Append an event that leaves velocities and mode as they are."""
+        self.write(self, event_without_jump(kind, mode, state), mode, state, self.body.zero, -1)
 
-    def is_still(self) -> bool:
+    def next_mode(self, body: Body, th: Number, th_low: Number, om: Number, vt: Number) -> int:
+        """The mode that follows a state in contact, where a slip that is indistinguishable from 0 is none."""
+        slips = vt != 0 and self.judge.sign_beyond(vt, self.tie * (1 + abs(om))) != 0
+        mode: int = self.kernels(next_mode)(body, th, th_low, om, vt if slips else body.zero)
+        return mode
+
+    def is_equilibrium(self, body: Body, sigma: int, state: State) -> bool:
         """Return True if a hoop with θ̇ = 0 stays so."""
-        body, sigma = self.body, {Mode.SKID: 1, Mode.SPIN: -1}.get(Mode(self.mode), 0)
-        alpha = turning_acceleration(body, self.state.th, body.zero, sigma)
-        return sign(body, self.judge, alpha, body.gn + abs(body.gt) + (0 if sigma == 0 else body.mu_k * body.gn)) == 0
+        cosine, sine = body.ctx.cos_sin(state.th)
+        alpha = body.kernels(acceleration_in_contact)(body, sine, cosine, body.zero, sigma)
+        size = body.gn + abs(body.gt) + (body.mu_k * body.gn if sigma != 0 else 0)
+        return self.judge.sign_beyond(alpha, self.tie * size) == 0
 
-    def stand(self) -> None:
-        """Rest, or slip without rotation."""
-        body, state = self.body, self.state
-        if self.mode == Mode.ROLL:
-            cosine, sine = body.ctx.cos_sin(state.th)
-            stable = bool(body.eps * (body.gn * cosine - body.gt * sine) < 0)
-            if body.resist > 0:  # held by less than all that the couple can give
-                stable |= bool(abs(body.resistance(state.th, body.zero, 0)) < body.resist)
-            self.write(Event.REST, Mode.ROLL, Mode.ROLL, stable=stable)
-            self.state = state._replace(t=self.t_end)
-            raise Stopped(Status.AT_REST)
-        if self.slide():
-            self.settle(Event.STICK, self.mode)
+    # --- phases --------------------------------------------------------------------------------
 
-    def slide(self) -> bool:
-        """Slip at a constant angle; whether it stops before time is over."""
-        body, state = self.body, self.state
-        sigma = 1 if self.mode == Mode.SKID else -1
-        rate = body.gt - sigma * body.mu_k * body.gn
-        left = self.t_end - state.t
-        until = -state.vt / rate if state.vt * rate < 0 else body.ctx.inf
-        stops = bool(until <= left)
-        tau = until if stops else left
-        slid = state.vt * tau + rate * tau * tau / 2
-        self.state = state._replace(
-            t=state.t + tau if stops else self.t_end,
-            x=state.x + slid,
-            vt=body.zero if stops else state.vt + rate * tau,
-            friction=state.friction + sigma * body.mu_k * body.gn * slid,
+    def flight(self, phase: Phase) -> Phase:
+        """Fly until the landing and its impact, or the end."""
+        body = self.body
+        landing = fly(body, self.judge, phase.state, phase.ending == Ending.LIFT_OFF, self.t_end)
+        if landing.apex is not None:
+            self.write_passing(Event.APEX, Mode.FLIGHT, landing.apex)
+        following: Phase = (
+            self.kernels(land)(body, landing.state, self)
+            if landing.lands
+            else end_motion(phase, Mode.FLIGHT, landing.state, Ending.TIME_LIMIT, Status.COMPLETED)
         )
-        if not stops:
-            raise Stopped(Status.COMPLETED)
-        return stops
+        return following
 
-    def contact(self) -> None:
-        """Roll or slip up to the next event."""
-        was = self.mode
-        done = advance(self.body, self.judge, was, self.state, self.slip_zeros, self.t_end, bool(self.turns))
-        self.state = done.state
-        if done.what == Advance.LIMIT:
-            raise Stopped(Status.COMPLETED)
-        if done.what == Advance.TURN and self.body.resist > 0:
-            self.turned(was)
-        elif done.what == Advance.TURN:
-            self.write(Event.TURN, was, was)
-            self.slip_zeros = 0
-            if was == Mode.ROLL:
-                self.turns.append(self.state)
-                if len(self.turns) == 2:
-                    self.swing()
-        elif done.what == Advance.LIFT:
-            self.write(Event.TAKEOFF, was, Mode.FLIGHT)
-            self.enter(Mode.FLIGHT)
-            self.lifted = True
-        elif done.what == Advance.STOP:
-            self.settle(Event.STICK, was)
-        elif done.what == Advance.JAM:
-            self.write(Event.JAM, was, was)
-            raise Stopped(Status.JAMMED)
-        else:
-            self.leave_cone(done.what)
+    def contact(self, phase: Phase, limits: Limits) -> Phase:
+        """Roll or slip up to the next event, with the step that follows from it."""
+        following: Phase = self.kernels(contact_step)(self.body, phase, limits, self, None)
+        if not (following.ending == Ending.TURNING_POINT and following.mode == Mode.ROLL and self.body.resist == 0):
+            self.turns = []
+            return following
+        self.turns.append(following.state)
+        if len(self.turns) == 2:
+            following = following._replace(state=self.swing())
+        return following
 
-    def turned(self, was: int) -> None:
-        """Go on from θ̇ = 0 with rolling resistance: the couple, and with it the contact force, jumps there."""
-        mode = next_mode(self.body, self.judge, self.state)
-        if was == mode == Mode.ROLL and self.is_still():
-            self.stand()
-        elif was != Mode.ROLL and mode > Mode.SKIM:
-            self.settle(Event.TURN, was)
-        else:
-            self.write(Event.TURN, was, was)
-            self.slip_zeros = 0
-            if mode != was:
-                if was != Mode.ROLL and mode != Mode.FLIGHT:
-                    self.state = self.state._replace(vt=self.body.zero)  # v_t and θ̇ come to zero together
-                rolled = Event.TAKEOFF if mode == Mode.FLIGHT else Event.SLIP_START
-                self.settle(rolled if was == Mode.ROLL else Event.STICK, was)
+    def advance(self, body: Body, phase: Phase, limits: Limits, log: Any, scratch: Any) -> tuple[Ending, State, int]:
+        """Return what `contact_step` asks for: the ending of a contact, the state there, and a level of panels."""
+        sigma, state = slip_direction(phase.mode), phase.state
+        if state.om == 0 and self.is_equilibrium(body, sigma, state):
+            return Ending.REST, state, 0
+        zeros = 0
+        if sigma == 0:
+            state = state._replace(vt=body.zero)
+        elif phase.begins:
+            zeros = vanishing_slip_derivatives(body, phase)
+            if zeros == 1 and len(self.records) == 1 and self.problem.mode is not None:  # it has just left the cone
+                zeros = 2 if body.mu_s == body.mu_k else 1
+        return *advance(body, self.judge, sigma, state, zeros, limits.t_end), 0
 
-    def leave_cone(self, what: Advance) -> None:
-        """Rule 2: slip against the friction that was at its limit, at μk; or flight."""
-        body, state = self.body, self.state
-        opens = free_opening(body, state.th, state.om)
-        if sign(body, self.judge, opens, body.gn + state.om * state.om) >= 0:
-            self.write(Event.TAKEOFF, Mode.ROLL, Mode.FLIGHT)
-            self.enter(Mode.FLIGHT)
-        elif body.fixed.mu_s is None:
-            self.mode = UNDECIDED  # the quasi-jump: N = 0, but free motion would enter the plane
-            raise Stopped(Status.UNDETERMINED)
-        else:
-            mode = slip_mode(-1 if what == Advance.CONE_AHEAD else 1)
-            self.write(Event.SLIP_START, Mode.ROLL, mode)
-            self.enter(mode)
-            self.slip_zeros = 2 if self.problem.mu_s == self.problem.mu_k else 1
+    def jam(self, body: Body, mode: int, state: State, log: Any) -> tuple[bool, int, State]:
+        """Return what follows slip that has run into p_σ = 0 with N → ∞: nothing."""
+        self.write_passing(Event.JAM, mode, state)
+        return True, mode, state
 
-    def swing(self) -> None:
+    def swing(self) -> State:
         """Rolling to and fro between two turning points goes on as it went once: only its turns have to be written."""
         first, second = self.turns
         half = second.t - first.t
         while second.t + half <= self.t_end:
             first, second = second, first._replace(t=second.t + half)
-            self.state = second
-            self.write(Event.TURN, Mode.ROLL, Mode.ROLL)
-        self.state = second
+            self.write_passing(Event.TURN, Mode.ROLL, second)
+        return second

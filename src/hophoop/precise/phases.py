@@ -12,8 +12,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from operator import mul
 
-from hophoop.precise.problem import Body, Fixed, Number, PreciseState
-from hophoop.precise.series import integral, product
+from hophoop.kernel.physics.contact import resistance_arm
+from hophoop.kernel.records.state import State
+from hophoop.precise.kernels import Number
+from hophoop.precise.problem import Body, Fixed
+from hophoop.precise.series import integral, product, value
 
 # The best order spends about this many bits a coefficient: terms that shrink by e² each.
 BITS_A_TERM = 2.9
@@ -26,11 +29,11 @@ class Step:
     exponent: int  # h = 2^exponent
     angle: Sequence[int]  # θ − θ at the start
     omega: Sequence[int]
-    slip: Sequence[int]
-    normal: Sequence[int]
-    friction: Sequence[int]  # F
-    reach: int = 0
-    room: int = 0
+    slip: Sequence[int]  # v_t in slip, empty in rolling
+    normal: Sequence[int]  # N
+    friction: Sequence[int]  # F in rolling, empty in slip
+    reach: int
+    room: int
 
 
 def order_for(bits: int) -> int:
@@ -49,125 +52,105 @@ def _square(a: Sequence[int]) -> int:
     return twice + a[half] * a[half] if len(a) & 1 else twice
 
 
-def scaled(values: Sequence[int], exponent: int) -> list[int]:
-    """Integers times 2^exponent."""
-    if exponent >= 0:
-        return [value << exponent for value in values]
-    return [value >> -exponent for value in values]
-
-
-def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: int) -> Step | None:
+def expand(body: Body, sigma: int, state: State, exponent: int, order: int) -> Step | None:
     """Rolling (sigma = 0) or slip from a state; None where the coefficients grow beyond any use."""
     body.work.take(body.bits)
-    fixed = body.fixed
-    ctx = body.ctx
-    cosine, sine = ctx.cos_sin(state.th)
-    om, s, c = body.integer(state.om), body.integer(sine), body.integer(cosine)
-    rho = body.integer(body.resistance(state.th, state.om, sigma))
-    if sigma == 0:
-        rates = _roll(fixed, rho, om, s, c, exponent, order)
-    else:
-        rates = _slip(fixed, sigma, rho, om, s, c, exponent, order)
-    if rates is None:
-        return None
-    omega, sines, cosines, normal, friction, divisor = rates
-    slip: Sequence[int] = ()
-    if sigma != 0:
-        slip = _slip_velocity(fixed, sigma, body.integer(state.vt), omega, sines, cosines, exponent)
-    step = Step(exponent, integral(scaled(omega[:order], exponent)), omega, slip, normal, friction)
-    step.reach, step.room = _reach(fixed.bits, om, divisor, step)
-    return step
-
-
-def _roll(
-    fixed: Fixed, rho: int, om: int, s: int, c: int, exponent: int, order: int
-) -> tuple[list[int], list[int], list[int], list[int], list[int], int] | None:
-    bits, eps, gn, gt = fixed.bits, fixed.eps, fixed.gn, fixed.gt
-    one = 1 << bits
-    # D − ρ ε sin θ, with D = (1 − ε)² + κ + 2 ε (1 + cos θ)
-    inertia: list[int] = []
-    omega, sines, cosines = [om], [s], [c]
+    fixed, bits = body.fixed, body.bits
+    cosine, sine = body.ctx.cos_sin(state.th)
+    rho = body.integer(body.kernels(resistance_arm)(body, sine, cosine, state.om, sigma))
+    forces = Rolling(fixed, rho) if sigma == 0 else Slipping(fixed, sigma, rho)
+    omega, sines, cosines = [body.integer(state.om)], [body.integer(sine)], [body.integer(cosine)]
     turning: list[int] = []  # h θ̇
-    alpha: list[int] = []
-    squares: list[int] = []
-    normal: list[int] = []
-    friction: list[int] = []
-    constant = one + fixed.kap + (eps * eps >> bits)
-    limit = 4 * bits
+    squares: list[int] = []  # θ̇²
+    up, down = max(exponent, 0), max(-exponent, 0)
     for k in range(order):
-        turning.append(omega[k] << exponent if exponent >= 0 else omega[k] >> -exponent)
+        turning.append(omega[k] << up >> down)
         squares.append(_square(omega) >> bits)
+        forces.extend(k, sines, cosines, squares)
+        if forces.divisor <= 0:
+            return None
+        step = forces.alpha[k] << up >> down
+        if step.bit_length() > 4 * bits:
+            return None
+        omega.append(step // (k + 1))
+        back = turning[::-1]
+        sine, cosine = sum(map(mul, cosines, back)), -sum(map(mul, sines, back))
+        sines.append((sine >> bits) // (k + 1))
+        cosines.append((cosine >> bits) // (k + 1))
+    slip = _slip_velocity(fixed, sigma, body.integer(state.vt), omega, sines, cosines, exponent) if sigma != 0 else ()
+    friction = forces.friction if isinstance(forces, Rolling) else ()
+    reach, room = _reach(bits, omega, forces)
+    return Step(exponent, integral(turning), omega, slip, forces.normal, friction, reach, room)
+
+
+class Rolling:
+    """Series of θ̈, N and F in rolling, each one term longer by `extend`.
+
+    These are the equations of `kernel.physics.contact` once more: over series of integers, each coefficient from those before.
+    """
+
+    def __init__(self, fixed: Fixed, rho: int) -> None:
+        self.numbers = fixed.bits, fixed.eps, fixed.gn, fixed.gt, rho
+        self.divisor = (1 << fixed.bits) + fixed.kap + (fixed.eps * fixed.eps >> fixed.bits)  # D − ρ ε sin θ at the start
+        self.inertia: list[int] = []  # D − ρ ε sin θ with D = 1 + κ + ε² + 2 ε cos θ, from its second term on
+        self.alpha: list[int] = []
+        self.normal: list[int] = []
+        self.friction: list[int] = []
+
+    def extend(self, k: int, sines: Sequence[int], cosines: Sequence[int], squares: Sequence[int]) -> None:
+        """Append the term k, from those of sin θ, cos θ and θ̇²."""
+        bits, eps, gn, gt, rho = self.numbers
+        alpha = self.alpha
         pull_s = _last(sines, squares) >> bits
         pull_c = _last(cosines, squares) >> bits
         torque = eps * (pull_s + (gn * sines[k] >> bits)) + gt * (eps * cosines[k] >> bits)
-        torque += rho * (eps * pull_c >> bits)
-        lighter = rho * (eps * sines[k] >> bits) >> bits
+        inertia = eps * cosines[k] >> (bits - 1)
+        if rho:
+            torque += rho * (eps * pull_c >> bits)
+            inertia -= rho * (eps * sines[k] >> bits) >> bits
         if k == 0:
-            inertia.append(constant + (eps * cosines[0] >> (bits - 1)) - lighter)
             torque += (gt << bits) - rho * gn
-            if inertia[0] <= 0:
-                return None
+            self.divisor += inertia
         else:
-            inertia.append((eps * cosines[k] >> (bits - 1)) - lighter)
-            torque -= sum(map(mul, inertia[1:], reversed(alpha)))
-        alpha.append(torque // inertia[0])
+            self.inertia.append(inertia)
+            torque -= _last(self.inertia, alpha)
+        alpha.append(torque // self.divisor)
         force_t = alpha[k] + (eps * ((_last(alpha, cosines) >> bits) - pull_s) >> bits)
         force_n = -(eps * ((_last(alpha, sines) >> bits) + pull_c) >> bits)
-        if k == 0:
-            force_t -= gt
-            force_n += gn
-        friction.append(force_t)
-        normal.append(force_n)
-        step = alpha[k] << exponent if exponent >= 0 else alpha[k] >> -exponent
-        if step.bit_length() > limit:
-            return None
-        omega.append(step // (k + 1))
-        following = _last(turning, cosines), -_last(turning, sines)
-        sines.append((following[0] >> bits) // (k + 1))
-        cosines.append((following[1] >> bits) // (k + 1))
-    return omega, sines, cosines, normal, friction, inertia[0]
+        self.friction.append(force_t - gt if k == 0 else force_t)
+        self.normal.append(force_n + gn if k == 0 else force_n)
 
 
-def _slip(
-    fixed: Fixed, sigma: int, rho: int, om: int, s: int, c: int, exponent: int, order: int
-) -> tuple[list[int], list[int], list[int], list[int], list[int], int] | None:
-    bits, eps, gn, kap = fixed.bits, fixed.eps, fixed.gn, fixed.kap
-    assert fixed.mu_k is not None
-    drag = sigma * fixed.mu_k
-    omega, sines, cosines = [om], [s], [c]
-    turning: list[int] = []
-    squares: list[int] = []
-    arms: list[int] = []  # q = ε sin θ + σ μ (1 + ε cos θ) − ρ
-    stiffness: list[int] = []  # κ p_σ = κ + ε sin θ q
-    loads: list[int] = []  # N/κ
-    limit = 4 * bits
-    for k in range(order):
-        turning.append(omega[k] << exponent if exponent >= 0 else omega[k] >> -exponent)
-        squares.append(_square(omega) >> bits)
+class Slipping:
+    """Series of θ̈ and N in slip of direction σ, as those of `Rolling`."""
+
+    def __init__(self, fixed: Fixed, sigma: int, rho: int) -> None:
+        self.numbers = fixed.bits, fixed.eps, fixed.kap, fixed.gn, sigma * fixed.mu_k, rho
+        self.divisor = fixed.kap  # κ p_σ at the start
+        self.arms: list[int] = []  # q = ε sin θ + σ μ (1 + ε cos θ) − ρ
+        self.stiffness: list[int] = []  # κ p_σ = κ + ε sin θ q, from its second term on
+        self.loads: list[int] = []  # N/κ
+        self.alpha: list[int] = []
+        self.normal: list[int] = []
+
+    def extend(self, k: int, sines: Sequence[int], cosines: Sequence[int], squares: Sequence[int]) -> None:
+        """Append the term k, from those of sin θ, cos θ and θ̇²."""
+        bits, eps, kap, gn, drag, rho = self.numbers
+        arms, loads = self.arms, self.loads
         load = -(eps * (_last(cosines, squares) >> bits))
         arms.append(eps * (sines[k] + (drag * cosines[k] >> bits)) >> bits)
         if k == 0:
             load += gn << bits
             arms[0] += drag - rho
-        stiff = eps * (_last(sines, arms) >> bits) >> bits
+        stiffness = eps * (_last(sines, arms) >> bits) >> bits
         if k == 0:
-            stiff += kap
-            if stiff <= 0:
-                return None
-        stiffness.append(stiff)
-        load -= sum(map(mul, stiffness[1:], reversed(loads)))
-        loads.append(load // stiffness[0])
-        alpha = _last(arms, loads) >> bits
-        step = alpha << exponent if exponent >= 0 else alpha >> -exponent
-        if step.bit_length() > limit:
-            return None
-        omega.append(step // (k + 1))
-        following = _last(turning, cosines), -_last(turning, sines)
-        sines.append((following[0] >> bits) // (k + 1))
-        cosines.append((following[1] >> bits) // (k + 1))
-    normal = [kap * load >> bits for load in loads]
-    friction = [-(drag * force >> bits) for force in normal]
-    return omega, sines, cosines, normal, friction, stiffness[0]
+            self.divisor += stiffness
+        else:
+            self.stiffness.append(stiffness)
+            load -= _last(self.stiffness, loads)
+        loads.append(load // self.divisor if self.divisor > 0 else 0)
+        self.alpha.append(_last(arms, loads) >> bits)
+        self.normal.append(kap * loads[k] >> bits)
 
 
 def _slip_velocity(
@@ -175,7 +158,6 @@ def _slip_velocity(
 ) -> list[int]:
     """v_t from what friction leaves alone: ẋ_G + σ μ ẏ_G grows as gravity makes it."""
     bits, eps = fixed.bits, fixed.eps
-    assert fixed.mu_k is not None
     drag = sigma * fixed.mu_k
     # ẋ_G + σ μ ẏ_G = v_t + θ̇ (1 + ε cos θ − σ μ ε sin θ)
     arm = [eps * (c - (drag * s >> bits)) >> bits for s, c in zip(sines, cosines, strict=True)]
@@ -187,13 +169,13 @@ def _slip_velocity(
     return slip
 
 
-def _reach(bits: int, om: int, divisor: int, step: Step) -> tuple[int, int]:
+def _reach(bits: int, omega: Sequence[int], forces: Rolling | Slipping) -> tuple[int, int]:
     """(how far in s, up to 1, the last terms stay below rounding; the change of the exponent for which that is 1)."""
-    spin = max(om.bit_length() - bits, 0)
+    spin = max(omega[0].bit_length() - bits, 0)
     # forces have the rounding of θ̇² over what it is divided by
-    force = 2 * spin + max(bits - divisor.bit_length(), 0) + 2
+    force = 2 * spin + max(bits - forces.divisor.bit_length(), 0) + 2
     worst, room = 0.0, 2.0
-    for series, slack in ((step.omega, spin), (step.normal, force)):
+    for series, slack in ((omega, spin), (forces.normal, force)):
         size = len(series) - 1
         tail = max((abs(series[k]).bit_length() - slack) / k for k in range(size - 3, size + 1))
         worst = max(worst, tail)
@@ -206,39 +188,18 @@ def _reach(bits: int, om: int, divisor: int, step: Step) -> tuple[int, int]:
     return int(2.0 ** (60 - worst)) << (bits - 60), math.floor(room + 0.3)
 
 
-def work_of_friction(step: Step, fixed: Fixed, until: int) -> int:
-    """Energy lost in slip from the start of a step to s = until: −∫ F v_t dt."""
-    bits = fixed.bits
-    size = min(len(step.friction), len(step.slip))
-    power = integral(product(step.friction[:size], step.slip[:size], bits))
-    total = 0
-    for coefficient in reversed(power):
-        total = (total * until >> bits) + coefficient
-    total = -total
-    return total << step.exponent if step.exponent >= 0 else total >> -step.exponent
+def work(step: Step, rate: Sequence[int], bits: int, until: int) -> int:
+    """∫ N times a rate over time, from the start of a step to s = until; friction takes μ, resistance ρ times as much."""
+    return integral_to(step, product(step.normal, rate, bits), bits, until)
 
 
-def work_of_resistance(step: Step, rho: int, fixed: Fixed, until: int) -> int:
-    """Energy lost to rolling resistance from the start of a step to s = until: ∫ ρ N θ̇ dt."""
-    bits = fixed.bits
-    size = min(len(step.normal), len(step.omega))
-    total = 0
-    for coefficient in reversed(integral(product(step.normal[:size], step.omega[:size], bits))):
-        total = (total * until >> bits) + coefficient
-    total = total * rho >> bits
-    return total << step.exponent if step.exponent >= 0 else total >> -step.exponent
+def integral_to(step: Step, series: Sequence[int], bits: int, until: int) -> int:
+    """The integral of a series over time, from the start of a step to s = until."""
+    found = value(integral(series), until, bits)
+    return found << step.exponent if step.exponent >= 0 else found >> -step.exponent
 
 
-def travel(step: Step, fixed: Fixed, until: int) -> int:
-    """The distance that the rim's lowest point has slid, ∫ v_t dt."""
-    bits = fixed.bits
-    total = 0
-    for coefficient in reversed(integral(step.slip)):
-        total = (total * until >> bits) + coefficient
-    return total << step.exponent if step.exponent >= 0 else total >> -step.exponent
-
-
-def gap_series(body: Body, state: PreciseState, opening: Number, exponent: int, order: int, bits: int) -> list[int]:
+def gap_series(body: Body, state: State, opening: Number, exponent: int, order: int, bits: int) -> list[int]:
     """The gap in flight as a series in s = τ/h, with a fixed point of its own; `opening` is f_n at the start."""
     ctx = body.ctx
     with ctx.workprec(bits + 20):

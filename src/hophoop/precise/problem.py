@@ -9,12 +9,13 @@ from typing import Any, NamedTuple
 
 from mpmath import MPContext
 
+from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import MODE_LETTERS
+from hophoop.kernel.records.state import State
+from hophoop.precise.kernels import Kernels, Number, numbers_of
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
 from hophoop.vocabulary.names import LAW_CODES
-
-Number = Any  # an mpf of the context of a run
 
 
 @dataclass(frozen=True)
@@ -82,11 +83,6 @@ class Problem:
             mode=None if start.mode is None else MODE_LETTERS.index(start.mode),
         )
 
-    @property
-    def massless(self) -> bool:
-        """True if all mass is a point on the rim."""
-        return self.kap == 0
-
     def tiny(self) -> int:
         """The bits by which the smallest number other than 0 is below 1, in units of the kernel."""
         unit = self.gravity / self.radius if self.gravity else 1 / self.radius
@@ -137,30 +133,13 @@ def _own_inertia(part: Any) -> Fraction:
     return Fraction(0)
 
 
-class PreciseState(NamedTuple):
-    """As the kernel's: in units of R, m and √(R/g), v_t in place of ẋ, and the energy lost so far."""
-
-    t: Number
-    x: Number
-    y: Number
-    th: Number
-    vt: Number
-    vn: Number
-    om: Number
-    friction: Number
-    impact_n: Number
-    impact_t: Number
-    resisted: Number  # by rolling resistance
-
-
 class Fixed(NamedTuple):
     """The body as fixed-point integers."""
 
     bits: int
     eps: int
     kap: int
-    mu_s: int | None
-    mu_k: int | None
+    mu_k: int  # 0 if it is infinite: then there is no slip
     gn: int
     gt: int
 
@@ -184,22 +163,15 @@ class Body:
         self.ctx = ctx = MPContext()
         ctx.prec = bits
         self.eps, self.kap, self.rest = (self.number(n) for n in (problem.eps, problem.kap, problem.rest))
-        self.resist = self.number(problem.resist)
+        self.resist, self.law, self.painleve_impact = self.number(problem.resist), problem.law, problem.painleve_impact
         self.mu_s = ctx.inf if problem.mu_s is None else self.number(problem.mu_s)
         self.mu_k = ctx.inf if problem.mu_k is None else self.number(problem.mu_k)
         weight = 1 if problem.gravity else 0
         slope = self.number(problem.slope)
         self.gn, self.gt = weight * ctx.cos(slope), weight * ctx.sin(slope)
         self.zero, self.one = ctx.mpf(0), ctx.mpf(1)
-        self.fixed = Fixed(
-            bits,
-            self.integer(self.eps),
-            self.integer(self.kap),
-            None if problem.mu_s is None else self.integer(self.mu_s),
-            None if problem.mu_k is None else self.integer(self.mu_k),
-            self.integer(self.gn),
-            self.integer(self.gt),
-        )
+        self.kernels = Kernels(ctx.mpf, numbers_of(ctx))
+        self.fixed = Fixed(bits, *map(self.integer, (self.eps, self.kap, self.mu_k, self.gn, self.gt)))
         self.length = self.number(problem.radius)
         self.time = ctx.sqrt(self.length / (self.number(problem.gravity) if problem.gravity else 1))
         self.mass = self.number(problem.mass)
@@ -216,37 +188,15 @@ class Body:
         whole: int = man << shift if shift >= 0 else man >> -shift
         return -whole if sign else whole
 
-    def resistance(self, th: Number, om: Number, sigma: int) -> Number:
-        """ρ in rolling (sigma = 0) or slip: f sign θ̇, or at θ̇ = 0 what keeps the hoop from turning, up to f."""
-        if self.resist == 0 or om != 0:
-            return self.resist if om > 0 else -self.resist
-        cosine, sine = self.ctx.cos_sin(th)
-        if sigma != 0:
-            need = self.eps * sine + sigma * self.mu_k * (1 + self.eps * cosine)
-        elif self.gn > 0:
-            need = self.eps * sine + (1 + self.eps * cosine) * self.gt / self.gn
-        else:
-            need = self.zero
-        return min(max(need, -self.resist), self.resist)
-
     def of_integer(self, value: int) -> Number:
         """The number of a fixed-point integer."""
         return self.ctx.ldexp(self.ctx.mpf(value), -self.bits)
 
-    def start(self) -> PreciseState:
-        """The state at t = 0."""
-        problem = self.problem
+    def start(self) -> State:
+        """The state at t = 0; its low-order halves and its count of revolutions are and remain 0."""
+        problem, zero = self.problem, self.zero
         speed = self.length / self.time
-        return PreciseState(
-            self.zero,
-            self.number(problem.x / problem.radius),
-            self.number(problem.height / problem.radius),
-            self.number(problem.angle),
-            self.number(problem.slip) / speed,
-            self.number(problem.vy) / speed,
-            self.number(problem.omega) * self.time,
-            self.zero,
-            self.zero,
-            self.zero,
-            self.zero,
-        )
+        x, y = self.number(problem.x / problem.radius), self.number(problem.height / problem.radius)
+        vt, vn = self.number(problem.slip) / speed, self.number(problem.vy) / speed
+        th, om = self.number(problem.angle), self.number(problem.omega) * self.time
+        return State(zero, zero, x, zero, y, zero, th, zero, vt, vn, om, zero, zero, zero, zero, NONE)

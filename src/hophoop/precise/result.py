@@ -8,8 +8,10 @@ from functools import cached_property
 from typing import Any
 
 from hophoop.kernel.physics.body import EVENT_NAMES, STATUS_NAMES
+from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
+from hophoop.precise.kernels import Number
 from hophoop.precise.motion import Record
-from hophoop.precise.problem import Body, Number
+from hophoop.precise.problem import Body
 from hophoop.precise.solver import Solution, solve
 from hophoop.results.event_table import change_of
 from hophoop.results.records import EventRecord, Velocity, json_number, names_of
@@ -172,7 +174,7 @@ def _event(record: Record, right: int, units: Units) -> EventRecord[Decimal]:
         "friction": state.friction,
         "impact_normal": state.impact_n,
         "impact_tangential": state.impact_t,
-        "rolling_resistance": state.resisted,
+        "rolling_resistance": state.rolling_loss,
         "gain": record.gain,
     }
     numbers = {name: decimal(name, value) for name, value in numbers.items()}
@@ -192,32 +194,23 @@ def _event(record: Record, right: int, units: Units) -> EventRecord[Decimal]:
     )
 
 
-def _kinetic(body: Body, vt: Number, vn: Number, om: Number, th: Number) -> Number:
-    cosine, sine = body.ctx.cos_sin(th)
-    along, up = vt + om * (1 + body.eps * cosine), vn - body.eps * om * sine
-    return (along * along + up * up + body.kap * om * om) / 2
-
-
-def _potential(body: Body, record: Record) -> Number:
-    state = record.state
-    cosine, sine = body.ctx.cos_sin(state.th)
-    return body.gn * (state.y + body.eps * (cosine - 1)) - body.gt * (state.x + body.eps * sine)
-
-
 def ledger(solution: Solution) -> dict[str, Number]:
     """Energies at the end, what was lost on the way, and what does not add up, in units of m g R."""
     body, first, last = solution.body, solution.records[0], solution.records[-1]
-    state = last.state
-    kinetic, potential = _kinetic(body, state.vt, state.vn, state.om, state.th), _potential(body, last)
-    begin = _kinetic(body, first.before_vt, first.before_vn, first.before_om, first.state.th) + _potential(body, first)
-    lost = state.friction + state.impact_n + state.impact_t + state.resisted
+    kinetic_of, potential_of = body.kernels(kinetic_energy), body.kernels(potential_energy)
+    state, start = last.state, first.state
+    kinetic = kinetic_of(body, state.th, state.om, state.vt, state.vn, body.zero)
+    potential = potential_of(body, state.x, state.y, state.th)
+    begin = kinetic_of(body, start.th, first.before_om, first.before_vt, first.before_vn, body.zero)
+    begin += potential_of(body, start.x, start.y, start.th)
+    lost = state.friction + state.impact_n + state.impact_t + state.rolling_loss
     return {
         "kinetic": kinetic,
         "potential": potential,
         "friction": state.friction,
         "impact_normal": state.impact_n,
         "impact_tangential": state.impact_t,
-        "rolling_resistance": state.resisted,
+        "rolling_resistance": state.rolling_loss,
         "residual": kinetic + potential + lost - begin,
     }
 

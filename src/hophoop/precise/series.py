@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import accumulate
 from operator import mul
+from typing import Any
 
 Series = Sequence[int]
 
@@ -89,7 +90,11 @@ class Judge:
 
     def sign(self, value: int, scale: int) -> int:
         """Sign of a fixed-point number relative to another one, which is its natural size."""
-        if abs(value) > abs(scale) >> (self.bits // 2):
+        return self.sign_beyond(value, abs(scale) >> (self.bits // 2))
+
+    def sign_beyond(self, value: Any, rounding: Any) -> int:
+        """Sign of a number that may be zero if it is not larger than `rounding`."""
+        if abs(value) > rounding:
             return 1 if value > 0 else -1
         if not self.last:
             raise MorePrecision

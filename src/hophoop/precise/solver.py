@@ -9,8 +9,9 @@ from typing import Any
 
 from hophoop.kernel.physics.body import Status
 from hophoop.precise.contact import Stiff
+from hophoop.precise.kernels import Number
 from hophoop.precise.motion import Record, Run
-from hophoop.precise.problem import Body, Number, PreciseState, Problem
+from hophoop.precise.problem import Body, Problem
 from hophoop.precise.series import MorePrecision, Work, work_of_step
 from hophoop.scenario import InputError, Scenario
 
@@ -55,41 +56,6 @@ class Solution:
             The least of `digits_right` [1].
         """
         return min(self.digits_right, default=0)
-
-    def pair(self, value: Number) -> tuple[float, float]:
-        """A number as the sum of two doubles.
-
-        Parameters
-        ----------
-        value : mpf
-            Of this solution.
-
-        Returns
-        -------
-        high, low : float
-            The nearest double, and the double nearest to the rest [1].
-        """
-        high = float(value)
-        return high, float(value - high) if self.body.ctx.isfinite(value) else 0.0
-
-    def turns(self, angle: Number) -> tuple[int, Number]:
-        """An angle as whole turns and a rest.
-
-        Parameters
-        ----------
-        angle : mpf
-            Such as a state's `th`.
-
-        Returns
-        -------
-        turns : int
-            Whole turns.
-        rest : mpf
-            What remains, in (−π, π].
-        """
-        ctx = self.body.ctx
-        count = int(ctx.ceil(angle / (2 * ctx.pi) - ctx.mpf(0.5)))
-        return count, angle - 2 * ctx.pi * count
 
 
 def solve(
@@ -144,10 +110,7 @@ def solve_problem(
     most_steps: float | None = None,
 ) -> Solution:
     """Compute the motion of exact numbers, which need not be doubles; see `solve`."""
-    if closing is None:
-        closing_at: Any = f"1e-{digits + CLOSING_GUARD}"
-    else:
-        closing_at = closing
+    closing_at = f"1e-{digits + CLOSING_GUARD}" if closing is None else closing
     base = int((digits + GUARD) * BITS_A_DIGIT) + problem.tiny()
     best: Solution | None = None
     work = Work(math.inf if most_steps is None else most_steps)
@@ -224,7 +187,7 @@ def _signature(run: Run) -> list[Any]:
 
 def numbers(record: Record) -> list[Number]:
     """The compared numbers of an event: time and state."""
-    state: PreciseState = record.state
+    state = record.state
     return [state.t, state.x, state.y, state.th, state.vt, state.vn, state.om, record.p_n, record.p_t]
 
 

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
-from hophoop.precise.problem import Number, Problem
+from hophoop.precise.kernels import Number
+from hophoop.precise.problem import Problem
 from hophoop.precise.solver import Solution, solve_problem
 from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline

@@ -246,7 +246,7 @@ def prove(
 
 def _prove(scenario: Scenario, digits: int, until: str, max_events: int, deadline: Deadline) -> Proof:
     problem = Problem.of(scenario)
-    if problem.massless:
+    if problem.kap == 0:
         return Proof(scenario, "undecided", MASSLESS, "", "", "", digits, 0, (), None)
     assert isinstance(scenario.contact, Rigid)
     max_events = min(max_events, scenario.contact.max_events)

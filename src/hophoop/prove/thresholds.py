@@ -236,7 +236,7 @@ def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[lis
     """`thresholds`, and why each of the others that were asked for is not proved, as a clause."""
     check_digits(digits)
     problem = Problem.of(scenario)
-    if problem.massless or not problem.gravity:
+    if problem.kap == 0 or not problem.gravity:
         raise InputError("Thresholds are proved for a hoop with mass in its ring, under gravity.")
     found: dict[str, ProvedNumber] = {}
     reasons = dict.fromkeys(keys, "the start is not a rolling one with the load up")

@@ -118,11 +118,20 @@ def candidate_series(body, th, om, sigma):
     return normal, _sum(a, normal, -b, friction), _sum(a, normal, b, friction), slip
 
 
+@inline
+def sign_beyond(value, rounding):
+    """Return the sign of a quantity, 0 if it is not larger than its rounding."""
+    if abs(value) > rounding:
+        return 1 if value > 0.0 else -1
+    return 0
+
+
 def leading_sign(series, scale):
     """Return the sign of the first nonzero coefficient, 0 if all are zero."""
     for value in series:
-        if abs(value) > ZERO * scale:
-            return 1 if value > 0.0 else -1
+        sign = sign_beyond(value, ZERO * scale)
+        if sign != 0:
+            return sign
     return 0
 
 
@@ -157,16 +166,12 @@ def opening_sign(body, th, om):
     s, c = sine_and_cosine(th)
     u = om * om
     scale = body.gn + body.eps * u
-    f_n = free_acceleration(body, s, c, u)[1]
-    if abs(f_n) > TIE * scale:
-        return 1 if f_n > 0.0 else -1
-    first = -body.eps * s * om * u
-    if abs(first) > TIE * scale * abs(om):
-        return 1 if first > 0.0 else -1
-    second = -body.eps * c * u * u
-    if abs(second) > TIE * scale * u:
-        return 1 if second > 0.0 else -1
-    return 0
+    sign = sign_beyond(free_acceleration(body, s, c, u)[1], TIE * scale)
+    if sign == 0:
+        sign = sign_beyond(-body.eps * s * om * u, TIE * scale * abs(om))
+    if sign == 0:
+        sign = sign_beyond(-body.eps * c * u * u, TIE * scale * u)
+    return sign
 
 
 @noinline
@@ -180,9 +185,10 @@ def can_roll(body, th, om):
     margin = a * normal - b * abs(friction)
     # with little friction a small force decides, enough to start a light ring; above its own rounding this is no tie
     close = min(tie, TIE * (a * abs(normal) + b * abs(friction)) + ROUNDING * (body.gn + abs(body.gt) + u))
-    if normal > tie and margin > close:
+    pressed, held = sign_beyond(normal, tie), sign_beyond(margin, close)
+    if pressed > 0 and held > 0:
         return True
-    if normal < -tie or margin < -close:
+    if pressed < 0 or held < 0:
         return False
     series_n, series_p, series_m, _ = candidate_series(body, th, om, 0)
     scale = body.gn + abs(body.gt) + u
@@ -202,9 +208,10 @@ def can_start_slip(body, th, om, sigma):
     # N = κ load / stiffness; as κ → 0 the load, not N, must exceed its rounding
     load = body.gn - body.eps * c * u
     slip = slip_motion(body, s, c, om * om, sigma, resistance_arm(body, s, c, om, sigma))[2]
-    if load < -tie or sigma * slip < -tie:
+    pressed, starts = sign_beyond(load, tie), sigma * sign_beyond(slip, tie)
+    if pressed < 0 or starts < 0:
         return False
-    if load > tie and sigma * slip > tie:
+    if pressed > 0 and starts > 0:
         return True
     series_n, _, _, series_v = candidate_series(body, th, om, sigma)
     return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0
@@ -223,9 +230,8 @@ def frictionless_mode(body, th, th_low, om):
         drive = s * bend if s != 0.0 else om * c * bend
     else:
         drive = slip_motion(body, s, c, om * om, 0, resistance_arm(body, s, c, om, 0))[2]
-    if drive == 0.0:
-        return ROLL
-    return slip_mode(1 if drive > 0.0 else -1)
+    sign = sign_beyond(drive, 0.0)
+    return ROLL if sign == 0 else slip_mode(sign)
 
 
 @noinline

@@ -1,7 +1,7 @@
 """The mode rule and Routh's impact, verified for the mode that a certificate claims.
 
-They repeat `physics.mode_rule` and `precise.impact` on purpose, derived once more in contact space: the checker shares nothing
-with what made the certificate.
+They repeat `kernel.physics.modes` and `kernel.physics.impact` on purpose, derived once more in contact space: the checker
+shares nothing with what made the certificate.
 """
 
 from __future__ import annotations
