@@ -363,7 +363,13 @@ class Fate(StrEnum):
 FATE_CODES: Final = tuple(Fate)
 """By the numbers that the kernels use for them."""
 
-FateCode = IntEnum("FateCode", [(fate.name, code) for code, fate in enumerate(Fate)])  # type: ignore[misc]
+
+def _numbered(words: type[StrEnum]) -> Any:
+    """Return the members of an enum of words as an IntEnum, numbered in their order."""
+    return IntEnum(f"{words.__name__}Code", [(word.name, code) for code, word in enumerate(words)])
+
+
+FateCode: Final = _numbered(Fate)
 """The number that the kernels use for each fate."""
 
 
