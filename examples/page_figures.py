@@ -1,4 +1,4 @@
-"""Figures of the pages on formulas, method, proofs, films, the reference article, filming a hoop and the code.
+"""Figures of the pages on formulas, method, proofs, films, the reference article, filming a hoop, a phone in it, and the code.
 
 Usage: python examples/page_figures.py [FOLDER]   (default: docs/figures)
 """
@@ -18,10 +18,10 @@ import hophoop as hh
 from hophoop.animate import Look, Timing
 from hophoop.animate.film2d import Film2D
 from hophoop.plots import colors
-from hophoop.tracking import drawing
+from hophoop.tracking import Reading, drawing
 from hophoop.tracking.video import pictures, rgb
 
-FILM = Path(__file__).parent / "film"
+FILM, PHONE = Path(__file__).parent / "film", Path(__file__).parent / "phone"
 SIZE = (7.6, 2.9)
 WIDE = {"frameon": False, "fontsize": 10}
 
@@ -105,6 +105,23 @@ def draw_track(path: Path) -> None:
     ax.plot(times[::4], np.degrees(fitted + off)[::4], ".", color=colors.BLACK, ms=5, label="film, every fourth frame")
     ax.set(xlabel="Time (s)", ylabel="Marker's angle (°)")
     ax.legend(**WIDE)
+    save(figure, path)
+
+
+def draw_phone(path: Path) -> None:
+    """The sample record of a phone in the hoop, and the fitted motion."""
+    figure, ax = plt.subplots(figsize=SIZE, layout="constrained")
+    track = hh.read_track(PHONE / "gyroscope.csv", Reading(radius=0.3))
+    found = hh.fit(track)
+    t = np.linspace(0.0, float(track.t[-1]), 1500)
+    ax.plot(t, found.motion.at(t).omega, color=colors.SERIES[2], lw=3, alpha=0.6, label="fitted motion")
+    ax.plot(track.t, track.omega - found.values["omega_offset"], ".", color=colors.BLACK, ms=4, label="record (computed)")
+    for kind, words in (("takeoff", "takes off"), ("impact", "lands")):
+        event = next(event for event in found.motion.events if event.kind == kind)
+        ax.axvline(event.t, color=colors.GRAY, lw=1.0)
+        ax.text(event.t, 1.0, f" {words}", transform=ax.get_xaxis_transform(), va="top", fontsize=10)
+    ax.set(xlabel="Time (s)", ylabel="Angular velocity (rad/s)")
+    ax.legend(loc="upper left", **WIDE)
     save(figure, path)
 
 
@@ -264,6 +281,7 @@ FIGURES = {
     "proof-widths.svg": draw_widths,
     "track-fit.svg": draw_track,
     "track-frame.jpg": draw_marked_frame,
+    "phone-record.svg": draw_phone,
     "film-frame.png": draw_film,
     "article-hop.svg": draw_article,
     "camera.svg": draw_camera,

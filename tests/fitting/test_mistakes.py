@@ -12,6 +12,7 @@ from hophoop.fitting.channels import Sigma
 from hophoop.fitting.mistakes import likely_mistakes, without_shutter
 from hophoop.fitting.problem import run_of
 from hophoop.tracking import read_track
+from hophoop.tracking.table import COLUMNS
 
 LIGHT = hh.Hoop.ideal(0.3, radius=0.3)
 LEFT = hh.Start.rolling(-1.9, angle=-0.1)
@@ -19,7 +20,7 @@ TRACKS = [filmed(hopping()), filmed(hopping(start=LEFT)), filmed(hopping(LIGHT),
 
 
 def asked(track):
-    return likely_mistakes(run_of(track, "ideal", "rolling", hh.Plane(), Sigma()), track)
+    return likely_mistakes(run_of(track, "ideal", "rolling", hh.Plane(), Sigma()), track, Sigma())
 
 
 def stretched(track, centre=1.0, angle=1.0, time=1.0, zero=0.0, radius=1.0):
@@ -110,9 +111,10 @@ def test_a_hoop_that_was_held_first():
         stretched(track),
         **{
             name: np.concatenate([getattr(track, name)[before], getattr(track, name)])
-            for name in ("centre", "centre_error", "angle", "angle_error", "pixel", "marker")
+            for name in {name for name, _, _ in COLUMNS.values()} - {"t"}
         },
         t=np.arange(rest + len(track.t)) / 240.0,
+        state=("found",) * rest + track.state,
     )
     (found,) = asked(held)
     assert "--from 0.3" in found
@@ -178,3 +180,12 @@ def test_a_negative_variance_of_a_singular_problem_is_no_warning(recwarn):
 def test_a_hoop_of_another_radius_than_the_film_is_refused():
     with pytest.raises(ValueError, match=r"has the radius 0\.311 m and the data 0\.3 m"):
         hh.fit(TRACKS[0], hoop=hh.Hoop.ideal(0.6, radius=0.311))
+
+
+@pytest.mark.parametrize(
+    ("mistake", "question"),
+    [({"time": 2.0}, "times"), ({"centre": 1.05}, "the scale of lengths"), ({"radius": 2.0}, "the radius")],
+)
+def test_the_mistake_in_a_film_of_a_hop_at_once_is_named(mistake, question):
+    (found,) = asked(stretched(FASTEST_ASIDE, **mistake))
+    assert question in found

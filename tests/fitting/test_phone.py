@@ -1,11 +1,15 @@
 """A phone fixed to the hoop measures the angular velocity alone, with noise and an offset."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import hophoop as hh
 from fitting_tools import RADIUS, TRUTH, hopping
 from hophoop.fitting.channels import GYROSCOPE, scatter
+from hophoop.tracking import Reading, read_track
 from hophoop.tracking.table import track_of
 
 pytestmark = pytest.mark.compiled
@@ -69,3 +73,30 @@ def test_the_error_may_be_given():
 def test_the_lowest_basin_is_found(seed):
     """Where an impact passes a measured value the sum of squares has a step, with small basins on both sides."""
     assert np.nanmax(np.abs(pulls(seed))) < 3.0
+
+
+ROOT = Path(__file__).parents[2]
+ROW = re.compile(r"^\| `(\w+)` \| ([\d.]+) \| ([\d.]+) ± ([\d.]+)", re.MULTILINE)
+
+
+def test_the_sample_record_gives_what_the_page_says():
+    fit = hh.fit(read_track(ROOT / "examples" / "phone" / "gyroscope.csv", Reading(radius=RADIUS)))
+    told = {
+        name: list(map(float, numbers)) for name, *numbers in ROW.findall((ROOT / "docs/teach/phone.md").read_text("utf-8"))
+    }
+    assert set(told) == {"gamma", "mu_kinetic", "restitution"}
+    for name, (truth, value, error) in told.items():
+        assert truth == TRUTH[name]
+        assert fit.values[name] == pytest.approx(value, abs=0.3 * error)
+        assert fit.error(name) == pytest.approx(error, rel=0.3)
+        assert abs(value - truth) < 3 * error
+
+
+def test_a_plan_predicts_what_a_record_determines():
+    plan = hh.plan(hopping().scenario, rate=200.0, sigma_omega=SIGMA)
+    fit = hh.fit(read_track(ROOT / "examples" / "phone" / "gyroscope.csv", Reading(radius=RADIUS)))
+    assert set(plan.errors) == set(fit.free)
+    assert all(plan.errors[name] == pytest.approx(fit.error(name), rel=0.5) for name in fit.free)
+    assert "values of the sequence RKRSH+KR" in plan.sentences()[0]
+    slow = hh.plan(hopping(start=hh.Start.rolling(1.0), duration=1.0).scenario, rate=200.0, sigma_omega=SIGMA)
+    assert {"mu_kinetic", "restitution"} <= set(slow.unseen)

@@ -258,3 +258,9 @@ def test_a_window_of_time(tmp_path):
     assert track.state == ("no marker",) * 4
     with pytest.raises(InputError, match=r"ours\.csv has times from 0 to 0\.07 s, of which 2 are in the window; at least 3"):
         read_track(file, Reading(since=0.06))
+
+
+def test_a_point_without_a_name_is_said_to_have_none(tmp_path):
+    file = written(tmp_path, "t,x,y,hub x,hub y,rim x,rim y", (T, X, Y, X, Y, X, Y))
+    with pytest.raises(InputError, match="its points are one without a name, 'hub', 'rim'"):
+        read_track(file, Reading(centre="axle"))

@@ -481,3 +481,9 @@ def test_a_disc_beside_its_colour_is_found_by_its_outline():
     for shift in (0.0, 1.0, -1.0):
         found = find_disc(luma, camera, Circle(truth[0] + shift, truth[1], 9.0))
         assert found == pytest.approx(truth, abs=0.05)
+
+
+def test_a_window_without_frames_is_named_by_its_times(films):
+    path, _ = films("short")
+    with pytest.raises(ValueError, match=r"has 0 frames from 5 s on up to 6 s; tracking needs at least 3"):
+        sample_pictures(path, None, 5.0, 6.0)

@@ -1,4 +1,4 @@
-"""`hophoop plan`: predicted uncertainties of a fit to a planned film."""
+"""`hophoop plan`: predicted uncertainties of a fit to a planned film or record of a phone."""
 
 from __future__ import annotations
 
@@ -27,6 +27,13 @@ def plan(
             help="Relative standard deviation of the scale, one error for all frames; 0 if known.", rich_help_panel=FILM
         ),
     ] = 1e-3,
+    sigma_omega: Annotated[
+        float | None,
+        typer.Option(
+            help="Standard deviation of the angular velocity from a phone in the hoop, rad/s; its record instead of a film.",
+            rich_help_panel=FILM,
+        ),
+    ] = None,
     no_marker: Annotated[
         bool, typer.Option("--no-marker", help="Without marker, so without angle.", rich_help_panel=FILM)
     ] = False,
@@ -42,7 +49,7 @@ def plan(
     ] = False,
     json: Annotated[bool, typer.Option("--json", help="Print the plan as JSON.", rich_help_panel=FILM)] = False,
 ) -> None:
-    """Predict which parameters a film of a motion determines, and how accurately."""
+    """Predict which parameters a film, or a phone in the hoop, determines, and how accurately."""
     from dataclasses import asdict
 
     from hophoop.fitting import plan as make
@@ -54,6 +61,7 @@ def plan(
         sigma=sigma,
         sigma_angle=None if no_marker else sigma_angle,
         sigma_scale=sigma_scale,
+        sigma_omega=sigma_omega,
         free=tuple(free or ()),
         fixed=tuple(fix or ()),
         hoop_known=hoop_known,

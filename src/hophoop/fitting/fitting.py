@@ -257,7 +257,7 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
     degrees_of_freedom = problem.count - len(solution.free)
     worse = chi_square / max(degrees_of_freedom, 1)
     if worse > WORST:
-        causes = likely_mistakes(problem.runs[0], tracks[0]) or without_shutter(tracks)
+        causes = likely_mistakes(problem.runs[0], tracks[0], how.sigma) or without_shutter(tracks)
         notes = causes + notes if worse <= HOPELESS else causes or [NO_MISTAKE]
     return Fit(
         values,

@@ -17,7 +17,8 @@ Floats = NDArray[np.float64]
 WIDTH = 0.05  # of the pieces for velocities [s]
 LEAST = 5  # minimum frames of such a piece
 FIRST = 8  # minimum frames for the start
-ROLLING = 8  # minimum frames of rolling for the share of the load
+ROLLING, FLYING = 8, 16  # minimum frames of rolling, or of flight, for the share of the load
+LEAST_GAP = 0.01  # height of the rim above the plane, over the radius, that is flight
 SLIPS = 4.0  # significant slip over its standard deviation
 DRAWS = 160
 A_SEQUENCE = 2  # starts of each sequence
@@ -121,7 +122,7 @@ def guess(run: Run, values: dict[str, float]) -> dict[str, float]:
     load = None
     if angle is not None and (first := initial(run, "angle")) is not None:
         result |= {"angle0": first.value - values["marker_angle"], "omega0": first.rate}
-        load = share_of_load(run, angle, x, result)
+        load = share_in_flight(run, angle, x, y, result) or share_of_load(run, angle, x, result)
     elif (omega := rates_of(run, "omega")) is not None:
         result["omega0"] = float(omega.value[0])
         load, result["angle0"] = load_of_turning(run, omega.t, omega.value)
@@ -153,6 +154,32 @@ def share_of_load(run: Run, angle: Rates, x: Rates | None, values: dict[str, flo
     design = np.column_stack([turning + sinking, -np.ones(rolls.sum())])
     found, _, rank, _ = np.linalg.lstsq(design, known, rcond=None)
     return float(np.clip(found[0], 0.05, 0.95)) if rank == 2 else None
+
+
+def share_in_flight(run: Run, angle: Rates, x: Rates | None, y: Rates | None, values: dict[str, float]) -> float | None:
+    """Return γ from the longest flight, in which the centre of gravity goes along a parabola.
+
+    x + γ R sinθ and y + γ R cosθ of the centre have the acceleration of gravity, which is linear in γ.
+
+    values: slope, height of the plane and angle of the marker; gamma: None if the hoop does not fly for long [1].
+    """
+    if x is None or y is None or len(x.t) != len(angle.t):
+        return None
+    error = next(float(np.median(channel.errors)) for channel in run.channels if channel.name == "y")
+    flies = y.value - values["origin_y"] - run.radius > max(SLIPS * error, LEAST_GAP * run.radius)
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], flies, [False]]).astype(int)))
+    first, last = max(zip(ends[::2], ends[1::2], strict=True), key=lambda pair: pair[1] - pair[0], default=(0, 0))
+    first, last = first + LEAST, last - LEAST  # the pieces at its ends have contact, too
+    if last - first < FLYING:
+        return None
+    t, theta = y.t[first:last], angle.value[first:last] - values["marker_angle"]
+    none, one = np.zeros_like(t), np.ones_like(t)
+    along = np.column_stack([-run.radius * np.sin(theta), one, t, none, none])
+    up = np.column_stack([-run.radius * np.cos(theta), none, none, one, t])
+    fall, slope = 0.5 * run.plane.gravity * t**2, values["slope"]
+    known = np.concatenate([x.value[first:last] - np.sin(slope) * fall, y.value[first:last] + np.cos(slope) * fall])
+    found, *_ = np.linalg.lstsq(np.concatenate([along, up]), known, rcond=None)
+    return float(np.clip(found[0], 0.05, 0.95))
 
 
 def load_of_turning(run: Run, t: Floats, omega: Floats) -> tuple[float, float]:

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.channels import Channel
+from hophoop.fitting.channels import Channel, Sigma
 from hophoop.fitting.guess import SLIPS, candidates, guess, rates_of, start_kind
-from hophoop.fitting.problem import Run, defaults, problem_of
+from hophoop.fitting.problem import Run, defaults, problem_of, run_of
 from hophoop.fitting.solving import minimize, parameters
 from hophoop.tracking import Track
 
@@ -30,8 +30,11 @@ PARTS = 20  # of the record, for its window
 SHORTEST = 40  # frames of a cut window
 
 
-def likely_mistakes(problem: Run, track: Track) -> list[str]:
-    """Ask about the usual mistake that x ≈ R θ or a hop shows, or without which a motion fits; at most one sentence."""
+def likely_mistakes(problem: Run, track: Track, sigma: Sigma) -> list[str]:
+    """Ask about the usual mistake that x ≈ R θ or a hop shows, or without which a motion fits; at most one sentence.
+
+    sigma: given standard deviations.
+    """
     x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
     if x is None or angle is None:
         return []
@@ -41,7 +44,7 @@ def likely_mistakes(problem: Run, track: Track) -> list[str]:
         return ["The centre jumps down and not up: does y count downwards, or is the film upside down? y is the height."]
     place = np.interp(angle.t, x.t, x.value)
     ratio = float(np.polyfit(angle.value, place, 1)[0]) / problem.radius if np.ptp(angle.value) else np.inf
-    return _of_units(ratio) or _of_the_angle(ratio) or _cured(problem, track)
+    return _of_units(ratio) or _of_the_angle(ratio) or _cured(problem, track, sigma)
 
 
 def without_shutter(tracks: Sequence[Track]) -> list[str]:
@@ -100,16 +103,6 @@ def _run_with(run: Run, time: float = 1.0, length: float = 1.0, radius: float = 
     return replace(run, t=time * run.t, channels=channels, radius=radius * run.radius)
 
 
-def _cut(run: Run, first: int, last: int) -> Run:
-    """Return the run from one frame to before another."""
-    channels = []
-    for one in run.channels:
-        kept = (one.rows >= first) & (one.rows < last)
-        channels.append(one._replace(rows=one.rows[kept] - first, values=one.values[kept], errors=one.errors[kept]))
-    rows = None if run.rows is None else run.rows[first:last]
-    return replace(run, t=run.t[first:last] - run.t[first], channels=tuple(channels), rows=rows)
-
-
 class Trial(NamedTuple):
     """A run without one mistake."""
 
@@ -143,12 +136,14 @@ def _cost(trial: Trial, track: Track, polish: bool) -> float:
         return np.inf
     run = replace(trial.run, start=start_kind(trial.run), priors={})
     values, free = defaults(run, track)
-    starts = candidates(run, guess(run, values), free, draws=DRAWS)
+    free |= {trial.extra} - {""}
+    first = values | {name: value for name, value in guess(run, values).items() if name in free}
+    starts = candidates(run, first, free, draws=DRAWS)
     if not starts:
         return np.inf
     if not polish:
         return starts[0].cost / run.count
-    problem, names = problem_of([run]), sorted(free | {trial.extra} - {""})
+    problem, names = problem_of([run]), sorted(free)
     lowest = (minimize(problem, parameters(one.values, names), True, CALLS).cost for one in starts[:STARTED])
     return min(lowest) / run.count
 
@@ -159,28 +154,31 @@ def _costs(trials: list[Trial], track: Track) -> list[tuple[float, Trial]]:
     return sorted(((_cost(trial, track, polish=True), trial) for trial in order), key=lambda pair: pair[0])
 
 
-def _cured(run: Run, track: Track) -> list[str]:
+def _cured(run: Run, track: Track, sigma: Sigma) -> list[str]:
     """Ask about the mistake without which a motion fits far better than without each other; else about the window."""
     costs = _costs(_trials(run), track)
     best, trial = costs[0]
     others = [cost for cost, other in costs if other.question != trial.question]
     if best < GOOD:
         return [trial.question] if trial.question and min(others, default=np.inf) > FAR * best else []
-    windows = [trial for cost, trial in _costs(_windows(run, float(track.t[0])), track) if cost < min(GOOD, best / WORSE)]
+    windows = [trial for cost, trial in _costs(_windows(run, track, sigma), track) if cost < min(GOOD, best / WORSE)]
     return [max(windows, key=lambda trial: len(trial.run.t)).question] if windows else []
 
 
-def _windows(run: Run, begin: float) -> list[Trial]:
-    """Return the run without some of its first, or of its last, part; `begin` is the time of its first frame [s]."""
+def _windows(run: Run, track: Track, sigma: Sigma) -> list[Trial]:
+    """Return the run without some of its first, or of its last, part."""
+    hoop = run.hoop or ("general" if run.general else "ideal")
     found: list[Trial] = []
-    step = 0.1 * np.ceil(run.t[-1] / PARTS / 0.1)
-    for time in np.arange(step, run.t[-1], step):
-        k = int(np.searchsorted(run.t, time - 1e-9))
-        first, last = f"--from {begin + run.t[k]:.3g}", f"--to {begin + run.t[k]:.3g}"
-        if 2 * k < len(run.t) and len(run.t) - k > SHORTEST:
-            said = "The first part is no free motion (a hand?), but the rest fits one"
-            found.append(Trial(f"{said}: give {first}.", _cut(run, k, len(run.t))))
-        if 2 * k > len(run.t) and k > SHORTEST:
-            said = "The last part is no free motion (a hand, a wall?), but the rest fits one"
-            found.append(Trial(f"{said}: give {last}.", _cut(run, 0, k)))
+    begin, end = float(track.t[0]), float(track.t[-1])
+    step = 0.1 * np.ceil((end - begin) / PARTS / 0.1)
+    for time in np.arange(begin + step, end, step):
+        k = int(np.searchsorted(track.t, time - 1e-9))
+        at = float(track.t[k])
+        if 2 * k < len(track.t) and len(track.t) - k > SHORTEST:
+            said, part = f"first part is no free motion (a hand?), but the rest fits one: give --from {at:.3g}", (at, None)
+        elif 2 * k > len(track.t) and k > SHORTEST:
+            said, part = f"last part is no free motion (a hand, a wall?), but the rest fits one: give --to {at:.3g}", (None, at)
+        else:
+            continue
+        found.append(Trial(f"The {said}.", run_of(track.between(*part), hoop, run.start, run.plane, sigma)))
     return found

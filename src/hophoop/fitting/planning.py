@@ -1,4 +1,4 @@
-"""Plan a film: the uncertainties of a fit to it, predicted from the motion."""
+"""Plan a film, or a record of a phone in the hoop: the uncertainties of a fit to it, predicted from the motion."""
 
 from __future__ import annotations
 
@@ -38,9 +38,9 @@ class Plan:
     limits : dict
         "≤" or "≥" and the limit at 95 % of each parameter that may be at an end of its range [its unit].
     unseen : tuple of str
-        Parameters that the film would not determine.
+        Parameters that the data would not determine.
     correlated : list
-        Pairs that the film would hardly distinguish, with their correlation [1].
+        Pairs that the data would hardly distinguish, with their correlation [1].
     sequence : str
         Of the motion.
     frames : int
@@ -90,7 +90,8 @@ class Plan:
         -------
         sentences : list of str
         """
-        said = [f"{self.frames} frames of the sequence {merge_bounces(self.sequence)}."]
+        rows = "values" if "omega_offset" in self.values else "frames"
+        said = [f"{self.frames} {rows} of the sequence {merge_bounces(self.sequence)}."]
         said += [
             f"{first} and {second} could hardly be distinguished (correlation {size:+.3f})."
             for first, second, size in self.correlated
@@ -107,15 +108,16 @@ def plan(
     fixed: Sequence[str] = (),
     hoop_known: bool = False,
     sigma_scale: float = 1e-3,
+    sigma_omega: float | None = None,
 ) -> Plan:
-    """Predict the uncertainties of a fit to a film of a motion.
+    """Predict the uncertainties of a fit to a film of a motion, or to the record of a phone in the hoop.
 
     Parameters
     ----------
     scenario : Scenario
         The expected motion.
     rate : float, default 240
-        Frames per second [Hz].
+        Frames, or values of the phone, per second [Hz].
     sigma : float, default 2e-4
         Standard deviation of each coordinate of the centre in a frame [m].
     sigma_angle : float, optional
@@ -129,6 +131,8 @@ def plan(
     sigma_scale : float, default 1e-3
         Relative standard deviation of the film's scale, one error for all frames, such as 0.1 pixel of a radius of 100. With 0
         the scale is known [1].
+    sigma_omega : float, optional
+        Standard deviation of the angular velocity that a phone in the hoop records, instead of a film [rad/s].
 
     Returns
     -------
@@ -146,16 +150,16 @@ def plan(
     >>> hh.plan(scenario, rate=120.0).unseen
     ('mu_kinetic', 'mu_excess', 'restitution')
     """
-    for name, value in (("rate", rate), ("sigma", sigma), ("sigma_angle", 1.0 if sigma_angle is None else sigma_angle)):
-        if not (np.isfinite(value) and value > 0):
+    for name, value in (("rate", rate), ("sigma", sigma), ("sigma_angle", sigma_angle), ("sigma_omega", sigma_omega)):
+        if value is not None and not (np.isfinite(value) and value > 0):
             raise InputError.of_field(name, value, "a number above 0")
     if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
         raise InputError.of_field("sigma_scale", sigma_scale, "a number of at least 0")
     motion = simulate(scenario)
     count = int(motion.duration * rate) + 1
     if not 12 <= count <= MOST_FRAMES:
-        raise InputError(f"The film would have {count} frames; a plan needs 12 to {MOST_FRAMES:,}.")
-    track = _film(scenario, np.arange(count) / rate, sigma, sigma_angle)
+        raise InputError(f"The record would have {count} frames; a plan needs 12 to {MOST_FRAMES:,}.")
+    track = _record(scenario, np.arange(count) / rate, sigma, sigma_angle, sigma_omega)
     ideal = scenario.hoop.load_fraction is not None
     hoop = scenario.hoop if hoop_known or scenario.hoop.massless else "ideal" if ideal else "general"
     run = run_of(track, hoop, _start(scenario), scenario.plane, Sigma())
@@ -164,7 +168,7 @@ def plan(
     for name in (*free, *fixed):
         if name in REFUSED or name not in run.names:
             raise InputError(f"{name!r} is no parameter of this plan; it has {', '.join(run.names)}.")
-    priors = _shared(run, sigma_scale, {*free, *fixed})
+    priors = _shared(run, sigma_scale, {*free, *fixed}) if sigma_omega is None else {}
     problem = problem_of([replace(run, priors=priors)])
     chosen = {*usual, *free, *priors} - set(fixed)
     names = tuple(name for name in run.names if name in chosen)
@@ -189,12 +193,15 @@ def _shared(run: Run, sigma_scale: float, told: Set[str]) -> dict[str, Prior]:
     return {name: prior for name, prior in priors.items() if name not in told}
 
 
-def _film(scenario: Scenario, t: np.ndarray, sigma: float, sigma_angle: float | None) -> Track:
+def _record(scenario: Scenario, t: np.ndarray, sigma: float, sigma_angle: float | None, sigma_omega: float | None) -> Track:
+    """Return the track that a film, or with sigma_omega a phone in the hoop, would give."""
     state = simulate(scenario).at(t)
     radius = scenario.hoop.radius
     spread = np.full(len(t), sigma)
     columns = {"x": state.x, "y": state.height + radius, "sigma_x": spread, "sigma_y": spread}
-    if sigma_angle is not None:
+    if sigma_omega is not None:
+        columns = {"omega": state.omega, "sigma_omega": np.full(len(t), sigma_omega)}
+    elif sigma_angle is not None:
         columns |= {"angle": state.angle, "sigma_angle": np.full(len(t), sigma_angle)}
     return track_of(t, columns, radius=radius, slope=scenario.plane.slope, placed=True)
 

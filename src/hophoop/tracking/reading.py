@@ -286,7 +286,7 @@ def _roles(free: list[Column], points: list[str], how: Reading, name: str, notes
                 column.point for column in free if said in (column.point, column.label, re.sub(r"\s*[(\[].*", "", column.label))
             ]
             if not same:
-                raise InputError(f"{name} has no point {said!r}; its points are {', '.join(map(repr, points))}.")
+                raise InputError(f"{name} has no point {said!r}; its points are {_shown(points)}.")
             roles[role] = same[0]
         else:
             fit = [point for point in points if any(word in point.lower() for word in words)]
@@ -308,10 +308,14 @@ def _roles(free: list[Column], points: list[str], how: Reading, name: str, notes
         roles["marker"] = numbered[0]
     if asks and points and not roles:
         raise InputError(
-            f"{name} has the points {', '.join(map(repr, points))}: name the one at the centre and the one at the marker by "
+            f"{name} has the points {_shown(points)}: name the one at the centre and the one at the marker by "
             "--centre and --marker (centre= and marker= in a Reading)."
         )
     return roles
+
+
+def _shown(points: list[str]) -> str:
+    return ", ".join(repr(point) if point else "one without a name" for point in points)
 
 
 def _rise_and_fall(free: list[Column], point: str) -> float:

@@ -176,7 +176,7 @@ def sample_pictures(
             result.append(before)
         seen += 1
     if seen < 3:
-        window = " from --from to --to" if since is not None or until is not None else ""
+        window = ("" if since is None else f" from {since:g} s on") + ("" if until is None else f" up to {until:g} s")
         raise InputError(f"{path} has {seen} frame{'s' if seen != 1 else ''}{window}; tracking needs at least 3.")
     return [(one.picture, one.following) for one in result]
 
