@@ -111,7 +111,7 @@ class Run:
     def run(self) -> Run:
         """Compute the motion; `records` and `status` hold it then."""
         body, given = self.body, self.problem.mode
-        limits = limits_of(body.start(), self.t_end, math.nan, 0)
+        limits = limits_of(body.start(), self.t_end, math.nan, 0, 0)
         try:
             phase = self.kernels(begin)(body, body.start(), BY_RULE if given is None else given, self, None)
             while phase.status == GOING:
