@@ -55,7 +55,16 @@ ROOMS = {
         tuple(
             f"derivatives/{name}.py"
             for name in (
-                *("directions", "tangents", "events/conditions", "events/ending", "events/impact", "events/massless"),
+                *(
+                    "directions",
+                    "rules",
+                    "tangents",
+                    "transform",
+                    "events/conditions",
+                    "events/ending",
+                    "events/impact",
+                    "events/massless",
+                ),
                 *("pieces/flight_and_rest", "pieces/panels", "pieces/pieces", "pieces/sampling"),
             )
         ),

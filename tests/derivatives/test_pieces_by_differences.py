@@ -9,7 +9,17 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.events import massless
-from hophoop.derivatives.events.impact import Blow, closing_impulse_change, impact_change
+from hophoop.derivatives.events.impact import (
+    CLOSE,
+    JUMP,
+    Blow,
+    d_pull_back,
+    distance,
+    impact_change,
+    is_between_courses,
+    pull_back,
+    tangent_from,
+)
 from hophoop.derivatives.layout import (
     BEFORE_VN,
     BEFORE_VT,
@@ -31,6 +41,7 @@ from hophoop.derivatives.layout import (
     REST,
     ROLLING_LOSS,
     STATE_ROWS,
+    STILL,
     TH,
     VN,
     VT,
@@ -38,12 +49,13 @@ from hophoop.derivatives.layout import (
     T,
     X,
     Y,
+    body_tangent,
 )
 from hophoop.derivatives.pieces import flight_and_rest as moving
 from hophoop.kernel.physics.body import Body, ImpactLaw
 from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap, skim_duration, skim_state, strike
 from hophoop.kernel.physics.contact import contact_arms
-from hophoop.kernel.physics.impact import impact, stick_rates
+from hophoop.kernel.physics.impact import impact, slip_rates, stick_rates
 from hophoop.kernel.records.state import start_state
 
 STEP = 1e-6
@@ -86,6 +98,12 @@ def slopes(piece, body, state, changes, z):
 # --- impacts ----------------------------------------------------------------------------------------
 
 
+def changed(blow, changes, z, k):
+    """How a body and its impact change in a direction."""
+    d_blow = Blow(changes[REST, k], blow.c * z[TH, k], -blow.s * z[TH, k], z[VT, k], z[VN, k])
+    return body_tangent(changes, k), d_blow
+
+
 def struck(body, state):
     vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, body.rest, math.sin(state.th), math.cos(state.th), state.vt, state.vn)
     return vt, vn, spin, p_n, p_t, loss_n, loss_t
@@ -103,12 +121,12 @@ def test_an_impact(law, mu, rest, th, vt):
     changes[MU_S] = changes[MU_K]
     changes[END] = 0.0
     expected = slopes(struck, body, state, changes, z)
-    s, c = math.sin(th), math.cos(th)
+    blow = Blow(rest, math.sin(th), math.cos(th), vt, -1.1)
+    assert not is_between_courses(body, blow)
     for k in range(z.shape[1]):
-        given = (z[TH, k], z[VT, k], z[VN, k], changes, k)
-        *found, reason = impact_change(body, Blow(rest, s, c, vt, -1.1), *given)
+        found, reason = impact_change(body, blow, *changed(blow, changes, z, k))
         assert reason == Reason.NONE
-        assert found == pytest.approx(expected[:, k].tolist(), rel=2e-7, abs=2e-8)
+        assert list(found) == pytest.approx(expected[:, k].tolist(), rel=2e-7, abs=2e-8)
 
 
 def test_an_impact_that_stops_a_slip_that_has_just_begun():
@@ -118,24 +136,62 @@ def test_an_impact_that_stops_a_slip_that_has_just_begun():
     s, c = math.sin(0.7), math.cos(0.7)
     for way in (1.0, -1.0):
         z[VT, 0] = way
-        *found, reason = impact_change(body, Blow(0.0, s, c, 0.0, -1.1), 0.0, way, 0.0, changes, 0)
+        blow = Blow(0.0, s, c, 0.0, -1.1)
+        found, reason = impact_change(body, blow, *changed(blow, changes, z, 0))
         assert reason == -1  # holds to this side
         state = state_of(angle=0.7, vn=-1.1)
         after, before = (np.array(struck(body, state._replace(vt=step))) for step in (way * STEP, 0.0))
-        assert found == pytest.approx(((after - before) / STEP).tolist(), abs=1e-5)
+        assert list(found) == pytest.approx(((after - before) / STEP).tolist(), rel=1e-5, abs=2e-5)
+
+
+@pytest.mark.parametrize("vt", [0.4, -0.4])
+def test_an_impact_without_friction_changes_by_a_little_friction(vt):
+    """The friction that comes acts against the slip."""
+    body = BODY._replace(mu_s=0.0, mu_k=0.0)
+    changes, z = directions()
+    blow = Blow(body.rest, math.sin(0.7), math.cos(0.7), vt, -1.1)
+    found, _ = impact_change(body, blow, *changed(blow, changes, z, MU_K))
+    state = state_of(angle=0.7, vt=vt, vn=-1.1)
+    after, before = (np.array(struck(body._replace(mu_s=mu, mu_k=mu), state)) for mu in (STEP, 0.0))
+    assert list(found) == pytest.approx(((after - before) / STEP).tolist(), rel=1e-5, abs=2e-5)
 
 
 def test_what_has_no_derivative_of_an_impact():
-    changes, _ = directions()
+    changes, z = directions()
     s, c = math.sin(0.7), math.cos(0.7)
-    plastic = impact_change(BODY._replace(rest=0.0), Blow(0.0, s, c, 0.4, -1.1), 0.0, 0.0, 0.0, changes, REST)
-    assert plastic[-1] == Reason.PLASTIC
+    blow = Blow(0.0, s, c, 0.4, -1.1)
+    assert impact_change(BODY._replace(rest=0.0), blow, *changed(blow, changes, z, REST))[1] == Reason.PLASTIC
     # friction that just holds the stick
     arm, lever = contact_arms(BODY, s, c)
     needed = abs(stick_rates(BODY, arm, lever)[0])
-    for more, reason in ((0.0, Reason.BORDER), (1e-11, Reason.BORDER), (1e-9, Reason.NONE)):
+    for more, between in ((0.0, True), (1e-11, True), (1e-9, False)):
         body = BODY._replace(mu_s=needed + more, mu_k=needed + more)
-        assert impact_change(body, Blow(0.5, s, c, 0.0, -1.1), 0.0, 0.0, 0.0, changes, EPS)[-1] == reason
+        assert is_between_courses(body, Blow(0.5, s, c, 0.0, -1.1)) == between
+
+
+def slip_that_just_stops(body, th):
+    """The slip with which an impact's slip stops as the compression ends."""
+    low, high = 0.0, 2.0
+    for _ in range(80):
+        vt = 0.5 * (low + high)
+        rate = slip_rates(body, *contact_arms(body, math.sin(th), math.cos(th)), -body.mu_k)
+        stops = -vt / rate[1]
+        low, high = (vt, high) if stops < 1.1 / rate[2] else (low, vt)
+    return vt
+
+
+@pytest.mark.parametrize("th", [0.7, 1e-3, 3e-6, 1e-9])
+def test_a_derivative_that_jumps_is_found(th):
+    """The slip stops just as the compression ends. Both courses become one as θ → 0, and with it the jump."""
+    body = BODY._replace(mu_s=0.9, mu_k=0.3)
+    vt = slip_that_just_stops(body, th)
+    blow = Blow(body.rest, math.sin(th), math.cos(th), vt, -1.1)
+    by_slip = Blow(0.0, 0.0, 0.0, 1.0, 0.0)
+    below, above = (tangent_from(body, blow, vt * (1.0 + side * 1e-12), STILL, by_slip)[1] for side in (-1.0, 1.0))
+    jump = distance(below, above)
+    assert is_between_courses(body, blow) == (jump > JUMP)
+    for side in (-1.0, 1.0):
+        assert not is_between_courses(body, blow._replace(vt=vt * (1.0 + side * 20.0 * CLOSE)))
 
 
 def test_a_rim_that_is_pulled_back():
@@ -145,15 +201,13 @@ def test_a_rim_that_is_pulled_back():
     changes[[MU_S, MU_K]] = 0.0
 
     def pulled(body, state):
-        arm, lever = contact_arms(body, math.sin(state.th), math.cos(state.th))
-        r, turn, lift = stick_rates(body, arm, lever)
-        p_n = -state.vn / lift
-        return turn * p_n, p_n, r * p_n, -0.5 * state.vn * p_n
+        return pull_back(body, math.sin(state.th), math.cos(state.th), state.vn)
 
     expected = slopes(pulled, body, state, changes, z)
+    s, c = math.sin(0.7), math.cos(0.7)
     for k in range(z.shape[1]):
-        found = closing_impulse_change(body, Blow(0.0, math.sin(0.7), math.cos(0.7), 0.0, 0.4), z[TH, k], z[VN, k], changes, k)
-        assert found == pytest.approx(expected[:, k].tolist(), rel=1e-7, abs=1e-9)
+        found = d_pull_back(body, s, c, 0.4, body_tangent(changes, k), c * z[TH, k], -s * z[TH, k], z[VN, k])[1]
+        assert list(found) == pytest.approx(expected[:, k].tolist(), rel=1e-7, abs=1e-9)
 
 
 # --- flight and rest ----------------------------------------------------------------------------------
@@ -172,7 +226,7 @@ def flown(body, state, tau):
 def test_a_flight(om, tau):
     begin = state_of(y=0.3, angle=0.7, vt=0.4, vn=0.8, om=om)
     changes, z = directions()
-    end, opening = flown(BODY, begin, tau)
+    _, opening = flown(BODY, begin, tau)
     rows = [X, Y, TH, OM, VT, VN]
 
     def components(body, state):
@@ -180,7 +234,7 @@ def test_a_flight(om, tau):
         return after.x, after.y, after.th, after.om, after.vt, after.vn
 
     expected = slopes(components, BODY, begin, changes, z)
-    moving.follow_flight(BODY, opening, begin, end, tau, changes, z)
+    moving.follow_flight(BODY, opening, begin, tau, changes, z)
     assert z[rows].ravel().tolist() == pytest.approx(expected.ravel().tolist(), rel=1e-7, abs=1e-8)
 
 
@@ -238,7 +292,7 @@ def test_a_skimming_hoop(side):
     expected = slopes(skimmed, MASSLESS, begin, changes, z)
     x, th, vt, om = skimmed(MASSLESS, begin)
     end = begin._replace(x=x, th=th, vt=vt, om=om)
-    massless.follow_skim(MASSLESS, begin, end, tau, z)
+    massless.follow_skim(MASSLESS, begin, side, tau, z)
     assert z[[X, TH, VT, OM]].ravel().tolist() == pytest.approx(expected.ravel().tolist(), rel=1e-6, abs=1e-7)
     turning, along, _, _ = massless.skim_rates(MASSLESS, end)
     beside_it = [np.array(skim_state(MASSLESS, 0.0, begin.th, 0.0, begin.om, side, tau + d)) for d in (1e-5, -1e-5)]
@@ -267,9 +321,8 @@ def test_the_blow_of_a_load(side, mu):
     changes[[EPS, KAP, MU_S, GN, GT, REST, END, RESIST]] = 0.0
     z[Y] = z[VN] = z[ROLLING_LOSS] = 0.0
     expected = slopes(blown, body, begin, changes, z)
-    tau = blown(body, begin)[0]
     kept = np.zeros((EVENT_ROWS, z.shape[1]))
-    massless.follow_strike(body, begin, tau, changes, z, kept)
+    massless.follow_strike(body, begin, changes, z, kept)
     found = np.concatenate([z[[T, X, VT, IMPACT_N, IMPACT_T]], kept[[BEFORE_VT, BEFORE_VN, P_N, P_T]]])
     assert found.ravel().tolist() == pytest.approx(expected.ravel().tolist(), rel=1e-6, abs=1e-7)
     assert (z[[TH, OM, VN]] == 0.0).all()

@@ -8,6 +8,10 @@ motion, so that each piece uses the form that suits it.
 from __future__ import annotations
 
 from enum import IntEnum
+from typing import Any
+
+from hophoop.kernel.native import inline
+from hophoop.kernel.physics.body import Body
 
 # What changes in a body; END is the duration.
 EPS, KAP, MU_S, MU_K, GN, GT, REST, END, RESIST = range(9)
@@ -20,6 +24,18 @@ STATE_ROWS = 10
 # Of an event also the velocities before it, and its impulse.
 BEFORE_OM, BEFORE_VT, BEFORE_VN, P_N, P_T = range(STATE_ROWS, STATE_ROWS + 5)
 EVENT_ROWS = STATE_ROWS + 5
+
+STILL = Body(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, False, 0.0, False, 0.0)  # the tangent of a body that does not change
+
+
+@inline
+def body_tangent(parameter_tangents: Any, k: int) -> Body:
+    """Return the tangent of a body in a direction."""
+    return Body(
+        parameter_tangents[EPS, k], parameter_tangents[KAP, k], parameter_tangents[MU_S, k], parameter_tangents[MU_K, k],
+        parameter_tangents[GN, k], parameter_tangents[GT, k], parameter_tangents[REST, k], 0, False, 0.0,
+        False, parameter_tangents[RESIST, k],
+    )  # fmt: skip
 
 
 class Reason(IntEnum):

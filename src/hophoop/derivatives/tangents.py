@@ -17,7 +17,16 @@ from hophoop.derivatives.events.conditions import (
     meet_time,
     part_at_rest,
 )
-from hophoop.derivatives.events.impact import NONE, PLASTIC, SIDED, Blow, closing_impulse_change, impact_change
+from hophoop.derivatives.events.impact import (
+    BORDER,
+    NONE,
+    PLASTIC,
+    SIDED,
+    Blow,
+    d_pull_back,
+    impact_change,
+    is_between_courses,
+)
 from hophoop.derivatives.events.massless import follow_strike, skim_rates
 from hophoop.derivatives.layout import (
     BEFORE_OM,
@@ -37,6 +46,7 @@ from hophoop.derivatives.layout import (
     VT,
     Reason,
     Y,
+    body_tangent,
 )
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, skims_plane
 from hophoop.derivatives.pieces.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
@@ -87,20 +97,20 @@ def end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
 def collide_changes(body, rest, row, before, parameter_tangents, tangents, event_tangents, reasons):
     """All directions through an impact."""
     s, c = sine_cosine(before.th, before.th_low)
-    closes = row["kind"] == Event.BOUNCE_LIMIT
     blow = Blow(rest, s, c, before.vt, before.vn)
     vn = impact(body, rest, s, c, before.vt, before.vn)[1]
+    pulls = row["kind"] == Event.BOUNCE_LIMIT and vn > 0.0
+    between = is_between_courses(body, blow)
     for k in range(tangents.shape[1]):
-        if math.isnan(tangents[TH, k]):
+        dth = tangents[TH, k]
+        if math.isnan(dth):
             continue
-        dvt, dvn, dspin, dp_n, dp_t, dloss_n, dloss_t, reason = impact_change(
-            body, blow, tangents[TH, k], tangents[VT, k], tangents[VN, k], parameter_tangents, k
-        )
-        if closes and vn > 0.0:
-            closing = Blow(rest, s, c, 0.0, vn)
-            turned, pulled_n, pulled_t, lost = closing_impulse_change(
-                body, closing, tangents[TH, k], dvn, parameter_tangents, k
-            )
+        d_body = body_tangent(parameter_tangents, k)
+        d_rest = d_body.rest if rest == body.rest else 0.0
+        change, reason = impact_change(body, blow, d_body, Blow(d_rest, c * dth, -s * dth, tangents[VT, k], tangents[VN, k]))
+        dvt, dvn, dspin, dp_n, dp_t, dloss_n, dloss_t = change
+        if pulls:
+            turned, pulled_n, pulled_t, lost = d_pull_back(body, s, c, vn, d_body, c * dth, -s * dth, dvn)[1]
             dvt = dvn = 0.0
             dspin += turned
             dp_n += pulled_n
@@ -113,6 +123,8 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
         event_tangents[P_T, k] = dp_t
         tangents[IMPACT_N, k] += dloss_n
         tangents[IMPACT_T, k] += dloss_t
+        if between and reason != PLASTIC:
+            reason = BORDER
         if reason == SIDED:
             if reasons[k] == NONE:
                 reasons[k] = SIDED
@@ -157,7 +169,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
         for k in range(tangents.shape[1]):
             for i in range(STATE_ROWS):
                 tangents[i, k] = past.fresh[i, k]
-        follow_strike(body, state_of(piece), length_of(piece), parameter_tangents, tangents, event_tangents)
+        follow_strike(body, state_of(piece), parameter_tangents, tangents, event_tangents)
         return
     if kind == Event.START:
         begin_changes(body, row, tangents, reasons)
@@ -190,7 +202,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
     elif kind == Event.END:
         if row["t"] == t_end:
             meet_time(parameter_tangents, END, before, rates, tangents)
-        elif mode == Mode.ROLL and math.isinf(body.mu_s):  # N = 0, but free motion would enter the plane
+        elif passed and mode == Mode.ROLL and math.isinf(body.mu_s):  # N = 0, but free motion would enter the plane
             end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
         elif passed:
             fail_all(tangents, reasons, Reason.ENDED)

@@ -11,12 +11,10 @@ from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import DRIVEN, STRETCH, from_reference
 
-# By θ̇² at the start (of an arriving panel: by θ there), by θ at the start (by the turning point), by the parameters.
-BEGIN, SHIFT, BY_EPS, BY_KAP, BY_MU, BY_GN, BY_GT, BY_RESIST = range(8)
-LOCAL = 8
-# Rows of the array that a panel is worked out in.
-SLOPE, INTERPOLATE, INTEGRATE, AT_BEGIN, RATES, TIMES, WEIGH, WEIGHED = range(LOCAL, LOCAL + 8)
-ROWS = LOCAL + 8
+# Rows of the array that a panel is worked out in: dθ̇²/dθ; the change of θ̇² by its value at the start (of an arriving panel by
+# θ there), by θ at the start (by the turning point), and by ρ where it is 0; weights of the nodes; the change by parameters, a
+# row per direction.
+SLOPE, BEGIN, SHIFT, RESISTED, INTERPOLATE, INTEGRATE, WEIGH, OWN = range(8)
 
 
 class KnownMotion(NamedTuple):
@@ -37,11 +35,26 @@ class Solution(NamedTuple):
     failed: Any  # of int, shape (n,): the first event without a derivative, else −1
 
 
+class Pieces(NamedTuple):
+    """The segments of a motion and their tangents."""
+
+    segments: Any  # of records.SEGMENT
+    at_segments: Any  # shape (segments, STATE_ROWS, n)
+    parameter_tangents: Any  # shape (PARAMETERS, n)
+
+
+class Samples(NamedTuple):
+    """States and tangents at some times, which `sample_tangents` fills in."""
+
+    states: Any  # shape (times, 6)
+    tangents: Any  # shape (times, STATE_ROWS, n)
+
+
 class Workspace(NamedTuple):
     """The arrays that a computation of derivatives works in."""
 
     scratch: Any  # records.Scratch
-    local: Any  # shape (ROWS, ORDER), values at the nodes of a panel
+    local: Any  # shape (OWN + n, ORDER), values at the nodes of a panel
 
 
 def new_solution(events: int, segments: int, directions: int) -> Solution:
@@ -52,6 +65,11 @@ def new_solution(events: int, segments: int, directions: int) -> Solution:
         np.zeros(directions, np.int64),
         np.full(directions, -1, np.int64),
     )
+
+
+def new_workspace(scratch, directions):
+    """A workspace for n directions."""
+    return Workspace(scratch, np.zeros((OWN + directions, ORDER)))
 
 
 @noinline

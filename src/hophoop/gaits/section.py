@@ -14,12 +14,11 @@ from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import OM, PARAMETERS, REASONS, STATE_ROWS, TH, VN, VT, Reason
 from hophoop.derivatives.parameters import Directions, directions_of
 from hophoop.derivatives.pieces.flight_and_rest import accelerations
-from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
+from hophoop.derivatives.workspace import KnownMotion, new_solution, new_workspace
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.kernels.layout import COLUMNS
 from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.kernel.native import compiled
-from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import MODE_LETTERS, Event, Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT, thread_scratch
@@ -239,7 +238,7 @@ def _step(
     parameters[:, len(columns) :] = sign * changes
     solution = new_solution(len(events), len(segments), width)
     known = KnownMotion(events, segments, float(events["t"][-1]), math.inf)
-    _propagate(body, known, parameters, tangents, solution, Workspace(scratch, _local()))
+    _propagate(body, known, parameters, tangents, solution, new_workspace(scratch, width))
     last = sign * solution.at_events[-1]
     if not landing:
         state = state_of(events[-1])
@@ -250,10 +249,6 @@ def _step(
         last[VT] += along * dt
     failed = [REASONS[Reason(why)] for why in solution.reasons.tolist() if why > 0]
     return np.array([last[_ROWS[name]] for name in rows]), rows, columns, failed[0] if failed else ""
-
-
-def _local() -> Floats:
-    return np.zeros((ROWS, ORDER))
 
 
 def lyapunov_of(found: Passages) -> Lyapunov:

@@ -86,6 +86,7 @@ GROUPS: dict[str, dict[str, tuple[Any, ...]]] = {
             Body, Named("hophoop.derivatives.pieces.sampling.Pieces", (SEGMENTS, CUBE, TABLE)), ROW, ROW, bool,
             Named("hophoop.derivatives.pieces.sampling.Samples", (TABLE, CUBE)), WORKSPACE,
         ),
+        "hophoop.derivatives.pieces.energies.fill_energies": (Body, TABLE, CUBE, TABLE, TABLE, CUBE),
         "hophoop.derivatives.pieces.required_friction.need_at_rest": (Body, float),
         "hophoop.derivatives.pieces.required_friction.needs_on_panel": (Body, SEGMENTS, int, Scratch, ROW, ROW, ROW),
         "hophoop.derivatives.pieces.required_friction.peak_on_panel": (Body, SEGMENTS, int, float, float, Scratch),

@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import math
 
-from hophoop.derivatives.layout import EPS, GN, KAP, MU_K, MU_S, OM, RESIST, ROLLING_LOSS, TH, VT, Reason, T
-from hophoop.derivatives.pieces.flight_and_rest import resisted_motion, step_along
-from hophoop.derivatives.pieces.forces import by_angle, change_of, rolling_slopes
-from hophoop.derivatives.pieces.panels import momentum_change
+from hophoop.derivatives.layout import OM, ROLLING_LOSS, STILL, TH, VT, Reason, T, body_tangent
+from hophoop.derivatives.pieces.flight_and_rest import d_free_acceleration, resisted_motion, step_along
+from hophoop.derivatives.pieces.forces import change_of_forces, forces_by_angle
+from hophoop.derivatives.pieces.panels import d_kappa_p_sigma, d_slip_after
+from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.physics.contact import (
     free_acceleration,
     kappa_p_sigma,
-    kappa_p_sigma_slope,
     resistance_arm,
     rolling_forces,
     slip_torque_arm,
     torque_at_rest,
 )
 
+d_kappa_p_sigma_by_angle = tangent_of(kappa_p_sigma, "s", "c")
 GRAZE, NONE, BORDER, SIDED = int(Reason.GRAZE), int(Reason.NONE), int(Reason.BORDER), -1
 FLAT = 1e-9  # relative to its natural size: a smaller rate belongs to a quantity that only touches zero
 
@@ -38,51 +39,55 @@ def fail_all(tangents, reasons, reason):
         fail(tangents, reasons, k, reason)
 
 
+def meet(dg, rate, scale, state, rates, tangents, reasons, k):
+    """Express the change of a direction at the time at which g, changed by dg, comes to zero with its rate."""
+    if abs(rate) <= FLAT * scale:
+        fail(tangents, reasons, k, GRAZE)
+    else:
+        step_along(tangents, k, -dg / rate, state, rates)
+
+
 @noinline
 def meet_cone(body, state, rates, side, parameter_tangents, tangents, reasons):
     """Rolling that comes to the friction cone, at side · F > 0: g = μs N − side · F, or N without a bound on F."""
     s, c = sine_cosine(state.th, state.th_low)
     rho = resistance_arm(body, s, c, state.om, 0)
-    _, normal, alpha, of_friction, of_normal = rolling_slopes(body, s, c, state.om, rho)
+    normal = rolling_forces(body, s, c, state.om * state.om, rho)[1]
+    friction_by_angle, normal_by_angle = forces_by_angle(body, s, c, state.om, rho)
     bound = not math.isinf(body.mu_s)
     weight = body.mu_s if bound else 1.0
     share = side if bound else 0.0
     scale = (body.gn + abs(body.gt) + state.om * state.om) * (1.0 + weight) * (abs(state.om) + 1e-300)
-    rate = state.om * (weight * by_angle(of_normal, alpha) - share * by_angle(of_friction, alpha))
+    rate = state.om * (weight * normal_by_angle - share * friction_by_angle)
     for k in range(tangents.shape[1]):
-        dnormal = change_of(of_normal, state.om, tangents, parameter_tangents, k)
-        dg = weight * dnormal - share * change_of(of_friction, state.om, tangents, parameter_tangents, k)
+        d_body = body_tangent(parameter_tangents, k)
+        dfriction, dnormal = change_of_forces(body, s, c, state.om, rho, d_body, tangents, k)
+        dg = weight * dnormal - share * dfriction
         if bound:
-            dg += parameter_tangents[MU_S, k] * normal
-        if abs(rate) <= FLAT * scale:
-            fail(tangents, reasons, k, GRAZE)
-        else:
-            step_along(tangents, k, -dg / rate, state, rates)
+            dg += d_body.mu_s * normal
+        meet(dg, rate, scale, state, rates, tangents, reasons, k)
 
 
 @noinline
 def meet_opening(body, state, rates, parameter_tangents, tangents, reasons):
-    """Slip that lifts off: g = g_n − ε cos θ θ̇² comes to zero."""
+    """Slip that lifts off: g = f_n comes to zero."""
     s, c = sine_cosine(state.th, state.th_low)
-    u = state.om * state.om
-    rate = body.eps * (s * state.om * u - 2.0 * c * state.om * rates[0])
+    om = state.om
+    rate = d_free_acceleration(body, s, c, om * om, STILL, c * om, -s * om, 2.0 * om * rates[0])[1][1]
+    scale = (body.gn + om * om) * abs(om)
     for k in range(tangents.shape[1]):
-        dg = parameter_tangents[GN, k] - parameter_tangents[EPS, k] * c * u
-        dg += body.eps * (s * u * tangents[TH, k] - 2.0 * c * state.om * tangents[OM, k])
-        if abs(rate) <= FLAT * (body.gn + u) * abs(state.om):
-            fail(tangents, reasons, k, GRAZE)
-        else:
-            step_along(tangents, k, -dg / rate, state, rates)
+        d_body = body_tangent(parameter_tangents, k)
+        dth = tangents[TH, k]
+        dg = d_free_acceleration(body, s, c, om * om, d_body, c * dth, -s * dth, 2.0 * om * tangents[OM, k])[1][1]
+        meet(dg, rate, scale, state, rates, tangents, reasons, k)
 
 
 @noinline
 def meet_row(row, rate, scale, state, rates, tangents, reasons):
     """A component of the state that comes to zero: the slip at its end, v_n at the apex, the gap at the landing."""
     for k in range(tangents.shape[1]):
-        if abs(rate) <= FLAT * scale:
-            fail(tangents, reasons, k, GRAZE)
-        else:
-            step_along(tangents, k, -tangents[row, k] / rate, state, rates)
+        meet(tangents[row, k], rate, scale, state, rates, tangents, reasons, k)
+        if abs(rate) > FLAT * scale:
             tangents[row, k] = 0.0
 
 
@@ -93,14 +98,12 @@ def meet_time(parameter_tangents, row, state, rates, tangents):
         step_along(tangents, k, parameter_tangents[row, k] - tangents[T, k], state, rates)
 
 
-def jam_angle_change(body, sigma, s, c, om, parameter_tangents, k):
+def jam_angle_change(body, sigma, s, c, om, d_body):
     """Change of the angle at which p_σ = 0."""
-    signed_mu = sigma * body.mu_k
-    q = slip_torque_arm(body, s, c, sigma) - resistance_arm(body, s, c, om, sigma)
-    slope = kappa_p_sigma_slope(body, s, c, sigma, q)
-    q_more = parameter_tangents[EPS, k] * (s + signed_mu * c) + sigma * parameter_tangents[MU_K, k] * (1.0 + body.eps * c)
-    q_more -= math.copysign(parameter_tangents[RESIST, k], om)
-    return -(parameter_tangents[KAP, k] + parameter_tangents[EPS, k] * s * q + body.eps * s * q_more) / slope
+    way = math.copysign(1.0, om)
+    rho = resistance_arm(body, s, c, om, sigma)
+    slope = d_kappa_p_sigma_by_angle(body, s, c, sigma, rho, c, -s)[1]
+    return -d_kappa_p_sigma(body, s, c, sigma, rho, d_body, way * d_body.resist)[1] / slope
 
 
 @noinline
@@ -112,9 +115,23 @@ def go_with_jam(body, sigma, begin, jam, parameter_tangents, tangents):
     s, c = sine_cosine(jam.th, jam.th_low)
     rates = resisted_motion(body, sigma, begin, 0.0)
     for k in range(tangents.shape[1]):
-        dth = jam_angle_change(body, sigma, s, c, jam.om, parameter_tangents, k)
+        dth = jam_angle_change(body, sigma, s, c, jam.om, body_tangent(parameter_tangents, k))
         step_along(tangents, k, (dth - tangents[TH, k]) / begin.om, begin, rates)
         tangents[TH, k] = dth
+
+
+def jam_speed(body, c, way):
+    """Return θ̇ of the jam, where f_n = 0."""
+    return way * math.sqrt(body.gn / (body.eps * c))
+
+
+def last_loss(body, s, om, om_end, way):
+    """Return the loss ½ ρ (θ̇ + θ̇_end) P_n by rolling resistance, of the impulse P_n that changes −ε s θ̇, with signs."""
+    return 0.5 * way * body.resist * (om + om_end) * body.eps * s * (om - om_end)
+
+
+d_jam_speed = tangent_of(jam_speed, "body", "c")
+d_last_loss = tangent_of(last_loss, "body", "s", "om", "om_end")
 
 
 @noinline
@@ -125,23 +142,36 @@ def meet_jam(body, sigma, jam, before, parameter_tangents, tangents):
     the momentum away from the plane, −ε s θ̇, which gives the last impulse P_n, and with it the loss ½ ρ (θ̇ + θ̇_jam) P_n.
     """
     s, c = sine_cosine(jam.th, jam.th_low)
-    rho = resistance_arm(body, s, c, jam.om, sigma)
-    faster = jam.om * jam.om - before.om * before.om
+    way = math.copysign(1.0, jam.om)
     for k in range(tangents.shape[1]):
-        deps = parameter_tangents[EPS, k]
-        dmu = parameter_tangents[MU_K, k]
-        dth = jam_angle_change(body, sigma, s, c, jam.om, parameter_tangents, k)
-        momentum = momentum_change(
-            body, sigma, s, c, before.om, (tangents[VT, k], tangents[OM, k], tangents[TH, k]), (deps, dmu)
-        )
+        d_body = body_tangent(parameter_tangents, k)
+        dth = jam_angle_change(body, sigma, s, c, jam.om, d_body)
+        ds, dc = c * dth, -s * dth
         dom = tangents[OM, k]
-        # θ̇² = g_n/(ε cos θ)
-        tangents[OM, k] = 0.5 * jam.om * (parameter_tangents[GN, k] / body.gn - deps / body.eps + s / c * dth)
-        dfaster = 2.0 * (jam.om * tangents[OM, k] - before.om * dom)
-        dlever = deps * s + body.eps * c * dth
-        drho = math.copysign(parameter_tangents[RESIST, k], jam.om)
-        tangents[ROLLING_LOSS, k] -= 0.5 * (body.eps * s * (rho * dfaster + drho * faster) + rho * dlever * faster)
-        tangents[VT, k] = momentum - momentum_change(body, sigma, s, c, jam.om, (0.0, tangents[OM, k], dth), (deps, dmu))
+        jam_om, djam_om = d_jam_speed(body, c, way, d_body, dc)
+        tangents[ROLLING_LOSS, k] += d_last_loss(body, s, before.om, jam_om, way, d_body, ds, dom, djam_om)[1]
+        tangents[VT, k] = d_slip_after(
+            body,
+            sigma,
+            before.vt,
+            before.om,
+            s,
+            c,
+            jam_om,
+            s,
+            c,
+            0.0,
+            d_body,
+            tangents[VT, k],
+            dom,
+            ds,
+            dc,
+            djam_om,
+            ds,
+            dc,
+            0.0,
+        )[1]
+        tangents[OM, k] = djam_om
         tangents[TH, k] = dth
 
 

@@ -10,7 +10,6 @@ from hophoop.derivatives.layout import (
     BEFORE_VT,
     IMPACT_N,
     IMPACT_T,
-    MU_K,
     OM,
     P_N,
     P_T,
@@ -19,69 +18,68 @@ from hophoop.derivatives.layout import (
     VT,
     T,
     X,
+    body_tangent,
 )
+from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
-from hophoop.kernel.numerics.circular import cosine, sine_and_cosine
-from hophoop.kernel.physics.closed_forms import strike
+from hophoop.kernel.numerics.circular import sine_and_cosine
+from hophoop.kernel.physics.closed_forms import skim_duration, skim_state, strike
 
 
-def load_changes(begin, tangents, k):
-    """Changes of the load: (its height at the start, its rate of sinking, its speed along the plane)."""
-    s, c = sine_and_cosine(begin.th)
-    dth = tangents[TH, k]
-    fallen = s * dth
-    sink = c * begin.om * dth + s * tangents[OM, k]
-    along = tangents[VT, k] + tangents[OM, k] * (1.0 + c) - begin.om * s * dth
-    return fallen, sink, along
+def struck_load(body, x, th, vt, om):
+    """Return (time, x, v_t after, velocities before, impulses, losses) of the strike of the load, from a state of skimming."""
+    s, c = sine_and_cosine(th)
+    speed = vt + om * (1.0 + c)
+    tau = skim_duration(body, 1.0 + c, s * om)
+    sink = s * om + body.gn * tau
+    after, p_n, p_t = strike(body, speed, -sink)
+    lost = 0.5 * (speed * speed - after * after)
+    return tau, x + s + speed * tau, after, speed, -sink, p_n, p_t, 0.5 * sink * sink, lost
 
 
-def skim_rates(body, state):
-    """(θ̈, v̇_t, v̇_n, 0) while the rim skims: the load falls freely, which gives θ̈ sin θ + θ̇² cos θ = g."""
-    s, c = sine_and_cosine(state.th)
-    turning = (body.gn - c * state.om * state.om) / s
-    return turning, state.om * state.om * s - turning * (1.0 + c), 0.0, 0.0
+d_skim_state = tangent_of(skim_state, "x", "th", "vt", "om")
+d_skim_state_by_time = tangent_of(skim_state, "tau")
+d_struck_load = tangent_of(struck_load, "body", "x", "th", "vt", "om")
 
 
 @noinline
-def follow_skim(body, begin, end, tau, tangents):
+def skim_rates(body, state):
+    """Return (θ̈, v̇_t, v̇_n, 0) while the rim skims."""
+    direction = math.copysign(1.0, state.om)
+    _, _, along, turning = d_skim_state_by_time(body, 0.0, state.th, state.vt, state.om, direction, 0.0, 1.0)[1]
+    return turning, along, 0.0, 0.0
+
+
+@noinline
+def follow_skim(body, begin, direction, tau, tangents):
     """Propagate all directions over the time tau of skimming."""
-    s1, c1 = sine_and_cosine(end.th)
-    c0 = cosine(begin.th)
     if tau <= 0.0:
         return
     for k in range(tangents.shape[1]):
-        fallen, sink, along = load_changes(begin, tangents, k)
-        dth = (fallen + sink * tau) / s1
-        dom = (sink - c1 * end.om * dth) / s1
-        tangents[X, k] += c0 * tangents[TH, k] + along * tau - c1 * dth
-        tangents[VT, k] = along - dom * (1.0 + c1) + end.om * s1 * dth
-        tangents[TH, k] = dth
-        tangents[OM, k] = dom
+        change = d_skim_state(
+            body, begin.x, begin.th, begin.vt, begin.om, direction, tau,
+            tangents[X, k], tangents[TH, k], tangents[VT, k], tangents[OM, k],
+        )[1]  # fmt: skip
+        tangents[X, k], tangents[TH, k], tangents[VT, k], tangents[OM, k] = change
 
 
 @noinline
-def follow_strike(body, begin, tau, parameter_tangents, tangents, event_tangents):
-    """Propagate all directions from the start of the skimming to just after the load has struck, at the time tau."""
-    s, c = sine_and_cosine(begin.th)
-    sink = s * begin.om + body.gn * tau
-    speed = begin.vt + begin.om * (1.0 + c)
-    after, _, _ = strike(body, speed, -sink)
+def follow_strike(body, begin, parameter_tangents, tangents, event_tangents):
+    """Propagate all directions from the start of the skimming to just after the load has struck."""
     for k in range(tangents.shape[1]):
-        fallen, dsink, dspeed = load_changes(begin, tangents, k)
-        dt = -(fallen + dsink * tau) / sink
-        dblow = dsink + body.gn * dt
+        dt, dx, dafter, dspeed, drise, dp_n, dp_t, dlost_n, dlost_t = d_struck_load(
+            body, begin.x, begin.th, begin.vt, begin.om,
+            body_tangent(parameter_tangents, k), tangents[X, k], tangents[TH, k], tangents[VT, k], tangents[OM, k],
+        )[1]  # fmt: skip
         tangents[T, k] += dt
-        tangents[X, k] += c * tangents[TH, k] + dspeed * tau + speed * dt
-        dafter = 0.0
-        if after != 0.0:
-            dafter = dspeed - math.copysign(1.0, speed) * (parameter_tangents[MU_K, k] * sink + body.mu_k * dblow)
+        tangents[X, k] = dx
         event_tangents[BEFORE_OM, k] = math.nan
         event_tangents[BEFORE_VT, k] = dspeed
-        event_tangents[BEFORE_VN, k] = -dblow
-        event_tangents[P_N, k] = dblow
-        event_tangents[P_T, k] = dafter - dspeed
-        tangents[IMPACT_N, k] += sink * dblow
-        tangents[IMPACT_T, k] += speed * dspeed - after * dafter
+        event_tangents[BEFORE_VN, k] = drise
+        event_tangents[P_N, k] = dp_n
+        event_tangents[P_T, k] = dp_t
+        tangents[IMPACT_N, k] += dlost_n
+        tangents[IMPACT_T, k] += dlost_t
         tangents[TH, k] = 0.0
         tangents[OM, k] = 0.0
         tangents[VT, k] = dafter

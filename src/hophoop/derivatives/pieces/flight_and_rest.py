@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import math
 
-from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, ROLLING_LOSS, TH, VN, VT, T, X, Y
-from hophoop.derivatives.pieces.panels import SlipTime, follow_slip
+from hophoop.derivatives.layout import OM, ROLLING_LOSS, STILL, TH, VN, VT, T, X, Y, body_tangent
+from hophoop.derivatives.pieces.panels import follow_slip
+from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
-from hophoop.kernel.numerics.circular import series_remainders, sine, sine_and_cosine, sine_cosine, versine_of
+from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine, versine_of
 from hophoop.kernel.numerics.exponentials import hyperbolic_cosine, hyperbolic_sine
 from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.closed_forms import flight_gap
+from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap
 from hophoop.kernel.physics.contact import (
+    acceleration_in_contact,
     free_acceleration,
-    inertia_at_height,
-    kappa_p_sigma,
-    load_height,
     resistance_arm,
     rolling_acceleration,
     rolling_forces,
@@ -23,6 +22,10 @@ from hophoop.kernel.physics.contact import (
 )
 from hophoop.kernel.physics.modes import slip_direction
 
+d_free_acceleration = tangent_of(free_acceleration, "body", "s", "c", "u")
+d_acceleration_in_contact = tangent_of(acceleration_in_contact, "body", "s", "c")
+d_flight_displacement = tangent_of(flight_displacement, "body", "vt", "om", "s", "c")
+d_flight_gap = tangent_of(flight_gap, "body", "s", "c", "om", "y", "vn", "fn")
 SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
 TOUCH = 1e-9  # of the radius: a smaller gap is none
 
@@ -76,36 +79,27 @@ def step_along(tangents, k, dt, state, rates):
 
 
 @noinline
-def follow_flight(body, opening, begin, end, tau, parameter_tangents, tangents):
+def follow_flight(body, opening, begin, tau, parameter_tangents, tangents):
     """Propagate all directions over the time tau of a flight whose f_n at the start is `opening`, 0 after a lift-off."""
-    s0, c0 = sine_cosine(begin.th, begin.th_low)
-    s1, c1 = sine_cosine(end.th, end.th_low)
+    s, c = sine_cosine(begin.th, begin.th_low)
     om = begin.om
-    phi = om * tau
-    sine_part, cosine_part, versine = series_remainders(phi)
-    turned = sine(phi)
-    half = 0.5 * tau * tau
     for k in range(tangents.shape[1]):
-        deps = parameter_tangents[EPS, k]
-        dth = tangents[TH, k]
+        d_body = body_tangent(parameter_tangents, k)
         dom = tangents[OM, k]
+        ds = c * tangents[TH, k]
+        dc = -s * tangents[TH, k]
         dopening = 0.0
         if opening != 0.0:
-            dopening = -parameter_tangents[GN, k] + om * (deps * c0 * om - body.eps * s0 * om * dth + 2.0 * body.eps * c0 * dom)
-        # the gap without cancellation, as in `closed_forms.flight_rates`
-        tangents[Y, k] += tangents[VN, k] * tau + dopening * half - deps * (c0 * cosine_part + s0 * sine_part)
-        tangents[Y, k] -= body.eps * ((c0 * sine_part - s0 * cosine_part) * dth + (c0 * sine_part + s0 * versine) * tau * dom)
-        tangents[VN, k] += dopening * tau - (deps * om + body.eps * dom) * (c0 * sine_part + s0 * versine)
-        tangents[VN, k] -= body.eps * om * ((c0 * versine - s0 * sine_part) * dth + (c0 * versine + s0 * turned) * tau * dom)
-        dth1 = dth + tau * dom
-        # G moves on a parabola
-        along = tangents[VT, k] + dom * (1.0 + body.eps * c0) + om * (deps * c0 - body.eps * s0 * dth)
-        shift = deps * (s0 - s1) + body.eps * (c0 * dth - c1 * dth1)
-        tangents[X, k] += shift + along * tau + parameter_tangents[GT, k] * half
-        tangents[VT, k] = (
-            along + parameter_tangents[GT, k] * tau - dom * (1.0 + body.eps * c1) - om * (deps * c1 - body.eps * s1 * dth1)
-        )
-        tangents[TH, k] = dth1
+            dopening = d_free_acceleration(body, s, c, om * om, d_body, ds, dc, 2.0 * om * dom)[1][1]
+        dx, dvt = d_flight_displacement(body, begin.vt, om, s, c, tau, d_body, tangents[VT, k], dom, ds, dc)[1]
+        dy, dvn = d_flight_gap(
+            body, s, c, om, begin.y, begin.vn, opening, tau, d_body, ds, dc, dom, tangents[Y, k], tangents[VN, k], dopening
+        )[1]
+        tangents[X, k] += dx
+        tangents[Y, k] = dy
+        tangents[TH, k] += tau * dom
+        tangents[VT, k] = dvt
+        tangents[VN, k] = dvn
 
 
 @noinline
@@ -163,31 +157,19 @@ def perturbed_rest(stiffness, drive, angle, rate, tau):
 def follow_hold(body, sigma, begin, end, tau, parameter_tangents, tangents):
     """Propagate all directions over the time tau of rest (sigma = 0), or of slip without rotation."""
     s, c = sine_cosine(begin.th, begin.th_low)
-    signed_mu = sigma * body.mu_k
+    stiffness = 0.0
+    if body.kap > 0.0:
+        stiffness = d_acceleration_in_contact(body, s, c, 0.0, sigma, STILL, c, -s)[1]
     for k in range(tangents.shape[1]):
-        deps = parameter_tangents[EPS, k]
-        dth0 = tangents[TH, k]
-        dom0 = tangents[OM, k]
+        d_body = body_tangent(parameter_tangents, k)
+        before = (tangents[TH, k], tangents[OM, k])
         if body.resist > 0.0:  # what is held stays, and a little rotation is stopped at once
             if tau > 0.0:
                 tangents[OM, k] = 0.0
-            if sigma != 0:
-                follow_slip(body, SlipTime(sigma, begin, end, tau), (dth0, dom0), 0.0, k, parameter_tangents, tangents)
-            continue
-        if body.kap == 0.0:
-            stiffness = 0.0
-            drive = 0.0
-        elif sigma == 0:
-            inertia = inertia_at_height(body, load_height(s, c))
-            stiffness = body.eps * (body.gn * c - body.gt * s) / inertia
-            drive = (body.gn * s + body.gt * c) * deps + body.eps * s * parameter_tangents[GN, k]
-            drive = (drive + (1.0 + body.eps * c) * parameter_tangents[GT, k]) / inertia
         else:
-            load = body.gn / kappa_p_sigma(body, s, c, sigma, 0.0)
-            stiffness = body.eps * (c - signed_mu * s) * load
-            drive = load * ((s + signed_mu * c) * deps + sigma * (1.0 + body.eps * c) * parameter_tangents[MU_K, k])
-        tangents[TH, k], tangents[OM, k] = perturbed_rest(stiffness, drive, dth0, dom0, tau)
-        if sigma == 0:
-            tangents[X, k] += tangents[TH, k] - dth0
-        else:
-            follow_slip(body, SlipTime(sigma, begin, end, tau), (dth0, dom0), 0.0, k, parameter_tangents, tangents)
+            drive = d_acceleration_in_contact(body, s, c, 0.0, sigma, d_body, 0.0, 0.0)[1] if body.kap > 0.0 else 0.0
+            tangents[TH, k], tangents[OM, k] = perturbed_rest(stiffness, drive, before[0], before[1], tau)
+        if sigma != 0:
+            follow_slip(body, sigma, tau, begin, end, before, 0.0, d_body, tangents, k)
+        elif body.resist == 0.0:
+            tangents[X, k] += tangents[TH, k] - before[0]

@@ -7,31 +7,13 @@ import math
 from hophoop.derivatives.events.massless import follow_skim
 from hophoop.derivatives.layout import OM
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, follow_flight, follow_hold, step_along
-from hophoop.derivatives.pieces.panels import follow_panel, prepare_panel
-from hophoop.derivatives.pieces.resisted import Stretch
+from hophoop.derivatives.pieces.panels import Stretch, follow_panel, prepare_panel
 from hophoop.kernel.native import noinline
 from hophoop.kernel.panels.panel import FLY, HOLD, LEAVE, SKIMMING, fill_inside
-from hophoop.kernel.physics.closed_forms import skim_state
-from hophoop.kernel.records.state import moved, with_velocities
 from hophoop.kernel.records.writing import panel_of, state_of
-from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
+from hophoop.kernel.rigid.contact_phase import state_on_panel
 from hophoop.kernel.rigid.panel_choice import solve
-from hophoop.kernel.rigid.sampling import state_in_flight
-
-
-@noinline
-def state_after_hold(body, row, begin, tau):
-    """The state after the time tau of rest, or of slip without rotation."""
-    after = moved(begin, begin.t + tau, 0.0, begin.x, begin.x_low, 0.0, begin.revolutions, begin.th, begin.th_low)
-    return with_velocities(after, begin.vt + slip_rate_without_rotation(body, row["sigma"]) * tau, 0.0, 0.0)
-
-
-@noinline
-def state_after_skim(body, row, begin, tau):
-    """The state after the time tau of skimming."""
-    x, th, vt, om = skim_state(body, begin.x, begin.th, begin.vt, begin.om, row["direction"], tau)
-    after = moved(begin, begin.t + tau, 0.0, x, 0.0, 0.0, begin.revolutions, th, 0.0)
-    return with_velocities(after, vt, 0.0, om)
+from hophoop.kernel.rigid.sampling import state_in_flight, state_in_skim, state_without_rotation
 
 
 @noinline
@@ -40,13 +22,13 @@ def follow_without_panel(body, row, tau, parameter_tangents, tangents):
     begin = state_of(row)
     if row["kind"] == FLY:
         end = state_in_flight(body, row["f_n"], begin, tau)
-        follow_flight(body, row["f_n"], begin, end, tau, parameter_tangents, tangents)
+        follow_flight(body, row["f_n"], begin, tau, parameter_tangents, tangents)
     elif row["kind"] == HOLD:
-        end = state_after_hold(body, row, begin, tau)
+        end = state_without_rotation(body, row["sigma"], begin, begin.t + tau, tau)
         follow_hold(body, row["sigma"], begin, end, tau, parameter_tangents, tangents)
     else:
-        end = state_after_skim(body, row, begin, tau)
-        follow_skim(body, begin, end, tau, tangents)
+        end = state_in_skim(body, row["direction"], begin, begin.t + tau, tau, False)[0]
+        follow_skim(body, begin, row["direction"], tau, tangents)
     return end
 
 
@@ -99,7 +81,7 @@ def follow_piece(body, row, parameter_tangents, tangents, workspace):
     if is_panel(row):
         panel = panel_of(row)
         totals = solve(body, panel, workspace.scratch.work)
-        prepare_panel(body, panel, row["omega"] * row["omega"], parameter_tangents, workspace)
+        prepare_panel(body, panel, parameter_tangents, workspace)
         return follow_prepared(body, row, panel, totals, row["xi"], parameter_tangents, tangents, workspace)
     tau = length_of(row)
     return follow_without_panel(body, row, tau, parameter_tangents, tangents)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from hophoop.derivatives.layout import MU_S
-from hophoop.derivatives.pieces.forces import by_angle, change_of, rolling_slopes
+from hophoop.derivatives.layout import body_tangent
+from hophoop.derivatives.pieces.forces import change_of_forces, forces_by_angle
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import COSINE, SINE, U, fill_inside
-from hophoop.kernel.physics.contact import resistance_arm
+from hophoop.kernel.physics.contact import resistance_arm, rolling_forces
 from hophoop.kernel.records.writing import panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import state_on_panel
 from hophoop.kernel.rigid.panel_choice import solve_noinline
@@ -22,11 +22,12 @@ HALVINGS = 60
 @noinline
 def need_of(body, s, c, om, rho, way):
     """(abs(F)/N, its rate by the angle turned, up to a positive factor)."""
-    friction, normal, alpha, of_friction, of_normal = rolling_slopes(body, s, c, om, rho)
+    friction, normal = rolling_forces(body, s, c, om * om, rho)
     if not normal > 0.0:
         return math.inf if friction != 0.0 else 0.0, 0.0
     side = 1.0 if friction > 0.0 else -1.0
-    slope = side * (by_angle(of_friction, alpha) * normal - friction * by_angle(of_normal, alpha))
+    friction_by_angle, normal_by_angle = forces_by_angle(body, s, c, om, rho)
+    slope = side * (friction_by_angle * normal - friction * normal_by_angle)
     return abs(friction) / normal, way * slope
 
 
@@ -87,15 +88,16 @@ def need_at_rest(body, th):
 def use_changes(body, th, om, rho, tangents, parameter_tangents, larger, smaller):
     """Fill in how abs(F)/(μs N) changes in each direction at an angle of rolling, and to the other side."""
     s, c = sine_and_cosine(th)
-    friction, normal, _, of_friction, of_normal = rolling_slopes(body, s, c, om, rho)
-    if om == 0.0 and abs(rho) < body.resist:  # held: F = −g_t and N = g_n
-        of_friction = (0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0)
-        of_normal = (0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+    friction, normal = rolling_forces(body, s, c, om * om, rho)
+    held = om == 0.0 and abs(rho) < body.resist
     limit = body.mu_s * normal
     for k in range(tangents.shape[1]):
-        pull = change_of(of_friction, om, tangents, parameter_tangents, k) / limit
-        less = change_of(of_normal, om, tangents, parameter_tangents, k) / normal + parameter_tangents[MU_S, k] / body.mu_s
-        less *= abs(friction) / limit
+        d_body = body_tangent(parameter_tangents, k)
+        dfriction, dnormal = change_of_forces(body, s, c, om, rho, d_body, tangents, k)
+        if held:  # F = −g_t and N = g_n
+            dfriction, dnormal = -d_body.gt, d_body.gn
+        pull = dfriction / limit
+        less = (dnormal / normal + d_body.mu_s / body.mu_s) * abs(friction) / limit
         if friction == 0.0:
             larger[k] = abs(pull) - less
             smaller[k] = -abs(pull) - less

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
 import numpy as np
 
 from hophoop.derivatives.events.massless import skim_rates
@@ -11,27 +9,13 @@ from hophoop.derivatives.layout import T
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, step_along
 from hophoop.derivatives.pieces.panels import prepare_panel
 from hophoop.derivatives.pieces.pieces import follow_prepared, follow_without_panel, is_panel
+from hophoop.derivatives.workspace import Pieces, Samples
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, TIME, Totals, fill_inside, no_panel
 from hophoop.kernel.records.writing import find_segment, panel_of
 from hophoop.kernel.rigid.panel_choice import solve
 from hophoop.kernel.rigid.sampling import xi_at_time
 
-STATE = ("x", "height", "theta", "omega", "slip", "vy")
-
-
-class Pieces(NamedTuple):
-    """The segments of a motion and their tangents."""
-
-    segments: Any  # of records.SEGMENT
-    at_segments: Any  # shape (segments, STATE_ROWS, n)
-    parameter_tangents: Any  # shape (PARAMETERS, n)
-
-
-class Samples(NamedTuple):
-    """States and tangents at some times, which `sample_tangents` fills in."""
-
-    states: Any  # shape (times, 6)
-    tangents: Any  # shape (times, STATE_ROWS, n)
+__all__ = ["Pieces", "Samples", "sample_tangents"]
 
 
 def sample_tangents(body, pieces, clock, times, left, samples, workspace):
@@ -57,7 +41,7 @@ def sample_tangents(body, pieces, clock, times, left, samples, workspace):
             if index != solved:
                 panel = panel_of(row)
                 totals = solve(body, panel, scratch.work)
-                prepare_panel(body, panel, row["omega"] * row["omega"], parameter_tangents, workspace)
+                prepare_panel(body, panel, parameter_tangents, workspace)
                 solved = index
             fill_inside(panel, scratch.work)
             xi = xi_at_time(scratch.work[TIME], row, tau, scratch)

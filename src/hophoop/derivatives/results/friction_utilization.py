@@ -13,9 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.derivatives.layout import BEFORE_OM, OM, STATE_ROWS, T
-from hophoop.derivatives.pieces.required_friction import need_at_rest, needs_on_panel, peak_on_panel, use_changes
-from hophoop.derivatives.pieces.sampling import Pieces, Samples, sample_tangents
-from hophoop.derivatives.workspace import ROWS, Workspace
+from hophoop.derivatives.workspace import Pieces, Samples, new_workspace
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import HOLD
@@ -23,6 +21,9 @@ from hophoop.kernel.physics.body import Body, Event, Mode
 from hophoop.kernel.records.layout import thread_scratch
 
 Floats = NDArray[np.float64]
+# Kernels by name: their modules write tangents on import, which compiled code does without.
+KERNELS = "hophoop.derivatives."
+REQUIRED = KERNELS + "pieces.required_friction."
 SLIPS = (Mode.SPIN, Mode.SKID)
 TIED = 1e-9  # relative to 1: maxima that differ by less are one
 
@@ -56,7 +57,7 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     numbers = np.flatnonzero((segments["t"] >= begin) & (segments["t"] < end)).tolist()
     first = segments[numbers[0]]
     if first["kind"] == HOLD:
-        need, rho = compiled(need_at_rest)(body, float(first["theta"]))
+        need, rho = compiled(REQUIRED + "need_at_rest")(body, float(first["theta"]))
         times = [begin + part * (end - begin) for part in (0.0, 0.3, 0.5, 0.8, 1.0)]
         return [Peak(float(need), -1, False, t, float(rho)) for t in times]
     room = np.empty((3, ORDER + 2))
@@ -65,14 +66,16 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     for number in numbers:
         row = segments[number]
         rho = float(row["direction"] * body.resist)
-        count = compiled(needs_on_panel)(body, segments, number, scratch, *room)
+        count = compiled(REQUIRED + "needs_on_panel")(body, segments, number, scratch, *room)
         places, needs, slopes = room[:, :count]
         if number == numbers[0] and not slopes[0] > 0.0:
             found.append(Peak(float(needs[0]), index, False, begin, rho))
         elif outer > 0.0 and not slopes[0] > 0.0:
             found.append(Peak(float(needs[0]), -1, False, float(row["t"]), rho))
         for k in np.flatnonzero((slopes[:-1] > 0.0) & ~(slopes[1:] > 0.0)).tolist():
-            need, t = compiled(peak_on_panel)(body, segments, number, float(places[k]), float(places[k + 1]), scratch)
+            need, t = compiled(REQUIRED + "peak_on_panel")(
+                body, segments, number, float(places[k]), float(places[k + 1]), scratch
+            )
             found.append(Peak(float(need), -1, False, float(t), rho))
         outer = slopes[-1]
     if outer > 0.0:
@@ -176,11 +179,13 @@ def use_rates(body: Body, events: np.ndarray, at_events: Floats, pieces: Pieces,
     else:
         samples = Samples(np.empty((1, 6)), np.empty((1, *pieces.at_segments.shape[1:])))
         still = np.zeros(parameter_tangents.shape[1])
-        workspace = Workspace(thread_scratch(), np.zeros((ROWS, ORDER)))
-        compiled(sample_tangents)(body, pieces, still, np.array([peak.t]), False, samples, workspace)
+        workspace = new_workspace(thread_scratch(), parameter_tangents.shape[1])
+        compiled(KERNELS + "pieces.sampling.sample_tangents")(
+            body, pieces, still, np.array([peak.t]), False, samples, workspace
+        )
         tangents, th, om = samples.tangents[0], samples.states[0, 2], samples.states[0, 3]
     larger, smaller = np.empty((2, parameter_tangents.shape[1]))
-    compiled(use_changes)(body, float(th), float(om), peak.rho, tangents, parameter_tangents, larger, smaller)
+    compiled(REQUIRED + "use_changes")(body, float(th), float(om), peak.rho, tangents, parameter_tangents, larger, smaller)
     return larger, smaller
 
 

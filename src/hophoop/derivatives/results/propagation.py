@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import (
     IMPACT_N,
     IMPACT_T,
@@ -22,9 +21,14 @@ from hophoop.derivatives.layout import (
     Reason,
 )
 from hophoop.derivatives.parameters import Directions, Floats, directions_of
-from hophoop.derivatives.pieces.energies import COLUMNS, ENERGIES, energy_rates
-from hophoop.derivatives.pieces.sampling import Pieces, Samples, sample_tangents
-from hophoop.derivatives.results.friction_utilization import greatest_peaks, greatest_use, no_change, settled_by, use_rates
+from hophoop.derivatives.results.friction_utilization import (
+    KERNELS,
+    greatest_peaks,
+    greatest_use,
+    no_change,
+    settled_by,
+    use_rates,
+)
 from hophoop.derivatives.units import (
     DIRECT,
     ENERGY,
@@ -33,9 +37,8 @@ from hophoop.derivatives.units import (
     UNITS,
     sizes_and_rates,
 )
-from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
+from hophoop.derivatives.workspace import KnownMotion, Pieces, Samples, new_solution, new_workspace
 from hophoop.kernel.native import compiled
-from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.records.cells import mode_of, second_of, start_of
 from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch, thread_scratch
@@ -44,6 +47,8 @@ from hophoop.results.records import Motion
 from hophoop.scenario import InputError, cell_of
 from hophoop.vocabulary.quantities import QUANTITIES
 
+COLUMNS = ("x", "height", "theta", "omega", "slip", "vy")  # of a state, in the order of its tangents from row X on
+ENERGIES = ("kinetic", "potential", "total", "friction")
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
 
@@ -166,9 +171,9 @@ class TangentSolution:
         samples = Samples(np.empty((times.size, 6)), np.empty((times.size, STATE_ROWS, count)))
         states, out = samples
         clock = -self.directions.units[1]
-        compiled(sample_tangents)(
+        compiled(KERNELS + "pieces.sampling.sample_tangents")(
             motion.scenario.to_body(), Pieces(segments, self.at_segments, self.directions.parameter_tangents), clock,
-            motion.units.kernel_times(segments, times), left, samples, new_workspace(),
+            motion.units.kernel_times(segments, times), left, samples, new_workspace(thread_scratch(), count),
         )  # fmt: skip
         sample = motion.at(times, "left" if left else "right")
         result: dict[str, tuple[Floats, Floats]] = {}
@@ -218,7 +223,14 @@ class TangentSolution:
 
     def _energy(self, field: str, state: Floats, rates: Floats) -> tuple[Any, Floats]:
         """Kinetic, potential or both, of the state at one time or many."""
-        return energy_rates(field, self._body, state, rates, self.directions.parameter_tangents)
+        states, tangents = np.atleast_2d(state), rates.reshape(-1, *rates.shape[-2:])
+        values, slopes = np.empty((len(states), 2)), np.empty((len(states), 2, rates.shape[-1]))
+        compiled(KERNELS + "pieces.energies.fill_energies")(
+            self._body, states, tangents, self.directions.parameter_tangents, values, slopes
+        )
+        part = {"kinetic": slice(1), "potential": slice(1, 2), "total": slice(2)}[field]
+        value, slope = values[:, part].sum(axis=1), slopes[:, part].sum(axis=1)
+        return (value, slope) if state.ndim == 2 else (value[0], slope[0])
 
     def _friction(self, state: Floats, rates: Floats) -> Floats:
         """Of the friction loss: the energy lost less the losses of impacts and rolling resistance."""
@@ -246,11 +258,6 @@ def _state_of(row: np.void) -> Floats:
     state = np.array([row[name] for name in COLUMNS])
     state[2] += row["theta_low"]
     return state
-
-
-def new_workspace() -> Workspace:
-    """A workspace with the scratch arrays of this thread."""
-    return Workspace(thread_scratch(), np.zeros((ROWS, ORDER)))
 
 
 def doubtful_from(motion: Motion) -> float:
@@ -306,7 +313,12 @@ def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Tangen
     events, segments = motion.tables["events"], motion.tables["segments"]
     known = KnownMotion(events, segments, scenario.duration / motion.units.time, motion.kernel_doubt)
     found = new_solution(len(events), len(segments), len(paths))
-    compiled(propagate_motion)(
-        scenario.to_body(), known, sign * given.parameter_tangents, sign * given.start, found, new_workspace()
+    compiled(KERNELS + "events.ending.propagate_motion")(
+        scenario.to_body(),
+        known,
+        sign * given.parameter_tangents,
+        sign * given.start,
+        found,
+        new_workspace(thread_scratch(), len(paths)),
     )
     return TangentSolution(motion, given, sign * found.at_events, sign * found.at_segments, found.reasons, found.failed)

@@ -11,8 +11,7 @@ from hophoop.derivatives.directions import direction
 from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import PARAMETERS, STATE_ROWS
 from hophoop.derivatives.units import UNIT_OF_ROW, sizes_and_rates
-from hophoop.derivatives.workspace import ROWS, KnownMotion, Workspace, new_solution
-from hophoop.kernel.numerics.collocation import ORDER
+from hophoop.derivatives.workspace import KnownMotion, new_solution, new_workspace
 from hophoop.kernel.records.cells import Cell, body_of, scales_of
 from hophoop.kernel.records.layout import new_scratch
 from hophoop.kernel.records.writing import kernel_times
@@ -76,7 +75,7 @@ def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, 
     if pieces > 0 and not math.isnan(doubt):
         kernel_times(parts["t"], parts[-1]["t_end"], np.full(1, doubt), scales.time, when)
     motion = KnownMotion(rows, parts, cell[Cell.DURATION] / scales.time, when[0])
-    propagate_motion(body, motion, by, start, solution, Workspace(new_scratch(), np.zeros((ROWS, ORDER))))
+    propagate_motion(body, motion, by, start, solution, new_workspace(new_scratch(), n))
     for i in range(count):
         write_changes(rows[i], scales, units, sign, solution.at_events[i], table[i])
     for k in range(n):
