@@ -174,6 +174,7 @@ def _windows(run: Run, track: Track, sigma: Sigma) -> list[Trial]:
     for time in np.arange(begin + step, end, step):
         k = int(np.searchsorted(track.t, time - 1e-9))
         at = float(track.t[k])
+        part: tuple[float | None, float | None]
         if 2 * k < len(track.t) and len(track.t) - k > SHORTEST:
             said, part = f"first part is no free motion (a hand?), but the rest fits one: give --from {at:.3g}", (at, None)
         elif 2 * k > len(track.t) and k > SHORTEST:

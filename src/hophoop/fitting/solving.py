@@ -248,10 +248,10 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
     last, blind = _settled(problem, params, best, blind, robust)
     if any(piece.channel.name == "omega" for piece in problem.pieces):
         for _ in range(ROUNDS):
-            other, seen = min(_asides(problem, params, last, robust), key=lambda pair: pair[0].cost, default=(best, blind))
-            if other.cost > last.minimum.cost - 1e-6:
+            aside, seen = min(_asides(problem, params, last, robust), key=lambda pair: pair[0].cost, default=(best, blind))
+            if aside.cost > last.minimum.cost - 1e-6:
                 break
-            last, blind = _settled(problem, params, other, seen, robust)
+            last, blind = _settled(problem, params, aside, seen, robust)
     return last, blind
 
 
