@@ -55,10 +55,10 @@ def kernel_rate(values: dict[str, np.ndarray]) -> dict[str, float]:
     """Motions per second and core, best of three."""
     count = values["plane.mu"].size
     span = make_span("first_revolution")
-    run_cells(make_cells(hh.Scenario(), draw(128), 128), span, 0, serial=True)
+    run_cells(make_cells(hh.Scenario(), draw(128), 128), span, 0)
 
     def work():
-        run_cells(make_cells(hh.Scenario(), values, count), span, 0, serial=True)
+        run_cells(make_cells(hh.Scenario(), values, count), span, 0)
 
     return {"motions": count, "motions_per_second_and_core": count / min(cpu(work) for _ in range(3))}
 

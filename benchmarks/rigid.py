@@ -160,7 +160,7 @@ def main() -> None:
     for _ in range(ROUNDS):
         times["scipy"].append(median(scipy_motion, 3))
         times["simulate"].append(median(lambda: hh.simulate(SCENARIO), 50))
-        times["kernel"].append(median(lambda: run_cells(cells, span, 0, serial=True), 20) / KERNELS)
+        times["kernel"].append(median(lambda: run_cells(cells, span, 0), 20) / KERNELS)
     reference, call, bare = (statistics.median(values) for values in times.values())
     error, scipy_error = errors()
     print(f"SciPy DOP853, rtol 1e-10   {reference * 1e3:9.2f} ms              error {scipy_error:.1e}")

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -109,31 +107,6 @@ def test_a_stop_while_the_command_is_loaded(number, status, tmp_path):
     code = LOADED.format(number=int(number))
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=SOON)
     assert (done.returncode, done.stdout, done.stderr) == (status, "", "Stopped.\n")
-
-
-@SIGNALS
-def test_ctrl_c_in_a_terminal_ends_a_map_over_workers_by_one_sentence(number, status, tmp_path):
-    """A terminal sends it to all processes. Dask printed up to five tracebacks, and four lines where it runs already."""
-    out = tmp_path / "map.zarr"
-    words = f"map --workers 2 --axis plane.mu=0.05:1.95:400 --axis start.speed=0.05:5:400 --out {out} --quiet"
-    with socket.socket() as another:
-        with contextlib.suppress(OSError):  # there is another cluster
-            another.bind(("", 8787))
-            another.listen()
-        process = subprocess.Popen(
-            [sys.executable, "-c", f"{HEARS}; {RUN}", *words.split()],
-            stderr=subprocess.PIPE,
-            text=True,
-            start_new_session=True,
-            env=os.environ | {"HOPHOOP_KERNELS": "interpreted", "TMPDIR": str(tmp_path)},
-        )
-        while not list(out.glob("*/lock")) or sum(1 for _ in tmp_path.glob("hophoop-*/*/worker-*")) < 2:
-            assert process.poll() is None
-            time.sleep(0.05)
-    os.killpg(process.pid, number)
-    said = process.communicate(timeout=SOON)[1]
-    assert (process.returncode, said) == (status, f"Stopped; what is done is kept in {out}, and --resume goes on.\n")
-    assert [path.name for path in tmp_path.iterdir()] == ["map.zarr"]
 
 
 # long commands, and what a stopped one may leave: figures that are complete, chunks of a map

@@ -13,9 +13,11 @@ import numpy as np
 import pytest
 
 from hophoop import maps
+from hophoop.maps.grid.chunks import compute_chunk
+from hophoop.maps.grid.evaluate import make_plan
 from map_tools import contents
 
-pytest.importorskip("distributed")
+distributed = pytest.importorskip("distributed")
 
 AXES = {"plane.mu": np.linspace(0.05, 1.95, 150), "start.speed": np.linspace(0.05, 5.0, 150)}
 QUANTITIES = ["sequence", "hop_height"]
@@ -87,7 +89,8 @@ def test_a_cluster_that_loses_a_worker_makes_the_same_bytes(tmp_path):
 
 
 @pytest.mark.long
-def test_a_cluster_of_this_machine_takes_up_a_stopped_map(tmp_path):
+def test_a_client_takes_up_a_stopped_map(tmp_path):
+    """Any `distributed.Client` will do, here one with threads of this process."""
     local = tmp_path / "local.zarr"
     axes = {name: values[::5] for name, values in AXES.items()}
     maps.sweep(None, axes, QUANTITIES, out=local, chunk_cells=100)
@@ -99,12 +102,14 @@ def test_a_cluster_of_this_machine_takes_up_a_stopped_map(tmp_path):
 
     with pytest.raises(KeyboardInterrupt):
         maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=100, progress=stop)
-    maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=100, resume=True, workers=1)
+    with distributed.Client(processes=False, n_workers=1, dashboard_address=None) as client:
+        maps.sweep(None, axes, QUANTITIES, out=path, resume=True, scheduler=client)
+        assert client.status == "running"
     assert contents(path) == contents(local)
 
 
 def test_a_scheduler_that_is_not_there(tmp_path, monkeypatch):
-    monkeypatch.setattr("hophoop.maps.grid.distributed.PATIENCE", 1.0)
+    monkeypatch.setattr("hophoop.maps.grid.chunks.PATIENCE", 1.0)
     began = time.monotonic()
     with pytest.raises(OSError, match=r"127.0.0.1:9"):
         maps.sweep(None, AXES, QUANTITIES, out=tmp_path / "map.zarr", scheduler="tcp://127.0.0.1:9")
@@ -126,7 +131,7 @@ def test_a_cluster_that_loses_its_scheduler_says_so_and_the_map_goes_on(tmp_path
                 deaths.append(done)
 
         with pytest.raises(
-            OSError, match=r"The scheduler at tcp://127\.0\.0\.1:\d+ is gone; what is done is kept, and resume goes on\."
+            OSError, match=r"The scheduler at tcp://127\.0\.0\.1:\d+ is gone; finished chunks are kept, and resume continues\."
         ):
             maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=50, scheduler=address, progress=watch)
     assert len(deaths) == 1
@@ -134,10 +139,32 @@ def test_a_cluster_that_loses_its_scheduler_says_so_and_the_map_goes_on(tmp_path
     assert contents(path) == contents(local)
 
 
-def test_a_worker_with_other_kernels_is_refused(tmp_path):
+def test_a_worker_with_other_kernels_is_refused():
     """Its results would be those of another version."""
-    from hophoop.maps.grid.distributed import _compute
-
+    plan = make_plan(None, AXES, QUANTITIES, "duration")
     with pytest.raises(OSError, match=r"A worker on .* has kernels of other sources \([0-9a-f]{8}, here 00000000\)"):
-        _compute(str(tmp_path), 0, 32 * "0")
-    assert not list(tmp_path.iterdir())
+        compute_chunk(plan, {}, (0, 0), sources=32 * "0")
+
+
+STOPPED = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background leaves it ignored
+from hophoop.cli import app
+app()
+"""
+
+
+@pytest.mark.long
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX only")
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_stop_ends_a_map_over_a_cluster_by_one_sentence(number, status, tmp_path):
+    out = tmp_path / "map.zarr"
+    words = f"map --axis plane.mu=0.05:1.95:2000 --axis start.speed=0.05:5:2000 --out {out} --quiet --scheduler"
+    with cluster(tmp_path) as (address, _, _):
+        process = subprocess.Popen([sys.executable, "-c", STOPPED, *words.split(), address], stderr=subprocess.PIPE, text=True)
+        while not list(out.glob("unfinished/sequence/c/*/*/*")):
+            assert process.poll() is None
+            time.sleep(0.05)
+        process.send_signal(number)
+        said = process.communicate(timeout=60)[1]
+    assert (process.returncode, said) == (status, f"Stopped; what is done is kept in {out}, and --resume goes on.\n")

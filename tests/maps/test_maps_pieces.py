@@ -56,67 +56,30 @@ def test_coordinates_are_zero_where_nothing_is_written(tmp_path):
     assert [group[name].fill_value for name in AXES] == [0.0, 0.0]
 
 
-def test_finishing_twice_keeps_long_codes(tmp_path, monkeypatch):
-    memory = maps.sweep(None, AXES, QUANTITIES)
-    monkeypatch.setattr(store, "MOST_SHORT_CODES", 1)
-    finish = store._finish_sequences
-
-    def twice(path, plan):
-        finish(path, plan)
-        finish(path, plan)
-
-    monkeypatch.setattr(store, "_finish_sequences", twice)
-    made = make(tmp_path / "map.zarr")
-    assert made["sequence"].dtype == np.int32
-    np.testing.assert_array_equal(made["sequence"].values, memory["sequence"].values)
-
-
-def test_a_worker_reads_the_plan_again_only_when_it_has_changed(tmp_path, monkeypatch):
-    path, reads = begin(tmp_path / "map.zarr"), []
-
-    def read(place):
-        reads.append(place)
-        return len(reads)
-
-    monkeypatch.setattr(store, "_plans", {})
-    monkeypatch.setattr(store, "read_plan", read)
-    assert [store._plan_of(str(path)) for _ in range(3)] == [1, 1, 1]
-    plan = path / "unfinished" / "plan.json"
-    plan.touch()
-    assert plan.stat().st_mtime_ns != store._plans[str(path)][0]
-    assert [store._plan_of(str(path)) for _ in range(2)] == [2, 2]
-    assert reads == [path, path]
-
-
-def test_a_map_that_was_finished_while_its_lock_was_taken_is_not_refused(tmp_path, monkeypatch):
+def test_a_map_that_was_finished_while_its_lock_was_taken_is_complete(tmp_path, monkeypatch):
     path = begin(tmp_path / "map.zarr")
-    held = []
+    lock = store._locked
 
-    class Lock:
-        def __init__(self, file):
-            held.append(file)
+    def late(place):  # another process completes the map first
+        monkeypatch.undo()
+        make(path, resume=True)
+        return lock(place)
 
-        def acquire(self, blocking):
-            assert not blocking
-            raise FileNotFoundError
-
-        def release(self):
-            held.append("released")
-
-    library = types.SimpleNamespace(FileLock=Lock, Timeout=TimeoutError)
-    monkeypatch.setattr(store, "need", lambda name, extra: library)
-    with store._locked(path, path / "unfinished"):
-        pass
-    assert held == [path / "unfinished" / "lock", "released"]
+    monkeypatch.setattr(store, "_locked", late)
+    counts = []
+    made = make(path, resume=True, progress=lambda done, total: counts.append(done))
+    assert counts == [12]
+    assert made.identical(maps.open_map(path))
+    assert not (path / "unfinished").exists()
 
 
-def test_a_mark_that_is_not_whole_does_not_count(tmp_path):
+def test_a_chunk_that_lacks_a_quantity_is_computed_again(tmp_path):
     path = begin(tmp_path / "map.zarr")
-    first = []
-    done = len(list((path / "unfinished").glob("*.done")))
-    (path / "unfinished" / ".1234.2.done").write_text("[", encoding="utf-8")
-    make(path, resume=True, progress=lambda count, total: first.append(count))
-    assert first[0] == 4 * done
+    counts = []
+    written = sorted(file for file in (path / "status" / "c").rglob("*") if file.is_file())
+    written[0].unlink()
+    make(path, resume=True, progress=lambda done, total: counts.append(done))
+    assert counts[0] == sum(2 * min(2, 3 - 2 * int(file.parent.name)) for file in written[1:])  # chunks of 2 × 2 cells
     assert not (path / "unfinished").exists()
 
 
@@ -160,12 +123,15 @@ def test_a_file_of_others_is_refused_by_its_name_first(tmp_path):
 
 @pytest.mark.parametrize("error", [OSError, ValueError, KeyError])
 def test_a_folder_that_zarr_cannot_open_has_no_plan(tmp_path, monkeypatch, error):
+    path = tmp_path / "map.zarr"
+    path.mkdir()
+
     def open_group(path, mode):
         raise error
 
     monkeypatch.setattr(store, "need", lambda name, extra: types.SimpleNamespace(open_group=open_group))
     with pytest.raises(ValueError, match="is not a map of hophoop"):
-        store.read_plan(tmp_path)
+        make(path, resume=True)
 
 
 def test_a_folder_that_cannot_be_made_is_an_error_of_the_system(tmp_path):

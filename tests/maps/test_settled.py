@@ -142,11 +142,12 @@ def test_sections_do_not_contradict_each_other():
 
 
 def test_workers_compute_the_same(tmp_path):
-    pytest.importorskip("distributed")
+    distributed = pytest.importorskip("distributed")
     axes = {"plane.mu": np.linspace(0.1, 1.5, 12), "start.speed": np.linspace(0.1, 4.0, 15)}
     names = ["fate", "final_loss"]
     alone = swept(LEVEL, axes, names)
-    spread = swept(LEVEL, axes, names, out=tmp_path / "map.zarr", workers=1, chunk_cells=60)
+    with distributed.Client(n_workers=1, threads_per_worker=1, dashboard_address=None) as client:
+        spread = swept(LEVEL, axes, names, out=tmp_path / "map.zarr", scheduler=client, chunk_cells=60)
     for name in names:
         assert np.array_equal(alone[name], spread[name], equal_nan=True)
 

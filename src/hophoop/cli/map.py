@@ -67,8 +67,7 @@ def map(
     resume: Annotated[bool, typer.Option("--resume", help="Resume a map that was stopped.")] = False,
     plot: Picture = None,
     threads: Annotated[int | None, typer.Option(help="Number of cores; by default all.")] = None,
-    workers: Annotated[int | None, typer.Option(help="Start a local Dask cluster with this number of processes.")] = None,
-    scheduler: Annotated[str | None, typer.Option(help="Address of a running Dask scheduler.")] = None,
+    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler, whose workers compute instead.")] = None,
     quiet: Quiet = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the reference hoop)."""
@@ -115,7 +114,6 @@ def map(
             out=out,
             resume=resume,
             threads=threads,
-            workers=workers,
             scheduler=scheduler,
             progress=not quiet,
         )

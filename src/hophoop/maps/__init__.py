@@ -1,6 +1,6 @@
 """Maps: reduced quantities of millions of motions over any parameters of a scenario.
 
-xarray and Zarr are in the extra ``maps``, Dask in ``cluster``; both are loaded when a map is made.
+xarray, Zarr and Dask are in the extra ``maps``, and are loaded when a map is made; clusters are in ``cluster``.
 """
 
 from hophoop.maps.boundaries.following import Border, borders, boundary

@@ -12,8 +12,7 @@ from hophoop.kernel.numerics.elementwise import exponential, logarithm
 from hophoop.kernel.records.layout import MapResults, unpacked_sequence
 from hophoop.maps.grid.axes import make_axes, ordered
 from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.evaluate import run_cells
-from hophoop.maps.grid.kernel import BLOCK
+from hophoop.maps.grid.evaluate import run_points
 from hophoop.maps.grid.quantities import Quantity, choose_quantities, distinct_rows, make_span
 from hophoop.scenario import InputError, Scenario
 
@@ -113,7 +112,7 @@ class Classifier:
         """Return the codes at values of the two parameters, arrays of equal length."""
         values = {self.window.x: x, self.window.y: y}
         cells = make_cells(self.base, {path: values[path] for path in ordered(list(values))}, x.size)
-        results = run_cells(cells, self.span, 0, serial=x.size <= 2 * BLOCK)
+        results = run_points(cells, self.span, 0)
         self.evaluated += x.size
         return self._encode(results)
 

@@ -1,4 +1,4 @@
-"""Axes of a map: parameter and values; and the chunks of a grid."""
+"""Axes of a map: parameter and values; and the shape of its chunks."""
 
 from __future__ import annotations
 
@@ -297,14 +297,6 @@ def _check_pairs(axes: Sequence[Axis]) -> None:
         raise InputError(TWO_AXES.format(one=pair[0], other=pair[1]))
 
 
-class Chunk(NamedTuple):
-    """A rectangular piece of the grid."""
-
-    number: int
-    region: tuple[slice, ...]
-    shape: tuple[int, ...]
-
-
 def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
     """Return the shape of the chunks of a grid, with about `cells` cells each."""
     result = [1] * len(shape)
@@ -320,27 +312,3 @@ def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
         left //= max(1, more // result[i])
         result[i] = more
     return tuple(result)
-
-
-def chunk_at(index: int, shape: Sequence[int], chunk: Sequence[int]) -> Chunk:
-    """Return a chunk by its number."""
-    counts = [-(-n // c) for n, c in zip(shape, chunk, strict=True)]
-    place = [int(i) for i in np.unravel_index(index, counts)]
-    region = tuple(slice(p * c, min((p + 1) * c, n)) for p, c, n in zip(place, chunk, shape, strict=True))
-    return Chunk(index, region, tuple(part.stop - part.start for part in region))
-
-
-def chunk_count(shape: Sequence[int], chunk: Sequence[int]) -> int:
-    """Return the number of chunks of a grid."""
-    return math.prod(-(-n // c) for n, c in zip(shape, chunk, strict=True))
-
-
-def chunk_values(axes: Sequence[Axis], chunk: Chunk) -> dict[str, NDArray[Any]]:
-    """Return the axes' values in every cell of a chunk, flat, in C order."""
-    result = {}
-    for i, (axis, part) in enumerate(zip(axes, chunk.region, strict=True)):
-        shape = [1] * len(axes)
-        shape[i] = chunk.shape[i]
-        spread = np.broadcast_to(axis.values[part].reshape(shape), chunk.shape)
-        result[axis.path] = spread.reshape(-1)
-    return result

@@ -1,14 +1,11 @@
-"""Running cells: what a plan is, one chunk of it, and scattered points."""
+"""Plan of a map, calls of its kernel, and scattered points."""
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextvars import ContextVar
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,16 +16,7 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.panels.panel import RESOLVED
 from hophoop.kernel.records.layout import MapRequest, MapResults, unpacked_sequence
 from hophoop.maps.grid import kernel
-from hophoop.maps.grid.axes import (
-    Axis,
-    Chunk,
-    chunk_at,
-    chunk_count,
-    chunk_shape,
-    chunk_values,
-    make_axes,
-    ordered,
-)
+from hophoop.maps.grid.axes import Axis, chunk_shape, make_axes, ordered
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.quantities import (
     Quantity,
@@ -44,6 +32,7 @@ from hophoop.maps.grid.settled import check_settled, evaluate_settled
 from hophoop.scenario import InputError, Scenario, parameter
 
 CHUNK_CELLS = 65536
+CALL_CELLS = 512  # per call of the kernel: a call takes as long as 2 cells, and a thread stops after one
 
 
 def values_of(results: MapResults, quantity: Quantity) -> NDArray[Any]:
@@ -68,13 +57,13 @@ class Plan(NamedTuple):
         return tuple(axis.values.size for axis in self.axes)
 
     @property
-    def parts(self) -> int:
-        """Number of chunks."""
-        return chunk_count(self.shape, self.chunk)
+    def chunks(self) -> tuple[int, ...]:
+        """Number of chunks along each axis."""
+        return tuple(-(-n // c) for n, c in zip(self.shape, self.chunk, strict=True))
 
-    def part(self, index: int) -> Chunk:
-        """Return a chunk by its number."""
-        return chunk_at(index, self.shape, self.chunk)
+    def region(self, index: Sequence[int]) -> tuple[slice, ...]:
+        """Return the cells of a chunk by its place among the chunks."""
+        return tuple(slice(i * c, min((i + 1) * c, n)) for i, c, n in zip(index, self.chunk, self.shape, strict=True))
 
     def to_text(self) -> str:
         """Return the plan as JSON, with the version; equal plans have equal texts."""
@@ -86,25 +75,7 @@ class Plan(NamedTuple):
                 "axes": {axis.path: _json(axis.values) for axis in self.axes},
                 "quantities": [quantity.name for quantity in self.quantities],
                 "span": self.span.name,
-                "chunk": list(self.chunk),
             }
-        )
-
-    @classmethod
-    def from_text(cls, text: str) -> Plan:
-        """Read `to_text` back."""
-        data = json.loads(text)
-        base = Scenario.from_dict(data["scenario"])
-        axes = []
-        for path, values in data["axes"].items():
-            _, description, unit = parameter(path)
-            axes.append(Axis(path, np.array(values, str if unit == "" else float), unit, description))
-        return cls(
-            base,
-            tuple(axes),
-            choose_quantities(data["quantities"]),
-            make_span(data["span"], in_the_end=True),
-            tuple(data["chunk"]),
         )
 
 
@@ -159,7 +130,7 @@ def _check_span(base: Scenario, quantities: Sequence[Quantity], span: Span) -> N
         check_settled(base)
 
 
-def run_cells(cells: NDArray[np.float64], span: Span, flags: int, *, serial: bool = False) -> MapResults:
+def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor | None = None) -> MapResults:
     """Run the kernel on all cells.
 
     Parameters
@@ -169,64 +140,41 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, *, serial: boo
     span : Span
     flags : int
         Flags of the quantities that the kernel computes on request only.
-    serial : bool, default False
-        Use this thread only, not all cores.
+    pool : Executor, optional
+        Its threads run the kernel; by default this one.
 
     Returns
     -------
     results : MapResults
     """
     count = cells.shape[1]
-    request = _request(span, flags)
-    results = _empty_results(count)
-    if span.name in SETTLED_SPANS:
-        _on_all_cores(count, lambda low, high: evaluate_settled(cells, low, high, span.name, results))
-    elif serial:
-        compiled(kernel.evaluate_block)(cells, 0, count, request, results)
-    else:
-        evaluate = compiled(kernel.evaluate_block)
-        _on_all_cores(count, lambda low, high: evaluate(cells, low, high, request, results))
-    return results
-
-
-def _request(span: Span, flags: int) -> MapRequest:
-    return MapRequest(span.angle, span.stop, span.timed, flags)
-
-
-def _empty_results(count: int) -> MapResults:
-    return MapResults(
+    results = MapResults(
         np.empty((count, len(kernel.NUMBERS))),
         np.empty((count, len(kernel.WORDS)), np.int32),
         np.empty((count, kernel.INTEGERS), np.uint64),
     )
+    request = MapRequest(span.angle, span.stop, span.timed, flags)
+    settled, evaluate = span.name in SETTLED_SPANS, compiled(kernel.evaluate_block)
+    step = kernel.BLOCK if settled else CALL_CELLS
+
+    def run(low: int) -> None:
+        high = min(low + step, count)
+        if settled:
+            evaluate_settled(cells, low, high, span.name, results)
+        else:
+            evaluate(cells, low, high, request, results)
+
+    for _ in (map if pool is None else pool.map)(run, range(0, count, step)):
+        pass
+    return results
 
 
-def _on_all_cores(count: int, evaluate: Callable[[int, int], None]) -> None:
-    """Compute blocks of cells on all threads; results do not depend on the thread."""
-    begins = iter(range(0, count, kernel.BLOCK))
-    lock = threading.Lock()
-
-    def work() -> None:
-        while True:
-            with lock:
-                low = next(begins, count)
-            if low == count:
-                return
-            high = min(low + kernel.BLOCK, count)
-            evaluate(low, high)
-
-    threads = min(_threads.get() or cores(), -(-count // kernel.BLOCK))
-    if threads <= 1:
-        work()
-        return
-    with ThreadPoolExecutor(threads) as pool:
-        try:
-            for done in [pool.submit(work) for _ in range(threads)]:
-                done.result()
-        except BaseException:  # Ctrl-C included: the other threads end after their block
-            with lock:
-                begins = iter(())
-            raise
+def run_points(cells: NDArray[np.float64], span: Span, flags: int) -> MapResults:
+    """Run the kernel on all cores, or on this thread where they are not worth it."""
+    if cells.shape[1] <= CALL_CELLS:
+        return run_cells(cells, span, flags)
+    with ThreadPoolExecutor(cores()) as pool:
+        return run_cells(cells, span, flags, pool)
 
 
 def cores() -> int:
@@ -234,16 +182,6 @@ def cores() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
-
-
-def run_chunk(plan: Plan, index: int, *, serial: bool = False) -> tuple[Chunk, MapResults]:
-    """Compute one chunk of a plan."""
-    chunk = plan.part(index)
-    values = chunk_values(plan.axes, chunk)
-    cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
-    flags = flags_of(plan.quantities)
-    results = run_cells(cells, plan.span, flags, serial=serial)
-    return chunk, results
 
 
 def points(
@@ -295,8 +233,7 @@ def points(
     cells = make_cells(base, arranged, count)
     part = make_span(span, in_the_end=True)
     _check_span(base, chosen, part)
-    # few points are not worth waking all threads
-    raw = run_cells(cells, part, flags_of(chosen), serial=count <= kernel.BLOCK)
+    raw = run_points(cells, part, flags_of(chosen))
     results = {}
     for quantity in chosen:
         if quantity.name == "sequence":
@@ -308,21 +245,3 @@ def points(
                 column = np.array([*quantity.words, ""])[column]
         results[quantity.name] = column.reshape(shape)
     return results
-
-
-_threads: ContextVar[int | None] = ContextVar("threads", default=None)
-
-
-@contextlib.contextmanager
-def thread_limit(threads: int | None) -> Iterator[None]:
-    """Use so many threads within; None leaves the number as it is."""
-    if threads is None:
-        yield
-        return
-    if not 1 <= threads <= cores():
-        raise InputError.of_field("threads", threads, f"from 1 to {cores()}")
-    before = _threads.set(threads)
-    try:
-        yield
-    finally:
-        _threads.reset(before)

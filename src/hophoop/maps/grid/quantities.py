@@ -17,7 +17,7 @@ from hophoop.scenario import InputError
 from hophoop.vocabulary.names import number_after
 
 NOT_ALLOWED = "not_allowed"
-_SEQUENCE = "sequence"
+SEQUENCE = "sequence"
 
 
 class Quantity(NamedTuple):
@@ -52,7 +52,7 @@ class Quantity(NamedTuple):
     @property
     def dtype(self) -> str:
         """Type of its array."""
-        if self.name == _SEQUENCE:
+        if self.name == SEQUENCE:
             return "int16"
         return "int8" if self.is_code else "float64"
 
@@ -73,7 +73,7 @@ def _code(name: str, meaning: str, words: Iterable[str]) -> Quantity:
 QUANTITIES: Mapping[str, Quantity] = {
     quantity.name: quantity
     for quantity in (
-        Quantity(_SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
+        Quantity(SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
         _code("status", "How the motion ended", STATUS_NAMES),
         _code("ending", "What ended the span", kernel.ENDINGS),
         _code("first_event", "First event after the start except the apex of a flight", EVENT_NAMES),
@@ -251,26 +251,11 @@ def sequence_order(sequence: str) -> tuple[int, str]:
     return len(sequence), sequence
 
 
-def encode(keys: NDArray[np.uint64], codes: Mapping[tuple[int, ...], int]) -> NDArray[np.int64]:
-    """Return the codes of packed sequences."""
-    rows, place = distinct_rows(keys)
-    return np.array([codes[row] for row in rows])[place]
-
-
-def distinct(keys: NDArray[np.uint64]) -> set[tuple[int, ...]]:
-    """Return the distinct packed sequences."""
-    return set(distinct_rows(keys)[0])
-
-
 def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDArray[np.int64]]:
-    """Return the distinct rows and the index of each row among them; much faster than np.unique over an axis."""
-    place = np.zeros(len(keys), np.int64)
-    for column in keys.T:
-        if column.any():
-            found, inner = np.unique(column, return_inverse=True)
-            place = place * found.size + inner.reshape(-1)
-    _, first, place = np.unique(place, return_index=True, return_inverse=True)
-    return [tuple(int(word) for word in keys[k]) for k in first], place.reshape(-1)
+    """Return the distinct rows and the index of each row among them; of neighbours that are equal only one is sorted."""
+    first = np.flatnonzero(np.append(True, (keys[1:] != keys[:-1]).any(axis=1))[: len(keys)])
+    found, place = np.unique(keys[first], axis=0, return_inverse=True)
+    return [tuple(row) for row in found.tolist()], np.repeat(place.reshape(-1), np.diff(np.append(first, len(keys))))
 
 
 def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int, ...], int]]:
@@ -286,7 +271,7 @@ def attributes(quantity: Quantity, sequences: Sequence[str] = ()) -> dict[str, A
     result: dict[str, Any] = {"long_name": quantity.meaning}
     if not quantity.is_code:
         return result | {"units": quantity.unit}
-    words = sequences if quantity.name == _SEQUENCE else quantity.words
+    words = sequences if quantity.name == SEQUENCE else quantity.words
     return result | {
         "units": "1",
         "flag_values": [kernel.NOT_ALLOWED, *range(len(words))],

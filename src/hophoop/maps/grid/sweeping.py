@@ -1,27 +1,32 @@
-"""Sweep a grid of scenarios: in memory or into a file, on all cores or a cluster."""
+"""Sweep a grid of scenarios: in memory or into a file, on threads of this machine or a cluster."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.checksum import seal
 from hophoop._support.extras import need
 from hophoop._support.files import netcdf_errors, replacing
 from hophoop._support.progress import bar
+from hophoop._support.stopping import remove
 from hophoop.maps.grid import store
-from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, make_plan, run_chunk, thread_limit, values_of
+from hophoop.maps.grid.chunks import compute_on_cluster, compute_on_threads
+from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, cores, make_plan
 from hophoop.maps.grid.memory import check_memory
-from hophoop.maps.grid.quantities import attributes, distinct, encode, table_of
+from hophoop.maps.grid.quantities import SEQUENCE, table_of
 from hophoop.scenario import InputError, Scenario
 
 if TYPE_CHECKING:
     import xarray
+    from distributed import Client
 
 Progress = Callable[[int, int], None]
 
@@ -35,8 +40,7 @@ def sweep(
     out: str | Path | None = None,
     resume: bool = False,
     threads: int | None = None,
-    workers: int | None = None,
-    scheduler: str | None = None,
+    scheduler: str | Client | None = None,
     progress: bool | Progress = False,
     chunk_cells: int = CHUNK_CELLS,
 ) -> xarray.Dataset:
@@ -63,10 +67,9 @@ def sweep(
         Resume the map in `out` where it was stopped.
     threads : int, optional
         How many cores; all by default [1].
-    workers : int, optional
-        Number of processes of a Dask cluster to start on this machine [1].
-    scheduler : str, optional
-        Address of a running Dask scheduler, such as ``"tcp://10.0.0.1:8786"``. Its workers must see `out`.
+    scheduler : str or distributed.Client, optional
+        A Dask cluster to compute on instead, or the address of its scheduler, such as ``"tcp://10.0.0.1:8786"``. Its workers
+        must see `out`.
     progress : bool or callable, default False
         Show progress on standard error; a callable gets the number of cells done and of all cells.
     chunk_cells : int, default 65536
@@ -86,7 +89,7 @@ def sweep(
     KeyboardInterrupt
         If it is stopped; finished chunks are kept, and `resume` continues.
     ImportError
-        If xarray or Zarr, or for a cluster Dask, is missing.
+        If a library of the extra ``maps``, or for a cluster of ``cluster``, is missing.
 
     Examples
     --------
@@ -99,26 +102,22 @@ def sweep(
     need("xarray", "maps")
     if axes is None:
         raise InputError("axes must name at least two parameters.")
-    if workers is not None and scheduler is not None:
-        raise InputError("workers and scheduler cannot be given together.")
-    if workers is not None and workers < 1:
-        raise InputError.of_field("workers", workers, "at least 1")
-    clustered = workers is not None or scheduler is not None
-    if clustered and out is None:
+    if scheduler is not None and out is None:
         raise InputError("out must name a file for a sweep over a cluster: the workers write into it.")
     if resume and out is None:
         raise InputError("out must name the file to resume.")
+    if threads is not None and not 1 <= threads <= cores():
+        raise InputError.of_field("threads", threads, f"from 1 to {cores()}")
     plan = make_plan(base, axes, quantities, span, chunk_cells)
-    dataset: xarray.Dataset
-    kinds = ["int32" if quantity.name == "sequence" else quantity.dtype for quantity in plan.quantities]
+    kinds = ["int32" if quantity.name == SEQUENCE else quantity.dtype for quantity in plan.quantities]
     if out is None:
         check_memory(plan.shape, kinds, "name a file that ends in .zarr with out, or take fewer values")
-        with thread_limit(threads), _reporting(progress, plan) as report:
-            dataset = _in_memory(plan, report)
-            return dataset
+        with _reporting(progress, plan) as report:
+            return _in_memory(plan, threads, report)
     file = Path(out)
     if file.suffix not in (".zarr", ".nc"):
         raise InputError.of_field("out", str(file), ".zarr or .nc", rule="must end in")
+    dataset: xarray.Dataset
     if file.suffix == ".nc" and file.exists():
         if not resume:
             raise InputError(f"{file} exists already: choose another name or remove it.")
@@ -127,17 +126,15 @@ def sweep(
     place = place_of(file)
     if place != file:  # netCDF is written at the end, all at once
         check_memory(plan.shape, 2 * kinds, "name a file that ends in .zarr")
-    with thread_limit(threads), store.begun(place, plan, resume) as (plan, todo):
-        with _reporting(progress, plan) as report:
-            report(_cells_of(plan, set(range(plan.parts)) - todo))
-            if clustered:
-                from hophoop.maps.grid.distributed import compute_on_cluster
-
-                compute_on_cluster(place, sorted(todo), scheduler, workers, report)
-            else:
-                for index in sorted(todo):
-                    report(store.compute_chunk(str(place), index))
-        store.finish(place, plan)
+    with store.begun(place, plan, resume) as (plan, todo), _reporting(progress, plan) as report:
+        left = sum(math.prod(part.stop - part.start for part in plan.region(index)) for index in todo)
+        report(math.prod(plan.shape) - left)
+        if todo and scheduler is not None:
+            compute_on_cluster(plan, store.arrays_of(place.resolve(), plan), todo, scheduler, report)
+        elif todo:
+            compute_on_threads(plan, store.arrays_of(place, plan), todo, threads, report)
+        if not store.is_complete(place):
+            store.finish(place, plan, threads or cores())
     if file.suffix == ".nc":
         _to_netcdf(place, file)
     dataset = store.open_map(file)
@@ -160,45 +157,32 @@ def place_of(file: Path) -> Path:
     return file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
 
 
-def _cells_of(plan: Plan, indices: set[int]) -> int:
-    return sum(int(np.prod(plan.part(index).shape)) for index in indices)
+class _Sequences:
+    """Sequences in memory: codes in the order in which threads find them, and the code of each packed sequence."""
+
+    def __init__(self, shape: tuple[int, ...]) -> None:
+        self.codes, self.table = np.empty(shape, np.int32), dict[tuple[int, ...], int]()
+        self.lock = Lock()
+
+    def __setitem__(self, region: tuple[slice, ...], keys: NDArray[np.uint64]) -> None:
+        with self.lock:
+            for key in store.distinct(keys):
+                self.table.setdefault(key, len(self.table))
+        self.codes[region] = store.encode(keys, self.table)
 
 
-def _in_memory(plan: Plan, report: Callable[[int], None]) -> Any:
-    arrays = {
-        quantity.name: np.empty(plan.shape, np.int32 if quantity.name == "sequence" else quantity.dtype)
+def _in_memory(plan: Plan, threads: int | None, report: Callable[[int], None]) -> xarray.Dataset:
+    targets: dict[str, Any] = {
+        quantity.name: _Sequences(plan.shape) if quantity.name == SEQUENCE else np.empty(plan.shape, quantity.dtype)
         for quantity in plan.quantities
     }
-    seen: dict[tuple[int, ...], int] = {}
-    for index in range(plan.parts):
-        chunk, results = run_chunk(plan, index)
-        for quantity in plan.quantities:
-            if quantity.name == "sequence":
-                for key in distinct(results.sequences):
-                    seen.setdefault(key, len(seen))
-                values = encode(results.sequences, seen)
-            else:
-                values = values_of(results, quantity)
-            arrays[quantity.name][chunk.region] = values.reshape(chunk.shape)
-        report(int(np.prod(chunk.shape)))
-    names, codes = table_of(seen)
-    if "sequence" in arrays:
-        table = np.array([codes[key] for key in seen], np.int16 if len(names) <= store.MOST_SHORT_CODES else np.int32)
-        arrays["sequence"] = table[arrays["sequence"]]
-    xarray = need("xarray", "maps")
-    paths = [axis.path for axis in plan.axes]
-    return xarray.Dataset(
-        {quantity.name: (paths, arrays[quantity.name], attributes(quantity, names)) for quantity in plan.quantities},
-        {
-            axis.path: (
-                axis.path,
-                axis.values,
-                {"long_name": axis.description} | ({"units": axis.unit} if axis.unit else {}),
-            )
-            for axis in plan.axes
-        },
-        store.provenance(plan),
-    )
+    compute_on_threads(plan, targets, np.ndindex(*plan.chunks), threads, report)
+    names: list[str] = []
+    if SEQUENCE in targets:
+        table, found = targets[SEQUENCE].table, targets[SEQUENCE].codes
+        names, codes = table_of(table)
+        targets[SEQUENCE] = np.array([codes[key] for key in table], store.code_type(names))[found]
+    return store.dataset_of(plan, targets, names)
 
 
 def _to_netcdf(place: Path, file: Path) -> None:
@@ -208,13 +192,13 @@ def _to_netcdf(place: Path, file: Path) -> None:
         with netcdf_errors(fresh):
             dataset.to_netcdf(fresh, engine="netcdf4")
         seal(fresh)
-    store.remove(place)
+    remove(place)
 
 
 @contextmanager
 def _reporting(progress: bool | Progress, plan: Plan) -> Iterator[Callable[[int], None]]:
     """Context that gives one function to call with the number of cells just done, for a bar, a callable or neither."""
-    total, done = int(np.prod(plan.shape)), 0
+    total, done = math.prod(plan.shape), 0
     with bar("cells", quiet=progress is not True, rate=True) as shown:
         report = progress if callable(progress) else shown
 

@@ -1,0 +1,135 @@
+"""Chunks of a map as Dask tasks, each of which computes one and writes it: on threads of this machine, or on a cluster."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import CancelledError, Executor, ThreadPoolExecutor
+from contextlib import contextmanager
+from functools import partial
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hophoop._support.extras import need
+from hophoop.kernel.native.sources import stamp
+from hophoop.maps.grid.cells import make_cells
+from hophoop.maps.grid.evaluate import Plan, cores, run_cells, values_of
+from hophoop.maps.grid.quantities import SEQUENCE, flags_of
+from hophoop.scenario import InputError
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+Index = tuple[int, ...]
+Report = Callable[[int], None]
+
+WAVE = 1024  # chunks in one graph, so that its memory does not grow with the map
+AT_ONCE = 2  # chunks in memory of this machine: threads compute cells of one while others are prepared and written
+RETRIES = 2  # of a chunk after an error of its own; Dask handles the death of a worker
+PATIENCE = 10  # timeout of an answer [s]
+
+
+def compute_chunk(plan: Plan, targets: Mapping[str, Any], index: Index, pool: Executor | None = None, sources: str = "") -> int:
+    """Compute a chunk and write it; return its number of cells.
+
+    targets: of each quantity, an array; sequences are written packed into integers; index: the place among the chunks;
+    sources: stamp of the kernels to be used.
+    """
+    if sources and stamp() != sources:
+        raise OSError(
+            f"A worker on {platform.node()} has kernels of other sources ({stamp()[:8]}, here {sources[:8]}): "
+            "install the same version of hophoop there."
+        )
+    region = plan.region(index)
+    grid = np.meshgrid(*(axis.values[part] for axis, part in zip(plan.axes, region, strict=True)), indexing="ij")
+    values = {axis.path: each.reshape(-1) for axis, each in zip(plan.axes, grid, strict=True)}
+    results = run_cells(make_cells(plan.base, values, grid[0].size), plan.span, flags_of(plan.quantities), pool)
+    for quantity in plan.quantities:
+        found = results.sequences if quantity.name == SEQUENCE else values_of(results, quantity)
+        targets[quantity.name][region] = found.reshape(*grid[0].shape, *found.shape[1:])
+    return int(grid[0].size)
+
+
+def _waves(plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], **options: Any) -> Iterator[list[Any]]:
+    """Return tasks that compute and write a chunk each, for some chunks at a time."""
+    task = need("dask", "maps").delayed(partial(compute_chunk, plan, targets, **options), pure=False)
+    left = iter(todo)
+    while wave := list(islice(left, WAVE)):
+        yield [task(index) for index in wave]
+
+
+def compute_on_threads(
+    plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], threads: int | None, report: Report
+) -> None:
+    """Compute chunks on threads of this process; `report` is called with the number of cells of each one."""
+    compute = need("dask", "maps").compute
+
+    def tell(key: Any, cells: Any, *rest: Any) -> None:
+        if key in keys:
+            report(cells)
+
+    with (
+        ThreadPoolExecutor(AT_ONCE) as chunks,
+        ThreadPoolExecutor(threads or cores()) as pool,
+        need("dask.callbacks", "maps").Callback(posttask=tell),
+    ):
+        try:
+            for tasks in _waves(plan, targets, todo, pool=pool):
+                keys = {task.key for task in tasks}
+                compute(*tasks, scheduler=chunks)
+        except BaseException:  # Ctrl-C included: only the cells that are being computed end
+            pool.shutdown(cancel_futures=True)
+            raise
+
+
+def compute_on_cluster(
+    plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], scheduler: str | Client, report: Report
+) -> None:
+    """Compute chunks on the workers of a cluster, which must see the store of the targets under the same name.
+
+    Raises
+    ------
+    InputError
+        If `scheduler` is not an address.
+    OSError
+        If no scheduler answers at that address, or it disappears before the end.
+    """
+    as_completed = need("distributed", "cluster").as_completed
+    with _client(scheduler) as client:
+        try:
+            for tasks in _waves(plan, targets, todo, sources=stamp()):
+                for future in as_completed(client.compute(tasks, retries=RETRIES)):
+                    report(future.result())
+        except (OSError, CancelledError) as error:
+            # it may be an error of a worker, such as a full disk
+            if _answers(client):
+                raise
+            raise OSError(
+                f"The scheduler at {client.scheduler.address} is gone; finished chunks are kept, and resume continues."
+            ) from error
+
+
+@contextmanager
+def _client(scheduler: str | Client) -> Iterator[Client]:
+    client = need("distributed", "cluster").Client
+    if isinstance(scheduler, client):
+        with scheduler.as_current():
+            yield scheduler
+        return
+    try:
+        connected = client(scheduler, timeout=PATIENCE)
+    except ValueError as error:  # Dask's error for an invalid address
+        raise InputError.of_field("scheduler", scheduler, f"an address such as tcp://host:8786: {error}") from None
+    with connected:
+        connected.wait_for_workers(1, timeout=6 * PATIENCE)
+        yield connected
+
+
+def _answers(client: Client) -> bool:
+    try:
+        client.sync(client.scheduler.identity, callback_timeout=PATIENCE)
+    except (OSError, CancelledError, AttributeError):
+        return False
+    return True
