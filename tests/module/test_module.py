@@ -5,6 +5,8 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import re
+import sys
 from collections import Counter
 from importlib.metadata import PackageNotFoundError
 from pathlib import Path
@@ -15,6 +17,7 @@ import pytest
 
 import hophoop as hh
 from hophoop._support.extras import install_command
+from hophoop.derivatives import transform
 from hophoop.kernel.build import __main__ as builder
 from hophoop.kernel.build import browser, link, numba_code
 from hophoop.kernel.native import marks
@@ -46,6 +49,13 @@ def test_the_module_is_that_of_the_sources() -> None:
     assert {name: TOLD[name] for name in layout()} == json.loads(json.dumps(layout()))
 
 
+def source_file(kernel) -> Path:
+    """The file of a kernel; of a generated tangent that of the kernel it belongs to."""
+    name = marks.source_of(kernel).__code__.co_filename
+    tangent = re.match(r"<tangent of ([\w.]+)\.\w+ by", name)
+    return Path(sys.modules[tangent[1]].__file__ if tangent else name)
+
+
 def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
     entries = [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]
     found, waiting = set(), [kernel for kernel, _ in entries]
@@ -54,9 +64,9 @@ def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
         if kernel not in found:
             found.add(kernel)
             waiting += numba_code.called(kernel)
-    files = {Path(marks.source_of(kernel).__code__.co_filename) for kernel in found}
+    files = {source_file(kernel) for kernel in found}
     assert len(files) > 50
-    compiling = {Path(module.__file__) for module in (browser, link, marks, numba_code)} | {link.RUNTIME}
+    compiling = {Path(module.__file__) for module in (browser, link, marks, numba_code, transform)} | {link.RUNTIME}
     assert (files | compiling) - set(stamped()) == set()
 
 
