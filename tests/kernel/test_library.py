@@ -271,7 +271,7 @@ motion = hh.simulate(hh.Scenario(duration=2.0))
 take(*(getattr(motion.errors, name) for name in ("t", "angle")))
 take(motion.at(motion.times(50)).utilization(motion.scenario.plane))
 of = ["hop.height", "at(1.0).angle", "greatest_utilization"]
-take(motion.sensitivity(of, ["plane.mu", "hoop.load_fraction"]).derivatives)
+take(motion.sensitivity([*of, "end.kinetic"], ["plane.mu", "hoop.load_fraction"]).derivatives)
 gentle = hh.simulate(hh.Scenario(plane=hh.Plane(mu=5.0), start=hh.Start.rolling(1.0), duration=1.0))
 take(gentle.sensitivity("greatest_utilization", "plane.mu").derivatives)
 held = hh.simulate(hh.Scenario(plane=hh.Plane(mu=1.0, rolling_resistance=0.1), start=hh.Start(angle=0.01), duration=1.0))

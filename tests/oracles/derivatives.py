@@ -246,11 +246,16 @@ def differences(scenario: hh.Scenario, path: str) -> dict[str, dict[str, str]]:
             found[key] = {}
             lost = (RESISTED,) if scenario.plane.rolling_resistance else ()
             for field in FIELDS + lost + (OF_IMPACT if kind in ("impact", "bounce_limit") else ()):
-                low, less, more, high = (getattr(event, field) for event in events)
+                low, less, more, high = (number_of(event, field) for event in events)
                 rate = (low - 8 * less + 8 * more - high) / (12 * step)
                 if rate.is_finite():
                     found[key][field] = f"{rate:.17e}" if rate else "0"
     return found
+
+
+def number_of(event: Any, field: str) -> Any:
+    """A number of an event; `before_omega` is one of the velocities just before."""
+    return getattr(event.before, field.removeprefix("before_")) if field.startswith("before_") else getattr(event, field)
 
 
 def main(names: list[str]) -> None:
