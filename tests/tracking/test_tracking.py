@@ -16,7 +16,6 @@ from hophoop.tracking import Camera, Hints, overlay
 from hophoop.tracking.circle import Circle, fit_circle, robust_circle
 from hophoop.tracking.doubts import doubt_marker
 from hophoop.tracking.ground import ground_line
-from hophoop.tracking.rays import find_disc
 from hophoop.tracking.video import pictures, sample_pictures
 
 RADIUS = 0.3
@@ -469,18 +468,6 @@ def test_rings_of_light_are_no_hoop(tmp_path, seed):
     except ValueError:
         return  # not found
     assert track.notes[0].startswith("Doubtful: perhaps this is no hoop: ")
-
-
-def test_a_disc_beside_its_colour_is_found_by_its_outline():
-    """Mirroring a film may displace its colour by a pixel, since colour has half the resolution."""
-    columns, rows = np.meshgrid(np.arange(80.0), np.arange(60.0))
-    away = np.hypot(columns - 40.3, rows - 30.6)
-    luma = (200 - 120 / (1 + np.exp(1.5 * (away - 9.0)))).round().astype(np.uint8)
-    camera = Camera(80, 60, 70.0)
-    truth = camera.to_plane(np.array([40.3, 30.6]))
-    for shift in (0.0, 1.0, -1.0):
-        found = find_disc(luma, camera, Circle(truth[0] + shift, truth[1], 9.0))
-        assert found == pytest.approx(truth, abs=0.05)
 
 
 def test_a_window_without_frames_is_named_by_its_times(films):

@@ -19,7 +19,6 @@ WIDE = 5  # samples on either side of the steepest one, averaged for its positio
 WEAKEST = 4.0  # rise of luma over two pixels that counts as an edge
 DRAWS = 120  # pairs of rays drawn for the shift of the rim
 CLOSE = 4.0  # reach of the last search [pixel]
-DISPLACED = 1.0  # maximum distance of the colour from its outline, as in mirrored films [pixel]
 
 
 class Edges(NamedTuple):
@@ -164,6 +163,6 @@ def find_disc(luma: Bytes, camera: Camera, circle: Circle) -> tuple[float, float
     fit = robust_circle(found.points, circle, reach + 1.0, (circle.radius, 0.1 * circle.radius))
     if fit is None or fit.inside.sum() < 0.6 * RAYS or fit.spread > max(0.3, 0.08 * circle.radius):
         return None
-    if np.hypot(fit.circle.x - circle.x, fit.circle.y - circle.y) > DISPLACED + 0.1 * circle.radius:
+    if np.hypot(fit.circle.x - circle.x, fit.circle.y - circle.y) > 0.3 + 0.1 * circle.radius:
         return None
     return fit.circle.x, fit.circle.y
