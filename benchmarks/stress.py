@@ -142,7 +142,7 @@ def measure(body, events, count, segments, pieces, out, times, worst):
         if k == times.shape[0] - 1:
             worst[LEDGER] = residual
         if mode == 3:
-            segment = segments[find_segment(segments[:pieces], times[k], False)]
+            segment = segments[find_segment(segments["t"][:pieces], times[k], False)]
             tau = times[k] - segment["t"]
             rise = segment["vy"] - body.eps * math.sin(segment["angle"]) * segment["omega"]
             top = segment["height"] + body.eps * math.cos(segment["angle"])

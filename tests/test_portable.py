@@ -27,7 +27,7 @@ ALLOWED = {
     "kernel/compliant/radau.py": {"complex": WRITTEN_OUT},
     "kernel/numerics/tables.py": {"numpy.complex128": WRITTEN_OUT},
     "derivatives/results/uncertainty.py": {"numpy.linalg": "decides only whether correlations that were given are refused"},
-    "maps/grid/distributed.py": {"sum": WHOLE},
+    "maps/grid/sweeping.py": {"sum": WHOLE},
     "maps/grid/memory.py": {"sum": WHOLE},
     "precise": {
         "**": EXACT,
