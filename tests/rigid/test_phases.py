@@ -48,6 +48,10 @@ def check_at_random(count):
     assert len(seen) >= 6, seen
 
 
+def test_a_paradox_long_after_a_landing_ends_a_phase_of_its_own():
+    check(hh.Scenario.model_validate({**draw(11, 139)[1], "duration": 3.0}))
+
+
 @pytest.mark.parametrize("count", [60, pytest.param(400, marks=pytest.mark.long)])
 def test_random_motions(count):
     check_at_random(count)

@@ -157,7 +157,8 @@ def _last_of_event(rows: np.ndarray, first: int) -> int:
     while last + 1 < len(rows):
         kind, collision = int(rows[last + 1]["kind"]), int(rows[last + 1]["collision"])
         resolves = kind == Event.IMPACT and collision == 0 and rows[last]["kind"] in _PARADOX
-        if not (resolves or kind in _PARADOX or kind == Event.KANE_GAIN):
+        at_once = rows[last + 1]["t"] == rows[last]["t"]
+        if not (at_once and (resolves or kind in _PARADOX or kind == Event.KANE_GAIN)):
             break
         last += 1
     return last

@@ -215,7 +215,7 @@ def test_keys_can_be_switched_off_and_escape_leaves(visit):
 def test_a_map_does_not_leave_what_is_allowed_and_scrolls_on_until_it_is_clicked(visit):
     page = visit()
     page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "lab.map.level === 3")
+    wait_for(page, "lab.map.level === 4")
     before = page.evaluate("scrollY")
     box = page.locator(".map-body").bounding_box()
     page.mouse.move(box["x"] + 300, box["y"] + 100)
@@ -227,7 +227,7 @@ def test_a_map_does_not_leave_what_is_allowed_and_scrolls_on_until_it_is_clicked
     low, high = page.evaluate("hophoopLab.map.axes.windows.y")
     assert low == 0
     assert 1.5 < high <= 1e6
-    wait_for(page, "lab.map.level === 3 && !lab.map.computing")
+    wait_for(page, "lab.map.level === 4 && !lab.map.computing")
 
 
 @pytest.mark.parametrize("size", [(390, 844), pytest.param((844, 390), marks=pytest.mark.long)])
