@@ -119,7 +119,7 @@ def draw_phone(path: Path) -> None:
     for kind, words in (("takeoff", "takes off"), ("impact", "lands")):
         event = next(event for event in found.motion.events if event.kind == kind)
         ax.axvline(event.t, color=colors.GRAY, lw=1.0)
-        ax.text(event.t, 1.0, f" {words}", transform=ax.get_xaxis_transform(), va="top", fontsize=10)
+        ax.text(event.t, 0.95, f" {words}", transform=ax.get_xaxis_transform(), va="top", fontsize=10)
     ax.set(xlabel="Time (s)", ylabel="Angular velocity (rad/s)")
     ax.legend(loc="upper left", **WIDE)
     save(figure, path)
