@@ -18,8 +18,7 @@ from hophoop.article import rolling, slipping
 from hophoop.article.figures import FIGURES
 from hophoop.article.runs import Runs
 from hophoop.article.scenarios import scenarios
-from hophoop.article.slow_end import slow_end
-from hophoop.article.statement import AGREES, DIFFERS, FAILS, VERDICTS, WITHIN_READING, agreement, difference
+from hophoop.article.statement import DIFFERS, FAILS, VERDICTS, WITHIN_READING
 from hophoop.article.statements import STATED
 from hophoop.cli import app
 
@@ -191,26 +190,9 @@ def test_slow_end_goes_as_the_inverse_of_time(found):
     assert numbers["slip_below"]["0.1"] < numbers["slip_below"]["0.01"]
 
 
-def test_law_of_the_slow_end_against_computed_turns():
-    """c Δ² is what a turn takes as Δ falls; the difference goes as Δ."""
-    hoop, plane = hh.Hoop.ideal(GAMMA), hh.Plane(mu=1.0)
-    law = slow_end(hoop, plane)
-    critical = float(hh.theory.first_slip_speed(hoop, plane))
-    off = []
-    for part in (1e-2, 1e-3):
-        speed = critical * (1.0 + part)
-        motion = hh.simulate(hoop, plane, hh.Start.rolling(speed), duration=1.01 * law.period)
-        excess = (1.0 + GAMMA) * (speed**2 - critical**2)
-        assert motion.sequence == "RKRSR"
-        off.append(motion.ledger.friction / (law.loss * excess**2) - 1.0)
-        assert math.degrees(motion.find("slip_start")[0].angle) == pytest.approx(math.degrees(law.angle), abs=5.0)
-    assert abs(off[1]) < 1e-4
-    assert off[1] == pytest.approx(off[0] / 10.0, rel=0.05)
-
-
-def test_law_of_the_slow_end_against_a_long_motion(runs):
+def test_law_of_the_slow_end_against_a_long_motion(runs, found):
     motion = hh.simulate(runs.motion("slipping").scenario.replace("duration", 6000.0))
-    law = slow_end(runs.hoop, runs.plane)
+    limit = found["ends_rolling"].numbers["excess_times_t_limit"]
     critical = float(hh.theory.first_slip_speed(runs.hoop, runs.plane))
     floor = (1.0 + GAMMA) * critical**2
     products = []
@@ -218,8 +200,8 @@ def test_law_of_the_slow_end_against_a_long_motion(runs):
         last = next(event for event in reversed(motion.find("stick")) if event.t <= t)
         products.append((float(motion.at(last.t).total) - floor) * t)
     # from Δ₀ on, Δ = (T/c)/(t + t₀) but for smaller terms: what is missing falls as 1/t
-    assert products[0] < products[1] < law.product
-    assert law.product - products[1] == pytest.approx((law.product - products[0]) / 3.0, rel=0.2)
+    assert products[0] < products[1] < limit
+    assert limit - products[1] == pytest.approx((limit - products[0]) / 3.0, rel=0.2)
     assert products == pytest.approx([94.50, 95.85], abs=0.005)
     assert slipping.slip_below(motion, (0.01,))[0.01] == pytest.approx(189.0, abs=0.05)
 
@@ -254,12 +236,12 @@ def test_a_wrong_motion_fails(runs):
         slipping.low_friction_slips,
     )
     for check in checks:
-        assert check(wrong).verdict == FAILS, check
+        assert not check(wrong).holds, check
     wrong.sample("hop").omega[wrong.sample("hop").mode == "H"] *= np.linspace(
         1.0, 1.1, int((wrong.sample("hop").mode == "H").sum())
     )
-    assert slipping.constant_rotation(wrong).verdict == FAILS
-    assert slipping.centre_in_flight(wrong).verdict == FAILS
+    assert not slipping.constant_rotation(wrong).holds
+    assert not slipping.centre_in_flight(wrong).holds
 
 
 def test_a_motion_without_its_events_fails_in_words():
@@ -268,15 +250,6 @@ def test_a_motion_without_its_events_fails_in_words():
     wrong.motion = lambda name: motion("slow")
     verdicts = {one.key: one.verdict for one in hh.article.statements(wrong)}
     assert verdicts["hops"] == verdicts["low_friction_rocks"] == FAILS
-
-
-def test_verdicts():
-    assert (agreement(True), agreement(True, exact=False), agreement(False)) == (
-        AGREES,
-        WITHIN_READING,
-        FAILS,
-    )
-    assert (difference(True), difference(False)) == (DIFFERS, FAILS)
 
 
 class Page(HTMLParser):

@@ -4,141 +4,106 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from hophoop import theory
 from hophoop.article.runs import Runs, largest
-from hophoop.article.statement import Statement
+from hophoop.article.statement import Statement, Texts
 from hophoop.scenario import Hoop, Plane, PointMass, Ring, Start
 from hophoop.simulation.simulate import simulate
 
 SMALL = {"radius": 0.3, "mass": 2.0}  # another hoop, for a question in the article's comments
 
+# By the names in story.html, from the numbers of the statements by key and of `_motions` and `_bodies`.
+TEXTS = {
+    "turn_time": "{slow_motion[t_at_360]:.2f} s",
+    "slow_peak": "{slow_motion[largest_speed]:.2f} m/s",
+    "bottom_force": "{bottom_force:.1f} N",
+    "weight": "{weight:.2f} N",
+    "friction_used": "{friction_used[utilization]!h:.1f} %",
+    "friction_angle": "{friction_used[angle]!d:.0f}°",
+    "friction_needed": "{friction_needed[mu]:.4f}",
+    "faster_used": "{faster_friction_used[utilization]!h:.1f} %",
+    "critical_speed": "{critical_speed[first_slip_speed]:.4f} m/s",
+    "skid_angle": "{slips[slip_angle]!d:.1f}°",
+    "spin_angle": "{spin.angle!d:.1f}°",
+    "largest_slip": "{slips[largest_slip]:.2f} m/s",
+    "end_product": "{ends_rolling[excess_times_t_limit]:.1f} J s",
+    "skid_angle_hop": "{hop_slips[0].angle!d:.1f}°",
+    "spin_angle_hop": "{hop_slips[1].angle!d:.1f}°",
+    "takeoff_angle": "{hops[takeoff_angle_deg]:.1f}°",
+    "takeoff_time": "{hops[takeoff_t]:.3f} s",
+    "rise": "{hops[rise]!h:.0f} cm",
+    "flight_time": "{flight_time:.2f} s",
+    "flight_turn": "{flight_turn!d:.0f}°",
+    "landing_angle": "{hops[landing_angle_deg]:.1f}°",
+    "first_hop": "{hops[first_hop_speed]:.4f} m/s",
+    "roll_rate": "{roll_rate:.2f} rad/s",
+    "hop_rate": "{constant_rotation[omega]:.2f} rad/s",
+    "roll_hop_speed": "{roll_hop_speed:.2f} m/s",
+    "least_speed": "{centre_in_flight[least]:.2f} m/s",
+    "most_speed": "{centre_in_flight[largest]:.2f} m/s",
+    "gravity_centre_speed": "{centre_in_flight[gravity_centre]:.2f} m/s",
+    "fall_speed": "{fall_speed:.2f} m/s",
+    "rate_before": "{down.before.omega:.2f} rad/s",
+    "rate_after": "{down.omega:.2f} rad/s",
+    "landing_loss": "{impact_loss[lost]:.2f} J",
+    "landing_normal": "{impact_loss[normal]:.2f} J",
+    "landing_tangential": "{impact_loss[tangential]:.2f} J",
+    "slip_before": "{impact_loss[slip_before]:.2f} J",
+    "positive_from": "{positive_potential[angles_deg][0]:.1f}°",
+    "positive_to": "{positive_potential[angles_deg][1]:.1f}°",
+    "rolls_on": "{landing[slips_again_deg]:.1f}°",
+    "rolls_for": "{landing[rolls_for]:.2f} s",
+    "low_slip_angle": "{low_friction_rocks[first_slip_deg]:.1f}°",
+    "low_turn_angle": "{low_friction_rocks[turning_angles_deg][0]:.1f}°",
+    "low_slips": "{low_friction_slips[slips]}",
+    "low_loss": "{low_friction_slips[friction]:.1f} J",
+    "low_duration": "{low_friction_slips[duration]:g} s",
+    "parts_eccentricity": "{made.eccentricity:.2f}",
+    "parts_inertia": "{made.inertia_ratio:.4f}",
+    "scaled_radius": "{small.radius:g} m",
+    "scaled_mass": "{small.mass:g} kg",
+    "scaled_speed": "{small_speed:.2f} m/s",
+    "scaled_takeoff": "{scaled.angle!d:.6f}°",
+    "large_takeoff": "{large.angle!d:.6f}°",
+    "right_rate": "{with_load:.2f} rad/s",
+    "wrong_rate": "{without_load:.2f} rad/s",
+}
+
 
 def facts(statements: Sequence[Statement], runs: Runs) -> dict[str, str]:
-    """Return the numbers in the text of the report, by name.
-
-    statements: checked.
-    """
-    found = {one.key: one.numbers for one in statements}
-    told = {**_rolling(found, runs), **_slipping(found, runs), **_hop(found, runs), **_low(runs), **_bodies()}
+    """Return the numbers in the text of the report, by name; the statements are checked ones."""
+    values = {one.key: one.numbers for one in statements} | _motions(runs) | _bodies()
     # no line break between number and unit
-    return {name: value.replace(" ", "\u00a0") for name, value in told.items()}
+    return {name: Texts().format(text, **values).replace(" ", "\u00a0") for name, text in TEXTS.items()}
 
 
-def _rolling(found: dict[str, dict[str, object]], runs: Runs) -> dict[str, str]:
-    bottom = largest(runs.motion("slow"), runs.sample("slow").t, lambda state: state.normal_force)
+def _motions(runs: Runs) -> dict[str, Any]:
+    hoop, plane, hop = runs.hoop, runs.plane, runs.motion("hop")
+    off, down = hop.find("takeoff")[0], hop.find("impact")[0]
     return {
-        "turn_time": f"{_number(found, 'slow_motion', 't_at_360'):.2f} s",
-        "slow_peak": f"{_number(found, 'slow_motion', 'largest_speed'):.2f} m/s",
-        "bottom_force": f"{bottom:.1f} N",
-        "weight": f"{runs.hoop.mass * runs.plane.gravity:.2f} N",
-        "friction_used": f"{100.0 * _number(found, 'friction_used', 'utilization'):.1f} %",
-        "friction_angle": f"{math.degrees(_number(found, 'friction_used', 'angle')):.0f}°",
-        "friction_needed": f"{_number(found, 'friction_needed', 'mu'):.4f}",
-        "faster_used": f"{100.0 * _number(found, 'faster_friction_used', 'utilization'):.1f} %",
-        "critical_speed": f"{_number(found, 'critical_speed', 'first_slip_speed'):.4f} m/s",
+        "bottom_force": largest(runs.motion("slow"), runs.sample("slow").t, lambda state: state.normal_force),
+        "weight": hoop.mass * plane.gravity,
+        "spin": runs.motion("slipping").find("slip_start")[1],
+        "hop_slips": hop.find("slip_start"),
+        "down": down,
+        "flight_time": down.t - off.t,
+        "flight_turn": down.angle - off.angle,
+        "fall_speed": hoop.eccentricity * down.before.omega * math.sin(down.angle) - down.before.vy,  # of G
+        "roll_rate": theory.rolling_speed(off.angle, hoop, 3.1, plane),
+        "roll_hop_speed": theory.immediate_hop_speed(hoop, plane),
     }
 
 
-def _slipping(found: dict[str, dict[str, object]], runs: Runs) -> dict[str, str]:
-    motion = runs.motion("slipping")
-    starts = motion.find("slip_start")
-    return {
-        "skid_angle": _degrees(starts[0].angle),
-        "spin_angle": _degrees(starts[1].angle),
-        "largest_slip": f"{_number(found, 'slips', 'largest_slip'):.2f} m/s",
-        "end_product": f"{_number(found, 'ends_rolling', 'excess_times_t_limit'):.1f} J s",
-    }
-
-
-def _hop(found: dict[str, dict[str, object]], runs: Runs) -> dict[str, str]:
-    motion = runs.motion("hop")
-    hoop, plane = runs.hoop, runs.plane
-    off, down, apex = motion.find("takeoff")[0], motion.find("impact")[0], motion.find("apex")[0]
-    slips = motion.find("slip_start")
-    total = down.impact_normal + down.impact_tangential
-    sine, cosine = math.sin(down.angle), math.cos(down.angle)
-    before = down.before
-    # the velocity of the centre of gravity
-    along = before.vx + hoop.eccentricity * before.omega * cosine
-    up = before.vy - hoop.eccentricity * before.omega * sine
-    return {
-        "skid_angle_hop": _degrees(slips[0].angle),
-        "spin_angle_hop": _degrees(slips[1].angle),
-        "takeoff_angle": _degrees(off.angle),
-        "takeoff_time": f"{off.t:.3f} s",
-        "rise": f"{100.0 * apex.height:.0f} cm",
-        "flight_time": f"{down.t - off.t:.2f} s",
-        "flight_turn": f"{math.degrees(down.angle - off.angle):.0f}°",
-        "landing_angle": _degrees(down.angle),
-        "first_hop": f"{float(theory.first_hop_speed(hoop, plane)):.4f} m/s",
-        "roll_rate": f"{float(theory.rolling_speed(off.angle, hoop, 3.1, plane)):.2f} rad/s",
-        "hop_rate": f"{off.omega:.2f} rad/s",
-        "roll_hop_speed": f"{math.sqrt(plane.gravity * hoop.radius / hoop.eccentricity):.2f} m/s",
-        "least_speed": f"{_number(found, 'centre_in_flight', 'least'):.2f} m/s",
-        "most_speed": f"{_number(found, 'centre_in_flight', 'largest'):.2f} m/s",
-        "gravity_centre_speed": f"{along:.2f} m/s",
-        "fall_speed": f"{-up:.2f} m/s",
-        "rate_before": f"{before.omega:.2f} rad/s",
-        "rate_after": f"{down.omega:.2f} rad/s",
-        "landing_loss": f"{total:.2f} J",
-        "landing_normal": f"{down.impact_normal:.2f} J",
-        "landing_tangential": f"{down.impact_tangential:.2f} J",
-        "slip_before": f"{down.friction:.2f} J",
-        "positive_from": f"{_angles(found)[0]:.1f}°",
-        "positive_to": f"{_angles(found)[1]:.1f}°",
-        "rolls_on": _degrees(slips[2].angle),
-        "rolls_for": f"{slips[2].t - down.t:.2f} s",
-    }
-
-
-def _low(runs: Runs) -> dict[str, str]:
-    motion = runs.motion("low_friction")
-    slips, turns = motion.find("slip_start"), motion.find("turn")
-    return {
-        "low_slip_angle": _degrees(slips[0].angle),
-        "low_turn_angle": _degrees(turns[0].angle),
-        "low_slips": str(len(slips)),
-        "low_loss": f"{motion.ledger.friction:.1f} J",
-        "low_duration": f"{motion.duration:g} s",
-    }
-
-
-def _bodies() -> dict[str, str]:
+def _bodies() -> dict[str, Any]:
     """Numbers for the article's comments: a hoop made of parts, and another radius and mass."""
     made = Hoop.from_parts(1.0, [Ring(mass=0.25, inner_radius=1.0, outer_radius=1.0), PointMass(mass=0.75, at=1.0)])
-    small = Hoop.ideal(0.75, **SMALL)
-    speed = 3.1 * math.sqrt(SMALL["radius"])
+    hoop, small = Hoop.ideal(0.75), Hoop.ideal(0.75, **SMALL)
+    speed = 3.1 * math.sqrt(small.radius)
     large, scaled = (
-        simulate(hoop, Plane(), Start.rolling(v), duration=2.5).find("takeoff")[0]
-        for hoop, v in ((Hoop.ideal(0.75), 3.1), (small, speed))
+        simulate(one, Plane(), Start.rolling(v), duration=2.5).find("takeoff")[0] for one, v in ((hoop, 3.1), (small, speed))
     )
-    with_load, without = (
-        float(theory.max_rolling_speed(Hoop(eccentricity=0.75, inertia_ratio=ratio), 0.1))
-        for ratio in (made.inertia_ratio, 0.25)
-    )
-    return {
-        "parts_eccentricity": f"{made.eccentricity:.2f}",
-        "parts_inertia": f"{made.inertia_ratio:.4f}",
-        "scaled_radius": f"{SMALL['radius']:g} m",
-        "scaled_mass": f"{SMALL['mass']:g} kg",
-        "scaled_speed": f"{speed:.2f} m/s",
-        "scaled_takeoff": f"{math.degrees(scaled.angle):.6f}°",
-        "large_takeoff": f"{math.degrees(large.angle):.6f}°",
-        "right_rate": f"{with_load:.2f} rad/s",
-        "wrong_rate": f"{without:.2f} rad/s",
-    }
-
-
-def _degrees(angle: float) -> str:
-    return f"{math.degrees(angle):.1f}°"
-
-
-def _number(found: dict[str, dict[str, object]], key: str, name: str) -> float:
-    value = found.get(key, {}).get(name, math.nan)
-    return float(value) if isinstance(value, int | float) else math.nan
-
-
-def _angles(found: dict[str, dict[str, object]]) -> list[float]:
-    angles = found.get("positive_potential", {}).get("angles_deg", [math.nan, math.nan])
-    return list(angles) if isinstance(angles, list) else [math.nan, math.nan]
+    wrong = Hoop(eccentricity=0.75, inertia_ratio=0.25)
+    found = {"made": made, "small": small, "small_speed": speed, "large": large, "scaled": scaled}
+    return found | {"with_load": theory.max_rolling_speed(hoop, 0.1), "without_load": theory.max_rolling_speed(wrong, 0.1)}

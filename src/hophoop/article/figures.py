@@ -70,20 +70,13 @@ def _energy(name: str, against: Any) -> Callable[[Runs, Axes], Any]:
     return lambda runs, ax: plots.energies(runs.motion(name), against, ax=ax)
 
 
-def _forces(*names: str) -> Callable[[Runs, Axes], Any]:
+def _compared(plot: Callable[..., Any], *names: str, one_turn: bool = True) -> Callable[[Runs, Axes], Any]:
+    """Draw a quantity of motions against the angle, up to 360° with `one_turn`; of several each with its title."""
+
     def draw(runs: Runs, ax: Axes) -> None:
         labels = [title(name) for name in names] if len(names) > 1 else None
-        plots.contact_forces([runs.motion(name) for name in names], ax=ax, labels=labels)
-        ax.set_xlim(0.0, 360.0)
-
-    return draw
-
-
-def _used(*names: str, turns: bool = True) -> Callable[[Runs, Axes], Any]:
-    def draw(runs: Runs, ax: Axes) -> None:
-        labels = [title(name) for name in names] if len(names) > 1 else None
-        plots.friction_utilization([runs.motion(name) for name in names], ax=ax, labels=labels)
-        if turns:
+        plot([runs.motion(name) for name in names], ax=ax, labels=labels)
+        if one_turn:
             ax.set_xlim(0.0, 360.0)
 
     return draw
@@ -170,27 +163,29 @@ FIGURES: tuple[ArticleFigure, ...] = (
         "v₀ = 0.1 m/s: energies. The potential energy is a pure cosine.",
         _energy("slow", "angle"),
     ),
-    ArticleFigure("forces_slow", PART1, "v₀ = 0.1 m/s: contact forces on the hoop.", _forces("slow")),
-    ArticleFigure("friction_slow", PART1, "v₀ = 0.1 m/s: share of the friction used.", _used("slow")),
+    ArticleFigure("forces_slow", PART1, "v₀ = 0.1 m/s: contact forces on the hoop.", _compared(plots.contact_forces, "slow")),
+    ArticleFigure(
+        "friction_slow", PART1, "v₀ = 0.1 m/s: share of the friction used.", _compared(plots.friction_utilization, "slow")
+    ),
     ArticleFigure("path_faster", PART2, "v₀ = 2 m/s: two turns, rolling throughout.", _path("faster"), (8.6, 2.8)),
     ArticleFigure(
         "forces_faster",
         PART2,
         "Contact forces at v₀ = 2 m/s compared with those at 0.1 m/s.",
-        _forces("slow", "faster"),
+        _compared(plots.contact_forces, "slow", "faster"),
     ),
     ArticleFigure(
         "friction_faster",
         PART2,
         "Share of the friction used, v₀ = 0.1 and 2 m/s: a little more speed, and it slips.",
-        _used("slow", "faster"),
+        _compared(plots.friction_utilization, "slow", "faster"),
     ),
     ArticleFigure("path_slipping", PART2, "v₀ = 2.8 m/s: rolling, skidding and spinning.", _path("slipping"), (8.6, 2.8)),
     ArticleFigure(
         "friction_slipping",
         PART2,
         "v₀ = 2.8 m/s: the friction used stays at −1 in skid and at 1 in spin.",
-        _used("slipping", turns=False),
+        _compared(plots.friction_utilization, "slipping", one_turn=False),
     ),
     ArticleFigure(
         "velocity_slipping",

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import json
 import multiprocessing
-import os
 import shutil
-import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
+from itertools import count
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -84,7 +82,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     folder = Path(out)
     need("matplotlib.figure", "plots")
     (folder / "figures").mkdir(parents=True, exist_ok=True)
-    say = progress or _no_progress
+    say = progress or (lambda stage, done, total: None)
     runs = Runs()
     made: list[Path] = []
     finish, reason = None, "they were not requested"
@@ -103,7 +101,9 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
                         sheet.savefig(path, dpi=DPI, metadata={"Date": None} if ending == "svg" else None)
                     sheet.set_layout_engine("none")  # a second layout would take half of the time
             say("figures", k + 1, len(FIGURES))
-        checked = _check_statements(runs, say)
+        say("statements", 0, len(STATED))
+        done = count(1)
+        checked = statements(runs, lambda key: say("statements", next(done), len(STATED)))
         _write_json(folder, checked)
         if finish is not None:
             made = finish(say)
@@ -120,87 +120,44 @@ def _films(out: Path) -> Iterator[Callable[[Progress], list[Path]]]:
 
     fresh = out.with_name(f".{out.name}-new")  # until all are complete
     shutil.rmtree(fresh, ignore_errors=True)  # left by a killed process
-    with temporary(fresh), _other_process() as pool:
+    steps = article_steps()
+    context = multiprocessing.get_context("spawn")
+    made, sender = context.Pipe(duplex=False)
+    other = context.Process(target=_make_films, args=(fresh, sender), daemon=True)
+
+    def finish(progress: Progress) -> list[Path]:
+        for done, (film, suffix) in enumerate(steps):
+            try:
+                made.recv()
+            except EOFError:  # the other process was killed, or failed
+                make_film(film, suffix, fresh)
+            progress("films", done + 1, len(steps))
+        out.mkdir(exist_ok=True)
+        for still in fresh.glob("*.png"):
+            still.replace(out / still.name)
+        return [(fresh / f"{film.name}.{suffix}").replace(out / f"{film.name}.{suffix}") for film, suffix in steps]
+
+    with temporary(fresh):
         fresh.mkdir(parents=True)
-        steps = article_steps()
-        with ignored_by_children():
-            begun = [pool.submit(make_film, film, suffix, fresh) for film, suffix in steps]
-
-        def finish(progress: Progress) -> list[Path]:
-            for done, ((film, suffix), future) in enumerate(zip(steps, begun, strict=True)):
-                try:
-                    future.result()
-                except BrokenProcessPool:
-                    make_film(film, suffix, fresh)
-                progress("films", done + 1, len(begun))
-            out.mkdir(exist_ok=True)
-            for still in fresh.glob("*.png"):
-                still.replace(out / still.name)
-            return [(fresh / f"{film.name}.{suffix}").replace(out / f"{film.name}.{suffix}") for film, suffix in steps]
-
-        yield finish
+        try:
+            with ignored_by_children():
+                other.start()
+            sender.close()
+            yield finish
+        finally:
+            if other.pid is not None:
+                other.kill()
+                other.join()
 
 
-@contextmanager
-def _other_process() -> Iterator[ProcessPoolExecutor]:
-    """A pool of one process, which ends with the block or with this process, whatever it is doing."""
-    _track_semaphores_quietly()
-    others = multiprocessing.active_children()
-    pool = ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), _be_quiet_and_mortal)
+def _make_films(folder: Path, sender: Connection) -> None:
+    """Make the films one by one and report each, as long as the process that started this one lives."""
+    from hophoop.animate.article import article_steps, make_film
 
-    def end() -> None:
-        for process in multiprocessing.active_children():
-            if process not in others:
-                process.kill()
-                process.join()
-        pool.shutdown(wait=False, cancel_futures=True)
-
-    try:
-        yield pool
-    finally:
-        end()
-
-
-def _track_semaphores_quietly() -> None:
-    """Start Python's tracker of semaphores without the terminal: after a stop it warns of those that have just gone."""
-    if os.name != "posix":
-        return
-    from multiprocessing import resource_tracker
-
-    terminal, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
-    try:
-        os.dup2(nowhere, 2)
-        resource_tracker.ensure_running()
-    finally:
-        os.dup2(terminal, 2)
-        os.close(terminal)
-        os.close(nowhere)
-
-
-def _be_quiet_and_mortal() -> None:
-    """Print nothing to the terminal, and end when the process that started this one has ended."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-    starter = multiprocessing.parent_process()
-    assert starter is not None
-
-    def follow() -> None:
-        starter.join()
-        os._exit(1)
-
-    threading.Thread(target=follow, daemon=True).start()
-
-
-def _check_statements(runs: Runs, progress: Progress) -> tuple[Statement, ...]:
-    total = len(STATED)
-    done = 0
-
-    def step(_: str) -> None:
-        nonlocal done
-        done += 1
-        progress("statements", done, total)
-
-    progress("statements", 0, total)
-    return statements(runs, step)
+    with suppress(BrokenPipeError):
+        for film, suffix in article_steps():
+            make_film(film, suffix, folder)
+            sender.send(film.name)
 
 
 def _write_json(folder: Path, checked: tuple[Statement, ...]) -> None:
@@ -226,7 +183,3 @@ def _style() -> Iterator[None]:
     }
     with need("matplotlib", "plots").rc_context(look):
         yield
-
-
-def _no_progress(stage: str, done: int, total: int) -> None:
-    pass

@@ -57,36 +57,18 @@ class Runs:
         return scenarios()["slow"].plane
 
 
+def bisect(low: float, high: float, is_before: Callable[[float], Any]) -> float:
+    """Return the time at which a condition ends that holds at `low` and not at `high`, bisected to the last bit [s]."""
+    while low < (middle := 0.5 * (low + high)) < high:
+        low, high = (middle, high) if is_before(middle) else (low, middle)
+    return high
+
+
 def first_time(motion: Trajectory, angle: float) -> float:
-    """Return the first time at which a motion has an angle, bisected to the last bit [s]."""
+    """Return the first time at which a motion has an angle [s]."""
     grid = motion.times(4001)
-    passed = np.flatnonzero(motion.at(grid).angle >= angle)
-    if not passed.size:
-        return float("nan")
-    low, high = grid[max(int(passed[0]) - 1, 0)], grid[int(passed[0])]
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        if motion.at(middle).angle < angle:
-            low = middle
-        else:
-            high = middle
-    return float(high)
-
-
-def crossings(motion: Trajectory, values: Any, times: Any, measure: Any) -> list[float]:
-    """Return times at which `measure(sample)` changes sign, bisected from sampled brackets [s]."""
-    found = []
-    for k in np.flatnonzero(np.sign(values[1:]) * np.sign(values[:-1]) < 0.0):
-        low, high = float(times[k]), float(times[k + 1])
-        sign = np.sign(values[k])
-        for _ in range(60):
-            middle = 0.5 * (low + high)
-            if np.sign(measure(motion.at(middle))) == sign:
-                low = middle
-            else:
-                high = middle
-        found.append(high)
-    return found
+    k = int(np.argmax(motion.at(grid).angle >= angle))
+    return bisect(float(grid[k - 1]), float(grid[k]), lambda t: motion.at(t).angle < angle)
 
 
 def largest(motion: Trajectory, times: NDArray[np.float64], measure: Callable[[ArraySample], NDArray[np.float64]]) -> float:

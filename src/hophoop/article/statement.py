@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import string
 from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
 
@@ -14,13 +15,24 @@ VERDICTS = (AGREES, WITHIN_READING, DIFFERS, FAILS)
 
 
 class Result(NamedTuple):
-    """What a check finds; `article` and `why` where they hold computed numbers, otherwise statements.toml has them."""
+    """Result of a check: whether our reading of the statement holds, and the numbers of its texts."""
 
-    ours: str
-    verdict: str
+    holds: bool
     numbers: dict[str, Any]
-    article: str = ""
-    why: str = ""
+
+
+class Texts(string.Formatter):
+    """Texts with numbers: ``!d`` converts to degrees, ``!h`` to a hundredfold; a list gets a comma between its items."""
+
+    def convert_field(self, value: Any, conversion: str | None) -> Any:
+        """Convert a number as its field asks for."""
+        if conversion == "d":
+            return math.degrees(value)
+        return 100.0 * value if conversion == "h" else super().convert_field(value, conversion)  # type: ignore[arg-type]
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        """Format a number, or each one of a list."""
+        return ", ".join(format(one, format_spec) for one in (value if isinstance(value, list) else [value]))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,7 +65,7 @@ class Statement:
     statement: str
     article: str
     ours: str
-    verdict: str
+    verdict: str = AGREES
     why: str = ""
     numbers: dict[str, Any] = field(default_factory=dict)
 
@@ -75,13 +87,3 @@ class Statement:
 
 def _plain(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def agreement(holds: bool, exact: bool = True) -> str:
-    """Return the verdict on a statement that either holds or fails."""
-    return (AGREES if exact else WITHIN_READING) if holds else FAILS
-
-
-def difference(reason_holds: bool) -> str:
-    """Return the verdict if the article is not confirmed: 'differs' with a checked reason, otherwise 'fails'."""
-    return DIFFERS if reason_holds else FAILS

@@ -9,7 +9,7 @@ from typing import Any
 
 from hophoop.article import rolling, slipping
 from hophoop.article.runs import Runs
-from hophoop.article.statement import FAILS, Result, Statement
+from hophoop.article.statement import FAILS, Result, Statement, Texts
 
 STATED: dict[str, dict[str, Any]] = tomllib.loads(files("hophoop.article").joinpath("statements.toml").read_text("utf-8"))
 
@@ -35,19 +35,21 @@ def statements(runs: Runs | None = None, progress: Callable[[str], None] | None 
     """
     runs = runs or Runs()
     found = []
-    for key, stated in STATED.items():
-        result = _check(key, runs)._asdict()
-        own = {name: value for name, value in result.items() if value or name not in stated}
-        found.append(Statement(key=key, **stated | own))
+    for key in STATED:
+        found.append(_checked(key, runs))
         if progress is not None:
             progress(key)
     return tuple(found)
 
 
-def _check(key: str, runs: Runs) -> Result:
+def _checked(key: str, runs: Runs) -> Statement:
     """Check one statement; it fails if the computed motion lacks its subject."""
+    stated: dict[str, str] = STATED[key]
     check: Callable[[Runs], Result] = getattr(rolling if hasattr(rolling, key) else slipping, key)
     try:
-        return check(runs)
+        holds, numbers = check(runs)
+        texts = {name: Texts().format(text, **numbers) for name, text in stated.items()}
     except (IndexError, StopIteration, ValueError):
-        return Result("–", FAILS, {}, why="The computed motion lacks the subject of the statement.")
+        lacking = {"article": "–", "ours": "–", "why": "The computed motion lacks the subject of the statement."}
+        return Statement(key=key, **stated | lacking | {"verdict": FAILS})
+    return Statement(key=key, **texts | ({} if holds else {"verdict": FAILS}), numbers=numbers)
