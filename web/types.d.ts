@@ -173,7 +173,6 @@ interface PlotShared {
 
 type Vector = number[]; // of three
 type Matrix = Float32Array; // columns of four
-type Camera = import("./scene/camera.ts").Camera;
 
 interface Program {
   program: WebGLProgram;
@@ -211,67 +210,28 @@ interface Ring {
   plain?: Vector | null;
 }
 
-// A flat piece of the plane.
-interface Sheet {
-  data: number[];
-  indices: number[];
-}
-
-// A hoop of the film that turns, at one instant.
-interface ScenePose {
-  hoop: SceneHoop;
-  center: Vector;
-  angle: number;
-  velocity: number[];
-  omega: number;
-  airborne: boolean;
-  at: (distance: number) => Vector;
-}
-
 // The film that turns, as animate/web.py writes it.
 interface SceneHoop {
   label: string;
-  lane: number;
-  radius: number;
-  load: number;
-  heavy: number;
-  mode: number[];
-  t: Float32Array;
-  center: Float32Array;
-  contact: Float32Array;
-  angle: Float32Array;
-  velocity: Float32Array;
-  omega: Float32Array;
-  normalForce: Float32Array;
-  frictionForce: Float32Array;
-  traces: SceneTraces | null;
   tag: string;
+  radius: number;
+  eccentricity: number;
+  load: number;
+  frames: Record<string, Float32Array>;
+  path: Record<string, Float32Array> | null;
   marks: [number, number, string, string][]; // when, how far along the plane, which kind, in a word
-}
-
-interface SceneTraces {
-  t: Float32Array;
-  load: Float32Array;
-  heavy: Float32Array;
-  airborne: number[];
 }
 
 interface SceneData {
   fps: number;
-  count: number;
+  rate: Float32Array; // of each frame
   slope: number;
-  radius: number;
-  along: [number, number];
-  height: number;
+  extent: { left: number; right: number; speed: number };
   grid: number;
-  topSpeed: number;
-  newton: Float32Array | null; // length of a newton's arrow at each frame
+  newton: number | null; // length of a newton's arrow [m]
   flies: boolean;
-  map: number[][];
-  theme: { background: string; ground: string; ink: string; muted: string; load: string; dark: boolean };
-  colors: { center: string; airborne: string; normal: string; friction: string };
-  flight: number;
-  rate: Float32Array;
+  theme: { paper: string; ground: string; ink: string; muted: string; dark: boolean };
+  colors: { gravity_center: string; airborne: string; normal_force: string; friction_force: string };
   modes: [string, string][];
   hoops: SceneHoop[];
 }

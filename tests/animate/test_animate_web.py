@@ -12,6 +12,7 @@ from hophoop.animate import scene
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look3D
 from hophoop.animate.web import scene_data
+from hophoop.vocabulary.names import FLIGHT, MODE_WORDS
 
 
 def page_data(path):
@@ -31,15 +32,15 @@ def test_the_page_is_whole(tmp_path):
     assert not re.search(r"https?://|src=|@import|url\(|<link", text)
     assert "<!--" not in text
     assert "/*DATA*/" not in text
-    assert data["count"] == 121
     hoop = data["hoops"][0]
-    times = numbers(hoop["t"])
+    frames = hoop["frames"]
+    times = numbers(frames["t"])
     np.testing.assert_allclose(times, np.arange(121) / 60, atol=1e-6)
-    center, angle = numbers(hoop["center"]), numbers(hoop["angle"])
+    angle = numbers(frames["angle"])
+    center = np.stack([numbers(frames["x"]), numbers(frames["height"]) + hoop["radius"]], axis=-1)
     load = center + hoop["load"] * np.stack([np.sin(angle), np.cos(angle)], axis=-1)
     np.testing.assert_allclose(load, places(motion(), np.minimum(times, 2.0)), atol=2e-6)
-    assert [data["modes"][code][0] for code in sorted(set(hoop["mode"]))] == ["rolling", "spinning", "skidding", "in flight"]
-    assert data["modes"][data["flight"]][0] == "in flight"
+    assert [data["modes"][code][0] for code in sorted(set(frames["mode"]))] == ["rolling", "spinning", "skidding", "in flight"]
     assert path.stat().st_size < 200_000
 
 
@@ -53,16 +54,16 @@ def test_labels_cannot_break_the_page(tmp_path):
 
 def test_slow_motion_traces_and_forces_in_the_data():
     slow = scene_data([motion()], Timing(fps=60, slow_at=("takeoff",)), Look3D(forces=False))
-    assert slow["count"] > 121
+    assert len(slow["rate"]) > 121
     assert slow["rate"].min() < 0.13
     assert slow["newton"] is None
-    track = slow["hoops"][0]["traces"]
-    flown = track["t"][track["airborne"] == 1]
+    path = slow["hoops"][0]["path"]
+    flown = path["t"][path["mode"] == MODE_WORDS.index(FLIGHT)]
     assert flown.min() == pytest.approx(motion().find("takeoff")[0].t)
     plain = scene_data([motion()], Timing(fps=60), Look3D(theme="dark", traces=False))
-    assert plain["hoops"][0]["traces"] is None
-    force = np.maximum(plain["hoops"][0]["normalForce"], np.abs(plain["hoops"][0]["frictionForce"]))
-    assert len(set(plain["newton"])) == 1  # one scale
+    assert plain["hoops"][0]["path"] is None
+    frames = plain["hoops"][0]["frames"]
+    force = np.maximum(frames["normal_force"], np.abs(frames["friction_force"]))
     assert (plain["newton"] * force).max() == pytest.approx(1.3, rel=0.03)
 
 
@@ -129,7 +130,7 @@ def test_the_page_plays_in_a_browser(tmp_path):
           };
           take();
         })"""
-        times = numbers(page_data(path)[1]["hoops"][0]["t"])
+        times = numbers(page_data(path)[1]["hoops"][0]["frames"]["t"])
         angles = np.degrees(motion().at(np.minimum(times, 2.0)).angle)
         frames = {f"t = {t:.3f} s": f"θ = {angle:.1f}°" for t, angle in zip(times, angles, strict=True)}
         page.evaluate("document.getElementById('time').value = 70; document.getElementById('time').oninput()")

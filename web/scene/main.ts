@@ -1,37 +1,40 @@
 // Plays a scene of hoops in space, in a page that holds all that it needs.
 
-import { Camera } from "./camera.ts";
-import { unpacked } from "./data.ts";
-import { Picture } from "./picture.ts";
+import { Stage3D } from "../lab/player/stage3d.ts";
+import { unpacked, Written } from "./film.ts";
+import { Labels } from "./labels.ts";
 import { Words } from "./words.ts";
 
 const element: (id: string) => any = (id) => document.getElementById(id);
 
 class Player {
-  last = this.data.count - 1;
+  films = this.data.hoops.map((hoop) => new Written(hoop, this.data));
+  last = this.data.rate.length - 1;
   now = 0;
   before: number | null = null;
   button: HTMLButtonElement = element("play");
   slider: HTMLInputElement = element("time");
   rate: HTMLSelectElement = element("rate");
   follow: HTMLInputElement = element("follow");
-  picture: Picture;
-  camera: Camera;
-  words: Words;
+  // the page is the picture: the wheel is always its own
+  stage = new Stage3D(
+    element("scene"),
+    () => {},
+    () => document.activeElement as HTMLElement,
+  );
+  labels = new Labels(element("labels"), this.stage, this.films, this.data);
+  words = new Words(this.data);
   playing: boolean | undefined;
 
   constructor(readonly data: SceneData) {
-    const canvas = element("scene");
-    this.picture = new Picture(canvas, element("labels"), data);
-    this.camera = new Camera(canvas, data, () => this.follow.checked);
-    this.words = new Words(data);
+    this.stage.tile = data.grid;
     this.slider.max = String(this.last);
     this.button.onclick = () => this.toggle();
     this.slider.oninput = () => {
       this.now = Number(this.slider.value);
       this.play(false);
     };
-    element("reset").onclick = () => this.camera.reset();
+    element("reset").onclick = () => this.stage.zoomBy(0);
     document.addEventListener("keydown", (event) => this.key(event));
     this.play(true);
     this.open(location.hash);
@@ -42,7 +45,7 @@ class Player {
   open(hash: string) {
     const asked = /t=([\d.]+)/.exec(hash);
     if (!asked) return;
-    const index = this.data.hoops[0].t.findIndex((t) => t >= Number(asked[1]));
+    const index = this.data.hoops[0].frames.t.findIndex((t) => t >= Number(asked[1]));
     this.now = index < 0 ? this.last : index;
     this.slider.value = String(this.now);
     this.play(false);
@@ -82,9 +85,21 @@ class Player {
       this.slider.value = String(this.now);
     }
     this.before = clock;
-    this.picture.draw(this.now, this.camera);
-    this.words.show(this.now, this.picture.metre);
+    this.draw();
     requestAnimationFrame((next) => this.tick(next));
+  }
+
+  draw() {
+    const { data, films, stage, now } = this;
+    const options = {
+      traces: data.hoops.some(({ path }) => path !== null),
+      forces: data.newton !== null,
+      speed: true,
+      whole: !this.follow.checked,
+    };
+    stage.draw(films, now, options, data.theme, data.colors, this.playing ?? false);
+    this.labels.draw(now);
+    this.words.show(now, stage.metre);
   }
 }
 

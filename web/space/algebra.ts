@@ -72,8 +72,6 @@ export function along(from: number[], direction: number[], length: number, thick
   ]);
 }
 
-export const moved = ([x, y, z]: Vector) => new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1]);
-
 /** What turns coordinates of the plane (along it, away from it) into level ones; downhill is to the right. */
 export function tilted(slope: number) {
   const [cosine, sine] = [Math.cos(slope), Math.sin(slope)];

@@ -20,6 +20,8 @@ const FLAT = `
     return shadow > 0.0 ? p - p.y * slant : p;
   }`;
 const SHADOW = "vec4(0.0, 0.0, 0.0, shadow)";
+const SUN = [0.35, 0.85, 0.4]; // the way to the light
+const DARK = 0.18; // of a shadow
 
 const RIM = [
   `attribute vec2 bend;
@@ -55,15 +57,15 @@ const BODY = [
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,
   `precision highp float;
-   varying vec3 n; uniform vec3 color; uniform float shadow, lit;
+   varying vec3 n; uniform vec3 color; uniform float shadow;
    ${SHADE}
-   void main() { gl_FragColor = shadow > 0.0 ? ${SHADOW} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`,
+   void main() { gl_FragColor = shadow > 0.0 ? ${SHADOW} : vec4(shaded(color, n), 1.0); }`,
 ];
 
 // Lines as wide as pixels: each point twice, pushed apart across the line on the screen.
 const LINE = [
   `attribute vec3 position, next, tint; attribute float side;
-   uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
+   uniform mat4 view; uniform vec2 pixel; uniform float width, shift, depth;
    varying vec3 color;
    void main() {
      vec3 moved = vec3(-shift, 0.0, depth);
@@ -72,8 +74,7 @@ const LINE = [
      vec2 way = (b.xy / b.w - a.xy / a.w) / pixel;
      float size = length(way);
      vec2 across = size > 1e-6 ? vec2(-way.y, way.x) / size : vec2(0.0, 1.0);
-     float wide = distance > 0.0 ? width * distance / a.w : width;
-     a.xy += across * side * wide * pixel * a.w;
+     a.xy += across * side * width * pixel * a.w;
      gl_Position = a;
      color = tint;
    }`,
@@ -84,8 +85,8 @@ export class Space {
   eye: Vector = [0, 0, 1];
   fastest = 1;
   gl: WebGLRenderingContext;
-  sun: number[];
-  slant: number[];
+  sun = unit(SUN);
+  slant = [SUN[0] / SUN[1], 1, SUN[2] / SUN[1]];
   rim: Program;
   body: Program;
   line: Program;
@@ -96,22 +97,15 @@ export class Space {
   colors: WebGLTexture;
   view: Matrix;
 
-  /**
-   * `speeds` are the colours of the rim from rest to the fastest, `sun` is the way to the light, `dark` how dark a
-   * shadow is. `options`: whether the picture can be copied.
-   */
+  /** `speeds`: the colours of the rim from rest to the fastest. */
   constructor(
     public canvas: HTMLCanvasElement,
     speeds: number[][],
-    sun: Vector,
-    readonly dark: number,
-    { keep = false }: { keep?: boolean } = {},
   ) {
-    const gl = canvas.getContext("webgl", { antialias: true, stencil: true, preserveDrawingBuffer: keep });
+    // the picture can be copied
+    const gl = canvas.getContext("webgl", { antialias: true, stencil: true, preserveDrawingBuffer: true });
     if (!gl) throw new Error("This browser draws nothing in space (WebGL is missing).");
     this.gl = gl;
-    this.sun = unit(sun);
-    this.slant = [sun[0] / sun[1], 1, sun[2] / sun[1]];
     this.rim = makeProgram(gl, RIM[0], RIM[1]);
     this.body = makeProgram(gl, BODY[0], BODY[1]);
     this.line = makeProgram(gl, LINE[0], LINE[1]);
@@ -182,20 +176,15 @@ export class Space {
     gl.disable(gl.BLEND);
   }
 
-  solid(
-    shape: Mesh,
-    model: Matrix,
-    color: Vector,
-    { shadow = false, lit = true }: { shadow?: boolean; lit?: boolean } = {},
-  ) {
+  solid(shape: Mesh, model: Matrix, color: Vector, shadow = false) {
     const { gl } = this;
-    this.use(this.body, { model, color, shadow: shadow ? this.dark : 0, lit: Number(lit) });
+    this.use(this.body, { model, color, shadow: shadow ? DARK : 0 });
     bind(gl, this.body, shape);
     gl.drawElements(gl.TRIANGLES, shape.count, gl.UNSIGNED_SHORT, 0);
   }
 
   ball(place: Vector, radius: number, color: Vector, shadow: boolean) {
-    this.solid(this.sphere, along(place, [0, 1, 0], radius, radius), color, { shadow });
+    this.solid(this.sphere, along(place, [0, 1, 0], radius, radius), color, shadow);
   }
 
   /**
@@ -208,7 +197,7 @@ export class Space {
       size: [radius, tube, broad, angle],
       motion: [...velocity, omega],
       most: this.fastest,
-      shadow: shadow ? this.dark : 0,
+      shadow: shadow ? DARK : 0,
       plain: plain ?? [0, 0, 0],
       colored: plain ? 0 : 1,
     });
@@ -217,7 +206,7 @@ export class Space {
   }
 
   rod(from: Vector, way: Vector, length: number, radius: number, color: Vector, shadow = false) {
-    this.solid(this.cylinder, along(from, way, length, radius), color, { shadow });
+    this.solid(this.cylinder, along(from, way, length, radius), color, shadow);
   }
 
   /** A force at a hoop of radius `R`, `length` long along `way`. */
@@ -244,50 +233,18 @@ export class Space {
     return mesh(this.gl, data, { position: 3, next: 3, tint: 3, side: 1 });
   }
 
-  /**
-   * So many points of a trace, moved back by `shift` and into its lane; `width` pixels to each side, everywhere or,
-   * where a distance is given, so far from the camera.
-   */
-  drawTrace(
-    made: Mesh,
-    count: number,
-    { width, distance = 0, shift, depth }: { width: number; distance?: number; shift: number; depth: number },
-  ) {
+  /** So many points of a trace, moved back by `shift` and into its lane, `width` pixels to each side. */
+  drawTrace(made: Mesh, count: number, place: { width: number; shift: number; depth: number }) {
     const { gl, canvas } = this;
-    this.use(this.line, { pixel: [2 / canvas.width, 2 / canvas.height], width, distance, shift, depth });
+    this.use(this.line, { pixel: [2 / canvas.width, 2 / canvas.height], ...place });
     bind(gl, this.line, made);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 2 * count);
   }
 
-  /** Where a point is in the picture, from its upper left; null behind the camera. */
+  /** Where a point is in the picture, as shares of its width and height from its upper left; null behind the camera. */
   onScreen([x, y, z]: Vector) {
     const m = this.view;
     const [a, b, w] = [0, 1, 3].map((row) => m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]);
-    if (!(w > 0)) return null;
-    return [(0.5 + (0.5 * a) / w) * this.canvas.width, (0.5 - (0.5 * b) / w) * this.canvas.height];
+    return w > 0 ? [0.5 + (0.5 * a) / w, 0.5 - (0.5 * b) / w] : null;
   }
-}
-
-/** A flat piece of the plane, from one place along it to another and over a breadth, as part of a mesh. */
-export function sheet([left, right]: number[], [near, far]: number[]): Sheet {
-  return {
-    data: [
-      [left, far],
-      [left, near],
-      [right, far],
-      [right, near],
-    ].flatMap(([x, z]) => [x, 0, z, 0, 1, 0]),
-    indices: [0, 1, 2, 1, 3, 2],
-  };
-}
-
-/** Several sheets as one mesh. */
-export function sheets(gl: WebGLRenderingContext, list: Sheet[]) {
-  const indices = list.flatMap((part, k) => part.indices.map((i) => i + 4 * k));
-  return mesh(
-    gl,
-    list.flatMap((part) => part.data),
-    { position: 3, normal: 3 },
-    indices,
-  );
 }

@@ -13,9 +13,8 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.files import replacing
-from hophoop.animate.frames import Clock, Timing, clock, event_marks, extent, trace
-from hophoop.animate.look import FORCE_LENGTH, LANE, LONGEST, TAGS, Look3D, labels_of, nice
-from hophoop.animate.sheet import shades_of
+from hophoop.animate.frames import Timing, clock, event_marks, extent, trace
+from hophoop.animate.look import FORCE_LENGTH, TAGS, Look3D, labels_of, nice
 from hophoop.animate.themes import theme_of
 from hophoop.results.poses import Floats, load_distance, poses_of
 from hophoop.scenario import InputError
@@ -24,6 +23,7 @@ from hophoop.vocabulary import colors
 from hophoop.vocabulary.names import EVENTS, FLIGHT, MODE_WORDS, WORDS
 
 TRACE_POINTS = 4000
+STATE = ("x", "height", "angle", "vx", "vy", "omega", "normal_force", "friction_force")
 
 
 def scene(
@@ -53,8 +53,6 @@ def scene(
     ------
     ValueError
         If the settings do not fit the motions, or their slopes differ.
-    ImportError
-        If Matplotlib, for the colour map of the ring, is missing.
     """
     target = Path(path)
     if target.suffix.lower() != ".html":
@@ -75,7 +73,7 @@ def scene_data(
 
     data: SI units; arrays have one row per frame.
     """
-    shown: Clock = clock(motions, timing)
+    shown = clock(motions, timing)
     slopes = {motion.scenario.plane.slope for motion in motions}
     if len(slopes) > 1:
         raise InputError.of_field("plane.slope", sorted(slopes), "the same in all motions of one scene")
@@ -84,81 +82,65 @@ def scene_data(
     ends = [min(float(t[-1]), motion.duration) for t, motion in zip(shown.times, motions, strict=True)]
     extents = [extent(motion, timing.start, last) for motion, last in zip(motions, ends, strict=True)]
     radius = max(motion.scenario.hoop.radius for motion in motions)
-    top = max(size.speed for size in extents) or 1.0
-    force = max(size.force for size in extents) or 1.0
     hoops = []
     for i, motion in enumerate(motions):
-        hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1)), force))
-        hoops[-1]["traces"] = _traces(motion, timing.start, ends[i]) if look.traces else None
-        hoops[-1]["tag"] = TAGS[i % len(TAGS)] if len(motions) > 1 else ""
+        hoop = motion.scenario.hoop
+        times = shown.times[i]
+        hoops.append({
+            "label": names[i],
+            "tag": TAGS[i % len(TAGS)] if len(motions) > 1 else "",
+            "radius": hoop.radius,
+            "eccentricity": hoop.eccentricity,
+            "load": load_distance(hoop),
+            "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in event_marks(motion, times)],
+            "frames": _columns(motion, times),
+            "path": _path(motion, timing.start, ends[i]) if look.traces else None,
+        })  # fmt: skip
     return {
         "fps": timing.frame_rate,
-        "count": shown.count,
         "rate": shown.rate,
         "slope": slopes.pop(),
-        "radius": radius,
-        "along": (min(size.along[0] for size in extents), max(size.along[1] for size in extents)),
-        "height": max(size.height for size in extents),
+        "extent": {
+            "left": min(size.along[0] for size in extents),
+            "right": max(size.along[1] for size in extents),
+            "speed": max(size.speed for size in extents) or 1.0,
+        },
         "grid": nice(1.01 * radius),
-        "topSpeed": top,
-        "newton": np.full(shown.count, FORCE_LENGTH * radius / force) if look.forces else None,
-        "flies": any(hoop["traces"] is not None and hoop["traces"]["airborne"].any() for hoop in hoops),
-        "map": np.rint(255.0 * shades_of(np.linspace(0.0, 1.0, 64), 1.0)[:, :3]).astype(int),
+        # length of the arrow of a force of 1 N [m]
+        "newton": FORCE_LENGTH * radius / (max(size.force for size in extents) or 1.0) if look.forces else None,
+        "flies": any(hoop["path"] is not None and MODE_WORDS.index(FLIGHT) in hoop["path"]["mode"] for hoop in hoops),
         "theme": {
-            "background": theme.background,
+            "paper": theme.background,
             "ground": theme.ground if look.theme != "print" else "#F1F1F1",
             "ink": theme.ink,
             "muted": theme.muted,
-            "load": theme.load,
             "dark": theme.dark,
         },
         "colors": {
-            "center": theme.visible(colors.GRAVITY_CENTER),
+            "gravity_center": theme.visible(colors.GRAVITY_CENTER),
             "airborne": theme.visible(colors.GRAVITY_CENTER_AIRBORNE),
-            "normal": theme.visible(colors.NORMAL_FORCE),
-            "friction": theme.visible(colors.FRICTION_FORCE),
+            "normal_force": theme.visible(colors.NORMAL_FORCE),
+            "friction_force": theme.visible(colors.FRICTION_FORCE),
         },
-        "flight": MODE_WORDS.index(FLIGHT),
         "modes": [[WORDS[word].participle, colors.mode_color(word)] for word in MODE_WORDS],
         "hoops": hoops,
     }
 
 
-def _hoop(motion: Trajectory, times: Floats, label: str, lane: float, most: float) -> dict[str, Any]:
-    bound = LONGEST * most
+def _columns(motion: Trajectory, times: Floats) -> dict[str, Any]:
+    """Return the states at times [s] in SI units; modes as indices into `MODE_WORDS`."""
     poses = poses_of(motion, times)
-    hoop = motion.scenario.hoop
-    return {
-        "label": label,
-        "lane": lane,
-        "radius": hoop.radius,
-        "load": load_distance(hoop),
-        "heavy": hoop.eccentricity * hoop.radius,
-        "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in event_marks(motion, times)],
-        "mode": [MODE_WORDS.index(str(word)) for word in poses.words],
-        "t": poses.t,
-        "center": poses.center,
-        "contact": poses.contact,
-        "angle": poses.angle,
-        "velocity": poses.velocity,
-        "omega": np.nan_to_num(poses.omega, posinf=0.0, neginf=0.0),
-        "normalForce": np.clip(np.nan_to_num(poses.sample.normal_force, posinf=0.0), -bound, bound),
-        "frictionForce": np.clip(np.nan_to_num(poses.sample.friction_force, posinf=0.0, neginf=0.0), -bound, bound),
-    }
+    columns: dict[str, Any] = {name: getattr(poses.sample, name) for name in STATE}
+    columns["omega"] = np.nan_to_num(columns["omega"], posinf=0.0, neginf=0.0)
+    codes = np.array([MODE_WORDS.index(str(word)) for word in poses.words])
+    return {"t": poses.t, **columns, "mode": codes}
 
 
-def _traces(motion: Trajectory, start: float, end: float) -> dict[str, Any]:
-    track = trace(motion, start, end)
-    airborne = np.zeros(len(track.t), dtype=np.uint8)
-    for a, b, flies in track.runs:
-        airborne[a:b] = flies
-    keep = np.unique(np.linspace(0, len(track.t) - 1, min(len(track.t), TRACE_POINTS)).astype(int))
-    return {
-        "t": track.t[keep],
-        "load": track.load[keep],
-        "heavy": track.gravity_center[keep],
-        "airborne": airborne[keep],
-    }
+def _path(motion: Trajectory, start: float, end: float) -> dict[str, Any]:
+    t = trace(motion, start, end).t
+    keep = np.unique(np.linspace(0, len(t) - 1, min(len(t), TRACE_POINTS)).astype(int))
+    columns = _columns(motion, t[keep])
+    return {name: columns[name] for name in ("t", "x", "height", "angle", "mode")}
 
 
 def page(data: dict[str, Any]) -> str:

@@ -43,6 +43,8 @@ export class Film {
   gravity: number;
   phases: Phase[];
   extent: { left: number; right: number; top: number; speed: number };
+  weight: number; // where there is none, that on Earth [N]
+  newton: number; // length of its arrow [m]
 
   constructor(reply: FilmReply) {
     Object.assign(this, { doubt: "" }, reply.header);
@@ -55,6 +57,8 @@ export class Film {
     this.eccentricity = this.values["hoop.eccentricity"];
     this.slope = this.scenario.plane.slope ?? 0;
     this.gravity = this.scenario.plane.gravity ?? 9.81;
+    this.weight = this.mass * (this.gravity || 9.81);
+    this.newton = (0.55 * this.radius) / this.weight;
     this.phases = this.findPhases();
     this.extent = this.findExtent();
   }

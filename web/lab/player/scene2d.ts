@@ -304,10 +304,8 @@ export class Scene {
 
   forces() {
     const { film, pose, colors } = this;
-    const R = film.radius;
-    const weight = film.mass * (film.gravity || 9.81);
     // to scale up to four weights; a longer arrow would leave the picture and is drawn broken
-    const size = (force: number) => (0.55 * R * force) / weight;
+    const size = (force: number) => film.newton * force;
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const foot = [pose.x, pose.height];
     this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N = ${show(pose.normal_force, 3)} N`, false);

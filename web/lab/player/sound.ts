@@ -9,8 +9,7 @@ const SOFT = 0.03; // seconds within which a loudness changes
 /** What is to be heard at one instant, from the motion alone. Returns loudness from 0 to 1, pitch [Hz]. */
 export function heard(film: Film, time: number): { tone: number; pitch: number; hiss: number } {
   const pose = film.at(time);
-  const weight = film.mass * (film.gravity || 9.81);
-  const force = pose.mode === "H" || !(pose.normal_force > 0) ? 0 : pose.normal_force / weight;
+  const force = pose.mode === "H" || !(pose.normal_force > 0) ? 0 : pose.normal_force / film.weight;
   // the weight itself is at half loudness; a force that grows without bound only comes near to the whole
   const tone = force / (1 + force);
   const slipping = pose.mode === "S" || pose.mode === "K";

@@ -1,4 +1,4 @@
-// The same motion in space.
+// Motions in space: those of the lab, and those that Python has written into a page.
 
 import { rgb } from "../../space/algebra.ts";
 import { bind, makeProgram, mesh } from "../../space/gl.ts";
@@ -8,9 +8,17 @@ import { clamp } from "../common/clamp.ts";
 import { follow } from "../common/pointer.ts";
 import { zoomable } from "../common/zoom.ts";
 
-const SUN = [0.35, 0.85, 0.4];
-const SHADOW = 0.18;
 const HOME = { azimuth: 0.5, height: 0.22, distance: 5.2 };
+const ANGLE = 0.75; // of the view
+const LANE = 2.1; // radii between two hoops
+
+type Shades = Pick<Look, "paper" | "ground" | "ink" | "dark">;
+type Inks = Pick<Colors, "gravity_center" | "airborne" | "normal_force" | "friction_force"> &
+  Partial<Pick<Colors, "modes">>;
+
+/** What is drawn of a motion. */
+export type Seen = Pick<Film, "radius" | "newton" | "eccentricity" | "slope" | "length" | "duration" | "extent"> &
+  Pick<Film, "columns" | "at" | "index"> & { load?: number }; // how far the load is from the centre, where it is not at the rim
 
 // Tiles that fade into the paper.
 const FLOOR = [
@@ -27,10 +35,13 @@ const FLOOR = [
 ];
 
 export class Stage3D {
-  space = new Space(this.canvas, SPEED_COLORS, SUN, SHADOW, { keep: true });
+  space = new Space(this.canvas, SPEED_COLORS);
   floor = makeProgram(this.space.gl, FLOOR[0], FLOOR[1]);
   corners = mesh(this.space.gl, [-1, -1, 1, -1, -1, 1, 1, 1], { corner: 2 });
   turned = { ...HOME };
+  moved: Vector = [0, 0, 0]; // what is looked at, from where it is by itself
+  tile = 0; // length of a tile; half a radius by default
+  metre = 1; // in pixels, at what is looked at
   lines: WeakMap<WeakKey, any> = new WeakMap();
   share = 1;
   pace = 16;
@@ -40,19 +51,22 @@ export class Stage3D {
   pinched = zoomable(this.canvas, {
     zoom: (factor) => this.zoomBy(factor),
     home: () => this.zoomBy(0),
-    chosen: () => this.canvas.parentElement,
+    chosen: this.chosen,
   });
 
+  /** `onview`: called when it is seen from elsewhere; `chosen`: what has the focus where the wheel zooms. */
   constructor(
     public canvas: HTMLCanvasElement,
     readonly onview: () => void,
+    readonly chosen: () => HTMLElement | null = () => canvas.parentElement,
   ) {
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
   }
 
   zoomBy(factor: number) {
     if (factor) this.turned.distance = clamp(this.turned.distance / factor, 1.6, 60);
-    else this.turned = { ...HOME };
+    else Object.assign(this, { turned: { ...HOME }, moved: [0, 0, 0] });
     this.onview();
   }
 
@@ -64,19 +78,24 @@ export class Stage3D {
   }
 
   look([azimuth, height, distance]: number[]) {
-    this.turned = {
-      azimuth: clamp(azimuth, -1.5, 1.5),
-      height: clamp(height, 0.02, 1.45),
-      distance: clamp(distance, 1.6, 60),
-    };
+    this.turned = { azimuth, height: clamp(height, 0.02, 1.45), distance: clamp(distance, 1.6, 60) };
   }
 
+  /** Turns the view; moves it with Shift or the right button. */
   drag(event: PointerEvent) {
-    const start = { ...this.turned, x: event.clientX, y: event.clientY };
-    follow(this.canvas, event, (moved: PointerEvent) => {
+    let before = event;
+    follow(this.canvas, event, (now: PointerEvent) => {
+      const [right, down] = [now.clientX - before.clientX, now.clientY - before.clientY];
+      before = now;
       if (this.pinched()) return;
-      this.turned.azimuth = clamp(start.azimuth - (moved.clientX - start.x) * 0.008, -1.5, 1.5);
-      this.turned.height = clamp(start.height + (moved.clientY - start.y) * 0.006, 0.02, 1.45);
+      const { azimuth, height } = this.turned;
+      if (now.shiftKey || now.buttons === 2) {
+        const way = [-right * Math.cos(azimuth), down, right * Math.sin(azimuth)];
+        this.moved = this.moved.map((value, i) => value + way[i] / this.metre);
+      } else {
+        this.turned.azimuth = azimuth - right * 0.008;
+        this.turned.height = clamp(height + down * 0.006, 0.02, 1.45);
+      }
       this.onview();
     });
   }
@@ -99,11 +118,11 @@ export class Stage3D {
    * the page; as many as the screen has by default.
    */
   draw(
-    films: Film[],
+    films: Seen[],
     time: number,
-    options: StageOptions,
-    look: Look,
-    colors: Colors,
+    options: Pick<StageOptions, "traces" | "forces" | "speed" | "whole">,
+    look: Shades,
+    colors: Inks,
     running: boolean,
     wanted?: number,
   ) {
@@ -115,87 +134,90 @@ export class Stage3D {
     const poses = films.map((film) => film.at(time));
     const R = films[0].radius;
     space.fastest = Math.max(...films.map((film) => film.extent.speed));
-    this.focus = Number.isFinite(poses[0].x) ? poses[0].x : 0;
-    space.begin({ background: rgb(look.paper), ...this.camera(films[0], poses[0], R, options) });
+    const middle = poses.reduce((sum, { x }) => sum + x / poses.length, 0);
+    this.focus = Number.isFinite(middle) ? middle : 0;
+    const view = this.camera(films, poses[0], options.whole, box);
+    space.begin({ background: rgb(look.paper), ...view });
     space.ground(() => this.drawFloor(R, look));
-    const each = (paint: (film: Film, pose: Pose, depth: number) => void) => {
-      for (const [lane, film] of films.entries()) paint(film, poses[lane], -2.1 * R * lane);
+    const each = (paint: (film: Seen, pose: Pose, depth: number) => void) => {
+      for (const [lane, film] of films.entries()) paint(film, poses[lane], this.depth(films, lane));
     };
-    space.shadows(() => each((film, pose, depth) => this.drawHoop(film, pose, depth, options, look, colors, true)));
+    const tint = ({ mode }: Pose) => (options.speed || !colors.modes ? null : rgb(colors.modes[mode]));
+    space.shadows(() => each((film, pose, depth) => this.drawHoop(film, pose, depth, null, look, colors, true)));
     each((film, pose, depth) => {
-      this.drawHoop(film, pose, depth, options, look, colors, false);
+      this.drawHoop(film, pose, depth, tint(pose), look, colors, false);
       if (options.traces) this.drawTraces(film, options.whole ? film.duration : pose.t, depth, look, colors, ratio);
       if (options.forces) this.drawForces(film, pose, depth, colors);
     });
   }
 
-  camera(film: Film, pose: Pose, R: number, options: StageOptions) {
+  /** How far from the viewer a hoop is: the lanes lie about the middle. */
+  depth(films: Seen[], lane: number) {
+    return LANE * films[0].radius * (0.5 * (films.length - 1) - lane);
+  }
+
+  camera(films: Seen[], pose: Pose, whole: boolean, box: Box) {
     const { azimuth, height, distance } = this.turned;
-    const { left, right } = film.extent;
-    const away = options.whole ? Math.max(distance * R, 0.85 * (right - left) + 3 * R) : distance * R;
-    const [along, above] = [options.whole ? 0.5 * (left + right) - this.focus : 0, R + 0.45 * (pose.height || 0)];
-    const cosine = Math.cos(film.slope);
-    const sine = Math.sin(film.slope);
-    const target = [along * cosine + above * sine, -along * sine + above * cosine, 0];
+    const [{ radius: R, slope, extent }] = films;
+    const { left, right } = extent;
+    const near = distance * R + this.depth(films, 0);
+    const upright = Math.max(1, 0.8 * (box.height / box.width || 0)); // a narrow picture is seen from farther away
+    const away = upright * (whole ? Math.max(near, 0.85 * (right - left) + 3 * R) : near);
+    this.metre = box.height / (2 * away * Math.tan(0.5 * ANGLE));
+    const [along, above] = [whole ? 0.5 * (left + right) - this.focus : 0, R + 0.45 * (pose.height || 0)];
+    const cosine = Math.cos(slope);
+    const sine = Math.sin(slope);
+    const place = [along * cosine + above * sine, -along * sine + above * cosine, 0];
+    const target = place.map((value, i) => value + this.moved[i]);
     const eye = [
       target[0] + away * Math.sin(azimuth) * Math.cos(height),
       target[1] + away * Math.sin(height),
-      away * Math.cos(azimuth) * Math.cos(height),
+      target[2] + away * Math.cos(azimuth) * Math.cos(height),
     ];
     this.reach = 12 * R + 3 * away;
-    return { eye, target, slope: film.slope, angle: 0.75, near: 0.05 * R, far: 40 * R + 6 * away };
+    return { eye, target, slope, angle: ANGLE, near: 0.05 * R, far: 40 * R + 6 * away };
   }
 
-  drawFloor(R: number, look: Look) {
+  drawFloor(R: number, look: Shades) {
     const { space } = this;
     const light = rgb(look.ground);
     const dark = light.map((value) => value * (look.dark ? 0.82 : 0.94));
-    const tile = 0.5 * R;
+    const tile = this.tile || 0.5 * R;
     const shift = this.focus % (2 * tile);
     space.use(this.floor, { reach: this.reach, light, dark, far: rgb(look.paper), tile, shift });
     bind(space.gl, this.floor, this.corners);
     space.gl.drawArrays(space.gl.TRIANGLE_STRIP, 0, 4);
   }
 
-  drawHoop(film: Film, pose: Pose, depth: number, options: StageOptions, look: Look, colors: Colors, shadow: boolean) {
+  /** `plain`: the colour of the rim, where it is not that of its speed. */
+  drawHoop(film: Seen, pose: Pose, depth: number, plain: Vector | null, look: Shades, colors: Inks, shadow: boolean) {
     const { space } = this;
     const R = film.radius;
     const tube = 0.045 * R;
     const center = [pose.x - this.focus, R + pose.height, depth];
-    space.ring(
-      {
-        center,
-        radius: R,
-        tube,
-        broad: 3.2 * tube,
-        angle: pose.angle,
-        velocity: [pose.vx, pose.vy],
-        omega: pose.omega,
-        plain: options.speed ? null : rgb(colors.modes[pose.mode]),
-      },
-      shadow,
-    );
+    const { angle, vx, vy, omega } = pose;
+    space.ring({ center, radius: R, tube, broad: 3.2 * tube, angle, velocity: [vx, vy], omega, plain }, shadow);
     const way = [Math.sin(pose.angle), Math.cos(pose.angle), 0];
     const at = (distance: number) => center.map((value, i) => value + distance * way[i]);
-    space.ball(at(R - tube), 0.125 * R, look.dark ? [0.9, 0.91, 0.94] : [0.12, 0.13, 0.15], shadow);
-    space.rod(center, way, R - tube, 0.012 * R, [0.55, 0.57, 0.6], shadow);
+    const load = Math.min(film.load ?? R, R - tube);
+    space.ball(at(load), 0.125 * R, look.dark ? [0.9, 0.91, 0.94] : [0.12, 0.13, 0.15], shadow);
+    space.rod(center, way, load, 0.012 * R, [0.55, 0.57, 0.6], shadow);
     const inAir = pose.mode === "H";
     space.ball(at(film.eccentricity * R), 0.07 * R, rgb(inAir ? colors.airborne : colors.gravity_center), shadow);
   }
 
-  drawForces(film: Film, pose: Pose, depth: number, colors: Colors) {
+  drawForces(film: Seen, pose: Pose, depth: number, colors: Inks) {
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const R = film.radius;
-    const weight = film.mass * (film.gravity || 9.81);
     const from = [pose.x - this.focus, pose.height + 0.03 * R, depth + 0.2 * R];
-    const length = (force: number) => clamp((0.55 * R * Math.abs(force)) / weight, 0, 3.2 * R);
+    const length = (force: number) => clamp(film.newton * Math.abs(force), 0, 3.2 * R);
     const side = Math.sign(pose.friction_force);
     this.space.arrow(from, [0, 1, 0], length(pose.normal_force), R, rgb(colors.normal_force));
     this.space.arrow(from, [side, 0, 0], length(pose.friction_force), R, rgb(colors.friction_force));
   }
 
   /** Load and centre of gravity, built once a film; what lies ahead in time is left out when drawn. */
-  linesOf(film: Film, look: Look, colors: Colors) {
+  linesOf(film: Seen, look: Shades, colors: Inks) {
     const kept = this.lines.get(film);
     if (kept?.dark === look.dark) return kept;
     const R = film.radius;
@@ -209,14 +231,14 @@ export class Stage3D {
     const [contact, air, ink] = [rgb(colors.gravity_center), rgb(colors.airborne), rgb(look.ink)];
     const made = {
       dark: look.dark,
-      load: trace(R, () => ink),
+      load: trace(film.load ?? R, () => ink),
       center: trace(film.eccentricity * R, (i: number) => (mode[i] === 3 ? air : contact)),
     };
     this.lines.set(film, made);
     return made;
   }
 
-  drawTraces(film: Film, until: number, depth: number, look: Look, colors: Colors, ratio: number) {
+  drawTraces(film: Seen, until: number, depth: number, look: Shades, colors: Inks, ratio: number) {
     const { load, center } = this.linesOf(film, look, colors);
     const count = Math.min(film.index(until) + 2, film.length);
     const place = { shift: this.focus, depth };

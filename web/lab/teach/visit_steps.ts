@@ -95,7 +95,7 @@ export const STEPS: Step[] = [
     until: ([film]) => first(film, "slip_start")?.t ?? film.duration,
     answer: ([film]) => {
       const slip = first(film, "slip_start") as MotionEvent;
-      const force = film.at(slip.t).normal_force / (film.mass * film.gravity);
+      const force = film.at(slip.t).normal_force / film.weight;
       return {
         truth: (slip.angle * 180) / Math.PI,
         text: "visit.answer_slip",
