@@ -2,8 +2,8 @@
 
 Each surrounding is a process of its own: other BLAS kernels, a C library and a NumPy without the newer instructions,
 the library for older processors, interpreted kernels, WebAssembly in wasmtime and in Chromium, and the kernels' code as a
-program for ARM64 and RISC-V under qemu. `--old` computes another checkout in the same surroundings; each is compared with
-itself as given. Missing programs (ziglang, qemu, Chromium) are named. The exit status is 1 where any motion differs.
+program for ARM64 and RISC-V under qemu. Missing programs (ziglang, qemu,
+Chromium) are named. The exit status is 1 where any motion differs.
 """
 
 from __future__ import annotations
@@ -208,18 +208,12 @@ def run(source: Path, chosen: Sequence[Surrounding], folder: Path, every: int) -
     return found
 
 
-def table(results: Sequence[tuple[str, dict[str, Difference | str]]]) -> str:
-    """Both trees side by side, in Markdown."""
-    head = "| surroundings | motions |"
-    for name, _ in results:
-        prefix = f"{name}: " if name else ""
-        head += f" {prefix}other bits | {prefix}largest Δt/duration |"
-    lines = [head, "| --- | --- |" + " --- | --- |" * len(results)]
-    for name, told in results[0][1].items():
-        if name == GIVEN:
-            continue
-        motions = "" if isinstance(told, str) else f"{told.motions:,}"
-        lines.append(f"| {name} | {motions} | " + " | ".join(cells(found[name]) for _, found in results) + " |")
+def table(found: Mapping[str, Difference | str]) -> str:
+    """All surroundings but the first in Markdown."""
+    lines = ["| surroundings | motions | other bits | largest Δt/duration |", "| --- | --- | --- | --- |"]
+    for name, told in found.items():
+        if name != GIVEN:
+            lines.append(f"| {name} | {'' if isinstance(told, str) else f'{told.motions:,}'} | {cells(told)} |")
     return "\n".join(lines) + "\n"
 
 
@@ -227,7 +221,6 @@ def main() -> int:
     """Compute, compare, write the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--source", type=Path, default=HERE, help="checkout whose src is computed with; this one by default")
-    parser.add_argument("--old", type=Path, help="another checkout with its library, to compare with")
     parser.add_argument("--every", type=int, default=1, help="only every so many of the kept scenarios")
     parser.add_argument(
         "--only", nargs="+", default=[], metavar="WORD", help="only surroundings whose name has one of these words"
@@ -245,20 +238,13 @@ def main() -> int:
         for each in surroundings()
         if each.name == GIVEN or not options.only or any(word in each.name for word in options.only)
     ]
-    results = []
     with tempfile.TemporaryDirectory() as name:
-        for place, (label, source) in enumerate((("", options.source), ("before", options.old))):
-            if source is None:
-                continue
-            folder = Path(name) / str(place)
-            folder.mkdir()
-            print(f"{source.resolve().name}, {len(chosen)} surroundings", flush=True)
-            results.append((label, run(source.resolve(), chosen, folder, options.every)))
+        results = run(options.source.resolve(), chosen, Path(name), options.every)
     text = table(results)
     print(text)
     if options.markdown is not None:
         options.markdown.write_text(text, encoding="utf-8")
-    return int(any(not isinstance(each, str) and each.anything > 0 for each in results[0][1].values()))
+    return int(any(not isinstance(each, str) and each.anything > 0 for each in results.values()))
 
 
 if __name__ == "__main__":

@@ -63,23 +63,6 @@ def test_the_table_keeps_rooms_that_were_tried_before(tmp_path, monkeypatch):
     ]
 
 
-def test_rooms_that_were_not_tried_here_keep_their_rows(tmp_path, monkeypatch):
-    monkeypatch.setattr(mutations, "RESULTS", tmp_path)
-    before = Path(__file__).parents[1].joinpath("docs/tables/mutations.md").read_text(encoding="utf-8")
-    kept = mutations.rows_of(before)
-    assert set(kept) == set(mutations.ROOMS)
-    seen = {"module": "slip", "status": "seen", "explained": False, "on": "2026-01-02"}
-    tried = {"room": "rigid", "there": 1, "found": [seen]}
-    rows = mutations.rows_of(mutations.table([tried], before))
-    assert list(rows) == list(mutations.ROOMS)
-    assert [row.replace(mutations.UNBROKEN, "-") for row in rows.pop("rigid")] == [
-        "| **rigid** | **1** | **1** | 0 | 0 | **100.0 %** | 2026-01-02 |",
-        "| &nbsp;&nbsp;slip | 1 | 1 | 0 | 0 | 100.0 % | 2026-01-02 |",
-    ]
-    assert all(rows[name] == kept[name] for name in rows)
-    assert sum(map(len, rows.values())) > 40
-
-
 MODULE = """
 def first(x):
     return x + 1.0 - (2.0 if x < 3.0 else x)

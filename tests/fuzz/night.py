@@ -1,6 +1,6 @@
 """Scenarios over the whole of the supported ranges, as many as asked for, and a table of what came of them.
 
-    python tests/fuzz/night.py --count 100000 --markdown docs/tables/fuzz.md
+    python tests/fuzz/night.py --count 100000 --markdown table.md
     python tests/fuzz/night.py --show 4711          # one of them again
 
 Each is computed in a worker process, so that one that hangs or kills its process is found too.
