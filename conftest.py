@@ -17,17 +17,6 @@ os.environ.setdefault("MPLBACKEND", "agg")
 pytest_plugins = ["browser_tools"]
 
 
-def pytest_addoption(parser):
-    parser.addoption("--other-tables", type=int, metavar="SEED", help="tables of the solver off by a rounding")
-
-
-def pytest_configure(config):
-    if (seed := config.getoption("other_tables", None)) is not None:
-        import other_tables
-
-        other_tables.move_tables(seed)
-
-
 @pytest.hookimpl(tryfirst=True)  # workers start after this
 def pytest_sessionstart(session):
     if hasattr(session.config, "workerinput") or session.config.option.collectonly:

@@ -5,7 +5,6 @@ benchmarks/bits.py tries other surroundings, such as an older processor; tests/m
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -41,25 +40,10 @@ def test_interpreted_motions_have_the_kept_bits() -> None:
 
 
 @pytest.mark.long
-def test_a_hundred_interpreted_motions_have_the_kept_bits() -> None:
-    kept = kept_scenarios(every=10)
+def test_interpreted_motions_of_every_kind_have_the_kept_bits() -> None:
+    kept = kept_scenarios(every=30)
     assert {each.kind for each in kept} == set(kept_hashes()["kinds"])
     assert differing(computed(kept, "interpreted")) == {}
-
-
-def test_all_kinds_of_motions_are_kept() -> None:
-    kept = kept_scenarios()
-    assert len(kept) == len(kept_hashes()["motions"]) == 1000
-    planes = [each.scenario.plane for each in kept]
-    counts = Counter(each.kind for each in kept) + Counter(plane.impact_law for plane in planes)
-    for name in ("rigid", "resisted", "massless", "compliant", "newton", "poisson", "stronge"):
-        assert counts[name] >= 40, name
-    assert sum(plane.slope != 0.0 for plane in planes) > 200
-    assert sum(plane.mu_kinetic < plane.mu_static for plane in planes) > 200
-    assert sum(plane.restitution > 0.0 for plane in planes) > 200
-    for special in (0.0, np.inf):
-        assert sum(plane.mu_static == special for plane in planes) > 40
-    assert sum(plane.gravity == 0.0 for plane in planes) > 40
 
 
 def test_hashes_see_every_number_but_not_the_sign_of_zero_or_nan() -> None:
@@ -71,15 +55,6 @@ def test_hashes_see_every_number_but_not_the_sign_of_zero_or_nan() -> None:
         assert bits_tools.hash_of([other])[: bits_tools.DIGITS] != own[place]
     strange = np.array([-0.0, np.copysign(np.nan, -1.0)])
     assert bits_tools.canonical(strange).tobytes() == np.array([0.0, np.nan]).tobytes()
-
-
-def test_a_motion_that_differs_is_named() -> None:
-    kept = [each for each in kept_scenarios(every=10) if each.kind == "paradox"]
-    found = computed(kept, "interpreted")
-    assert differing(found) == {}
-    index = next(index for index, bits in found.items() if bits.samples.size)
-    found[index] = found[index]._replace(samples=np.nextafter(found[index].samples, np.inf))
-    assert differing(found) == {"samples": [index]}
 
 
 def test_the_changelog_names_the_kept_bits() -> None:

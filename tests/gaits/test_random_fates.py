@@ -65,8 +65,8 @@ def test_a_random_fate(index):
 @pytest.mark.slow
 @pytest.mark.random
 @pytest.mark.timeout(3600)
-def test_thousands_of_random_fates():
-    for index in range(1000, 3000):
+def test_hundreds_of_random_fates():
+    for index in range(1000, 1500):
         scenario = scenario_of(SEED, index)
         judged = hh.gaits.fates([scenario])
         fate = str(judged.fates[0])

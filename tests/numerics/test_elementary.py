@@ -82,7 +82,7 @@ def test_functions_of_two_numbers(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_many_arguments(name):
     random = np.random.default_rng(13)
-    given = pairs(name, random, 3000) if name in TWO else (points(name, random, 5000),)
+    given = pairs(name, random, 600) if name in TWO else (points(name, random, 1000),)
     largest, at = worst(name, *given)
     assert largest <= BOUNDS[name], float(at).hex()
 

@@ -47,22 +47,6 @@ def rolling_time(case: Case, angle: mpf) -> mpf:
     return factor * (2 * half * turns + part)
 
 
-def rolling_time_by_quadrature(case: Case, angle: mpf) -> mpf:
-    """The same by Gauss–Legendre quadrature of the integral as it stands."""
-    k, n, factor = constants(case)
-    end = angle / 2
-    # panels: the integrand is sharp near the top where n is large
-    points = [mpf(0)]
-    while points[-1] < end:
-        points.append(min(end, points[-1] + mpf(1) / 16))
-
-    def integrand(phi: mpf) -> mpf:
-        q = mp.sin(phi) ** 2
-        return mp.sqrt((1 - k * q) / (1 + n * q))
-
-    return factor * mp.quad(integrand, points, maxdegree=8)
-
-
 def rolling_rate(case: Case, angle: mpf) -> mpf:
     """Angular velocity [rad/s] at an angle, from the same energy."""
     k, n, factor = constants(case)

@@ -420,7 +420,7 @@ def test_no_change_that_states_something_else_passes():
 
 
 @pytest.mark.long
-def test_none_of_a_thousand_changes_that_states_something_else_passes():
-    found, others = untrue(1000, 1000)
-    assert others == 1000
+def test_none_of_many_changes_that_states_something_else_passes():
+    found, others = untrue(400, 1000)
+    assert others == 400
     assert found == []

@@ -1,0 +1,81 @@
+"""Motions that once failed, and the two sides of an event's time; tests/fuzz draws any hoop, plane and start."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+import invariants
+
+ONCE = {
+    "a false jam: slip stops just before p_σ = 0": (
+        hh.Hoop(eccentricity=0.79594489775011, inertia_ratio=0.020647517490374176),
+        hh.Plane(slope=0.4075715758006839, mu_static=0.5235644207101874, mu_kinetic=0.3855999705760886),
+        hh.Start(angle=1.1526905230864948, vx=2.3598820998676766, omega=-0.4148122693817507),
+    ),
+    "undetermined at a turning point": (hh.Hoop(), hh.Plane(mu=1.0), hh.Start.rolling(-1.0, angle=2.0)),
+    "6e-9 off: a turning point from a panel that does not resolve it": (
+        hh.Hoop.ideal(0.8937595148137446, radius=0.16626324744599907, mass=0.21584739661929603),
+        hh.Plane(slope=-0.20733827155436935, mu=0.5018648227533329),
+        hh.Start(angle=0.41739713482464946, vx=0.49603212084478177, omega=4.184181065559784),
+    ),
+    "stuck far from v_t = 0": (hh.Hoop(), hh.Plane(mu=0.5), hh.Start(angle=math.pi, omega=8.0)),
+    "without end": (hh.Hoop.ideal(1 - 1e-5), hh.Plane(mu=1.0), hh.Start.rolling(1.0)),
+    "a start too slow for the tables of panels": (
+        hh.Hoop.ideal(0.5), hh.Plane(mu=0.0, slope=1.0), hh.Start.rolling(1e-9, angle=1.0),
+    ),
+    "a panel a billion seconds long": (hh.Hoop.ideal(0.0), hh.Plane(mu=0.0, slope=1.0), hh.Start.rolling(1e-9)),
+    "slid on against its friction: slip that ends at once": (
+        hh.Hoop.ideal(0.75), hh.Plane(mu=0.0), hh.Start(angle=1.0, vx=6.5e-80),
+    ),
+    "fell through the plane": (hh.Hoop(), hh.Plane(mu=0.0), hh.Start(vy=-8.6e-16, height=0.0)),
+    "slid on as rounding says, and lost energy without friction": (
+        hh.Hoop.ideal(0.5), hh.Plane(mu=0.0), hh.Start.rolling(1.0, angle=math.pi),
+    ),
+    "the same of a light load": (hh.Hoop.ideal(1e-5), hh.Plane(mu=0.0), hh.Start.rolling(0.125, angle=math.pi)),
+    "slipped at F = 0 = μ N": (hh.Hoop.ideal(0.0), hh.Plane(mu=0.0), hh.Start.rolling(1.0)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ONCE)
+def test_what_once_failed(name):
+    """No exception, no endless loop, and the laws kept at every sampled time."""
+    motion = hh.simulate(*ONCE[name], duration=3.0, contact=hh.Rigid(max_events=400))
+    assert motion.status != "event_limit"
+    invariants.check(motion)
+
+
+@pytest.mark.parametrize("speed", np.linspace(2.8, 3.6, 12))
+def test_an_event_time_is_on_its_own_side(speed):
+    """Seconds to the kernel's unit and back would put some events on the other side of their own time."""
+    motion = hh.simulate(hh.Hoop.ideal(0.75, radius=0.3), hh.Plane(mu=0.9), hh.Start.rolling(speed * math.sqrt(0.3)))
+    moments = {event.t: [] for event in motion.events}
+    for event in motion.events:
+        moments[event.t].append(event)
+    for t, events in moments.items():
+        if 0.0 < t < motion.duration:
+            assert motion.at(t).mode == events[-1].to_mode
+            assert motion.at(t, side="left").mode == events[0].from_mode
+            assert motion.at(t).omega == pytest.approx(events[-1].omega, rel=1e-12, abs=1e-12)
+            assert motion.at(t, side="left").omega == pytest.approx(events[0].before.omega, rel=1e-12, abs=1e-12)
+
+
+def test_a_small_rate_beside_a_turning_point_has_its_digits():
+    """In slip: θ̇ = α (t − t_m) as t → t_m, and the energy with it."""
+    motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=0.1), hh.Start(angle=2.5, vx=5.0), duration=4.0)
+    turns = [event for event in motion.find("turn") if event.to_mode != "R"]
+    assert turns
+    whole = motion.at(0.0).total
+    for turn in turns:
+        before = turn.t - np.array([1e-3, 1e-5, 1e-7, 1e-9])
+        after = turn.t + np.array([1e-3, 1e-5, 1e-7, 1e-9])
+        slopes = [motion.at(times).omega / (times - turn.t) for times in (before, after)]
+        for slope in slopes:
+            assert slope[2] == pytest.approx(slopes[0][1], rel=1e-4)
+            assert slope[3] == pytest.approx(slopes[0][1], rel=1e-4)
+        sample = motion.at(np.concatenate([before, after]))
+        lost = sample.friction + sample.impact_normal + sample.impact_tangential
+        assert np.abs(sample.total + lost - whole).max() < 1e-13 * motion.ledger.range
