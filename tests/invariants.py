@@ -1,4 +1,4 @@
-"""Invariants: laws that every computed motion obeys, checked independently (docs/testing.md#what-is-tried)."""
+"""Invariants: laws that every computed motion obeys, checked independently (docs/testing.md#random-scenarios)."""
 
 from __future__ import annotations
 
