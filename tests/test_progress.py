@@ -8,7 +8,6 @@ from rich.console import Console
 import hophoop as hh
 from cli_tools import HOP, run
 from hophoop._support import progress as reporting
-from hophoop.simulation.event_errors import event_errors
 
 SOFT = hh.Scenario(contact=hh.Compliant(), duration=0.5)
 
@@ -48,19 +47,6 @@ def test_a_rigid_motion_reports_its_end(more):
     assert shares == [1.0]
 
 
-def test_errors_of_events_report_their_share(monkeypatch):
-    from hophoop.simulation import event_errors as errors
-
-    monkeypatch.setattr(errors, "estimated_errors", slowly(errors.estimated_errors))
-    monkeypatch.setattr(reporting, "LOOKS", 0.002)
-    motion = hh.simulate(hh.Scenario(duration=2.0))
-    shares = []
-    found = event_errors(motion, shares.append)
-    assert shares == sorted(shares)
-    assert 0.0 < shares[-2] < 1.0 == shares[-1]
-    assert found.t.tobytes() == motion.errors.t.tobytes()
-
-
 def test_an_error_of_the_computation_is_raised():
     def breaks(share):
         raise ValueError("hoop.radius is wrong.")
@@ -71,12 +57,9 @@ def test_an_error_of_the_computation_is_raised():
 
 @pytest.mark.parametrize(("soon", "shown"), [(0.0, True), (60.0, False)])
 def test_a_long_command_shows_a_bar_on_a_terminal(terminal, monkeypatch, soon, shown):
-    """`run` with a compliant contact, and its errors of events."""
     monkeypatch.setattr(reporting, "SOON", soon)
     soft = run("run", "--set", "contact.model=compliant", "--duration", 0.5).stderr
     assert ("motion" in soft and "%" in soft) == shown
-    errors = run("run", *HOP, "--errors").stderr
-    assert ("errors" in errors and "100%" in errors) == shown
     assert "motion" not in run("run", *HOP, "--quiet").stderr
 
 

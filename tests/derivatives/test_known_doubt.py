@@ -38,3 +38,4 @@ def test_a_doubt_is_in_seconds():
     times = motion.times(2001)
     tangency = times[np.argmax(motion.at(times).utilization(motion.scenario.plane))]
     assert tangency - 0.2 < motion.doubt <= tangency < motion.kernel_doubt
+    assert np.isinf(motion.errors.t).tolist() == [event.t > motion.doubt for event in motion.events]

@@ -106,10 +106,9 @@ def test_estimated_errors_are_those_that_occur(count, least):
     for seed in range(1100, 1100 + count):
         motion = simulate(draw(seed))
         truth = hh.simulate(motion.scenario, digits=20)
-        if len(truth.events) != len(motion.events):
-            continue
         errors = motion.errors
-        for i in range(1, len(motion.events) - 1):
+        alike = [one.kind == other.kind for one, other in zip(truth.events, motion.events, strict=False)]
+        for i in range(1, [*alike, False].index(False) - 1):  # up to the limit of bounces, which digits do not have
             for name in ("t", "angle", "omega"):
                 true = getattr(truth.events[i], name)
                 error = abs(float(true - type(true)(getattr(motion.events[i], name))))

@@ -14,7 +14,6 @@ from hophoop.cli._tables import console_of, print_table
 from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS, SPARE, TITLES, WORDS, cells
 
 if TYPE_CHECKING:
-    from hophoop.results.records import EventErrors
     from hophoop.simulation.phases import Margins, PhaseRecord
     from hophoop.simulation.trajectory import Trajectory
 
@@ -56,11 +55,11 @@ def print_motion(motion: Trajectory, everything: bool) -> None:
     console_of(120).print(_summary(motion))
 
 
-def print_errors(motion: Trajectory, errors: EventErrors, everything: bool) -> None:
+def print_errors(motion: Trajectory, everything: bool) -> None:
     """Print the estimated error of each event."""
     from hophoop.vocabulary.names import plain
 
-    events = motion.events
+    events, errors = motion.events, motion.errors
 
     def row(i: int) -> list[str]:
         numbers = (errors.t[i], errors.angle[i], errors.x[i], errors.vx[i], errors.omega[i])

@@ -12,7 +12,6 @@ from hophoop.cli._options import ADVANCED, with_scenario
 from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS
 
 if TYPE_CHECKING:
-    from hophoop.results.records import EventErrors
     from hophoop.scenario import Scenario
     from hophoop.simulation.phases import PhaseRecord
     from hophoop.simulation.trajectory import Trajectory
@@ -194,7 +193,7 @@ def run(
         if until is not None:
             typer.echo(f"ended by {motion.ending}")
         if errors:
-            _motion.print_errors(motion, _errors(motion), everything)
+            _motion.print_errors(motion, everything)
         if explained is not None:
             _motion.print_phases(explained, everything)
         if derived is not None:
@@ -239,14 +238,6 @@ def _simulate(scenario: Scenario, quiet: bool, until: str | None) -> Trajectory:
         say(ahead)
     with bar("motion", quiet=quiet, share=True) as progress:
         return simulate(scenario, until=until, progress=progress)
-
-
-def _errors(motion: Trajectory) -> EventErrors:
-    from hophoop._support.progress import bar
-    from hophoop.simulation.event_errors import event_errors
-
-    with bar("errors", share=True) as progress:
-        return event_errors(motion, progress)
 
 
 def _write(motion: Trajectory, outputs: Mapping[str, Path | None], samples: int, more: Mapping[str, Any]) -> None:

@@ -306,7 +306,7 @@ ArraySample: TypeAlias = Sample[NDArray[np.float64], NDArray[np.str_]]
 @documented("ndarray, shape (n,)")
 @dataclass(frozen=True)
 class EventErrors:
-    """Estimated errors of the events of a motion, one value per event; inf if rounding may change what follows."""
+    """Estimated errors of the events of a motion, one value per event; inf without derivatives, and from `doubt` on."""
 
     t: NDArray[np.float64]
     x: NDArray[np.float64]
