@@ -52,3 +52,20 @@ def places(motion, times):
         ],
         axis=-1,
     )
+
+
+def near(drawn, color, tolerance=40):
+    """Whether each pixel has nearly a colour, given as #RRGGBB."""
+    wanted = np.array([int(color[i : i + 2], 16) for i in (1, 3, 5)])
+    return np.abs(drawn[..., :3].astype(int) - wanted).max(axis=-1) <= tolerance
+
+
+def window(drawn, spot, rows=(0, 1), half=0):
+    """Pixels of a picture about a point, column and row: rows from it, and columns on each side."""
+    column, row = np.round(spot).astype(int)
+    return drawn[row + rows[0] : row + rows[1], column - half : column + half + 1, :3].astype(int)
+
+
+def keys_of(shown):
+    """Texts of the keys to lines and marks."""
+    return [text.get_text() for legend in shown.sheet.figure.legends for text in legend.get_texts()]

@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 
-from animate_tools import darkest_spot, decoded, motion, places
+from animate_tools import darkest_spot, decoded, keys_of, motion, near, places
 from hophoop.animate import film3d, film_3d, player
 from hophoop.animate.film3d import SUN, Film3D
 from hophoop.animate.frames import Timing
@@ -25,11 +25,6 @@ def quick(monkeypatch):
 def film(options=None, fps=5, runs=None, **timing):
     look = {"size": SIZE, "traces": False, "forces": False, "shadows": False} | (options or {})
     return Film3D(runs or [motion()], Timing(fps=fps, **timing), Look3D(**look))
-
-
-def near(drawn, color, tolerance):
-    wanted = np.array([int(color[i : i + 2], 16) for i in (1, 3, 5)])
-    return np.abs(drawn[..., :3].astype(int) - wanted).max(axis=-1) <= tolerance
 
 
 def test_a_film_has_its_frames_and_size_without_a_display(tmp_path, monkeypatch):
@@ -80,7 +75,7 @@ def test_the_ring_is_coloured_by_speed():
                 column, row = np.round(shown.pixel_of(k, 0, [sample.x, height])).astype(int)
                 pixel = np.median(drawn[row - 1 : row + 2, column, :3], axis=0)
                 speed = 2.0 * sample.vx if height > 1.0 else 0.0
-                shade = np.array(shades(speed / shown.extent.speed)[:3])
+                shade = np.array(shades(speed / shown.subject.whole.speed)[:3])
                 assert pixel @ shade / np.linalg.norm(pixel) / np.linalg.norm(shade) > 0.985
 
 
@@ -113,7 +108,7 @@ def test_arrows_show_where_there_are_forces():
     for forces in (False, True):
         with film({"forces": forces, "camera": "side"}, fps=30) as shown:
             # the key of the arrows is in the head
-            assert shown.layout.head < drawn_from
+            assert shown.head.head < drawn_from
             drawn[forces] = [shown.draw(k)[drawn_from:200].astype(int) for k in (strongest, flying)]
     changed = [(np.abs(a - b).max(axis=-1) > 40).sum() for a, b in zip(*drawn.values(), strict=True)]
     assert changed[0] > 150
@@ -132,19 +127,18 @@ def test_marks_letters_and_keys():
     run = motion()
     down = run.find("impact")[0]
     with film({"camera": "hold", "traces": True}, fps=20) as shown:
-        assert [one.kind for one in shown.actors[0].found] == ["takeoff", "impact"]
-        assert shown.actors[0].tag == ""
-        assert "airborne" in [words for _, words, _ in shown.keys]
+        assert [one.kind for one in shown.subject.marks[0]] == ["takeoff", "impact"]
+        assert "airborne" in keys_of(shown)
         shown.draw(0)  # the camera is set where a picture is drawn
-        spot = shown.on_screen(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
+        spot = shown.on_screen(shown.subject.marks[0][1].place, shown.actors[0].lane - 0.35)
         k = int(down.t * 20)
         row, column = round(SIZE[1] - spot[1]), round(spot[0])
         window = (slice(row - 2, row + 25), slice(column - 12, column + 13))
         before, after = shown.draw(k)[window].astype(int), shown.draw(shown.count - 1)[window].astype(int)
         assert (np.abs(after - before).max(axis=-1) > 60).sum() > 15
     with film({"traces": True}, runs=[motion(2.0), motion(1.0)]) as two:
-        assert [actor.tag for actor in two.actors] == ["A", "B"]
-        assert "airborne" not in [words for _, words, _ in two.keys]
+        assert two.head.tagged
+        assert "airborne" not in keys_of(two)
 
 
 def test_several_motions_run_in_lanes():

@@ -17,11 +17,6 @@ from hophoop.animate.look import Look
 SIZE = (640, 360)
 
 
-def near(pixel, color, tolerance=40):
-    wanted = np.array([int(color[i : i + 2], 16) for i in (1, 3, 5)])
-    return np.abs(pixel.astype(int) - wanted).max(axis=-1) <= tolerance
-
-
 # Files
 
 

@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 import hophoop as hh
 from animate_tools import motion, places
 from hophoop.animate.frames import Timing, clock, end_word, event_marks, extent, follow, trace
-from hophoop.animate.head import bounded
-from hophoop.animate.look import nice
+from hophoop.animate.look import bounded, nice
 from hophoop.results.poses import poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import describe
 

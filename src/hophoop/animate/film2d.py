@@ -10,26 +10,14 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.extras import need
-from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, event_marks, extent, trace
-from hophoop.animate.head import Head, bounded, draw_marks, keys_of, new_arrow, place_arrow
-from hophoop.animate.look import FORCE_LENGTH, LONGEST, TAGS, Look, labels_of, nice
+from hophoop.animate.frames import Extent, Timing, follow, subject_of
+from hophoop.animate.head import Head, arrow_look
+from hophoop.animate.look import FORCE_LENGTH, LONGEST, Look, bounded, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.sheet import Bytes, Points, Rectangle, Sheet, shades_of
-from hophoop.animate.themes import Theme, theme_of
-from hophoop.animate.views import (
-    BELOW,
-    View,
-    following_scale,
-    following_view,
-    grid,
-    labelled_scale,
-    labelled_view,
-    project,
-    whole_path_scale,
-    whole_path_view,
-)
-from hophoop.results.poses import Floats, Poses, part_side, poses_of, rim_speeds, to_world
-from hophoop.scenario import Disk, PointMass, Ring, Rod
+from hophoop.animate.themes import theme_of
+from hophoop.results.poses import Floats, Poses, load_distance, part_side, poses_of, rim_speeds, to_world
+from hophoop.scenario import Ring, Rod
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
@@ -37,71 +25,86 @@ PIECES = 96  # of the ring, with one colour each
 BLOCK = 256  # frames whose poses are computed together
 TRACE_POINTS = 6000  # maximum, the last ones
 RING, LOAD, HEAVY = 0.05, 0.085, 0.042  # width of the ring, radii of the load and of the centre of gravity, in radii
-LABEL_STRIP = 54.0  # least height below the plane, for metres and events [units]
 FADE = 0.45  # opacity of all motions in one view except the first
+ABOVE, SIDE, LEAST_WIDTH = 0.4, 1.35, 3.4  # margins of a view above the hoop and at its sides, and its least width, in radii
+BELOW, BELOW_SHARE = 58.0, 0.16  # least height below the plane [units], and share of the view's height
 VIEW_HEAD = 68.0  # of the texts of a view [units]
+CALM = 0.45  # inertia of the following camera [s of film]
+
+
+class _View:
+    """A part of the picture with a camera: axes in metres, with their lower left corner in each frame, or in all."""
+
+    def __init__(self, sheet: Sheet, rectangle: Rectangle, scale: float, slope: float, corners: Floats) -> None:
+        self.rectangle, self.scale, self.slope, self.corners = rectangle, scale, slope, corners
+        self.extent = np.array(rectangle[2:]) / scale
+        self.axes = sheet.axes(rectangle, facecolor="none", autoscale_on=False)
+        self.axes.set_axis_off()
+
+    def aim(self, k: int) -> None:
+        """Point the camera for the k-th picture."""
+        corner = self.corners[min(k, len(self.corners) - 1)]
+        self.axes.viewLim.set_points(np.array([corner, corner + self.extent]))
+
+    def pixels(self, points: Floats) -> Points:
+        """Convert points of the world to pixels."""
+        return np.asarray(self.axes.transData.transform(points))
 
 
 class _Actor:
     """One motion in the film, and its artists in the coordinates of the world."""
 
-    def __init__(self, sheet: Sheet, theme: Theme, motion: Trajectory, times: Floats, view: View, track: Trace) -> None:
-        self.sheet, self.theme, self.motion, self.times, self.view, self.trace = sheet, theme, motion, times, view, track
-        self.found = event_marks(motion, times)
-        self.label = self.tag = ""
-        self.alpha = 1.0
+    def __init__(self, film: Film2D, row: int, view: _View) -> None:
+        self.film, self.row, self.view, self.sheet, self.theme = film, row, view, film.sheet, film.theme
+        self.motion, self.trace, self.times = film.subject.motions[row], film.subject.traces[row], film.clock.times[row]
+        self.alpha = FADE if film.overlay and row else 1.0
         self._block = -1
+        patches, transforms = need("matplotlib.patches", "plots"), need("matplotlib.transforms", "plots")
+        theme, axes, hoop, unit, alpha = self.theme, view.axes, self.motion.scenario.hoop, self.sheet.unit, self.alpha
+        self.turned, self.moved = transforms.Affine2D(), transforms.Affine2D()
 
-    def dress(self, label: str, tag: str, alpha: float) -> None:
-        """Make the artists."""
-        self.label, self.tag, self.alpha = label, tag, alpha
-        lines, patches = need("matplotlib.lines", "plots"), need("matplotlib.patches", "plots")
-        transforms = need("matplotlib.transforms", "plots")
-        collections = need("matplotlib.collections", "plots")
-        theme, view, hoop, unit = self.theme, self.view, self.motion.scenario.hoop, self.sheet.unit
-        world, self.here = transforms.Affine2D(), transforms.Affine2D()
-        self.world, around = world, self.here + world
-
-        def add(artist: Any, transform: Any = world) -> Any:
-            artist.set_transform(transform)
-            return self.sheet.add(artist, view.rectangle)
+        def add(artist: Any, transform: Any = axes.transData) -> Any:
+            artist.set(transform=transform, animated=True)
+            return axes.add_artist(artist)
 
         def line(color: str, width: float, opacity: float = 1.0) -> Any:
-            return add(lines.Line2D([], [], color=color, lw=width, alpha=opacity))
+            return axes.plot([], [], color=color, lw=width, alpha=opacity, animated=True)[0]
 
-        def disc(radius: float, color: str, edge: str, width: float) -> Any:
-            return add(patches.Circle((0.0, 0.0), radius, fc=color, ec=edge, lw=width, alpha=alpha))
-
-        radius = hoop.radius
-        self.ground = add(patches.Polygon(np.zeros((3, 2)), fc=theme.ground, lw=0.0))
-        self.edge, self.ticks = line(theme.ink, 1.6), line(theme.muted, 1.2)
-        airborne = np.zeros(len(self.trace.t), dtype=bool), np.zeros(len(self.trace.t), dtype=bool)
+        radius, reach, self.depth = hoop.radius, 2.0 * float(np.hypot(*view.extent)), self._depth()
+        ends = np.add(film.subject.whole.along, (-reach, reach))
+        ground = to_world(ends[[0, 1, 1, 0]], np.array([0.0, 0.0, -reach, -reach]), view.slope)
+        self.plane = [add(patches.Polygon(ground, fc=theme.ground, lw=0.0)), line(theme.ink, 1.6), line(theme.muted, 1.2)]
+        self.plane[1].set_data(ground[:2].T)
+        self.step = nice(200.0 * unit / view.scale)
+        self.inks = [theme.visible(color) for color in (colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE)]
+        shown = np.zeros((2, len(self.trace.t), 1), dtype=bool)
         for a, b, flies in self.trace.runs:
-            airborne[int(flies)][a : b + 1] = True
-        heavy = self.trace.gravity_center
-        inks = [theme.visible(color) for color in (colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE)]
-        self.inks = inks
+            shown[int(flies), a : b + 1] = True
         self.paths = [(self.trace.load, line(theme.load, 1.7, 0.85 * alpha))]
         self.paths += [
-            (np.where(shown[:, None], heavy, np.nan), line(ink, 2.6, alpha)) for shown, ink in zip(airborne, inks, strict=True)
+            (np.where(here, self.trace.gravity_center, np.nan), line(ink, 2.6, alpha))
+            for here, ink in zip(shown, self.inks, strict=True)
         ]
-        self.parts = [add(part, around) for part in self._parts(patches)]
-        self.spoke = line(theme.muted, 1.2, 0.7 * alpha)
-        width = RING * radius * view.scale / unit
-        middle = radius * (1.0 - 0.5 * RING)
-        self.outline = add(patches.Circle((0.0, 0.0), middle, fill=False, ec=theme.outline, lw=width + 1.6, alpha=alpha))
+        around, load, round_ = self.turned + axes.transData, load_distance(hoop), patches.Circle
+        spoke = patches.Polygon([(0.0, 0.0), (0.0, load)], ec=theme.muted, lw=1.2, alpha=0.7 * alpha)
+        self.behind = [add(part, around) for part in (self._parts(patches) if hoop.parts is not None else [spoke])]
+        width, middle = RING * radius * view.scale / unit, radius * (1.0 - 0.5 * RING)
+        outline = round_((0.0, 0.0), middle, fill=False, ec=theme.outline, lw=width + 1.6, alpha=alpha)
         self.around = np.linspace(0.0, 2.0 * math.pi, PIECES, endpoint=False)
-        angle = self.around + view.slope
-        rim = middle * np.stack([np.sin(angle), np.cos(angle)], axis=-1)
+        rim = middle * np.stack([np.sin(self.around + view.slope), np.cos(self.around + view.slope)], axis=-1)
         trios = np.stack([np.roll(rim, 1, axis=0), rim, np.roll(rim, -1, axis=0)], axis=1)  # overlap, to hide seams
-        self.place = transforms.Affine2D()
-        self.ring = add(collections.LineCollection(trios, linewidths=width), self.place + world)
-        self.load = disc(LOAD * radius, theme.load, theme.background, 1.5)
-        self.heavy = disc(HEAVY * radius, inks[0], theme.background, 1.2)
-        self.arrows = [
-            self.sheet.add(new_arrow(theme, color, world), view.rectangle)
-            for color in (colors.NORMAL_FORCE, colors.FRICTION_FORCE)
-        ]
+        pieces = need("matplotlib.collections", "plots").LineCollection(trios, linewidths=width)
+        self.ring = add(pieces, self.moved + axes.transData)
+        look = {"ec": theme.background, "alpha": alpha}
+        discs = [] if hoop.parts is not None else [round_((0.0, load), LOAD * radius, fc=theme.load, lw=1.5, **look)]
+        discs.append(round_((0.0, hoop.eccentricity * radius), HEAVY * radius, lw=1.2, **look))
+        self.front = [add(outline, around), self.ring, *(add(disc, around) for disc in discs)]
+        self.forces = axes.quiver([0.0] * 2, [0.0] * 2, [0.0] * 2, [0.0] * 2, animated=True, **arrow_look(theme, unit))
+
+    def _depth(self) -> float:
+        """Depth of the labels of metres below the plane [pixels]."""
+        radius = self.motion.scenario.hoop.radius * self.view.scale
+        return max(0.24 * radius, 0.09 * radius + 13.0 * self.sheet.unit)
 
     def _parts(self, patches: Any) -> list[Any]:
         """The parts of a hoop made of parts, with the centre of the rim at the origin and that of gravity above."""
@@ -109,103 +112,75 @@ class _Actor:
         for part in sorted(hoop.parts or (), key=lambda part: not isinstance(part, Ring)):
             middle = part_side(hoop) * part.at
             ink, edge = (theme.load, theme.background) if part.mass > 0.0 else (theme.background, theme.load)  # or a hole
+            look = {"fc": ink, "ec": edge, "lw": 1.3, "alpha": 0.8 * self.alpha}
             if isinstance(part, Ring):
                 thick = max((part.outer_radius - part.inner_radius) * self.view.scale / self.sheet.unit, 1.0)
                 mean = 0.5 * (part.inner_radius + part.outer_radius)
                 made.append(patches.Circle((0.0, 0.0), mean, fill=False, ec=theme.muted, lw=thick, alpha=0.35 * self.alpha))
             elif isinstance(part, Rod):
-                wide, high = 4.0 * self.sheet.unit / self.view.scale, part.length
-                if part.direction != "radial":
-                    wide, high = high, wide
-                corner = -0.5 * wide, middle - 0.5 * high
-                made.append(patches.Rectangle(corner, wide, high, fc=ink, lw=0.0, alpha=0.8 * self.alpha))
-            elif isinstance(part, Disk | PointMass):
-                size, opacity = (part.radius, 0.8) if isinstance(part, Disk) else (LOAD * hoop.radius, 1.0)
-                look = {"fc": ink, "ec": edge, "lw": 1.3, "alpha": opacity * self.alpha}
+                thick = 4.0 * self.sheet.unit / self.view.scale
+                wide, high = (thick, part.length) if part.direction == "radial" else (part.length, thick)
+                made.append(patches.Rectangle((-0.5 * wide, middle - 0.5 * high), wide, high, **look | {"lw": 0.0}))
+            else:
+                size = getattr(part, "radius", LOAD * hoop.radius)  # of a disk; or a point mass
                 made.append(patches.Circle((0.0, middle), size, **look))
         return made
 
     def pose(self, k: int) -> tuple[Poses, int]:
-        """Return poses and the index of the k-th picture among them; the artists get its view."""
+        """Return poses and the index of the k-th picture among them."""
         if self._block != k // BLOCK:
             self._block = k // BLOCK
             self.poses = poses_of(self.motion, self.times[self._block * BLOCK : (self._block + 1) * BLOCK])
             self.speeds = rim_speeds(self.poses, self.around, self.motion.scenario.hoop.radius)
-        self.world.set_matrix(self.view.matrix(k))
         return self.poses, k % BLOCK
 
-    def draw_plane(self, k: int) -> None:
+    def draw_plane(self) -> None:
         """Draw the plane with marks across it, and metres below."""
-        sheet, view, unit = self.sheet, self.view, self.sheet.unit
-        matrix, radius, slope = view.matrix(k), self.motion.scenario.hoop.radius, view.slope
-        left, bottom, width, height = view.rectangle
-        # the visible part of the plane, along it from the origin of the world
-        middle = (np.array([left + 0.5 * width, bottom + 0.5 * height]) - matrix[:2, 2]) / view.scale
-        here, reach = float(middle @ to_world(1.0, 0.0, slope)), math.hypot(width, height) / view.scale
-        ends = np.array([here - reach, here + reach])
-        self.ground.set_xy(to_world(ends[[0, 1, 1, 0]], np.array([0.0, 0.0, -2.0 * reach, -2.0 * reach]), slope))
-        self.edge.set_data(*to_world(ends, np.zeros(2), slope).T)
-        step = nice(200.0 * unit / view.scale)
-        marks = np.arange(math.ceil(ends[0] / step), math.floor(ends[1] / step) + 1) * step
-        nowhere = np.full_like(marks, np.nan)
-        across = np.column_stack([np.zeros_like(marks), np.full_like(marks, -0.09 * radius), nowhere]).ravel()
-        self.ticks.set_data(*to_world(np.repeat(marks, 3), across, slope).T)
-        sheet.draw(self.ground, self.edge, self.ticks)
-        depth = label_depth(radius * view.scale, unit)
-        below = project(matrix, to_world(marks, np.full_like(marks, -depth / view.scale), slope))
+        sheet, view, unit, step = self.sheet, self.view, self.sheet.unit, self.step
+        left, bottom, width, _ = view.rectangle
+        here = float(np.mean(view.axes.viewLim.get_points(), axis=0) @ to_world(1.0, 0.0, view.slope))
+        reach = 0.5 * float(np.hypot(*view.extent))
+        marks = np.arange(math.ceil((here - reach) / step), math.floor((here + reach) / step) + 1) * step
+        depths = np.array([0.0, -0.09 * self.motion.scenario.hoop.radius, np.nan])
+        self.plane[2].set_data(to_world(np.repeat(marks, 3), np.tile(depths, len(marks)), view.slope).T)
+        sheet.draw(*self.plane)
+        below = view.pixels(to_world(marks, np.full_like(marks, -self.depth / view.scale), view.slope))
         for mark, (x, y) in zip(marks, below, strict=True):
             words = f"{mark:g} m"
             half = 0.5 * sheet.text_width(words)
             if left + half <= x <= left + width - half and bottom + 0.4 * sheet.size[1] > y > bottom + 10.0 * unit:
                 sheet.text(x, y, words, self.theme.muted, "mm")
 
-    def draw_hoop(self, k: int, newton: float, longest: float, top_speed: float, traces: bool, forces: bool) -> None:
-        """Draw traces, hoop and forces; newton: length of the arrow of 1 N, longest: at most [m]; top_speed [m/s]."""
-        poses, i = self.pose(k)
-        center, load, heavy = poses.center[i], poses.load[i], poses.gravity_center[i]
-        flies, hoop, sheet = poses.mode[i] == "H", self.motion.scenario.hoop, self.sheet
+    def draw(self, k: int) -> None:
+        """Draw traces, hoop, forces and events."""
+        (poses, i), film, sheet, view = self.pose(k), self.film, self.sheet, self.view
+        center, flies = poses.center[i], poses.mode[i] == "H"
         past = int(np.searchsorted(self.trace.t, poses.t[i]))
-        if traces and past:
-            nowhere = np.full(2, np.nan)
-            for (path, line), end in zip(
-                self.paths, (load, nowhere if flies else heavy, heavy if flies else nowhere), strict=True
-            ):
+        if film.look.traces and past:
+            heavy, nowhere = poses.gravity_center[i], np.full(2, np.nan)
+            ends = (poses.load[i], nowhere if flies else heavy, heavy if flies else nowhere)
+            for (path, line), end in zip(self.paths, ends, strict=True):
                 line.set_data(*np.vstack([path[max(0, past - TRACE_POINTS) : past], end]).T)
                 sheet.draw(line)
-        self.here.clear().rotate(-float(poses.angle[i]) - self.view.slope).translate(*center)
-        self.place.clear().translate(*center)
-        sheet.draw(*self.parts)
-        if hoop.parts is None:
-            self.spoke.set_data(*np.array([center, load]).T)
-            sheet.draw(self.spoke)
-        self.outline.set_center(center)
-        shades = shades_of(self.speeds[i], top_speed)[:, :3]
+        self.turned.clear().rotate(-float(poses.angle[i]) - view.slope).translate(*center)
+        self.moved.clear().translate(*center)
+        shades = shades_of(self.speeds[i], film.subject.whole.speed)[:, :3]
         back = np.array([int(self.theme.background[j : j + 2], 16) / 255.0 for j in (1, 3, 5)])
         self.ring.set_color(self.alpha * shades + (1.0 - self.alpha) * back)  # pieces overlap: opacity would add up
-        sheet.draw(self.outline, self.ring)
-        if hoop.parts is None:
-            self.load.set_center(load)
-            sheet.draw(self.load)
-        self.heavy.set_center(heavy)
-        self.heavy.set_facecolor(self.inks[int(flies)])
-        sheet.draw(self.heavy)
-        if forces and self.alpha == 1.0:
-            for arrow, force in zip(self.arrows, (poses.normal_force[i], poses.friction_force[i]), strict=True):
-                place_arrow(arrow, poses.contact[i], bounded(force * newton, longest), sheet.unit / self.view.scale)
-                sheet.draw(arrow)
-        if self.tag:
-            spot = project(self.view.matrix(k), center)
-            sheet.dot(spot, 26.0, self.theme.background, self.theme.ink, 1.2)
-            sheet.text(float(spot[0]), float(spot[1]), self.tag, self.theme.ink, "mm", bold=True)
-
-    def draw_events(self, k: int, rate: float, still: float) -> None:
-        """Draw the marks of events; rate: of the motion per time of film [1]; still: time of the final pause [s of film]."""
-        matrix, size = self.view.matrix(k), self.motion.scenario.hoop.radius * self.view.scale
-        past = [one for one in self.found if one.t <= self.times[k]]
-        ages = [(float(self.times[k]) - one.t) / rate + still for one in past]
-        spots = [project(matrix, one.place) for one in past]
-        depth = label_depth(size, self.sheet.unit) + 19.0 * self.sheet.unit
-        draw_marks(self.sheet, self.theme, [one.kind for one in past], spots, ages, size, depth, self.view.rectangle)
+        self.front[-1].set_facecolor(self.inks[int(flies)])
+        sheet.draw(*self.behind, *self.front)
+        if film.look.forces and self.alpha == 1.0:
+            forces = np.array([poses.normal_force[i], poses.friction_force[i]]) * film.newton / view.scale
+            ways = np.array([bounded(force, LONGEST * film.longest / view.scale) for force in forces])
+            ways[np.hypot(*ways.T) * view.scale < 2.5 * sheet.unit] = np.nan
+            self.forces.set_offsets([poses.contact[i]] * 2)
+            self.forces.set_UVC(*ways.T)
+            sheet.draw(self.forces)
+        if film.overlay:
+            film.head.draw_tag(view.pixels(center), self.row, self.theme.background)
+        marks, size = film.subject.past(self.row, k), self.motion.scenario.hoop.radius * view.scale
+        spots = view.pixels(np.array([one.place for one in marks]).reshape(-1, 2))
+        film.head.draw_marks(k, self.row, marks, spots, size, self.depth + 19.0 * sheet.unit, view.rectangle)
 
 
 class Film2D:
@@ -226,152 +201,127 @@ class Film2D:
     """
 
     def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look) -> None:
-        self.clock: Clock = clock(motions, timing)
-        self.fps, self.look, self.size = timing.frame_rate, look, look.size
-        self.count = self.clock.count
-        self.theme: Theme = theme_of(look.theme)
+        self.subject = subject_of(motions, timing, look.labels)
+        self.clock, self.count = self.subject.clock, self.subject.clock.count
+        self.fps, self.look, self.size, self.theme = timing.frame_rate, look, look.size, theme_of(look.theme)
         self.sheet = Sheet(look.size, self.theme.background)
-        labels = labels_of(motions, look.labels)
-        ends = [min(float(times[-1]), motion.duration) for times, motion in zip(self.clock.times, motions, strict=True)]
-        extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
-        self.top_speed = max(size.speed for size in extents) or 1.0
-        self.force = max(size.force for size in extents) or 1.0
-        traces = [trace(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
-        found = [one for motion, times in zip(motions, self.clock.times, strict=True) for one in event_marks(motion, times)]
         self.overlay = look.layout == "overlay" and len(motions) > 1
         self.side = len(motions) > 1 and not self.overlay
-        self.keys = keys_of(self.theme, traces if look.traces else (), found)
-        head = Head(self.sheet, self.theme, self.clock, self.keys, () if self.side else labels, self.overlay)
-        self.head, self.layout = head, head.lay_out(look.forces)
-        views = self._views(self._stage(), motions, extents)
-        self.actors = [
-            _Actor(self.sheet, self.theme, motion, self.clock.times[i], views[i], traces[i]) for i, motion in enumerate(motions)
-        ]
-        for i, actor in enumerate(self.actors):
-            actor.dress(labels[i], TAGS[i % len(TAGS)] if self.overlay else "", FADE if self.overlay and i else 1.0)
-        self._full = min(FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors)
-        self.newton = self._full / self.force
-        self.panels = Panels(self.sheet, self._panel_area, self.theme, motions[0], look.panels, timing.start, max(ends))
-        head.draw_keys(self.top_speed, self.newton, self.force)
-        self._draw_labels()
-        self.sheet.keep()
+        self.head = Head(self.sheet, self.theme, self.subject, look.forces, self.side)
+        stage, self.panel_area = self._areas()
+        self.actors = [_Actor(self, row, view) for row, view in enumerate(self._views(stage))]
+        if self.side:
+            self.head.move_to([actor.view.rectangle for actor in self.actors])
+        self.longest = min(FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors)
+        self.newton = self.longest / self.subject.whole.force  # length of the arrow of 1 N [pixels]
+        self.head.draw_keys(look.traces, self.newton)
+        self.panels = Panels(self.sheet, self.panel_area, self.theme, motions[0], look.panels, timing.start, self.subject.end)
+        self.sheet.render()
+        self.head.draw_labels()
+        self._still = self.sheet.pixels.copy()
 
     def draw(self, k: int) -> Bytes:
         """The k-th picture, height × width × RGBA; valid until the next is drawn.
 
         k: from 0 to count − 1; picture: shape (height, width, 4), values from 0 to 255 [1].
         """
-        self.sheet.restore()
-        look, rate, still = self.look, float(self.clock.rate[k]), float(self.clock.still[k])
+        self.sheet.pixels[...] = self._still
         for actor in self.actors[:1] if self.overlay else self.actors:
-            actor.pose(k)
-            actor.draw_plane(k)
+            actor.view.aim(k)
+            actor.draw_plane()
         for actor in reversed(self.actors):  # the first of an overlay is on top
-            newton = self.newton / actor.view.scale
-            longest = LONGEST * self._full / actor.view.scale
-            actor.draw_hoop(k, newton, longest, self.top_speed, look.traces, look.forces)
-            actor.draw_events(k, rate, still)
-        for row, actor in enumerate(self.actors):
-            self._draw_state(actor, k, row)
+            actor.draw(k)
+        poses = [actor.pose(k) for actor in self.actors]
+        self.head.draw_states(k, poses)
         self.head.draw_pace(k)
-        poses, i = self.actors[0].pose(k)
-        self.panels.draw(float(self.actors[0].times[k]), poses, i)
+        self.panels.draw(float(self.clock.times[0][k]), *poses[0])
         return self.sheet.pixels
 
     def pixel_of(self, k: int, actor: int, point: Floats) -> Points:
         """Return the position of a point of the world [m] in the k-th picture: column, row from the top left [pixels]."""
-        x, y = project(self.actors[actor].view.matrix(k), np.asarray(point))
+        view = self.actors[actor].view
+        view.aim(k)
+        x, y = view.pixels(np.asarray(point))
         return np.array([x, self.size[1] - y])
 
-    # --- layout --------------------------------------------------------------------------------
-
-    def _stage(self) -> Rectangle:
-        """The rectangle of the views; the panels are next to it, or below it in an upright picture."""
-        width, height = self.size
-        foot = self.layout.foot
-        body = height - self.layout.head - foot
+    def _areas(self) -> tuple[Rectangle, Rectangle]:
+        """The rectangles of the views and of the panels, which are next to them, or below in an upright picture."""
+        (width, height), foot = self.size, self.head.foot
+        body = height - self.head.head - foot
+        wide, high = (round(0.38 * width), body) if width >= 1.1 * height else (width, round(0.5 * body))
         if not self.look.panels:
-            self._panel_area: Rectangle = (0.0, 0.0, 0.0, 0.0)
-            return 0.0, foot, width, body
-        if width >= 1.1 * height:
-            share = round(0.38 * width)
-            self._panel_area = (width - share, foot, share, body)
-            return 0.0, foot, width - share, body
-        share = round(0.5 * body)
-        self._panel_area = (0.0, foot, width, share)
-        return 0.0, foot + share, width, body - share
+            return (0.0, foot, width, body), (0.0, foot, 0.0, 0.0)
+        if high == body:
+            return (0.0, foot, width - wide, body), (width - wide, foot, wide, body)
+        return (0.0, foot + high, width, body - high), (0.0, foot, width, high)
 
-    def _views(self, stage: Rectangle, motions: Sequence[Trajectory], extents: Sequence[Extent]) -> list[View]:
-        head, radii = VIEW_HEAD * self.sheet.unit * self.side, [motion.scenario.hoop.radius for motion in motions]
-        places = [np.asarray(motion.at(self.clock.times[i]).x) for i, motion in enumerate(motions)]
-        highest = max(size.height for size in extents)
+    def _views(self, stage: Rectangle) -> list[_View]:
+        """One view per motion, or the same for all, in one scale and with their planes at one height."""
+        motions, extents, times = self.subject.motions, list(self.subject.extents), self.clock.times
+        radii = [motion.scenario.hoop.radius for motion in motions]
+        places = [np.asarray(motion.at(t).x) for motion, t in zip(motions, times, strict=True)]
+        rectangles = self._grid(stage, len(motions))
         if self.overlay:
-            along = min(size.along[0] for size in extents), max(size.along[1] for size in extents)
-            whole = Extent(along, highest, self.top_speed, self.force)
-            rectangles, extents, radii = [stage], [whole], [max(radii)]
-            places = [np.mean(places, axis=0)]
-        else:
-            wanted = 1.5
-            if self.look.camera == "hold":
-                pairs = zip(extents, radii, strict=True)
-                wanted = max((size.along[1] - size.along[0] + 2.7 * r) / (size.height + 3.0 * r) for size, r in pairs)
-            rectangles = [
-                (left, bottom, width, height - head)
-                for left, bottom, width, height in grid(stage, len(motions), wanted, 10.0 * self.sheet.unit)
-            ]
-        cases = list(zip(rectangles, extents, radii, motions, strict=False))
-        # one scale for all views, and their planes at one height
+            rectangles, extents, radii, places = [stage], [self.subject.whole], [max(radii)], [np.mean(places, axis=0)]
+        extents = [replace(size, height=self.subject.whole.height) for size in extents]
+        slopes = [motion.scenario.plane.slope for motion in motions]
+        cases = list(zip(rectangles, extents, radii, slopes, strict=False))
         scale = min(self._scale(*case) for case in cases)
         views = [
-            self._view(rectangle, replace(size, height=highest), radius, motion, scale, places[i])
-            for i, (rectangle, size, radius, motion) in enumerate(cases)
+            _View(self.sheet, case[0], scale, case[3], self._corners(*case, scale, along))
+            for case, along in zip(cases, places, strict=True)
         ]
-        return views * len(motions) if self.overlay else views
+        return views * (len(motions) if self.overlay else 1)
 
-    def _scale(self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory) -> float:
-        def scale_of(inner: Rectangle) -> float:
-            if self.look.camera == "hold":
-                return whole_path_scale(inner, size, radius, motion.scenario.plane.slope)
-            return following_scale(inner, size, radius)
+    def _grid(self, stage: Rectangle, count: int) -> list[Rectangle]:
+        """Rectangles for several views: long paths below each other, following cameras next to each other."""
+        left, bottom, width, height = stage
+        columns = 1 if self.look.camera == "hold" or width < height else math.ceil(math.sqrt(count))
+        rows, gap, head = math.ceil(count / columns), 10.0 * self.sheet.unit, VIEW_HEAD * self.sheet.unit * self.side
+        wide, high = (width - gap * (columns - 1)) / columns, (height - gap * (rows - 1)) / rows
+        places = [divmod(i, columns) for i in range(count)]
+        return [
+            (left + column * (wide + gap), bottom + (rows - 1 - row) * (high + gap), wide, high - head)
+            for row, column in places
+        ]
 
-        return labelled_scale(scale_of, rectangle, radius, LABEL_STRIP * self.sheet.unit)
+    def _below(self, rectangle: Rectangle) -> float:
+        return max(BELOW * self.sheet.unit, BELOW_SHARE * rectangle[3])
 
-    def _view(
-        self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory, scale: float, places: Floats
-    ) -> View:
-        slope = motion.scenario.plane.slope
+    def _world(self, size: Extent, radius: float, slope: float) -> tuple[Floats, Floats]:
+        """The lower left and upper right corners of the whole path [m], or for a following camera those of the hoop."""
+        (low, high), top = size.along, size.height + (2.0 + ABOVE) * radius
+        if self.look.camera == "follow":
+            half = 0.5 * LEAST_WIDTH * radius
+            return np.array([-half, 0.0]), np.array([half, top])
+        low, high = low - SIDE * radius, high + SIDE * radius
+        corners = to_world([low, high, low, high], [0.0, 0.0, top, top], slope)
+        return corners.min(axis=0), corners.max(axis=0)
 
-        def view_of(inner: Rectangle) -> View:
-            if self.look.camera == "hold":
-                return whole_path_view(inner, size, radius, slope, scale)
-            return following_view(inner, size, radius, slope, scale, places, self.fps)
+    def _scale(self, rectangle: Rectangle, size: Extent, radius: float, slope: float) -> float:
+        """The largest scale of a view [pixels/m]."""
+        least, most = self._world(size, radius, slope)
+        room = np.array([rectangle[2], rectangle[3] - self._below(rectangle)])
+        return float(np.min(room / (most - least)))
 
-        return labelled_view(view_of, rectangle, LABEL_STRIP * self.sheet.unit - BELOW * radius * scale)
-
-    # --- words ---------------------------------------------------------------------------------
-
-    def _draw_labels(self) -> None:
-        """Write the labels of the views, which do not change."""
-        sheet, u = self.sheet, self.sheet.unit
-        for actor in self.actors if not self.overlay else ():
-            left, bottom, wide, high = actor.view.rectangle
-            place, room = (22.0 * u, sheet.size[1] - 28.0 * u), self.layout.words[2]
-            if self.side:
-                place, room = (left + 22.0 * u, bottom + high + 42.0 * u), wide - 30.0 * u
-            sheet.text(*place, sheet.shortened(actor.label, room), self.theme.muted)
-
-    def _draw_state(self, actor: _Actor, k: int, row: int) -> None:
-        u, (poses, i) = self.sheet.unit, actor.pose(k)
-        left, bottom, width, height = actor.view.rectangle
-        extra = f"v = {poses.velocity[i, 0]:.2f} m/s"
-        place, room = (22.0 * u, self.size[1] - 60.0 * u), self.layout.words[2]
-        if self.side:
-            place, room = (left + 22.0 * u, bottom + height + 10.0 * u), width - 30.0 * u
-        elif self.overlay:
-            place, extra = (22.0 * u, self.size[1] - (32.0 + 32.0 * row) * u), actor.label
-        self.head.draw_state(place, k, actor.motion, poses, i, extra, actor.tag, room)
-
-
-def label_depth(radius: float, unit: float) -> float:
-    """Depth of the labels of metres below the plane, for a radius in pixels [pixels]."""
-    return max(0.24 * radius, 0.09 * radius + 13.0 * unit)
+    def _corners(self, rectangle: Rectangle, size: Extent, radius: float, slope: float, scale: float, places: Floats) -> Floats:
+        """The lower left corner of a view in each frame, or in all; places: of the hoop along the plane [m]."""
+        below, (least, most) = self._below(rectangle), self._world(size, radius, slope)
+        spare = rectangle[3] - below - scale * (most[1] - least[1])
+        corner = np.array([0.5 * rectangle[2], below + 0.3 * max(spare, 0.0)]) / scale
+        if self.look.camera == "hold":
+            return np.array([[0.5 * (least[0] + most[0]), least[1]] - corner])
+        half = corner[0] / math.cos(slope)
+        low, high = size.along[0] - SIDE * radius, size.along[1] + SIDE * radius
+        if slope == 0.0 and high - low <= 2.0 * half:
+            along = np.full(1, 0.5 * (low + high))
+        else:
+            along = follow(np.arange(len(places)) / self.fps, places, CALM)
+            if slope == 0.0:
+                along = np.clip(along, low + half, high - half)
+            # a fast hoop stays in the picture, and on a slope the plane below it
+            room = max(half - SIDE * radius, 0.0)
+            if slope != 0.0:
+                room = min(room, 0.7 * corner[1] / abs(math.sin(slope)))
+            along = np.clip(along, places - room, places + room)
+        return to_world(along, np.zeros_like(along), slope) - corner

@@ -13,9 +13,9 @@ from typing import Any, Self
 import numpy as np
 
 from hophoop._support.extras import need
-from hophoop.animate.frames import Extent, Timing, Trace, clock, event_marks, extent, follow, trace
-from hophoop.animate.head import Head, bounded, draw_marks, keys_of
-from hophoop.animate.look import FORCE_LENGTH, LANE, LONGEST, TAGS, Look3D, labels_of, nice
+from hophoop.animate.frames import Timing, follow, subject_of
+from hophoop.animate.head import Head
+from hophoop.animate.look import FORCE_LENGTH, LANE, LONGEST, Look3D, bounded, nice
 from hophoop.animate.sheet import Bytes, Sheet, shades_of
 from hophoop.animate.themes import mix, theme_of
 from hophoop.results.poses import Floats, poses_of, rim_speeds, to_world
@@ -36,11 +36,12 @@ TRACE_POINTS = 6000  # maximum, the last ones
 class _Actor:
     """One motion in the scene, with its moving meshes."""
 
-    def __init__(self, film: Film3D, motion: Trajectory, times: Floats, track: Trace, lane: float) -> None:
-        self.motion, self.trace, self.lane = motion, track, lane
-        self.poses, self.found = poses_of(motion, times), event_marks(motion, times)
-        self.label = self.tag = ""
-        pv, theme, look, radius = film.pyvista, film.theme, film.look, motion.scenario.hoop.radius
+    def __init__(self, film: Film3D, row: int) -> None:
+        subject, self.row = film.subject, row
+        self.motion, self.trace = subject.motions[row], subject.traces[row]
+        self.lane = LANE * film.radius * (row - 0.5 * (len(subject.motions) - 1))
+        self.poses = poses_of(self.motion, film.clock.times[row])
+        pv, theme, radius = film.pyvista, film.theme, self.motion.scenario.hoop.radius
         self.speeds = rim_speeds(self.poses, np.linspace(0.0, 2.0 * math.pi, STATIONS, endpoint=False) - film.slope, radius)
         tube = TUBE * radius
         torus = pv.ParametricTorus(ringradius=radius - tube, crosssectionradius=tube, u_res=STATIONS + 1, v_res=SECTIONS + 1)
@@ -49,19 +50,18 @@ class _Actor:
         angles = np.arctan2(self.ring.points[:, 0], self.ring.points[:, 2])
         self.station = np.rint(angles / (2.0 * math.pi) * STATIONS).astype(int) % STATIONS
         self.ring["shade"] = np.zeros((self.ring.n_points, 3), dtype=np.uint8)
-        gloss = {"specular": 0.25, "specular_power": 20, "ambient": 0.25}
-        ball = pv.Sphere(radius=LOAD * radius, theta_resolution=32, phi_resolution=24)
-        bead = pv.Sphere(radius=HEAVY * radius, theta_resolution=24, phi_resolution=16)
+        ball, bead = pv.Sphere(radius=LOAD * radius), pv.Sphere(radius=HEAVY * radius)
         shine = {"smooth_shading": True, "specular": 0.5, "specular_power": 25}
+        gloss = {"smooth_shading": True, "specular": 0.25, "specular_power": 20, "ambient": 0.25}
         self.solids = {
-            "ring": film.add(self.ring, scalars="shade", rgb=True, smooth_shading=True, split_sharp_edges=False, **gloss),
+            "ring": film.add(self.ring, scalars="shade", rgb=True, split_sharp_edges=False, **gloss),
             "load": film.add(ball, color=mix(theme.load, "#808080", 0.12), **shine),
             "heavy": film.add(bead, color=theme.visible(colors.GRAVITY_CENTER), ambient=0.4, **shine),
         }
         self.shadows = {
-            name: film.add(mesh.copy(), color=film.shade, lighting=False, scalars=None)
+            name: film.add(mesh.copy(), color=mix(film.ground, "#000000", 0.38), lighting=False, scalars=None)
             for name, mesh in (("ring", self.ring), ("load", ball))
-            if look.shadows
+            if film.look.shadows
         }
         self.spoke = pv.Line()
         film.add(self.spoke, color=theme.muted, lighting=False, line_width=1.5)
@@ -69,25 +69,24 @@ class _Actor:
         for name, color in (("normal_force", colors.NORMAL_FORCE), ("friction_force", colors.FRICTION_FORCE)):
             mesh = pv.Arrow()
             self.arrows[name] = mesh, film.add(mesh, color=theme.visible(color), ambient=0.35)
-        heavy = [theme.visible(ink) for ink in (colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE)]
-        self.inks = heavy
-        flies = np.zeros(len(track.t), dtype=int)
-        for a, b, airborne in track.runs:
+        self.inks = [theme.visible(ink) for ink in (colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE)]
+        flies = np.zeros(len(self.trace.t), dtype=int)
+        for a, b, airborne in self.trace.runs:
             flies[a:b] = airborne
-        paint = np.array([[int(ink[i : i + 2], 16) for i in (1, 3, 5)] for ink in (*heavy, theme.load)], dtype=np.uint8)
+        paint = np.array([[int(ink[i : i + 2], 16) for i in (1, 3, 5)] for ink in (*self.inks, theme.load)], dtype=np.uint8)
         self.lines = []
-        for path, inks, width in ((track.load, np.full_like(flies, 2), 2.5), (track.gravity_center, flies, 4.0)):
+        for path, inks, width in ((self.trace.load, np.full_like(flies, 2), 2.5), (self.trace.gravity_center, flies, 4.0)):
             mesh = pv.Line()
             mesh.cell_data["ink"] = paint[:1]
             line = film.add(mesh, lighting=False, scalars="ink", rgb=True, line_width=width)
-            self.lines.append((mesh, line, in_space(path, lane), paint[inks]))
+            self.lines.append((mesh, line, in_space(path, self.lane), paint[inks]))
 
     def move(self, film: Film3D, k: int) -> None:
         """Place the meshes for the k-th picture."""
         poses = self.poses
         spots = {"ring": poses.center, "load": poses.load, "heavy": poses.gravity_center}
         places = {name: in_space(points[k], self.lane) for name, points in spots.items()}
-        shades = np.rint(255.0 * shades_of(self.speeds[k], film.extent.speed)[:, :3]).astype(np.uint8)
+        shades = np.rint(255.0 * shades_of(self.speeds[k], film.subject.whole.speed)[:, :3]).astype(np.uint8)
         self.ring["shade"] = shades[self.station]
         for name, solid in self.solids.items():
             shift = np.eye(4)
@@ -97,12 +96,21 @@ class _Actor:
                 self.shadows[name].user_matrix = film.flat @ shift
         self.solids["heavy"].prop.color = self.inks[int(poses.mode[k] == "H")]
         self.spoke.points = np.stack([places["ring"], places["load"]])
-        tail = in_space(poses.contact[k], self.lane)
+        # in front of the ring, not inside its tube
+        foot = in_space(poses.contact[k], self.lane - (TUBE + 0.04) * film.radius)
         for name, (mesh, arrow) in self.arrows.items():
             force = bounded(getattr(poses, name)[k] * film.newton, LONGEST * FORCE_LENGTH * film.radius)
-            arrow.visibility = film.look.forces and float(np.hypot(*force)) > 0.02 * film.radius
+            length, thick = float(np.hypot(*force)), 0.03 * film.radius
+            arrow.visibility = film.look.forces and length > 0.02 * film.radius
             if arrow.visibility:
-                self._point(film, mesh, tail, in_space(force, 0.0))
+                point = min(0.2 * film.radius, length)
+                shape = {
+                    "tip_length": point,
+                    "tip_radius": min(2.4 * thick, 0.6 * point),
+                    "shaft_radius": min(thick, 0.3 * point),
+                }
+                relative = {name: size / length for name, size in shape.items()}
+                mesh.copy_from(film.pyvista.Arrow(start=foot, direction=in_space(force, 0.0), scale=length, **relative))
         past = int(np.searchsorted(self.trace.t, poses.t[k]))
         for (mesh, line, points, inks), end in zip(self.lines, (places["load"], places["heavy"]), strict=True):
             line.visibility = film.look.traces and past > 0
@@ -114,15 +122,6 @@ class _Actor:
                 way.lines = np.column_stack([np.full_like(cells, 2), cells, cells + 1]).ravel()
                 way.cell_data["ink"] = inks[first:past]
                 mesh.copy_from(way)
-
-    def _point(self, film: Film3D, mesh: Any, tail: Floats, way: Floats) -> None:
-        length, thick = float(np.linalg.norm(way)), 0.03 * film.radius
-        point = min(0.2 * film.radius, length)
-        # in front of the ring, not inside its tube
-        foot = tail + np.array([0.0, -(TUBE + 0.04) * film.radius, 0.0])
-        shape = {"tip_length": point / length, "tip_radius": min(2.4 * thick, 0.6 * point) / length}
-        shape["shaft_radius"] = min(thick, 0.3 * point) / length
-        mesh.copy_from(film.pyvista.Arrow(start=foot, direction=way, scale=length, **shape))
 
 
 class Film3D:
@@ -145,46 +144,33 @@ class Film3D:
     """
 
     def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look3D) -> None:
-        self.clock = clock(motions, timing)
-        self.fps, self.look, self.size, self.count = timing.frame_rate, look, look.size, self.clock.count
-        self.theme = theme_of(look.theme)
+        self.subject = subject_of(motions, timing, look.labels)
+        self.clock, self.count = self.subject.clock, self.subject.clock.count
+        self.fps, self.look, self.size, self.theme = timing.frame_rate, look, look.size, theme_of(look.theme)
         slopes = {motion.scenario.plane.slope for motion in motions}
         if len(slopes) > 1:
             raise InputError.of_field("plane.slope", sorted(slopes), "the same in all motions of one scene")
         self.slope = slopes.pop()
         self.pyvista = need("pyvista", "films3d")
-        labels = labels_of(motions, look.labels)
-        ends = [min(float(t[-1]), motion.duration) for t, motion in zip(self.clock.times, motions, strict=True)]
-        extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
         self.radius = max(motion.scenario.hoop.radius for motion in motions)
-        self.extent = Extent(
-            (min(size.along[0] for size in extents), max(size.along[1] for size in extents)),
-            max(size.height for size in extents),
-            max(size.speed for size in extents) or 1.0,
-            max(size.force for size in extents) or 1.0,
-        )
-        self.newton = FORCE_LENGTH * self.radius / self.extent.force
+        self.newton = FORCE_LENGTH * self.radius / self.subject.whole.force
         self._open()
         normal = in_space(to_world(0.0, 1.0, self.slope), 0.0)
         self.flat = np.eye(4)  # the projection along the light onto the plane
         self.flat[:3, :3] -= np.outer(SUN, normal) / float(normal @ SUN)
         self.flat[:3, 3] = 0.002 * self.radius * normal
-        ground = self.theme.ground if look.theme != "print" else "#F4F4F4"
-        self.shade = mix(ground, "#000000", 0.38)
+        self.ground = self.theme.ground if look.theme != "print" else "#F4F4F4"
         self.half = (0.5 * (len(motions) - 1) * LANE + 1.1) * self.radius  # of the track
         self.step = nice(1.01 * self.radius)  # between the marks across it
-        self._add_plane(ground)
-        self.actors = []
-        for i, motion in enumerate(motions):
-            lane = LANE * self.radius * (i - 0.5 * (len(motions) - 1))
-            self.actors.append(_Actor(self, motion, self.clock.times[i], trace(motion, timing.start, ends[i]), lane))
-            self.actors[-1].label, self.actors[-1].tag = labels[i], TAGS[i % len(TAGS)] if len(motions) > 1 else ""
+        self._add_plane()
+        self.actors = [_Actor(self, row) for row in range(len(motions))]
         self.path = self._camera_path()
-        self.sheet = Sheet(look.size, self.theme.background)
-        traces = [actor.trace for actor in self.actors] if look.traces else ()
-        self.keys = keys_of(self.theme, traces, [one for actor in self.actors for one in actor.found])
-        self.head = Head(self.sheet, self.theme, self.clock, self.keys, labels, len(motions) > 1)
-        self.layout = self.head.lay_out(look.forces)
+        self.away = float(np.linalg.norm(self.path[0][0] - self.path[1][0]))
+        self.metre = self.size[1] / (2.0 * self.away * math.tan(math.radians(0.5 * ANGLE)))  # at the focal point [pixels]
+        self.sheet = Sheet(look.size, "none")
+        self.head = Head(self.sheet, self.theme, self.subject, look.forces)
+        self.head.draw_keys(look.traces, self.newton * self.metre)
+        self._keys = need("PIL.Image", "films3d").fromarray(self.sheet.render())
 
     def draw(self, k: int) -> Bytes:
         """The k-th picture, height × width × RGBA; valid until the next is drawn.
@@ -196,6 +182,8 @@ class Film3D:
         self._aim(k)
         self._plotter.render()
         self.sheet.pixels[..., :3] = self._plotter.screenshot(None, return_img=True)
+        self.sheet.pixels[..., 3] = 255
+        self.sheet.image.alpha_composite(self._keys)
         self._draw_words(k)
         return self.sheet.pixels
 
@@ -242,36 +230,32 @@ class Film3D:
         self._plotter.add_light(sun)
         self._plotter.add_light(pv.Light(light_type="headlight", intensity=0.45))
 
-    def _add_plane(self, ground: str) -> None:
+    def _add_plane(self) -> None:
         """Add a wide sheet, the track, and the marks across it."""
-        pv, radius, along = self.pyvista, self.radius, self.extent.along
-
-        def sheet(ahead: float, half: float, lift: float) -> Any:
-            ends = to_world([along[0] - ahead, along[1] + ahead], np.full(2, lift * radius), self.slope)
-            corners = np.vstack([in_space(ends, -half), in_space(ends[::-1], half)])
-            return pv.PolyData(corners, faces=[4, 0, 1, 2, 3])
-
-        self.add(sheet(FAR * radius, FAR * radius, -0.012), color=ground, lighting=False)
-        self.add(sheet(FAR * radius, self.half, -0.008), color=mix(ground, self.theme.ink, 0.05), lighting=False)
+        radius, along, ink = self.radius, self.subject.whole.along, self.theme.ink
+        ends = np.array(along) + FAR * radius * np.array([-1.0, 1.0])
+        for half, lift, share in ((FAR * radius, -0.012, 0.0), (self.half, -0.008, 0.05)):
+            edge = to_world(ends, np.full(2, lift * radius), self.slope)
+            corners = np.vstack([in_space(edge, -half), in_space(edge[::-1], half)])
+            self.add(self.pyvista.PolyData(corners, faces=[4, 0, 1, 2, 3]), color=mix(self.ground, ink, share), lighting=False)
         first = math.floor((along[0] - 8.0 * radius) / self.step)
         last = min(math.ceil((along[1] + 8.0 * radius) / self.step), first + 2000)
         marks = np.arange(first, last + 1) * self.step
         feet = to_world(marks, np.full(len(marks), -0.005 * radius), self.slope)
-        ends = np.stack([in_space(feet, -self.half), in_space(feet, self.half)], axis=1)
-        lines = pv.line_segments_from_points(ends.reshape(-1, 3))
-        self.add(lines, color=mix(ground, self.theme.ink, 0.25), lighting=False, line_width=1.3)
+        pairs = np.stack([in_space(feet, -self.half), in_space(feet, self.half)], axis=1).reshape(-1, 3)
+        lines = self.pyvista.line_segments_from_points(pairs)
+        self.add(lines, color=mix(self.ground, ink, 0.25), lighting=False, line_width=1.3)
 
     def _camera_path(self) -> tuple[Floats, Floats]:
         """Return positions and focal points, one row per frame (or one for all)."""
-        radius, tilt, n = self.radius, self.slope, self.count
-        width, height = self.size
+        radius, tilt, n, whole = self.radius, self.slope, self.count, self.subject.whole
         camera = self._plotter.camera
         camera.view_angle, camera.up = ANGLE, (0.0, 0.0, 1.0)
-        wide = 2.0 * math.tan(math.radians(0.5 * ANGLE)) * width / height  # of the view, at a distance of 1
+        wide = 2.0 * math.tan(math.radians(0.5 * ANGLE)) * self.size[0] / self.size[1]  # of the view, at a distance of 1
         # a narrow picture needs more distance for the same width
-        away = radius * max(6.2 + 1.1 * (len(self.actors) - 1), 4.2 / wide) + 1.5 * self.extent.height
+        away = radius * max(6.2 + 1.1 * (len(self.actors) - 1), 4.2 / wide) + 1.5 * whole.height
         if self.look.camera == "hold":
-            low, high = self.extent.along
+            low, high = whole.along
             away = max(away, 1.12 * (high - low + 2.8 * radius) / wide)
             turn, along = np.full(1, math.radians(-8.0)), np.full(1, 0.5 * (low + high))
         else:
@@ -291,49 +275,39 @@ class Film3D:
         camera.position, camera.focal_point = (tuple(row[min(k, len(row) - 1)]) for row in self.path)
         self._plotter.renderer.ResetCameraClippingRange()
 
-    # --- words ---------------------------------------------------------------------------------
-
     def _draw_words(self, k: int) -> None:
-        sheet, theme, layout, u = self.sheet, self.theme, self.layout, self.sheet.unit
-        (wide, high), several, room = self.size, len(self.actors) > 1, layout.words[2]
-        position, focus = (row[min(k, len(row) - 1)] for row in self.path)
-        away = float(np.linalg.norm(position - focus))
-        metre = high / (2.0 * away * math.tan(math.radians(0.5 * ANGLE)))
-        view = 0.0, layout.foot, float(wide), high - layout.head - layout.foot
-        if not several:
-            sheet.text(22.0 * u, high - 28.0 * u, sheet.shortened(self.actors[0].label, room), theme.muted)
+        u, head, radius = self.sheet.unit, self.head, self.radius
+        view = 0.0, head.foot, float(self.size[0]), self.size[1] - head.head - head.foot
+        head.draw_labels()
+        head.draw_states(k, [(actor.poses, k) for actor in self.actors])
         for row, actor in enumerate(self.actors):
-            poses, y = actor.poses, high - ((32.0 + 32.0 * row) if several else 60.0) * u
-            extra = actor.label if several else f"v = {poses.velocity[k, 0]:.2f} m/s"
-            self.head.draw_state((22.0 * u, y), k, actor.motion, poses, k, extra, actor.tag, room)
-            if actor.tag:
-                self.head.draw_tag(self.on_screen(poses.center[k], actor.lane), actor.tag, theme.background)
-            past = [one for one in actor.found if one.t <= poses.t[k]]
-            ages = [(float(poses.t[k]) - one.t) / float(self.clock.rate[k]) + float(self.clock.still[k]) for one in past]
+            if len(self.actors) > 1:
+                head.draw_tag(self.on_screen(actor.poses.center[k], actor.lane), row, self.theme.background)
             # on the near side of the track, not hidden by the ring
-            spots = [self.on_screen(one.place, actor.lane - 0.35 * self.radius) for one in past]
-            draw_marks(sheet, theme, [one.kind for one in past], spots, ages, self.radius * metre, 17.0 * u, view)
-        self._draw_distances(position, focus, away)
-        self.head.draw_pace(k)
-        self.head.draw_keys(self.extent.speed, self.newton * metre, self.extent.force)
+            marks = self.subject.past(row, k)
+            spots = np.array([self.on_screen(one.place, actor.lane - 0.35 * radius) for one in marks])
+            head.draw_marks(k, row, marks, spots, radius * self.metre, 17.0 * u, view)
+        self._draw_distances(k)
+        head.draw_pace(k)
 
-    def _draw_distances(self, position: Floats, focus: Floats, away: float) -> None:
+    def _draw_distances(self, k: int) -> None:
         """Write every second mark's distance at the near edge of the track, the nearest first, where there is room."""
-        sheet, u, step = self.sheet, self.sheet.unit, 2.0 * self.step
+        sheet, u, step, away = self.sheet, self.sheet.unit, 2.0 * self.step, self.away
+        position, focus = (row[min(k, len(row) - 1)] for row in self.path)
         taken: list[tuple[float, float, float]] = []
         here = float(focus[[0, 2]] @ to_world(1.0, 0.0, self.slope))
         marks = np.arange(math.ceil((here - 2.0 * away) / step), math.floor((here + 2.0 * away) / step) + 1) * step
         places = to_world(marks, np.zeros_like(marks), self.slope)
         ways = in_space(places, -self.half) - position
         off = np.linalg.norm(ways, axis=1)
-        low, high = self.layout.foot, self.size[1] - self.layout.head
+        low, high = self.head.foot + 8.0 * u, self.size[1] - self.head.head - 8.0 * u
         for k in np.argsort(off):
             if off[k] > FARTHEST * away or ways[k] @ (focus - position) <= 0.0:
                 continue
             words = f"{marks[k]:g} m"
             x, y = self.on_screen(places[k], -self.half) - np.array([0.0, 17.0 * u])
             half = 0.5 * sheet.text_width(words)
-            inside = half <= x <= self.size[0] - half and low + 8.0 * u <= y <= high - 8.0 * u
+            inside = half <= x <= self.size[0] - half and low <= y <= high
             if inside and all(abs(x - a) > half + b + 9.0 * u or abs(y - c) > 24.0 * u for a, b, c in taken):
                 sheet.text(x, y, words, mix(self.theme.ground, self.theme.ink, 0.7), "mm")
                 taken.append((x, half, y))

@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from hophoop.animate.look import TAGS, labels_of
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, to_world, turned_at
 from hophoop.scenario import InputError
@@ -298,6 +299,48 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
         speed=float(rim_speeds(poses, around, radius).max()),
         force=max(usual, weight),
     )
+
+
+@dataclass(frozen=True)
+class Subject:
+    """The motions of a film, with what it shows of each: times, label, range, traces and marked events.
+
+    `whole` is the range of all of them, `end` the last time that is shown [s].
+    """
+
+    motions: tuple[Trajectory, ...]
+    clock: Clock
+    labels: tuple[str, ...]
+    extents: tuple[Extent, ...]
+    whole: Extent
+    traces: tuple[Trace, ...]
+    marks: tuple[list[EventMark], ...]
+    end: float
+
+    def tag(self, row: int) -> str:
+        """Return the letter of a motion."""
+        return TAGS[row % len(TAGS)]
+
+    def past(self, row: int, k: int) -> list[EventMark]:
+        """Return the events of a motion up to the k-th picture."""
+        return [one for one in self.marks[row] if one.t <= self.clock.times[row][k]]
+
+
+def subject_of(motions: Sequence[Trajectory], timing: Timing, labels: Sequence[str] | None) -> Subject:
+    """Return what a film shows of some motions; labels: as given by the user."""
+    shown = clock(motions, timing)
+    pairs = list(zip(motions, shown.times, strict=True))
+    ends = [min(float(times[-1]), motion.duration) for motion, times in pairs]
+    extents = tuple(extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True))
+    whole = Extent(
+        along=(min(size.along[0] for size in extents), max(size.along[1] for size in extents)),
+        height=max(size.height for size in extents),
+        speed=max(size.speed for size in extents) or 1.0,
+        force=max(size.force for size in extents) or 1.0,
+    )
+    traces = tuple(trace(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True))
+    marks = tuple(event_marks(motion, times) for motion, times in pairs)
+    return Subject(tuple(motions), shown, labels_of(motions, labels), extents, whole, traces, marks, max(ends))
 
 
 def follow(times: Floats, places: Floats, seconds: float) -> Floats:

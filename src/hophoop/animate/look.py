@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from hophoop.animate.themes import theme_of
 from hophoop.scenario import InputError, describe
@@ -128,6 +131,11 @@ def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tu
             f"labels has {len(labels)} texts; the film shows {len(motions)} motions.", field="labels", value=labels
         )
     return tuple(labels)
+
+
+def bounded(way: Any, longest: float) -> Any:
+    """Return an arrow, at most `longest` long: in a jam forces are unbounded."""
+    return way * min(1.0, longest / max(float(np.hypot(*way)), 1e-300))
 
 
 def nice(value: float) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from hophoop.animate.themes import Theme
 from hophoop.plots.curves import curve
 from hophoop.results.poses import Poses
 from hophoop.results.records import ArraySample
+from hophoop.scenario import Scenario
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
 
@@ -45,14 +46,12 @@ class Panels:
             last = not over_time or name == "phase" or name == over_time[-1]
             self._draw_curves(name, ax, motion, wide - 75.0 * u, last)
             self.axes.append((name, ax))
-        sheet.canvas.draw()  # lays out
+        sheet.render()  # lays out
         sheet.figure.set_layout_engine("none")
-        sheet.render()
-        self.full: Bytes = sheet.pixels.copy()
+        self.full: Bytes = sheet.render()
         for _, ax in self.axes:
             for line in ax.get_lines():
                 line.set_alpha(AHEAD)
-        sheet.render()
 
     def _style(self, ax: Any, most_ticks: int) -> None:
         theme, ticker = self.theme, need("matplotlib.ticker", "plots")
@@ -67,10 +66,12 @@ class Panels:
     def _draw_curves(self, name: str, ax: Any, motion: Trajectory, room: float, labelled: bool) -> None:
         """Draw the curves of a panel and its title: the quantity, and the keys of several curves in rows of `room` pixels."""
         sample, theme = self.sample, self.theme
-        title, curves = CURVES[name](motion, sample)
+        title, curves = PANELS[name]
         across = np.degrees(sample.angle) if name == "phase" else sample.t
-        for label, color, values in curves:
-            ax.plot(across, values, color=theme.visible(color), lw=1.8, label=label)
+        for label, color, field in curves:
+            words = "damper" if label == "impacts" and motion.scenario.contact.model != "rigid" else label
+            values = values_of(field, sample, motion.scenario)
+            ax.plot(across, values, color=theme.visible(color), lw=1.8, label=words)
         if name == "utilization":
             ax.set_ylim(0.0, 1.15)
             ax.set_yticks([0.0, 0.5, 1.0])
@@ -83,13 +84,13 @@ class Panels:
             ax.set_title(title, loc="left", fontsize=FONT, color=theme.ink, pad=5.0)
             return
         handles = [need("matplotlib.lines", "plots").Line2D([], [], ls="none"), *ax.get_lines()]
-        words = [title, *(label for label, _, _ in curves)]
-        widths = np.array([self.sheet.text_width(each) for each in words]) + 41.0 * self.sheet.unit
-        fits = [n for n in range(1, len(words) + 1) if sum(widths[k::n].max() for k in range(n)) <= room]
+        texts = [title, *(line.get_label() for line in ax.get_lines())]
+        widths = np.array([self.sheet.text_width(each) for each in texts]) + 41.0 * self.sheet.unit
+        fits = [n for n in range(1, len(texts) + 1) if sum(widths[k::n].max() for k in range(n)) <= room]
         columns = max(fits, default=1)
-        order = [k for column in range(columns) for k in range(column, len(words), columns)]  # legends go down, words across
+        order = [k for column in range(columns) for k in range(column, len(texts), columns)]  # legends go down, texts across
         ax.legend(
-            [handles[k] for k in order], [words[k] for k in order], ncols=columns, fontsize=FONT, labelcolor=theme.ink,
+            [handles[k] for k in order], [texts[k] for k in order], ncols=columns, fontsize=FONT, labelcolor=theme.ink,
             loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False, borderpad=0.0, borderaxespad=0.2,
             handlelength=0.9, handletextpad=0.3, columnspacing=0.7, labelspacing=0.2,
         )  # fmt: skip
@@ -104,7 +105,7 @@ class Panels:
                 past = int(np.searchsorted(self.sample.t, t))
                 here = math.degrees(poses.angle[i]), poses.omega[i]
                 way = np.column_stack([np.degrees(self.sample.angle[:past]), self.sample.omega[:past]])
-                sheet.line(ax.transData.transform(np.vstack([way, here])), color=theme.ink, lw=1.6, clip=box)
+                sheet.line(ax.transData.transform(np.vstack([way, here])), box, color=theme.ink, lw=1.6)
                 sheet.dot(ax.transData.transform(here), 11.0, theme.ink, theme.background)
                 continue
             x = float(ax.transData.transform((t, 0.0))[0])
@@ -118,37 +119,30 @@ class Panels:
                     sheet.dot(ax.transData.transform((t, value)), 8.0, line.get_color(), theme.background)
 
 
-Curves = list[tuple[str, str, Any]]  # label, colour and values
+def values_of(name: str, sample: ArraySample, scenario: Scenario) -> Any:
+    """Return a quantity of a panel: a field of the sample, or one of two others."""
+    if name == "rotation":
+        return scenario.hoop.radius * sample.omega
+    return sample.utilization(scenario.plane) if name == "utilization" else getattr(sample, name)
 
 
-def _velocity(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
-    turning = motion.scenario.hoop.radius * sample.omega
-    return quantities.VELOCITY, [("v", colors.CENTER_SPEED, sample.vx), ("Rθ̇", colors.ROTATION_SPEED, turning)]
-
-
-def _energy(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
-    return quantities.ENERGY, [
-        ("kinetic", colors.KINETIC, sample.kinetic),
-        ("potential", colors.POTENTIAL, sample.potential),
-        ("sum", colors.TOTAL, sample.total),
-        ("friction", colors.FRICTION_LOSS, sample.friction_loss),
-        ("impacts" if motion.scenario.contact.model == "rigid" else "damper", colors.IMPACT_LOSS, sample.normal_loss),
-    ]
-
-
-def _forces(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
-    return quantities.FORCE, [
-        ("normal", colors.NORMAL_FORCE, sample.normal_force),
-        ("friction", colors.FRICTION_FORCE, sample.friction_force),
-    ]
-
-
-def _utilization(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
-    return quantities.UTILIZATION, [("|F| / μN", colors.FRICTION_FORCE, sample.utilization(motion.scenario.plane))]
-
-
-def _phase(motion: Trajectory, sample: ArraySample) -> tuple[str, Curves]:
-    return "θ̇ (rad/s)", [("θ̇", colors.BLACK, sample.omega)]
-
-
-CURVES = {"velocity": _velocity, "energy": _energy, "forces": _forces, "utilization": _utilization, "phase": _phase}
+# Title and curves of each panel: label, colour and quantity.
+PANELS: Final[dict[str, tuple[str, tuple[tuple[str, str, str], ...]]]] = {
+    "velocity": (quantities.VELOCITY, (("v", colors.CENTER_SPEED, "vx"), ("Rθ̇", colors.ROTATION_SPEED, "rotation"))),
+    "energy": (
+        quantities.ENERGY,
+        (
+            ("kinetic", colors.KINETIC, "kinetic"),
+            ("potential", colors.POTENTIAL, "potential"),
+            ("sum", colors.TOTAL, "total"),
+            ("friction", colors.FRICTION_LOSS, "friction_loss"),
+            ("impacts", colors.IMPACT_LOSS, "normal_loss"),
+        ),
+    ),
+    "forces": (
+        quantities.FORCE,
+        (("normal", colors.NORMAL_FORCE, "normal_force"), ("friction", colors.FRICTION_FORCE, "friction_force")),
+    ),
+    "utilization": (quantities.UTILIZATION, (("|F| / μN", colors.FRICTION_FORCE, "utilization"),)),
+    "phase": ("θ̇ (rad/s)", (("θ̇", colors.BLACK, "omega"),)),
+}

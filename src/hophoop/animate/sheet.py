@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,6 @@ from hophoop.vocabulary import colors
 Bytes = NDArray[np.uint8]
 Points = NDArray[np.float64]
 Rectangle = tuple[float, float, float, float]
-MOST_LOOKS = 200  # of lines that are kept
 FONT, MODE_FONT = 20.0, 22.0  # of all texts, and of the mode: 20 pixels at 1280 × 720
 
 
@@ -34,37 +34,23 @@ class Sheet:
         inches = (size[0] + 1e-3) / dpi, (size[1] + 1e-3) / dpi  # rounding must not lose a pixel
         self.figure: Any = need("matplotlib.figure", "plots").Figure(inches, dpi, facecolor=background)
         self.canvas = need("matplotlib.backends.backend_agg", "plots").FigureCanvasAgg(self.figure)
-        self._lines = need("matplotlib.lines", "plots").Line2D
-        self._fonts: dict[tuple[float, bool], Any] = {}
-        self._background: Any = None
-        self._drawn: dict[tuple[tuple[str, Any], ...], Any] = {}  # lines by their looks; making one takes as long as drawing it
-        self.render()
-
-    def render(self) -> None:
-        """Draw the figure without what is animated."""
-        self.canvas.draw()
         self.renderer = self.canvas.get_renderer()
         self.pixels: Bytes = np.asarray(self.renderer.buffer_rgba())
-        image = need("PIL.Image", "plots").frombuffer("RGBA", self.size, self.pixels, "raw", "RGBA", 0, 1)
-        image.readonly = 0  # draw on the renderer's pixels
-        self._pen = need("PIL.ImageDraw", "plots").Draw(image)
+        self.image = need("PIL.Image", "plots").frombuffer("RGBA", size, self.pixels, "raw", "RGBA", 0, 1)
+        self.image.readonly = 0  # draw on the renderer's pixels
+        self._pen = need("PIL.ImageDraw", "plots").Draw(self.image)
+        line = need("matplotlib.lines", "plots").Line2D
+        # making a line takes as long as drawing it
+        self._styled = lru_cache(200)(lambda look: line([], [], transform=None, figure=self.figure, **dict(look)))
 
-    def keep(self) -> None:
-        """Keep the present picture as the background of all others."""
-        self._background = self.pixels.copy()
+    def axes(self, rectangle: Rectangle, **look: Any) -> Any:
+        """Add axes in a rectangle: left, bottom, width, height [pixels]."""
+        return self.figure.add_axes(tuple(np.divide(rectangle, (*self.size, *self.size))), **look)
 
-    def restore(self) -> None:
-        """Return to the background."""
-        self.pixels[...] = self._background
-
-    def add(self, artist: Any, clip: Rectangle | None = None) -> Any:
-        """Add an artist that `draw` draws; clip: left, bottom, width, height [pixels]."""
-        artist.set_animated(True)
-        self.figure.add_artist(artist)
-        if clip is not None:
-            artist.set_clip_path(None)
-            artist.set_clip_box(need("matplotlib.transforms", "plots").Bbox.from_bounds(*clip))
-        return artist
+    def render(self) -> Bytes:
+        """Draw the figure without what is animated, and return a copy of the picture."""
+        self.canvas.draw()
+        return self.pixels.copy()
 
     def draw(self, *artists: Any) -> None:
         """Draw artists over the picture."""
@@ -73,15 +59,9 @@ class Sheet:
 
     def line(self, points: Points, clip: Any = None, **look: Any) -> None:
         """Draw a line, or its markers, through points [pixels]; clip: a box of Matplotlib."""
-        key = tuple(look.items())
-        line = self._drawn.get(key)
-        if line is None:
-            if len(self._drawn) > MOST_LOOKS:
-                self._drawn.clear()
-            line = self._drawn[key] = self._lines([], [], transform=None, **look)
-            line.set_figure(self.figure)
+        line = self._styled(tuple(look.items()))
         line.set_clip_box(clip)
-        line.set_data(*np.asarray(points).T)
+        line.set_data(np.transpose(points))
         line.draw(self.renderer)
 
     def dot(self, spot: Points, size: float, fill: str, edge: str, width: float = 1.0) -> None:
@@ -90,11 +70,11 @@ class Sheet:
 
     def text(self, x: float, y: float, words: str, color: str, anchor: str = "ls", bold: bool = False) -> None:
         """Write a line of text; anchor: Pillow's, 'ls' is the left end of the baseline, 'mm' the middle."""
-        self._pen.text((x, self.size[1] - y), minus(words), color, self._font(bold), anchor)
+        self._pen.text((x, self.size[1] - y), minus(words), color, _font(self.unit, bold), anchor)
 
     def text_width(self, words: str, bold: bool = False) -> float:
         """Return the width of a text [pixels]."""
-        return float(self._font(bold).getlength(minus(words)))
+        return _width(self.unit, bold, words)
 
     def shortened(self, words: str, room: float) -> str:
         """Shorten a line of parameters to a width [pixels]; the last ones are dropped first."""
@@ -104,13 +84,17 @@ class Sheet:
             words = ", ".join([*parts, "…"]) if parts else ""
         return words
 
-    def _font(self, bold: bool) -> Any:
-        size = (MODE_FONT if bold else FONT) * self.unit
-        if (size, bold) not in self._fonts:
-            manager = need("matplotlib.font_manager", "plots")
-            path = manager.findfont(manager.FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal"))
-            self._fonts[size, bold] = need("PIL.ImageFont", "plots").truetype(path, size)
-        return self._fonts[size, bold]
+
+@cache
+def _font(unit: float, bold: bool) -> Any:
+    manager = need("matplotlib.font_manager", "plots")
+    path = manager.findfont(manager.FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal"))
+    return need("PIL.ImageFont", "plots").truetype(path, (MODE_FONT if bold else FONT) * unit)
+
+
+@lru_cache(10_000)
+def _width(unit: float, bold: bool, words: str) -> float:
+    return float(_font(unit, bold).getlength(minus(words)))
 
 
 def minus(words: str) -> str:
