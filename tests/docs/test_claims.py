@@ -280,14 +280,12 @@ def test_our_number_comes_out_again(key):
 FIELDS = {"work", "claim", "theirs", "quantity", "ours", "verdict", "why", "compute"}
 
 
-@pytest.mark.parametrize("key", CLAIMS)
-def test_a_claim_has_all_that_its_row_needs(key):
-    claim = CLAIMS[key]
-    assert FIELDS <= set(claim) <= FIELDS | {"unit", "theirs_number", "reading"}
-    assert claim["verdict"] in ("agrees", "agrees within reading accuracy", "differs")
-    assert claim["verdict"] != "differs" or len(claim["why"]) > 30
-    assert re.fullmatch(r"-?\d+(\.\d+)?", claim["ours"])
-    assert claim["work"] in WORKS
+def test_a_claim_has_all_that_its_row_needs():
+    for key, claim in CLAIMS.items():
+        assert FIELDS <= set(claim) <= FIELDS | {"unit", "theirs_number", "reading"}, key
+        assert claim["verdict"] in ("agrees", "agrees within reading accuracy", "differs"), key
+        assert claim["verdict"] != "differs" or len(claim["why"]) > 30, key
+        assert re.fullmatch(r"-?\d+(\.\d+)?", claim["ours"]), key
 
 
 def test_works_are_in_the_bibliography_and_have_claims():

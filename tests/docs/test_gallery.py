@@ -46,24 +46,19 @@ def shows(code):
     return ast.unparse(tree.body[-1]) == "plt.show()" or bool(WRITERS & called)
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_a_downloaded_example_shows_something(path):
-    code = path.read_text(encoding="utf-8")
-    assert shows(code)
-    assert not shows(code.replace("plt.show()", "").replace("hh.animate.", "hh.other."))
+def test_a_downloaded_example_shows_something_and_says_what():
+    for path in EXAMPLES:
+        code = path.read_text(encoding="utf-8")
+        assert shows(code), path
+        assert not shows(code.replace("plt.show()", "").replace("hh.animate.", "hh.other.")), path
+        title, line, _, *text = ast.get_docstring(ast.parse(code)).splitlines()
+        assert line == "=" * len(title), path
+        assert text, path
 
 
 def test_every_example_has_its_place_from_simple_to_hard():
     gallery = pytest.importorskip("gallery", reason="the extra 'docs' is not installed")
     assert sorted(gallery.ORDER) == sorted(path.stem.removeprefix("plot_") for path in EXAMPLES)
-
-
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_an_example_says_what_it_shows(path):
-    words = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8")))
-    title, line, _, *text = words.splitlines()
-    assert line == "=" * len(title)
-    assert text
 
 
 def test_a_film_of_an_example_is_a_picture_on_paper(tmp_path):

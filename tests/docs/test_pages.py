@@ -32,13 +32,14 @@ def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
     assert faults(page.read_text(encoding="utf-8"), page.name) == []
 
 
-FOLDED = [page for page in sorted((DOCS / "learn").glob("*.md")) if visible(text := page.read_text(encoding="utf-8")) != text]
+EVERY = {page.values[0].relative_to(DOCS.parent).as_posix(): page.values[0].read_text(encoding="utf-8") for page in PAGES}
+FOLDED = [name for name, text in EVERY.items() if name.startswith("docs/learn/") and visible(text) != text]
 
 
-@pytest.mark.parametrize("page", FOLDED, ids=lambda page: page.stem)
-def test_a_page_runs_with_its_boxes_left_folded(page, tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", FOLDED)
+def test_a_page_runs_with_its_boxes_left_folded(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert faults(visible(page.read_text(encoding="utf-8")), page.name) == []
+    assert faults(visible(EVERY[name]), name) == []
 
 
 def test_a_name_of_a_folded_box_is_missed():
@@ -47,67 +48,36 @@ def test_a_name_of_a_folded_box_is_missed():
     assert "NameError" in "".join(faults(visible(text)))
 
 
-LIVE = {
-    f"{page.stem}: {query}": query
-    for page in sorted(DOCS.rglob("*.md"))
-    for query in re.findall(r"^:::\{motion\} (\S+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
-}
-
-
-@pytest.mark.parametrize("query", LIVE.values(), ids=LIVE)
-def test_a_live_motion_is_computed_to_its_end(query):
-    assert hh.simulate(hh.Scenario.from_query(query)).status == "completed"
-
-
-def test_the_first_pages_have_live_motions():
+def test_live_motions_are_computed_to_their_end():
     """One in the first hop, and one in each box of 'Why does it hop?' that is opened after a prediction."""
-    first, why = ((DOCS / "learn" / f"{name}.md").read_text(encoding="utf-8") for name in ("first-hop", "why"))
-    assert first.count(":::{motion}") == 1
-    assert why.count(":::{motion}") == why.count("{dropdown} Look") == 7
+    live = {name: re.findall(r"^:::\{motion\} (\S+)$", text, re.MULTILINE) for name, text in EVERY.items()}
+    for query in set().union(*live.values()):
+        assert hh.simulate(hh.Scenario.from_query(query)).status == "completed", query
+    assert len(live["docs/learn/first-hop.md"]) == 1
+    assert len(live["docs/learn/why.md"]) == EVERY["docs/learn/why.md"].count("{dropdown} Look") == 7
 
 
-EVERY = [page.values[0] for page in PAGES]
-EXAMPLES = [*sorted(DOCS.parent.glob("examples/gallery/**/plot_*.py")), DOCS.parent / "benchmarks/engines/example.py"]
+def test_code_is_as_wide_as_its_page_and_what_it_installs_can_be_had():
+    for name, text in EVERY.items():
+        assert wide_lines(text) == [], name
+        assert wrong_installs(text) == [], name
+        assert "pip install" not in text or re.search(r"activate|\{doc\}`[./]*install`", text), name
+    for name in ("docs/install.md", "docs/learn/first-hop.md"):
+        assert "source .venv/bin/activate" in EVERY[name]
+        assert r".venv\Scripts\activate" in EVERY[name]
+    for path in DOCS.parent.glob("examples/gallery/**/plot_*.py"):
+        code = path.read_text(encoding="utf-8").split('"""', 2)[2]  # the text before wraps
+        assert [line for line in code.splitlines() if len(line) > COLUMNS] == [], path
 
 
-@pytest.mark.parametrize("page", EVERY, ids=lambda page: page.relative_to(DOCS.parent).as_posix())
-def test_code_is_as_wide_as_its_page(page):
-    assert wide_lines(page.read_text(encoding="utf-8")) == []
-
-
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_an_example_is_as_wide_as_its_page(path):
-    code = path.read_text(encoding="utf-8").split('"""', 2)[2]  # the text before wraps
-    assert [line for line in code.splitlines() if len(line) > COLUMNS] == []
-
-
-def test_a_line_that_is_too_wide_is_found():
+def test_wide_lines_and_installs_that_fail_are_found():
     assert wide_lines(f"```sh\n{'a' * COLUMNS}\n{'b' * (COLUMNS + 1)}\n```\n{'c' * 200}\n") == ["b" * (COLUMNS + 1)]
-
-
-@pytest.mark.parametrize("page", EVERY, ids=lambda page: page.relative_to(DOCS.parent).as_posix())
-def test_what_a_page_installs_can_be_had(page):
-    assert wrong_installs(page.read_text(encoding="utf-8")) == []
-
-
-def test_an_install_that_fails_is_found():
     wrong = ["pip install 'hophoop[lab]'", "pip install -e '.[lab]'", 'pip install "hophoop[lab]"']
     assert wrong_installs("\n".join([*wrong, 'pip install -e ".[lab]"', "`pip install -e .`, then hophoop"])) == wrong
 
 
-def test_commands_are_found_because_the_environment_is_activated():
-    """On every page that installs, or on the page that it sends to."""
-    for name in ("install", "learn/first-hop"):
-        text = (DOCS / f"{name}.md").read_text(encoding="utf-8")
-        assert "source .venv/bin/activate" in text
-        assert r".venv\Scripts\activate" in text
-    for page in EVERY:
-        text = page.read_text(encoding="utf-8")
-        assert "pip install" not in text or re.search(r"activate|\{doc\}`[./]*install`", text), page
-
-
 def test_the_architecture_names_what_there_is():
-    text = (DOCS / "architecture.md").read_text(encoding="utf-8")
+    text = EVERY["docs/architecture.md"]
     packages = {path.name for path in (DOCS.parent / "src" / "hophoop").iterdir() if path.is_dir()}
     names = [name for name in re.findall(r"`(\w+\.[\w.]*\w)`", text) if name.partition(".")[0] in packages]
     assert len(names) > 50
@@ -155,7 +125,7 @@ def test_every_page_stands_once_in_the_navigation():
 
 def test_the_sidebar_is_short():
     """Entries that show when no part is unfolded; the others are one click further."""
-    text = (DOCS / "index.md").read_text(encoding="utf-8")
+    text = EVERY["docs/index.md"]
     blocks = re.findall(r"^```\{toctree\}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
     entries = [line for block in blocks for line in block.splitlines() if line and not line.startswith(":")]
     assert 20 < len(entries) <= 30
@@ -163,7 +133,7 @@ def test_the_sidebar_is_short():
 
 @pytest.mark.parametrize("page", ["README.md", "docs/index.md", "docs/learn/why.md"])
 def test_the_story_that_it_comes_from_is_linked(page):
-    text = (DOCS.parent / page).read_text(encoding="utf-8")
+    text = EVERY[page]
     assert "Stand-up Maths" in text
     assert "https://www.youtube.com/watch?v=ETRpkp03stQ" in text
     assert "The physics of a hopping hoop" in text
@@ -183,7 +153,7 @@ def test_the_moving_picture_is_the_computed_motion(tmp_path, monkeypatch):
 
 def test_solutions_answer_every_task():
     tasks, answers = (
-        re.findall(r"^#+ (\w\d\.|Exercise \d+)", (DOCS / "teach" / name).read_text(encoding="utf-8"), re.MULTILINE)
+        re.findall(r"^#+ (\w\d\.|Exercise \d+)", EVERY[f"docs/teach/{name}"], re.MULTILINE)
         for name in ("worksheet.md", "solutions.md")
     )
     assert len(tasks) >= 8

@@ -1,14 +1,11 @@
 """Runs and tables: three engines against the kept table, failures, the worked example, the scripts themselves."""
 
-import csv
 import json
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 import run
 import score
@@ -64,29 +61,6 @@ def test_the_kept_table_is_that_of_the_engines():
     assert list(KEPT["engines"]) == list(run.engines())
     for name, one in run.engines().items():
         assert one.describe() | {"version": ""} == KEPT["engines"][name] | {"version": ""}
-
-
-def test_the_full_table_has_the_errors_of_the_kept_one():
-    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table.full(KEPT).splitlines() if line.startswith("|")]
-    head, name, listed = rows[0], "", {}
-    for row in rows[2:]:
-        name = row[0] or name
-        listed[name, row[1].replace("\u00a0", " ")] = row[head.index("hop (mm)")]
-    for row in KEPT["rows"]:
-        if row["scenario"] == "hop" and row["dt"] == 0.001 and "scores" in row:
-            one, height = KEPT["engines"][row["engine"]], row["scores"]["hop_height"]
-            title = one["title"] if one["ours"] else f"{one['title'].removesuffix(' 2.3')} {one['version']}"
-            written = listed[title, f"{row['setting']}, 1 ms"]
-            assert float(written.replace("−", "-").replace(",", "")) == pytest.approx(1e3 * height, rel=0.06, abs=1e-3)
-
-
-def test_the_short_table_has_one_row_each_with_the_better_settings():
-    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table.short(KEPT).splitlines()[2:]]
-    cells = {row[0]: row for row in rows}
-    assert len(cells) == len(rows) == 15
-    assert cells["Drake 1.51.1"][2:4] == ["−68", "−68"]  # the manual's settings are the better ones at 1 ms
-    assert cells["DART 6.20.0"][2:4] == ["+14", "+2.3 (ours)"]
-    assert cells["Exudyn 1.13.6"][4].endswith("(ours)")
 
 
 def test_the_figure_of_the_page_shows_the_hops_of_the_table():
@@ -187,7 +161,6 @@ def test_engines_of_npm(name):
 
 def test_the_example_of_the_page_is_scored(tmp_path, capsys):
     """Its program runs without hophoop, in its own process; the page shows what its scores are."""
-    assert "{literalinclude} ../benchmarks/engines/example.py" in PAGE
     subprocess.run([sys.executable, "-I", "-S", str(run.HERE / "example.py"), str(tmp_path)], check=True)
     records = sorted(str(path) for path in tmp_path.glob("*.csv"))
     assert len(records) == len(truths())
@@ -212,13 +185,6 @@ def test_a_record_of_one_motion(tmp_path, capsys):
     said = capsys.readouterr().out
     assert "RKRSHR ✓" in said
     assert "1 of 7 right; no record of rolling, slip, " in said
-    rows = list(csv.reader(lines[1:]))
-    for row in rows:
-        if 1.2 < float(row[0]) < 1.7:  # kept down by hand
-            row[2], row[5] = "0.0", "0.0"
-    (tmp_path / "mine.csv").write_text("\n".join(["# scenario: hop", lines[0], *map(",".join, rows)]), encoding="utf-8")
-    score.main([str(tmp_path / "mine.csv")])
-    assert "0 of 7 right" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -235,23 +201,3 @@ def test_a_file_that_is_no_record_is_one_sentence(name, text, said, tmp_path):
     with pytest.raises(SystemExit, match=r"^Error: ") as ended:
         score.main([str(path)])
     assert said in str(ended.value.code)
-
-
-def test_the_drawing_of_a_line_is_short():
-    figure = pytest.importorskip("matplotlib.figure").Figure()
-    figure.subplots().plot(np.linspace(0.0, 1.0, 50), np.sqrt(np.arange(50.0)), "o-")
-    drawn = table.drawing(figure)
-    line = max(re.findall(r' d="([ML\d\s.z-]+)"', drawn), key=len)
-    assert line.count("L") == 49
-    assert not re.search(r"\.\d\d", line)
-    assert re.search(r"C -?\d+\.\d{4}", drawn)  # a mark keeps its shape
-
-
-def test_every_script_says_what_it_does():
-    for name in ("run.py", "score.py", "table.py"):
-        done = subprocess.run([sys.executable, str(run.HERE / name), "--help"], capture_output=True, text=True, check=True)
-        assert "usage" in done.stdout
-    assert (
-        shutil.which("node") is None
-        or not subprocess.run(["node", "--check", str(run.HERE / "adapters" / "_hoop.mjs")], capture_output=True).returncode
-    )

@@ -1,5 +1,6 @@
 """The truth of the benchmark: its file, its schema, and two solutions that were not used to make it."""
 
+import hashlib
 import itertools
 import json
 import math
@@ -43,14 +44,9 @@ def test_the_file_keeps_to_its_schema(document):
 
 
 def test_a_changed_file_is_noticed(monkeypatch):
-    monkeypatch.setattr(truth.hashlib, "sha256", lambda content: _Digest())
+    monkeypatch.setattr(truth.hashlib, "sha256", hashlib.md5)
     with pytest.raises(ValueError, match="does not match its checksum"):
         truth.read_document()
-
-
-class _Digest:
-    def hexdigest(self):
-        return "0" * 64
 
 
 def test_a_task_has_its_start_and_gravity_twice(document):
