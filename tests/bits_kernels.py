@@ -22,7 +22,7 @@ from filelock import FileLock
 
 import hophoop as hh
 from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
-from hophoop.kernel.build.link import optimised
+from hophoop.kernel.build.link import optimized
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
@@ -61,14 +61,23 @@ def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
             with tempfile.TemporaryDirectory(dir=folder) as fresh:
                 made = Path(fresh) / "code.ll"
                 script = (
-                    "import sys; from pathlib import Path; from hophoop.kernel.build.browser import module_code; "
+                    "import sys; from pathlib import Path; import llvmlite.binding as llvm; "
+                    "from hophoop.kernel.build.processes import begin; "
+                    "begin(); from hophoop.kernel.build.browser import module_code; "
                     "from hophoop.lab.wasm import entries; "
                     f"chosen = {{name: entries.{table}[name] for name in {tuple(names)!r}}}; "
-                    "Path(sys.argv[1]).write_text(module_code(chosen), encoding='utf-8')"
+                    "Path(sys.argv[1]).write_text(str(llvm.parse_bitcode(module_code(chosen))), encoding='utf-8')"
                 )
                 subprocess.run([sys.executable, "-c", script, str(made)], check=True)
                 made.replace(file)
     return file.read_text(encoding="utf-8")
+
+
+def bitcode(text: str) -> bytes:
+    """LLVM's code in the form that the build takes."""
+    import llvmlite.binding as llvm
+
+    return llvm.parse_assembly(text).as_bitcode()
 
 
 def short_hash(*words: str) -> str:
@@ -93,7 +102,7 @@ def why_no_program(processor: str) -> str:
 def program(processor: str, folder: Path) -> Path:
     """The kernel's entries as a static program for a processor."""
     triple, target = PROCESSORS[processor]
-    machine, code = optimised(code_of(NATIVE), NATIVE, triple, features=FEATURES.get(processor, ""))
+    machine, code = optimized(bitcode(code_of(NATIVE)), NATIVE, triple, features=FEATURES.get(processor, ""))
     compiled, made = folder / f"{processor}.o", folder / f"kernel-{processor}"
     compiled.write_bytes(machine.emit_object(code))
     subprocess.run(

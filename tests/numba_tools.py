@@ -1,17 +1,13 @@
 """Numba dispatchers of the kernels, for tests that compile loops of their own."""
 
+from functools import cache
+
 import numba
 
-from hophoop.kernel.build.numba_code import Namespaces, options_of
+from hophoop.kernel.build.lowering import copied
 
 
-def _made(kernel, function):
-    return numba.njit(nogil=True, **options_of(kernel))(function)  # noqa: TID251
-
-
-_dispatchers = Namespaces(_made)
-
-
+@cache
 def jitted(kernel):
     """A dispatcher of a kernel, compiled at its first call."""
-    return _dispatchers.of(kernel)
+    return numba.njit(nogil=True, error_model="numpy")(copied(kernel, jitted))  # noqa: TID251

@@ -25,8 +25,8 @@ class Pair(NamedTuple):
 
 def function(action):
     """A function of the library's kind, which Python carries out with the words of eight bytes that it is given."""
-    kind = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p)
-    return kind(lambda place: action((ctypes.c_uint8 * 4096).from_address(place)) or 0)
+    kind = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 3)
+    return kind(lambda place, *same: action((ctypes.c_uint8 * 4096).from_address(place)) or 0)
 
 
 def words(memory, codes, begin=0):
@@ -40,8 +40,8 @@ def test_numbers_come_in_order_and_results_behind_them():
         seen.append(words(memory, "dqqd"))
         memory[32:64] = struct.pack("=ddqq", 2.5, -1.0, 7, 1)
 
-    gives = {"class": None, "items": ["d", {"class": f"{__name__}:Pair", "items": ["d", "q"]}, "?7x"]}
-    call = caller(function(action), ["float", "int", "bool", {"tuple": ["float"]}], gives)
+    gives = {"class": None, "items": ["float", {"class": f"{__name__}.Pair", "items": ["float", "int"]}, "bool"]}
+    call = caller(function(action), ["float", "int", "bool", {"items": ["float"]}], gives)
     assert call(1.5, -3, np.bool_(True), (0.25,)) == (2.5, Pair(-1.0, 7), True)
     assert call(1.5, 2**62, False, (np.float64(0.25),))[0] == 2.5
     assert seen == [(1.5, -3, 1, 0.25), (1.5, 2**62, 0, 0.25)]
@@ -68,7 +68,7 @@ def test_what_it_writes_is_in_the_array():
 
 def test_a_named_tuple_of_arrays_may_change():
     seen = []
-    call = caller(function(lambda memory: seen.append(words(memory, "qqq"))), [{"tuple": [REALS, REALS]}], None)  # four words
+    call = caller(function(lambda memory: seen.append(words(memory, "qqq"))), [{"items": [REALS, REALS]}], None)  # four words
     for _ in range(30):
         pair = (np.zeros(2), np.zeros(3))
         call(pair)
@@ -89,9 +89,9 @@ def test_other_arrays_are_refused_and_nothing_is_called(array):
 
 
 def test_a_status_is_an_error():
-    kind = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p)
+    kind = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 3)
     with pytest.raises(RuntimeError, match="status 3"):
-        caller(kind(lambda _: 3), ["float"], None)(1.0)
+        caller(kind(lambda *_: 3), ["float"], None)(1.0)
 
 
 def test_threads_share_no_memory():
@@ -102,6 +102,6 @@ def test_threads_share_no_memory():
         ready.wait(60.0)
         memory[8:16] = struct.pack("=d", given + 0.5)
 
-    call = caller(function(action), ["float"], "d")
+    call = caller(function(action), ["float"], "float")
     with ThreadPoolExecutor(4) as pool:
         assert list(pool.map(call, [1.0, 2.0, 3.0, 4.0])) == [1.5, 2.5, 3.5, 4.5]

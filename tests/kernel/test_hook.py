@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import os
 import re
 import subprocess
 import sys
@@ -62,6 +63,13 @@ def made_by(hook, version: str = "standard") -> dict:
     data = {"force_include": {}}
     hook.initialize(version, data)
     return data
+
+
+def test_the_targets_are_read_without_numpy():
+    """Pip asks the hook before it installs what the build needs."""
+    code = "import sys; sys.modules['numpy'] = None; from hophoop.kernel.build.link import own_target; own_target()"
+    environment = os.environ | {"PYTHONPATH": str(FILE.parent / "src")}
+    subprocess.run([sys.executable, "-c", code], check=True, env=environment)
 
 
 def test_every_target_has_the_tag_of_its_system(module):

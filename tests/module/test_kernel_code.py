@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from bits_kernels import PROCESSORS, code_of, program, run_program, why_no_program
+from bits_kernels import PROCESSORS, bitcode, code_of, program, run_program, why_no_program
 from bits_tools import differing, kept_scenarios
-from hophoop.kernel.build.link import optimised
+from hophoop.kernel.build.link import optimized
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 
 # What is left to call: Numba's runtime (nrt.c), memory, and functions whose result is exact.
@@ -87,7 +87,7 @@ def test_assembly_fuses_and_calls_nothing(table: str, target: str) -> None:
     triple, cpu, features = TARGETS[target]
     names = TABLES[table]
     text = without_what_never_runs(code_of(names, table))
-    machine, code = optimised(text, names, triple, cpu, features)
+    machine, code = optimized(bitcode(text), names, triple, cpu, features)
     assembly = machine.emit_assembly(code)
     assert all(re.search(rf"^_?{name}:", assembly, re.MULTILINE) for name in names)
     assert len(re.findall(r"^\s+(?:vmulsd|mulsd|fmul)", assembly, re.MULTILINE)) > 1000  # it is understood

@@ -8,6 +8,8 @@ import math
 import re
 import sys
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 from types import FunctionType
@@ -19,9 +21,9 @@ import hophoop as hh
 from hophoop._support.extras import install_command
 from hophoop.derivatives import transform
 from hophoop.kernel.build import __main__ as builder
-from hophoop.kernel.build import browser, link, numba_code
+from hophoop.kernel.build import browser, link, lowering
 from hophoop.kernel.native import marks
-from hophoop.kernel.native.sources import is_kernel
+from hophoop.kernel.native.sources import called, is_kernel
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import Cell, Contact
 from hophoop.kernel.records.layout import MOST_PANELS
@@ -63,10 +65,10 @@ def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
         kernel = waiting.pop()
         if kernel not in found:
             found.add(kernel)
-            waiting += numba_code.called(kernel)
+            waiting += called(kernel)
     files = {source_file(kernel) for kernel in found}
     assert len(files) > 50
-    compiling = {Path(module.__file__) for module in (browser, link, marks, numba_code, transform)} | {link.RUNTIME}
+    compiling = {Path(module.__file__) for module in (browser, link, lowering, marks, transform)} | {link.RUNTIME}
     assert (files | compiling) - set(stamped()) == set()
 
 
@@ -77,7 +79,7 @@ def test_the_entries_call_nothing_but_kernels() -> None:
         kernel = waiting.pop()
         if kernel not in found:
             found.add(kernel)
-            waiting += numba_code.called(kernel)
+            waiting += called(kernel)
     plain = set()
     for function in map(marks.source_of, found):
         values = [function.__globals__.get(name) for name in function.__code__.co_names]
@@ -94,7 +96,7 @@ def test_the_builder_asks_for_what_it_needs_before_it_compiles(missing, monkeypa
 
     monkeypatch.setattr(builder, "version", found)
     monkeypatch.setattr(builder, "zig_version", lambda: found("ziglang"))
-    monkeypatch.setattr(builder, "_compile", lambda *given: pytest.fail("it compiles"))
+    monkeypatch.setattr(builder, "workers", lambda: pytest.fail("it compiles"))
     assert builder.main(["browser", "--out", str(tmp_path)]) == 1
     said = capsys.readouterr().err
     assert said == f"Error: building needs {missing}: {install_command('build')}. The previous build remains.\n"
@@ -102,11 +104,13 @@ def test_the_builder_asks_for_what_it_needs_before_it_compiles(missing, monkeypa
 
 
 def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path) -> None:
-    def compiled(group, targets, made_with, cache, scratch):
-        (tmp_path / f"{group}.wasm").write_bytes(group.encode())
-        return tmp_path
+    @contextmanager
+    def workers():
+        with ThreadPoolExecutor(1) as pool:
+            yield pool
 
-    monkeypatch.setattr(builder, "_compile", compiled)
+    monkeypatch.setattr(builder, "workers", workers)
+    monkeypatch.setattr(builder, "module_of", str.encode)
     out = tmp_path / "out"
     assert builder.main(["browser", "--out", str(out)]) == 0
     told = json.loads((out / LAYOUT).read_text(encoding="utf-8"))

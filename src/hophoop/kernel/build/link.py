@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import re
+import hashlib
 import shutil
 import subprocess
 import sys
-import sysconfig
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from importlib.metadata import PackageNotFoundError
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from hophoop.kernel.build.kept import kept
 
 HERE = Path(__file__).parent
 # detection of the processor's level; the runtime that Numba's code needs
@@ -76,29 +77,15 @@ def own_target() -> str:
     raise KeyError(f"There is no library for {' '.join(own)}.")
 
 
-def joined(parts: Iterable[str]) -> str:
-    """Return the LLVM code of several entries as one module."""
-    import llvmlite.binding as llvm
-
-    whole = None
-    for text in parts:
-        part = llvm.parse_assembly(text)
-        if whole is None:
-            whole = part
-        else:
-            whole.link_in(part)
-    return str(whole)
-
-
-def optimised(
-    text: str, names: Iterable[str], triple: str, cpu: str = "", features: str = "", reloc: str = "pic"
+def optimized(
+    code: bytes, names: Iterable[str], triple: str, cpu: str = "", features: str = "", reloc: str = "pic"
 ) -> tuple[Any, Any]:
     """Return the code optimized for a machine, by default for the oldest processor of its kind.
 
     Parameters
     ----------
-    text : str
-        LLVM's code.
+    code : bytes
+        LLVM's bitcode.
     names : iterable of str
         Functions that remain visible.
     triple, cpu, features : str
@@ -119,11 +106,8 @@ def optimised(
     machine = llvm.Target.from_triple(triple).create_target_machine(
         cpu=cpu, features=features, opt=3, reloc=reloc, codemodel="default"
     )
-    text = re.sub(r'target triple = "[^"]*"', f'target triple = "{triple}"', text)
-    text = re.sub(r'target datalayout = "[^"]*"', f'target datalayout = "{machine.target_data}"', text)
-    # Numba's pointers to environments, which this code never reads
-    text = "\n".join(line.replace(" = common ", " = internal ") if line.startswith("@") else line for line in text.splitlines())
-    module = llvm.parse_assembly(text)
+    module = llvm.parse_bitcode(code)
+    module.triple, module.data_layout = triple, str(machine.target_data)
     module.verify()
     visible = set(names)
     for function in module.functions:
@@ -136,32 +120,18 @@ def optimised(
     return machine, module
 
 
-def anonymous(content: bytes) -> bytes:
-    """Replace this machine's package folders, which Numba writes into error locations, by neutral ones of the same length.
+def object_of(code: bytes, names: Sequence[str], target: str, level: str) -> bytes:
+    """Return the object file of functions for a kind of processor."""
+    from hophoop.kernel.native.sources import TOOLS, hash_of  # not by pip's hook, which reads `TARGETS` without NumPy
 
-    Parameters
-    ----------
-    content : bytes
+    key = hashlib.sha256(code + hash_of({}, TOOLS).encode()).hexdigest()[:32]
 
-    Returns
-    -------
-    content : bytes
-        Of the same length.
-    """
-    found = find_spec("numba")
-    places = {Path(sysconfig.get_path(name)) for name in ("purelib", "platlib")} | {HERE.parents[2]}
-    if found is not None and found.origin is not None:  # pip's isolated builds have their packages elsewhere
-        places.add(Path(found.origin).parents[1])
-    for place in places:
-        own = str(place).encode()
-        content = content.replace(own, b"-" * len(own))
-    return content
+    def made() -> bytes:
+        machine, module = optimized(code, names, TARGETS[target].triple, TARGETS[target].levels[level])
+        content: bytes = machine.emit_object(module)
+        return content
 
-
-def object_of(text: str, names: Iterable[str], target: Target, level: str) -> bytes:
-    """Return the object file of a group of entries for a kind of processor."""
-    machine, module = optimised(text, names, target.triple, target.levels[level])
-    return anonymous(machine.emit_object(module))
+    return kept(f"{target}-{level}.{key}.o", made)
 
 
 def zig_command() -> list[str]:
@@ -211,11 +181,14 @@ def zig(arguments: Iterable[str], file: Path) -> None:
         raise RuntimeError(f"zig could not link {file.name}: {done.stderr.strip()[-2000:]}")
 
 
-def linked(objects: Iterable[Path], target: Target, file: Path) -> None:
-    """Link object files into a library."""
-    options = ["-target", target.zig, "-shared", "-O2", "-g0", str(LEVEL), str(RUNTIME), *map(str, objects)]
+def linked(code: bytes, target: Target, file: Path) -> bytes:
+    """Link an object file into a library, and return its content."""
+    part = file.with_suffix(".o")
+    part.write_bytes(code)
+    options = ["-target", target.zig, "-shared", "-O2", "-g0", str(LEVEL), str(RUNTIME), str(part)]
     if target.suffix != ".dylib":
         options += ["-Wl,-s"]
     if target.suffix == ".so":
         options += ["-lm", "-Wl,--gc-sections", f"-Wl,-soname,{file.name}"]
     zig(options, file)
+    return file.read_bytes()

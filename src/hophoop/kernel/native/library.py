@@ -111,7 +111,7 @@ def _loaded(name: str) -> ctypes.CDLL:
 
 def _is_complete(told: Any) -> bool:
     """Return True for a description with all that the build writes."""
-    kinds = {"machine": list, "sources": str, "files": dict, "entries": dict}
+    kinds = {"machine": list, "sources": str, "code": str, "files": dict, "entries": dict}
     return (
         isinstance(told, dict)
         and all(isinstance(told.get(key), kind) for key, kind in kinds.items())
@@ -119,6 +119,16 @@ def _is_complete(told: Any) -> bool:
         and bool(told["files"])
         and all(re.fullmatch(r"v\d+", level) and isinstance(name, str) for level, name in told["files"].items())
     )
+
+
+def _code() -> str:
+    """Return the hash of the entries' code in the present sources; empty if they cannot be imported."""
+    try:
+        from hophoop.kernel.entries import code_hash
+
+        return code_hash()
+    except Exception:  # a source that is being written
+        return ""
 
 
 @cache
@@ -133,7 +143,7 @@ def _found() -> Library | str:
         return DAMAGED
     if told["machine"] != [sys.platform, platform.machine().lower()]:
         return f"The compiled kernels are for {' '.join(told['machine'])}. To build them for this machine: {BUILD}."
-    if told["sources"] != stamp():
+    if told["sources"] != stamp() and told["code"] != _code():
         return f"The compiled kernels are older than their sources. To rebuild them: {BUILD}."
     levels = _levels(told)
     try:

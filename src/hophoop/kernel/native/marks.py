@@ -16,7 +16,7 @@ def inline(function: Function) -> Function:
 
     Passing body, panel and scratch takes about 60 words per call, which would cost 25 % of a motion's time.
     """
-    setattr(function, MARK, "inline")
+    setattr(function, MARK, "alwaysinline")
     return function
 
 
@@ -52,5 +52,5 @@ def source_of(kernel: Callable[..., Any]) -> FunctionType:
 
 
 def mark_of(kernel: Callable[..., Any]) -> str:
-    """Return 'inline', 'noinline' or ''."""
+    """Return LLVM's attribute of a kernel: 'alwaysinline', 'noinline' or ''."""
     return cast(str, getattr(source_of(kernel), MARK, ""))

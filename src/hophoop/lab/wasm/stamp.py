@@ -7,15 +7,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from hophoop.kernel.native.sources import PACKAGE, ROOMS, stamp_of
+from hophoop.kernel.native.sources import PACKAGE, files, stamp
 
 HERE = Path(__file__).parent
 MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layout.json"
-# Files of other packages that determine the modules' bytes, and files that control their compilation.
-FILES = (
-    "kernel/numerics/tables.json", "maps/grid/friction_utilization.py", "maps/grid/kernel.py", "kernel/native/marks.py",
-    "lab/wasm/nrt.c", "kernel/build/browser.py", "kernel/build/link.py", "kernel/build/numba_code.py",
-)  # fmt: skip
 
 
 @cache
@@ -39,10 +34,7 @@ def stamped() -> list[Path]:
     files : list of Path
         Sorted.
     """
-    files = {PACKAGE / name for name in FILES}
-    for room in (*ROOMS, "lab/wasm"):
-        files.update((PACKAGE / room).glob("*.py"))
-    return sorted(files - {Path(__file__)})
+    return files(_tools())
 
 
 def sources() -> str:
@@ -53,4 +45,9 @@ def sources() -> str:
     stamp : str
         Equal stamps mean equal sources.
     """
-    return stamp_of(stamped())
+    return stamp(_tools())
+
+
+def _tools() -> list[str]:
+    own = [file.relative_to(PACKAGE).as_posix() for file in HERE.glob("*.py") if file != Path(__file__)]
+    return ["kernel/build/browser.py", *own]

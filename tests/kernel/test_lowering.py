@@ -1,0 +1,147 @@
+"""What Numba compiles of a kernel: its callees, the hash of its code, and what is compiled again."""
+
+from __future__ import annotations
+
+import math
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.kernel.native import inline, interpreted_as, noinline, sources
+from hophoop.kernel.native.marks import mark_of, source_of
+from hophoop.kernel.numerics import circular, collocation
+from hophoop.kernel.physics.body import Status
+from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
+from hophoop.kernel.records.state import start_state
+from hophoop.kernel.rigid import run as kernel
+
+pytest.importorskip("numba")
+from hophoop.kernel.build import lowering
+from numba_tools import jitted
+
+
+def by_python(value):
+    return ("python", value)
+
+
+@interpreted_as(by_python)
+@inline
+def by_loops(value, more=2):
+    """Documented."""
+    return ("loops", value, more)
+
+
+@noinline
+def long_one(value):
+    return by_loops(value)
+
+
+def test_a_mark_is_that_of_what_is_compiled():
+    assert (mark_of(by_loops), mark_of(long_one), mark_of(by_python)) == ("alwaysinline", "noinline", "")
+
+
+def test_python_runs_the_other_function_under_the_name_of_the_kernel():
+    assert by_loops(1) == ("python", 1)
+    assert source_of(by_loops)(1) == ("loops", 1, 2)
+    assert source_of(long_one) is long_one
+    assert (by_loops.__name__, by_loops.__module__, by_loops.__doc__) == ("by_loops", __name__, "Documented.")
+    assert by_python(1) == ("python", 1)
+    assert source_of(by_python) is by_python
+
+
+@pytest.fixture
+def as_kernels(monkeypatch):
+    """The functions of this module are kernels."""
+    for module in (sources, lowering):
+        monkeypatch.setattr(module, "is_kernel", lambda value: getattr(value, "__module__", None) == __name__)
+
+
+def test_a_copy_calls_replacements(as_kernels):
+    assert sources.called(long_one) == [by_loops]
+    assert lowering.copied(long_one, lambda kernel: source_of(kernel))(5) == ("loops", 5, 2)
+    assert long_one(5) == ("python", 5)  # the module's own names are as before
+
+
+def made_of(text, **names):
+    exec(text, names)
+    return names["kernel"]
+
+
+def test_the_hash_of_a_kernel_changes_with_instructions_constants_and_marks_alone():
+    first = sources.own_hash(made_of("def kernel(x):\n    return x + K", K=1.0))
+    same = "def kernel(x):\n    'Documented.'\n    # why\n\n    return x + K"
+    assert sources.own_hash(made_of(same, K=1.0, more=3)) == first
+    others = [
+        made_of("def kernel(x):\n    return x - K", K=1.0),
+        made_of("def kernel(x):\n    return x + K", K=1.5),
+        made_of("def kernel(x):\n    return x + K", K=np.ones(2)),
+        made_of("def kernel(x):\n    return x + K", K=np.zeros(2)),
+        noinline(made_of("def kernel(x):\n    return x + K", K=1.0)),
+    ]
+    assert len({first, *map(sources.own_hash, others)}) == 6
+
+
+CALLEE = "def callee(x, more=1.0):\n    return {}\n"
+CALLER = "def caller(x):\n    return callee(x) + 1\n"
+BUILT = """
+from hophoop.kernel.build.processes import begin
+begin()
+from numba import types
+from hophoop.kernel.build import lowering
+from hophoop.kernel.native import sources
+lowering.is_kernel = sources.is_kernel = lambda value: getattr(value, "__module__", None) == "pair"
+import pair
+print(lowering.part_of(pair.caller, (types.float64,)).result)
+"""
+
+
+def test_a_change_of_a_callee_compiles_its_callers_only_if_it_gives_another_type(tmp_path):
+    kept = tmp_path / "kept"
+
+    def compiled(gives):
+        """What the caller gives, and what was compiled."""
+        (tmp_path / "pair.py").write_text(CALLEE.format(gives) + CALLER)
+        before = {(file.name, file.stat().st_mtime_ns) for file in kept.glob("*")}
+        surroundings = os.environ | {"PYTHONPATH": str(tmp_path), "HOPHOOP_BUILD_CACHE": str(kept)}
+        result = subprocess.check_output([sys.executable, "-B", "-c", BUILT], text=True, env=surroundings).strip()
+        after = {(file.name, file.stat().st_mtime_ns) for file in kept.glob("*")}
+        return result, sorted(name.split(".")[1] for name, _ in after - before)
+
+    assert compiled("x * more") == ("float64", ["callee", "caller"])
+    assert compiled("x - more") == ("float64", ["callee"])
+    assert compiled("x > more") == ("int64", ["callee", "caller"])
+    assert compiled("x > more") == ("int64", [])
+
+
+def test_a_dispatcher_has_the_bits_of_the_interpreter():
+    compiled = jitted(circular.sine_and_cosine)
+    assert jitted(circular.sine_and_cosine) is compiled
+    for angle in np.random.default_rng(5).uniform(-50.0, 50.0, 200).tolist():
+        assert compiled(angle) == circular.sine_and_cosine(angle)
+
+
+def test_a_dispatcher_is_made_of_the_loops():
+    row = np.random.default_rng(6).normal(size=collocation.ORDER)
+    found, expected = np.empty((2, collocation.ORDER))
+    jitted(collocation.product)(collocation.SERIES_T, row, found)
+    source_of(collocation.product)(collocation.SERIES_T, row, expected)
+    assert found.tobytes() == expected.tobytes()
+
+
+@pytest.mark.slow
+def test_a_dispatcher_of_motions_has_their_bits():
+    scenario = hh.Scenario(duration=2.0)
+    motion = hh.simulate(scenario)
+    events, segments = np.zeros(64, EVENT), np.zeros(256, SEGMENT)
+    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * motion.units.time)
+    end = scenario.duration / motion.units.time
+    status, count, pieces = jitted(kernel.run)(
+        scenario.to_body(), start, kernel.BY_RULE, end, math.nan, 0, events, segments, new_scratch()
+    )
+    assert status == Status.COMPLETED
+    assert events[:count].tobytes() == motion.tables["events"].tobytes()
+    assert segments[:pieces].tobytes() == motion.tables["segments"].tobytes()
