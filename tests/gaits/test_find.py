@@ -177,6 +177,12 @@ def test_compliant_contact_settles_on_the_same_gait():
     assert np.array(heights[-5:]) == pytest.approx(gait.hop_height, rel=0.01)
 
 
+def test_bounces_that_take_no_time_are_no_gait():
+    """They come back to the section within rounding, in 5e-15 s."""
+    (gait,) = hh.gaits.find(slope(3, 0.5, mu=0.1), near=2.3267753)
+    assert (gait.sequence, gait.hops) == ("KSHK", 1)
+
+
 @pytest.mark.parametrize(
     ("scenario", "options", "message"),
     [

@@ -142,7 +142,7 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     """Follow a gait over a parameter, from the branch's end below it to that above; `Gait.follow` calls and describes this."""
     value, low, high = range_of(gait.scenario, path, bounds)
     equation = GaitEquation(gait.scenario, gait.period, path, TENTH * (high - low), gait.section, gait.passages.mode[-1])
-    place = equation.place(gait, value)
+    place = equation.place(gait.state, value)
     found = equation.solve(place, np.eye(len(place))[-1], float(place[-1]))
     if found is None:
         raise InputError.of_field("path", path, "a parameter whose derivative exists at this gait")

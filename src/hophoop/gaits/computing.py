@@ -88,7 +88,7 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     """
     check(scenario, section)
     check_whole("count", count, 1, MOST)
-    buffers = _buffers(max(count, 3))
+    buffers = new_buffers(max(count, 3))
     cell = cell_of(scenario)
     begin = start_of(cell, second_of(cell))
     request = Request(SECTIONS.index(section), count, FOREVER, PANELS, until_decided)
@@ -96,14 +96,15 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     status, found, fate, period = compiled(follow_passages)(body, begin, mode, request, buffers, scratch)
     if lands_no_more(request.section, status, fate):
         bottom = Request(SECTIONS.index("bottom"), PATIENCE, FOREVER, PANELS, True)
-        fate = compiled(follow_passages)(body, begin, mode, bottom, _buffers(PATIENCE), scratch)[2]
+        fate = compiled(follow_passages)(body, begin, mode, bottom, new_buffers(PATIENCE), scratch)[2]
     name = "going" if status < 0 else Status(status).name.lower()
     return Passages(
         scenario, section, buffers.numbers[:found], buffers.words[:found], _as_row(begin), name, FATE_CODES[fate], period
     )
 
 
-def _buffers(rows: int) -> Buffers:
+def new_buffers(rows: int) -> Buffers:
+    """Return the arrays for a number of passages."""
     return Buffers(
         np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.uint64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
         np.empty(0, SEGMENT),

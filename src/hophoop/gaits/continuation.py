@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ from hophoop.gaits.special import BORDER, DOUBLING, END, FOLD, JOINS, LIMIT, TOP
 LONGEST_STEP, SHORTEST_STEP = 0.02, 1e-9  # along the branch, in (θ̇ in √(g/R), parameter over a tenth of its range)
 MOST_POINTS = 4_000
 ROUNDS = 60  # of bisection
+NEAREST = 1e-15  # along the branch: to rounding
 BESIDE = 1e-9  # distance at which the pieces next to a boundary of the word are looked for
 CORNER, UNUSUAL = 0.05, 3.0  # change of the multiplier in a step, and relative to the step before, that may be a corner's
 UNKNOWN, BASELINE = 1e-5, 1e-4  # along the branch: around a corner, and of the line that is extended to it
@@ -45,6 +47,19 @@ def advance(here: Point, way: Pair, step: float) -> Point | None:
     guess = here.place + step * way
     found = here.equation.solve(guess, way, float(way @ guess))
     return None if found is None else Point(*found, here.equation)
+
+
+def furthest(here: Point, way: Pair, step: float, keeps: Callable[[Point], bool]) -> tuple[Point, Point | None, float]:
+    """Return the last point along a direction that keeps a property, the first one without it, if one is, and its distance."""
+    low, high = 0.0, step
+    last, first = here, None
+    while low < (middle := 0.5 * (low + high)) < high and high - low > NEAREST:
+        tried = advance(here, way, middle)
+        if tried is not None and keeps(tried):
+            low, last = middle, tried
+        else:
+            high, first = middle, first if tried is None else tried
+    return last, first, low
 
 
 class Follower:
@@ -96,18 +111,7 @@ class Follower:
 
     def border(self, here: Point, way: Pair, step: float) -> tuple[Point, Point | None]:
         """Return the last point with the word of `here`, and the first one with another, to rounding."""
-        low, high = 0.0, step
-        last, first = here, None
-        for _ in range(ROUNDS):
-            middle = 0.5 * (low + high)
-            tried = advance(here, way, middle) if middle > 0.0 else None
-            if tried is not None and tried.values.key == here.values.key:
-                low, last = middle, tried
-            else:
-                high = middle
-                first = tried if tried is not None else first
-            if high - low < 1e-15:
-                break
+        last, first, _ = furthest(here, way, step, lambda point: point.values.key == here.values.key)
         return last, first
 
     def pass_border(self, last: Point, way: Pair, beyond: Point | None) -> Pair | None:
@@ -165,14 +169,7 @@ class Follower:
 
     def join(self, here: Point, way: Pair, step: float) -> None:
         """Add the point at which a gait becomes one of a part of its period."""
-        low, high, last = 0.0, step, here
-        for _ in range(ROUNDS):
-            middle = 0.5 * (low + high)
-            tried = advance(here, way, middle)
-            if tried is not None and tried.values.apart > JOINED:
-                low, last = middle, tried
-            else:
-                high = middle
+        last, _, low = furthest(here, way, step, lambda point: point.values.apart > JOINED)
         if last is not self.points[-1]:
             self.interval(here, last, way, low)
             self.points.append(last)

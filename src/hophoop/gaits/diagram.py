@@ -53,13 +53,13 @@ class Attractor(NamedTuple):
     """
 
     fate: Fate
-    period: int
-    hops: int
-    sequence: str
-    speed: float
-    lyapunov: float
-    omega: Floats
-    starts: int
+    period: int = 0
+    hops: int = 0
+    sequence: str = ""
+    speed: float = math.nan
+    lyapunov: float = math.nan
+    omega: Floats = np.empty(0)
+    starts: int = 1
 
 
 @dataclass(frozen=True)
@@ -101,25 +101,19 @@ class Diagram:
             If xarray is missing.
         """
         xr = need("xarray", "maps")
-        most = max((len(found) for found in self.attractors), default=0)
+        shape = (len(self.values), max((len(found) for found in self.attractors), default=0))
         kept = max((len(one.omega) for found in self.attractors for one in found), default=0)
-        shape = (len(self.values), most)
-        numbers = {name: np.full(shape, math.nan) for name in ("speed", "lyapunov")}
-        counts = {name: np.zeros(shape, np.int64) for name in ("period", "hops", "starts")}
-        words = {name: np.full(shape, "", dtype=object) for name in ("fate", "sequence")}
         omega = np.full((*shape, kept), math.nan)
         for k, found in enumerate(self.attractors):
             for n, one in enumerate(found):
-                for table in (numbers, counts):
-                    for name in table:
-                        table[name][k, n] = getattr(one, name)
-                words["fate"][k, n], words["sequence"][k, n] = str(one.fate), one.sequence
                 omega[k, n, : len(one.omega)] = one.omega
         axes = (self.path, "attractor")
         variables: dict[str, Any] = {}
-        for name, unit, meaning in _VARIABLES:
-            values = (numbers | counts | words)[name]
-            variables[name] = (axes, values.astype(str) if name in words else values, {"units": unit, "long_name": meaning})
+        for name, missing, unit, meaning in _VARIABLES:
+            values = np.full(shape, missing, dtype=object)
+            for k, found in enumerate(self.attractors):
+                values[k, : len(found)] = [getattr(one, name) for one in found]
+            variables[name] = (axes, values.astype(type(missing)), {"units": unit, "long_name": meaning})
         about = {"units": "rad/s", "long_name": "Angular velocity at the passages"}
         variables["omega"] = ((*axes, "passage"), omega, about)
         attributes = {
@@ -139,7 +133,7 @@ class Diagram:
         """
         rows = io.StringIO()
         writer = csv.writer(rows, lineterminator="\n")
-        names = [name for name, _, _ in _VARIABLES]
+        names = [name for name, *_ in _VARIABLES]
         writer.writerow([self.path, *names])
         for value, several in zip(self.values.tolist(), self.attractors, strict=True):
             for one in several:
@@ -152,14 +146,15 @@ class Diagram:
         return f"<Diagram: {len(self.values)} values of {self.path}, {', '.join(sorted(known))}; several at {several} values>"
 
 
-_VARIABLES = (
-    ("fate", "1", "What becomes of the motion"),
-    ("sequence", "1", "Phases of a gait's period"),
-    ("period", "1", "Passages of a gait's period"),
-    ("hops", "1", "Hops in a gait's period"),
-    ("starts", "1", "Starts that settle on it"),
-    ("speed", "m/s", "Mean velocity of the centre along the plane"),
-    ("lyapunov", "1", "Lyapunov exponent per passage"),
+# name, value of what is missing, unit and meaning
+_VARIABLES: tuple[tuple[str, str | int | float, str, str], ...] = (
+    ("fate", "", "1", "What becomes of the motion"),
+    ("sequence", "", "1", "Phases of a gait's period"),
+    ("period", 0, "1", "Passages of a gait's period"),
+    ("hops", 0, "1", "Hops in a gait's period"),
+    ("starts", 0, "1", "Starts that settle on it"),
+    ("speed", math.nan, "m/s", "Mean velocity of the centre along the plane"),
+    ("lyapunov", math.nan, "1", "Lyapunov exponent per passage"),
 )
 
 
@@ -298,24 +293,16 @@ def _described(found: Passages) -> Attractor:
     """Return the attractor of a motion, without its Lyapunov exponent."""
     fate, period = found.decided, found.period
     if fate == Fate.GAIT:
-        last = slice(len(found) - period, len(found))
-        seconds = float(found.t[-1] - found.t[-1 - period])
-        speed = float(found.x[-1] - found.x[-1 - period]) / seconds
-        return Attractor(
-            fate,
-            period,
-            int(found.hops[last].sum()),
-            "·".join(found.sequences[last]),
-            speed,
-            math.nan,
-            found.omega[last].copy(),
-            1,
-        )
-    if fate == Fate.UNDECIDED and len(found) > 2 * KEPT:
-        half = len(found) // 2
-        speed = float(found.x[-1] - found.x[half]) / float(found.t[-1] - found.t[half])
-        return Attractor(fate, 0, 0, "", speed, math.nan, found.omega[-KEPT:].copy(), 1)
-    return Attractor(fate, 0, 0, "", math.nan, math.nan, np.empty(0), 1)
+        back, kept = period, period
+    elif fate == Fate.UNDECIDED and len(found) > 2 * KEPT:
+        back, kept = len(found) - 1 - len(found) // 2, KEPT
+    else:
+        return Attractor(fate)
+    speed = float(found.x[-1] - found.x[-1 - back]) / float(found.t[-1] - found.t[-1 - back])
+    seen = Attractor(fate, speed=speed, omega=found.omega[-kept:].copy())
+    if fate != Fate.GAIT:
+        return seen
+    return seen._replace(period=period, hops=int(found.hops[-period:].sum()), sequence="·".join(found.sequences[-period:]))
 
 
 def _judged(seen: Attractor, found: Passages) -> Attractor:

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from hophoop.gaits.computing import passages
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.results import Passages
-from hophoop.gaits.section import coordinates, parameter_rates
+from hophoop.gaits.section import change_of, coordinates, parameter_rates
 from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.scenario.paths import parameter
+from hophoop.scenario.start import StartState
 
 Pair = NDArray[np.float64]
 SOLVED = 1e-13  # largest residual of a solution, in units of R and √(R/g)
@@ -148,10 +149,10 @@ class GaitEquation:
             row[0] = math.remainder(row[0], 2.0 * math.pi)
         return other, np.append(row, point[-1])
 
-    def place(self, gait: Gait, value: float) -> Pair:
-        """Return the point of a gait at a value of the parameter."""
-        state = [float(getattr(gait.state, name)) for name in self.names]
-        return np.append(np.array(state) / self.units, value / self.scale)
+    def place(self, state: StartState, value: float) -> Pair:
+        """Return the point of a state on the section at a value of the parameter."""
+        coordinates = state._replace(angle=state.angle % (2.0 * math.pi))
+        return np.append([float(getattr(coordinates, name)) for name in self.names] / self.units, value / self.scale)
 
     def omega(self, point: Pair) -> float:
         """Return θ̇ at a point [rad/s]."""
@@ -188,10 +189,7 @@ class GaitEquation:
 
     def excess(self, found: Passages, index: int, point: Pair) -> Pair:
         """Return the coordinates of a passage less those of a point."""
-        off: Pair = np.array([float(getattr(found, name)[index]) for name in self.names]) / self.units - point[:-1]
-        if self.names[0] == "angle":
-            off[0] = math.remainder(off[0], 2.0 * math.pi)
-        return off
+        return change_of(found, index, self.names, point[:-1])
 
     def gait(self, point: Pair) -> Gait:
         """Return the gait of a solution."""

@@ -9,12 +9,11 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check, passages
+from hophoop.gaits.equation import GaitEquation
 from hophoop.gaits.gait import Gait, residual_of
 from hophoop.gaits.orbits import BottomMap
 from hophoop.gaits.pieces import crossings, pieces
 from hophoop.gaits.results import Passages
-from hophoop.gaits.section import coordinates, derivative
-from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.kernel.physics.contact import inertia_at_height
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
@@ -33,7 +32,6 @@ SHORTEST = 0.1  # √(R/g), of a period: bounces may follow each other faster
 EXACT = 1e-9  # largest residual of a gait; those found have 1e-12 and less
 SAME = 1e-7  # relative difference of θ̇ within which two gaits are one
 DEPTH = 2  # halvings between pieces of the map
-STEPS = 12  # of Newton's method
 
 
 def find(
@@ -164,7 +162,8 @@ def _from_bottom(scenario: Scenario, omega: float, period: int) -> Gait | None:
 def _gait(scenario: Scenario, section: str, period: int) -> Gait | None:
     """Return the gait of a start, if it repeats itself after the period, downhill, and not earlier."""
     found = passages(scenario, period, section=section)
-    if len(found) < period or residual_of(found) > EXACT:
+    shortest = SHORTEST * Units.of_scenario(scenario).time
+    if len(found) < period or found.t[-1] < shortest or residual_of(found) > EXACT:
         return None
     gait = Gait(found)
     if gait.revolutions == 0:
@@ -213,55 +212,11 @@ def _near_returns(found: Passages, period: int, units: Units) -> list[int]:
 
 def _polished(found: Passages, place: int, period: int) -> Gait | None:
     """Return the gait near a passage, by Newton's method with the exact derivative."""
-    scenario = found.scenario.replace("start", _moved(found.start(place), {}, found.scenario))
-    best, least = scenario, math.inf
-    for _ in range(STEPS):
-        tried = passages(scenario, period, section=found.section)
-        if len(tried) < period or not tried.t[-1] > 0.0:
-            break
-        residual = residual_of(tried)
-        if not residual < least:
-            break
-        best, least = scenario, residual
-        try:
-            step = _step(tried, period)
-            if step is None:
-                break
-            scenario = scenario.replace("start", _moved(scenario.start, step, scenario))
-        except InputError:  # it left the section
-            break
-    return _gait(best, found.section, period)
-
-
-def _step(found: Passages, period: int) -> dict[str, float] | None:
-    """Return the changes of the start's coordinates in a step of Newton's method, in SI units."""
-    names = coordinates(found.section, MODE_LETTERS.index(found.mode[-1]))
-    change = derivative(found.scenario, period, section=found.section)
-    if change.rows != names or change.columns != names or not np.isfinite(change.matrix).all():
-        return None
-    first = found.scenario.start.state(found.scenario.hoop)
-    off = np.array([float(getattr(found, name)[-1]) - float(getattr(first, name)) for name in names])
-    if "angle" in names:
-        place = names.index("angle")
-        off[place] = math.remainder(off[place], 2.0 * math.pi)
-    try:
-        step = np.linalg.solve(np.eye(len(names)) - change.matrix, off)
-    except np.linalg.LinAlgError:
-        return None
-    return dict(zip(names, step.tolist(), strict=True))
-
-
-def _moved(start: Start, step: dict[str, float], scenario: Scenario) -> Start:
-    """Return a start with changed coordinates, in the revolution of θ = 0, at x = 0."""
-    state = start.state(scenario.hoop)
-    value = {name: float(getattr(state, name)) + step.get(name, 0.0) for name in ("angle", "omega", "slip", "vy")}
-    value["angle"] = value["angle"] - 2.0 * math.pi * math.floor(value["angle"] / (2.0 * math.pi))
-    if start.mode == "S":
-        value["slip"] = min(value["slip"], 0.0)
-    if start.mode == "K":
-        value["slip"] = max(value["slip"], 0.0)
-    vx = value["slip"] + scenario.hoop.radius * value["omega"]
-    return Start(height=0.0, vx=vx, mode=start.mode, **value)
+    scenario = found.scenario
+    equation = GaitEquation(scenario, period, "plane.slope", 1.0, found.section, found.mode[place])
+    point = equation.place(found.start(place).state(scenario.hoop), scenario.plane.slope)
+    solution = equation.solve(point, np.eye(len(point))[-1], scenario.plane.slope)
+    return None if solution is None else _gait(equation.at(solution[0]), found.section, period)
 
 
 def _told_apart(found: list[Gait]) -> list[Gait]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from hophoop._support.errors import check_whole
 from hophoop.gaits.margins import GaitMargin, margins_of
 from hophoop.gaits.results import Passages
-from hophoop.gaits.section import SectionDerivative, coordinates, derivative
+from hophoop.gaits.section import SectionDerivative, change_of, coordinates, derivative
 from hophoop.kernel.physics.body import MODE_LETTERS
 from hophoop.results.units import Units
 from hophoop.scenario import Scenario
@@ -193,21 +193,15 @@ class Gait:
         -------
         numbers : dict
         """
-        state = {name: float(value) for name, value in self.state._asdict().items()}
+        names = ("time", "distance", "speed", "revolutions", "hops", "hop_height", "losses")
         return {
             "section": self.section,
             "period": self.period,
             "sequence": self.sequence,
-            "state": state,
+            "state": {name: float(value) for name, value in self.state._asdict().items()},
             "multipliers": [[float(one.real), float(one.imag)] for one in self.multipliers],
             "stable": self.stable,
-            "time": self.time,
-            "distance": self.distance,
-            "speed": self.speed,
-            "revolutions": self.revolutions,
-            "hops": self.hops,
-            "hop_height": self.hop_height,
-            "losses": self.losses,
+            **{name: getattr(self, name) for name in names},
             "margins": [margin._asdict() for margin in self.margins],
             "scenario": self.scenario.to_dict(),
         }
@@ -264,10 +258,6 @@ def residual_of(found: Passages) -> float:
     if start.mode != found.mode[-1]:
         return math.inf
     first = start.state(found.scenario.hoop)
-    worst = 0.0
-    for name in coordinates(found.section, MODE_LETTERS.index(found.mode[-1])):
-        off = float(getattr(found, name)[-1]) - float(getattr(first, name))
-        if name == "angle":
-            off = math.remainder(off, 2.0 * math.pi)
-        worst = max(worst, abs(off) / unit.of(name))
-    return worst / (1.0 + abs(first.omega) / unit.of("omega"))
+    names = coordinates(found.section, MODE_LETTERS.index(found.mode[-1]))
+    off = change_of(found, -1, names, np.array([float(getattr(first, name)) / unit.of(name) for name in names]))
+    return float(np.abs(off).max()) / (1.0 + abs(first.omega) / unit.of("omega"))

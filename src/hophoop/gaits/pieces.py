@@ -10,7 +10,6 @@ from hophoop.gaits.orbits import BottomMap, Image
 
 Progress = Callable[[float], object]
 ROUNDS = 80  # of bisection: more than doubles need
-GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
 
 class Piece(NamedTuple):
@@ -144,20 +143,12 @@ def _pair(
     """Yield two roots around an extremum that the points stop short of, if there are any."""
     sign = math.copysign(1.0, middle[1])
     a, b = left[0], right[0]
-    inner, outer = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
-    at_inner, at_outer = sign * excess(inner), sign * excess(outer)
     for _ in range(ROUNDS):
-        if min(at_inner, at_outer) < 0.0 or b - a < 1e-9 * abs(b):
+        tried = [(sign * excess(place), place) for place in (a + (b - a) / 3.0, b - (b - a) / 3.0)]
+        least, lowest = min(tried)
+        if least < 0.0 or b - a < 1e-9 * abs(b):
             break
-        if at_inner < at_outer:
-            b, outer, at_outer = outer, inner, at_inner
-            inner = b - GOLDEN * (b - a)
-            at_inner = sign * excess(inner)
-        else:
-            a, inner, at_inner = inner, outer, at_outer
-            outer = a + GOLDEN * (b - a)
-            at_outer = sign * excess(outer)
-    lowest, least = (inner, at_inner) if at_inner < at_outer else (outer, at_outer)
+        a, b = (a, tried[1][1]) if lowest == tried[0][1] else (tried[0][1], b)
     if least < 0.0:
         yield root(excess, left[0], lowest, left[1], sign * least)
         yield root(excess, lowest, right[0], sign * least, right[1])

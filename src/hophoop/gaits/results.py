@@ -52,27 +52,27 @@ class Lyapunov(NamedTuple):
         return self.value > SURE * self.error > 0.0 and self.value * self.passages > SEPARATED
 
 
-class _Variable(NamedTuple):
-    name: str
-    unit: str
-    meaning: str
-
-
 _VARIABLES = (
-    _Variable("t", "s", "Time of the passage"),
-    _Variable("x", "m", "Position of the centre along the plane"),
-    _Variable("height", "m", "Gap between rim and plane"),
-    _Variable("angle", "rad", "Angle from the plane's normal to the centre of gravity"),
-    _Variable("omega", "rad/s", "Angular velocity"),
-    _Variable("slip", "m/s", "Slip velocity of the lowest point"),
-    _Variable("vy", "m/s", "Velocity of the centre away from the plane"),
-    _Variable("hops", "1", "Hops since the last passage"),
-    _Variable("distance", "m", "Distance since the last passage"),
-    _Variable("friction", "J", "Energy lost in slip since the last passage"),
-    _Variable("impact_normal", "J", "Energy lost in impacts, normal to the plane, since the last passage"),
-    _Variable("impact_tangential", "J", "Energy lost in impacts, along the plane, since the last passage"),
-    _Variable("rolling_resistance", "J", "Energy lost to rolling resistance since the last passage"),
+    ("t", "s", "Time of the passage"),
+    ("x", "m", "Position of the centre along the plane"),
+    ("height", "m", "Gap between rim and plane"),
+    ("angle", "rad", "Angle from the plane's normal to the centre of gravity"),
+    ("omega", "rad/s", "Angular velocity"),
+    ("slip", "m/s", "Slip velocity of the lowest point"),
+    ("vy", "m/s", "Velocity of the centre away from the plane"),
+    ("hops", "1", "Hops since the last passage"),
+    ("distance", "m", "Distance since the last passage"),
+    ("friction", "J", "Energy lost in slip since the last passage"),
+    ("impact_normal", "J", "Energy lost in impacts, normal to the plane, since the last passage"),
+    ("impact_tangential", "J", "Energy lost in impacts, along the plane, since the last passage"),
+    ("rolling_resistance", "J", "Energy lost to rolling resistance since the last passage"),
 )
+_LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
+
+
+def _si(name: str, about: str) -> property:
+    """Return a property of `Passages`: a column of the kernel in SI units."""
+    return property(lambda passages: passages._column(name) * passages._unit.of(name), doc=about)
 
 
 @dataclass(frozen=True)
@@ -115,9 +115,6 @@ class Passages:
         found: Floats = self.numbers[:, COLUMNS.index(name)]
         return found
 
-    def _si(self, name: str) -> Floats:
-        return self._column(name) * self._unit.of(name)
-
     def _since(self, name: str) -> Floats:
         """Return the change of a column since the last passage, for the first one since the start."""
         column = np.concatenate((self.first[[COLUMNS.index(name)]], self._column(name)))
@@ -128,41 +125,18 @@ class Passages:
     def _unit(self) -> Units:
         return Units.of_scenario(self.scenario)
 
-    @property
-    def t(self) -> Floats:
-        """Times since the start [s]."""
-        return self._si("t")
-
-    @property
-    def x(self) -> Floats:
-        """Positions of the centre along the plane [m]."""
-        return self._si("x")
-
-    @property
-    def height(self) -> Floats:
-        """Gaps between rim and plane [m]."""
-        return self._si("height")
+    t = _si("t", "Times since the start [s].")
+    x = _si("x", "Positions of the centre along the plane [m].")
+    height = _si("height", "Gaps between rim and plane [m].")
+    omega = _si("omega", "Angular velocities θ̇ [rad/s].")
+    slip = _si("slip", "Slip velocities v_t [m/s].")
+    vy = _si("vy", "Velocities of the centre away from the plane [m/s].")
 
     @property
     def angle(self) -> Floats:
         """θ with all its revolutions [rad]."""
         turns = self._column("turns")
         return turns * TWO_PI + (self._column("theta") + (self._column("theta_low") + turns * TWO_PI_LOW))
-
-    @property
-    def omega(self) -> Floats:
-        """Angular velocities θ̇ [rad/s]."""
-        return self._si("omega")
-
-    @property
-    def slip(self) -> Floats:
-        """Slip velocities v_t [m/s]."""
-        return self._si("slip")
-
-    @property
-    def vy(self) -> Floats:
-        """Velocities of the centre away from the plane [m/s]."""
-        return self._si("vy")
 
     @property
     def hops(self) -> NDArray[np.int64]:
@@ -209,9 +183,8 @@ class Passages:
         ValueError
             If it is none of them.
         """
-        known = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
-        if name not in known:
-            raise InputError.of_field("name", name, f"one of {', '.join(known)}")
+        if name not in _LOSSES:
+            raise InputError.of_field("name", name, f"one of {', '.join(_LOSSES)}")
         return self._since(name)
 
     def start(self, index: int) -> Start:
@@ -294,8 +267,7 @@ class Passages:
         xr = need("xarray", "maps")
         variables: dict[str, Any] = {}
         for name, unit, meaning in _VARIABLES:
-            lost = name.startswith("impact") or name in ("friction", "rolling_resistance")
-            values = self.loss(name) if lost else getattr(self, name)
+            values = self._since(name) if name in _LOSSES else getattr(self, name)
             variables[name] = ("passage", values, {"units": unit, "long_name": meaning})
         for name, letters, meaning in (
             ("mode", self.mode, "Mode at the passage"), ("sequence", self.sequences, "Phases since the last passage"),

@@ -96,6 +96,15 @@ def coordinates(section: str, mode: int) -> tuple[str, ...]:
     return (*free, "slip", "vy") if mode == Mode.FLIGHT else (*free, "slip")
 
 
+def change_of(found: Passages, index: int, names: tuple[str, ...], before: Floats) -> Floats:
+    """Return the coordinates of a passage less others, both in units of R and √(R/g), angles within half a revolution."""
+    unit = Units.of_scenario(found.scenario)
+    off: Floats = np.array([float(getattr(found, name)[index]) / unit.of(name) for name in names]) - before
+    if names[0] == "angle":
+        off[0] = math.remainder(off[0], 2.0 * math.pi)
+    return off
+
+
 def derivative(scenario: Scenario, passages_on: int = 1, *, section: str = "bottom") -> SectionDerivative:
     """Return the derivative of the return map at a scenario's start.
 

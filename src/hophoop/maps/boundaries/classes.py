@@ -9,11 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.kernel.numerics.elementwise import exponential, logarithm
-from hophoop.kernel.records.layout import MapResults, unpacked_sequence
-from hophoop.maps.grid.axes import make_axes, ordered
-from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.evaluate import run_points
-from hophoop.maps.grid.quantities import Quantity, choose_quantities, distinct_rows, make_span
+from hophoop.maps.grid.axes import make_axes
+from hophoop.maps.grid.evaluate import points
+from hophoop.maps.grid.quantities import choose_quantities, make_span
 from hophoop.scenario import InputError, Scenario
 
 Floats = NDArray[np.float64]
@@ -101,7 +99,6 @@ class Classifier:
         self.span = make_span(span)
         self.names: list[str] = []
         self.evaluated = 0
-        self._codes: dict[tuple[int, ...], int] = {}
 
     def __call__(self, u: Any, v: Any) -> NDArray[np.int64]:
         """Return the codes at positions, each from 0 to 1."""
@@ -110,38 +107,10 @@ class Classifier:
 
     def at(self, x: Floats, y: Floats) -> NDArray[np.int64]:
         """Return the codes at values of the two parameters, arrays of equal length."""
-        values = {self.window.x: x, self.window.y: y}
-        cells = make_cells(self.base, {path: values[path] for path in ordered(list(values))}, x.size)
-        results = run_points(cells, self.span, 0)
         self.evaluated += x.size
-        return self._encode(results)
-
-    def _encode(self, results: MapResults) -> NDArray[np.int64]:
-        columns = [
-            results.sequences if quantity.name == "sequence" else _as_keys(results, quantity) for quantity in self.quantities
-        ]
-        rows, place = distinct_rows(np.concatenate(columns, axis=1))
-        return np.array([self._code(row) for row in rows], dtype=np.int64)[place]
-
-    def _code(self, row: tuple[int, ...]) -> int:
-        if row not in self._codes:
-            self._codes[row] = len(self.names)
-            self.names.append(self._name(row))
-        return self._codes[row]
-
-    def _name(self, row: tuple[int, ...]) -> str:
-        words = []
-        for quantity in self.quantities:
-            if quantity.name == "sequence":
-                size = len(row) - len(self.quantities) + 1
-                words.append(unpacked_sequence(row[:size]) or "not_allowed")
-                row = row[size:]
-            else:
-                words.append("not_allowed" if row[0] == 0 else quantity.words[row[0] - 1])
-                row = row[1:]
-        return " ".join(words)
-
-
-def _as_keys(results: MapResults, quantity: Quantity) -> Any:
-    # from 0, for unsigned integers
-    return (results.words[:, quantity.column : quantity.column + 1] + 1).astype(np.uint64)
+        found = points(self.base, {self.window.x: x, self.window.y: y}, [one.name for one in self.quantities], self.span.name)
+        rows = zip(*(column.tolist() for column in found.values()), strict=True)
+        labels = [" ".join(word or "not_allowed" for word in row) for row in rows]
+        self.names += [label for label in dict.fromkeys(labels) if label not in self.names]
+        codes = {label: code for code, label in enumerate(self.names)}
+        return np.array([codes[label] for label in labels])

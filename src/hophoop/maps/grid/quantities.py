@@ -252,10 +252,11 @@ def sequence_order(sequence: str) -> tuple[int, str]:
 
 
 def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDArray[np.int64]]:
-    """Return the distinct rows and the index of each row among them; of neighbours that are equal only one is sorted."""
+    """Return the distinct rows and the index of each row among them; of neighbours that are equal only one is looked up."""
     first = np.flatnonzero(np.append(True, (keys[1:] != keys[:-1]).any(axis=1))[: len(keys)])
-    found, place = np.unique(keys[first], axis=0, return_inverse=True)
-    return [tuple(row) for row in found.tolist()], np.repeat(place.reshape(-1), np.diff(np.append(first, len(keys))))
+    known: dict[tuple[int, ...], int] = {}
+    place = np.array([known.setdefault(tuple(row), len(known)) for row in keys[first].tolist()], np.int64)
+    return list(known), np.repeat(place, np.diff(np.append(first, len(keys))))
 
 
 def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int, ...], int]]:
