@@ -148,20 +148,9 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
 
 
 def judged(cells: NDArray[np.float64], request: Request) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Judge the cells of the kernel.
+    """Judge the cells of the kernel, shape (len(CELL), n) in SI units.
 
-    Parameters
-    ----------
-    cells : ndarray, shape (len(CELL), n)
-        [SI].
-    request : Request
-
-    Returns
-    -------
-    codes : ndarray of int, shape (n, len(CODES))
-        −1 in cells that are not allowed [1].
-    numbers : ndarray, shape (n, len(NUMBERS))
-        nan where there is none [SI].
+    Returns codes, shape (n, len(CODES)), −1 in cells that are not allowed, and numbers, shape (n, len(NUMBERS)) [SI].
     """
     count = cells.shape[1]
     codes, numbers = np.zeros((count, len(CODES)), np.int64), np.empty((count, len(NUMBERS)))

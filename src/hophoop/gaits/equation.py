@@ -196,17 +196,7 @@ class GaitEquation:
         return Gait(passages(self.at(point), self.period, section=self.section))
 
     def solve(self, point: Pair, normal: Pair, offset: float) -> tuple[Pair, Values] | None:
-        """Return the solution with normal · point = offset near a point, by Newton's method, or None if it finds none.
-
-        Parameters
-        ----------
-        point, normal : ndarray, shape (n + 1,)
-        offset : float
-
-        Returns
-        -------
-        solution : (ndarray, Values) or None
-        """
+        """Return the solution with normal · point = offset near a point, by Newton's method, or None if it finds none."""
         first = math.inf
         for _ in range(STEPS):
             values = self(point)
@@ -235,20 +225,9 @@ class GaitEquation:
         return found
 
     def solve_with(self, point: Pair, multiplier: float, step: float = 1e-6) -> tuple[Pair, Values] | None:
-        """Return the solution with a given multiplier, or None.
+        """Return the solution near a point with a given multiplier, or None.
 
-        Parameters
-        ----------
-        point : ndarray, shape (n + 1,)
-            Near it.
-        multiplier : float
-            [1].
-        step : float, default 1e-6
-            Of the central differences, in each coordinate and the scaled parameter.
-
-        Returns
-        -------
-        solution : (ndarray, Values) or None
+        step: of the central differences, in each coordinate and the scaled parameter.
         """
         for _ in range(STEPS):
             values = self(point)

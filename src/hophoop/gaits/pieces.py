@@ -36,22 +36,9 @@ class Piece(NamedTuple):
 
 
 def pieces(image: BottomMap, grid: list[float], depth: int = 1, progress: Progress | None = None) -> list[Piece]:
-    """Return the pieces of a map, with ends to rounding.
+    """Return the pieces of a map that an increasing grid [√(g/R)] meets, with ends to rounding, and more between them.
 
-    Parameters
-    ----------
-    image : BottomMap
-    grid : list of float
-        Increasing [√(g/R)].
-    depth : int, default 1
-        How often what is between two pieces is halved in search of more [1].
-    progress : callable, optional
-        Called with the computed fraction.
-
-    Returns
-    -------
-    pieces : list of Piece
-        Those that the grid meets, and more between them; parts without a map are left out.
+    depth: how often what is between two pieces is halved in search of more; parts without a map are left out.
     """
     found: list[Piece] = []
     points: list[tuple[float, Image]] = []

@@ -22,18 +22,7 @@ class Highest:
 
 
 def highest(function: Function, low: Ball, high: Ball) -> Highest:
-    """The highest value on [low, high], which must be exact numbers.
-
-    Parameters
-    ----------
-    function : callable
-    low, high : Ball
-
-    Raises
-    ------
-    Undecided
-        If a maximum is too flat to be located.
-    """
+    """Return the highest value on [low, high], exact numbers; raise Undecided if a maximum is too flat to be located."""
     width = (high - low) / PARTS
     marks = [low, *((low + width * k).mid() for k in range(1, PARTS)), high]
     best = function(low, 1)[0]

@@ -126,23 +126,7 @@ def _count(count: int) -> int:
 
 
 def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
-    """Parse an axis of the command line.
-
-    Parameters
-    ----------
-    text : str
-        ``path=first:last:count``, followed by ``:log`` for equal ratios, or ``path=a,b,c``.
-
-    Returns
-    -------
-    path : str
-    values : ndarray
-        In the parameter's unit [SI], or words.
-
-    Raises
-    ------
-    ValueError
-        If the text is neither.
+    """Parse an axis of the command line, ``path=first:last:count``, perhaps with ``:log`` for equal ratios, or ``path=a,b,c``.
 
     Examples
     --------
@@ -173,24 +157,7 @@ def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
 
 
 def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]:
-    """Check the axes of a map against the scenario that they vary.
-
-    Parameters
-    ----------
-    base : Scenario
-    axes : mapping of str to array_like
-        Values of every varied parameter, by its path [SI].
-
-    Returns
-    -------
-    axes : tuple of Axis
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than two axes, a parameter is unknown, a value is not allowed or given twice, or
-        two axes name the same thing in two ways.
-    """
+    """Check the axes of a map, values by path in SI units, against the scenario that they vary."""
     if len(axes) < 2:
         raise InputError(f"axes = {list(axes)!r} must name at least two parameters.", field="axes", value=list(axes))
     if not isinstance(base.contact, Rigid):
@@ -221,16 +188,7 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
 
 
 def ordered(paths: Sequence[str]) -> list[str]:
-    """Return paths in the order in which a map sets values: by section, within a section as given.
-
-    Parameters
-    ----------
-    paths : sequence of str
-
-    Returns
-    -------
-    paths : list of str
-    """
+    """Return paths in the order in which a map sets values: by section, within a section as given."""
     return sorted(paths, key=lambda path: SECTIONS.index(path.partition(".")[0]))
 
 

@@ -29,21 +29,9 @@ _PLAIN = {
 
 
 def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArray[np.float64]:
-    """Return the kernel's cells of a chunk.
+    """Return the kernel's cells of a chunk, shape (len(CELL), count), from the values of the varied parameters by path [SI].
 
-    Parameters
-    ----------
-    base : Scenario
-        With rigid contact.
-    values : mapping of str to ndarray, shape (count,)
-        Values of the varied parameters, by path [SI].
-    count : int
-        Number of cells.
-
-    Returns
-    -------
-    cells : ndarray, shape (len(CELL), count)
-        Rows as `records.cells.CELL` names them [SI]; cells with contradictory values are marked.
+    Rows are those of `records.cells.CELL`; cells with contradictory values are marked.
     """
     cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
     paths = ordered(list(values))

@@ -87,15 +87,7 @@ def compute_on_threads(
 def compute_on_cluster(
     plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], scheduler: str | Client, report: Report
 ) -> None:
-    """Compute chunks on the workers of a cluster, which must see the store of the targets under the same name.
-
-    Raises
-    ------
-    InputError
-        If `scheduler` is not an address.
-    OSError
-        If no scheduler answers at that address, or it disappears before the end.
-    """
+    """Compute chunks on the workers of a cluster, which must see the store of the targets under the same name."""
     as_completed = need("distributed", "cluster").as_completed
     with _client(scheduler) as client:
         try:

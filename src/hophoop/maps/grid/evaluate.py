@@ -91,28 +91,7 @@ def make_plan(
     span: str,
     chunk_cells: int = CHUNK_CELLS,
 ) -> Plan:
-    """Check the arguments of a map and return its plan.
-
-    Parameters
-    ----------
-    base : Scenario or None
-        None is the reference hoop.
-    axes : mapping of str to array_like
-        Values by path [SI].
-    quantities : sequence of str
-    span : str
-    chunk_cells : int, default 65536
-        Approximate number of cells computed and written at a time.
-
-    Returns
-    -------
-    plan : Plan
-
-    Raises
-    ------
-    ValueError
-        If an argument is not allowed.
-    """
+    """Check the arguments of a map and return its plan; chunks have about `chunk_cells` cells."""
     base = Scenario() if base is None else base
     if chunk_cells < 1:
         raise InputError.of_field("chunk_cells", chunk_cells, "at least 1")
@@ -131,21 +110,9 @@ def _check_span(base: Scenario, quantities: Sequence[Quantity], span: Span) -> N
 
 
 def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor | None = None) -> MapResults:
-    """Run the kernel on all cells.
+    """Run the kernel on all cells, shape (len(CELL), n) in SI units, on the threads of `pool` or on this one.
 
-    Parameters
-    ----------
-    cells : ndarray, shape (len(CELL), n)
-        [SI].
-    span : Span
-    flags : int
-        Flags of the quantities that the kernel computes on request only.
-    pool : Executor, optional
-        Its threads run the kernel; by default this one.
-
-    Returns
-    -------
-    results : MapResults
+    flags: of the quantities that the kernel computes on request only.
     """
     count = cells.shape[1]
     results = MapResults(

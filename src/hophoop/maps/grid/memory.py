@@ -15,38 +15,12 @@ WORKING = 200e6
 
 
 def free_memory() -> float:
-    """Return the memory that is free or that the system can free without swapping.
-
-    Returns
-    -------
-    bytes : float
-        [1].
-
-    Raises
-    ------
-    ImportError
-        If psutil is missing.
-    """
+    """Return the memory that is free or that the system can free without swapping [bytes]."""
     return float(need("psutil", "maps").virtual_memory().available)
 
 
 def check_memory(shape: Sequence[int], kinds: Iterable[str], advice: str) -> None:
-    """Refuse a map that does not fit into memory.
-
-    Parameters
-    ----------
-    shape : sequence of int
-        Cells along its axes.
-    kinds : iterable of str
-        Types of its arrays.
-    advice : str
-        Alternatives, for the message.
-
-    Raises
-    ------
-    ValueError
-        If it does not fit.
-    """
+    """Refuse a map that does not fit into memory; `kinds` are the types of its arrays, `advice` the alternatives."""
     motions = math.prod(int(count) for count in shape)
     needed = motions * sum(np.dtype(kind).itemsize for kind in kinds) + WORKING
     free = free_memory()

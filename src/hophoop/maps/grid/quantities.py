@@ -124,21 +124,7 @@ _OF_FLIGHT = {"hop_height", "flight_time", "flight_distance", "landing_angle", "
 
 
 def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
-    """Return quantities by name.
-
-    Parameters
-    ----------
-    names : sequence of str
-
-    Returns
-    -------
-    quantities : tuple of Quantity
-
-    Raises
-    ------
-    ValueError
-        If there is none, one is unknown or named twice.
-    """
+    """Return quantities by name."""
     if isinstance(names, str):
         names = [names]
     if not names:
@@ -153,18 +139,7 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
 
 
 def check_span(quantities: Sequence[Quantity], span: Span) -> None:
-    """Refuse quantities of another span.
-
-    Parameters
-    ----------
-    quantities : sequence of Quantity
-    span : Span
-
-    Raises
-    ------
-    ValueError
-        If one belongs to `settled` and the span does not, or the other way round.
-    """
+    """Refuse quantities of another span."""
     for quantity in quantities:
         if quantity.settled != (span.name in settled.SPANS):
             fitting = "settled or settled:landing" if quantity.settled else ", ".join(SPANS)
@@ -206,23 +181,9 @@ SPANS = ("first_revolution", "takeoff", "reversal", "duration", "revolutions:N")
 def make_span(name: str, *, in_the_end: bool = False) -> Span:
     """Return a span by name.
 
-    Parameters
-    ----------
-    name : str
-        ``first_revolution`` (to a full turn, a reversal or take-off, whichever comes first, without a time
-        limit); ``takeoff``, ``reversal`` or ``revolutions:N`` (to that, within the scenario's duration);
-        ``duration``; ``settled`` and ``settled:landing`` (until the fate is decided, by passages of the bottom or landings).
-    in_the_end : bool, default False
-        Allow the last two.
-
-    Returns
-    -------
-    span : Span
-
-    Raises
-    ------
-    ValueError
-        If there is no such span.
+    name: ``first_revolution`` (to a full turn, a reversal or take-off, whichever comes first, without a time limit);
+    ``takeoff``, ``reversal`` or ``revolutions:N`` (to that, within the scenario's duration); ``duration``; ``settled`` and
+    ``settled:landing`` (until the fate is decided, by passages of the bottom or landings); in_the_end: Allow the last two.
 
     Examples
     --------

@@ -31,18 +31,7 @@ def check_settled(base: Scenario) -> None:
 
 
 def evaluate_settled(cells: NDArray[np.float64], low: int, high: int, span: str, results: MapResults) -> None:
-    """Compute the cells from `low` to `high`.
-
-    Parameters
-    ----------
-    cells : ndarray, shape (len(CELL), n)
-        [SI].
-    low, high : int
-    span : str
-        One of `SPANS`.
-    results : MapResults
-        Numbers in the order of `COLUMNS`, and the code of the fate; filled.
-    """
+    """Compute the cells from `low` to `high`: numbers in the order of `COLUMNS`, and the code of the fate."""
     request = Request(SECTIONS.index(SPANS[span]), PASSAGES, FOREVER, PANELS, True)
     codes, numbers = np.zeros((high - low, len(CODES)), np.int64), np.empty((high - low, len(NUMBERS)))
     compiled(judge_cells)(np.ascontiguousarray(cells[:, low:high]), 0, high - low, request, codes, numbers)

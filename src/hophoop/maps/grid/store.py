@@ -49,23 +49,7 @@ ALL_CHUNKS = {"write_empty_chunks": True}
 def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, list[tuple[int, ...]]]]:
     """Create or resume the store, locked against other processes.
 
-    Parameters
-    ----------
-    path : Path
-    plan : Plan
-    resume : bool
-
-    Yields
-    ------
-    plan : Plan
-        The same, with the chunk shape of the store.
-    todo : list of tuple of int
-        Places of the missing chunks; empty for a complete map.
-
-    Raises
-    ------
-    ValueError
-        If the store exists (without `resume`), holds another map, or is being written by another process.
+    Yields the plan with the chunk shape of the store, and the places of the missing chunks.
     """
     if not path.exists():
         _create(path, plan)

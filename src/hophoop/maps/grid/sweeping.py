@@ -142,18 +142,7 @@ def sweep(
 
 
 def place_of(file: Path) -> Path:
-    """Return where the chunks of a map are written while it is computed.
-
-    Parameters
-    ----------
-    file : Path
-        The map's file, ending in .zarr or .nc.
-
-    Returns
-    -------
-    place : Path
-        The Zarr store itself, or one next to the netCDF file.
-    """
+    """Return where the chunks of a map are written: the Zarr store itself, or one next to the netCDF file."""
     return file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
 
 
