@@ -50,7 +50,7 @@ def test_a_folder_with_everything(film, tmp_path):
         (["--radius", 0], "--radius = 0.0 must be a number above 0"),
         (["--radius", 0.3, "--marker-color", "gray"], "--marker-color = 'gray' must be auto, none, red"),
         (["--radius", 0.3, "--centre", "1,2"], "rim is missing"),
-        (["--radius", 0.3, "--centre", "a,b"], "--centre a,b must be 2 numbers"),
+        (["--radius", 0.3, "--centre", "a,b"], "--centre = 'a,b' must be 2 numbers"),
         (["--radius", 0.3, "--row-delay", 1], "--row-delay = 1.0 must be from -0.001 to 0.001"),
         (["--radius", 0.3, "--save", "a.xls"], "--save = a.xls must end in .json or .csv"),
         (["--radius", 0.3, "--overlay", "a.avi"], "--overlay = a.avi must end in .mp4"),

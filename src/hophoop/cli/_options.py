@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Callable
-from functools import wraps
+from functools import partial, wraps
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
@@ -27,6 +27,13 @@ class ScenarioOption(NamedTuple):
 
 
 START, ADVANCED = "Start and duration", "Advanced"
+
+
+def panel(name: str) -> Callable[..., Any]:
+    """Return what makes an option in a panel of the help."""
+    return partial(typer.Option, rich_help_panel=name)
+
+
 Quiet = Annotated[bool, typer.Option("--quiet", help="Show no progress.")]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON, in SI units and radians.")]
 Picture = Annotated[Path | None, typer.Option("--plot", metavar="FILE", help="Draw it: .png, .svg, .pdf or .jpg.")]
@@ -152,7 +159,7 @@ def value_of(word: str) -> Any:
     return word
 
 
-def assigned(option: str, text: str, wanted: str) -> tuple[str, str]:
+def assigned(option: str, text: str, wanted: str = "a name and a value, such as restitution=0.3") -> tuple[str, str]:
     """Split NAME=VALUE, or say what is wanted."""
     name, sign, value = (part.strip() for part in text.partition("="))
     if not (sign and name and value):
@@ -160,12 +167,12 @@ def assigned(option: str, text: str, wanted: str) -> tuple[str, str]:
     return name, value
 
 
-def numbers(option: str, text: str, count: int, wanted: str, comma: str = ",") -> tuple[float, ...]:
+def numbers(option: str, text: str, count: int, wanted: str = "", comma: str = ",") -> Any:
     """Return the numbers of a text, or say what is wanted."""
     try:
         values = tuple(float(word) for word in text.split(comma))
     except ValueError:
         values = ()
     if len(values) != count:
-        raise InputError.of_field(option, text, wanted)
+        raise InputError.of_field(option, text, wanted or f"{count} numbers with commas between them")
     return values

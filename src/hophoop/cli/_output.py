@@ -6,12 +6,32 @@ import json
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import typer
 
 from hophoop._support.errors import InputError
 
 PICTURES = (".png", ".svg", ".pdf", ".jpg")
+
+
+def check_outputs(
+    outputs: Mapping[str, tuple[Path | None, tuple[str, ...] | None]],
+    source: str | Path | None = None,
+    what: str = "the scenario",
+) -> None:
+    """Refuse names of outputs before anything is computed.
+
+    outputs: by option, the path and its possible endings, empty for any, None for a folder that is created; source: the file
+    that is read, and what it is.
+    """
+    named = {option: (path, endings) for option, (path, endings) in outputs.items() if path is not None}
+    for option, (path, endings) in named.items():
+        if endings:
+            check_ending(option, path, endings)
+        if endings is not None:
+            check_folder(option, path)
+    check_apart([path for path, _ in named.values()], source, what)
 
 
 def check_ending(option: str, path: Path, endings: tuple[str, ...]) -> None:
@@ -29,20 +49,28 @@ def check_folder(option: str, path: Path) -> None:
         )
 
 
-def check_apart(paths: list[Path], source: str | None = None) -> None:
+def check_apart(paths: list[Path], source: str | Path | None, what: str) -> None:
     """Refuse two outputs into one file, or one over the file that is read."""
     whole = [path.absolute() for path in paths]
     for k, path in enumerate(whole):
         if path in whole[:k]:
             raise InputError(f"{paths[k]} is used for two outputs.")
         if source not in (None, "-") and path == Path(str(source)).absolute():
-            raise InputError(f"{paths[k]} is the scenario itself: name another file for the output.")
+            raise InputError(f"{paths[k]} is {what} itself: name another file for the output.")
 
 
 def in_options(error: InputError, names: Mapping[str, str]) -> InputError:
     """Return the error with the option in place of the argument of a Python function."""
     option = names.get(error.field or "")
     return error if option is None else error.renamed(option)
+
+
+def save_picture(axes: Any, path: Path, dpi: float | str = 150) -> None:
+    """Write the figure of some axes, whole or not at all."""
+    from hophoop._support.files import replacing
+
+    with replacing(path) as picture:
+        axes.figure.savefig(picture, dpi=dpi)
 
 
 @contextmanager

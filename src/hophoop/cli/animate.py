@@ -8,10 +8,10 @@ from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._options import Quiet, assigned, value_of, with_scenario
+from hophoop.cli._options import Quiet, assigned, panel, value_of, with_scenario
 from hophoop.cli._output import check_folder, named_options
 
-PICTURE, PACE, COMPARE = "Picture", "Pace", "Comparison"
+in_picture, in_pace, in_compare = panel("Picture"), panel("Pace"), panel("Comparison")
 
 
 @with_scenario
@@ -27,84 +27,68 @@ def animate(
             show_default=False,
         ),
     ],
-    three_d: Annotated[bool, typer.Option("--3d", help="In three dimensions.", rich_help_panel=PICTURE)] = False,
-    size: Annotated[str, typer.Option(metavar="WxH", help="Width and height in pixels.", rich_help_panel=PICTURE)] = "1280x720",
-    theme: Annotated[str, typer.Option(help="light, dark or print.", rich_help_panel=PICTURE)] = "light",
+    three_d: Annotated[bool, in_picture("--3d", help="In three dimensions.")] = False,
+    size: Annotated[str, in_picture(metavar="WxH", help="Width and height in pixels.")] = "1280x720",
+    theme: Annotated[str, in_picture(help="light, dark or print.")] = "light",
     camera: Annotated[
         str | None,
-        typer.Option(
+        in_picture(
             help="follow or hold; with --3d chase, side, orbit or hold.",
-            rich_help_panel=PICTURE,
-            show_default=False,
         ),
     ] = None,
     panel: Annotated[
         list[str] | None,
-        typer.Option(
+        in_picture(
             help="An animated plot, not with --3d: velocity, energy, forces, utilization or phase; may be repeated.",
-            rich_help_panel=PICTURE,
-            show_default=False,
         ),
     ] = None,
-    traces: Annotated[bool, typer.Option(help="Draw the traces.", rich_help_panel=PICTURE)] = True,
-    forces: Annotated[bool, typer.Option(help="Draw the contact forces.", rich_help_panel=PICTURE)] = True,
-    shadows: Annotated[bool, typer.Option(help="Cast shadows, with --3d.", rich_help_panel=PICTURE)] = True,
+    traces: Annotated[bool, in_picture(help="Draw the traces.")] = True,
+    forces: Annotated[bool, in_picture(help="Draw the contact forces.")] = True,
+    shadows: Annotated[bool, in_picture(help="Cast shadows, with --3d.")] = True,
     fps: Annotated[
         float | None,
-        typer.Option(
-            help="Pictures per second; by default 60, with --3d 30, in a gif 25.", rich_help_panel=PACE, show_default=False
-        ),
+        in_pace(help="Pictures per second; by default 60, with --3d 30, in a gif 25."),
     ] = None,
-    speed: Annotated[float, typer.Option(help="Seconds of motion per second of film.", rich_help_panel=PACE)] = 1.0,
+    speed: Annotated[float, in_pace(help="Seconds of motion per second of film.")] = 1.0,
     slow_at: Annotated[
         list[str] | None,
-        typer.Option(
+        in_pace(
             metavar="EVENT|TIME",
             help="Slow motion around events of a kind, such as takeoff, or a time in s; may be repeated.",
-            rich_help_panel=PACE,
-            show_default=False,
         ),
     ] = None,
-    slow_factor: Annotated[float, typer.Option(help="Factor of the slow motion.", rich_help_panel=PACE)] = 8.0,
+    slow_factor: Annotated[float, in_pace(help="Factor of the slow motion.")] = 8.0,
     slow_width: Annotated[
         float | None,
-        typer.Option(
+        in_pace(
             help="Duration of the slow motion before and after, in the motion's time, s.",
-            rich_help_panel=PACE,
-            show_default=False,
         ),
     ] = None,
-    begin: Annotated[float, typer.Option("--from", help="First time to show, s.", rich_help_panel=PACE)] = 0.0,
+    begin: Annotated[float, in_pace("--from", help="First time to show, s.")] = 0.0,
     end: Annotated[
         float | None,
-        typer.Option("--to", help="Last time to show, s.", rich_help_panel=PACE, show_default=False),
+        in_pace("--to", help="Last time to show, s."),
     ] = None,
     others: Annotated[
         list[str] | None,
-        typer.Option(
+        in_compare(
             "--with",
             metavar="FILE",
             help="Another scenario to show; may be repeated.",
-            rich_help_panel=COMPARE,
-            show_default=False,
         ),
     ] = None,
     vary: Annotated[
         str | None,
-        typer.Option(
+        in_compare(
             metavar="PATH=A,B,…",
             help="Show the scenario for several values of a parameter, such as plane.mu=0.3,1.",
-            rich_help_panel=COMPARE,
-            show_default=False,
         ),
     ] = None,
-    overlay: Annotated[bool, typer.Option("--overlay", help="Show all in one view.", rich_help_panel=COMPARE)] = False,
-    step: Annotated[
-        str, typer.Option(help="Common quantity of the motions in a frame: time or angle.", rich_help_panel=COMPARE)
-    ] = "time",
+    overlay: Annotated[bool, in_compare("--overlay", help="Show all in one view.")] = False,
+    step: Annotated[str, in_compare(help="Common quantity of the motions in a frame: time or angle.")] = "time",
     label: Annotated[
         list[str] | None,
-        typer.Option(help="Label of a motion, in their order; may be repeated.", rich_help_panel=COMPARE, show_default=False),
+        in_compare(help="Label of a motion, in their order; may be repeated."),
     ] = None,
     quiet: Quiet = False,
 ) -> None:

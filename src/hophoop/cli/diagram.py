@@ -29,18 +29,14 @@ def diagram(
 ) -> None:
     """Compute on what a hoop settles, over a parameter and from several starts; Ctrl-C keeps the values that are done."""
     from hophoop._support.progress import bar
-    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
+    from hophoop.cli._output import PICTURES, check_outputs, named_options
     from hophoop.gaits.diagram import diagram as computed
     from hophoop.maps.grid.axes import parse_axis
     from hophoop.scenario import InputError
 
     if out is None and plot is None:
         raise InputError("--out or --plot must name a file for the diagram.")
-    for option, place, endings in (("--out", out, STORES), ("--plot", plot, PICTURES)):
-        if place is not None:
-            check_ending(option, place, endings)
-            check_folder(option, place)
-    check_apart([path for path in (out, plot) if path is not None], file)
+    check_outputs({"--out": (out, STORES), "--plot": (plot, PICTURES)}, file)
     with named_options({"count": f"--axis {axis}: count"}):
         path, values = parse_axis(axis)
     if values.dtype.kind != "f":
@@ -54,13 +50,12 @@ def diagram(
 
 def _write(found: Diagram, out: Path | None, plot: Path | None) -> None:
     from hophoop._support.files import netcdf_errors, replacing
+    from hophoop.cli._output import save_picture
 
     if plot is not None:
         from hophoop.plots.diagram import diagram as drawn
 
-        axes: Any = drawn(found)
-        with replacing(plot) as picture:
-            axes.figure.savefig(picture, dpi=150)
+        save_picture(drawn(found), plot)
     if out is not None:
         with replacing(out) as place:
             if out.suffix == ".nc":

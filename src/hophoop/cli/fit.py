@@ -7,11 +7,13 @@ from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._output import named_options, print_json
+from hophoop.cli._options import assigned, numbers, panel
+from hophoop.cli._output import check_outputs, named_options, print_json
 from hophoop.cli._tables import print_comparison, print_parameters
 from hophoop.vocabulary.names import NAMED_LAWS
 
-OUTPUT, DATA, MODEL = "Output", "Data", "Model"
+in_output, in_data, in_model = panel("Output"), panel("Data"), panel("Model")
+RANGE = "two numbers, such as 0:0.5"
 
 
 def fit(
@@ -24,114 +26,82 @@ def fit(
             show_default=False,
         ),
     ],
-    out: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Folder for index.html, fit.json, scenario.toml.", rich_help_panel=OUTPUT)
-    ] = None,
+    out: Annotated[Path | None, in_output(metavar="DIR", help="Folder for index.html, fit.json, scenario.toml.")] = None,
     film: Annotated[
         Path | None,
-        typer.Option(metavar="VIDEO", help="The film, to draw the motion over; with --out or --lab.", rich_help_panel=OUTPUT),
+        in_output(metavar="VIDEO", help="The film, to draw the motion over; with --out or --lab."),
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="File for the fit with its data, .json.", rich_help_panel=OUTPUT)
-    ] = None,
-    lab: Annotated[
-        bool, typer.Option("--lab", help="Open the lab with the fitted motion, over --film if given.", rich_help_panel=OUTPUT)
-    ] = False,
-    json: Annotated[
-        bool, typer.Option("--json", help="Print the fit as JSON, without the data.", rich_help_panel=OUTPUT)
-    ] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
-    radius: Annotated[
-        float | None, typer.Option(help="Radius of the rim, m, if the data lack it.", rich_help_panel=DATA)
-    ] = None,
+    save: Annotated[Path | None, in_output(metavar="FILE", help="File for the fit with its data, .json.")] = None,
+    lab: Annotated[bool, in_output("--lab", help="Open the lab with the fitted motion, over --film if given.")] = False,
+    json: Annotated[bool, in_output("--json", help="Print the fit as JSON, without the data.")] = False,
+    quiet: Annotated[bool, in_output("--quiet", help="Show no progress.")] = False,
+    radius: Annotated[float | None, in_data(help="Radius of the rim, m, if the data lack it.")] = None,
     sigma: Annotated[
         float | None,
-        typer.Option(help="Standard deviation of each coordinate, m; found in the data by default.", rich_help_panel=DATA),
+        in_data(help="Standard deviation of each coordinate, m; found in the data by default."),
     ] = None,
-    sigma_angle: Annotated[float | None, typer.Option(help="Standard deviation of angles, rad.", rich_help_panel=DATA)] = None,
-    sigma_omega: Annotated[
-        float | None, typer.Option(help="Standard deviation of angular velocities, rad/s.", rich_help_panel=DATA)
-    ] = None,
-    since: Annotated[
-        float | None, typer.Option("--from", help="Time from which the motion is free, s.", rich_help_panel=DATA)
-    ] = None,
-    until: Annotated[float | None, typer.Option("--to", help="Time up to which it is free, s.", rich_help_panel=DATA)] = None,
+    sigma_angle: Annotated[float | None, in_data(help="Standard deviation of angles, rad.")] = None,
+    sigma_omega: Annotated[float | None, in_data(help="Standard deviation of angular velocities, rad/s.")] = None,
+    since: Annotated[float | None, in_data("--from", help="Time from which the motion is free, s.")] = None,
+    until: Annotated[float | None, in_data("--to", help="Time up to which it is free, s.")] = None,
     column: Annotated[
         list[str] | None,
-        typer.Option(
+        in_data(
             metavar="NAME=HEAD",
             help="Column of t, frame, x, y, marker_x, marker_y, angle or omega, as the table spells it; may be repeated.",
-            rich_help_panel=DATA,
         ),
     ] = None,
-    rate: Annotated[
-        float | None, typer.Option(help="Frames per second, if the table has frames instead of times.", rich_help_panel=DATA)
-    ] = None,
-    centre: Annotated[str | None, typer.Option(help="Name of the point at the centre.", rich_help_panel=DATA)] = None,
-    marker: Annotated[str | None, typer.Option(help="Name of the point at the marker.", rich_help_panel=DATA)] = None,
+    rate: Annotated[float | None, in_data(help="Frames per second, if the table has frames instead of times.")] = None,
+    centre: Annotated[str | None, in_data(help="Name of the point at the centre.")] = None,
+    marker: Annotated[str | None, in_data(help="Name of the point at the marker.")] = None,
     angle_unit: Annotated[
         str | None,
-        typer.Option(help="Unit of angles and angular velocities, rad or deg, if the data lack it.", rich_help_panel=DATA),
+        in_data(help="Unit of angles and angular velocities, rad or deg, if the data lack it."),
     ] = None,
-    hoop: Annotated[
-        str, typer.Option(help="ideal, general, or a scenario file with the hoop's measured parts.", rich_help_panel=MODEL)
-    ] = "ideal",
-    start: Annotated[str, typer.Option(help="auto, rolling, sliding or flying.", rich_help_panel=MODEL)] = "auto",
-    fix: Annotated[
-        list[str] | None, typer.Option(metavar="NAME=VALUE", help="A known parameter; may be repeated.", rich_help_panel=MODEL)
-    ] = None,
+    hoop: Annotated[str, in_model(help="ideal, general, or a scenario file with the hoop's measured parts.")] = "ideal",
+    start: Annotated[str, in_model(help="auto, rolling, sliding or flying.")] = "auto",
+    fix: Annotated[list[str] | None, in_model(metavar="NAME=VALUE", help="A known parameter; may be repeated.")] = None,
     free: Annotated[
         list[str] | None,
-        typer.Option(
+        in_model(
             metavar="NAME",
             help="Fit also rolling_resistance, slope, scale, tilt, origin_y, row_delay, marker_angle or marker_ratio; "
             "may be repeated.",
-            rich_help_panel=MODEL,
         ),
     ] = None,
     bound: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME=LOW:HIGH", help="Range of a parameter; may be repeated.", rich_help_panel=MODEL),
+        in_model(metavar="NAME=LOW:HIGH", help="Range of a parameter; may be repeated."),
     ] = None,
     tie: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="NAME=EXPRESSION", help="A parameter as an expression of others; may be repeated.", rich_help_panel=MODEL
-        ),
+        in_model(metavar="NAME=EXPRESSION", help="A parameter as an expression of others; may be repeated."),
     ] = None,
-    gravity: Annotated[float, typer.Option(help="Gravity, m/s².", rich_help_panel=MODEL)] = 9.81,
-    law: Annotated[str, typer.Option(help=f"Impact law: {NAMED_LAWS}.", rich_help_panel=MODEL)] = "stronge",
+    gravity: Annotated[float, in_model(help="Gravity, m/s².")] = 9.81,
+    law: Annotated[str, in_model(help=f"Impact law: {NAMED_LAWS}.")] = "stronge",
     sample: Annotated[
         int | None,
-        typer.Option(metavar="STEPS", help="Sample the posterior with emcee, about 1000 steps.", rich_help_panel=MODEL),
+        in_model(metavar="STEPS", help="Sample the posterior with emcee, about 1000 steps."),
     ] = None,
-    squares: Annotated[
-        bool, typer.Option("--squares", help="Least squares without a robust loss for outliers.", rich_help_panel=MODEL)
-    ] = False,
+    squares: Annotated[bool, in_model("--squares", help="Least squares without a robust loss for outliers.")] = False,
 ) -> None:
     """Fit the exact motion to a track; status 1 if the fit is not good."""
     from hophoop._support.progress import waiting
     from hophoop.cli import NO_ANSWER
-    from hophoop.cli._output import check_ending, check_folder
     from hophoop.fitting import fit as find
     from hophoop.scenario import InputError, Plane
     from hophoop.tracking import Reading, read_track
 
-    for option, path in (("--save", save), ("--out", out)):
-        if path is not None:
-            check_folder(option, path)
-    if save is not None:
-        check_ending("--save", save, (".json",))
+    check_outputs({"--save": (save, (".json",)), "--out": (out, ())})
     if film is not None and out is None and not lab:
         raise InputError("--film needs --out, the folder of the page, or --lab.")
     if film is not None and len(data) > 1:
         raise InputError("--film is for one run; fit that run alone to see it over its film.")
-    columns = dict(_pairs("--column", column))
     with named_options({"since": "--from", "until": "--to", "columns": "--column"}):
         reading = Reading(
             centre=centre,
             marker=marker,
-            columns=columns,
+            columns=_pairs("--column", column),
             rate=rate,
             since=since,
             until=until,
@@ -144,10 +114,10 @@ def fit(
             tracks,
             hoop=_hoop(hoop),
             start=start,
-            fixed={name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
+            fixed={name: numbers(f"--fix {name}", text, 1, "a number")[0] for name, text in _pairs("--fix", fix).items()},
             free=tuple(free or ()),
-            bounds={name: _range(name, text) for name, text in _pairs("--bound", bound)},
-            tied=dict(_pairs("--tie", tie)),
+            bounds={name: numbers(f"--bound {name}", text, 2, RANGE, ":") for name, text in _pairs("--bound", bound).items()},
+            tied=_pairs("--tie", tie),
             plane=Plane(gravity=gravity, impact_law=law),
             sigma=sigma,
             sigma_angle=sigma_angle,
@@ -183,34 +153,8 @@ def _hoop(text: str) -> Any:
     return text if text in ("ideal", "general") else Scenario.load(text).hoop
 
 
-def _pairs(option: str, given: list[str] | None) -> list[tuple[str, str]]:
-    from hophoop.scenario import InputError
-
-    result = []
-    for text in given or ():
-        name, sign, value = text.partition("=")
-        if not sign or not name.strip() or not value.strip():
-            raise InputError(f"{option} {text} must be a name and a value, such as restitution=0.3.")
-        result.append((name.strip(), value.strip()))
-    return result
-
-
-def _number(option: str, name: str, text: str) -> float:
-    from hophoop.scenario import InputError
-
-    try:
-        return float(text)
-    except ValueError:
-        raise InputError(f"{option} {name}={text} must be a number.") from None
-
-
-def _range(name: str, text: str) -> tuple[float, float]:
-    from hophoop.scenario import InputError
-
-    low, sign, high = text.partition(":")
-    if not sign:
-        raise InputError(f"--bound {name}={text} must be two numbers, such as 0:0.5.")
-    return _number("--bound", name, low), _number("--bound", name, high)
+def _pairs(option: str, given: list[str] | None) -> dict[str, str]:
+    return dict(assigned(option, text) for text in given or ())
 
 
 def _show(found: Any, json: bool) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from hophoop.cli._options import Json, Picture, Quiet, assigned, numbers, with_scenario
-from hophoop.cli._output import print_json
+from hophoop.cli._output import print_json, save_picture
 from hophoop.cli._tables import print_table
 
 if TYPE_CHECKING:
@@ -39,15 +39,13 @@ def gait(
 ) -> None:
     """Find the periodic gaits of a hoop on a slope, stable or not, the slowest first, and follow one over a parameter."""
     from hophoop._support.progress import bar
-    from hophoop.cli._output import PICTURES, check_ending, check_folder
+    from hophoop.cli._output import PICTURES, check_outputs
     from hophoop.gaits.finding import find
     from hophoop.scenario import InputError
 
-    if plot is not None:
-        if follow is None:
-            raise InputError("--plot needs --follow: it draws the branch.")
-        check_ending("--plot", plot, PICTURES)
-        check_folder("--plot", plot)
+    if plot is not None and follow is None:
+        raise InputError("--plot needs --follow: it draws the branch.")
+    check_outputs({"--plot": (plot, PICTURES)})
     path, bounds = ("", (0.0, 0.0)) if follow is None else _range(scenario, follow)
     if digits is not None:
         from hophoop.gaits.digits import check_digits
@@ -103,12 +101,9 @@ def _finish(branch: Branch | None, plot: Path | None) -> None:
     if branch is None:
         return
     if plot is not None:
-        from hophoop._support.files import replacing
         from hophoop.plots.branch import branch as drawn
 
-        axes: Any = drawn(branch)
-        with replacing(plot) as picture:
-            axes.figure.savefig(picture, dpi=150)
+        save_picture(drawn(branch), plot)
     if not branch.complete:
         raise KeyboardInterrupt
 

@@ -71,9 +71,8 @@ def map(
     quiet: Quiet = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the reference hoop)."""
-    from hophoop._support.files import replacing
     from hophoop._support.stopping import say_when_stopped
-    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options
+    from hophoop.cli._output import PICTURES, check_outputs, named_options, save_picture
     from hophoop.maps.grid.axes import parse_axis
     from hophoop.maps.grid.memory import check_memory
     from hophoop.maps.grid.sweeping import sweep
@@ -83,12 +82,7 @@ def map(
         raise InputError("--out or --plot must name a file for the map.")
     if resume and out is None:
         raise InputError("--out must name the map to resume.")
-    if plot is not None:
-        check_ending("--plot", plot, PICTURES)
-        check_folder("--plot", plot)
-    if out is not None:
-        check_folder("--out", out)
-    check_apart([path for path in (out, plot) if path is not None], file)
+    check_outputs({"--out": (out, ()), "--plot": (plot, PICTURES)}, file)
     base = Scenario() if file is None else Scenario.load(file)
     axes = {}
     for text in axis or ():
@@ -120,9 +114,7 @@ def map(
     if plot is not None:
         from hophoop.plots.maps import motion_map
 
-        drawn: Any = motion_map(dataset, quantities[0])
-        with replacing(plot) as picture:
-            drawn.figure.savefig(picture)
+        save_picture(motion_map(dataset, quantities[0]), plot, "figure")
     if out is not None:
         typer.echo(f"{dataset[quantities[0]].size:,} motions in {out}", err=True)
 

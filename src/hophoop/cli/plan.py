@@ -6,48 +6,37 @@ from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._options import with_scenario
+from hophoop.cli._options import panel, with_scenario
 from hophoop.cli._output import print_json
 from hophoop.cli._tables import print_parameters
 
-FILM = "The film"
+in_film = panel("The film")
 
 
 @with_scenario
 def plan(
     scenario: Any,
-    rate: Annotated[float, typer.Option(help="Frames per second.", rich_help_panel=FILM)] = 240.0,
-    sigma: Annotated[
-        float, typer.Option(help="Standard deviation of each coordinate in a frame, m.", rich_help_panel=FILM)
-    ] = 2e-4,
-    sigma_angle: Annotated[float, typer.Option(help="Standard deviation of the angle, rad.", rich_help_panel=FILM)] = 2e-3,
+    rate: Annotated[float, in_film(help="Frames per second.")] = 240.0,
+    sigma: Annotated[float, in_film(help="Standard deviation of each coordinate in a frame, m.")] = 2e-4,
+    sigma_angle: Annotated[float, in_film(help="Standard deviation of the angle, rad.")] = 2e-3,
     sigma_scale: Annotated[
         float,
-        typer.Option(
-            help="Relative standard deviation of the scale, one error for all frames; 0 if known.", rich_help_panel=FILM
-        ),
+        in_film(help="Relative standard deviation of the scale, one error for all frames; 0 if known."),
     ] = 1e-3,
     sigma_omega: Annotated[
         float | None,
-        typer.Option(
+        in_film(
             help="Standard deviation of the angular velocity from a phone in the hoop, rad/s; its record instead of a film.",
-            rich_help_panel=FILM,
         ),
     ] = None,
-    no_marker: Annotated[
-        bool, typer.Option("--no-marker", help="Without marker, so without angle.", rich_help_panel=FILM)
-    ] = False,
+    no_marker: Annotated[bool, in_film("--no-marker", help="Without marker, so without angle.")] = False,
     free: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help="Another parameter to fit, such as slope; may be repeated.", rich_help_panel=FILM),
+        in_film(metavar="NAME", help="Another parameter to fit, such as slope; may be repeated."),
     ] = None,
-    fix: Annotated[
-        list[str] | None, typer.Option(metavar="NAME", help="A known parameter; may be repeated.", rich_help_panel=FILM)
-    ] = None,
-    hoop_known: Annotated[
-        bool, typer.Option("--hoop-known", help="The hoop is known from its parts.", rich_help_panel=FILM)
-    ] = False,
-    json: Annotated[bool, typer.Option("--json", help="Print the plan as JSON.", rich_help_panel=FILM)] = False,
+    fix: Annotated[list[str] | None, in_film(metavar="NAME", help="A known parameter; may be repeated.")] = None,
+    hoop_known: Annotated[bool, in_film("--hoop-known", help="The hoop is known from its parts.")] = False,
+    json: Annotated[bool, in_film("--json", help="Print the plan as JSON.")] = False,
 ) -> None:
     """Predict which parameters a film, or a phone in the hoop, determines, and how accurately."""
     from dataclasses import asdict

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from hophoop.cli._options import with_scenario
+from hophoop.cli._options import panel, with_scenario
 from hophoop.cli._output import print_json
 
 if TYPE_CHECKING:
     from hophoop.prove import Proof
     from hophoop.prove.proof import ProvedEvent
 
-OUTPUT = "Output"
+in_output = panel("Output")
 
 
 @with_scenario
@@ -36,7 +36,7 @@ def prove(
     ] = None,
     seconds: Annotated[
         float | None,
-        typer.Option("--seconds", help="Time limit, s.", show_default=False),
+        typer.Option("--seconds", help="Time limit, s."),
     ] = None,
     thresholds: Annotated[
         str | None,
@@ -45,17 +45,14 @@ def prove(
             metavar="KEY,…",
             help="Prove critical speeds and thresholds instead of a motion: first_slip_speed, first_hop_speed, "
             "immediate_hop_speed, painleve_friction, needed_friction or all.",
-            show_default=False,
         ),
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Write the result as JSON.", rich_help_panel=OUTPUT)
-    ] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print the result as JSON.", rich_help_panel=OUTPUT)] = False,
+    out: Annotated[Path | None, in_output("--out", metavar="FILE", help="Write the result as JSON.")] = None,
+    json: Annotated[bool, in_output("--json", help="Print the result as JSON.")] = False,
 ) -> None:
     """Prove the events of a motion and enclose them; status 1 if something is undecided."""
     from hophoop.cli import NO_ANSWER, say
-    from hophoop.cli._output import check_apart, check_folder
+    from hophoop.cli._output import check_outputs
     from hophoop.cli._thresholds import prove_thresholds
     from hophoop.prove import prove as proof_of
     from hophoop.scenario import InputError
@@ -69,9 +66,7 @@ def prove(
             raise InputError("--check takes only a certificate, which includes its scenario.")
         _verify(check)
         return
-    if out is not None:
-        check_folder("--out", out)
-        check_apart([out], file)
+    check_outputs({"--out": (out, ())}, file)
     if thresholds is not None:
         prove_thresholds(scenario, thresholds, digits, out, json)
         return

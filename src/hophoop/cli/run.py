@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from hophoop.cli._options import ADVANCED, with_scenario
+from hophoop.cli._options import ADVANCED, panel, with_scenario
 from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from hophoop.simulation.phases import PhaseRecord
     from hophoop.simulation.trajectory import Trajectory
 
-OUTPUT = "Output"
+in_output, in_advanced = panel("Output"), panel(ADVANCED)
 STORES = (".nc", ".zarr", ".zarr.zip")
 CHECK_DIGITS = 25
 
@@ -25,78 +25,65 @@ CHECK_DIGITS = 25
 def run(
     scenario: Any,
     file: Any,
-    json: Annotated[
-        bool, typer.Option("--json", help="Print the whole result as JSON, and nothing else.", rich_help_panel=OUTPUT)
-    ] = False,
+    json: Annotated[bool, in_output("--json", help="Print the whole result as JSON, and nothing else.")] = False,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="The same JSON into a file.", rich_help_panel=OUTPUT, show_default=False),
+        in_output("--out", metavar="FILE", help="The same JSON into a file."),
     ] = None,
     csv: Annotated[
         Path | None,
-        typer.Option(
+        in_output(
             "--csv",
             metavar="FILE",
             help="Sampled states, one per line.",
-            rich_help_panel=OUTPUT,
-            show_default=False,
         ),
     ] = None,
     save: Annotated[
         Path | None,
-        typer.Option(
+        in_output(
             "--save",
             metavar="FILE",
             help="A file for hophoop.load: .nc, .zarr or .zarr.zip.",
-            rich_help_panel=OUTPUT,
-            show_default=False,
         ),
     ] = None,
     plot: Annotated[
         Path | None,
-        typer.Option(
+        in_output(
             "--plot",
             metavar="FILE",
             help="The motion on a page: .png, .svg or .pdf.",
-            rich_help_panel=OUTPUT,
-            show_default=False,
         ),
     ] = None,
-    samples: Annotated[int, typer.Option("--samples", help="Number of lines in --csv.", rich_help_panel=OUTPUT)] = 1001,
+    samples: Annotated[int, in_output("--samples", help="Number of lines in --csv.")] = 1001,
     everything: Annotated[
         bool,
-        typer.Option(
+        in_output(
             "--all",
             help=f"Print all rows, not the first {FIRST_ROWS} and the last {LAST_ROWS}.",
-            rich_help_panel=OUTPUT,
         ),
     ] = False,
     errors: Annotated[
         bool,
-        typer.Option("--errors", help="Print also the estimated errors of the events.", rich_help_panel=ADVANCED),
+        in_advanced("--errors", help="Print also the estimated errors of the events."),
     ] = False,
     explain: Annotated[
         bool,
-        typer.Option("--explain", help="Print also why each phase starts and ends, with the margins.", rich_help_panel=OUTPUT),
+        in_output("--explain", help="Print also why each phase starts and ends, with the margins."),
     ] = False,
     sensitivity: Annotated[
         str | None,
-        typer.Option(
+        in_advanced(
             "--sensitivity",
             metavar="OF,…",
             help="Print, also in the JSON, derivatives of quantities like takeoff.angle,hop.height by the parameters of --wrt.",
-            rich_help_panel=ADVANCED,
-            show_default=False,
         ),
     ] = None,
     wrt: Annotated[
         str | None,
-        typer.Option(
+        in_advanced(
             "--wrt",
             metavar="PATH,…",
             help="Parameters for --sensitivity, such as plane.mu,start.speed.",
-            rich_help_panel=ADVANCED,
-            show_default=False,
         ),
     ] = None,
     until: Annotated[
@@ -105,49 +92,39 @@ def run(
             "--until",
             metavar="WORD",
             help="End earlier: revolutions:N, landings:N, angle:RADIANS, takeoff or reversal.",
-            show_default=False,
         ),
     ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
+    quiet: Annotated[bool, in_output("--quiet", help="Print no table.")] = False,
     digits: Annotated[
         int | None,
-        typer.Option(
+        in_advanced(
             "--digits",
             metavar="N",
             help="Solve with this number of digits, 15 to 1000: the table, and --json and --out with decimal strings.",
-            rich_help_panel=ADVANCED,
-            show_default=False,
         ),
     ] = None,
     check: Annotated[
         bool,
-        typer.Option(
+        in_advanced(
             "--check",
             help="Print the number of correct digits of each event, by a solution in 25 digits or --digits.",
-            rich_help_panel=ADVANCED,
         ),
     ] = False,
     check_fingerprint: Annotated[
         str | None,
-        typer.Option(
+        in_advanced(
             "--check-fingerprint",
             metavar="HEX",
             help="Compare the motion's fingerprint with this one, to check that this machine gets the same bits.",
-            rich_help_panel=ADVANCED,
-            show_default=False,
         ),
     ] = None,
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop._support.fingerprint import DIGITS, is_fingerprint
     from hophoop.cli import NO_ANSWER, _motion, say
-    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder, named_options, print_json
+    from hophoop.cli._output import PICTURES, check_outputs, named_options, print_json
     from hophoop.scenario import InputError
 
-    if plot is not None:
-        check_ending("--plot", plot, PICTURES)
-    if save is not None:
-        check_ending("--save", save, STORES)
     if samples < 2:
         raise InputError.of_field("--samples", samples, "at least 2")
     if check_fingerprint is not None and not is_fingerprint(check_fingerprint):
@@ -157,10 +134,8 @@ def run(
     if errors and scenario.contact.model != "rigid":
         raise InputError("--errors needs rigid contact; a compliant contact keeps to contact.rtol.")
     outputs = {"--csv": csv, "--save": save, "--plot": plot, "--out": out}
-    for option, path in outputs.items():
-        if path is not None:
-            check_folder(option, path)
-    check_apart([path for path in outputs.values() if path is not None], file)
+    endings = {"--save": STORES, "--plot": PICTURES}
+    check_outputs({option: (path, endings.get(option, ())) for option, path in outputs.items()}, file)
 
     if digits is not None or check:
         asked = outputs | {

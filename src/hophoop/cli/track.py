@@ -8,7 +8,11 @@ from typing import Annotated, Any
 
 import typer
 
-OUTPUT, FILM, HINTS, CAMERA = "Output", "The film", "Hints, if the hoop is not found", "Camera"
+from hophoop.cli._options import numbers, panel
+from hophoop.cli._output import check_outputs, named_options
+
+in_output, in_film = panel("Output"), panel("The film")
+in_hints, in_camera = panel("Hints, if the hoop is not found"), panel("Camera")
 
 
 def track(
@@ -16,73 +20,56 @@ def track(
     radius: Annotated[float, typer.Option(help="Outer radius of the rim, m, for the scale.", show_default=False)],
     out: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Folder for index.html, overlay.mp4, track.json, track.csv.", rich_help_panel=OUTPUT),
+        in_output(metavar="DIR", help="Folder for index.html, overlay.mp4, track.json, track.csv."),
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="The track: .json (everything) or .csv.", rich_help_panel=OUTPUT)
-    ] = None,
-    overlay: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Film with the track drawn over it, .mp4.", rich_help_panel=OUTPUT)
-    ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
-    rate: Annotated[
-        float | None, typer.Option(help="Frames per second as taken, if the file is in slow motion.", rich_help_panel=FILM)
-    ] = None,
-    since: Annotated[float | None, typer.Option("--from", help="Time from which to track, s.", rich_help_panel=FILM)] = None,
-    until: Annotated[float | None, typer.Option("--to", help="Time up to which to track, s.", rich_help_panel=FILM)] = None,
-    exposure: Annotated[float, typer.Option(help="Exposure time, s.", rich_help_panel=FILM)] = 0.0,
-    row_delay: Annotated[float, typer.Option(help="Rolling shutter: delay from row to row, s.", rich_help_panel=FILM)] = 0.0,
-    pick: Annotated[
-        bool, typer.Option("--pick", help="Click on the hoop in a still, on a page.", rich_help_panel=HINTS)
-    ] = False,
-    marker_color: Annotated[
-        str, typer.Option(help="Colour of the marker: auto, none, a name such as red, or #rrggbb.", rich_help_panel=HINTS)
-    ] = "auto",
-    ring: Annotated[str, typer.Option(help="auto, dark or light.", rich_help_panel=HINTS)] = "auto",
-    centre: Annotated[
-        str | None, typer.Option(metavar="COLUMN,ROW", help="The hoop's centre in a frame, pixels.", rich_help_panel=HINTS)
-    ] = None,
-    rim: Annotated[float | None, typer.Option(help="Radius of the rim in that frame, pixels.", rich_help_panel=HINTS)] = None,
-    at: Annotated[float, typer.Option(help="Time of that frame, s.", rich_help_panel=HINTS)] = 0.0,
+    save: Annotated[Path | None, in_output(metavar="FILE", help="The track: .json (everything) or .csv.")] = None,
+    overlay: Annotated[Path | None, in_output(metavar="FILE", help="Film with the track drawn over it, .mp4.")] = None,
+    quiet: Annotated[bool, in_output("--quiet", help="Show no progress.")] = False,
+    rate: Annotated[float | None, in_film(help="Frames per second as taken, if the file is in slow motion.")] = None,
+    since: Annotated[float | None, in_film("--from", help="Time from which to track, s.")] = None,
+    until: Annotated[float | None, in_film("--to", help="Time up to which to track, s.")] = None,
+    exposure: Annotated[float, in_film(help="Exposure time, s.")] = 0.0,
+    row_delay: Annotated[float, in_film(help="Rolling shutter: delay from row to row, s.")] = 0.0,
+    pick: Annotated[bool, in_hints("--pick", help="Click on the hoop in a still, on a page.")] = False,
+    marker_color: Annotated[str, in_hints(help="Colour of the marker: auto, none, a name such as red, or #rrggbb.")] = "auto",
+    ring: Annotated[str, in_hints(help="auto, dark or light.")] = "auto",
+    centre: Annotated[str | None, in_hints(metavar="COLUMN,ROW", help="The hoop's centre in a frame, pixels.")] = None,
+    rim: Annotated[float | None, in_hints(help="Radius of the rim in that frame, pixels.")] = None,
+    at: Annotated[float, in_hints(help="Time of that frame, s.")] = 0.0,
     ground: Annotated[
         str | None,
-        typer.Option(metavar="C,R,C,R", help="Two points of the ground line below the rim, pixels.", rich_help_panel=CAMERA),
+        in_camera(metavar="C,R,C,R", help="Two points of the ground line below the rim, pixels."),
     ] = None,
-    level_deg: Annotated[
-        float, typer.Option(help="Rise of a level line to the right in the picture, degrees.", rich_help_panel=CAMERA)
-    ] = 0.0,
-    slope_deg: Annotated[
-        float | None, typer.Option(help="Slope of the plane, downhill to the right, degrees.", rich_help_panel=CAMERA)
-    ] = None,
+    level_deg: Annotated[float, in_camera(help="Rise of a level line to the right in the picture, degrees.")] = 0.0,
+    slope_deg: Annotated[float | None, in_camera(help="Slope of the plane, downhill to the right, degrees.")] = None,
     tilt_deg: Annotated[
         str | None,
-        typer.Option(
+        in_camera(
             metavar="A,B",
             help="Rotation of the plane of motion about the picture's horizontal and vertical axis, degrees; 0,0 without tilt. "
             "Found from the film by default.",
-            rich_help_panel=CAMERA,
         ),
     ] = None,
-    focal: Annotated[float | None, typer.Option(help="Focal length, pixels.", rich_help_panel=CAMERA)] = None,
+    focal: Annotated[float | None, in_camera(help="Focal length, pixels.")] = None,
 ) -> None:
     """Track a hoop in a film: time, centre, angle and their uncertainties per frame; status 1 if the track is doubtful."""
     from hophoop._support.progress import bar
     from hophoop.cli import NO_ANSWER, say
-    from hophoop.cli._output import named_options
     from hophoop.tracking import Hints
     from hophoop.tracking import track as find
     from hophoop.tracking.doubts import DOUBT
 
-    _check(out, save, overlay, video)
-    tilt = _numbers("--tilt-deg", tilt_deg, 2)
+    outputs = {"--out": (out, None), "--save": (save, (".json", ".csv")), "--overlay": (overlay, (".mp4",))}
+    check_outputs(outputs, video, "the film")
+    tilt = None if tilt_deg is None else numbers("--tilt-deg", tilt_deg, 2)
     with named_options({"level": "--level-deg", "slope": "--slope-deg", "tilt": "--tilt-deg"}):
         hints = Hints(
             marker_color=marker_color,
             ring=ring,
-            centre=_numbers("--centre", centre, 2),
+            centre=None if centre is None else numbers("--centre", centre, 2),
             rim=rim,
             at=at,
-            ground=_numbers("--ground", ground, 4),
+            ground=None if ground is None else numbers("--ground", ground, 4),
             level=math.radians(level_deg),
             slope=None if slope_deg is None else math.radians(slope_deg),
             exposure=exposure,
@@ -101,23 +88,6 @@ def track(
     _write(found, video, out, save, overlay, quiet)
     if any(note.startswith(DOUBT) for note in found.notes):
         raise typer.Exit(NO_ANSWER)
-
-
-def _check(out: Path | None, save: Path | None, overlay: Path | None, video: Path) -> None:
-    from hophoop.cli._output import check_apart, check_ending, check_folder
-
-    if save is not None:
-        check_ending("--save", save, (".json", ".csv"))
-        check_folder("--save", save)
-    if overlay is not None:
-        check_ending("--overlay", overlay, (".mp4",))
-        check_folder("--overlay", overlay)
-    named = [path for path in (out, save, overlay) if path is not None]
-    check_apart(named)
-    if any(path.absolute() == video.absolute() for path in named):
-        from hophoop.scenario import InputError
-
-        raise InputError(f"{video} is the film itself: name another file for the output.")
 
 
 def _write(found: Any, video: Path, out: Path | None, save: Path | None, overlay: Path | None, quiet: bool) -> None:
@@ -153,17 +123,3 @@ def _pick(video: Path, hints: Any) -> Any:
     from hophoop.lab.server.pick import pick
 
     return pick(video, hints)
-
-
-def _numbers(option: str, text: str | None, count: int) -> Any:
-    from hophoop.scenario import InputError
-
-    if text is None:
-        return None
-    try:
-        values = tuple(float(word) for word in text.split(","))
-    except ValueError:
-        values = ()
-    if len(values) != count:
-        raise InputError(f"{option} {text} must be {count} numbers with commas between them.")
-    return values
