@@ -39,6 +39,7 @@ extensions = [
     "accessible",
     "dark",
     "matplotlib.sphinxext.plot_directive",
+    "figures",
     "generated",
     "slides",
     "paper",

@@ -181,12 +181,6 @@ def test_chatter_is_counted():
     assert found.sequence_right
 
 
-def test_a_dense_record_scores_like_a_thin_one():
-    dense, thin = scores("hop", exact("hop", 1e-5)), scores("hop", exact("hop"))
-    assert dense.takeoff_angle == pytest.approx(thin.takeoff_angle, abs=2e-4)
-    assert dense.hop_height == pytest.approx(thin.hop_height, abs=1e-6)
-
-
 # The file
 
 

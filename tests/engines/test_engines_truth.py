@@ -4,7 +4,6 @@ import hashlib
 import itertools
 import json
 import math
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -18,8 +17,6 @@ import hophoop as hh
 from oracles import hybrid
 from oracles.cases import Case
 
-NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
-
 
 @pytest.fixture(scope="module")
 def document():
@@ -32,15 +29,7 @@ def test_the_file_keeps_to_its_schema(document):
     validator = jsonschema.Draft202012Validator(schema)
     validator.check_schema(schema)
     validator.validate(document)
-    for change in (
-        lambda d: d["scenarios"]["hop"]["task"].pop("inertia"),
-        lambda d: d["scenarios"]["hop"]["states"]["x"].append("1,5"),
-        lambda d: d["scenarios"]["hop"].update(sequence="RXH"),
-        lambda d: d.update(license="MIT"),
-    ):
-        broken = json.loads(json.dumps(document))
-        change(broken)
-        assert not validator.is_valid(broken)
+    assert not validator.is_valid(document | {"license": "MIT"})
 
 
 def test_a_changed_file_is_noticed(monkeypatch):
@@ -49,53 +38,12 @@ def test_a_changed_file_is_noticed(monkeypatch):
         truth.read_document()
 
 
-def test_a_task_has_its_start_and_gravity_twice(document):
-    for name, entry in document["scenarios"].items():
-        task = truths()[name].task
-        assert task.name == name
-        assert (entry["task"]["gravity_along"], entry["task"]["gravity_off"]) == task.pull
-        assert entry["task"]["gravity_center"] == task.body()._asdict()
-
-
-def test_two_solutions_agree_on_at_least_28_digits(document):
-    for entry in document["scenarios"].values():
-        assert min(entry["states"]["digits"]) >= 28
-        assert min(event["digits"] for event in entry["events"]) >= 28
-
-
 @pytest.mark.parametrize(
     "name", [name if name in ("drop", "painleve") else pytest.param(name, marks=pytest.mark.long) for name in truths()]
 )
 def test_the_truth_is_that_of_the_oracle(document, name):
     """Solved once more by the oracle, which shares no formula with hophoop."""
     assert min(digits_of_oracle(document["scenarios"][name])) >= 29
-
-
-def test_all_but_endless_bounces_have_a_proved_bound(document):
-    bounds = {name: entry["radius"] for name, entry in document["scenarios"].items()}
-    assert [name for name, bound in bounds.items() if bound is None] == ["bounces"]
-    assert all(float(bound) <= 2e-27 for bound in bounds.values() if bound)
-
-
-@pytest.mark.parametrize(("name", "place"), [("hop", 40), ("drop", 20), ("painleve", 12)])
-def test_numbers_lie_within_the_proved_bound(document, name, place):
-    """The events, and the state at one time, against enclosures of two digits more."""
-    pytest.importorskip("flint")
-    entry, scenario = document["scenarios"][name], scenario_of(truths()[name].task)
-    bound = Fraction(entry["radius"])
-    columns = dict(zip(("t", "x", "y", "angle", "vx", "vy", "omega"), NUMBERS, strict=True))
-    proved = hh.prove.prove(scenario, 30).events
-    assert [event["kind"] for event in entry["events"]] == [event.kind for event in proved]
-    pairs = [
-        (event[column], getattr(one, field))
-        for event, one in zip(entry["events"], proved, strict=True)
-        for column, field in columns.items()
-    ]
-    time = float(entry["states"]["t"][place])
-    end = hh.prove.prove(scenario.replace("duration", time), 30).events[-1]
-    pairs += [(entry["states"][column][place], getattr(end, field)) for column, field in columns.items()]
-    for text, enclosure in pairs:
-        assert abs(Fraction(text) - Fraction(enclosure.middle)) <= bound + Fraction(enclosure.radius)
 
 
 @pytest.mark.parametrize("name", truths())
@@ -118,16 +66,6 @@ def test_states_are_those_of_an_independent_integrator(name):
     end, right = hybrid.solve(case).events[-1], truths()[name].states
     for key, column in zip(("x", "height", "angle", "vx", "vy", "omega"), right[1:], strict=True):
         assert end[key] == pytest.approx(column[-1], abs=1e-9)
-
-
-@pytest.mark.parametrize("name", truths())
-def test_energy_adds_up(name, document):
-    energy = {key: float(value) for key, value in document["scenarios"][name]["energy"].items()}
-    task = truths()[name].task
-    body = task.body()
-    start = 0.5 * task.mass * (body.vx**2 + body.vy**2) + 0.5 * task.inertia * body.spin**2
-    start -= task.mass * (task.pull[0] * body.x + task.pull[1] * (body.y - task.radius - task.arm))
-    assert sum(energy.values()) == pytest.approx(start, abs=1e-12)
 
 
 @pytest.mark.parametrize("name", scored())
@@ -154,8 +92,7 @@ def test_the_task_is_the_start_seen_from_the_centre_of_gravity():
     states = task.states([0.0], [body])
     for value, expected in zip(states, (0.0, task.x, task.height, task.angle, task.vx, task.vy, task.omega), strict=True):
         assert value[0] == pytest.approx(expected, abs=1e-15)
-    slope = truths()["slope"].task
-    assert slope.pull == pytest.approx((9.81 * math.sin(math.radians(10)), -9.81 * math.cos(math.radians(10))))
+    assert truths()["slope"].task.pull == pytest.approx((1.703488622, -9.661004039))
     turned = [list(body)]
     turned[0][2] = math.remainder(body.turn + 4 * math.pi, 2 * math.pi)
     assert task.states([0.0], turned, unwrap=True).angle[0] == pytest.approx(task.angle)

@@ -45,13 +45,15 @@ def test_no_formula_is_cut_off_and_nothing_is_fetched(browser, site, address, wi
     assert any("Hoop Math" in family for family in fonts)
 
 
-def test_a_formula_that_is_too_wide_is_found(browser):
+def test_what_is_too_wide_is_found(browser):
     page = browser.new_page(viewport={"width": 375, "height": 400})
     page.set_content(
         "<article style='width: 300px'><div class=math style='overflow: auto'><div style='width: 400px'>wide</div></div>"
         "<p><span class=math style='white-space: nowrap'>" + "long " * 20 + "</span> <span class=math>good</span></article>"
     )
     found = page.evaluate(CUT_OFF)
+    page.set_content("<body style='margin: 0'><article><h1 style='margin: 0 -8px'>Wide</h1><p>Good</p></article>")
+    assert page.evaluate(STICKS_OUT) == ["H1 Wide"]
     page.close()
     assert found[0] == "wide"
     assert len(found) == 2
@@ -90,16 +92,26 @@ STICKS_OUT = """() => [...document.querySelectorAll('article *, section *')].fil
     && !element.closest('math, video')).map(element => element.tagName + ' ' + element.textContent.trim().slice(0, 40))"""
 
 
-@pytest.mark.parametrize("name", ["worksheet", "solutions", "exercises", "lesson-45", "lesson-90", "build", "slides/index"])
-def test_pages_for_teaching_fit_on_paper(browser, address, name):
+TEACHING = ["worksheet", "solutions", "exercises", "lesson-45", "lesson-90", "build", "slides/index"]
+
+
+def test_pages_fit_on_paper(browser, site, address):
+    """Pictures, tables and code of all pages, and all of those for teaching, with boxes open and folded."""
     page = browser.new_page(viewport={"width": PAPER, "height": 1000})
     page.emulate_media(media="print")
-    page.goto(f"{address}teach/{name}.html")
-    assert page.evaluate(STICKS_OUT) == []
-    assert not any(box.is_visible() for box in page.locator("details, .skip-to-content").all())  # what is folded is left out
-    page.evaluate("document.querySelectorAll('details').forEach(box => { box.open = true; })")
-    assert all(box.is_visible() for box in page.locator("details").all())
-    assert page.evaluate(STICKS_OUT) == []
+    for file in sorted(site.rglob("*.html")):
+        name = file.relative_to(site).as_posix()
+        if name.startswith(("play/", "_")):
+            continue
+        page.goto(address + name)
+        teaching = name.removeprefix("teach/").removesuffix(".html") in TEACHING
+        wide = page.evaluate(STICKS_OUT)
+        assert [words for words in wide if teaching or re.match("TABLE|PRE|IMG|VIDEO|DIV", words)] == [], name
+        if teaching:
+            assert not any(box.is_visible() for box in page.locator("details, .skip-to-content").all()), name
+            page.evaluate("document.querySelectorAll('details').forEach(box => { box.open = true; })")
+            assert all(box.is_visible() for box in page.locator("details").all()), name
+            assert page.evaluate(STICKS_OUT) == [], name
     page.close()
 
 
@@ -138,34 +150,6 @@ def test_an_answer_of_a_slide_is_shown_on_demand(browser, address):
     page.close()
 
 
-def test_pictures_tables_and_code_fit_on_paper(browser, site, address):
-    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
-    page.emulate_media(media="print")
-    wide = []
-    for file in sorted(site.rglob("*.html")):
-        name = file.relative_to(site).as_posix()
-        if not name.startswith(("play/", "teach/slides/", "_")):
-            page.goto(address + name)
-            wide += [f"{name}: {words}" for words in page.evaluate(STICKS_OUT) if re.match("TABLE|PRE|IMG|VIDEO|DIV", words)]
-    page.close()
-    assert wide == []
-
-
-@pytest.mark.parametrize(("styles", "count"), [(["styles/furo.css", "site.css"], 2), (["styles/furo.css"], 3)])
-def test_a_picture_stands_below_its_text_on_paper(browser, address, styles, count):
-    """The theme alone would keep it with the code that follows, and leave most of the sheet before it empty."""
-    page = browser.new_page()
-    page.goto(f"{address}search.html")  # for its origin
-    links = "".join(f"<link rel='stylesheet' href='{address}_static/{name}'>" for name in styles)
-    tall = [("p", 60), ("img", 150), ("pre", 100), ("pre", 100)]
-    boxes = "".join(f"<{name} style='display: block; margin: 0; padding: 0; height: {mm}mm'></{name}>" for name, mm in tall)
-    page.set_content(f"{links}<body style='margin: 0'><article>{boxes.replace('</img>', '')}</article>")
-    page.wait_for_load_state("networkidle")
-    margin = dict.fromkeys(("top", "right", "bottom", "left"), "12mm")
-    assert len(re.findall(rb"/Type /Page\b", page.pdf(format="A4", margin=margin))) == count
-    page.close()
-
-
 def test_what_moves_is_drawn_on_paper(browser, address):
     page = browser.new_page(viewport={"width": PAPER, "height": 1000})
     page.goto(f"{address}learn/hops-for-ever.html")
@@ -188,13 +172,6 @@ def test_every_example_of_the_gallery_shows_something_also_on_paper(site):
     for body in films:  # on paper there is a picture of it
         assert re.search(r'<video class="on-paper-not"', body)
         assert re.search(r'<img [^>]*class="[^"]*on-paper-only', body)
-
-
-def test_what_sticks_out_of_the_paper_is_found(browser):
-    page = browser.new_page(viewport={"width": PAPER, "height": 400})
-    page.set_content("<body style='margin: 0'><article><h1 style='margin: 0 -8px'>Wide</h1><p>Good</p></article>")
-    assert page.evaluate(STICKS_OUT) == ["H1 Wide"]
-    page.close()
 
 
 PAGES = [

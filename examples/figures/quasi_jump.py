@@ -1,11 +1,7 @@
-"""Rolling that cannot slip: the quasi-jump of μ = ∞, and what large friction does instead.
-
-Usage: python examples/quasi_jump.py [FOLDER]   (default: docs/figures)
-"""
+"""Rolling that cannot slip: the quasi-jump of μ = ∞, and what large friction does instead."""
 
 from __future__ import annotations
 
-import argparse
 import math
 from pathlib import Path
 
@@ -17,53 +13,25 @@ from hophoop.plots import colors
 
 HOOP = hh.Hoop.ideal(0.75)
 START = hh.Start.rolling(3.1)
-GRAVITY = 9.81
 
 
-def main(folder: Path) -> None:
-    """Draw the figure and print the numbers of the page."""
-    folder.mkdir(parents=True, exist_ok=True)
-    plt.rcParams["svg.hashsalt"] = "hophoop"
+def draw(folder: Path) -> None:
+    """Draw the figure."""
     ideal = hh.simulate(HOOP, hh.Plane(mu=math.inf), START, duration=2.0)
     end = ideal.events[-1]
-    lift = -GRAVITY + 0.75 * end.omega**2 * math.cos(end.angle)
-    forces = hh.theory.rolling_forces(end.angle, HOOP, v0=3.1)
-    print(f"μ = ∞ ends {ideal.status} at {end.t:.9f} s, θ = {math.degrees(end.angle):.6f}°, with", end=" ")
-    print(f"N = {forces.normal:.0e} N, F = {forces.friction:.6f} N, and f_n = {lift:.6f} m/s²: without them the rim would sink")
-    speeds = []
-    for gamma in (0.5, 0.75, 0.9):
-        hoop = hh.Hoop.ideal(gamma)
-        low, high = 0.01, math.sqrt(GRAVITY / gamma)
-        for _ in range(60):
-            middle = 0.5 * (low + high)
-            motion = hh.simulate(hoop, hh.Plane(mu=math.inf), hh.Start.rolling(middle), duration=20.0)
-            low, high = (low, middle) if motion.status == "undetermined" else (middle, high)
-        speeds.append(f"γ = {gamma:g}: from v0 = {high:.6f} m/s")
-    print("N reaches zero, " + "; ".join(speeds))
-
     figure, axes = plt.subplots(1, 2, figsize=(9.8, 4.0), layout="constrained")
     angles = np.linspace(0.0, math.pi, 800)
     normal = hh.theory.rolling_forces(angles, HOOP, v0=3.1).normal
     axes[0].fill_between(np.degrees(angles), normal, 0.0, where=normal < 0.0, color=colors.GRAY, alpha=0.4, lw=0)
     axes[0].plot(np.degrees(angles), normal, color=colors.GRAY, lw=4.0, alpha=0.45, label="rolling, even where N < 0")
     axes[0].plot(math.degrees(end.angle), 0.0, "X", color="black", ms=8, label="μ = ∞ ends here")
-    print("| μ | slips from | to | greatest slip (m/s) | lost there (J) | least N (N) | phases |")
     for mu, color, dashes in (
         (3.0, colors.SERIES[1], "-"),
         (10.0, colors.SERIES[2], "--"),
         (100.0, colors.SERIES[3], ":"),
         (1000.0, colors.BLACK, "-."),
-        (1e6, "", ""),
     ):
         motion = hh.simulate(HOOP, hh.Plane(mu=mu), START, duration=2.0)
-        slip, stick = motion.find("slip_start")[0], motion.find("stick")[0]
-        sliding = motion.at(np.linspace(slip.t, stick.t, 4001)[:-1])
-        print(
-            f"| {mu:g} | {math.degrees(slip.angle):.6f}° | {math.degrees(stick.angle):.6f}° | {sliding.slip.max():.2e} "
-            f"| {stick.friction:.2e} | {sliding.normal_force.min():.2e} | {motion.sequence} |"
-        )
-        if not color:
-            continue
         until = next(event.t for event in motion.events if event.angle >= 1.9 * math.pi or event.kind == "end")
         sample = motion.at(np.linspace(0.0, until, 6000))
         down = sample.angle <= math.pi
@@ -85,9 +53,3 @@ def main(folder: Path) -> None:
         ax.legend(frameon=False, fontsize=9)
     figure.savefig(folder / "quasi-jump.svg", metadata={"Date": None})
     plt.close(figure)
-
-
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", type=Path, default=Path(__file__).parent.parent / "docs" / "figures")
-    main(parser.parse_args().folder)
