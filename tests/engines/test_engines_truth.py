@@ -92,7 +92,7 @@ def test_the_task_is_the_start_seen_from_the_centre_of_gravity():
     states = task.states([0.0], [body])
     for value, expected in zip(states, (0.0, task.x, task.height, task.angle, task.vx, task.vy, task.omega), strict=True):
         assert value[0] == pytest.approx(expected, abs=1e-15)
-    assert truths()["slope"].task.pull == pytest.approx((1.703488622, -9.661004039))
+    assert truths()["slope"].task.pull == pytest.approx((9.81 * math.sin(math.radians(10)), -9.81 * math.cos(math.radians(10))))
     turned = [list(body)]
     turned[0][2] = math.remainder(body.turn + 4 * math.pi, 2 * math.pi)
     assert task.states([0.0], turned, unwrap=True).angle[0] == pytest.approx(task.angle)
