@@ -4,22 +4,16 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-import hophoop as hh
+from contact_tools import body_of, log_of
 from hophoop.kernel.panels.panel import FLY
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS, new_scratch
+from hophoop.kernel.records.layout import EVENTS, SEGMENTS
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import flight_phase
 from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, Ending, begin_phase, limits_of
-
-
-def body_of(gamma=0.75, **plane):
-    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(**plane)).to_body()
 
 
 def state_of(angle=0.5, *, y=0.0, vt=0.0, vn=0.0, om=0.0, time=0.0):
@@ -30,14 +24,9 @@ def limits(state, t_end=9.0, span=math.nan, stop=0):
     return limits_of(state, t_end, span, stop, 0)
 
 
-def tables():
-    events, segments, scratch = np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch()
-    return new_log(events, segments, scratch), scratch
-
-
 def fly(body, state, given, vanishing=0):
     """(ending, state at the end, apexes, segment); with three vanishing derivatives the gap opens by rounding alone."""
-    log, scratch = tables()
+    log, scratch = log_of()
     f_n = 0.0 if vanishing == 3 else body.eps * state.om**2 * math.cos(state.th) - body.gn
     ending, after = flight_phase.fly(body, state, f_n, vanishing, given, log)
     assert scratch.counts[SEGMENTS] == 1
@@ -126,7 +115,7 @@ def test_a_flight_ends_after_a_rotation_whose_angle_time_cannot_tell(om):
 
 def step(state, stop, restitution=0.0):
     body = body_of(restitution=restitution)
-    log, scratch = tables()
+    log, scratch = log_of()
     phase = begin_phase(int(Mode.FLIGHT), state, Ending.LANDING)
     after = flight_phase.flight_step(body, phase, limits(state, 9.0, stop=stop), log)
     return after, log.events["kind"][: scratch.counts[EVENTS]].tolist()

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from contact_tools import body_of
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.records.layout import EVENT, EVENTS, PANEL_LIMIT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
@@ -17,10 +18,6 @@ from hophoop.kernel.rigid import run as kernel
 from hophoop.kernel.rigid.phase import GOING, START_LEVEL, Ending, Phase
 
 NOWHERE = -1  # the mode before a start on the plane
-
-
-def body_of(gamma=0.75, mu=0.5, **plane):
-    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, **plane)).to_body()
 
 
 def state_of(angle, *, y=0.0, vt=0.0, vn=0.0, om=0.0):

@@ -5,17 +5,16 @@ from __future__ import annotations
 import itertools
 import math
 
-import numpy as np
 import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
+from contact_tools import log_of
 from hophoop.kernel.panels.panel import FLY, SKIMMING
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.physics.modes import UNDECIDED
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, SEGMENTS, new_scratch
+from hophoop.kernel.records.layout import EVENTS, SEGMENTS
 from hophoop.kernel.records.state import start_state
-from hophoop.kernel.records.writing import new_log
 from hophoop.kernel.rigid import flight_phase
 from hophoop.kernel.rigid.phase import GOING, Ending, begin_phase, limits_of
 
@@ -29,14 +28,9 @@ def state_of(angle, om=0.0, vt=0.0, x=0.0):
     return start_state(x, 0.0, angle, vt, 0.0, om)
 
 
-def tables():
-    events, segments, scratch = np.zeros(9, EVENT), np.zeros(9, SEGMENT), new_scratch()
-    return new_log(events, segments, scratch), scratch
-
-
 def let_go(body, state):
     """(mode, state, events)."""
-    log, scratch = tables()
+    log, scratch = log_of()
     mode, after = flight_phase.begin_skim(body, state, log)
     return mode, after, log.events[: scratch.counts[EVENTS]]
 
@@ -78,7 +72,7 @@ def test_beside_the_top_the_load_passes_it(angle, om):
 
 def skim(body, state, t_end):
     """(whether it strikes, state, v_n of the load, segment)."""
-    log, scratch = tables()
+    log, scratch = log_of()
     ending, after, vn = flight_phase.skim(body, state, limits_of(state, t_end, math.nan, 0, 0), log)
     assert scratch.counts[:2].tolist() == [0, 1]
     assert ending in (Ending.LOAD_STRIKE, Ending.TIME_LIMIT)
@@ -156,7 +150,7 @@ def test_without_gravity_a_load_at_rest_never_strikes():
 
 
 def step(body, state, t_end=99.0):
-    log, scratch = tables()
+    log, scratch = log_of()
     phase = begin_phase(int(Mode.SKIM), state, Ending.LOAD_STRIKE)
     given = limits_of(state, t_end, math.nan, 0, 0)
     after = flight_phase.skim_step(body, phase, given, log)

@@ -9,6 +9,7 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
+from contact_tools import body_of
 from hophoop.kernel.native import forced
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.modes import UNDECIDED
@@ -20,10 +21,6 @@ from hophoop.kernel.rigid.contact_phase import vanishing_slip_derivatives
 from hophoop.kernel.rigid.flight_phase import flight_start
 from hophoop.kernel.rigid.phase import Ending
 from hophoop.kernel.rigid.transitions import undecided
-
-
-def body_of(gamma=0.75, mu=0.5, **plane):
-    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, **plane)).to_body()
 
 
 def state_of(angle=0.5, vt=0.0, om=1.0, time=0.0):
