@@ -14,8 +14,6 @@ import numpy as np
 import pytest
 import xarray as xr
 import zarr
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 import hophoop as hh
 from damage import sign, unseal
@@ -67,31 +65,6 @@ def test_a_loaded_motion_is_the_same_to_the_last_bit(motion, tmp_path, name):
 def test_a_compliant_motion_too(compliant, tmp_path, name):
     io.save(compliant, str(tmp_path / name), n=10)
     assert_same_bits(compliant, hh.load(str(tmp_path / name)))
-
-
-@pytest.mark.long
-@given(
-    st.floats(0.0, 0.99),
-    st.floats(0.0, 2.0),
-    st.floats(-0.5, 0.5),
-    st.floats(0.0, 0.9),
-    st.floats(-7.0, 7.0),
-    st.floats(0.0, 0.5),
-    st.floats(-5.0, 5.0),
-    st.floats(-9.0, 9.0),
-    st.sampled_from(FORMATS),
-)
-@settings(max_examples=12, suppress_health_check=[HealthCheck.function_scoped_fixture])
-def test_random_motions_come_back(tmp_path, gamma, mu, slope, rest, angle, height, vx, omega, name):
-    motion = hh.simulate(
-        hh.Hoop.ideal(gamma, radius=0.7, mass=2.5),
-        hh.Plane(mu=mu, slope=slope, restitution=rest),
-        hh.Start(angle=angle, height=height, vx=vx, omega=omega),
-        1.0,
-        hh.Rigid(max_events=200),
-    )
-    io.save(motion, tmp_path / name, n=5)
-    assert_same_bits(motion, hh.load(tmp_path / name))
 
 
 @pytest.mark.parametrize(
@@ -181,11 +154,6 @@ def test_csv_of_events(motion, tmp_path):
     assert impact["collision"] == "True"
 
 
-def test_json_is_the_dict(motion, tmp_path):
-    io.write_json(motion, tmp_path / "hop.json")
-    assert json.loads((tmp_path / "hop.json").read_text(encoding="utf-8")) == motion.to_dict()
-
-
 # --- refusals and half-written files ---------------------------------------------------------------
 
 
@@ -214,22 +182,6 @@ def test_a_missing_folder_is_told_with_the_name_that_was_given(motion, tmp_path,
     assert refusal.value.filename == str(tmp_path / "gone" / name)
 
 
-@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr.zip"])
-def test_noise_is_refused(tmp_path, name):
-    (tmp_path / name).write_bytes(b"this is no file of ours" * 99)
-    with pytest.raises(ValueError, match=f"{name} cannot be read as (netCDF|Zarr): "):
-        hh.load(tmp_path / name)
-
-
-def test_other_files_are_refused(tmp_path):
-    xr.Dataset({"x": ("time", [1.0])}).to_netcdf(tmp_path / "other.nc")
-    with pytest.raises(ValueError, match=r"other\.nc is not a saved motion of hophoop\.$"):
-        hh.load(tmp_path / "other.nc")
-    (tmp_path / "empty.zarr").mkdir()
-    with pytest.raises(ValueError, match=r"empty\.zarr cannot be read as Zarr"):
-        hh.load(tmp_path / "empty.zarr")
-
-
 def with_attributes(motion, path, **attributes):
     """A file with other attributes, as if hophoop had written them."""
     motion.save(path)
@@ -242,13 +194,6 @@ def with_attributes(motion, path, **attributes):
     if "schema" not in attributes:
         sign(path)
     return path
-
-
-@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
-def test_another_schema_is_refused(motion, tmp_path, name):
-    path = with_attributes(motion, tmp_path / name, schema="hophoop/2")
-    with pytest.raises(ValueError, match=r"has the schema 'hophoop/2', but this version of hophoop reads"):
-        hh.load(path)
 
 
 @pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
@@ -287,13 +232,6 @@ def test_a_write_that_fails_leaves_the_old_file(motion, tmp_path, name, monkeypa
     assert_same_bits(motion, hh.load(tmp_path / name))
     shorter.save(tmp_path / name)
     assert hh.load(tmp_path / name).duration == 0.5
-
-
-@pytest.mark.parametrize("write", [io.write_json, io.write_csv, io.write_events_csv, io.save])
-def test_a_folder_that_is_not_there_is_named(motion, tmp_path, write):
-    target = tmp_path / "nowhere" / "hop.nc"
-    with pytest.raises(OSError, match="nowhere"):
-        write(motion, target)
 
 
 # --- fingerprints ----------------------------------------------------------------------------------

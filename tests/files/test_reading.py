@@ -144,6 +144,8 @@ def test_a_file_of_others_is_refused_without_a_word_on_formats(tmp_path):
         path = tmp_path / "other.nc"
         xr.Dataset({"x": ("time", [1.0])}, attrs=attributes).to_netcdf(path)
         assert refusal(path) == "is not a saved motion of hophoop."
+    (tmp_path / "empty.zarr").mkdir()
+    assert refusal(tmp_path / "empty.zarr").startswith("cannot be read as Zarr")
 
 
 @pytest.mark.parametrize("name", ["hop.zarr", "hop.zarr.zip"])

@@ -22,38 +22,11 @@ def near(value):
     return pytest.approx(value, rel=1e-11, abs=1e-12)
 
 
-def test_free_acceleration(case):
-    body, th, om = case
-    ax, ay, alpha, _, _ = accelerations(body, th, om, "free")
-    assert contact.free_acceleration(body, math.sin(th), math.cos(th), om * om) == near((ax - alpha, ay))
-
-
 def test_delassus(case):
     body, th, _ = case
     along, normal = responses(body, th)
     assert contact.delassus(body, math.sin(th), math.cos(th)) == near((along[0], normal[1], along[1]))
     assert along[1] == near(normal[0])  # the operator is symmetric
-
-
-def test_contact_arms(case):
-    body, th, _ = case
-    along, normal = responses(body, th)
-    assert contact.contact_arms(body, math.sin(th), math.cos(th)) == near((-body.kap * along[2], body.kap * normal[2]))
-
-
-def test_load_height():
-    for th in (0.3, 1.5, 1.6, 2.9, 4.0):
-        assert contact.load_height(math.sin(th), math.cos(th)) == near(1.0 + math.cos(th))
-    # 1 + cos θ = 2 sin² of half the angle that is left to π
-    assert contact.load_height(math.sin(1e-6), -math.cos(1e-6)) == pytest.approx(2.0 * math.sin(0.5e-6) ** 2, rel=1e-14)
-
-
-def test_inertia_about_the_contact_point(case):
-    body, th, _ = case
-    s, c = math.sin(th), math.cos(th)
-    distance = math.hypot(body.eps * s, 1.0 + body.eps * c)  # from P to G
-    assert contact.inertia_at_height(body, 1.0 + c) == near(body.kap + distance**2)
-    assert contact.rolling_inertia(body, c) == near(body.kap + distance**2)
 
 
 def test_rolling(case):
@@ -62,27 +35,6 @@ def test_rolling(case):
     s, c, u = math.sin(th), math.cos(th), om * om
     assert contact.rolling_acceleration(body, s, c, u, 0.0) == near(alpha)
     assert contact.rolling_forces(body, s, c, u, 0.0) == near((friction, normal))
-
-
-@pytest.mark.parametrize("sigma", [1, -1])
-def test_slip(case, sigma):
-    body, th, om = case
-    ax, _, alpha, _, normal = accelerations(body, th, om, sigma)
-    s, c, u = math.sin(th), math.cos(th), om * om
-    assert contact.slip_motion(body, s, c, u, sigma, 0.0) == near((alpha, normal, ax - alpha))
-    assert contact.slip_torque_arm(body, s, c, sigma) == near(body.kap * alpha / normal)
-    # v_n with a force (−σ μk, 1) N: p_σ = dv_n/dp
-    along, up = responses(body, th)
-    assert contact.kappa_p_sigma(body, s, c, sigma, 0.0) == near(body.kap * (up[1] - sigma * body.mu_k * along[1]))
-
-
-@pytest.mark.parametrize("mu", [0.0, 0.3, 2.0])
-def test_cone_weights(mu):
-    a, b = contact.cone_weights(mu)
-    assert a * a + b * b == near(1.0)
-    assert a == near(mu * b)  # zero on the cone, abs(F) = μ N
-    assert b > 0.0
-    assert contact.cone_weights(math.inf) == (1.0, 0.0)
 
 
 def test_utilization():
@@ -119,11 +71,3 @@ def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
     assert contact.slip_motion(body, sine, cosine, u, 1.0, 0.0)[2] == pytest.approx(float(rate), rel=1e-12)
     for speed, expected in turning.items():
         assert contact.rolling_acceleration(body, sine, cosine, speed, 0.0) == pytest.approx(float(expected), rel=1e-12)
-
-
-@pytest.mark.parametrize("off", [0.3, 1e-3, 1e-6, 1e-9])
-def test_the_loads_height_keeps_its_digits_near_the_plane(off):
-    # 1 + cos(π − x) = 2 sin²(x / 2)
-    expected = 2.0 * math.sin(0.5 * off) ** 2
-    assert contact.load_height(math.sin(off), -math.cos(off)) == pytest.approx(expected, rel=1e-14)
-    assert contact.load_height(-math.sin(off), -math.cos(off)) == pytest.approx(expected, rel=1e-14)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.modes import TERMS, candidate_series, leading_sign
+from hophoop.kernel.physics.modes import TERMS, candidate_series
 from newton_euler import BODIES
 
 
@@ -73,18 +73,6 @@ def test_coefficients_are_derivatives_of_the_motion(sigma):
         for what in (0, 1, 2) if sigma == 0 else (0, 3):
             series = expected[what]
             np.testing.assert_allclose(found[what], series, rtol=0, atol=1e-12 * np.abs(series).max())
-
-
-def test_first_coefficient_beyond_rounding_has_the_say():
-    assert leading_sign((0.0, 0.0, -1e-3, 5.0, 0.0), 1.0) == -1
-    assert leading_sign((1e-14, -1e-13, 0.0, 2e-6, -1.0), 1.0) == 1
-    assert leading_sign((1e-14, -1e-14, 0.0, 0.0, 1e-12), 1.0) == 0
-
-
-def test_zero_is_measured_by_the_scale():
-    assert leading_sign((0.0,) * 5, 0.0) == 0
-    assert leading_sign((5e-10, 0.0, 0.0, -1.0, 0.0), 100.0) == -1
-    assert leading_sign((5e-13, 0.0, 0.0, -1.0, 0.0), 0.01) == 1
 
 
 def test_rolling_stays_without_slip():

@@ -6,8 +6,7 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.kernel.physics.contact import exact_slip_coefficients, kappa_p_sigma_slope, slip_coefficients
-from newton_euler import BODIES
+from hophoop.kernel.physics.contact import exact_slip_coefficients, slip_coefficients
 from random_scenarios import draw_beside_a_border, scenario_of
 
 
@@ -33,20 +32,6 @@ def test_stiffness_at_the_threshold(index):
         slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0),
     ):
         assert found == (pytest.approx(float(q), rel=1e-14), pytest.approx(float(stiffness), rel=1e-12, abs=0.0))
-
-
-@pytest.mark.parametrize("body", BODIES)
-@pytest.mark.parametrize("sigma", [-1, 1])
-def test_stiffness_anywhere(body, sigma):
-    for th, low in ((0.7, 1e-17), (-2.4, -3e-17), (math.pi, 1.2e-16)):
-        q, stiffness = (float(value) for value in in_forty_digits(body, th, low, sigma))
-        assert exact_slip_coefficients(body, th, low, sigma, 0.0) == (
-            pytest.approx(q, rel=1e-14),
-            pytest.approx(stiffness, rel=1e-14),
-        )
-        before, after = (in_forty_digits(body, th, side, sigma)[1] for side in (-1e-10, 1e-10))
-        slope = (after - before) / 2e-10
-        assert kappa_p_sigma_slope(body, math.sin(th), math.cos(th), sigma, q) == pytest.approx(float(slope), rel=1e-12)
 
 
 def test_a_rounded_inertia_is_not_that_of_the_ideal_hoop():

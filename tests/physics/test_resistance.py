@@ -111,11 +111,6 @@ def test_series_of_the_candidate_motion(body, sigma, th, om):
     assert slip[1] == pytest.approx((ahead[1] - behind[1]) / (2.0 * step), rel=1e-6, abs=1e-6)
 
 
-def test_a_hoop_that_floats_and_does_not_turn_needs_no_couple():
-    body = BODIES[0]._replace(gn=0.0, gt=0.0, resist=0.2)
-    assert contact.resistance_arm(body, math.sin(1.0), math.cos(1.0), 0.0, 0) == 0.0
-
-
 @pytest.mark.parametrize(("eps", "kap"), [(0.75, 0.4375), (0.99, 0.0199), (0.3, 0.9), (1.0, 1e-4)])
 def test_the_most_resistance_is_where_rolling_loses_its_inertia(eps, kap):
     most = contact.most_resistance(eps, kap)
@@ -169,7 +164,3 @@ def test_a_paradox_that_nothing_presses_is_indeterminate():
     assert angles
     for th in angles:
         assert modes.next_mode(body, th, 0.0, 0.0, 1.0) == modes.INDETERMINATE
-
-
-def test_a_disk_may_have_any_resistance():
-    assert contact.most_resistance(0.0, 0.5) == math.inf

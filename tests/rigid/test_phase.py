@@ -27,11 +27,6 @@ def state_of(angle=0.5, vt=0.0, om=1.0, time=0.0):
     return start_state(0.0, 0.0, angle, vt, 0.0, om)._replace(t=time)
 
 
-def before(state):
-    """A phase of rolling that has gone on for some panels."""
-    return phases.Phase(Mode.ROLL, state, False, 7, Ending.CONTINUES, phases.GOING)
-
-
 def leading_zeros(function):
     """How many derivatives of a function vanish at 0, that itself counted."""
     with mp.workdps(40):
