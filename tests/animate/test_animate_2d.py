@@ -10,9 +10,9 @@ from hophoop.animate import Player, film, picture, player
 from hophoop.animate.film2d import Film2D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look
-from hophoop.animate.panels import PANELS, values_of
+from hophoop.animate.panels import PANELS
 from hophoop.animate.themes import THEMES
-from hophoop.plots.curves import curve
+from hophoop.plots.curves import curve, values_of
 from hophoop.vocabulary import colors
 
 PAIR = (motion(), motion(2.0))

@@ -11,10 +11,8 @@ import numpy as np
 from hophoop._support.extras import need
 from hophoop.animate.sheet import FONT, Bytes, Rectangle, Sheet
 from hophoop.animate.themes import Theme
-from hophoop.plots.curves import curve
+from hophoop.plots.curves import curve, values_of
 from hophoop.results.poses import Poses
-from hophoop.results.records import ArraySample
-from hophoop.scenario import Scenario
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
 
@@ -117,13 +115,6 @@ class Panels:
                 value = float(np.interp(t, *line.get_data()))
                 if math.isfinite(value):
                     sheet.dot(ax.transData.transform((t, value)), 8.0, line.get_color(), theme.background)
-
-
-def values_of(name: str, sample: ArraySample, scenario: Scenario) -> Any:
-    """Return a quantity of a panel: a field of the sample, or one of two others."""
-    if name == "rotation":
-        return scenario.hoop.radius * sample.omega
-    return sample.utilization(scenario.plane) if name == "utilization" else getattr(sample, name)
 
 
 # Title and curves of each panel: label, colour and quantity.

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, fields
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.results.records import ArraySample, Sample
-from hophoop.scenario.scenario import time_unit
+from hophoop.scenario.scenario import Scenario, time_unit
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.names import coming_rotation, mode_word, mode_words
 
@@ -76,6 +77,15 @@ def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> A
         for name in ("normal_force", "friction_force"):
             columns[name] = np.where(columns["t"] < motion.duration, columns[name], np.nan)
     return Sample(**columns)
+
+
+def values_of(name: str, sample: ArraySample, scenario: Scenario) -> Any:
+    """Return a quantity of a sample: a field, the rim's speed of rotation, or the friction utilization, signed or not."""
+    if name == "rotation":
+        return scenario.hoop.radius * sample.omega
+    if name.endswith("utilization"):
+        return sample.utilization(scenario.plane, signed=name.startswith("signed"))
+    return getattr(sample, name)
 
 
 def turning(motion: Trajectory) -> bool:

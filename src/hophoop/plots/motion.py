@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import cycle
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from hophoop.plots.bands import draw_bands
-from hophoop.plots.curves import curve
+from hophoop.plots.curves import curve, values_of
 from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
-from hophoop.results.records import ArraySample
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
@@ -47,6 +47,12 @@ ENERGIES = (
     Curve("rolling_resistance", "lost to rolling resistance", colors.GRAY, (0, (2, 1, 1, 1)), always=False),
     Curve("spring", "in the contact's spring", colors.GRAY, width=THIN, always=False),
 )
+VELOCITIES = (
+    Curve("vx", "centre, $v$", colors.CENTER_SPEED),
+    Curve("rotation", r"rotation, $R\dot\theta$", colors.ROTATION_SPEED, BROKEN),
+)
+USE = (Curve("signed_utilization", "", colors.FRICTION_FORCE),)
+GAP = (Curve("height", "", colors.BLACK),)
 FORCES = (
     Curve("normal_force", "normal force", colors.NORMAL_FORCE),
     Curve("friction_force", "friction", colors.FRICTION_FORCE),
@@ -84,16 +90,8 @@ def velocities(
     ImportError
         If Matplotlib is missing.
     """
-    check_against(against)
-    ax = new_axes(ax)
-    sample = curve(motion)
-    radius = motion.scenario.hoop.radius
-    draw_bands(ax, uncertainty, sample, against, {"vx": (1.0, colors.CENTER_SPEED), "omega": (radius, colors.ROTATION_SPEED)})
-    across = _across(sample, against)
-    _line(ax, across, sample.vx, Curve("vx", "centre, $v$", colors.CENTER_SPEED))
-    _line(ax, across, radius * sample.omega, Curve("omega", r"rotation, $R\dot\theta$", colors.ROTATION_SPEED, BROKEN))
-    _frame(ax, motion, against, quantities.VELOCITY, modes)
-    return ax
+    factors = {"vx": (1.0, colors.CENTER_SPEED), "omega": (motion.scenario.hoop.radius, colors.ROTATION_SPEED)}
+    return _draw(motion, VELOCITIES, against, ax, quantities.VELOCITY, modes, uncertainty=uncertainty, bands=factors)
 
 
 def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = None, modes: bool = True) -> Axes:
@@ -121,17 +119,7 @@ def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = N
     ImportError
         If Matplotlib is missing.
     """
-    check_against(against)
-    ax = new_axes(ax)
-    ax.axhline(0.0, color=colors.GRAY, lw=0.7)
-    sample = curve(motion)
-    for one in ENERGIES:
-        values = getattr(sample, one.field)
-        if one.always or np.any(values != 0.0):
-            label = one.label or quantities.normal_loss(motion.scenario.contact.model)
-            _line(ax, _across(sample, against), values, one._replace(label=label))
-    _frame(ax, motion, against, quantities.ENERGY, modes)
-    return ax
+    return _draw(motion, ENERGIES, against, ax, quantities.ENERGY, modes, zero=True)
 
 
 def contact_forces(
@@ -166,18 +154,7 @@ def contact_forces(
     ImportError
         If Matplotlib is missing.
     """
-    check_against(against)
-    many = as_list(motions)
-    names = _names(many, labels)
-    ax = new_axes(ax)
-    ax.axhline(0.0, color=colors.GRAY, lw=0.7)
-    for motion, name, dashes in zip(many, names, cycle(DASHES), strict=False):
-        sample = curve(motion)
-        for one in FORCES:
-            told = one._replace(label=one.label + name, dashes=dashes)
-            _line(ax, _across(sample, against), getattr(sample, one.field), told)
-    _frame(ax, _widest(many, against), against, quantities.FORCE, modes and len(many) == 1)
-    return ax
+    return _draw(motions, FORCES, against, ax, quantities.FORCE, modes, labels, zero=True)
 
 
 def friction_utilization(
@@ -216,19 +193,9 @@ def friction_utilization(
     -----
     In slip μ is the kinetic friction, otherwise the static one, so that 1 is the limit in both cases.
     """
-    check_against(against)
-    many = as_list(motions)
-    names = _names(many, labels)
-    ax = new_axes(ax)
-    for level in (-1.0, 1.0):
-        ax.axhline(level, color=colors.LIMIT, lw=1.0, ls=(0, (4, 2)))
-    ax.axhline(0.0, color=colors.GRAY, lw=0.7)
-    for motion, name, dashes in zip(many, names, cycle(DASHES), strict=False):
-        sample = curve(motion)
-        used = sample.utilization(motion.scenario.plane, signed=True)
-        _line(ax, _across(sample, against), used, Curve("", name.removeprefix(", "), colors.FRICTION_FORCE, dashes))
+    label = rf"{quantities.UTILIZATION}, $F/(\mu N)$"
+    ax = _draw(motions, USE, against, ax, label, modes, labels, zero=True, limits=(-1.0, 1.0))
     ax.set_ylim(-1.15, 1.15)
-    _frame(ax, _widest(many, against), against, rf"{quantities.UTILIZATION}, $F/(\mu N)$", modes and len(many) == 1)
     return ax
 
 
@@ -263,29 +230,49 @@ def gap(
     ImportError
         If Matplotlib is missing.
     """
-    check_against(against)
-    ax = new_axes(ax)
-    sample = curve(motion)
-    draw_bands(ax, uncertainty, sample, against, {"height": (1.0, colors.BLACK)})
-    _line(ax, _across(sample, against), sample.height, Curve("height", "", colors.BLACK))
-    ax.set_ylim(bottom=min(0.0, float(np.min(sample.height))))
-    _frame(ax, motion, against, quantities.GAP, modes)
+    ax = _draw(motion, GAP, against, ax, quantities.GAP, modes, uncertainty=uncertainty, bands={"height": (1.0, colors.BLACK)})
+    ax.set_ylim(bottom=min(0.0, float(np.min(curve(motion).height))))
     return ax
 
 
-def _line(ax: Axes, across: Any, values: Any, one: Curve) -> None:
-    ax.plot(across, values, color=one.color, lw=one.width, ls=one.dashes, label=one.label or None)
-
-
-def _frame(ax: Axes, motion: Trajectory, against: Against, up: str, modes: bool) -> None:
-    label = abscissa(ax, motion, against)
-    if modes:
-        show_modes(ax, motion, against)
+def _draw(
+    motions: Trajectory | Sequence[Trajectory],
+    curves: Sequence[Curve],
+    against: Against,
+    ax: Axes | None,
+    up: str,
+    modes: bool,
+    labels: Sequence[str] | None = None,
+    zero: bool = False,
+    limits: Sequence[float] = (),
+    uncertainty: Uncertainty | None = None,
+    bands: Mapping[str, tuple[float, str]] = MappingProxyType({}),
+) -> Axes:
+    """Draw curves of one or several motions; `up` is the label of the axis, `bands` the fields with an uncertainty."""
+    check_against(against)
+    many = as_list(motions)
+    names = _names(many, labels)
+    ax = new_axes(ax)
+    for level in limits:
+        ax.axhline(level, color=colors.LIMIT, lw=1.0, ls=(0, (4, 2)))
+    if zero:
+        ax.axhline(0.0, color=colors.GRAY, lw=0.7)
+    for motion, name, dashes in zip(many, names, cycle(DASHES), strict=False):
+        sample = curve(motion)
+        draw_bands(ax, uncertainty, sample, against, bands)
+        across = sample.t if against == "time" else np.degrees(sample.angle)
+        for one in curves:
+            values = values_of(one.field, sample, motion.scenario)
+            if one.always or np.any(values != 0.0):
+                loss = quantities.normal_loss(motion.scenario.contact.model) if one.field == "normal_loss" else one.label
+                label = (loss + name).removeprefix(", ") or None
+                ls = one.dashes if len(many) == 1 else dashes
+                ax.plot(across, values, color=one.color, lw=one.width, ls=ls, label=label)
+    label = abscissa(ax, _widest(many, against), against)
+    if modes and len(many) == 1:
+        show_modes(ax, many[0], against)
     finish(ax, label, up)
-
-
-def _across(sample: ArraySample, against: Against) -> Any:
-    return sample.t if against == "time" else np.degrees(sample.angle)
+    return ax
 
 
 def _names(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> list[str]:

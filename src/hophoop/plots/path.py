@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve, phases
 from hophoop.plots.style import new_axes
-from hophoop.results.poses import Floats, load_distance, poses_of, to_world
+from hophoop.results.poses import Floats, Poses, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop, InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
@@ -64,59 +64,54 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
         low[1] = -0.35 * radius
     width = 10.0
     ax = new_axes(ax, (width, float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]) + 0.9, 2.2, 7.0))))
-    _ground(ax, slope, low[0], high[0], radius)
+    ground(ax, slope, low[0], high[0], radius)
     moments = _pose_times(motion, radius) if times is None else [float(t) for t in times]
     for t in moments:
         _hoop(ax, motion, t, radius)
-    ax.plot(poses.load[:, 0], poses.load[:, 1], color=colors.LOAD, lw=1.2, zorder=4, label="load")
-    airborne = poses.mode == "H"
-    ground, air = poses.gravity_center.copy(), poses.gravity_center.copy()
-    # the first point after a change belongs to both lines: they meet
-    ground[airborne & np.roll(airborne, 1)] = np.nan
-    air[~airborne & ~np.roll(airborne, 1)] = np.nan
-    ax.plot(ground[:, 0], ground[:, 1], color=colors.GRAVITY_CENTER, lw=2.0, zorder=5, label="centre of gravity")
-    if airborne.any():
-        ax.plot(
-            air[:, 0],
-            air[:, 1],
-            color=colors.GRAVITY_CENTER_AIRBORNE,
-            lw=2.4,
-            ls=(0, (5, 1)),
-            zorder=5,
-            label="airborne",
-        )
-    ax.set_aspect("equal")
-    ax.set_xlim(low[0], high[0])
-    ax.set_ylim(low[1], high[1])
-    ax.set_xlabel(quantities.PLACE if slope == 0.0 else quantities.DISTANCE)
-    ax.set_ylabel(quantities.HEIGHT)
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
-    _legend(ax, motion, moments)
+    draw_traces(ax, poses, zorder=4)
+    frame(ax, low, high, slope)
+    legend_above(ax, mode_keys(_word(motion, t) for t in moments))
     return ax
 
 
-def _legend(ax: Axes, motion: Trajectory, moments: Sequence[float]) -> None:
-    handles, _ = ax.get_legend_handles_labels()
-    words = dict.fromkeys(_word(motion, t) for t in moments)
+def frame(ax: Axes, low: Floats, high: Floats, slope: float) -> None:
+    """Set equal scales from a lower left to an upper right corner, and the labels of both axes."""
+    ax.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]), ylabel=quantities.HEIGHT)
+    ax.set_xlabel(quantities.PLACE if slope == 0.0 else quantities.DISTANCE)
+    ax.spines[["top", "right"]].set_visible(False)
+
+
+def draw_traces(ax: Axes, way: Poses, zorder: float) -> None:
+    """Draw the traces of the load, and of the centre of gravity in contact and airborne."""
+    ax.plot(*way.load.T, color=colors.LOAD, lw=1.2, zorder=zorder, label="load")
+    airborne = way.mode == "H"
+    for flies, ink, dashes, width, label in (
+        (False, colors.GRAVITY_CENTER, "-", 2.0, "centre of gravity"),
+        (True, colors.GRAVITY_CENTER_AIRBORNE, (0, (5, 1)), 2.4, "airborne"),
+    ):
+        # the part after a point has that point's mode
+        shown = airborne == flies
+        shown[1:] |= (airborne == flies)[:-1]
+        if flies and not airborne.any():
+            continue
+        line = np.where(shown[:, None], way.gravity_center, np.nan)
+        ax.plot(*line.T, color=ink, lw=width, ls=dashes, zorder=zorder + 1, label=label)
+
+
+def mode_keys(words: Iterable[str]) -> list[Any]:
+    """Return keys to the colours of rings by mode."""
     line = need("matplotlib.lines", "plots").Line2D
-    handles += [
-        line(
-            [],
-            [],
-            color=colors.mode_color(word),
-            lw=0,
-            marker="o",
-            ms=9,
-            mfc="none",
-            mew=2,
-            label=word,
-        )
-        for word in words
-    ]
+    look = {"lw": 0, "marker": "o", "ms": 9, "mfc": "none", "mew": 2}
+    return [line([], [], color=colors.mode_color(word), label=word, **look) for word in dict.fromkeys(words)]
+
+
+def legend_above(ax: Axes, more: Sequence[Any]) -> None:
+    """Draw a legend of the lines with a label and more keys above the axes, in two rows where it is long."""
+    handles = [*ax.get_legend_handles_labels()[0], *more]
+    columns = len(handles) if len(handles) <= 8 else math.ceil(len(handles) / 2)
     ax.legend(
-        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,
-        fontsize=9, handlelength=1.8, columnspacing=1.4,
+        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=columns, frameon=False, fontsize=9,
+        handlelength=2.0, columnspacing=1.4,
     )  # fmt: skip
 
 
@@ -162,7 +157,7 @@ def _hoop(ax: Axes, motion: Trajectory, t: float, radius: float) -> None:
     ax.plot(*pose.load[0], "o", color=colors.LOAD, ms=6, zorder=6)
 
 
-def _ground(ax: Axes, slope: float, low: float, high: float, radius: float) -> None:
+def ground(ax: Axes, slope: float, low: float, high: float, radius: float) -> None:
     """Draw the plane as a line with a band below it."""
     reach = max(abs(low), abs(high)) / math.cos(slope) + 2.0 * radius
     ends = to_world([-reach, reach], [0.0, 0.0], slope)

@@ -9,13 +9,12 @@ import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve
-from hophoop.plots.path import _ground
+from hophoop.plots.path import draw_traces, frame, ground, legend_above, mode_keys
 from hophoop.plots.style import ON_PAPER, new_axes
 from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
-from hophoop.vocabulary.names import FLIGHT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -84,20 +83,15 @@ def strobe(
         low[1] = min(low[1], -max(low[0] * math.tan(slope), high[0] * math.tan(slope)) - 0.1 * radius)
     height = WIDTH * (high[1] - low[1]) / (high[0] - low[0]) + (1.6 if color == "speed" else 1.1)
     ax = new_axes(ax, (WIDTH, float(np.clip(height, 2.4, 9.0))))
-    _ground(ax, slope, float(low[0]), float(high[0]), radius)
+    ground(ax, slope, float(low[0]), float(high[0]), radius)
     ax.set_gid(ON_PAPER)
-    ax.set_aspect("equal")
-    ax.set_xlim(low[0], high[0])
-    ax.set_ylim(low[1], high[1])
-    ax.set_xlabel(quantities.PLACE if slope == 0.0 else quantities.DISTANCE)
-    ax.set_ylabel(quantities.HEIGHT)
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
+    frame(ax, low, high, slope)
     _draw_hoops(ax, motion, flashes, color)
-    _draw_traces(ax, way)
+    draw_traces(ax, way, zorder=5)
     greatest = _draw_forces(ax, motion, flashes) if forces else None
     _say_times(ax, flashes, radius, float(high[0] - low[0]))
-    _legend(ax, flashes, color, greatest)
+    keys = mode_keys(map(str, flashes.words)) if color == "mode" else []
+    legend_above(ax, keys + ([] if greatest is None else _force_keys(greatest)))
     return ax
 
 
@@ -176,20 +170,6 @@ def _over_white(paint: Floats, alpha: float) -> Floats:
     return alpha * paint + (1.0 - alpha)
 
 
-def _draw_traces(ax: Axes, way: Poses) -> None:
-    ax.plot(way.load[:, 0], way.load[:, 1], color=colors.LOAD, lw=1.1, zorder=5)
-    airborne = way.mode == "H"
-    for flies, ink, dashes, width in (
-        (False, colors.GRAVITY_CENTER, "-", 2.0),
-        (True, colors.GRAVITY_CENTER_AIRBORNE, (0, (5, 1)), 2.4),
-    ):
-        # the part after a point has that point's mode
-        shown = airborne == flies
-        shown[1:] |= (airborne == flies)[:-1]
-        line = np.where(shown[:, None], way.gravity_center, np.nan)
-        ax.plot(line[:, 0], line[:, 1], color=ink, lw=width, ls=dashes, zorder=6)
-
-
 def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> float:
     """Draw arrows at the contact and return the force of the longest one [N]."""
     hoop = motion.scenario.hoop
@@ -232,29 +212,10 @@ def _say_times(ax: Axes, flashes: Poses, radius: float, width: float) -> None:
         )
 
 
-def _legend(ax: Axes, flashes: Poses, color: str, greatest: float | None) -> None:
+def _force_keys(greatest: float) -> list[Any]:
     line = need("matplotlib.lines", "plots").Line2D
-    handles = [
-        line([], [], color=colors.LOAD, lw=1.1, marker="o", ms=5, label="load"),
-        line([], [], color=colors.GRAVITY_CENTER, lw=2.0, label="centre of gravity"),
-    ]
-    words = dict.fromkeys(str(word) for word in flashes.words)
-    if FLIGHT in words:
-        ink = colors.GRAVITY_CENTER_AIRBORNE
-        handles.append(line([], [], color=ink, lw=2.4, ls=(0, (5, 1)), label="airborne"))
-    if color == "mode":
-        handles += [
-            line([], [], color=colors.mode_color(word), lw=0, marker="o", ms=9, mfc="none", mew=2, label=word)
-            for word in words
-        ]  # fmt: skip
-    if greatest is not None:
-        for ink, label in (
-            (colors.NORMAL_FORCE, f"normal force, to {greatest:.3g} N"),
-            (colors.FRICTION_FORCE, "friction, to the same scale"),
-        ):
-            handles.append(line([], [], color=ink, lw=2.0, marker=">", ms=6, label=label))
-    rows = 1 if len(handles) <= 7 else 2
-    ax.legend(
-        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=-(-len(handles) // rows), frameon=False,
-        fontsize=9, handlelength=2.2, columnspacing=1.4,
-    )  # fmt: skip
+    names = {
+        colors.NORMAL_FORCE: f"normal force, to {greatest:.3g} N",
+        colors.FRICTION_FORCE: "friction, to the same scale",
+    }
+    return [line([], [], color=ink, lw=2.0, marker=">", ms=6, label=label) for ink, label in names.items()]
