@@ -16,18 +16,8 @@ interface Phrase {
 /** What is said: a key, or what needs none such as a number or a symbol; a key with its values; parts; what makes a text. */
 type Message = string | number | Phrase | Message[] | (() => string);
 
-// Colours of the page, as the style sheet has them.
-interface Look {
-  ink: string;
-  soft: string;
-  line: string;
-  paper: string;
-  panel: string;
-  ground: string;
-  font: string;
-  px: number; // of the screen for one at the usual size of letters
-  dark: boolean;
-}
+/** Colours of the page, as the style sheet has them. */
+type Look = ReturnType<typeof import("./lab/common/dom.ts").theme>;
 
 // What a number may be: a range, both ends included, and single values besides.
 interface NumberRange {
@@ -137,16 +127,8 @@ interface MapClass {
   color: string;
 }
 
-// A computed part of a map; a finer one lies over a coarser one.
-interface MapLayer {
-  picture: HTMLCanvasElement;
-  header: MapHeader;
-  values: Float32Array;
-  x: number[];
-  y: number[];
-  low: number;
-  high: number;
-}
+/** A computed part of a map; a finer one lies over a coarser one. */
+type MapLayer = ReturnType<typeof import("./lab/map/map_layers.ts").layerOf>;
 
 interface Curve {
   name: string;
@@ -300,18 +282,19 @@ type Samples = Record<string, Float64Array>;
  * What theory knows, as theory.summary: null where there is no such number, Infinity where there is no limit.
  * Numbers of a rolling start are null unless `given.rolling` and `given.angle` is 0.
  */
-interface TheoryNumbers {
-  first_slip_speed: number | null;
-  first_hop_speed: number | null;
-  immediate_hop_speed: number | null;
-  needed_friction: number | null;
-  painleve_friction: number | null;
-  painleve_angle: number | null;
+type ThresholdName =
+  | "first_slip_speed"
+  | "first_hop_speed"
+  | "immediate_hop_speed"
+  | "needed_friction"
+  | "painleve_friction"
+  | "painleve_angle"
+  | "stable_angle"
+  | "massless_loss_angle"; // of a start that does not roll: at speed 0
+type TheoryNumbers = Record<ThresholdName, number | null> & {
   jam_angles: number[]; // in the order of jam_states
-  stable_angle: number | null;
-  massless_loss_angle: number | null; // of a start that does not roll: at speed 0
   massless_loss_by_friction: boolean;
-}
+};
 
 /** The cells of a map: rows in the order of `tables.cell`, maps.kernel.CELL, one number a cell in each. */
 interface MapCells {
@@ -324,34 +307,20 @@ interface MapValues {
   sequences?: string[]; // of "sequence": what its codes stand for
 }
 
-// The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
+/** What the module answers at once. */
+type Calls = Pick<
+  import("./kernel/module.ts").HoopModule,
+  "film" | "motion" | "columns" | "samples" | "thresholds" | "regions" | "changes" | "fate" | "map"
+>;
+
+// The module; an answer may be a promise (a worker), and `signal` stops what is no longer wanted.
 interface Kernel {
   limit?: number; // milliseconds that an answer may take
-  /** A motion and its columns at once. */
-  film(
-    given: Given,
+  ask<Call extends keyof Calls>(
+    call: Call,
+    values: Parameters<Calls[Call]>,
     signal?: AbortSignal,
-  ): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column>; pieces: Uint8Array }>;
-  motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
-  /** The film's columns, as the player needs them: t, x, height, angle, …; `mode` is the code of the mode's word. */
-  columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;
-  /** The state at some times, as Trajectory.at. */
-  samples(given: Given, times: Float64Array, signal?: AbortSignal): MaybeLater<Samples>;
-  thresholds(given: Given, signal?: AbortSignal): MaybeLater<TheoryNumbers>;
-  /** θ from and to, θ̇ from and to; arrays `modes` (rows upwards) and `paradox`. */
-  regions(
-    given: Given,
-    window: [number, number, number, number],
-    columns: number,
-    rows: number,
-    signal?: AbortSignal,
-  ): MaybeLater<{ modes: Uint8Array; paradox: Column }>;
-  /** The rates of all events with one parameter, of which the cell has these rates. */
-  changes?(given: Given, rates: Float64Array, signal?: AbortSignal): MaybeLater<MotionChanges>;
-  /** What becomes of a rigid motion in the end, after at most so many passages of the bottom. */
-  fate?(given: Given, most: number, signal?: AbortSignal): MaybeLater<Fate>;
-  /** One quantity of each cell over a span of maps.quantities ("first_revolution", "takeoff", "duration"). */
-  map(cells: MapCells, what: string, span: string, signal?: AbortSignal): MaybeLater<MapValues>;
+  ): MaybeLater<ReturnType<Calls[Call]>>;
 }
 
 // What becomes of a motion in the end; nan is what it has not [SI].
@@ -385,16 +354,6 @@ interface SidedChanges {
   count: number;
   larger: ChangedEvents | null;
   smaller: ChangedEvents | null;
-}
-
-// What is left in the module's memory of the motion that was computed last.
-interface Computed {
-  given: Given;
-  head: Float64Array;
-  rows: Float64Array;
-  count: number;
-  duration: number; // [s]
-  segments: number;
 }
 
 // --- A scenario that has been checked: web/model ---------------------------------------------------------------------

@@ -44,12 +44,9 @@ const CALLS = {
   },
 };
 
-const kernel = Object.assign(Object.create(mechanics), {
-  columns: (given, signal, window) => mechanics.columns(given, window),
-  changes: (given, rates) => rated().changes(given, rates),
-});
 let carrying = null;
 const rated = () => (carrying ??= opened(derivatives));
+const kernel = { ask: (call, values) => (call === "changes" ? rated() : mechanics)[call](...values) };
 const local = new Backend(kernel, mechanics);
 const listed = (arrays) => Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]]));
 const packed = ({ header, arrays }) => ({ header, arrays: listed(arrays) });

@@ -1,7 +1,7 @@
 // A motion's states as a film shows them: at a steady rate, and at both sides of every event.
 
 import { EVENT, layout, SAMPLE } from "./layout.ts";
-import type { HoopModule } from "./module.ts";
+import type { Computed, HoopModule } from "./module.ts";
 
 const RATE = 150; // samples a second
 const FEWEST = 240;

@@ -6,6 +6,7 @@ import { layout } from "./layout.ts";
 import { HoopModule } from "./module.ts";
 
 const LIMIT = 10_000; // milliseconds
+const APART = new Set<string>(["changes", "fate"]); // calls of the module of derivatives
 const UNLOADED = "kernel.derivatives_not_loaded";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
@@ -82,47 +83,19 @@ export class WorkerKernel implements Kernel {
     return new WorkerKernel(await unpacked(packed), start, async () => unpacked(await derivatives()));
   }
 
-  motion(given: Given, signal?: AbortSignal) {
-    return this.motions.ask("motion", [given], signal);
-  }
-
-  film(given: Given, signal?: AbortSignal) {
-    return this.motions.ask("film", [given], signal);
-  }
-
-  /** `window`: times from and to; the whole motion by default. */
-  columns(given: Given, signal?: AbortSignal, window?: [number, number]) {
-    return this.motions.ask("columns", [given, window], signal);
-  }
-
-  samples(given: Given, times: Float64Array, signal?: AbortSignal) {
-    return this.motions.ask("samples", [given, times], signal);
-  }
-
-  /** Its module is fetched when it is first asked for, and again where that failed. */
-  async apart(call: string, values: any[], signal?: AbortSignal) {
-    this.rates ??= this.derivatives().then((compiled) => new WorkerPool(this.start, compiled, 1, LIMIT));
-    const pool = await this.rates.catch(() => {
-      this.rates = null;
-      throw new Error(UNLOADED);
-    });
+  async ask<Call extends keyof Calls>(call: Call, values: Parameters<Calls[Call]>, signal?: AbortSignal): Promise<any> {
+    if (call === "map") return this.map(...(values as Parameters<Calls["map"]>), signal);
+    const pool = APART.has(call) ? await this.apart() : this.motions;
     return pool.ask(call, values, signal);
   }
 
-  changes(given: Given, rates: Float64Array, signal?: AbortSignal): Promise<MotionChanges> {
-    return this.apart("changes", [given, rates], signal);
-  }
-
-  fate(given: Given, most: number, signal?: AbortSignal): Promise<Fate> {
-    return this.apart("fate", [given, most], signal);
-  }
-
-  thresholds(given: Given, signal?: AbortSignal) {
-    return this.motions.ask("thresholds", [given], signal);
-  }
-
-  regions(given: Given, window: [number, number, number, number], columns: number, rows: number, signal?: AbortSignal) {
-    return this.motions.ask("regions", [given, window, columns, rows], signal);
+  /** The module of derivatives is fetched when it is first asked for, and again where that failed. */
+  apart() {
+    this.rates ??= this.derivatives().then((compiled) => new WorkerPool(this.start, compiled, 1, LIMIT));
+    return this.rates.catch(() => {
+      this.rates = null;
+      throw new Error(UNLOADED);
+    });
   }
 
   async map({ count, rows }: MapCells, what: string, span: string, signal?: AbortSignal): Promise<MapValues> {

@@ -16,6 +16,9 @@ const KEPT = 2; // motions whose states can be asked for by turns
 const PASSING = new Set(layout.passing);
 const finite = (value: number) => (Number.isFinite(value) ? value : null);
 
+/** What is left in memory of the motion that was computed last. */
+export type Computed = ReturnType<HoopModule["compute"]>;
+
 export class HoopModule implements Mechanics {
   kept: { pieces: Uint8Array; place: number }[] = [];
   turn = 0;
@@ -39,7 +42,7 @@ export class HoopModule implements Mechanics {
   // --- motions --------------------------------------------------------------------------------
 
   /** Computes a motion; its events stay in memory for what follows. */
-  compute(given: Given): Computed {
+  compute(given: Given) {
     const { memory } = this;
     const width = layout.events.length;
     for (;;) {
@@ -217,22 +220,14 @@ export class HoopModule implements Mechanics {
     const starts = given.rolling && given.angle === 0;
     this.call("thresholds", cell, starts ? given.vx : Number.NaN, out);
     const values = memory.floats(out, layout.thresholds.length);
-    const value = (name: string) => {
-      const found = values[layout.thresholds.indexOf(name)];
-      return Number.isNaN(found) ? null : found;
-    };
-    const jams = ["jam_angle", "jam_angle_2", "jam_angle_3", "jam_angle_4"].map(value);
+    const found: Record<string, number | null> = Object.fromEntries(
+      layout.thresholds.map((name, k) => [name, Number.isNaN(values[k]) ? null : values[k]]),
+    );
+    const jams = ["jam_angle", "jam_angle_2", "jam_angle_3", "jam_angle_4"].map((name) => found[name]);
     return {
-      first_slip_speed: value("first_slip_speed"),
-      first_hop_speed: value("first_hop_speed"),
-      immediate_hop_speed: value("immediate_hop_speed"),
-      needed_friction: value("needed_friction"),
-      painleve_friction: value("painleve_friction"),
-      painleve_angle: value("painleve_angle"),
+      ...(found as Record<ThresholdName, number | null>),
       jam_angles: jams.filter((angle) => angle !== null),
-      stable_angle: value("stable_angle"),
-      massless_loss_angle: value("massless_loss_angle"),
-      massless_loss_by_friction: value("massless_loss_by_friction") === 1,
+      massless_loss_by_friction: found.massless_loss_by_friction === 1,
     };
   }
 

@@ -21,6 +21,10 @@ export function general(value: number, count = 6) {
   return [digits.includes(".") ? digits.replace(/\.?0+$/, "") : digits, ...power].join("e");
 }
 
+/** A power of ten as it is written. */
+export const raised = (power: number) =>
+  [...String(power)].map((sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)])).join("");
+
 export const fixed = (value: number, decimals: number) =>
   Number.isFinite(value) ? value.toFixed(decimals) : numberText(value);
 

@@ -9,12 +9,7 @@ export type Threshold = { key: string; label: Message; value: number | null; uni
 
 export function thresholds({ hoop, plane }: Checked, known: TheoryNumbers): Threshold[] {
   const found: Threshold[] = [];
-  const add: (key: string, value: number | null, unit: string, say: (value: number) => Message) => void = (
-    key,
-    value,
-    unit,
-    say,
-  ) => {
+  const add = (key: string, value: number | null, unit: string, say: (value: number) => Message) => {
     if (value === null) return;
     found.push({ key, label: `theory.${key}`, value: Number.isFinite(value) ? value : null, unit, text: say(value) });
   };
@@ -46,7 +41,7 @@ export function thresholds({ hoop, plane }: Checked, known: TheoryNumbers): Thre
   return found;
 }
 
-const at: (key: string, angle: number) => Phrase = (key, angle) => ({ key, values: { where: degrees(angle) } });
+const at = (key: string, angle: number): Phrase => ({ key, values: { where: degrees(angle) } });
 
 function above(speed: number, would: string): Message {
   if (speed < tables.words.least_speed) return `theory.${would}.always`;

@@ -2,12 +2,11 @@
 
 import { tables } from "./tables.ts";
 import { listed } from "../words/texts.ts";
-import { fixed, general } from "./text.ts";
+import { fixed, general, raised } from "./text.ts";
 
 const { letters, modes, summed_up: SUMMED_UP } = tables.words;
 const MOST_TOLD = 400;
 const [, SPIN, SKID, FLIGHT, SKIM] = modes;
-const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /** A motion to be told: its events, how it ended, and how it turns at a time between them. */
 export type Told = { events: MotionEvent[]; status: MotionStatus; omega: (number: number) => number };
@@ -176,9 +175,5 @@ function length(value: number) {
 function inWords(value: number | null) {
   if (value === null || Number.isNaN(value)) return "?";
   const [mantissa, power] = general(value, 3).split("e");
-  const raised = power === undefined ? "" : `·10${raisedText(Number(power))}`;
-  return `${mantissa}${raised}`.replaceAll("-", "−");
+  return (power === undefined ? mantissa : `${mantissa}·10${raised(Number(power))}`).replaceAll("-", "−");
 }
-
-const raisedText = (power: number) =>
-  [...String(power)].map((sign) => (sign === "-" ? "⁻" : RAISED[Number(sign)])).join("");

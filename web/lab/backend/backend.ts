@@ -40,7 +40,7 @@ export class Backend {
     signal?.throwIfAborted();
     const checked = model.asked(asked, this.mechanics);
     const given = model.given(bounded ? model.within(checked) : checked);
-    const { motion, columns, pieces } = await this.kernel.film(given, signal);
+    const { motion, columns, pieces } = await this.kernel.ask("film", [given], signal);
     const { doubt } = motion;
     const omega = await this.turning(given, motion, signal);
     const header = model.headerOf(checked, motion, omega, this.mechanics);
@@ -59,7 +59,7 @@ export class Backend {
   /** A part of a motion, for a film that is too long to be as dense as it is seen. `window`: times from and to. */
   async samples(scenario: any, window: [number, number], signal?: AbortSignal) {
     const checked = model.asked({ scenario }, this.mechanics);
-    return this.kernel.columns(model.given(model.within(checked)), signal, window);
+    return this.kernel.ask("columns", [model.given(model.within(checked)), window], signal);
   }
 
   /** How the hoop turns after events at which it slips and does not turn yet. */
@@ -67,7 +67,7 @@ export class Backend {
     const still = model.stills(events);
     if (!still.length) return () => 0;
     const times = Float64Array.from(still, (number) => model.halfway(events, number));
-    const { omega } = await this.kernel.samples(given, times, signal);
+    const { omega } = await this.kernel.ask("samples", [given, times], signal);
     return (number) => omega[still.indexOf(number)];
   }
 
@@ -81,34 +81,33 @@ export class Backend {
   async theory(scenario: any, signal?: AbortSignal) {
     signal?.throwIfAborted();
     const checked = model.asked({ scenario }, this.mechanics);
-    return model.thresholds(checked, await this.kernel.thresholds(model.given(checked), signal));
+    return model.thresholds(checked, await this.kernel.ask("thresholds", [model.given(checked)], signal));
   }
 
   /** The modes that follow in the (θ, θ̇) plane. `window`: of θ and of θ̇. */
   async regions(scenario: any, window: [number, number, number, number], signal?: AbortSignal) {
     signal?.throwIfAborted();
     const given = model.given(model.asked({ scenario }, this.mechanics));
-    return this.kernel.regions(given, window, REGION_COLUMNS, REGION_ROWS, signal);
+    return this.kernel.ask("regions", [given, window, REGION_COLUMNS, REGION_ROWS], signal);
   }
 
   /** What a little more of a parameter does to each event. Returns null where the parameter can be no other. */
   async changes(scenario: any, path: string, signal?: AbortSignal): Promise<SidedChanges | null> {
-    if (!this.kernel.changes) throw new TypeError("This kernel has no derivatives.");
     const checked = model.within(model.asked({ scenario }, this.mechanics));
     const given = model.given(checked);
     if (given.contact) throw new model.InputError(model.labText("compliant_changes"));
     const found = model.ratesOf(checked, path);
     if (!found) return null;
     const { rates, smaller, larger } = found;
-    const sides = await this.kernel.changes(given, rates, signal);
+    const sides = await this.kernel.ask("changes", [given, rates], signal);
     return { count: sides.count, smaller: smaller ? sides.smaller : null, larger: larger ? sides.larger : null };
   }
 
   /** What becomes of the motion in the end. */
   async fate(scenario: any, signal?: AbortSignal): Promise<Fate> {
     const given = model.given(model.asked({ scenario }, this.mechanics));
-    if (given.contact || !given.gravity || !this.kernel.fate) throw new model.InputError({ key: "ending.needs" });
-    return this.kernel.fate(given, PASSAGES, signal);
+    if (given.contact || !given.gravity) throw new model.InputError({ key: "ending.needs" });
+    return this.kernel.ask("fate", [given, PASSAGES], signal);
   }
 
   /** A map over two parameters. */
@@ -117,7 +116,7 @@ export class Backend {
     const { checked, x, y, what } = model.requested(asked, this.mechanics);
     const base = model.withinMap(checked, { x, y });
     const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
-    return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, model.spanOf(what), signal));
+    return model.mapReply({ x, y, what }, await this.kernel.ask("map", [cells, what, model.spanOf(what)], signal));
   }
 
   async file(name: string, query: string) {
@@ -132,10 +131,10 @@ export class Backend {
     if (name === "motion.toml") return model.toToml(asked);
     const checked = model.within(asked);
     const given = model.given(checked);
-    const motion = await this.kernel.motion(given);
+    const motion = await this.kernel.ask("motion", [given]);
     if (name === "motion.json") return model.resultText(checked, motion);
     const times = model.timesOf(motion.duration);
-    return model.tableText(times, await this.kernel.samples(given, times));
+    return model.tableText(times, await this.kernel.ask("samples", [given, times]));
   }
 
   link(query: string, hash: string) {

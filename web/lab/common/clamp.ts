@@ -1,2 +1,1 @@
-export const clamp: (value: number, least: number, most: number) => number = (value, least, most) =>
-  Math.min(Math.max(value, least), most);
+export const clamp = (value: number, least: number, most: number) => Math.min(Math.max(value, least), most);

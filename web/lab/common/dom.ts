@@ -30,6 +30,10 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A button that shows a picture or a sign, and is called otherwise. */
+export const iconButton = (sign: Node | string, title: string, onclick: () => void, more: Record<string, any> = {}) =>
+  h("button", { title, "aria-label": title, onclick, ...more }, sign);
+
 /** The names of columns. */
 export const headed = (...names: Message[]) =>
   h("thead", {}, h("tr", {}, ...names.map((name) => h("th", { scope: "col" }, [name]))));

@@ -1,5 +1,6 @@
 // Numbers as a reader wants them, and round steps for axes.
 
+import { raised } from "../../model/text.ts";
 import { clamp } from "./clamp.ts";
 import { local } from "../words/words.ts";
 
@@ -13,7 +14,7 @@ export function show(value: number, digits = 4) {
   let text: string;
   if (size >= 1e6 || size < 1e-4) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
-    text = `${trimZeros(mantissa)}·10${superscript(Number(exponent))}`;
+    text = `${trimZeros(mantissa)}·10${raised(Number(exponent))}`;
   } else {
     text = trimZeros(value.toPrecision(digits));
     if (text.includes("e")) text = String(Math.round(value));
@@ -23,23 +24,6 @@ export function show(value: number, digits = 4) {
 
 function trimZeros(text: string) {
   return text.includes(".") && !text.includes("e") ? text.replace(/\.?0+$/, "") : text;
-}
-
-function superscript(number: number) {
-  const signs: Record<string, string> = {
-    "-": "⁻",
-    0: "⁰",
-    1: "¹",
-    2: "²",
-    3: "³",
-    4: "⁴",
-    5: "⁵",
-    6: "⁶",
-    7: "⁷",
-    8: "⁸",
-    9: "⁹",
-  };
-  return [...String(number)].map((sign) => signs[sign]).join("");
 }
 
 export const withUnit = (text: string, unit: string) => (unit ? (unit === "°" ? `${text}°` : `${text} ${unit}`) : text);

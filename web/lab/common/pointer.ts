@@ -15,10 +15,8 @@ export function follow(
 ) {
   const leave = new AbortController();
   const { signal } = leave;
-  const on: (kind: "pointermove" | "pointerup" | "pointercancel", action: (other: PointerEvent) => void) => void = (
-    kind,
-    action,
-  ) => element.addEventListener(kind, (other) => other.pointerId === event.pointerId && action(other), { signal });
+  const on = (kind: "pointermove" | "pointerup" | "pointercancel", action: (other: PointerEvent) => void) =>
+    element.addEventListener(kind, (other) => other.pointerId === event.pointerId && action(other), { signal });
   const finish = (lifted: boolean) => (last: PointerEvent) => {
     leave.abort();
     end(last, lifted);

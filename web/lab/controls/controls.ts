@@ -304,29 +304,20 @@ export class Controls {
     if (!newer("plane.mu", "plane.mu_static")) this.apart.checked = apart;
     const near = this.gravities.find(([, g]) => Math.abs(g - scenario.plane.gravity) < 1e-9);
     if (!newer("plane.gravity")) this.gravity.select.value = near ? near[0] : "";
-    const visible = {
-      "hoop.load_fraction": way === "load_fraction",
-      "hoop.eccentricity": way === "eccentricity",
-      "hoop.inertia_ratio": way === "eccentricity",
-      "hoop.mass": way !== "parts",
-      "plane.mu": !apart,
-      "plane.mu_static": apart,
-      "plane.mu_kinetic": apart,
-      "plane.restitution": !compliant,
-      "plane.impact_law": !compliant,
-      "plane.painleve": !compliant,
-      "start.speed": rolling,
-      "start.height": !rolling,
-      "start.vx": !rolling,
-      "start.vy": !rolling,
-      "start.omega": !rolling,
-      "contact.law": compliant,
-      "contact.friction": compliant,
-      "contact.stiffness": compliant,
-      "contact.slip_speed": compliant,
-      "contact.restitution": compliant,
-    };
-    for (const [path, seen] of Object.entries(visible)) this.at(path).hidden = !seen;
+    const visible: [boolean, string, ...string[]][] = [
+      [way === "load_fraction", "hoop", "load_fraction"],
+      [way === "eccentricity", "hoop", "eccentricity", "inertia_ratio"],
+      [way !== "parts", "hoop", "mass"],
+      [!apart, "plane", "mu"],
+      [apart, "plane", "mu_static", "mu_kinetic"],
+      [!compliant, "plane", "restitution", "impact_law", "painleve"],
+      [rolling, "start", "speed"],
+      [!rolling, "start", "height", "vx", "vy", "omega"],
+      [compliant, "contact", "law", "friction", "stiffness", "slip_speed", "restitution"],
+    ];
+    for (const [seen, section, ...names] of visible) {
+      for (const name of names) this.at(`${section}.${name}`).hidden = !seen;
+    }
     this.parts.element.hidden = way !== "parts";
     if (scenario.hoop.parts) this.parts.show(scenario.hoop.parts, values["hoop.radius"], values["hoop.mass"]);
     this.derived.textContent =

@@ -9,7 +9,7 @@ export interface Quantity {
   values: (film: Film) => Column;
 }
 
-const plain: (column: string) => (film: Film) => Column = (column) => (film) => film.columns[column];
+const plain = (column: string) => (film: Film) => film.columns[column];
 
 const made =
   (key: string, of: (columns: Record<string, Column>, i: number, film: Film) => number): ((film: Film) => Column) =>

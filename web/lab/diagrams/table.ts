@@ -32,9 +32,6 @@ export class Table {
 
   columns = [...FIRST];
 
-  readonly source: () => Film;
-  readonly clock: Clock;
-  readonly names: () => Record<string, string>;
   step = h(
     "select",
     { onchange: () => this.fill() },
@@ -70,10 +67,11 @@ export class Table {
   );
 
   /** `names`: of the modes. */
-  constructor({ film, clock, names }: { film: () => Film; clock: Clock; names: () => Record<string, string> }) {
-    this.source = film;
-    this.clock = clock;
-    this.names = names;
+  constructor(
+    readonly source: () => Film,
+    readonly clock: Clock,
+    readonly names: () => Record<string, string>,
+  ) {
     this.step.value = "0.1";
   }
 

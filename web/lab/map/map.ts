@@ -69,14 +69,12 @@ export class MotionMap {
     this.changed = changed;
     const axes = setup.controls.map_axes;
     this.axes = new MapAxes(axes);
-    const pick: (name: AxisName) => HTMLSelectElement = (name) => {
-      const select = h(
+    const pick = (name: AxisName): HTMLSelectElement =>
+      h(
         "select",
-        { "data-axis": name, onchange: () => this.setAxis(name, select.value) },
+        { "data-axis": name, onchange: () => this.setAxis(name, this.selects[name].value) },
         axes.map(({ path, label }) => h("option", { value: path }, label)),
       );
-      return select;
-    };
     this.selects = { x: pick("x"), y: pick("y") };
     this.quantity = h(
       "select",

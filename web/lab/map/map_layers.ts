@@ -30,7 +30,7 @@ function limits({ classes, what }: MapHeader, values: Float32Array) {
 }
 
 /** A reply as a picture of one pixel a cell. */
-export function layerOf({ header, arrays }: Reply<MapHeader>): MapLayer {
+export function layerOf({ header, arrays }: Reply<MapHeader>) {
   const values: Float32Array = arrays.values;
   const { x, y, classes } = header;
   const image = new ImageData(x.cells, y.cells);

@@ -178,7 +178,7 @@ export class Grips {
     const place = this.places.get(grip) as HTMLElement;
     const view = this.view();
     const box = plane.getBoundingClientRect();
-    const inside: (other: PointerEvent) => Point = (other) => ({
+    const inside = (other: PointerEvent): Point => ({
       clientX: other.clientX - box.left,
       clientY: other.clientY - box.top - view.top,
     });

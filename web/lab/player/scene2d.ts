@@ -126,12 +126,7 @@ export class Scene {
   traces(until: number, share = 1) {
     const { film, context, look, colors } = this;
     const R = film.radius;
-    const path: (distance: number, color: string, width: number, wanted?: boolean) => void = (
-      distance,
-      color,
-      width,
-      wanted,
-    ) => {
+    const path = (distance: number, color: string, width: number, wanted?: boolean) => {
       context.strokeStyle = color;
       context.lineWidth = width;
       context.lineJoin = "round";
@@ -250,7 +245,7 @@ export class Scene {
     context.strokeStyle = look.soft;
     context.lineWidth = 1;
     stroke(context, this.point(center[0], center[1]), rim(pose.angle));
-    const dot: (place: number[], radius: number, fill: string, edge: string) => void = (place, radius, fill, edge) => {
+    const dot = (place: number[], radius: number, fill: string, edge: string) => {
       context.fillStyle = fill;
       disc(context, place, radius);
       context.lineWidth = 1.5;

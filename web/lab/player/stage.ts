@@ -53,7 +53,7 @@ export class Stage {
     readonly onview: () => void,
   ) {
     this.outputs[1].value.className = "mode";
-    const dot: (color: string, words: string) => HTMLElement = (color, words) =>
+    const dot = (color: string, words: string) =>
       h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
     this.element = h(
       "div",

@@ -1,7 +1,7 @@
 // What moves the film: buttons, speed, and which things are drawn.
 
 import { SPEEDS } from "./clock.ts";
-import { h } from "../common/dom.ts";
+import { h, iconButton as button } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { eventWord, leaves } from "./events.ts";
@@ -16,9 +16,6 @@ const SWITCHES: [keyof StageOptions, string, string][] = [
   ["whole", "player.whole_path", "player.whole_path_title"],
   ["three", "3D", "player.space_title"],
 ];
-
-const button = (label: Node | string, title: string, action: () => void) =>
-  h("button", { title, "aria-label": title, onclick: action }, label);
 
 const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
 

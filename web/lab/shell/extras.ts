@@ -2,7 +2,7 @@
 // what a class needs.
 
 import { Challenges } from "../teach/challenges.ts";
-import { h } from "../common/dom.ts";
+import { h, iconButton } from "../common/dom.ts";
 import { Grips } from "../player/grips.ts";
 import { icon } from "../common/icons.ts";
 import { languageMenu } from "../words/languages.ts";
@@ -45,9 +45,9 @@ export class Extras {
     const load = (query: string) => lab.load(query);
     this.grips = new Grips(lab);
     this.present = new Present(lab.root, () => lab.show());
-    this.challenges = new Challenges({ film, load, ahead: () => lab.stage.options.ahead });
+    this.challenges = new Challenges(film, load, () => lab.stage.options.ahead);
     this.visit = new Visit(lab, () => this.challenges.open());
-    this.table = new Table({ film, clock: lab.clock, names: () => lab.theme.colors.mode_names });
+    this.table = new Table(film, lab.clock, () => lab.theme.colors.mode_names);
     this.more = new More(lab);
     this.teach = teachDialog(load, () => this.visit.start());
     this.tools = this.makeTools();
@@ -65,7 +65,7 @@ export class Extras {
   makeTools() {
     const { clock } = this.lab;
     const toggle = (name: any, title: string, action: () => void) =>
-      h("button", { title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
+      iconButton(icon(name), title, action, { "aria-pressed": "false" });
     this.loop = toggle("loop", "menu.repeat", () => {
       clock.loop = !clock.loop;
       this.mark();

@@ -1,11 +1,8 @@
 // The head of the page: examples, steps back and forth, a second hoop, all or little, sharing, dark or light, help.
 
-import { h } from "../common/dom.ts";
+import { h, iconButton as button } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
 import type { History } from "./history.ts";
-
-const button = (label: Node | string, title: string, onclick: () => void) =>
-  h("button", { title, "aria-label": title, onclick }, label);
 
 /** In words, or as a picture where there is little room. */
 const worded = (words: string, name: Parameters<typeof icon>[0]) =>

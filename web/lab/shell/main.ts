@@ -35,19 +35,23 @@ function speakPacked(packed: DataView<ArrayBuffer>) {
   return speak(preferred()).catch(() => {});
 }
 
+/** What does not start is said in its place, once the words are there; returns null then. */
+async function started<T>(root: HTMLElement, words: Promise<void>, starting: Promise<T>) {
+  let failed: Error | null = null;
+  const found = await starting.catch((error) => {
+    failed = error;
+    return null;
+  });
+  await words;
+  if (failed) say(root, messageOf(failed));
+  return found;
+}
+
 async function startPage(root: HTMLElement) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
   const site = document.querySelector("meta[name=hophoop-site]");
-  let backend: Backend;
-  const words = speakFrom(here());
-  try {
-    backend = await backendOf(here(), site ? null : base, base);
-  } catch (error) {
-    await words;
-    say(root, messageOf(error));
-    return;
-  }
-  await words;
+  const backend = await started(root, speakFrom(here()), backendOf(here(), site ? null : base, base));
+  if (!backend) return;
   if (site) keepOffline(site.getAttribute("content") ?? "");
   const lab = new Lab(root, backend, tables.setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
@@ -70,17 +74,14 @@ async function startPage(root: HTMLElement) {
  * the script and the module.
  */
 export async function mount(root: HTMLElement, folder: URL, query: string, panels: string[]) {
-  const words = speakFrom(folder);
-  let lab: Lab | null = null;
+  const backend = await started(root, speakFrom(folder), backendOf(folder, null, new URL("../", folder)));
+  if (!backend) return null;
+  const lab = new Lab(root, backend, tables.setup, { panels });
   try {
-    const backend = await backendOf(folder, null, new URL("../", folder));
-    await words;
-    lab = new Lab(root, backend, tables.setup, { panels });
     await lab.open([query]);
     return lab;
   } catch (error) {
-    await words;
-    lab?.close();
+    lab.close();
     say(root, messageOf(error));
     return null;
   }
@@ -93,21 +94,13 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
 async function render({ model, el }: { model: Model; el: HTMLElement }, worker: string) {
   const root = document.createElement("div");
   el.append(root);
-  const words = speakPacked(model.get("words"));
   const python = new NotebookKernel(model);
+  const words = speakPacked(model.get("words"));
+  const backend = await started(root, words, widgetBackend(model, python, worker));
   // the motion that Python shows, however long
-  const given = () => backend.film({ query: model.get("given") }, undefined, false);
-  let backend: Backend;
-  let first: FilmReply;
-  try {
-    backend = await widgetBackend(model, python, worker);
-    await words;
-    first = await given();
-  } catch (error) {
-    await words;
-    say(root, messageOf(error));
-    return () => python.close();
-  }
+  const given = () => (backend as Backend).film({ query: model.get("given") }, undefined, false);
+  const first = backend && (await started(root, words, given()));
+  if (!backend || !first) return () => python.close();
   const lab = new Lab(root, backend, tables.setup, {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now

@@ -21,7 +21,7 @@ export function prepareRoot(root: HTMLElement, hosted: boolean) {
  */
 export function layOut(lab: Lab, panels: string[] | null) {
   const { root, notice, hosted, extras, transport, header } = lab;
-  const want: (name: string) => boolean = (name) => !panels || panels.includes(name);
+  const want = (name: string) => !panels || panels.includes(name);
   const cards = [extras.visit.element, extras.challenges.element];
   const side = h(
     "aside",

@@ -1,6 +1,6 @@
 // For a class: the player alone, large, on the whole screen, or in all of the page where there is no full screen.
 
-import { h } from "../common/dom.ts";
+import { iconButton } from "../common/dom.ts";
 
 export class Present {
   full = false;
@@ -10,16 +10,9 @@ export class Present {
   };
   onchange: () => void = () => {};
   /** The way out, also for fingers. */
-  leave = h(
-    "button",
-    {
-      class: "leave",
-      title: "menu.leave_presentation",
-      "aria-label": "menu.leave_presentation",
-      onclick: () => this.turn(false),
-    },
-    document.createTextNode("×"),
-  );
+  leave = iconButton(document.createTextNode("×"), "menu.leave_presentation", () => this.turn(false), {
+    class: "leave",
+  });
 
   constructor(
     readonly root: HTMLElement,

@@ -14,9 +14,6 @@ export class Challenges {
   solved = new Set<string>(); // challenges whose solution is shown, until they are begun again
   solutions = new Set<string>(); // that were shown, by their links
 
-  readonly film: () => Film;
-  readonly load: (query: string) => Promise<void>;
-  readonly ahead: () => boolean;
   tabs = new Map(
     GOALS.map((goal) => [
       goal.key,
@@ -50,9 +47,11 @@ export class Challenges {
   );
 
   /** `load`: shows the motion of a link; `ahead`: whether the hoop is in the hand. */
-  constructor({ film, load, ahead }: Pick<Challenges, "film" | "load" | "ahead">) {
-    Object.assign(this, { film, load, ahead });
-  }
+  constructor(
+    readonly film: () => Film,
+    readonly load: (query: string) => Promise<void>,
+    readonly ahead: () => boolean,
+  ) {}
 
   open() {
     this.element.hidden = false;
