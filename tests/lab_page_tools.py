@@ -1,6 +1,9 @@
 """What the tests of the lab's page in a browser share."""
 
+import contextlib
 import os
+import re
+import threading
 import time
 from pathlib import Path
 
@@ -11,6 +14,36 @@ PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parent / "r
 SETTLED = "!lab.motions.lanes.some((lane) => lane.busy || lane.pending) && !lab.surrounding && !lab.requested"
 SHOWN = f"lab.theory.list.children.length > 0 && {SETTLED}"
 PATIENCE = 120_000  # milliseconds, on a machine with other work
+PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True, "device_scale_factor": 1}
+
+
+@contextlib.contextmanager
+def serving(**options):
+    """The address of the lab's server on loopback; options of `create_app`."""
+    import uvicorn
+
+    from hophoop.lab.server.site import create_app
+
+    server = uvicorn.Server(uvicorn.Config(create_app(**options), host="127.0.0.1", port=0, log_level="error"))
+    thread = threading.Thread(target=server.run, daemon=True)
+    thread.start()
+    end = time.monotonic() + 30
+    while not server.started and time.monotonic() < end:
+        time.sleep(0.02)
+    yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}/"
+    server.should_exit = True
+    thread.join(10)
+
+
+def accessible(page):
+    """What axe-core finds, where HOPHOOP_AXE names its axe.min.js (npm install axe-core)."""
+    if not os.environ.get("HOPHOOP_AXE"):
+        return []
+    # evaluated, not put into the page: a policy that allows nothing foreign stays in force
+    page.evaluate(Path(os.environ["HOPHOOP_AXE"]).read_text(encoding="utf-8"))
+    # on the way from one colour to another, contrast is neither's
+    page.wait_for_function("() => !document.getAnimations().some((one) => one instanceof CSSTransition)")
+    return page.evaluate("async () => (await axe.run(document)).violations.map((one) => [one.id, one.nodes[0].html])")
 
 
 def expect(locator):
@@ -27,6 +60,79 @@ def summary(page):
 
 def wait_for(page, expression):
     page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
+
+
+# What the conditions of steps know: elements, whether they are seen, what they say, and what stands in a field by its name.
+WORDS = """
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  const shown = (element) => element.checkVisibility({ visibilityProperty: true });
+  const first = (selector) => all(selector).find(shown) ?? document.querySelector(selector);
+  const seen = (selector) => all(selector).some(shown);
+  const text = (selector) => first(selector)?.innerText ?? "";
+  const value = (label) => first(`[aria-label="${label}"]`).value;
+"""
+
+
+class Steps:
+    """What a step of a flow does, by its first word; the rest of its line is `said`."""
+
+    def __init__(self, page):
+        self.page = page
+
+    def until(self, said):
+        self.page.wait_for_function(f"() => {{ const lab = globalThis.hophoopLab; {WORDS} return lab && ({said}); }}")
+
+    def do(self, said):
+        return self.page.evaluate(f"async () => {{ const lab = hophoopLab; {WORDS} {said}; }}")
+
+    def check(self, said):
+        found = self.page.evaluate(f"() => {{ const lab = hophoopLab; {WORDS} return Boolean({said}); }}")
+        assert found, said
+
+    def press(self, said):
+        key, _, label = said.partition(" in ")
+        if label:
+            self.page.get_by_label(label, exact=True).press(key)
+        else:
+            self.page.keyboard.press(key)
+
+    def type(self, said):
+        label, _, text = said.rpartition(" = ")
+        field = self.page.get_by_label(label, exact=True)
+        field.fill(text)
+        field.press("Enter")
+
+    def fill(self, said):
+        path, text = said.split()
+        self.page.locator(f"input[data-path='{path}']").fill(text)
+
+    def choose(self, said):
+        selector, value = said.split()
+        self.page.locator(selector).select_option(value)
+
+    def click(self, said):
+        self.page.locator(said).first.click()
+
+    def button(self, said):
+        self.page.get_by_role("button", name=said, exact=True).click()
+
+    def open(self, said):
+        self.page.goto(re.split("[?#]", self.page.url)[0] + said)
+
+    def reload(self, _):
+        self.page.reload()
+        self.page.wait_for_selector("[data-ready]")
+
+    def wait(self, said):
+        self.page.wait_for_timeout(float(said))
+
+
+def follow(page, steps):
+    """Take steps, each a line that begins with a verb of `Steps`; `is` checks that something holds at once."""
+    does = Steps(page)
+    for step in steps:
+        verb, _, said = step.partition(" ")
+        getattr(does, {"is": "check"}.get(verb, verb))(said)
 
 
 def until(page, holds, seconds=30.0):

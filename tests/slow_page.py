@@ -66,5 +66,6 @@ def delaying(seed: int) -> str:
     return SCRIPT.replace("SEED", str(seed))
 
 
-also_delayed = pytest.mark.parametrize("visit", [None, 11], indirect=True, ids=["at_once", "delayed"])
+SEEDS = [None, pytest.param(11, marks=pytest.mark.long)]
+also_delayed = pytest.mark.parametrize("visit", SEEDS, indirect=True, ids=["at_once", "delayed"])
 """A test of the page that is run once more with delays: it must wait for what comes."""

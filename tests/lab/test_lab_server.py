@@ -7,8 +7,8 @@ import signal
 import socket
 import subprocess
 import sys
-import threading
 import time
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -22,6 +22,7 @@ from hophoop.lab.api.limits import within  # noqa: E402
 from hophoop.lab.server import app, site  # noqa: E402
 from hophoop.lab.wasm.stamp import built  # noqa: E402
 from hophoop.scenario import InputError  # noqa: E402
+from lab_page_tools import serving  # noqa: E402
 from lab_tools import POSIX  # noqa: E402
 
 SLOW = {"duration": 600, "contact": {"model": "compliant", "stiffness": 1e9}, "start": {"speed": 3.1}}
@@ -171,16 +172,8 @@ def test_a_defect_is_said_and_logged(client, monkeypatch, caplog):
 
 @pytest.fixture
 def address():
-    config = uvicorn.Config(site.create_app(), host="127.0.0.1", port=0, log_level="error")
-    server = uvicorn.Server(config)
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    end = time.monotonic() + 30
-    while not server.started and time.monotonic() < end:
-        time.sleep(0.02)
-    yield server.servers[0].sockets[0].getsockname()
-    server.should_exit = True
-    thread.join(10)
+    with serving() as address:
+        yield "127.0.0.1", urlsplit(address).port
 
 
 HEAD = b"POST /files/motion.nc HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"

@@ -4,13 +4,16 @@ import functools
 import http.server
 import os
 import threading
-import time
+from importlib.util import find_spec
 from urllib.parse import urlsplit
 
 import pytest
 
-from lab_page_tools import PATIENCE
+from lab_page_tools import PATIENCE, serving
 from slow_page import delaying
+
+# The server of the page needs the extra "lab".
+collect_ignore_glob = [] if find_spec("uvicorn") else ["test_*.py"]
 
 DELAYS = os.environ.get("HOPHOOP_PAGE_DELAYS", "")  # a seed: every page of these tests is delayed at random
 SLOWER = 8
@@ -21,20 +24,8 @@ EVERYTHING = "try { localStorage['hophoop-view'] ??= 'everything'; } catch { /* 
 @pytest.fixture(scope="session")
 def address():
     """The lab on loopback."""
-    uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-    from hophoop.lab.server.site import create_app
-
-    config = uvicorn.Config(create_app(), host="127.0.0.1", port=0, log_level="error")
-    server = uvicorn.Server(config)
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    end = time.monotonic() + 30
-    while not server.started and time.monotonic() < end:
-        time.sleep(0.02)
-    port = server.servers[0].sockets[0].getsockname()[1]
-    yield f"http://127.0.0.1:{port}/"
-    server.should_exit = True
-    thread.join(5)
+    with serving() as served:
+        yield served
 
 
 @pytest.fixture(scope="session")

@@ -3,9 +3,7 @@
 import numpy as np
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
-import hophoop as hh  # noqa: E402
+import hophoop as hh
 
 
 def test_it_is_kept(visit, tmp_path):
@@ -35,23 +33,6 @@ def decoded(block, name, folder):
     path.write_bytes(block)
     shown, _ = animate_tools.decoded(path)
     return shown.shape[2:0:-1], shown
-
-
-@pytest.mark.parametrize("view", ["plane", pytest.param("space", marks=pytest.mark.long)])
-def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
-    # few pixels and a short film: what is recorded is drawn by the processor
-    page = visit("?duration=0.5", viewport={"width": 900, "height": 540})
-    if view == "space":
-        page.keyboard.press("3")
-    page.locator(".menu summary").click()
-    with page.expect_download() as download:
-        page.get_by_role("button", name="Record one run as a film (WebM)").click()
-    size, shown = decoded(download.value.path().read_bytes(), "film.webm", tmp_path)
-    box = page.locator(".stage").bounding_box()
-    assert size == pytest.approx((box["width"], box["height"]), abs=2)
-    assert len(shown) > 2  # as many as the machine draws meanwhile
-    # the hoop moves
-    assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80
 
 
 @pytest.mark.long

@@ -1,20 +1,17 @@
 """A fit that the lab opens: its motion, and the film that it is of, under the hoop."""
 
 import dataclasses
-import threading
-import time
 
 import numpy as np
 import pytest
 
-pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 pytest.importorskip("av", reason="the extra 'track' is not installed")
 
 import hophoop as hh
 from film_maker import Film, article_like, make, project
 from hophoop.fitting import backdrop
 from hophoop.tracking import Hints
-from lab_page_tools import PATIENCE
+from lab_page_tools import serving
 
 FILM = Film(size=(480, 272), frames=60, scale=200.0, origin=(90.0, 240.0), rate=120.0, roll_deg=3.0, marker_size=0.05)
 RADIUS = 0.3
@@ -50,32 +47,14 @@ def test_corners_lie_where_the_camera_saw_them(filmed):
 
 
 @pytest.fixture(scope="module")
-def served(filmed):
-    import uvicorn
-
-    from hophoop.lab.server.site import create_app
-
+def address(filmed):
     video, fit, folder = filmed
-    under = backdrop(fit, video, folder / "served.mp4")
-    server = uvicorn.Server(uvicorn.Config(create_app(backdrop=under), host="127.0.0.1", port=0, log_level="error"))
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    end = time.monotonic() + 30
-    while not server.started and time.monotonic() < end:
-        time.sleep(0.02)
-    yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}/?{fit.scenario.to_query()}"
-    server.should_exit = True
-    thread.join(5)
+    with serving(backdrop=backdrop(fit, video, folder / "served.mp4")) as address:
+        yield address
 
 
-def test_the_film_lies_under_the_hoop(browser, served, filmed, tmp_path):
-    page = browser.new_context(viewport={"width": 1440, "height": 900}).new_page()
-    page.set_default_timeout(PATIENCE)
-    troubles = []
-    page.on("pageerror", lambda error: troubles.append(str(error)))
-    page.on("console", lambda said: said.type == "error" and troubles.append(said.text))
-    page.goto(served)
-    page.wait_for_selector("[data-ready]")
+def test_the_film_lies_under_the_hoop(visit, filmed):
+    page = visit(f"?{filmed[1].scenario.to_query()}")
     page.wait_for_selector("video.backdrop", state="attached")
     # the words over it have a ground of their own, to be read on any film
     for place in (".legend", ".readout"):
@@ -93,8 +72,6 @@ def test_the_film_lies_under_the_hoop(browser, served, filmed, tmp_path):
         state = article_like().at(moment + filmed[1].track.t[0])
         expected = project(FILM, state.x, state.height + RADIUS)
         assert place == pytest.approx(expected, abs=3.0)
-    page.close()
-    assert troubles == []
 
 
 def backdrop_start(filmed):

@@ -5,7 +5,7 @@ import math
 import pytest
 
 import hophoop as hh
-from lab_page_tools import wait_for
+from lab_page_tools import PHONE, wait_for
 
 
 @pytest.fixture(scope="module")
@@ -133,30 +133,6 @@ def test_a_load_keeps_the_speed_of_the_hoop_unless_it_is_flicked(visit):
     assert scenario(page).start.speed == 3.616628264005025
 
 
-@pytest.mark.parametrize("first", ["?start.speed=2", ""])
-def test_reset_goes_back_to_what_was_opened_or_chosen(visit, first):
-    page = visit(first, reduced_motion="reduce")
-    still(page)
-    button = page.get_by_role("button", name="Reset: back to the motion that was opened or chosen last")
-    assert button.is_disabled()
-    opened = page.evaluate("hophoopLab.film().query")
-    page.locator("input[data-path='plane.mu']").fill("0.5")
-    wait_for(page, "lab.film().scenario.plane.mu === 0.5")
-    still(page)
-    button.click()
-    wait_for(page, f"lab.film().query === {opened!r}")
-    assert button.is_disabled()
-    page.locator(".presets").select_option("moon")
-    wait_for(page, "lab.film().scenario.plane.gravity < 2")
-    assert button.is_disabled()
-    moon = page.evaluate("hophoopLab.film().query")
-    page.locator("input[data-path='plane.mu']").fill("0.5")
-    wait_for(page, "lab.film().scenario.plane.mu === 0.5")
-    still(page)
-    button.click()
-    wait_for(page, f"lab.film().query === {moon!r}")
-
-
 @pytest.mark.long
 def test_it_is_pulled_up_and_dropped_and_escape_takes_it_back(visit):
     page = visit("?start.speed=0&start.angle=0.5", reduced_motion="reduce")
@@ -208,7 +184,7 @@ def test_keys_turn_lift_push_and_tilt(visit):
 
 @pytest.mark.long
 def test_a_finger_tilts_the_plane_without_scrolling_the_page(visit):
-    page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    page = visit(**PHONE)
     still(page)
     x, y = middle(page, "plane")
     foot = page.evaluate(

@@ -6,10 +6,9 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pytest
 
-pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-Image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
+from lab_page_tools import wait_for
 
-from lab_page_tools import wait_for  # noqa: E402
+Image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
 
 TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
 
@@ -86,7 +85,6 @@ def test_a_picture_of_lines_is_what_the_screen_shows(visit, browser, tmp_path):
     reader.close()
 
 
-@pytest.mark.long
 def test_a_film_of_two_hoops_is_recorded_in_the_browser(visit, tmp_path):
     pytest.importorskip("av", reason="the extra 'films' is not installed")
     from animate_tools import decoded

@@ -2,10 +2,8 @@
 
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
-from lab_page_tools import SHOWN, expect, wait_for  # noqa: E402
-from slow_page import also_delayed  # noqa: E402
+from lab_page_tools import SHOWN, expect, wait_for
+from slow_page import also_delayed
 
 
 @also_delayed

@@ -3,11 +3,9 @@
 import numpy as np
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
-import hophoop as hh  # noqa: E402
-from hophoop.vocabulary.names import class_text  # noqa: E402
-from lab_page_tools import colors_on, picture, wait_for  # noqa: E402
+import hophoop as hh
+from hophoop.vocabulary.names import class_text
+from lab_page_tools import colors_on, picture, wait_for
 
 
 def test_a_click_on_the_map_takes_that_motion(visit):

@@ -5,11 +5,9 @@ import math
 import numpy as np
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
-import hophoop as hh  # noqa: E402
-from lab_page_tools import SHOWN, picture, wait_for  # noqa: E402
-from slow_page import also_delayed  # noqa: E402
+import hophoop as hh
+from lab_page_tools import SHOWN, picture, wait_for
+from slow_page import also_delayed
 
 # all that is written beside the hoop, at its arrows and in the legends of the diagrams
 READ = """() => {

@@ -2,11 +2,9 @@
 
 import pytest
 
-pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
 from lab_page_tools import SETTLED, SHOWN, picture, wait_for
 
-PHONE = {"has_touch": True, "is_mobile": True, "device_scale_factor": 1}
+FINGERS = {"has_touch": True, "is_mobile": True, "device_scale_factor": 1}
 # the one with the longest words every time, and the others in CI
 LOCALES = ["es-ES", *(pytest.param(one, marks=pytest.mark.long) for one in ["en-GB", "de-DE", "fr-FR", "zh-CN"])]
 
@@ -39,11 +37,11 @@ COVERED = """() => {
 }"""
 
 
-@pytest.mark.parametrize("width", [360, 390])
+@pytest.mark.parametrize("width", [360, pytest.param(390, marks=pytest.mark.long)])
 @pytest.mark.parametrize("simple", [True, False])
 @pytest.mark.parametrize("locale", LOCALES)
 def test_the_head_takes_two_rows(visit, locale, simple, width):
-    page = visit(simple=simple, locale=locale, viewport={"width": width, "height": 844}, **PHONE)
+    page = visit(simple=simple, locale=locale, viewport={"width": width, "height": 844}, **FINGERS)
     wait_for(page, SETTLED)
     assert page.evaluate(ROWS) <= 2
     assert page.evaluate("document.documentElement.scrollWidth") == width
@@ -64,7 +62,7 @@ def test_the_head_takes_two_rows(visit, locale, simple, width):
 @pytest.mark.parametrize("size", [(390, 844), (320, 568), (1440, 900)])
 @pytest.mark.parametrize("locale", LOCALES)
 def test_the_hint_of_the_load_covers_no_numbers(visit, locale, size):
-    options = PHONE if size[0] < 1000 else {}
+    options = FINGERS if size[0] < 1000 else {}
     page = visit(simple=True, locale=locale, viewport={"width": size[0], "height": size[1]}, **options)
     wait_for(page, f"{SHOWN} && !document.querySelector('.grip-hint').hidden")
     picture(page, f"hint-{locale[:2]}-{size[0]}")

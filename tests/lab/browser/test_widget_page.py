@@ -5,10 +5,8 @@ import gzip
 
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
-import hophoop as hh  # noqa: E402
-from lab_page_tools import picture, summary, until  # noqa: E402
+import hophoop as hh
+from lab_page_tools import picture, summary, until
 
 
 def opened(visit, module=None):

@@ -2,9 +2,7 @@
 
 import pytest
 
-uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
-from lab_page_tools import until, wait_for  # noqa: E402
+from lab_page_tools import PHONE, SHOWN, until, wait_for
 
 
 def fingers(page):
@@ -42,7 +40,7 @@ ZOOMED = {
 
 @pytest.mark.long
 def test_two_fingers_zoom_and_take_no_motion(visit):
-    page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    page = visit(**PHONE)
     touch = fingers(page)
     for selector, width in ZOOMED.items():
         target = page.locator(selector).first
@@ -81,7 +79,7 @@ PLACES_IN_SECTION = """() => {
 
 
 def test_a_diagram_that_is_not_drawn_yet_zooms_and_keeps_its_place(visit):
-    page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True, script=NO_DIAGRAM_SEEN)
+    page = visit(**PHONE, script=NO_DIAGRAM_SEEN)
     wait_for(page, "!lab.surrounding && [...lab.plots.seen.values()].every(seen => !seen)")
     target = page.locator("[data-plot=forces] .plot-body")
     target.scroll_into_view_if_needed()
@@ -112,3 +110,25 @@ def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
     page.mouse.wheel(0, -300)
     page.wait_for_function("() => hophoopLab.stage.flat.zoom > 1.2")
     assert page.evaluate("scrollY") == 0
+
+
+@pytest.mark.parametrize(("way", "moves"), [((0, -60), False), ((6, -50), False), ((60, 4), True)])
+def test_a_finger_moves_the_map_only_when_it_starts_across(visit, way, moves):
+    page = visit(**PHONE)
+    wait_for(page, SHOWN)
+    if not page.locator(".map-body").is_visible():
+        page.evaluate("hophoopLab.view.show(true)")
+    page.locator(".map-body").scroll_into_view_if_needed()
+    page.evaluate("hophoopLab.map.zoom(0.5)")
+    before = page.evaluate("hophoopLab.map.axes.windows")
+    box = page.locator(".map-body").bounding_box()
+    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.5 * box["height"]
+    touch = fingers(page)
+    query = page.evaluate("hophoopLab.film().query")
+    touch("touchStart", (x, y))
+    for k in range(1, 7):
+        touch("touchMove", (x + way[0] * k / 6, y + way[1] * k / 6))
+    touch("touchEnd")
+    page.wait_for_timeout(200)
+    assert (page.evaluate("hophoopLab.map.axes.windows") != before) is moves
+    assert page.evaluate("hophoopLab.film().query") == query

@@ -1,0 +1,414 @@
+"""What visitors do with the page, step by step: a table, one line for each thing that is done, awaited or seen.
+
+The verbs are those of `lab_page_tools.Steps`; behind `until` and `is` stands JavaScript that knows `lab` and its `WORDS`.
+"""
+
+import pytest
+
+from lab_page_tools import PHONE, SETTLED, SHOWN, follow
+from slow_page import also_delayed
+
+UNTIL_SETTLED, UNTIL_SHOWN = f"until {SETTLED}", f"until {SHOWN}"
+ERROR = ".control .error"
+HAND = "button Reset: back to the motion that was opened or chosen last"
+# The workers do not hear what they are asked as long as it is held.
+HOLD = """
+globalThis.held = %s;
+const Plain = Worker;
+globalThis.Worker = class extends Plain {
+  postMessage(message, ...rest) {
+    if (message.call !== "film" || !globalThis.held) super.postMessage(message, ...rest);
+  }
+};
+"""
+STOPPED = "Stopped: the motion was not computed."
+# An answer that comes when the test says so, also where nobody wants it any more.
+REGIONS_HELD = (
+    "do const { phase } = lab; const { backend } = phase; phase.backend = { regions: async (...asked) => {"
+    " const reply = await backend.regions(...asked);"
+    " await new Promise((resolve) => { globalThis.letGo = resolve; }); return reply; } }; return null"
+)
+LET_GO = "do letGo(); return new Promise((resolve) => setTimeout(resolve, 50))"
+PLANE = [
+    "until lab.phase.pictures?.length === 1 && lab.phase.films && !lab.surrounding",
+    "do document.querySelector('.phase .plot-body').focus()",
+]
+RTL = "addEventListener('DOMContentLoaded', () => { document.documentElement.dir = 'rtl'; })"
+NO_STORAGE = "Object.defineProperty(globalThis, 'localStorage', { get() { throw new Error('forbidden'); } });"
+CALM = {"reduced_motion": "reduce"}
+SIMPLE = "lab.root.classList.contains('simple')"
+
+# name: (link, options, steps)
+FLOWS = {
+    "a slider makes it hop and undo takes it back": ("?start.speed=2", {}, [
+        "until !lab.surrounding && text('.summary') === 'Rolls.'",
+        "fill start.speed 3.1",
+        "until lab.film().sequence.includes('H') && lab.motions.history.past.length === 1",
+        "until text('.summary').includes('hops') && location.search === ''",  # the reference case
+        "press z",
+        "until lab.film().sequence === 'R' && location.search === '?start.speed=2'",
+        "press y",
+        "until lab.film().sequence.includes('H')",
+    ]),
+    "a sentence stays until its field changes": ("", {}, [
+        UNTIL_SHOWN,
+        "type Mass, exact value in kg = -1",
+        f"until text('{ERROR}') === 'Mass = −1 kg must be from 1·10⁻¹² to 1·10¹² kg.'",
+        "do lab.show()",  # as after another size of the window
+        "fill start.speed 2.5",  # an answer that comes later
+        f"until lab.film().values['start.speed'] === 2.5 && {SETTLED}",
+        f"is seen('{ERROR}') && value('Mass, exact value in kg') === '-1'",
+        "press Escape in Mass, exact value in kg",
+        f"is !seen('{ERROR}') && value('Mass, exact value in kg') === '1'",
+        "type Mass, exact value in kg = -1",
+        f"until seen('{ERROR}')",
+        "do document.querySelector(\"input[data-path='hoop.mass']\").dispatchEvent(new Event('input'))",
+        f"until !seen('{ERROR}')",  # whatever the slider says holds
+        "type Mass, exact value in kg = -1",
+        f"until seen('{ERROR}')",
+        "do lab.travel(-1)",  # another motion, and its fields
+        f"until !seen('{ERROR}') && value('Mass, exact value in kg') === '1'",
+    ]),
+    "the sentence of a rule goes with the next motion": ("?plane.mu_static=0.5&plane.mu_kinetic=0.4", {}, [
+        UNTIL_SHOWN,
+        "type Kinetic friction, exact value = 0.6",
+        f"until seen('{ERROR}')",
+        "do lab.show()",
+        f"is seen('{ERROR}') && value('Kinetic friction, exact value') === '0.6'",
+        "fill plane.mu_static 0.7",
+        f"until !seen('{ERROR}') && value('Kinetic friction, exact value') === '0.4'",
+    ]),
+    "an entry is read as people type, and refused in its own unit": ("", {}, [
+        UNTIL_SHOWN,
+        "type Slope, exact value in ° = abc",
+        f"until text('{ERROR}').includes('must be a number')",
+        "type Slope, exact value in ° = 100",
+        f"until text('{ERROR}').includes('from −89.95 to 89.95°')",
+        f"is document.querySelector('[aria-invalid=true]').getAttribute('aria-describedby') === first('{ERROR}').id",
+        "press Escape in Slope, exact value in °",
+        "is value('Slope, exact value in °') === '0' && !document.querySelector('[aria-invalid]')",
+        "type Slope, exact value in ° = 3,1",
+        "until Math.abs(lab.film().scenario.plane.slope - 3.1 * Math.PI / 180) < 1e-12",
+        "type Friction, exact value = inf",
+        "until lab.film().scenario.plane.mu === 'inf' && value('Friction, exact value') === '∞'",
+    ]),
+    "a slider loses no key, and an answer does not take it from the hand": ("?start.speed=3.1", {}, [
+        "until lab.film()",
+        "do first(\"input[data-path='start.speed']\").focus()",
+        "do const now = performance.now(); performance.now = () => now",  # as fast as keys can come
+        *(20 * ["press ArrowLeft"]),
+        f"until lab.film().values['start.speed'] === 2.9 && lab.motions.history.past.length === 1 && {SETTLED}",
+        "do delete performance.now",
+        "do const slider = first(\"input[data-path='start.speed']\"); slider.dispatchEvent(new Event('pointerdown'));"
+        " slider.value = '1.5'; lab.show()",
+        "is first(\"input[data-path='start.speed']\").value === '1.5'",
+        "do first(\"input[data-path='start.speed']\").dispatchEvent(new Event('pointerup')); lab.show()",
+        "is first(\"input[data-path='start.speed']\").value === '2.9'",
+    ]),
+    "what is said of a preset goes when it is changed and comes back with undo": ("", {}, [
+        "choose .presets slip",
+        "until lab.film().query.includes('2.8') && text('.preset-text').includes('Friction is used up twice')",
+        "do first('.presets').focus()",
+        "choose .presets hop",
+        "until lab.film().query === 'duration=3'",
+        "press Space",  # plays what has just been chosen
+        "until lab.clock.playing",
+        "press Space",
+        "fill start.speed 2.5",
+        f"until lab.film().values['start.speed'] === 2.5 && {SETTLED}",
+        "is text('.preset-text') === '' && first('.presets').value === ''",
+        "press Control+z",
+        "until lab.film().query === 'duration=3' && text('.preset-text').includes('leaves the plane')",
+        "is first('.presets').value === 'hop'",
+        "press Control+Shift+z",
+        "until lab.film().values['start.speed'] === 2.5",
+    ]),
+    "two hoops are told apart": ("?start.speed=2", {}, [
+        "button Compare two hoops",
+        "until lab.films().length === 2",
+        "fill start.speed 3.1",
+        f"until lab.motions.history.past.length === 2 && lab.film().values['start.speed'] === 3.1 && {SETTLED}",
+        "until text('.story h2') === 'What happens to hoop B' && text('.theory h2') === 'Theory for hoop B'",
+        "until text('[data-plot=velocities] .value') === '3.1' && all('.story-list li').length > 10",
+        "button Hoop A",
+        "until text('.story h2') === 'What happens to hoop A' && text('[data-plot=velocities] .value') === '2'",
+        "until all('.story-list li').length === 1",
+        "press h",  # the hop of B is marked and found while A is chosen
+        "is lab.clock.time === lab.film(1).events.find(({ kind }) => kind === 'takeoff').t",
+    ]),
+    "reset goes back to what was opened or chosen": ("?start.speed=2", CALM, [
+        UNTIL_SETTLED,
+        "is lab.header.reset.disabled",
+        "fill plane.mu 0.5",
+        f"until lab.film().scenario.plane.mu === 0.5 && {SETTLED}",
+        HAND,
+        "until lab.film().query === 'start.speed=2' && lab.header.reset.disabled",
+        "choose .presets moon",
+        "until lab.film().scenario.plane.gravity < 2 && lab.header.reset.disabled",
+        "fill plane.mu 0.5",
+        f"until lab.film().scenario.plane.mu === 0.5 && {SETTLED}",
+        HAND,
+        "until lab.film().scenario.plane.mu === 1 && lab.film().scenario.plane.gravity < 2",
+    ]),
+    "a motion that cannot be had is said, and no step is lost": ("?start.speed=2", {}, [
+        "do lab.backend.film = async () => { throw new Error('It does not answer.'); }",
+        "fill start.speed 3.1",
+        f"until text('{ERROR}').includes('does not answer')",
+        "do delete lab.backend.film",
+        "fill start.speed 3",
+        f"until lab.film().values['start.speed'] === 3 && {SETTLED}",
+        "do lab.backend.film = async () => { throw new Error('It does not answer.'); }",
+        "press z",
+        "wait 300",
+        "is lab.motions.history.past.length === 1",
+        "do delete lab.backend.film",
+        "press z",
+        "until lab.film().values['start.speed'] === 2",
+    ]),
+    "single keys can be switched off, and Escape leaves": ("", {}, [
+        UNTIL_SETTLED,
+        "press Tab",
+        "is document.activeElement.textContent === 'Skip to the player'",
+        "press Enter",
+        "is document.activeElement.className === 'timeline'",
+        "click .menu summary",
+        "press Escape",
+        "is !document.querySelector('.menu[open]')",
+        "press ?",
+        "is all('dialog[open] tr').some((row) => row.innerText.startsWith('S\\tspin\\tslip: the rim turns too fast'))",
+        "is all('dialog[open] tr').some((row) => row.innerText.startsWith('K\\tskid\\tslip: the rim slides ahead'))",
+        "click dialog[open] .check input",
+        "press Escape",
+        "press h",
+        "press f",
+        "is lab.clock.time === 0 && lab.stage.options.forces",
+        "do first('.stage').focus()",
+        "press Space",
+        "until lab.clock.playing",
+        "press Space",
+        "reload",
+        UNTIL_SHOWN,
+        "do lab.clock.seek(0)",
+        "press h",
+        "is lab.clock.time === 0",  # the choice is kept
+    ]),
+    "undo and redo are there after a reload": ("?start.speed=2", {}, [
+        UNTIL_SHOWN,
+        "do lab.motions.change([['plane.mu', 0.5]], true)",
+        "until lab.film().values['plane.mu'] === 0.5 && lab.motions.history.past.length === 1",
+        "do lab.motions.change([['hoop.mass', 2]], true)",
+        "until lab.film().mass === 2 && lab.motions.history.past.length === 2",
+        "press z",
+        "until lab.film().mass === 1 && lab.motions.history.future.length === 1",
+        "reload",
+        UNTIL_SHOWN,
+        "is !lab.header.undo.disabled",
+        "press y",
+        "until lab.film().mass === 2 && lab.motions.history.future.length === 0",
+        "press z",
+        "until lab.film().mass === 1 && lab.motions.history.past.length === 1",
+        "press z",
+        "until lab.film().query === 'start.speed=2' && lab.motions.history.past.length === 0",
+        "open ?start.speed=4",  # another link in the same tab has no such steps
+        UNTIL_SHOWN,
+        "is lab.header.undo.disabled",
+    ]),
+    "buttons zoom the map about the mark, and not beyond what is allowed": ("?start.speed=3.1&plane.mu=0.4", {}, [
+        UNTIL_SHOWN,
+        *(6 * ["button Zoom into the map"]),
+        "is (({ x, y }) => x[0] < 3.1 && 3.1 < x[1] && y[0] < 0.4 && 0.4 < y[1] && x[1] - x[0] < 0.2)(lab.map.axes.windows)",
+        *(12 * ["button Zoom out of the map"]),
+        "is (({ x, y }) => x[0] < 3.1 && 3.1 < x[1] && y[0] === 0 && 1.5 < y[1] && y[1] <= 1e6)(lab.map.axes.windows)",
+    ]),
+    "a refused click on the map is said in sight": ("", {}, [
+        UNTIL_SETTLED,
+        "do scrollTo(0, first('.map-body').getBoundingClientRect().top - 50)",
+        "do lab.map.onmotion([['hoop.load_fraction', 1], ['plane.slope', 0.1]])",
+        "until seen('.toast') && text('.toast').includes('plane.slope')",
+        "is (({ top, bottom }) => top >= 0 && bottom <= innerHeight)(first('.toast').getBoundingClientRect())",
+    ]),
+    "forced colours are the system's": ("", {"forced_colors": "active", "color_scheme": "dark"}, [
+        UNTIL_SETTLED,
+        "is (({ paper, ink, dark }) => paper === '#000000' && ink === '#ffffff' && dark)(lab.theme.look)",
+    ]),
+    "right-to-left writing leaves numbers and units alone": ("", {"script": RTL}, [
+        UNTIL_SETTLED,
+        "is getComputedStyle(first('.legend')).direction === 'ltr' && document.documentElement.scrollWidth === 1440",
+        "is (([a, , b]) => a.getBoundingClientRect().x < b.getBoundingClientRect().x)(all('.legend span'))",
+    ]),
+    "nothing repeats by itself for those who want no motion": ("", CALM, [
+        "is lab.clock.loop === false",
+        "do lab.clock.run({ to: 1.25 })",
+        "is !lab.clock.playing && lab.clock.time === 1.25",
+        "press Space",  # asked for, it plays, once
+        "until lab.clock.playing",
+        "do lab.clock.time = lab.clock.duration - 0.05",
+        "until !lab.clock.playing && lab.clock.time === lab.clock.duration",
+    ]),
+    "a page whose first motion is stopped shows the reference motion": (
+        "?contact.model=compliant&duration=300", {"ready": False, "script": HOLD % "true"}, [
+        "until seen('.computing') && text('.computing').startsWith('Computing …') && !seen('.controls')",
+        "until lab.computing.bar.value > 0.01 && lab.computing.bar.value < lab.computing.bar.max",
+        "do held = false",
+        "button Stop",
+        "until !seen('.computing') && seen('.controls') && lab.film().query === ''",
+        f"until text('.message') === '{STOPPED}' && location.search === '?contact.model=compliant&duration=300'",
+    ]),
+    "stop keeps the motion before and forgets what waits": ("?duration=2", {"script": HOLD % "false"}, [
+        UNTIL_SETTLED,
+        "is !seen('.computing')",
+        "do held = true; for (const mu of [0.5, 0.4]) lab.motions.change([['plane.mu', mu]], true)",
+        "until seen('.computing')",
+        "do held = false",
+        "button Stop",
+        f"until !seen('.computing') && {SETTLED}",
+        "is lab.film().query === 'duration=2' && lab.motions.history.past.length === 0",
+        f"is text('.side').includes('{STOPPED}')",
+        "do lab.motions.change([['plane.mu', 0.3]], true)",
+        "until lab.film().values['plane.mu'] === 0.3 && lab.film().duration === 2",
+    ]),
+    "the plane of angle and rate is finer where it is zoomed, and whole again": ("", {}, [
+        *PLANE,
+        "press +",
+        "press +",
+        "until lab.phase.pictures[1] && Math.abs(lab.phase.pictures[1].window[0] - lab.phase.range[0]) < 1e-9",
+        "press 0",
+        "until lab.phase.pictures.length === 1",
+        "press +",
+        "until lab.phase.pictures.length === 2",
+        *(9 * ["press -"]),
+        "is lab.phase.window[1] === lab.phase.reach() && lab.phase.pictures.length === 1",
+    ]),
+    "a part that comes after the whole was asked for is not shown": ("", {}, [
+        *PLANE,
+        REGIONS_HELD,
+        "press +",
+        "until globalThis.letGo",
+        "press 0",
+        LET_GO,
+        "is lab.phase.pictures.length === 1",
+    ]),
+    "a part of an earlier zoom does not take the place of a later one": ("", {}, [
+        *PLANE,
+        REGIONS_HELD,
+        "press +",
+        "until globalThis.letGo",
+        "do globalThis.earlier = letGo; letGo = null",
+        "press +",
+        "until (globalThis.letGo?.(), lab.phase.pictures.length === 2)",
+        "do globalThis.later = String(lab.phase.pictures[1].window); letGo = earlier",
+        LET_GO,
+        "is String(lab.phase.pictures[1].window) === later",
+    ]),
+    "a first visit is offered once": ("", {}, [
+        "button Not now",
+        "is !seen('.visit')",
+        "open ",  # without what the page has written into its address
+        "until lab.root.dataset.ready",
+        "is !seen('.visit')",
+    ]),
+    "a presentation is left where there is no full screen": (
+        "#t=0.8", {"script": "delete Element.prototype.requestFullscreen", **PHONE}, [
+        UNTIL_SETTLED,
+        "click .learn summary",
+        "button Presentation",
+        "until lab.root.classList.contains('presenting') && !seen('.side')",
+        "is Math.min(first('.leave').offsetWidth, first('.leave').offsetHeight) >= 44",
+        "press Escape",
+        f"until !lab.root.classList.contains('presenting') && {SETTLED}",
+        "do lab.extras.present.turn(true)",
+        "click .leave",
+        "until !lab.root.classList.contains('presenting') && seen('.top')",
+    ]),
+    "what is seen first runs once, and any touch ends it": ("", {"simple": True}, [
+        "until lab.clock.playing && lab.clock.time > 0.1 && text('.grip-hint') === 'Drag the load'",
+        "is lab.extras.sound.on === false",
+        "do lab.clock.time = lab.clock.duration - 0.05",  # once, then it is back at the start, and the address holds no time
+        "until !lab.clock.playing && lab.clock.time === 0",
+        "wait 700",
+        "is location.hash === '' && seen('.grip-hint')",
+        "click .timeline-canvas",
+        "is !seen('.grip-hint') && Math.abs(lab.clock.time - 3) < 0.02",
+        "press Space",  # from now on it plays as it is asked to
+        "do lab.clock.time = lab.clock.duration - 0.05",
+        "until lab.clock.playing && lab.clock.time < 1",
+    ]),
+    "a key is a touch too": ("", {"simple": True}, [
+        "until seen('.grip-hint')",
+        "press ArrowRight",
+        "until !seen('.grip-hint')",
+    ]),
+    "nothing moves where a link names a time": ("?start.speed=2#t=1.25", {"simple": True}, [
+        "wait 300",
+        "is !lab.clock.playing && lab.clock.time === 1.25",
+    ]),
+    "nothing moves for those who want none": ("", {"simple": True, **CALM}, [
+        "wait 300",
+        "is !lab.clock.playing && lab.clock.time === 0",
+    ]),
+    "everything is remembered, and there is a way back": ("#t=0.5", {"simple": True}, [
+        f"is {SIMPLE}",
+        "button Everything",
+        f"until !{SIMPLE} && {SHOWN}",
+        "is all('.controls .slider').filter(shown).length > 8 && all('.plot').filter(shown).length === 5",
+        "reload",
+        f"is !{SIMPLE}",
+        "button Simple view",
+        "reload",
+        f"is {SIMPLE}",
+    ]),
+    "without storage the address holds the view": ("#t=0.5", {"simple": True, "script": NO_STORAGE}, [
+        "button Everything",
+        f"until !{SIMPLE} && {SHOWN} && location.hash.includes('view=everything')",
+        "reload",
+        f"is !{SIMPLE}",
+    ]),
+    "the title names the motion, unless it is to be guessed": ("?start.speed=2", {}, [
+        "until document.title === 'Rolls – hophoop'",
+        "choose .presets jam",
+        "until document.title === 'Dynamic jam – hophoop'",
+        "choose .language de",
+        "until document.title.endsWith(' – hophoop') && !document.title.includes('Dynamic')",
+        "choose .language en",
+        "do lab.extras.visit.go(3)",
+        "until document.title === 'hophoop lab: play with the hopping hoop'",
+    ]),
+    "another motion has no answer, and what has no end says so": ("?start.speed=2", {}, [
+        "button And in the end?",
+        "until text('.ending span').length > 20",
+        "do lab.motions.change([['plane.mu', 0.5]], true)",
+        "until text('.ending span') === ''",
+        "do lab.motions.change([['plane.gravity', 0]], true)",
+        f"until lab.film().scenario.plane.gravity === 0 && {SETTLED}",
+        "button And in the end?",
+        "until text('.ending span') === 'What becomes of it in the end is known for rigid contact with gravity.'",
+    ]),
+    "a link keeps the arrows": ("?start.speed=2.9", {}, [
+        UNTIL_SHOWN,
+        "do lab.extras.more.turn(true, 'hoop.load_fraction')",
+        "until lab.extras.more.changes && location.href.includes('more=hoop.load_fraction')",
+        "reload",
+        "until lab.extras.more.changes && first('.more select').value === 'hoop.load_fraction'",
+    ]),
+    "a class sees the player alone, repeats it and slows it down": ("", {}, [
+        "button Presentation in full screen",
+        "until lab.root.classList.contains('presenting') && !seen('.side') && first('.stage').offsetHeight > 500",
+        "button Repeat",
+        "is lab.clock.loop === false",
+        "button Slow motion: a tenth of the speed",
+        "is lab.clock.speed === 0.1",
+        "button Presentation in full screen",
+        "until seen('.side')",
+        "click .learn summary",
+        "button For teachers",
+        "click .teach[open] .sheet-table tr:nth-child(4) button",
+        "until lab.film().values['start.speed'] === 1.9 && lab.film().radius === 0.4 && !seen('.teach')",
+    ]),
+}  # fmt: skip
+
+
+@also_delayed
+@pytest.mark.parametrize("name", FLOWS)
+def test_a_visitor(visit, name):
+    link, options, steps = FLOWS[name]
+    follow(visit(link, **options), steps)
