@@ -61,7 +61,7 @@ def films(block: Any, variables: dict[str, Any], conf: dict[str, Any]) -> str:
         )
         space["___"] = None
     folder = Path(variables["src_file"]).parent
-    for path in sorted(folder.glob("*.mp4")):
+    for path in sorted(folder.glob("[!.]*.mp4")):
         parts.append(_film(path.read_bytes(), variables))
         path.unlink()
     for path in sorted(folder.glob("*.html")):
