@@ -18,24 +18,6 @@ def test_the_sweeps_stop_settling_where_the_formula_says():
     assert impulses.settles(TASK, edge - 0.01) < 1.0 < impulses.settles(TASK, edge + 0.01)
 
 
-@pytest.mark.parametrize(("angle", "settles"), [(4.8, True), (5.3, False)])
-def test_one_contact_settles_or_cycles(angle, settles):
-    """Slip that friction keeps up: N after each sweep goes to a/(1 + r), or to 0 and a in turn."""
-    sine, cosine = math.sin(angle), math.cos(angle)
-    levers = -(TASK.radius + TASK.arm * cosine), TASK.arm * sine
-    push = (1.0 + levers[0] ** 2 / TASK.inertia, 1.0 + levers[1] ** 2 / TASK.inertia, levers[0] * levers[1] / TASK.inertia)
-    contact = [0.0, 0.0, -1e3, -1.0]  # slipping behind, and a blow that is small beside the slip
-    seen = []
-    for _ in range(60):
-        impulses.together(contact, push, TASK.mu)
-        seen.append(contact[1])
-    free, ratio = 1.0 / push[1], impulses.settles(TASK, angle)
-    if settles:
-        assert seen[-1] == pytest.approx(free / (1.0 + ratio), rel=1e-3)
-    else:
-        assert sorted(seen[-2:]) == pytest.approx([0.0, free], abs=1e-9)
-
-
 def test_parity_decides():
     right = truths()["hop"].measures.hop_height
     even, odd, finer = (
