@@ -59,15 +59,3 @@ def test_a_downloaded_example_shows_something_and_says_what():
 def test_every_example_has_its_place_from_simple_to_hard():
     gallery = pytest.importorskip("gallery", reason="the extra 'docs' is not installed")
     assert sorted(gallery.ORDER) == sorted(path.stem.removeprefix("plot_") for path in EXAMPLES)
-
-
-def test_a_film_of_an_example_is_a_picture_on_paper(tmp_path):
-    gallery = pytest.importorskip("gallery", reason="the extra 'docs' is not installed")
-    motion = hh.simulate(hh.Scenario(duration=0.2))
-    hh.animate.film(motion, tmp_path / "a.mp4", hh.animate.Timing(fps=10), hh.animate.Look(size=(320, 180)))
-    image = tmp_path / "sphx_glr_plot_a_001.png"
-    text = gallery._film((tmp_path / "a.mp4").read_bytes(), {"image_path_iterator": iter([str(image)])})
-    assert image.read_bytes().startswith(b"\x89PNG")
-    assert '<video class="on-paper-not"' in text
-    assert f".. image:: images/{image.name}" in text
-    assert ":class: on-paper-only" in text

@@ -95,14 +95,6 @@ def test_the_marked_frame_has_its_ring_around_the_red_marker(tmp_path):
     assert np.hypot(*(cyan - red.mean(axis=0)).T).min() < 12.0
 
 
-def test_the_picture_of_the_film_is_its_film_at_a_page_s_size(tmp_path):
-    PAGES["draw_film"](tmp_path / "a.png")
-    paths = (tmp_path / "a.png", ROOT / "docs" / "figures" / "film-frame.png")
-    made, kept = (np.asarray(Image.open(path).convert("RGB")).astype(int) for path in paths)
-    assert made.shape == (720, 1280, 3)
-    assert np.mean(np.abs(made - kept).max(axis=-1) > 40) < 0.01
-
-
 def test_the_map_of_the_code_has_the_order_of_the_contracts():
     contracts = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]["contracts"]
     layers = [re.findall(r"\w+", line) for contract in contracts[:2] for line in contract["layers"]]
