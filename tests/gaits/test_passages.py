@@ -10,34 +10,7 @@ import pytest
 import hophoop as hh
 from hophoop.kernel.records.layout import unpacked_sequence
 from random_scenarios import draw, scenario_of
-
-# Slope in degrees, γ, θ̇ at the bottom and multiplier: from 30 digits, by Richardson differences.
-GAITS = [
-    (0.5, 0.75, 3.3143604633366742, 0.783248837804, "RSRKR"),
-    (1.0, 0.75, 3.4081869457017134, 0.610983567588, "RSRKR"),
-    (1.15, 0.75, 3.4296716668326048, 1.14297256056, "RSHRKR"),
-    (3.0, 0.5, 2.77150688780492, -0.768024, "RSHKR"),
-]
-
-
-def on_slope(degrees, gamma, omega, **plane):
-    """A hoop that rolls through the bottom, in units of R and g."""
-    plane = hh.Plane(slope=math.radians(degrees), gravity=1.0, **plane)
-    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=plane, start=hh.Start.rolling(omega, angle=math.pi))
-
-
-@pytest.mark.parametrize(("degrees", "gamma", "omega", "multiplier", "sequence"), GAITS)
-def test_known_gaits(degrees, gamma, omega, multiplier, sequence):
-    """The passage after one revolution is the same, and its derivative the multiplier."""
-    scenario = on_slope(degrees, gamma, omega)
-    found = hh.passages(scenario, 1)
-    assert found.omega[0] == pytest.approx(omega, abs=2e-14)
-    assert found.sequences == (sequence,)
-    derivative = hh.gaits.derivative(scenario)
-    assert derivative.rows == derivative.columns == ("omega",)
-    assert derivative.matrix[0, 0] == pytest.approx(multiplier, abs=1e-10 if multiplier > -0.7 else 1e-6)
-    assert derivative.multipliers == pytest.approx(derivative.matrix[0])
-    assert hh.gaits.derivative(scenario, 3).matrix[0, 0] == pytest.approx(derivative.matrix[0, 0] ** 3, rel=1e-9)
+from slopes import on_slope
 
 
 @pytest.mark.parametrize("degrees", [0.0, 10.0, -10.0, 0.5])

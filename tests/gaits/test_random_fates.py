@@ -49,30 +49,22 @@ def problem_of(given: hh.Scenario, fate: str, period: int, decided_at: int) -> s
         return f"rocks, but turns by {np.ptp(late.angle):.2f} rad late"
     if fate in ("rolls ahead", "rolls back") and (late.omega * (1.0 if fate == "rolls ahead" else -1.0)).min() <= 0.0:
         return f"{fate}, but does not"
+    if fate == "slips ever less" and not (np.ptp(np.sign(late.omega)) == 0.0 and {"S", "K"} & set(late.mode)):
+        return "slips ever less, but does not"
     return None
 
 
 @pytest.mark.parametrize("index", range(60))
 def test_a_random_fate(index):
+    """It stays, and where both sections decide what becomes of a motion, they decide the same."""
     scenario = scenario_of(SEED, index)
     judged = hh.gaits.fates([scenario])
     fate = str(judged.fates[0])
     assert fate in set(Fate)
-    if fate in ("rocks", "rests", "gait", "rolls ahead", "rolls back"):
+    landing = str(hh.gaits.fates([scenario], 500, section="landing").fates[0])
+    assert landing == fate or "undecided" in (landing, fate)
+    if fate in ("rocks", "rests", "gait", "rolls ahead", "rolls back", "slips ever less"):
         assert problem_of(scenario, fate, int(judged.periods[0]), int(judged.passages[0])) is None
-
-
-@pytest.mark.slow
-@pytest.mark.random
-@pytest.mark.timeout(3600)
-def test_hundreds_of_random_fates():
-    for index in range(1000, 1500):
-        scenario = scenario_of(SEED, index)
-        judged = hh.gaits.fates([scenario])
-        fate = str(judged.fates[0])
-        assert fate in set(Fate), index
-        if index % 10 == 0 and fate in ("rocks", "rests", "gait", "rolls ahead", "rolls back"):
-            assert problem_of(scenario, fate, int(judged.periods[0]), int(judged.passages[0])) is None, index
 
 
 @pytest.mark.parametrize(
@@ -84,14 +76,6 @@ def test_bounces_at_landings_are_not_taken_for_a_fate(index, fate):
     scenario = scenario_of(35, index)
     for section in ("bottom", "landing"):
         assert hh.gaits.fates([scenario], section=section).fates == (fate,)
-
-
-@pytest.mark.parametrize("index", range(100, 160))
-def test_sections_agree(index):
-    """Where both sections decide what becomes of a motion, they decide the same."""
-    scenario = scenario_of(SEED, index)
-    bottom, landing = (str(hh.gaits.fates([scenario], 500, section=section).fates[0]) for section in ("bottom", "landing"))
-    assert bottom == landing or "undecided" in (bottom, landing)
 
 
 def test_a_wrong_fate_is_found():

@@ -5,20 +5,17 @@ import math
 import pytest
 
 import hophoop as hh
-
-
-def scenario(degrees=1.0, gamma=0.75):
-    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(slope=math.radians(degrees), gravity=1.0))
+from slopes import on_slope
 
 
 @pytest.mark.parametrize("degrees", [1.0, 10.0, -4.0])
 def test_the_map_is_that_of_single_motions(degrees):
     ends = sorted(math.copysign(size, degrees) for size in (3.0, 3.8))
-    found = hh.gaits.return_map(scenario(degrees), *ends, 60)
+    found = hh.gaits.return_map(on_slope(degrees), *ends, 60)
     for piece in found.pieces:
         for place in {0, len(piece.omega) // 2, len(piece.omega) - 1}:
             omega = float(piece.omega[place])
-            motion = hh.passages(scenario(degrees).replace("start", hh.Start.rolling(omega, angle=math.pi)), 1)
+            motion = hh.passages(on_slope(degrees, omega=omega), 1)
             assert motion.sequences == (piece.sequence,)
             assert motion.omega[0] == pytest.approx(piece.after[place], rel=1e-9)
             assert found(omega) == pytest.approx(piece.after[place], rel=1e-9)
@@ -26,7 +23,7 @@ def test_the_map_is_that_of_single_motions(degrees):
 
 def test_pieces_meet_in_corners_and_jumps():
     """The sequence changes from one double to the next; at a corner the map does not."""
-    found = hh.gaits.return_map(scenario(), 3.0, 3.8)
+    found = hh.gaits.return_map(on_slope(1.0), 3.0, 3.8)
     assert [piece.sequence for piece in found.pieces] == ["RKR", "RSRKR", "RSHSRKR", "RSHRKR", "RSHKR", "RSHR", "RSHR"]
     assert [end.kind for end in found.ends] == ["corner"] * 5 + ["jump"]
     jump = found.ends[-1].omega
@@ -35,13 +32,6 @@ def test_pieces_meet_in_corners_and_jumps():
     corner = found.ends[3].omega
     assert abs(found(corner + 1e-9) - found(corner - 1e-9)) < 1e-8
     assert "7 pieces from 3 to 3.8 rad/s, 5 corners, 1 jumps" in repr(found)
-
-
-def test_mirror():
-    ahead, back = hh.gaits.return_map(scenario(4.0), 3.0, 3.6, 50), hh.gaits.return_map(scenario(-4.0), -3.6, -3.0, 50)
-    assert len(ahead.pieces) == len(back.pieces)
-    for one, other in zip(ahead.pieces, reversed(back.pieces), strict=True):
-        assert one.omega[[0, -1]] == pytest.approx(-other.omega[[-1, 0]], rel=1e-12)
 
 
 def test_a_hoop_that_is_fast_at_the_bottom():
@@ -62,12 +52,12 @@ def test_a_hoop_that_is_fast_at_the_bottom():
 )
 def test_refusals(arguments, message):
     with pytest.raises(ValueError, match=message):
-        hh.gaits.return_map(scenario(), *arguments)
+        hh.gaits.return_map(on_slope(1.0), *arguments)
 
 
 def test_the_picture():
     pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
-    found = hh.gaits.return_map(scenario(4.0), 3.0, 3.6, 50)
+    found = hh.gaits.return_map(on_slope(4.0), 3.0, 3.6, 50)
     ax = hh.plots.return_map(found, start=3.4, passages=20, skip=3)
     steps = ax.lines[1].get_xydata()
     assert len(steps) == 40

@@ -44,17 +44,6 @@ def random_state(random):
     return sliding(scenario, *place)
 
 
-@pytest.mark.parametrize("slope", [0.1, -0.1])
-def test_a_hoop_balances_at_the_top_of_its_well(slope):
-    scenario = on_slope(slope, 0.6)
-    body = scenario.to_body()
-    top = first_maximum(body)
-    known = [one.angle for one in hh.theory.equilibria(scenario.hoop, scenario.plane) if not one.stable]
-    assert top % (2.0 * math.pi) == pytest.approx(known[0], abs=1e-12)
-    assert potential(body, top) > max(potential(body, top - 0.01), potential(body, top + 0.01))
-    assert math.isnan(first_maximum(on_slope(0.7, 0.6).to_body()))  # sin β > ε: it balances nowhere
-
-
 def holds(body, angle, energy):
     """Whether at one angle, with up to this E, no contact opens and slip downhill loses more than it gains."""
     free = energy - potential(body, angle)
@@ -91,30 +80,6 @@ def test_bounds_on_a_piece(resistance):
             )
     assert 300 < sum(narrow) < 2700
     assert wide > 100
-
-
-def test_what_is_said_to_stay_loses_energy_in_every_slip():
-    """In random states with at most the energy of a hoop that stays, slip downhill meets friction enough, whatever θ and θ̇."""
-    random = np.random.default_rng(35)
-    stays = 0
-    while stays < 60:
-        scenario = random_state(random)
-        body, start = scenario.to_body(), scenario.start
-        if not stays_in_well(body, start.angle, start.slip, start.omega):
-            continue
-        stays += 1
-        energy, downhill = energies(scenario, start), math.copysign(1.0, body.gt)
-        top = first_maximum(body)
-        for angle in random.uniform(top, top + 2.0 * math.pi, 200):
-            free = energy - potential(body, angle)
-            sine, cosine = math.sin(angle), math.cos(angle)
-            square = random.uniform(0.0, 1.0) * 2.0 * free / (body.kap + (body.eps * sine) ** 2)
-            if free < 0.0:
-                continue
-            assert body.gn - body.eps * cosine * square > 0.0
-            for resistance in (-body.resist, body.resist):
-                load = slip_motion(body, sine, cosine, square, downhill, resistance)[1]
-                assert not 0.0 < load < abs(body.gt) / body.mu_k
 
 
 def test_what_is_said_to_stay_stays():

@@ -141,17 +141,6 @@ def test_sections_do_not_contradict_each_other():
     assert ("rocks", "rocks") in pairs
 
 
-def test_workers_compute_the_same(tmp_path):
-    distributed = pytest.importorskip("distributed")
-    axes = {"plane.mu": np.linspace(0.1, 1.5, 12), "start.speed": np.linspace(0.1, 4.0, 15)}
-    names = ["fate", "final_loss"]
-    alone = swept(LEVEL, axes, names)
-    with distributed.Client(n_workers=1, threads_per_worker=1, dashboard_address=None) as client:
-        spread = swept(LEVEL, axes, names, out=tmp_path / "map.zarr", scheduler=client, chunk_cells=60)
-    for name in names:
-        assert np.array_equal(alone[name], spread[name], equal_nan=True)
-
-
 def test_colours_of_all_fates():
     assert set(CODES["fate"]) == {identifier(fate) for fate in Fate}
     assert len(set(CODES["fate"].values())) == len(Fate)

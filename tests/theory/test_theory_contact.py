@@ -278,16 +278,6 @@ def test_the_region_of_the_paradox_is_where_the_kernels_forces_change_sign(gamma
     assert np.array_equal(mirrored, np.where(found == 2, 2, -found))
 
 
-def test_rolling_resistance_moves_the_paradox_of_spin_by_the_direction_of_rotation():
-    """γ = 3/4, μ = 0.9: shares of (0, π) from p_σ = 0, which is linear in the couple."""
-    theta, hoop = (np.arange(20_000) + 0.5) / 20_000 * math.pi, hh.Hoop.ideal(0.75)
-    lever, arm = hoop.eccentricity * np.sin(theta), 1.0 + hoop.eccentricity * np.cos(theta)
-    for resistance, omega, share in ((0.0, 1.0, 0.085), (0.1, 1.0, 0.186), (0.1, -1.0, 0.0)):
-        found = theory.painleve_region(theta, 0.9, hoop, rolling_resistance=resistance, omega=omega)
-        assert np.array_equal(found == -1, hoop.inertia_ratio + lever * (lever - 0.9 * arm - omega * resistance) <= 0.0)
-        assert np.mean(found == -1) == pytest.approx(share, abs=5e-4)
-
-
 def test_a_region_that_depends_on_the_direction_of_rotation_asks_for_it():
     with pytest.raises(ValueError, match="omega = None must be given"):
         theory.painleve_region(0.7, 1.0, REFERENCE, rolling_resistance=0.1)
