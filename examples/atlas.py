@@ -102,7 +102,7 @@ def hops(quantity: str, load_fraction, mu, part):
 
 
 # The page's table: what is sought, and the most friction.
-OPTIMA = (("hop_height", 1000.0), ("flight_distance", 1000.0), ("hop_height", 1.0), ("flight_distance", 3.0))
+OPTIMA = (("hop_height", 1000.0), ("hop_height", 1.0), ("flight_distance", 3.0))
 WORDS = {"hop_height": "highest", "flight_distance": "longest"}
 
 

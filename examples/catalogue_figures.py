@@ -18,7 +18,7 @@ from hophoop.vocabulary import colors
 
 ROOT = Path(__file__).resolve().parents[1]
 REFERENCE = 0.75  # γ of the article's hoop, whose window is drawn
-LEAST_SHARE = 5e-3  # of the window: classes that the table lists
+LEAST_SHARE = 2e-2  # of the window: classes that the table lists
 NARROWEST = 1e-14  # width down to which the catalogue goes
 CELLS = 1000  # along each side of the drawn window
 MOST_LINEAR = 0.45  # friction up to which the left panel goes
