@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.compliant import flight
+from hophoop.kernel.compliant import run as kernel
 from hophoop.kernel.compliant.records import OM, SIZE, VN, WIDTH, Y, new_work
 from hophoop.kernel.compliant.run import run
 from hophoop.kernel.physics.body import Event, Status
@@ -154,7 +154,7 @@ def test_turns_are_counted_on():
     assert marks == pytest.approx(motion.at([event.t for event in motion.events]).angle, rel=1e-12)
 
 
-@pytest.mark.parametrize(("most", "what"), [(50, flight.GIVEN_UP), (500, flight.CLEAR)])
+@pytest.mark.parametrize(("most", "what"), [(50, kernel.GIVEN_UP), (500, kernel.CLEAR)])
 def test_turns_below_the_level_of_the_plane_are_used_up(monkeypatch, most, what):
     """A spinning rim on its way up again, faster than the plane follows it: 300 panels of 3 rad."""
     contact = hh.Compliant(law="hunt-crossley", damping=1e4)
@@ -163,7 +163,7 @@ def test_turns_below_the_level_of_the_plane_are_used_up(monkeypatch, most, what)
     assert comp.d > 100.0
     begin = np.zeros(SIZE)
     begin[Y], begin[VN], begin[OM] = -0.3, 0.1, 300.0
-    monkeypatch.setattr(flight, "MOST_PANELS", most)
-    ended, tau = flight.fly_below(body, comp, begin, body.eps * 300.0**2, 100.0, new_work())
+    monkeypatch.setattr(kernel, "MOST_PANELS", most)
+    ended, tau = kernel.fly_below(body, comp, begin, body.eps * 300.0**2, 100.0, new_work())
     assert ended == what
-    assert tau == pytest.approx(most * flight.PHASE / 300.0 if what == flight.GIVEN_UP else 3.0, rel=1e-4)
+    assert tau == pytest.approx(most * kernel.PHASE / 300.0 if what == kernel.GIVEN_UP else 3.0, rel=1e-4)

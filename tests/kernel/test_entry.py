@@ -5,9 +5,6 @@ from __future__ import annotations
 import json
 import math
 import os
-import subprocess
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,6 +14,7 @@ from hophoop.kernel.native import compiled, forced, mode
 from hophoop.kernel.native.library import BUILD, Library
 from hophoop.theory.kernels.phase_plane import lift_off
 from hophoop.vocabulary.names import LAW_CODES
+from kernel_tools import python
 
 FIRST = """
 import json, sys
@@ -26,11 +24,6 @@ sample = motion.at([0.5, 1.1])
 print(json.dumps([motion.to_dict(), sample.omega.tolist()]))
 assert "numba" not in sys.modules
 """
-
-
-def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    surroundings = os.environ | {"PYTHONPATH": str(Path(hh.__file__).parents[1])} | environment
-    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
 
 
 # Which of both

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -11,29 +12,19 @@ from pathlib import Path
 
 import pytest
 
-import hophoop as hh
 from hophoop._support.extras import install_command
 from hophoop.kernel.build import link
 from hophoop.kernel.build.link import own_target
 from hophoop.kernel.native import library as native
 from hophoop.kernel.native import sources
+from kernel_tools import SHORT, python, started
 
 OTHER = "linux-aarch64" if own_target() != "linux-aarch64" else "linux-x86_64"
 MACHINES = {"linux-aarch64": 183, "linux-x86_64": 62}  # as ELF numbers them
 
 
-def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    path = os.pathsep.join([str(Path(hh.__file__).parents[1]), str(Path(__file__).parents[1])])
-    surroundings = os.environ | {"PYTHONPATH": path} | environment
-    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
-
-
 def build(folder: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    path = str(Path(hh.__file__).parents[1])
-    return subprocess.run(
-        [sys.executable, "-m", "hophoop.kernel.build", "--out", str(folder), *arguments],
-        capture_output=True, text=True, check=False, env=os.environ | {"PYTHONPATH": path} | environment,
-    )  # fmt: skip
+    return started("-m", "hophoop.kernel.build", "--out", str(folder), *arguments, **environment)
 
 
 @pytest.fixture(scope="session")
@@ -73,47 +64,38 @@ def test_sources_are_those_that_the_build_reads():
     assert all((sources.PACKAGE / file).is_file() for file in files)
 
 
-def test_an_old_library_is_told_of_and_not_used(tmp_path):
-    about = {"machine": list(_own_machine()), "sources": "0" * 32, "code": "0" * 32, "files": {"v2": "none.so"}, "entries": {}}
-    (tmp_path / native.MANIFEST).write_text(json.dumps(about))
-    done = python("import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)", HOPHOOP_LIBRARY=str(tmp_path))
-    assert done.returncode == 0
-    assert done.stdout == "R\n"
-    assert done.stderr.startswith(f"The compiled kernels are older than their sources. To rebuild them: {native.BUILD}.")
-    assert done.stderr.count("\n") == 1
-
-
 def check_interpreted(folder: Path, said: str) -> None:
     """Run a motion with a library; it is computed by the sources, with one sentence on stderr."""
-    code = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)"
-    done = python(code, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="auto")
+    done = python(SHORT, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="auto")
     assert (done.returncode, done.stdout) == (0, "R\n"), done.stderr
     assert done.stderr.count("\n") == 1
     assert said in done.stderr
-    forced = python(code, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="compiled")
+    forced = python(SHORT, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="compiled")
     assert forced.returncode == 1
     assert forced.stderr.splitlines()[-1].startswith("hophoop._support.errors.InputError: HOPHOOP_KERNELS = 'compiled': The ")
 
 
+DAMAGED = [
+    b"", b"{}", b"5", b"[]", b"null", b'"machine"', b"no json", b'{"machine": [', b"\xff\xfe{}",
+    b"[" * 100_000, b"\xef\xbb\xbf5",
+]  # fmt: skip
+OLD = {"sources": "0" * 32, "code": "0" * 32, "files": {"v2": "none.so"}, "entries": {}}
+
+
 @pytest.mark.parametrize(
-    "content",
+    ("content", "said"),
     [
-        b"",
-        b"{}",
-        b"5",
-        b"[]",
-        b"null",
-        b'"machine"',
-        b"no json",
-        b'{"machine": [',
-        b"\xff\xfe{}",
-        b"[" * 100_000,
-        b"\xef\xbb\xbf5",
+        *((content, "is damaged") for content in DAMAGED),
+        (json.dumps(OLD | {"machine": ["beos", "ppc"]}).encode(), "are for beos ppc"),
+        (
+            json.dumps(OLD | {"machine": [sys.platform, platform.machine().lower()]}).encode(),
+            f"The compiled kernels are older than their sources. To rebuild them: {native.BUILD}.",
+        ),
     ],
 )
-def test_a_manifest_that_is_damaged_is_told_of_and_not_used(content, tmp_path):
+def test_a_library_that_does_not_fit_is_told_of_and_not_used(content, said, tmp_path):
     (tmp_path / native.MANIFEST).write_bytes(content)
-    check_interpreted(tmp_path, "is damaged")
+    check_interpreted(tmp_path, said)
 
 
 def test_a_folder_in_place_of_the_manifest(tmp_path):
@@ -143,18 +125,6 @@ def test_a_listed_file_that_is_no_library_is_told_of(name, tmp_path):
     shutil.copytree(native.HERE, tmp_path / "library")
     (tmp_path / "library" / native.MANIFEST).write_text(json.dumps(told(native.HERE) | {"files": {"v2": name}}))
     check_interpreted(tmp_path / "library", "cannot be loaded")
-
-
-def test_a_library_of_another_machine_is_told_of(tmp_path):
-    about = {"machine": ["beos", "ppc"], "sources": "", "code": "", "files": {"v2": "none.so"}, "entries": {}}
-    (tmp_path / native.MANIFEST).write_text(json.dumps(about))
-    check_interpreted(tmp_path, "are for beos ppc")
-
-
-def _own_machine() -> tuple[str, str]:
-    import platform
-
-    return sys.platform, platform.machine().lower()
 
 
 def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
@@ -334,11 +304,7 @@ def test_a_library_that_is_cut_short_is_not_loaded(tmp_path):
     for name in found.told["files"].values():
         file = tmp_path / "library" / name
         file.write_bytes(file.read_bytes()[:-100])
-    code = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)"
-    done = python(code, HOPHOOP_LIBRARY=str(tmp_path / "library"), HOPHOOP_KERNELS="auto")
-    assert (done.returncode, done.stdout) == (0, "R\n")
-    assert "is damaged" in done.stderr
-    assert done.stderr.count("\n") == 1
+    check_interpreted(tmp_path / "library", "is damaged")
 
 
 def test_a_numba_that_is_too_old_is_refused_and_a_new_one_is_told_of(capsys):
@@ -364,9 +330,8 @@ def edited(tmp_path_factory):
         file = top / "hophoop" / name
         before = file.read_text(encoding="utf-8")
         file.write_text(before + end, encoding="utf-8")
-        code = "import hophoop as hh; print(hh.simulate(hh.Scenario(duration=0.1)).sequence)"
         try:
-            return python(code, PYTHONPATH=str(top), HOPHOOP_LIBRARY=str(native.HERE), HOPHOOP_KERNELS="auto")
+            return python(SHORT, PYTHONPATH=str(top), HOPHOOP_LIBRARY=str(native.HERE), HOPHOOP_KERNELS="auto")
         finally:
             file.write_text(before, encoding="utf-8")
 
@@ -411,3 +376,29 @@ print(again[1].fingerprint == first.fingerprint)
 """
     done = python(code, HOPHOOP_LIBRARY=str(tmp_path / "library"), HOPHOOP_KERNELS="compiled")
     assert (done.returncode, done.stdout, done.stderr) == (0, "True\n", "")
+
+
+LEVEL = """
+import hophoop as hh
+from hophoop.kernel.native.library import library
+print(hh.simulate(hh.Scenario(duration=1.0)).fingerprint, library().level)
+"""
+
+
+@pytest.mark.compiled
+def test_the_library_of_each_level_gives_the_same_motion():
+    found = native.library(quiet=True)
+    assert found is not None
+    levels = [level for level in sorted(found.told["files"]) if level <= found.level]
+    usual = python(LEVEL, HOPHOOP_KERNELS="compiled").stdout.split()
+    assert usual == [usual[0], levels[-1]]
+    for level in levels:
+        done = python(LEVEL, HOPHOOP_KERNELS="compiled", HOPHOOP_LEVEL=level)
+        assert (done.returncode, done.stdout.split()) == (0, [usual[0], level]), done.stderr
+
+
+@pytest.mark.compiled
+def test_an_unknown_level_is_refused():
+    done = python(LEVEL, HOPHOOP_KERNELS="compiled", HOPHOOP_LEVEL="v9")
+    assert done.returncode == 1
+    assert "HOPHOOP_LEVEL = 'v9' must be one of v" in done.stderr.splitlines()[-1]

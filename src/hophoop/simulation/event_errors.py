@@ -41,7 +41,7 @@ def _variances_of(row: np.void) -> NDArray[np.float64]:
         sizes[VT] = speed
     if row["vy"] != 0.0:
         sizes[VN] = speed + abs(row["vy"])
-    return (ROUNDING * sizes) ** 2
+    return np.square(ROUNDING * sizes)
 
 
 def estimated_errors(motion: Motion) -> NDArray[np.float64]:
@@ -54,7 +54,7 @@ def estimated_errors(motion: Motion) -> NDArray[np.float64]:
     if not math.isinf(body.mu_s):
         parameters[[MU_S, MU_K], FRICTION] = body.mu_s, body.mu_k
     table = np.stack([events[name] for name in FIELDS], axis=1)
-    squares = (ROUNDING * (1.0 + np.abs(table))) ** 2
+    squares = np.square(ROUNDING * (1.0 + np.abs(table)))
     covariance = np.zeros((DIRECTIONS, DIRECTIONS))
     t_end, doubt = motion.scenario.duration / motion.units.time, motion.kernel_doubt
     workspace = new_workspace(thread_scratch(), DIRECTIONS)

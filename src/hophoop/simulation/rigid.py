@@ -11,14 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.panels.panel import FLY, LINEAR
-from hophoop.kernel.physics.body import Mode, Status
+from hophoop.kernel.panels.panel import FLY
+from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.records.cells import CELL
 from hophoop.kernel.records.layout import COLUMNS, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
 from hophoop.kernel.rigid.phase import Until
 from hophoop.scenario import Scenario
-from hophoop.scenario.scenario import cell_of, time_unit, to_body
+from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation.until import NOTHING
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
@@ -68,29 +68,17 @@ def simulate_rigid(scenario: Scenario, until: Until = NOTHING) -> RigidMotion:
     events, segments = first_rows(tables.events, outcome.events), first_rows(tables.segments, outcome.segments)
     doubt = math.inf if math.isnan(outcome.doubt) else outcome.doubt
     if not len(segments):  # a limit ended the motion before any time passed
-        segments = _end_of(events, False)
-    elif until is not NOTHING and outcome.status == Status.COMPLETED and _passes(scenario, events, segments):
-        segments = np.append(segments, _end_of(events, True))
+        segments = _end_of(events)
     return RigidMotion(outcome.status, events, segments, doubt)
 
 
-def _passes(scenario: Scenario, events: np.ndarray, segments: np.ndarray) -> bool:
-    """Return True if a motion ended in passing an angle: before its duration, and not at an event, whose segment is there."""
-    end = scenario.duration / time_unit(scenario.hoop, scenario.plane)
-    return bool(segments["t"][-1] < events["t"][-1] < end)
-
-
-def _end_of(events: np.ndarray, forces: bool) -> np.ndarray:
-    """Return a segment of zero length with the state after the last event, as `kernel.rigid.run.write_end` does.
-
-    forces: Whether the contact forces of its mode are known; segments: shape (1,).
-    """
+def _end_of(events: np.ndarray) -> np.ndarray:
+    """Return a segment of zero length with the state after the last event, shape (1,), as `kernel.rigid.run.write_end` does."""
     last = np.zeros(1, SEGMENT)
     for name in set(SEGMENT.names or ()).intersection(EVENT.names or ()) - {"kind"}:
         last[name] = events[name][-1]
     mode = int(events["after_mode"][-1])
-    last["t_end"], last["mode"], last["sigma"] = events["t"][-1], mode, slip_direction(mode)
-    last["kind"] = LINEAR if forces and mode in (Mode.ROLL, Mode.SPIN, Mode.SKID) else FLY
+    last["t_end"], last["mode"], last["sigma"], last["kind"] = events["t"][-1], mode, slip_direction(mode), FLY
     last["direction"] = np.sign(last["omega"])
     return last
 

@@ -3,7 +3,7 @@
 Time follows from θ by quadrature, dt = dθ/θ̇, which is singular where θ̇ → 0. So a panel that ends (`ARRIVE`) or starts
 (`LEAVE`) at a turning point θ_m uses s with θ = θ_m ∓ s², where dt/ds = 2/√(θ̇²/s²) is smooth.
 
-`panels.roll` and `panels.slip` solve a panel: they fill the rows of its scratch array with values at the nodes.
+`panels.solve` solves a panel: it fills the rows of its scratch array with values at the nodes.
 """
 
 from __future__ import annotations

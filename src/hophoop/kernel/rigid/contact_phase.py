@@ -32,7 +32,7 @@ from hophoop.kernel.panels.panel import (
     no_panel,
     sine_versine_of_offset,
 )
-from hophoop.kernel.panels.roll import u_on_panel
+from hophoop.kernel.panels.solve import u_on_panel
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.physics.closed_forms import rest_curvature, slip_displacement
 from hophoop.kernel.physics.contact import (

@@ -28,8 +28,7 @@ from hophoop.kernel.panels.panel import (
     linear_panel,
     width_of,
 )
-from hophoop.kernel.panels.roll import solve_resisted, solve_roll, u_on_panel
-from hophoop.kernel.panels.slip import solve_slip
+from hophoop.kernel.panels.solve import solve_resisted, solve_roll, solve_slip, u_on_panel
 from hophoop.kernel.physics.contact import (
     clamp,
     inertia_at_height,

@@ -36,7 +36,7 @@ from hophoop.kernel.panels.panel import (
     sine_versine_of_offset,
     xi_of_offset,
 )
-from hophoop.kernel.panels.roll import u_on_panel
+from hophoop.kernel.panels.solve import u_on_panel
 from hophoop.kernel.physics.contact import cone_weights, rolling_forces
 from hophoop.kernel.records.state import time_left
 from hophoop.kernel.records.writing import record_doubt

@@ -142,7 +142,7 @@ def can_follow(before, after, t_end):
 
 @noinline
 def write_end(log, mode, phase):
-    """Write a segment of zero length with the state after the event that ends the motion.
+    """Write a segment of zero length with the state after the event, or at the angle, that ends the motion.
 
     Without an answer of the model the contact forces are not known: the segment then has none, as in flight. At a jam N is
     infinite, and no segment is written.
@@ -179,7 +179,7 @@ def follow(body, phase, limits, log, scratch):
         last = log.events[log.counts[EVENTS] - 1]
         mode, ends = last["after_mode"], last["t"] == phase.state.t
         write_plain_event(log, END, mode, mode, phase.state)
-        if ends and phase.status != JAMMED:
+        if phase.status != JAMMED and (ends or phase.ending == Ending.ANGLE_LIMIT):
             write_end(log, mode, phase)
     count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else log.events.shape[0]
     if log.counts[SEGMENTS] < 0:
