@@ -68,7 +68,7 @@ def test_a_plan_has_limits_of_what_is_at_an_end_of_its_range():
         sign, limit = plan.limits[name]
         assert sign == "≤"
         assert 0 < limit < 0.3
-        assert told[name] == f"≤ {limit:.2g}"
+        assert told[name] == f"≤ {limit:.3g}"
         assert name not in plan.errors
         assert name not in plan.unseen
     assert max(plan.errors.values()) < 0.1  # nothing that cannot be told has a spread
@@ -119,7 +119,7 @@ def test_a_share_of_the_errors_that_lasts_is_found():
     problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma(1.0))])
     rng = np.random.default_rng(6)
     slow = np.sqrt(0.3) * lasting(rng, 1000, 1.0, 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
-    found = dict(zip("xy", autocorrelations(problem, np.concatenate([slow, rng.normal(size=1000)])), strict=True))
+    found = dict(zip("xy", autocorrelations(problem, np.concatenate([slow, rng.normal(size=1000)]), False), strict=True))
     assert found["x"].frames == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
     assert found["x"].share < 0.6
     assert found["y"].share == 0.0
@@ -137,7 +137,7 @@ def test_errors_that_last_over_frames_count_less(hop):
     values, _ = defaults(problem.runs[0], track)
     values |= TRUTH
     off = problem.residuals(values)
-    found = dict(zip(("x", "y", "angle"), autocorrelations(problem, off), strict=True))
+    found = dict(zip(("x", "y", "angle"), autocorrelations(problem, off, False), strict=True))
     for name in ("x", "y"):  # (1 + 0.7)/(1 − 0.7) of them say as much as one
         assert found[name].share * found[name].fade == pytest.approx(0.7, abs=0.2)
         assert found[name].frames == pytest.approx(17 / 3, rel=0.5)

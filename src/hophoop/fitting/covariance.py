@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.extras import need
 from hophoop.fitting.channels import LONGEST, NONE, Autocorrelation, Channel
 from hophoop.fitting.losses import influence, influence_slope
 from hophoop.fitting.problem import Problem
@@ -25,16 +26,15 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust:
     jacobian: shape (count, n); residuals: shape (count,), at the minimum [standard deviations]; robust: whether outliers count
     less; covariance: shape (n, n), infinite where the data have no information [products of the parameters' units].
     """
-    pulls, information, square = residuals, jacobian.T @ jacobian, 1.0
+    information, square = jacobian.T @ jacobian, 1.0
     if robust:
         nodes, weights = np.polynomial.hermite_e.hermegauss(40)
         weights = weights / weights.sum()
-        pulls = influence(residuals)
         information = jacobian.T @ (influence_slope(residuals)[:, None] * jacobian)
         square, slope = float(weights @ influence(nodes) ** 2), float(weights @ influence_slope(nodes))
         information, square = information / slope, square / slope**2
     known = inverse(information)
-    memory = autocorrelations(problem, pulls)
+    memory = autocorrelations(problem, residuals, robust)
     if not any(one.share for one in memory) or not np.isfinite(known).all():
         return known * square
     variance = information.copy()
@@ -44,13 +44,13 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust:
     return known @ variance @ known * square
 
 
-def autocorrelations(problem: Problem, pulls: Floats) -> list[Autocorrelation]:
+def autocorrelations(problem: Problem, residuals: Floats, robust: bool) -> list[Autocorrelation]:
     """Autocorrelation of the errors of each of the problem's pieces.
 
-    pulls: shape (count,), residuals, or their influence [1]; autocorrelations: that of the channel if none is significant, or
-    with fewer than 30 residuals [1].
+    residuals: shape (count,) [standard deviations]; robust: whether outliers count less; autocorrelations: that of the channel
+    if none is significant, or with fewer than 30 residuals [1].
     """
-    result = []
+    result, pulls = [], influence(residuals) if robust else residuals
     for _, channel, part in problem.pieces:
         own = np.full(int(channel.rows[-1] - channel.rows[0]) + 1, np.nan)
         own[channel.rows - channel.rows[0]] = pulls[part]
@@ -84,13 +84,13 @@ def _autocorrelation_of(values: Floats) -> Autocorrelation:
 
 
 def _from_neighbours(channel: Channel, columns: Floats, memory: Autocorrelation) -> Floats:
-    """Return (P − 1) times columns, P_ij = share × fade^|i − j|, by one pass forwards and one backwards."""
-    fading = memory.fade ** np.diff(channel.rows).astype(float)
-    before, after = np.zeros_like(columns), np.zeros_like(columns)
-    for k in range(1, len(columns)):
-        before[k] = fading[k - 1] * (before[k - 1] + columns[k - 1])
-        after[-1 - k] = fading[-k] * (after[-k] + columns[-k])
-    return memory.share * (before + after)
+    """Return (P − 1) times columns, P_ij = share × fade^|i − j|."""
+    rows = channel.rows - channel.rows[0]
+    whole = np.zeros((rows[-1] + 1, columns.shape[1]))
+    whole[rows] = columns
+    fading = memory.share * memory.fade ** np.arange(len(whole), dtype=float)
+    fading[0] = 0.0
+    return np.asarray(need("scipy.linalg", "fit").matmul_toeplitz(fading, whole)[rows])
 
 
 def inverse(information: Floats) -> Floats:

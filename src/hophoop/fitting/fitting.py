@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from hophoop.fitting.channels import Sigma
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
 from hophoop.fitting.judging import correlations, least_static_friction, misfits, sequence_of, shares
-from hophoop.fitting.limits import NOT_SEEN, least_friction, one_sided_limits, unobserved
+from hophoop.fitting.limits import least_friction, unobserved, with_limits
 from hophoop.fitting.mistakes import likely_mistakes, without_shutter
 from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
 from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
@@ -235,13 +235,8 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
     """Return the fit, with limits of parameters that may be at an end of their range or have no effect."""
     robust, wanted = how.robust, free_of(params)
     solution, blind = best_of(problem, params, starts, robust)
-    gone = unobserved(problem.motions(solution.minimum.values)) & set(blind)
-    names = [name for name in wanted if name not in gone]
-    solution, limits = one_sided_limits(problem, solution, names, robust)
-    limits |= {name: NOT_SEEN for name in wanted if name in gone or name not in (*solution.free, *limits)}
-    values, residuals = solution.minimum.values, solution.minimum.residuals
-    motions = problem.motions(values)
-    gone = unobserved(motions)
+    solution, limits, motions = with_limits(problem, solution, wanted, blind, robust)
+    values, residuals, gone = solution.minimum.values, solution.minimum.residuals, unobserved(motions)
     notes = []
     tied = {name: one.expr for name, one in params.items() if one.expr}
     if "mu_excess" in gone and {"mu_kinetic", "mu_excess"} & set(limits):

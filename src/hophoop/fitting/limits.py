@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -52,6 +51,19 @@ def unobserved(motions: Sequence[Trajectory]) -> set[str]:
     return (set() if slips else {"mu_kinetic", "mu_excess"}) | (set() if lands else {"restitution"})
 
 
+def with_limits(
+    problem: Problem, solution: Solution, wanted: Sequence[str], blind: Sequence[str], robust: bool
+) -> tuple[Solution, Limits, list[Trajectory]]:
+    """Return a solution with the limits of the wanted parameters that it does not determine, and its motions.
+
+    blind: parameters without effect at the minimum.
+    """
+    gone = unobserved(problem.motions(solution.minimum.values)) & set(blind)
+    solution, limits = one_sided_limits(problem, solution, [name for name in wanted if name not in gone], robust)
+    limits |= {name: NOT_SEEN for name in wanted if name in gone or name not in (*solution.free, *limits)}
+    return solution, limits, problem.motions(solution.minimum.values)
+
+
 def one_sided_limits(problem: Problem, solution: Solution, names: Sequence[str], robust: bool) -> tuple[Solution, Limits]:
     """Find limits of parameters that may be at an end of their range, and their effect on the others.
 
@@ -75,7 +87,7 @@ def one_sided_limits(problem: Problem, solution: Solution, names: Sequence[str],
             value, values = _reach(
                 problem,
                 changed(params, begin.values),
-                partial(_alone, name),
+                lambda value, name=name: {name: value},
                 (begin.values[name], end),
                 -side * step,
                 begin.cost + CONFIDENT * spread,
@@ -114,10 +126,6 @@ def _ends(problem: Problem, params: Parameters, solution: Solution, name: str, r
         if found.cost - cost <= NEAR * spread_of(problem, cost, len(solution.free)):
             result.append(End(side, found, blind))
     return result
-
-
-def _alone(name: str, value: float) -> dict[str, float]:
-    return {name: value}
 
 
 def _reach(

@@ -76,7 +76,15 @@ REFUSED = {
 }
 
 
+STATIC = ParameterSpec("1", "static friction, the sum of the two", 0.0, 5.0, 1e-5)
+
+
 def spec(name: str) -> ParameterSpec:
-    """Return the parameter of a name, which may have the number of its run, such as speed_2."""
+    """Return the parameter of a name, which may have the number of its run, such as speed_2; or mu_static."""
     base, _, number = name.rpartition("_")
-    return PARAMETERS[base if number.isdigit() and name not in PARAMETERS else name]
+    return STATIC if name == "mu_static" else PARAMETERS[base if number.isdigit() and name not in PARAMETERS else name]
+
+
+def parts_of(name: str) -> tuple[str, ...]:
+    """Return the parameters whose sum a name is: two for mu_static, otherwise itself."""
+    return ("mu_kinetic", "mu_excess") if name == "mu_static" else (name,)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from operator import attrgetter
 
 import numpy as np
 
@@ -12,10 +13,10 @@ from hophoop.fitting.channels import Sigma
 from hophoop.fitting.covariance import inverse
 from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.judging import correlations, least_static_friction
-from hophoop.fitting.limits import one_sided_limits, unobserved
-from hophoop.fitting.parameters import PARAMETERS, REFUSED
-from hophoop.fitting.problem import Prior, Run, defaults, problem_of, run_of
-from hophoop.fitting.result import format_value
+from hophoop.fitting.limits import NOT_SEEN, with_limits
+from hophoop.fitting.parameters import PATHS, REFUSED
+from hophoop.fitting.problem import Prior, defaults, problem_of, run_of
+from hophoop.fitting.result import format_value, row_of
 from hophoop.fitting.solving import Minimum, Solution, changed, free_of, insensitive, parameters, slopes
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
@@ -71,17 +72,11 @@ class Plan:
         -------
         rows : list of (str, str, str)
         """
-        result = []
-        for name, error in self.errors.items():
-            unit = "" if PARAMETERS[name].unit == "1" else f" {PARAMETERS[name].unit}"
-            result.append((name, format_value(self.values[name], error) + unit, PARAMETERS[name].meaning))
-        for name, (sign, limit) in self.limits.items():
-            unit = "" if PARAMETERS[name].unit == "1" else f" {PARAMETERS[name].unit}"
-            result.append((name, f"{sign} {limit:.2g}{unit}", PARAMETERS[name].meaning))
-        result += [(name, "not determined", PARAMETERS[name].meaning) for name in self.unseen]
+        limits = self.limits | dict.fromkeys(self.unseen, NOT_SEEN)
         if np.isfinite(self.least_static_friction):
-            result.append(("mu_static", f"≥ {self.least_static_friction:.3g}", "static friction: the hoop never slips"))
-        return result
+            limits["mu_static"] = "≥", self.least_static_friction
+        found = [row_of(name, format_value(self.values[name], error)) for name, error in self.errors.items()]
+        return found + [row_of(name, "", limit) for name, limit in limits.items()]
 
     def sentences(self) -> list[str]:
         """Notes on the table.
@@ -168,7 +163,11 @@ def plan(
     for name in (*free, *fixed):
         if name in REFUSED or name not in run.names:
             raise InputError(f"{name!r} is no parameter of this plan; it has {', '.join(run.names)}.")
-    priors = _shared(run, sigma_scale, {*free, *fixed}) if sigma_omega is None else {}
+    priors = {}
+    if sigma_scale and sigma_omega is None:
+        # R below the centre, the plane has an error that follows from that of the scale
+        shared = {"scale": Prior(1.0, sigma_scale), "origin_y": Prior(0.0, sigma_scale * run.radius)}
+        priors = {name: prior for name, prior in shared.items() if name not in (*free, *fixed)}
     problem = problem_of([replace(run, priors=priors)])
     chosen = {*usual, *free, *priors} - set(fixed)
     names = tuple(name for name in run.names if name in chosen)
@@ -177,20 +176,13 @@ def plan(
     seen = changed(params, {}, [name for name in names if name not in blind])
     jacobian = slopes(problem, seen)
     whole = Solution(Minimum(seen, 0.0, np.zeros(0)), free_of(seen), inverse(jacobian.T @ jacobian))
-    gone = unobserved([motion]) & set(blind)
-    solution, limits = one_sided_limits(problem, whole, [name for name in names if name not in gone], False)
+    solution, limits, _ = with_limits(problem, whole, names, blind, False)
     errors = {name: float(np.sqrt(solution.covariance[k, k])) for k, name in enumerate(solution.free)}
+    unseen = tuple(name for name in names if name in limits and not limits[name][0])
     limits = {name: limit for name, limit in limits.items() if limit[0]}
-    blind = tuple(name for name in names if name not in (*solution.free, *limits))
     never = not set(motion.sequence) & {"S", "K"}
     least = least_static_friction(motion) if never else float("nan")
-    return Plan(values, errors, limits, blind, correlations(solution, set(problem.priors)), motion.sequence, count, least)
-
-
-def _shared(run: Run, sigma_scale: float, told: Set[str]) -> dict[str, Prior]:
-    """Priors of the scale and of the plane's height, R below the centre, whose error follows from that of the scale."""
-    priors = {"scale": Prior(1.0, sigma_scale), "origin_y": Prior(0.0, sigma_scale * run.radius)} if sigma_scale else {}
-    return {name: prior for name, prior in priors.items() if name not in told}
+    return Plan(values, errors, limits, unseen, correlations(solution, set(problem.priors)), motion.sequence, count, least)
 
 
 def _record(scenario: Scenario, t: np.ndarray, sigma: float, sigma_angle: float | None, sigma_omega: float | None) -> Track:
@@ -216,12 +208,8 @@ def _start(scenario: Scenario) -> str:
 
 
 def _known(scenario: Scenario, values: dict[str, float]) -> dict[str, float]:
-    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
-    known = {
-        "gamma": hoop.load_fraction, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
-        "mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic, "restitution": plane.restitution,
-        "slope": plane.slope, "rolling_resistance": plane.rolling_resistance,
-        "x0": start.x, "angle0": start.angle, "speed": start.vx, "height0": start.height,
-        "vx0": start.vx, "vy0": start.vy, "omega0": start.omega,
-    }  # fmt: skip
-    return {name: float(value) for name, value in known.items() if name in values and value is not None}
+    """Values of the parameters in a scenario."""
+    known = {name: attrgetter(paths[-1])(scenario) for name, paths in PATHS.items() if name in values}
+    known["mu_excess"] -= known["mu_kinetic"]
+    known |= {"speed": scenario.start.vx} if "speed" in known else {}
+    return {name: float(value) for name, value in known.items() if value is not None}

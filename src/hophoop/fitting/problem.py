@@ -99,7 +99,10 @@ class Run:
 
     def places(self, motion: Trajectory, values: Values) -> dict[str, Floats]:
         """Predicted data of a motion in each frame, by name of the channel [m, rad or rad/s]."""
-        state = motion.at(self.moments(motion, values))
+        return self.seen(motion.at(self.moments(motion, values)), values)
+
+    def seen(self, state: Any, values: Values) -> dict[str, Floats]:
+        """Predicted data of states (x, height, angle, omega), by name of the channel [m, rad or rad/s]."""
         reach = values["marker_ratio"] * self.radius
         marked = state.angle + values["marker_angle"]
         x, y = state.x, state.height + self.radius

@@ -18,8 +18,7 @@ from hophoop._version import __version__
 from hophoop.fitting.channels import Sigma
 from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.judging import WORDS, sequence_of
-from hophoop.fitting.losses import influence
-from hophoop.fitting.parameters import SHARED, spec
+from hophoop.fitting.parameters import SHARED, parts_of, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
 from hophoop.fitting.sampling import Posterior, posterior_from_dict
 from hophoop.fitting.solving import parameters
@@ -34,7 +33,6 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-fit/1"
-FRICTION = ("mu_kinetic", "mu_excess")  # whose sum is static friction
 GIVEN = " (given)"  # suffix of values that were not fitted
 WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
 UNLIKELY = 0.003  # probability below which runs do not agree
@@ -140,10 +138,9 @@ class Fit:
         ValueError
             If there is no such parameter.
         """
-        parts = FRICTION if name == "mu_static" else (name,)
-        if not set(parts) <= set(self.values):
+        if not set(parts_of(name)) <= set(self.values):
             raise InputError(f"{name!r} is none of {', '.join(self.values)}.")
-        places = [self.free.index(part) for part in parts if part in self.free]
+        places = [self.free.index(part) for part in parts_of(name) if part in self.free]
         variance = float(self.covariance[np.ix_(places, places)].sum())
         # a singular problem has negative variances
         return self.inflation * variance**0.5 if variance >= 0 else float("nan")
@@ -184,8 +181,8 @@ class Fit:
     @cached_property
     def residuals(self) -> dict[str, Floats]:
         """Data minus motion in standard deviations, by quantity, with the number of the run if there are several [1]."""
-        off, runs = self.problem.residuals(self.values), self.problem.runs
-        return {channel.name + runs[k].suffix: off[part] for k, channel, part in self.problem.pieces}
+        problem, off = self.problem, self.problem.residuals(self.values)
+        return {channel.name + problem.runs[k].suffix: off[part] for k, channel, part in problem.pieces}
 
     def rows(self) -> list[tuple[str, str, str]]:
         """Parameters for people: name, value with uncertainty or limit, unit and meaning.
@@ -194,30 +191,23 @@ class Fit:
         -------
         rows : list of (str, str, str)
         """
-        result = []
-        for name in self.values:
-            kind = spec(name)
-            unit = "" if kind.unit == "1" else f" {kind.unit}"
-            if name in self.free:
-                text = self._shown(name) + unit
-            elif name in self.limits:
-                sign, value = self.limits[name]
-                text = f"{sign} {value:.3g}{unit}" if np.isfinite(value) else "not determined"
-            else:
-                text = f"{self.values[name]:.6g}{unit}{GIVEN}"
-            result.append((name, text, kind.meaning))
-        if "mu_static" in self.limits:
-            sign, value = self.limits["mu_static"]
-            result.append(("mu_static", f"{sign} {value:.3g}", "static friction"))
-        elif set(FRICTION) <= set(self.free):
-            result.append(("mu_static", self._shown("mu_static"), "static friction, the sum of the two"))
-        return result
+        names = list(self.values)
+        if "mu_static" in self.limits or self._determined("mu_static"):
+            names.append("mu_static")
+        return [self._row(name) for name in names]
 
-    def _shown(self, name: str) -> str:
+    def _row(self, name: str) -> tuple[str, str, str]:
+        if not self._determined(name):
+            return row_of(name, f"{self.values.get(name, np.nan):.6g}", self.limits.get(name), GIVEN)
         if self.posterior is not None:
-            return format_range(*self.posterior.quantiles(name))
-        parts = FRICTION if name == "mu_static" else (name,)
-        return format_value(sum(self.values[part] for part in parts), self.error(name))
+            return row_of(name, format_range(*self.posterior.quantiles(name)))
+        return row_of(name, format_value(self._value(name), self.error(name)))
+
+    def _determined(self, name: str) -> bool:
+        return set(parts_of(name)) <= set(self.free)
+
+    def _value(self, name: str) -> float:
+        return sum(self.values[part] for part in parts_of(name))
 
     def comparison(self) -> list[list[str]]:
         """Parameters that several runs share, of all together and of each alone.
@@ -299,10 +289,9 @@ class Fit:
         """Group the parameters of hoop and contact by their accuracy, and say what it is good for."""
         found: dict[str, list[str]] = {}
         for name in (*SHARED, "mu_static"):
-            parts = FRICTION if name == "mu_static" else (name,)
-            error = self.error(name) if set(parts) <= set(self.free) else 0.0
+            error = self.error(name) if self._determined(name) else 0.0
             if error > 0 and name != "mu_excess":
-                share = error / max(abs(sum(self.values[part] for part in parts)), 1e-300)
+                share = error / max(abs(self._value(name)), 1e-300)
                 word = next(text for limit, text in ACCURACIES.items() if share <= limit)
                 found.setdefault(word, []).append(f"{name} (to {error:.1g})")
         return [f"{text}: {', '.join(found[text])}." for text in ACCURACIES.values() if text in found]
@@ -332,8 +321,7 @@ class Fit:
                 f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
                 f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
             )
-        residuals = self.problem.residuals(self.values)
-        memories = autocorrelations(self.problem, influence(residuals) if self.settings["robust"] else residuals)
+        memories = autocorrelations(self.problem, self.problem.residuals(self.values), self.settings["robust"])
         for piece, memory in zip(self.problem.pieces, memories, strict=True):
             if memory.share:
                 said.append(
@@ -396,6 +384,16 @@ class Fit:
     def source(self) -> str:
         """Names of the films or files."""
         return ", ".join(track.source for track in self.tracks if track.source) or "a hoop"
+
+
+def row_of(name: str, text: str, limit: tuple[str, float] | None = None, remark: str = "") -> tuple[str, str, str]:
+    """Name, value or limit with its unit, and meaning of a parameter."""
+    kind = spec(name)
+    if limit is not None:
+        text, remark = f"{limit[0]} {limit[1]:.3g}", ""
+    unit = "" if kind.unit == "1" else f" {kind.unit}"
+    undetermined = limit is not None and not limit[0]
+    return name, "not determined" if undetermined else text + unit + remark, kind.meaning
 
 
 def format_value(value: float, error: float) -> str:

@@ -14,13 +14,12 @@ from hophoop._support.extras import need
 from hophoop.fitting.channels import Autocorrelation
 from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.judging import count_sequences
-from hophoop.fitting.losses import influence, loss
+from hophoop.fitting.losses import loss
+from hophoop.fitting.parameters import parts_of
 from hophoop.fitting.problem import Problem
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
-    from lmfit import Parameters
-
     from hophoop.fitting.result import Fit
 
 Floats = NDArray[np.float64]
@@ -86,7 +85,7 @@ class Posterior:
         ValueError
             If the parameter was not sampled.
         """
-        parts = ("mu_kinetic", "mu_excess") if name == "mu_static" else (name,)
+        parts = parts_of(name)
         if not set(parts) <= set(self.names):
             raise InputError(f"{name!r} was not sampled; sampled were {', '.join(self.names)}.")
         column = self.samples[:, [self.names.index(part) for part in parts]].sum(axis=1)
@@ -156,10 +155,23 @@ def sample(
         raise InputError.of_field("walkers", count, f"from {2 * len(names)}, twice the number of parameters, to 10,000")
     # not by lmfit's own call, which has other moves, no progress, and prints a traceback at Ctrl-C
     emcee = need("emcee", "fit")
-    place = _Place(params, names)
-    likelihood = _likelihood(fit, problem, place)
+    ends = np.array([(params[name].min, params[name].max) for name in names])
+    memory, scale = autocorrelations(problem, problem.residuals(fit.values), fit.settings["robust"]), fit.inflation
+
+    def values_at(place: Floats) -> dict[str, float]:
+        for name, value in zip(names, place.tolist(), strict=True):
+            params[name].value = value
+        return dict(params.valuesdict())
+
+    def likelihood(place: Floats) -> float:
+        """Logarithm of the posterior up to a constant; −∞ outside the bounds."""
+        if (place < ends[:, 0]).any() or (place > ends[:, 1]).any():
+            return -np.inf
+        fresh = innovations(problem, problem.residuals(values_at(place)), memory)
+        return -0.5 * loss(fresh, fit.settings["robust"]) / scale**2
+
     rng = np.random.default_rng(seed)
-    begin = _begin(fit, place, likelihood, count, rng)
+    begin = _begin(fit, names, ends, likelihood, count, rng)
     moves = [(emcee.moves.DEMove(), 0.8), (emcee.moves.DESnookerMove(), 0.2)] if count > 5 else None
     sampler = emcee.EnsembleSampler(count, len(names), likelihood, moves=moves)
     sampler.log_prob_fn = likelihood  # emcee's own prints a traceback at Ctrl-C
@@ -167,42 +179,13 @@ def sample(
     for done, _ in enumerate(sampler.sample(begin, iterations=steps), 1):
         if progress is not None:
             progress(done, steps)
-    memory = float(np.max(sampler.get_autocorr_time(tol=0, quiet=True)))
+    longest = float(np.max(sampler.get_autocorr_time(tol=0, quiet=True)))
     samples = sampler.get_chain(discard=int(BURNT * steps), flat=True)
     some = samples[rng.choice(len(samples), min(DRAWN, len(samples)), replace=False)]
-    parts = count_sequences(problem, [place.values(one) for one in some])
+    parts = count_sequences(problem, [values_at(one) for one in some])
     acceptance = float(np.mean(sampler.acceptance_fraction))
-    found = Posterior(names, samples, parts, steps, count, memory if np.isfinite(memory) else float(steps), acceptance)
+    found = Posterior(names, samples, parts, steps, count, longest if np.isfinite(longest) else float(steps), acceptance)
     return dataclasses.replace(fit, posterior=found, shares=parts)
-
-
-class _Place:
-    """Values of all parameters from those that are sampled."""
-
-    def __init__(self, params: Parameters, names: tuple[str, ...]) -> None:
-        self.params, self.names = params, names
-        self.low, self.high = (np.array([getattr(params[name], end) for name in names]) for end in ("min", "max"))
-
-    def values(self, place: Floats) -> dict[str, float]:
-        for name, value in zip(self.names, place.tolist(), strict=True):
-            self.params[name].value = value
-        return dict(self.params.valuesdict())
-
-
-def _likelihood(fit: Fit, problem: Problem, at: _Place) -> Callable[[Floats], float]:
-    """Logarithm of the posterior up to a constant; −∞ outside the bounds."""
-    robust = bool(fit.settings["robust"])
-    off = problem.residuals(fit.values)
-    memory = autocorrelations(problem, influence(off) if robust else off)
-    scale = fit.inflation
-
-    def likelihood(place: Floats) -> float:
-        if (place < at.low).any() or (place > at.high).any():
-            return -np.inf
-        fresh = innovations(problem, problem.residuals(at.values(place)), memory)
-        return -0.5 * loss(fresh, robust) / scale**2
-
-    return likelihood
 
 
 def innovations(problem: Problem, residuals: Floats, memory: list[Autocorrelation]) -> Floats:
@@ -225,28 +208,30 @@ def innovations(problem: Problem, residuals: Floats, memory: list[Autocorrelatio
     return result
 
 
-def _begin(fit: Fit, at: _Place, likelihood: Callable[[Floats], float], count: int, rng: np.random.Generator) -> Floats:
+def _begin(
+    fit: Fit, names: tuple[str, ...], ends: Floats, likelihood: Callable[[Floats], float], count: int, rng: np.random.Generator
+) -> Floats:
     """Starts of the walkers: around the minimum, and anywhere along parameters that the data do not determine."""
-    best = np.array([fit.values[name] for name in at.names])
-    seen = [at.names.index(name) for name in fit.free]
+    best = np.array([fit.values[name] for name in names])
+    seen = [names.index(name) for name in fit.free]
+    unseen = [k for k in range(len(names)) if k not in seen]
     spread = np.zeros((len(best), len(best)))
     spread[np.ix_(seen, seen)] = fit.covariance
-    ends = np.clip([at.low, at.high], -1e3, 1e3)
-    for k, name in enumerate(at.names):
-        limit = fit.limits.get(name, ("", np.nan))[1]
+    reach = np.clip(ends, -1e3, 1e3)
+    for k in unseen:
+        limit = fit.limits.get(names[k], ("", np.nan))[1]
         if np.isfinite(limit):
-            ends[:, k] = sorted((best[k], limit))
-    unseen = [k for k in range(len(best)) if k not in seen]
-    top = likelihood(np.clip(best, at.low, at.high))
-    result = []
-    for _ in range(count):
-        for tried in range(TRIES + 1):
-            size = 1.0 if tried < TRIES else 1e-6
-            place = rng.multivariate_normal(best, size * spread, check_valid="ignore", method="eigh")
-            if tried < TRIES:
-                place[unseen] = rng.uniform(*ends[:, unseen])
-            place = np.clip(place, at.low, at.high)
-            if likelihood(place) > top - NEAR:
-                break
-        result.append(place)
-    return np.array(result)
+            reach[k] = sorted((best[k], limit))
+    least = likelihood(np.clip(best, *ends.T)) - NEAR
+    found: list[Floats] = []
+    for _ in range(TRIES * count):
+        if len(found) == count:
+            break
+        place = rng.multivariate_normal(best, spread, check_valid="ignore", method="eigh")
+        place[unseen] = rng.uniform(*reach[unseen].T)
+        place = np.clip(place, *ends.T)
+        if likelihood(place) > least:
+            found.append(place)
+    while len(found) < count:
+        found.append(np.clip(rng.multivariate_normal(best, 1e-6 * spread, check_valid="ignore", method="eigh"), *ends.T))
+    return np.array(found)
