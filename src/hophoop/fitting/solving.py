@@ -273,18 +273,15 @@ def _asides(problem: Problem, params: Parameters, last: Solution, robust: bool) 
     An angular velocity jumps at an impact, so the sum of squares has a step wherever an impact passes a measured value, and
     small basins between the steps.
     """
-    found = []
-    for name in SPREADS:
-        if name not in last.free or not np.isfinite(last.covariance).all():
-            continue
-        place = last.free.index(name)
-        spread = spread_of(problem, last.minimum.cost, len(last.free))
-        here, size = last.minimum.values[name], float(np.sqrt(spread * last.covariance[place, place]))
-        for far in ASIDE:
-            value = float(np.clip(here + far * size, params[name].min, params[name].max))
-            found.append(minimize(problem, held(changed(params, {**last.minimum.values, name: value}), {name: value}), robust))
-    found.sort(key=lambda minimum: minimum.cost)
-    return [approach(problem, changed(params, minimum.values), robust) for minimum in found[:2]]
+    found: list[tuple[Minimum, list[str]]] = []
+    variances = np.diag(last.covariance) * spread_of(problem, last.minimum.cost, len(last.free))
+    for name, variance in zip(last.free, variances, strict=True):
+        if name in SPREADS and np.isfinite(last.covariance).all():
+            for far in ASIDE:
+                value = last.minimum.values[name] + far * float(np.sqrt(variance))
+                value = float(np.clip(value, params[name].min, params[name].max))
+                found.append(approach(problem, changed(params, {**last.minimum.values, **last.values_at(name, value)}), robust))
+    return found
 
 
 def _without_slip(problem: Problem, params: Parameters, best: Minimum, robust: bool) -> tuple[Minimum, list[str]] | None:
