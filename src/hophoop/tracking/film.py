@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import RADIUS_ERROR
 from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker, doubt_times, repeated, steps_of
-from hophoop.tracking.following import Follower, Rows
+from hophoop.tracking.following import Follower, Frame
 from hophoop.tracking.ground import Ground, ground_line, line_through
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.learning import FilmSetup, learn
@@ -76,32 +76,30 @@ def track(
         before = small
         if progress is not None:
             progress(k + 1, total)
-    notes = _correct_times(follower.rows, np.array(times), np.array(changes), hints.rate)
-    return _track_from_rows(follower.rows, known, hints, radius, source, first, notes)
+    rows, notes = _correct_times(follower.rows, np.array(times), np.array(changes), hints.rate)
+    return _track_from_rows(rows, known, hints, radius, source, first, notes)
 
 
-def _correct_times(rows: Rows, t: Floats, changes: Floats, rate: float | None) -> list[str]:
-    """Leave out repeated pictures, and count a given rate without them; return what there is to say about the times."""
-    circle, angle = np.array(rows.circle), np.array(rows.angle)
-    if np.isfinite(circle[:, 0]).sum() < 3:
-        return []
-    steps = steps_of(circle, angle)
+def _correct_times(rows: Frame, t: Floats, changes: Floats, rate: float | None) -> tuple[Frame, list[str]]:
+    """Leave out repeated pictures, and count a given rate without them; return what there is to say about the times, too."""
+    if np.isfinite(rows.circle[:, 0]).sum() < 3:
+        return rows, []
+    steps = steps_of(rows.circle, rows.angle)
     again = repeated(changes, steps)
-    for k in np.flatnonzero(again):
-        rows.forget(int(k))
+    for values in (rows.circle, rows.covariance, rows.agreement, rows.arrow, rows.angle, rows.marker_pixel):
+        values[again] = np.nan
     if rate is not None and again.any():
         right = np.arange(len(t)) - np.cumsum(again) + 0.5 * again  # between the neighbours, for an increasing order
-        rows.t = (np.array(rows.t) - t + t[0] + right / rate).tolist()
-        return [f"{int(again.sum())} repeated pictures are left out."]
-    return doubt_times(t, steps, again)
+        return rows._replace(t=rows.t - t + t[0] + right / rate), [f"{int(again.sum())} repeated pictures are left out."]
+    return rows, doubt_times(t, steps, again)
 
 
 def _track_from_rows(
-    rows: Rows, known: FilmSetup, hints: Hints, radius: float, source: str, first: int, notes: list[str]
+    rows: Frame, known: FilmSetup, hints: Hints, radius: float, source: str, first: int, notes: list[str]
 ) -> Track:
     """Convert rectified pixels to metres along and above the plane."""
-    circle, covariance = np.array(rows.circle), np.array(rows.covariance)
-    arrow, angle = _at_one_time(rows, circle)
+    t, circle, covariance = rows.t, rows.circle, rows.covariance
+    arrow, angle = _at_one_time(rows)
     camera = known.search.camera
     there = np.isfinite(circle[:, 0])
     if there.sum() < 3:
@@ -118,9 +116,10 @@ def _track_from_rows(
     base = np.array([line.x, line.y])
     origin = base + ((circle[there][0, :2] - base) @ turn[0]) * turn[0]
     place = (circle[:, :2] - origin) @ turn.T / scale + [0.0, radius]
-    error = np.sqrt(_rotate_variances(covariance, turn) + LEAST_ERROR**2) / scale
+    variances = np.einsum("ik,nkl,il->ni", turn, covariance[:, [[0, 1], [1, 2]]], turn)
+    error = np.sqrt(variances + LEAST_ERROR**2) / scale
     ratio = float("nan") if known.marker is None else known.marker.ratio
-    marker_error = _marker_error(np.array(rows.t), arrow, angle, covariance) / scale
+    marker_error = _marker_error(t, arrow, angle, covariance) / scale
     reach = np.hypot(arrow[:, 0], arrow[:, 1]) / scale
     marker = place + arrow @ turn.T / scale
     pixel = camera.to_picture(circle[:, :2])
@@ -130,7 +129,7 @@ def _track_from_rows(
         "marker_x": marker[:, 0], "marker_y": marker[:, 1],
         "sigma_marker": np.hypot(marker_error, error.mean(axis=1)),
         "column": pixel[:, 0], "row": pixel[:, 1],
-        "marker_column": np.array(rows.marker_pixel)[:, 0], "marker_row": np.array(rows.marker_pixel)[:, 1],
+        "marker_column": rows.marker_pixel[:, 0], "marker_row": rows.marker_pixel[:, 1],
     }  # fmt: skip
     marked = np.isfinite(columns["angle"])
     state = [FOUND if b else UNMARKED if a else LOST for a, b in zip(there, marked, strict=True)]
@@ -146,40 +145,30 @@ def _track_from_rows(
         "slope": hints.slope if given else hints.level - line.angle,
         "slope_error": float("nan") if given else line.angle_error,
     }  # fmt: skip
-    t = np.array(rows.t)
     tilt = (camera.tilt_x, camera.tilt_y) if known.tilted else (0.0, 0.0)
-    doubts = doubt_hoop(circle, np.array(rows.agreement), float(np.median(np.diff(t))), radius, tilt) or notes
+    doubts = doubt_hoop(circle, rows.agreement, float(np.median(np.diff(t))), radius, tilt) or notes
     if known.marker is not None:
         doubts += doubt_marker(columns["x"] / radius, columns["angle"])
     return track_of(t, columns, state, notes=(*doubts, *_notes(rows, state, known, line, hints)), **others)
 
 
-def _rotate_variances(covariance: Floats, turn: Floats) -> Floats:
-    whole = np.empty((len(covariance), 2, 2))
-    whole[:, 0, 0], whole[:, 1, 1] = covariance[:, 0], covariance[:, 2]
-    whole[:, 0, 1] = whole[:, 1, 0] = covariance[:, 1]
-    result: Floats = np.einsum("ik,nkl,il->ni", turn, whole, turn)
-    return result
-
-
-def _at_one_time(rows: Rows, circle: Floats) -> tuple[Floats, Floats]:
+def _at_one_time(rows: Frame) -> tuple[Floats, Floats]:
     """Return arrows from centre to marker, and their angles, at the exposure of the centre's row.
 
     With a rolling shutter the marker's row is exposed earlier or later. The motion in between follows from the frames before
     and after.
     """
-    t, arrow, angle, late = np.array(rows.t), np.array(rows.arrow), np.array(rows.angle), np.array(rows.late)
+    t, arrow, angle, late = rows.t, rows.arrow, rows.angle, rows.late
     there = np.flatnonzero(np.isfinite(angle))
     if len(there) < 2 or not late.any():
         return arrow, angle
-    velocity = np.gradient(circle[there, :2], t[there], axis=0)
+    velocity = np.gradient(rows.circle[there, :2], t[there], axis=0)
     omega = np.gradient(angle[there], t[there])
     straight = arrow[there] - velocity * late[there, None]
-    turn = omega * late[there]  # the rotation to undo, counterclockwise
-    cos, sin = np.cos(turn), np.sin(turn)
-    back = np.stack([cos * straight[:, 0] - sin * straight[:, 1], sin * straight[:, 0] + cos * straight[:, 1]], axis=-1)
-    arrow[there] = back
-    bare = np.arctan2(back[:, 0], back[:, 1])
+    turned = np.exp(1j * omega * late[there])  # the rotation to undo, counterclockwise
+    back = (straight[:, 0] + 1j * straight[:, 1]) * turned
+    arrow[there] = np.column_stack([back.real, back.imag])
+    bare = np.arctan2(back.real, back.imag)
     angle[there] = bare + 2 * np.pi * np.round((angle[there] - bare) / (2 * np.pi))
     return arrow, angle
 
@@ -202,7 +191,7 @@ def _marker_error(t: Floats, arrow: Floats, angle: Floats, covariance: Floats) -
     return np.where(np.isfinite(reach), np.maximum(min(scatter), least), np.nan)
 
 
-def _notes(rows: Rows, state: list[str], known: FilmSetup, line: Ground, hints: Hints) -> tuple[str, ...]:
+def _notes(rows: Frame, state: list[str], known: FilmSetup, line: Ground, hints: Hints) -> tuple[str, ...]:
     notes = []
     lost, bare = state.count(LOST), state.count(UNMARKED)
     if lost:
@@ -211,9 +200,9 @@ def _notes(rows: Rows, state: list[str], known: FilmSetup, line: Ground, hints: 
         notes.append("No marker was found, so there are no angles.")
     elif bare:
         notes.append(f"The marker is hidden in {bare} frames.")
-    if rows.uncertain:
-        notes.append(f"Whole revolutions may be missing after {rows.uncertain[0]:.3f} s, where the marker comes back.")
-    circle = np.array(rows.circle)
+    if rows.uncertain.any():
+        notes.append(f"Whole revolutions may be missing after {rows.t[rows.uncertain][0]:.3f} s, where the marker comes back.")
+    circle = rows.circle
     if not line.directed and np.ptp(circle[np.isfinite(circle[:, 0]), 1]) > SIDEWAYS * np.nanmedian(circle[:, 2]):
         notes.append(f"{DOUBT}the hoop moves up or down the picture. Is the film sideways? Turn it, and track it again.")
     elif not line.directed:

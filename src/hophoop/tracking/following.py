@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,27 +21,21 @@ AREAS = (0.55, 1.7)  # area of a visible marker over its usual area
 NEAR = 0.09  # tolerance of its distance from the centre, over the radius
 
 
-@dataclass
-class Rows:
-    """Positions, one row per frame, in rectified pixels; nan where nothing was found."""
+NONE = float("nan")
 
-    t: list[float] = field(default_factory=list)  # of the frame's first row, from the file
-    circle: list[tuple[float, float, float]] = field(default_factory=list)
-    covariance: list[tuple[float, float, float]] = field(default_factory=list)  # xx, xy, yy
-    agreement: list[float] = field(default_factory=list)  # share of the whole rim that is seen
-    arrow: list[tuple[float, float]] = field(default_factory=list)  # from the centre to the marker, at the exposure of its row
-    late: list[float] = field(default_factory=list)  # delay of that after the centre's row
-    angle: list[float] = field(default_factory=list)  # of the arrow from up, clockwise, without jumps
-    marker_pixel: list[tuple[float, float]] = field(default_factory=list)
-    uncertain: list[float] = field(default_factory=list)  # times after which whole revolutions may be missing
 
-    def forget(self, row: int) -> None:
-        """Mark the hoop as lost in a frame."""
-        for name in ("circle", "covariance"):
-            getattr(self, name)[row] = (np.nan,) * 3
-        for name in ("arrow", "marker_pixel"):
-            getattr(self, name)[row] = (np.nan, np.nan)
-        self.angle[row] = self.agreement[row] = np.nan
+class Frame(NamedTuple):
+    """Positions in one frame, in rectified pixels, nan where nothing was found; `rows` has arrays of them."""
+
+    t: Any  # of the exposure, from the file [s]
+    circle: Any = (NONE, NONE, NONE)
+    covariance: Any = (NONE, NONE, NONE)  # xx, xy, yy
+    agreement: Any = NONE  # share of the whole rim that is seen
+    arrow: Any = (NONE, NONE)  # from the centre to the marker, at the exposure of its row
+    late: Any = 0.0  # delay of that after the centre's row
+    angle: Any = NONE  # of the arrow from up, clockwise, without jumps
+    marker_pixel: Any = (NONE, NONE)
+    uncertain: Any = False  # whether whole revolutions may be missing before
 
 
 class Follower:
@@ -53,36 +47,33 @@ class Follower:
     def __init__(self, search: Search, marker: Marker | None, exposure: float, row_delay: float, seed: int = 0) -> None:
         self.search, self.marker = search, marker
         self.exposure, self.row_delay = exposure, row_delay
-        self.rows = Rows()
+        self.frames: list[Frame] = []
         self._rng = np.random.default_rng(seed)
         self._last: tuple[float, Floats] | None = None  # time and centre
         self._velocity: Floats | None = None  # [rectified pixels/s]
         self._turned: tuple[float, float] | None = None  # time and angle
-        self._omega: float | None = None
+        self._omega = 0.0
+
+    @property
+    def rows(self) -> Frame:
+        """Arrays of all frames."""
+        return Frame(*map(np.array, zip(*self.frames, strict=True)))
 
     def add(self, picture: Picture) -> None:
         """Look for the hoop in the next frame."""
         rim = self._rim(picture)
-        rows = self.rows
         if rim is None:
-            rows.t.append(picture.t + 0.5 * self.exposure)
-            rows.circle.append((np.nan, np.nan, np.nan))
-            rows.covariance.append((np.nan, np.nan, np.nan))
-            rows.agreement.append(np.nan)
-            self._add_without_marker()
+            self.frames.append(Frame(picture.t + 0.5 * self.exposure))
             return
-        middle = np.array([rim.circle.x, rim.circle.y])
+        circle, own = rim.circle, rim.covariance
+        middle = np.array([circle.x, circle.y])
         t = picture.t + 0.5 * self.exposure + self.row_delay * self._row(middle)
-        self._move(t, middle)
-        rows.t.append(t)
-        rows.circle.append((rim.circle.x, rim.circle.y, rim.circle.radius))
-        rows.covariance.append((rim.covariance[0, 0], rim.covariance[0, 1], rim.covariance[1, 1]))
-        rows.agreement.append(rim.share * rim.seen)
-        spot = self._spot(picture, rim.circle)
-        if spot is None:
-            self._add_without_marker()
-        else:
-            self._turn(t, rim.circle, spot)
+        fresh = self._last is None or t - self._last[0] >= FORGET
+        self._velocity = None if fresh or self._last is None else (middle - self._last[1]) / (t - self._last[0])
+        self._last = (t, middle)
+        frame = Frame(t, circle, (own[0, 0], own[0, 1], own[1, 1]), rim.share * rim.seen)
+        spot = self._spot(picture, circle)
+        self.frames.append(frame if spot is None else self._turn(frame, spot))
 
     def _row(self, point: Floats) -> float:
         return float(self.search.camera.to_picture(point)[1])
@@ -111,13 +102,6 @@ class Follower:
         hoop = detect(picture.luma, self.search, self._rng)
         return None if hoop is None else hoop.rim
 
-    def _move(self, t: float, middle: Floats) -> None:
-        if self._last is None or t - self._last[0] >= FORGET:
-            self._velocity = None
-        else:
-            self._velocity = (middle - self._last[1]) / (t - self._last[0])
-        self._last = (t, middle)
-
     # --- the marker ----------------------------------------------------------------------------
 
     def _spot(self, picture: Picture, circle: Circle) -> Spot | None:
@@ -135,27 +119,18 @@ class Follower:
         disc = find_disc(picture.luma, self.search.camera, Circle(spot.x, spot.y, spot.radius))
         return spot if disc is None else spot._replace(x=disc[0], y=disc[1])
 
-    def _turn(self, t: float, circle: Circle, spot: Spot) -> None:
-        rows = self.rows
-        late = self.row_delay * (spot.row - self._row(np.array([circle.x, circle.y])))
+    def _turn(self, frame: Frame, spot: Spot) -> Frame:
+        """Add the marker to a frame."""
+        t, circle = frame.t, frame.circle
         arrow = np.array([spot.x - circle.x, spot.y - circle.y])
-        angle = float(np.arctan2(arrow[0], arrow[1]))
+        angle, uncertain = float(np.arctan2(*arrow)), False
         if self._turned is not None:
             wait = t - self._turned[0]
-            guess = self._turned[1] + (self._omega or 0.0) * wait
+            guess = self._turned[1] + self._omega * wait
             angle += 2 * np.pi * round((guess - angle) / (2 * np.pi))
-            if abs(self._omega or 0.0) * wait > 0.5 * np.pi and len(rows.angle) and np.isnan(rows.angle[-1]):
-                rows.uncertain.append(t)
+            uncertain = abs(self._omega) * wait > 0.5 * np.pi and bool(np.isnan(self.frames[-1].angle))
             self._omega = (angle - self._turned[1]) / wait
         self._turned = (t, angle)
-        rows.arrow.append((float(arrow[0]), float(arrow[1])))
-        rows.late.append(late)
-        rows.angle.append(angle)
+        late = self.row_delay * (spot.row - self._row(np.array([circle.x, circle.y])))
         pixel = self.search.camera.to_picture(np.array([spot.x, spot.y]))
-        rows.marker_pixel.append((float(pixel[0]), float(pixel[1])))
-
-    def _add_without_marker(self) -> None:
-        self.rows.arrow.append((np.nan, np.nan))
-        self.rows.late.append(0.0)
-        self.rows.angle.append(np.nan)
-        self.rows.marker_pixel.append((np.nan, np.nan))
+        return frame._replace(arrow=arrow, late=late, angle=angle, marker_pixel=pixel, uncertain=uncertain)
