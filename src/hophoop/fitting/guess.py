@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,8 +16,9 @@ Floats = NDArray[np.float64]
 
 WIDTH = 0.05  # of the pieces for velocities [s]
 LEAST = 5  # minimum frames of such a piece
-ROLLING = 8  # minimum frames of rolling for the share of the load
-SPANS = (0.15, 0.25, 0.4, 0.6, 0.8, 1.0)  # of the data from their start
+ROLLING, FLYING = 8, 16  # minimum frames of rolling, or of flight, for the share of the load
+LEAST_GAP = 0.01  # height of the rim above the plane, over the radius, that is flight
+SPANS = (0.25, 0.4, 0.6, 0.8, 1.0)  # of the data from their start
 SLIPS = 4.0  # significant slip over its standard deviation
 DRAWS = 160
 A_SEQUENCE = 2  # starts of each sequence
@@ -95,37 +97,71 @@ def guess(run: Run, values: dict[str, float]) -> dict[str, float]:
     if y is not None:
         result |= {"height0": max(y.value[0] - run.radius, 0.0), "vy0": y.rate[0]}
         result["origin_y"] = np.quantile(y.value, 0.1) - run.radius
-    turning = None
+    turning, spans = None, SPANS
     if angle is not None:
-        turning = angle.t, angle.value - values["marker_angle"], angle.rate
+        turning = angle.value - values["marker_angle"], angle.rate
+        if x is not None:
+            slip = np.interp(angle.t, x.t, x.rate) - run.radius * angle.rate
+            error = np.hypot(np.interp(angle.t, x.t, x.error), run.radius * angle.error)
+            slips = np.abs(slip) > SLIPS * error + 0.02 * np.abs(run.radius * angle.rate)
+            spans = (max(np.argmax([*slips, True]), ROLLING) / len(slips),)
     elif omega is not None:
         turned = np.cumsum(0.5 * (omega.value[1:] + omega.value[:-1]) * np.diff(omega.t))
-        turning = omega.t, np.concatenate([[0.0], turned]), omega.value
+        turning = np.concatenate([[0.0], turned]), omega.value
     if turning is not None:
-        load, angle0 = load_of_turning(run, *turning, values["slope"], angle is not None)
+        load, angle0 = load_of_turning(run, *turning, spans, values["slope"], angle is not None)
+        if x is not None and y is not None and angle is not None and len(x.t) == len(angle.t):
+            load = share_in_flight(run, angle, x, y, result) or load
         result |= {"gamma": load, "eccentricity": load, "inertia_ratio": 1.0 - load**2, "angle0": angle0}
-        result["omega0"] = turning[2][0]
+        result["omega0"] = turning[1][0]
         if x is None:
             result["speed"] = result["vx0"] = run.radius * result["omega0"]
     return {name: float(result[name]) for name in values}
 
 
-def load_of_turning(run: Run, t: Floats, turned: Floats, omega: Floats, slope: float, known: bool) -> tuple[float, float]:
+def share_in_flight(run: Run, angle: Rates, x: Rates, y: Rates, values: dict[str, float]) -> float | None:
+    """Return γ from the longest flight, in which the centre of gravity goes along a parabola.
+
+    x + γ R sinθ and y + γ R cosθ of the centre have the acceleration of gravity, which is linear in γ.
+
+    values: slope, height of the plane and angle of the marker; gamma: None if the hoop does not fly for long [1].
+    """
+    error = next(float(np.median(channel.errors)) for channel in run.channels if channel.name == "y")
+    flies = y.value - values["origin_y"] - run.radius > max(SLIPS * error, LEAST_GAP * run.radius)
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], flies, [False]]).astype(int)))
+    first, last = max(zip(ends[::2], ends[1::2], strict=True), key=lambda pair: pair[1] - pair[0], default=(0, 0))
+    first, last = first + LEAST, last - LEAST  # the pieces at its ends have contact, too
+    if last - first < FLYING:
+        return None
+    t, theta = y.t[first:last], angle.value[first:last] - values["marker_angle"]
+    none, one = np.zeros_like(t), np.ones_like(t)
+    along = np.column_stack([-run.radius * np.sin(theta), one, t, none, none])
+    up = np.column_stack([-run.radius * np.cos(theta), none, none, one, t])
+    fall, slope = 0.5 * run.plane.gravity * t**2, values["slope"]
+    known = np.concatenate([x.value[first:last] - np.sin(slope) * fall, y.value[first:last] + np.cos(slope) * fall])
+    found, *_ = np.linalg.lstsq(np.concatenate([along, up]), known, rcond=None)
+    return float(np.clip(found[0], 0.05, 0.95))
+
+
+def load_of_turning(
+    run: Run, turned: Floats, omega: Floats, spans: Sequence[float], slope: float, known: bool
+) -> tuple[float, float]:
     """Return γ and the first angle from the energy (1 + γ cosθ) θ̇² + (g/R) (γ cos(θ + β) − θ sinβ), constant in rolling.
 
     With θ = θ0 + the rotation since then that is linear in γ cosθ0, γ sinθ0 and the constant. The hoop may slip from some time
     on, so that of several spans from the start the one counts whose equation holds best.
 
-    turned: θ, or the rotation since the first frame, shape (n,) [rad]; known: whether it is θ itself.
+    turned: θ, or the rotation since the first frame [rad]; spans: parts of the data from their start [1];
+    known: whether it is θ itself.
     """
     gravity = run.plane.gravity / run.radius
     along = omega**2 * np.cos(turned) + gravity * np.cos(turned + slope)
     across = omega**2 * np.sin(turned) + gravity * np.sin(turned + slope)
-    design = np.column_stack([along, -np.ones_like(t), *([] if known else [-across])])
+    design = np.column_stack([along, -np.ones_like(omega), *([] if known else [-across])])
     right = gravity * turned * np.sin(slope) - omega**2
     found = []
-    for share in SPANS[not known :]:
-        count = max(int(share * len(t)), ROLLING)
+    for share in spans:
+        count = max(round(share * len(omega)), ROLLING)
         answer, *_ = np.linalg.lstsq(design[:count], right[:count], rcond=None)
         cos, sin = answer[0], 0.0 if known else answer[2]
         off = float(np.std(design[:count] @ answer - right[:count]))
@@ -156,7 +192,6 @@ def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0,
     candidates: the best first.
     """
     rng = np.random.default_rng(seed)
-    reach = 0.5 if run.start == "flying" else 0.1  # the energy of rolling gives the share of the load
     measured = {channel.name for channel in run.channels}
     found: list[Candidate] = []
     for k in range(draws):
@@ -165,7 +200,7 @@ def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0,
             drawn = {name: float(rng.uniform(*ends)) for name, ends in SPREADS.items() if name in free}
             drawn |= {name: values[name] * float(1.0 + NEAR * rng.uniform(-1, 1)) for name in SPEEDS if name in free}
             if "gamma" in free and rng.random() < 0.5:
-                drawn["gamma"] = float(np.clip(first["gamma"] + reach * rng.uniform(-1, 1), 0.05, 0.95))
+                drawn["gamma"] = float(np.clip(first["gamma"] + 0.1 * rng.uniform(-1, 1), 0.05, 0.95))
             if "omega" in measured and rng.random() < 0.5:
                 drawn["angle0"] = first["angle0"] + float(rng.normal(0.0, 0.3))
             elif not measured & {"angle", "omega"}:

@@ -20,43 +20,18 @@ class Circle(NamedTuple):
     radius: float
 
 
-def fit_circle(points: Floats, rounds: int = 3) -> tuple[float, float, float, Floats]:
-    """Fit a circle by geometric least squares from an algebraic start.
+def fit_circle(points: Floats) -> tuple[float, float, float, Floats]:
+    """Fit a circle by algebraic least squares, which are those of the distances where the points are near a circle.
 
-    points: shape (n, 2), at least three [pixel]; rounds: Gauss–Newton steps [1]; x, y, radius: the circle [pixel]; off: shape
-    (n,), distance of each point from the circle, positive outside [pixel].
+    points: shape (n, 2), at least three [pixel]; x, y, radius: the circle [pixel]; off: shape (n,), distance of each point from
+    the circle, positive outside [pixel].
     """
     shift = points.mean(axis=0)
     near = points - shift
     design = np.column_stack([2.0 * near, np.ones(len(near))])
-    first = _least_squares(design, (near * near).sum(axis=1))
-    x, y = float(first[0]), float(first[1])
-    radius = float(np.sqrt(max(first[2] + x * x + y * y, 1e-12)))
-    away, distance = _from(near, x, y)
-    for _ in range(rounds):
-        jacobian = np.column_stack([away / distance[:, None], np.ones(len(near))])
-        step = _least_squares(jacobian, distance - radius)
-        x, y, radius = x + float(step[0]), y + float(step[1]), radius + float(step[2])
-        away, distance = _from(near, x, y)
-        if np.abs(step).max() < 1e-6:
-            break
-    return x + float(shift[0]), y + float(shift[1]), radius, distance - radius
-
-
-def _from(points: Floats, x: float, y: float) -> tuple[Floats, Floats]:
-    away = points - (x, y)
-    return away, np.maximum(np.hypot(away[:, 0], away[:, 1]), 1e-9)
-
-
-def _least_squares(design: Floats, right: Floats) -> Floats:
-    # three unknowns about their mean: normal equations are accurate enough
-    normal = design.T @ design
-    normal[np.diag_indices(len(normal))] *= 1.0 + 1e-12
-    try:
-        found = np.linalg.solve(normal, design.T @ right)
-    except np.linalg.LinAlgError:  # points on a line
-        found = np.linalg.lstsq(design, right, rcond=None)[0]
-    return np.asarray(found, dtype=float)
+    x, y, square = np.linalg.lstsq(design, (near**2).sum(axis=1), rcond=None)[0].tolist()
+    radius = float(np.sqrt(max(square + x * x + y * y, 1e-12)))
+    return x + float(shift[0]), y + float(shift[1]), radius, np.hypot(*(near - (x, y)).T) - radius
 
 
 class CircleFit(NamedTuple):
@@ -80,7 +55,8 @@ def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[f
     normal: Floats = np.eye(3)
     spread = reach
     for _ in range(10):
-        away, distance = _from(points, x, y)
+        away = points - (x, y)
+        distance = np.maximum(np.hypot(*away.T), 1e-9)
         off = distance - radius
         near = np.abs(off) < width
         if near.sum() < 8:
@@ -118,19 +94,14 @@ def ransac_circles(
     """
     if len(points) < 12:
         return []
-    a, b, c = (points[rng.integers(0, len(points), draws)] for _ in range(3))
-    cross = 2.0 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        first, second = ((b - a) ** 2).sum(axis=1), ((c - a) ** 2).sum(axis=1)
-        x = ((c - a)[:, 1] * first - (b - a)[:, 1] * second) / cross
-        y = ((b - a)[:, 0] * second - (c - a)[:, 0] * first) / cross
-    radius = np.hypot(x, y)
-    centre = a + np.stack([x, y], axis=1)
-    fair = np.isfinite(radius) & (radius > sizes[0]) & (radius < sizes[1])
+    triples = points[rng.integers(0, len(points), (draws, 3))]
+    # a point is as far from the first as from the second and from the third
+    chords, squares = triples[:, 1:] - triples[:, :1], (triples**2).sum(axis=2)
+    centre = (np.linalg.pinv(chords) @ (0.5 * (squares[:, 1:] - squares[:, :1]))[..., None])[..., 0]
+    radius = np.hypot(*(centre - triples[:, 0]).T)
+    fair = (radius > sizes[0]) & (radius < sizes[1])
     centre, radius = centre[fair], radius[fair]
-    if not len(radius):
-        return []
-    away = points[None, :, :] - centre[:, None, :]
+    away = points - centre[:, None]
     near = np.abs(np.hypot(away[..., 0], away[..., 1]) - radius[:, None]) < np.maximum(1.2, 0.015 * radius)[:, None]
     place = ((np.arctan2(away[..., 1], away[..., 0]) / (2 * np.pi) + 0.5) * BINS).astype(int) % BINS
     covered = np.zeros((len(radius), BINS), dtype=bool)

@@ -147,13 +147,8 @@ def _outlines(mask: NDArray[np.bool_], least: float) -> list[Floats]:
     edge = mask & ~ndimage.binary_erosion(mask, border_value=1)
     boxes = ndimage.find_objects(labels)
     sizes = np.array([max(box[0].stop - box[0].start, box[1].stop - box[1].start) for box in boxes])
-    result = []
-    for k in np.argsort(-sizes)[:COMPONENTS]:
-        if sizes[k] >= 2 * least:
-            rows, columns = np.nonzero(edge[boxes[k]] & (labels[boxes[k]] == k + 1))
-            result.append(np.column_stack([columns + boxes[k][1].start, rows + boxes[k][0].start]).astype(float))
-    wide = np.flatnonzero(sizes >= 3)
-    if len(wide) > 1:
-        rows, columns = np.nonzero(edge & np.isin(labels, wide + 1))
-        result.append(np.column_stack([columns, rows]).astype(float))
-    return result
+    rows, columns = np.nonzero(edge)
+    points, own = np.column_stack([columns, rows]).astype(float), labels[rows, columns]
+    wide = np.flatnonzero(sizes >= 3) + 1
+    largest = [points[own == k + 1] for k in np.argsort(-sizes)[:COMPONENTS] if sizes[k] >= 2 * least]
+    return [*largest, *([points[np.isin(own, wide)]] if len(wide) > 1 else [])]

@@ -60,11 +60,13 @@ def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str
         chosen = [seen[k] for k in np.unique(np.linspace(0, len(seen) - 1, MOST_FOR_CAMERA).astype(int))]
         edges = [camera.to_picture(hoop.rim.points) for _, hoop in chosen]
         camera, tilted = fit_camera(camera, edges, hints.focal is not None)
-    radius = _common_radius(camera, search.camera, seen)
+    whole = [hoop.rim for _, hoop in seen if hoop.rim.seen > 0.6] or [hoop.rim for _, hoop in seen]
+    radius = float(np.median([fit_circle(camera.to_plane(search.camera.to_picture(rim.points)))[2] for rim in whole]))
+    before = search.camera
     search = search._replace(camera=camera, expected=(radius, TIGHT * radius))
     again = []
     for picture, hoop in seen:
-        point = camera.to_plane(search_place(hoop, Camera(wide, tall, focal, *tilt)))
+        point = camera.to_plane(before.to_picture(np.array(hoop.rim.circle[:2])))
         found = confirm(picture.luma, search, Circle(float(point[0]), float(point[1]), radius), rng)
         if found is not None:
             again.append((picture, found.rim.circle))
@@ -100,11 +102,6 @@ def _correct_rolling_shutter(
         if again is not None:
             result.append((picture, again))
     return result if len(result) >= 2 else seen
-
-
-def search_place(hoop: Hoop, camera: Camera) -> Floats:
-    """Pixel of a hoop's centre in the picture [pixel]."""
-    return camera.to_picture(np.array([hoop.rim.circle.x, hoop.rim.circle.y]))
 
 
 def _hoops(
@@ -166,12 +163,6 @@ def _most_alike(found: list[tuple[Picture, Hoop]]) -> list[tuple[Picture, Hoop]]
         if (len(group), sum(hoop.rim.share for _, hoop in group)) > (len(best), sum(hoop.rim.share for _, hoop in best)):
             best = group
     return best
-
-
-def _common_radius(camera: Camera, before: Camera, seen: list[tuple[Picture, Hoop]]) -> float:
-    sizes = [fit_circle(camera.to_plane(before.to_picture(hoop.rim.points)))[2] for _, hoop in seen if hoop.rim.seen > 0.6]
-    sizes = sizes or [fit_circle(camera.to_plane(before.to_picture(hoop.rim.points)))[2] for _, hoop in seen]
-    return float(np.median(sizes))
 
 
 def _marker(seen: list[tuple[Picture, Circle]], camera: Camera, hints: Hints) -> Marker | None:

@@ -98,19 +98,11 @@ def estimate_shift(found: Edges, rng: np.random.Generator) -> tuple[float, float
     count = len(found.angles)
     if count < 12:
         return None
-    a, b = rng.integers(0, count, DRAWS), rng.integers(0, count, DRAWS)
-    cos, sin = np.cos(found.angles), np.sin(found.angles)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        area = cos[a] * sin[b] - cos[b] * sin[a]
-        x = (found.offsets[a] * sin[b] - found.offsets[b] * sin[a]) / area
-        y = (found.offsets[b] * cos[a] - found.offsets[a] * cos[b]) / area
-    fair = np.abs(area) > 0.3
-    if not fair.any():
-        return None
-    x, y = x[fair], y[fair]
-    agree = np.abs(x[:, None] * cos + y[:, None] * sin - found.offsets) < 1.5
-    best = int(np.argmax(agree.sum(axis=1)))
-    return float(x[best]), float(y[best]), float(agree[best].sum() / max(found.looked, 1))
+    directions, pairs = np.column_stack([np.cos(found.angles), np.sin(found.angles)]), rng.integers(0, count, (DRAWS, 2))
+    shifts = (np.linalg.pinv(directions[pairs]) @ found.offsets[pairs][..., None])[..., 0]
+    agree = (np.abs(shifts @ directions.T - found.offsets) < 1.5).sum(axis=1)
+    best = int(np.argmax(agree))
+    return float(shifts[best, 0]), float(shifts[best, 1]), float(agree[best] / max(found.looked, 1))
 
 
 def find_rim(
