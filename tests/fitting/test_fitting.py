@@ -386,7 +386,7 @@ def test_a_saved_fit_is_the_same(found, tmp_path):
 def test_a_page_of_a_fit(found, tmp_path):
     page = report(found, tmp_path / "out")
     text = page.read_text(encoding="utf-8")
-    assert text.count('<svg class="wide"') == text.count('<svg class="narrow"') == 5
+    assert text.count('<div class="plot">') == 5
     assert "mu_static" in text
     assert json.loads((tmp_path / "out" / "fit.json").read_text())["good"] is True
     assert hh.Scenario.load(tmp_path / "out" / "scenario.toml") == found.scenario

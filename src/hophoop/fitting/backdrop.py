@@ -81,13 +81,13 @@ def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[
         raise InputError("The fit is not to a track of a film, so that no film can be laid under it.")
     camera, target = view.camera, Path(film)
     size, first, start = (camera.width, camera.height), first_row(fit), 0.0
-    with open_writer(target, size, EVERY) as writer:
+    with open_writer(target, size, EVERY) as add:
         for picture in pictures(video, view.rate):
             if picture.size != size:
                 raise InputError(f"{video} is not the film of the track, whose pictures have {size[0]} × {size[1]} pixels.")
             if picture.row == view.first + first:
                 start = picture.t
-            writer.add(rgb(picture), picture.t)
+            add(rgb(picture), picture.t)
             if progress is not None:
                 progress(picture.row + 1, max(len(fit.track.t), picture.row + 1))
     wide, tall = size[0] - 0.5, size[1] - 0.5

@@ -18,7 +18,7 @@ from hophoop._version import __version__
 from hophoop.scenario import InputError
 from hophoop.tracking.plots import Curve, plot
 from hophoop.tracking.table import FOUND, LOST, Track, View
-from hophoop.tracking.video import Bytes, Writer, jpeg, open_writer, pictures, rgb
+from hophoop.tracking.video import Bytes, jpeg, open_writer, pictures, rgb
 
 Floats = NDArray[np.float64]
 Colour = tuple[int, int, int]
@@ -130,14 +130,14 @@ def overlay(
     stills: list[tuple[int, bytes]] = []
     camera = track.view.camera
     target: Any = nullcontext(None) if film is None else open_writer(Path(film), (camera.width, camera.height))
-    with target as writer:
+    with target as add:
         for row, picture in _rows(video, track):
-            if writer is not None or row in wanted:
+            if add is not None or row in wanted:
                 image = _draw_frame(rgb(picture), track, row)
                 if model is not None and np.isfinite(model[0][row]).all():
                     draw(image, track.view, track.radius, model[0][row], model[1][row], MODEL, 12)
-                if isinstance(writer, Writer):
-                    writer.add(image, picture.t)
+                if add is not None:
+                    add(image, picture.t)
                 if row in wanted:
                     by = max(1, image.shape[1] // STILL_WIDTH)
                     stills.append((row, jpeg(np.ascontiguousarray(image[::by, ::by]))))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -197,42 +197,32 @@ def rgb(picture: Picture) -> Bytes:
     return result
 
 
-class Writer:
-    """Writes pictures into an MP4 file; used inside `open_writer`."""
-
-    def __init__(self, box: Any, av: Any, size: tuple[int, int], every: int | None = None) -> None:
-        self._box, self._av = box, av
-        self._last = -1
-        self._stream = box.add_stream("libx264", rate=30)
-        self._stream.width, self._stream.height = size[0] // 2 * 2, size[1] // 2 * 2
-        self._stream.pix_fmt = "yuv420p"
-        self._stream.time_base = self._stream.codec_context.time_base = Fraction(1, TICKS)
-        self._stream.options = {"crf": "20", "preset": "veryfast"} | ({} if every is None else {"g": str(every)})
-
-    def add(self, colours: Bytes, t: float) -> None:
-        """Append a picture that is shown from a time on [s]."""
-        image = np.ascontiguousarray(colours[: self._stream.height, : self._stream.width])
-        frame = self._av.VideoFrame.from_ndarray(image, format="rgb24")
-        self._last = max(self._last + 1, round(t * TICKS))
-        frame.pts, frame.time_base = self._last, Fraction(1, TICKS)
-        self._box.mux(self._stream.encode(frame))
-
-    def end(self) -> None:
-        """Flush the encoder."""
-        self._box.mux(self._stream.encode())
-
-
 @contextmanager
-def open_writer(path: Path, size: tuple[int, int], every: int | None = None) -> Iterator[Writer]:
+def open_writer(path: Path, size: tuple[int, int], every: int | None = None) -> Iterator[Callable[[Bytes, float], None]]:
     """Open a film for writing; it appears whole or not at all.
 
-    path: ends in .mp4; size: width and height [pixel]; every: frames between key frames, for players that seek [1].
+    path: ends in .mp4; size: width and height [pixel]; every: frames between key frames, for players that seek [1]; add:
+    function that appends an RGB picture, shown from a time on [s].
     """
     av = need("av", "track")
+    last = -1
     with replacing(path) as fresh, av.open(str(fresh), "w", format="mp4") as box:
-        writer = Writer(box, av, size, every)
-        yield writer
-        writer.end()
+        stream = box.add_stream("libx264", rate=30)
+        stream.width, stream.height = size[0] // 2 * 2, size[1] // 2 * 2
+        stream.pix_fmt = "yuv420p"
+        stream.time_base = stream.codec_context.time_base = Fraction(1, TICKS)
+        stream.options = {"crf": "20", "preset": "veryfast"} | ({} if every is None else {"g": str(every)})
+
+        def add(colours: Bytes, t: float) -> None:
+            nonlocal last
+            image = np.ascontiguousarray(colours[: stream.height, : stream.width])
+            frame = av.VideoFrame.from_ndarray(image, format="rgb24")
+            last = max(last + 1, round(t * TICKS))
+            frame.pts, frame.time_base = last, Fraction(1, TICKS)
+            box.mux(stream.encode(frame))
+
+        yield add
+        box.mux(stream.encode())
 
 
 def jpeg(colours: Bytes) -> bytes:
