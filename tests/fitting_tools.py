@@ -3,6 +3,8 @@
 import numpy as np
 
 import hophoop as hh
+from hophoop.fitting.channels import Sigma
+from hophoop.fitting.problem import defaults, problem_of, run_of
 from hophoop.tracking.table import track_of
 
 RADIUS = 0.3
@@ -15,18 +17,38 @@ def hopping(hoop=None, plane=PLANE, start=None, duration=1.01):
     return hh.simulate(hoop or hh.Hoop.ideal(0.6, radius=RADIUS), plane, start or hh.Start.rolling(1.9, angle=0.1), duration)
 
 
-def filmed(motion, seed=1, rate=240.0, angle=True, sigma=SIGMA, sigma_angle=SIGMA_ANGLE, frames=None):
-    """A track as a film of a motion would give it."""
-    rng = np.random.default_rng(seed)
-    t = np.arange(frames or int(motion.duration * rate)) / rate
-    state, n = motion.at(t), len(t)
-    columns = {
-        "x": state.x + rng.normal(0, sigma, n),
-        "y": state.height + motion.scenario.hoop.radius + rng.normal(0, sigma, n),
-        "sigma_x": np.full(n, sigma),
-        "sigma_y": np.full(n, sigma),
-    }
+def filmed(motion, seed=1, rate=240.0, angle=True, sigma=SIGMA, sigma_angle=SIGMA_ANGLE, frames=None, alike=0.0, sign=1.0):
+    """A track as a film of a motion would give it; errors of neighbouring frames may correlate."""
+    n = frames or int(motion.duration * rate)
+    t, errors = np.arange(n) / rate, lasting(np.random.default_rng(seed).normal(0, sign, (3, n)), alike)
+    state, radius = motion.at(t), motion.scenario.hoop.radius
+    columns = {"x": state.x + sigma * errors[0], "y": state.height + radius + sigma * errors[1]}
+    columns |= {"sigma_x": np.full(n, sigma), "sigma_y": np.full(n, sigma)}
     if angle:
-        columns |= {"angle": state.angle + rng.normal(0, sigma_angle, n), "sigma_angle": np.full(n, sigma_angle)}
-    others = {"radius": motion.scenario.hoop.radius, "slope": motion.scenario.plane.slope, "placed": True, "source": "a film"}
-    return track_of(t, columns, **others)
+        columns |= {"angle": state.angle + sigma_angle * errors[2], "sigma_angle": np.full(n, sigma_angle)}
+    return track_of(t, columns, radius=radius, slope=motion.scenario.plane.slope, placed=True, source="a film")
+
+
+def lasting(errors, alike):
+    """Errors of which neighbours correlate, along the last axis, from independent ones."""
+    errors = errors.copy()
+    for k in range(1, errors.shape[-1]):
+        errors[..., k] = alike * errors[..., k - 1] + np.sqrt(1 - alike**2) * errors[..., k]
+    return errors
+
+
+def posed(track, start="rolling", hoop="ideal", plane=PLANE, **known):
+    """The problem of a track, and values of its parameters: the truth, and others that are known."""
+    problem = problem_of([run_of(track, hoop, start, plane, Sigma())])
+    values, _ = defaults(problem.runs[0], track)
+    return problem, values | {name: value for name, value in (TRUTH | known).items() if name in values}
+
+
+def differences(problem, values, name, step):
+    """Derivative of the residuals, with an error of the fourth order in the step; to one side at the end of the range 0."""
+    weights = (
+        {0: -25, 1: 48, 2: -36, 3: 16, 4: -3}
+        if name == "rolling_resistance" and not values[name]
+        else {-2: 1, -1: -8, 1: 8, 2: -1}
+    )
+    return sum(by * problem.residuals(values | {name: values[name] + k * step}) for k, by in weights.items()) / (12 * step)

@@ -64,18 +64,14 @@ def test_a_chain_that_is_stopped_says_no_more_than_that(table, monkeypatch):
     """emcee printed the traceback of each exception."""
     from hophoop.fitting import sampling
 
-    def stopping(*given):
-        likelihood, calls = made(*given), iter(range(200))
+    calls, loss = iter(range(200)), sampling.loss
 
-        def stops(values):
-            if next(calls, None) is None:
-                raise KeyboardInterrupt
-            return likelihood(values)
+    def stops(residuals, robust):
+        if next(calls, None) is None:
+            raise KeyboardInterrupt
+        return loss(residuals, robust)
 
-        return stops
-
-    made = sampling._likelihood
-    monkeypatch.setattr(sampling, "_likelihood", stopping)
+    monkeypatch.setattr(sampling, "loss", stops)
     done = call("fit", table, "--radius", 0.3, "--fix", "restitution=0.2", "--fix", "mu_excess=0", "--sample", 50, "--quiet")
     assert (done.exit_code, done.output) == (130, "Stopped.\n")
 

@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from fitting_tools import RADIUS, filmed
-from hophoop.fitting.channels import Sigma
+from fitting_tools import RADIUS, differences, filmed, posed
 from hophoop.fitting.jacobian import exact_slopes
-from hophoop.fitting.problem import defaults, problem_of, run_of
 from hophoop.fitting.solving import parameters, slopes
 
 pytestmark = pytest.mark.compiled
@@ -30,24 +28,16 @@ MOTIONS = {
 def test_slopes_are_those_of_finer_differences(name):
     """They are derivatives, also by the couple, to one side where there is none; the differences are of the fourth order."""
     motion, seen = MOTIONS[name]
-    track, plane = filmed(motion), motion.scenario.plane
-    problem = problem_of([run_of(track, "ideal", "rolling", plane, Sigma())])
-    values, _ = defaults(problem.runs[0], track)
-    start = motion.scenario.start
-    values |= {"gamma": 0.6, "mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic}
-    values |= {"restitution": plane.restitution, "angle0": start.angle, "speed": start.vx}
+    plane, start = motion.scenario.plane, motion.scenario.start
+    known = {"mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic, "restitution": plane.restitution}
+    problem, values = posed(filmed(motion), plane=plane, angle0=start.angle, speed=start.vx, **known)
     assert values["rolling_resistance"] == plane.rolling_resistance
     names = tuple(name for name in problem.names if name in (*seen, "rolling_resistance"))
     jacobian = exact_slopes(problem, values, names)
     assert np.isfinite(jacobian).all()
     assert (slopes(problem, parameters(values, names)) == jacobian).all()
     for k, name in enumerate(names):
-        step, here = 2e-5, values[name]
-        at = {j: problem.residuals(values | {name: here + j * step}) for j in range(-2, 5) if here + j * step >= 0 or here}
-        if here:
-            expected = (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
-        else:  # at the end of its range, to one side
-            expected = (-25 * at[0] + 48 * at[1] - 36 * at[2] + 16 * at[3] - 3 * at[4]) / (12 * step)
+        expected = differences(problem, values, name, 2e-5)
         size = np.abs(expected).max()
         off = np.abs(jacobian[:, k] - expected) / size
         # frames within a step of an event are off

@@ -7,12 +7,10 @@ import pytest
 from scipy.optimize import least_squares
 
 import hophoop as hh
-from fitting_tools import PLANE, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
-from hophoop.fitting.channels import Sigma
+from fitting_tools import SIGMA, SIGMA_ANGLE, differences, filmed, hopping, posed
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, influence, influence_slope, loss
 from hophoop.fitting.parameters import PARAMETERS
-from hophoop.fitting.problem import defaults, problem_of, run_of
 from hophoop.fitting.solving import parameters, slopes
 
 # a fit asks for hundreds of motions
@@ -21,9 +19,7 @@ pytestmark = pytest.mark.compiled
 
 def test_slopes_are_those_that_can_be_written_down(hop):
     track = filmed(hop)
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
-    values, _ = defaults(problem.runs[0], track)
-    values |= TRUTH
+    problem, values = posed(track)
     names = ("x0", "origin_y", "marker_angle")
     jacobian = slopes(problem, parameters(values, names))
     n = len(track.t)
@@ -31,12 +27,6 @@ def test_slopes_are_those_that_can_be_written_down(hop):
     expected[:n, 0] = expected[n : 2 * n, 1] = -1 / SIGMA
     expected[2 * n :, 2] = -1 / SIGMA_ANGLE
     assert jacobian == pytest.approx(expected, rel=1e-8, abs=1e-9)
-
-
-def differences(problem, values, name, step):
-    """Derivative of the residuals from four motions, with an error of the fourth order in the step."""
-    at = {k: problem.residuals({**values, name: values[name] + k * step}) for k in (-2, -1, 1, 2)}
-    return (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
 
 
 STARTED = {
@@ -58,16 +48,11 @@ def test_slopes_are_those_of_differences(kind, marker):
         none = np.full_like(track.centre, np.nan)
         error = np.full(len(track.t), SIGMA)
         track = dataclasses.replace(track, marker=track.centre + arrow, centre=none, marker_error=error)
-    problem = problem_of([run_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, Sigma())])
-    values, _ = defaults(problem.runs[0], track)
     start, state = motion.scenario.start, motion.at(0.0)
-    values |= {name: value for name, value in TRUTH.items() if name in values}
-    values |= {"angle0": start.angle, "slope": 0.02, "scale": 1.01, "tilt": 0.03, "origin_y": 0.01, "row_delay": 1e-5}
-    values |= {"marker_angle": 0.05, "marker_ratio": 0.7}
-    known = {"vx0": state.vx, "vy0": state.vy, "omega0": state.omega, "height0": state.height, "eccentricity": 0.6}
-    values |= {name: value for name, value in known.items() if name in values} | (
-        {"inertia_ratio": 0.6} if "inertia_ratio" in values else {}
-    )
+    known = {"angle0": start.angle, "vx0": state.vx, "vy0": state.vy, "omega0": state.omega, "height0": state.height}
+    known |= {"slope": 0.02, "scale": 1.01, "tilt": 0.03, "origin_y": 0.01, "row_delay": 1e-5}
+    known |= {"marker_angle": 0.05, "marker_ratio": 0.7, "eccentricity": 0.6, "inertia_ratio": 0.6}
+    problem, values = posed(track, kind, "general" if kind == "sliding" else "ideal", **known)
     # rolling resistance is at the end of its range at 0: see test_resistance
     names = tuple(name for name in problem.names if name != "rolling_resistance")
     jacobian = slopes(problem, parameters(values, names))
@@ -81,19 +66,6 @@ def test_slopes_are_those_of_differences(kind, marker):
             assert size > 2.0, name
 
 
-def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
-    track = filmed(hop)
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
-    values, _ = defaults(problem.runs[0], track)
-    values |= TRUTH | {"restitution": 0.0}  # with any restitution it would bounce
-    assert np.isnan(exact_slopes(problem, values, ("restitution", "speed"))[-1, 0])
-    jacobian = slopes(problem, parameters(values, ("restitution", "speed")))
-    step = PARAMETERS["restitution"].step
-    expected = (problem.residuals({**values, "restitution": step}) - problem.residuals(values)) / step
-    assert jacobian[:, 0] == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.abs(expected).max())
-    assert np.isfinite(jacobian).all()
-
-
 def test_a_tied_parameter_may_depend_on_another():
     values = {"mu_kinetic": 0.4, "mu_excess": 0.0, "restitution": 0.0}
     params = parameters(values, ("mu_kinetic",), tied={"restitution": "2 * mu_excess", "mu_excess": "mu_kinetic / 4"})
@@ -103,9 +75,7 @@ def test_a_tied_parameter_may_depend_on_another():
 
 def test_slopes_go_along_with_what_is_tied(hop):
     track = filmed(hop)
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
-    values, _ = defaults(problem.runs[0], track)
-    values |= TRUTH
+    problem, values = posed(track)
     tied = parameters(values, ("mu_kinetic",), tied={"mu_excess": "mu_kinetic / 4.5"})
     alone = slopes(problem, parameters(values, ("mu_kinetic", "mu_excess")))
     assert slopes(problem, tied)[:, 0] == pytest.approx(alone[:, 0] + alone[:, 1] / 4.5, rel=1e-6, abs=1e-4)
@@ -131,9 +101,7 @@ def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
 
 def test_a_landing_without_restitution_leaves_differences_of_the_restitution_only():
     track = filmed(hopping(plane=hh.Plane(mu=0.9), duration=0.9))
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
-    values, _ = defaults(problem.runs[0], track)
-    values |= TRUTH | {"restitution": 0.0}
+    problem, values = posed(track, restitution=0.0)
     names = ("gamma", "mu_kinetic", "restitution", "speed")
     missing = np.isnan(exact_slopes(problem, values, names)).any(axis=0)
     assert missing.tolist() == [False, False, True, False]

@@ -36,6 +36,8 @@ def written(tmp_path, head, columns, separator=",", form="{:.5f}", decimal="."):
         ("Zeit (s);Mitte_x (m);Mitte_y (m);Gewicht_x (m);Gewicht_y (m)", ";", "{:.5f}", ","),
         ("Temps (s);X moyeu (m);Y moyeu (m);X charge (m);Y charge (m)", ";", "{:.5f}", ","),
         ("Tiempo (s)\tcentro x (m)\tcentro y (m)\tcarga x (m)\tcarga y (m)", "\t", "{:.5f}", ","),
+        ("t (s);x (m);y (m);mark_x (m);mark_y (m)", ";", "{:.5f}", ","),
+        ("t;centre x;centre y;load x;load y", ";", "{:.5f}", ","),
         ("t x y marker_x marker_y", "   ", "{:.5f}", "."),
         ("# t x y marker_x marker_y", " ", "{:.18e}", "."),
         ("t,x1,y1,x2,y2", ",", "{:.5f}", "."),

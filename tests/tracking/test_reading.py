@@ -1,6 +1,7 @@
-"""Tracks from files of others: Tracker's export, and tables."""
+"""Tracks from files: Tracker's export, tables of spreadsheets, our own; and what a message says of them."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,100 +10,105 @@ import hophoop as hh
 from hophoop.scenario import InputError
 from hophoop.tracking import Camera, Reading, View, read_track
 from hophoop.tracking.table import COLUMNS, track_of
+from tracking.tracker_files import text_export
 
-T = np.arange(6) / 240.0
-X = 0.3 * np.arange(6) / 10 + 0.01
-Y = np.array([0.3, 0.301, 0.302, 0.3, 0.3, 0.3])
-
-
-def java(value):
-    """A number as Tracker's exporter writes it."""
-    mantissa, _, exponent = f"{value:.9E}".partition("E")
-    return f"{mantissa}E{int(exponent)}"
+ROWS = "".join(f"{0.01 * k:.2f};0,1{k};0,3;0,1{k};0,5\n" for k in range(5))
+T = np.arange(24) / 240.0
+X, Y = 0.03 * np.arange(24) + 0.01, 0.3 + 0.001 * (np.arange(24) % 3)
+HIDDEN = range(10, 14)
 
 
-def export(rows, names, columns, sep="\t", decimal=".", multi=False):
-    """Tracker's text export: names over the columns, which end with a separator, as do all rows."""
-    lines = ["#multi:"] if multi else []
-    lines.append(sep + "".join(name + sep * len(columns) for name in names))
-    lines.append("t" + sep + sep.join(sep.join(columns) for _ in names) + sep)
-    for row in rows:
-        lines.append(sep.join("" if value is None else java(value).replace(".", decimal) for value in row) + sep)
-    return "\n".join(lines) + "\n"
-
-
-@pytest.mark.parametrize(("sep", "decimal"), [("\t", "."), ("\t", ","), (",", "."), (";", ","), (";", ".")])
-def test_an_export_of_one_point(tmp_path, sep, decimal):
-    # velocities lack both ends, as differences do
-    v = [None, *np.gradient(X, T)[1:-1], None]
-    file = tmp_path / "mass.txt"
-    file.write_text(export(zip(T, X, Y, v, strict=True), ["mass A"], ["x", "y", "vx"], sep, decimal), encoding="utf-8-sig")
-    track = read_track(file, Reading(radius=0.3))
-    assert track.t == pytest.approx(T, rel=1e-9)
-    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), rel=1e-9)
-    assert np.isnan(track.marker).all()
-    assert set(track.state) == {"no marker"}
-    assert not track.placed
-    assert track.radius == 0.3
-
-
-def two_points(tmp_path, names):
-    marker = X + 0.25, Y + np.array([0.1, np.nan, 0.1, 0.1, 0.1, 0.1])
-    rows = [
-        [t, x, y, None if np.isnan(b) else a, None if np.isnan(b) else b]
-        for t, x, y, a, b in zip(T, X, Y, *marker, strict=True)
-    ]
-    file = tmp_path / "two.txt"
-    file.write_text(export(rows, names, ["x", "y"], multi=True), encoding="utf-8")
+def written(tmp_path, text, encoding="utf-8", name="ours.csv"):
+    file = tmp_path / name
+    file.write_bytes(text.encode(encoding))
     return file
 
 
-def test_an_export_of_two_points_with_empty_cells(tmp_path):
-    track = read_track(two_points(tmp_path, ["centre", "marker"]))
-    assert track.centre[:, 0] == pytest.approx(X)
-    assert track.marker[0] == pytest.approx([X[0] + 0.25, Y[0] + 0.1])
-    assert track.state[1] == "no marker"
-    assert np.isnan(track.marker[1]).all()
+# --- Tracker ---------------------------------------------------------------------------------------
+
+
+def exported(tmp_path, names, *style, every=1):
+    """Tracker's text of two points, of which the second is hidden in some frames; of every n-th frame if stepped over."""
+    seen = np.where(np.arange(24) % every, np.nan, 1.0)
+    marked = np.where(np.isin(np.arange(24), HIDDEN), np.nan, seen)
+    points = dict(zip(names, ([X * seen, Y * seen], [(X + 0.25) * marked, (Y + 0.1) * marked]), strict=True))
+    return written(tmp_path, text_export(T, points, ["x", "y"], *style), "utf-8-sig", "two.txt")
+
+
+@pytest.mark.parametrize("style", [("\t", False), ("\t", True), (";", True), (";", False), (",", False)])
+def test_an_export_is_read_in_each_format(tmp_path, style):
+    track = read_track(exported(tmp_path, ["hub", "load"], *style), Reading(radius=0.3))
+    assert track.t == pytest.approx(T, abs=1e-6)
+    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), rel=1e-6)
+    assert track.marker[0] == pytest.approx([X[0] + 0.25, Y[0] + 0.1], rel=1e-6)
+    assert [k for k, word in enumerate(track.state) if word == "no marker"] == list(HIDDEN)
+    assert np.isnan(track.marker[HIDDEN]).all()
     assert track.angle[0] == pytest.approx(np.arctan2(0.25, 0.1))
+    assert (track.placed, track.radius) == (False, 0.3)
+
+
+def test_frames_that_were_stepped_over_are_not_lost(tmp_path):
+    """With a step size of 2 Tracker still writes a row for every frame, in which every second has a time and nothing else."""
+    track = read_track(exported(tmp_path, ["hub", "load"], every=2))
+    assert track.t == pytest.approx(T[::2], abs=1e-6)
+    assert "lost" not in track.state
 
 
 def test_names_that_say_nothing_are_asked_for(tmp_path):
-    file = two_points(tmp_path, ["A", "B"])
+    file = exported(tmp_path, ["A", "B"])
     with pytest.raises(ValueError, match="points 'A', 'B': name the one at the centre and the one at the marker by --centre"):
         read_track(file)
-    track = read_track(file, Reading(centre="B", marker="A"))
-    assert track.marker[:, 0] == pytest.approx(X)
+    assert read_track(file, Reading(centre="B", marker="A")).marker[:, 0] == pytest.approx(X, rel=1e-6)
     with pytest.raises(ValueError, match="no point 'C'; its points are 'A', 'B'"):
         read_track(file, Reading(centre="C"))
 
 
-def test_an_angle_without_unit_is_asked_for(tmp_path):
-    file = tmp_path / "angle.csv"
-    file.write_text("t,angle\n" + "\n".join(f"{t},{350 + 4000 * t if t < 0.004 else 4000 * t - 10}" for t in T))
-    with pytest.raises(ValueError, match="has no unit of angle"):
+# --- spreadsheets ----------------------------------------------------------------------------------
+
+
+def test_a_comma_between_quotes_divides_nothing(tmp_path):
+    table = 't,x,y,remark\n0.00,0.1,0.3,"dark, blurred"\n"0,01","0,2","0,3",\n0.02,0.3,0.3,\n'
+    track = read_track(written(tmp_path, table))
+    assert track.t == pytest.approx([0.0, 0.01, 0.02])
+    assert track.centre[:, 0] == pytest.approx([0.1, 0.2, 0.3])
+    assert track.notes == ("Columns of ours.csv that are not used: remark.",)
+
+
+def test_columns_that_are_not_used_are_named(tmp_path):
+    track = read_track(written(tmp_path, "t;x;y;sticker_x;sticker_y\n" + ROWS))
+    assert np.isnan(track.marker).all()
+    assert track.notes == ("Columns of ours.csv that are not used: sticker_x, sticker_y.",)
+
+
+def test_a_title_above_the_names_is_no_point(tmp_path):
+    track = read_track(written(tmp_path, "Our hoop with its load;;;;\nt;x;y;load_x;load_y\n" + ROWS))
+    assert track.centre[:, 0] == pytest.approx([0.10, 0.11, 0.12, 0.13, 0.14])
+    assert track.marker[:, 1] == pytest.approx([0.5] * 5)
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "utf-16", "utf-8-sig"])
+def test_the_encodings_of_spreadsheets(tmp_path, encoding):
+    table = "Größe;;;;\nt (s);x (m);y (m);angle (°);rotation (°)\n" + ROWS
+    track = read_track(written(tmp_path, table, encoding))
+    assert track.angle == pytest.approx(np.radians([0.10, 0.11, 0.12, 0.13, 0.14]))
+
+
+def test_the_table_of_the_docs_is_read(tmp_path):
+    text = (Path(__file__).parents[2] / "docs" / "film.md").read_text(encoding="utf-8")
+    table = text.partition("```text\nt (s);")[2].partition("```")[0]
+    track = read_track(written(tmp_path, "t (s);" + table), Reading(radius=0.3))
+    assert track.t == pytest.approx([0.0, 0.008, 0.025])  # a row without a mark is left out
+    assert track.centre == pytest.approx(np.array([[0.001, 0.3], [0.017, 0.3], [0.05, 0.3]]))
+    assert track.angle == pytest.approx(np.radians([0.0, 3.0, 9.0]))
+
+
+def test_a_missing_unit_of_angles_is_explained(tmp_path):
+    file = written(tmp_path, "t,angle\n" + "\n".join(f"{t},{4000 * t % 360}" for t in T))
+    with pytest.raises(ValueError, match=r"has no unit of angle: write it behind .* --angle-unit deg, or angle_unit="):
         read_track(file)
     # a jump of a whole turn is none
     steps = np.diff(read_track(file, Reading(angle_unit="deg")).angle)
     assert steps == pytest.approx(np.radians(4000 / 240), rel=1e-9)
-
-
-def test_units_in_the_header(tmp_path):
-    file = tmp_path / "plain.csv"
-    file.write_text(
-        "t [ms],x [cm],y [mm],angle [°]\n"
-        + "\n".join(f"{1e3 * t},{x * 100},{y * 1000},{30 * t}" for t, x, y in zip(T, X, Y, strict=True))
-    )
-    track = read_track(file)
-    assert track.t == pytest.approx(T)
-    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1))
-    assert track.angle == pytest.approx(np.radians(30 * T))
-
-
-@pytest.mark.parametrize("name", ["hoop.trk", "hoop.TRZ"])
-def test_a_project_of_tracker_is_refused_with_the_way(tmp_path, name):
-    (tmp_path / name).write_text("<object/>")
-    with pytest.raises(InputError, match=rf"{name} is a project of Tracker: .* File, Export, Data\.$"):
-        read_track(tmp_path / name)
 
 
 # --- our own ---------------------------------------------------------------------------------------
@@ -145,6 +151,11 @@ def test_a_saved_track_is_the_same(tmp_path):
         ("a.csv", "t,x,y\n", "has no table"),
         ("a.csv", "t,x,y\na,b,c\n", "has no row of numbers"),
         ("a.csv", "x,y\n1,2\n3,4\n5,6\n", "has no column of times: its columns are x, y; --column t=HEAD names one"),
+        ("a.csv", "t;right;up;left\n0;0,1;0,3;0\n1;0,2;0,3;0\n", "its columns are t, right, up, left; --column x=HEAD"),
+        ("a.csv", "t,x,y\n0,00,0,1,0,3\n0,01,0,2,0,3\n0,02,0,3,0,3\n", "a row of 6 cells under 3 names: a comma can divide"),
+        ("a.xlsx", "PK", "save the sheet as CSV"),
+        ("a.ods", "PK", "save the sheet as CSV"),
+        ("hoop.TRZ", "<object/>", "is a project of Tracker: open it there and save its points with File, Export, Data"),
         ("a.csv", "t,x\n0,1\n1,1\n2,1\n", "has a column x, but none for y: its columns are t, x; --column y=HEAD"),
         ("a.csv", "t,speed\n0,1\n1,1\n2,1\n", "has neither x and y, nor marker_x and marker_y, nor angle"),
         ("a.csv", "t,x,y\n0,1,1\n1,1,1\n", "has 2 rows; at least 3 are needed"),
@@ -160,23 +171,17 @@ def test_a_saved_track_is_the_same(tmp_path):
     ],
 )
 def test_bad_files(tmp_path, name, text, message):
-    file = tmp_path / name
-    file.write_text(text, encoding="utf-8")
-    with pytest.raises(ValueError) as caught:
-        hh.read_track(file)
+    with pytest.raises(InputError) as caught:
+        hh.read_track(written(tmp_path, text, name=name))
     assert message in str(caught.value)
     assert str(caught.value).endswith(".")
 
 
-@pytest.mark.parametrize(
-    ("name", "message"),
-    [("a.csv", "is larger than 500 MB"), ("a.json", "is larger than 500 MB")],
-)
-def test_gigabytes_are_refused_unread(tmp_path, name, message):
-    file = tmp_path / name
+def test_gigabytes_are_refused_unread(tmp_path):
+    file = tmp_path / "a.csv"
     with file.open("wb") as stream:
         stream.truncate(3_000_000_000)  # sparse: no byte of it is on the disk
-    with pytest.raises(ValueError, match=message):
+    with pytest.raises(ValueError, match="is larger than 500 MB"):
         read_track(file)
 
 

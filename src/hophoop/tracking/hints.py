@@ -71,26 +71,26 @@ class Hints:
             from hophoop.tracking.marker import colour_chroma
 
             colour_chroma(self.marker_color)
+        if self.ring not in ("auto", "dark", "light"):
+            raise InputError.of_field("ring", self.ring, "auto, dark or light")
         if (self.centre is None) != (self.rim is None):
             missing, there = ("rim", "centre") if self.rim is None else ("centre", "rim")
             raise InputError(f"{missing} is missing: {there} alone does not locate the hoop.")
-        allowed = [("ring", self.ring in ("auto", "dark", "light"), "be auto, dark or light")]
         for name, count in (("centre", 2), ("ground", 4), ("tilt", 2)):
             value = getattr(self, name)
-            allowed.append(
-                (name, value is None or len(value) == count and bool(np.isfinite(value).all()), f"be {count} numbers")
-            )
+            if value is not None and (len(value) != count or not np.isfinite(value).all()):
+                raise InputError.of_field(name, value, f"{count} numbers")
         for name in ("rim", "rate", "focal"):
             value = getattr(self, name)
-            allowed.append((name, value is None or 0 < value < np.inf, "be a number above 0"))
-        allowed += [
-            ("exposure", 0.0 <= self.exposure < 1.0, "be from 0 to 1 s"),
-            ("row_delay", abs(self.row_delay) <= 1e-3, "be from -0.001 to 0.001 s"),
-            ("tilt", self.tilt is None or max(map(abs, self.tilt)) <= 0.6, "be from -0.6 to 0.6 (radians)"),
-            ("level", abs(self.level) < 1.0, "be between -1 and 1 (radians)"),
-            ("slope", self.slope is None or abs(self.slope) < 0.5 * np.pi, "lie between -pi/2 and pi/2 (radians)"),
-        ]
-        for name, good, said in allowed:
-            if not good:
-                word, _, rest = said.partition(" ")
-                raise InputError.of_field(name, getattr(self, name), rest, rule=f"must {word}")
+            if value is not None and not (np.isfinite(value) and value > 0):
+                raise InputError.of_field(name, value, "a number above 0")
+        if not 0.0 <= self.exposure < 1.0:
+            raise InputError.of_field("exposure", self.exposure, "from 0 to 1 s")
+        if not abs(self.row_delay) <= 1e-3:
+            raise InputError.of_field("row_delay", self.row_delay, "from -0.001 to 0.001 s")
+        if self.tilt is not None and max(abs(self.tilt[0]), abs(self.tilt[1])) > 0.6:
+            raise InputError.of_field("tilt", self.tilt, "from -0.6 to 0.6 (radians)")
+        if not abs(self.level) < 1.0:
+            raise InputError.of_field("level", self.level, "between -1 and 1 (radians)")
+        if self.slope is not None and not abs(self.slope) < 0.5 * np.pi:
+            raise InputError.of_field("slope", self.slope, "between -pi/2 and pi/2 (radians)", rule="must lie")
