@@ -190,7 +190,7 @@ def test_a_patch_that_does_not_turn_with_the_hoop_is_doubted(tmp_path):
     """A film of `hophoop animate` has a coloured patch at the contact, and no marker."""
     motion = hh.simulate(hh.Scenario(duration=2.0))
     look = hh.animate.Look(size=(1280, 720), camera="hold")
-    hh.animate.film(motion, tmp_path / "hold.mp4", hh.animate.Timing(fps=20), look)
+    hh.animate.film(motion, tmp_path / "hold.mp4", hh.animate.Timing(fps=30), look)
     found = hh.track(tmp_path / "hold.mp4", radius=1.0)
     right = motion.at(np.clip(found.t, 0.0, motion.duration)).angle
     assert np.nanmax(np.abs(found.angle - right)) > 1.0  # it is not the load
