@@ -350,11 +350,7 @@ interface MotionChanges {
 }
 
 // The same, where a side to which the parameter cannot go has none.
-interface SidedChanges {
-  count: number;
-  larger: ChangedEvents | null;
-  smaller: ChangedEvents | null;
-}
+type SidedChanges = { count: number } & Record<"larger" | "smaller", ChangedEvents | null>;
 
 // --- A scenario that has been checked: web/model ---------------------------------------------------------------------
 

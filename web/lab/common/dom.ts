@@ -34,6 +34,10 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
 export const iconButton = (sign: Node | string, title: string, onclick: () => void, more: Record<string, any> = {}) =>
   h("button", { title, "aria-label": title, onclick, ...more }, sign);
 
+/** The button that closes the dialog in which it is. */
+export const closing = () =>
+  h("button", { class: "close", onclick: ({ target }: any) => target.closest("dialog").close() }, "table.close");
+
 /** The names of columns. */
 export const headed = (...names: Message[]) =>
   h("thead", {}, h("tr", {}, ...names.map((name) => h("th", { scope: "col" }, [name]))));

@@ -121,12 +121,6 @@ export class Extras {
         item("menu.about", () => this.lab.about.showModal()),
       ),
     );
-    menu.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || !menu.open) return;
-      event.stopPropagation();
-      menu.open = false;
-      menu.querySelector("summary")?.focus();
-    });
     return menu;
   }
 

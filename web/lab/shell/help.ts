@@ -1,6 +1,6 @@
 // Keys and help.
 
-import { h, rowOf } from "../common/dom.ts";
+import { closing, h, rowOf } from "../common/dom.ts";
 import { MARKS } from "../player/marks.ts";
 
 const KEYS = [
@@ -63,7 +63,7 @@ export function aboutDialog(version: string, hosted: boolean) {
       base ? row("about.documentation", link(base, "about.documentation_link")) : [],
       row("about.commands", h("code", {}, document.createTextNode("hophoop --help"))),
     ),
-    h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
+    closing(),
   );
   return dialog;
 }
@@ -80,7 +80,7 @@ export function helpDialog(about: HTMLDialogElement, colors: Colors, keys: HTMLE
     table("keys.keys", KEYS),
     keys,
     h("button", { class: "link", onclick: () => about.showModal() }, "menu.about"),
-    h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
+    closing(),
   );
   return dialog;
 }

@@ -42,11 +42,11 @@ function withControl(lab: Lab, event: KeyboardEvent) {
   lab.travel(key === "y" || event.shiftKey ? 1 : -1);
 }
 
-// Closes the menu, or leaves the presentation; a field, a picture and a dialog see to themselves.
+// Closes a menu, or leaves the presentation; a field, a picture and a dialog see to themselves.
 function leave(lab: Lab) {
-  const menu = lab.share.menu;
   const { present } = lab.extras;
-  if (menu.open) {
+  const menu = [lab.share.menu, lab.extras.menu].find((one) => one.open);
+  if (menu) {
     menu.open = false;
     menu.querySelector("summary")?.focus();
   } else if (present.on) present.turn(false);

@@ -1,6 +1,6 @@
 // Share and save: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
-import { h, saveBlob, say } from "../common/dom.ts";
+import { closing, h, saveBlob, say } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
 import { record } from "../player/recording.ts";
 import { png, svg } from "../player/pictures.ts";
@@ -116,10 +116,7 @@ export class Share {
         h("pre", { tabindex: "0" }, h("code", {}, document.createTextNode(text))),
       );
     }
-    this.dialog.replaceChildren(
-      ...blocks,
-      h("button", { class: "close", onclick: () => this.dialog.close() }, "table.close"),
-    );
+    this.dialog.replaceChildren(...blocks, closing());
     this.dialog.showModal();
   }
 }

@@ -1,6 +1,6 @@
 // For teachers: a lesson in brief, what students often think, and a worksheet to print, each with the motions it needs.
 
-import { h, headed, rowOf } from "../common/dom.ts";
+import { closing, h, headed, rowOf } from "../common/dom.ts";
 import { docs } from "../shell/help.ts";
 
 const SHEET = "hoop.radius=0.4&duration=1.5&start.speed=";
@@ -87,13 +87,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
   const dialog = h(
     "dialog",
     { class: "teach", "aria-label": "menu.teachers" },
-    h(
-      "header",
-      {},
-      h("h2", {}, "menu.teachers"),
-      h("button", { onclick: () => print() }, "teach.print"),
-      h("button", { class: "close", onclick: () => dialog.close() }, "table.close"),
-    ),
+    h("header", {}, h("h2", {}, "menu.teachers"), h("button", { onclick: () => print() }, "teach.print"), closing()),
     h(
       "p",
       {},
