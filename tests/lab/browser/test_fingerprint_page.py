@@ -34,19 +34,6 @@ def test_it_is_that_of_python(visit, query):
     page.locator(".fingerprint code", has_text=hh.simulate(changed).fingerprint).wait_for(state="attached")
 
 
-def test_it_is_copied(visit):
-    page = opened(visit(permissions=["clipboard-read", "clipboard-write"]))
-    page.locator(".fingerprint button").click()
-    page.locator(".fingerprint button", has_text="Copied").wait_for()
-    assert page.evaluate("navigator.clipboard.readText()") == code_of(page)
-
-
-def test_where_nothing_can_be_copied_it_is_selected(visit):
-    page = opened(visit(script="Object.defineProperty(navigator, 'clipboard', { value: undefined })"))
-    page.locator(".fingerprint button").click()
-    wait_for(page, "getSelection().toString() === lab.film().fingerprint")
-
-
 def test_a_motion_that_doubles_do_not_decide(visit):
     page = visit(f"?{UNDECIDED}")
     assert code_of(page) == hh.simulate(hh.Scenario.from_query(UNDECIDED)).fingerprint
@@ -68,32 +55,6 @@ def link_of(page, address, name="Copy a link with its fingerprint"):
     return page.evaluate("navigator.clipboard.readText()").removeprefix(address)
 
 
-def test_a_preset_has_the_bits_of_python_while_it_is_unchanged(visit):
-    page = visit(f"?{PRESET}")
-    page.locator(".fingerprint .same").wait_for(state="attached")
-    assert not page.locator(".fingerprint").is_visible()
-    opened(page)
-    assert said(page, "same") == [AS_IN_PYTHON]
-    page.locator("input[data-path='start.speed']").fill("2.9")
-    page.locator(".fingerprint .same").wait_for(state="detached")
-    page.locator(".presets").select_option("moon")
-    page.locator(".fingerprint .same").wait_for()
-    assert said(page, "same") == [AS_IN_PYTHON]
-    assert said(page, "differs") == []
-
-
-def test_where_the_bits_of_a_preset_differ_both_are_named(visit):
-    page = visit(f"?{PRESET}")
-    page.evaluate("""() => {
-      hophoopLab.sameness.python.set(hophoopLab.film().query, "0123456789abcdef");
-      hophoopLab.show();
-    }""")
-    page.locator(".fingerprint .differs").wait_for()
-    own = code_of(page)
-    assert said(page, "differs") == [f"The bits differ: {own} here, 0123456789abcdef in Python."]
-    assert said(page, "same") == []
-
-
 def test_a_link_is_copied_without_it_by_default(visit, address):
     page = visit("?start.speed=2.9#fingerprint=0123456789abcdef", permissions=["clipboard-read", "clipboard-write"])
     page.locator(".fingerprint code").wait_for(state="attached")
@@ -112,24 +73,6 @@ def test_a_copied_link_carries_the_fingerprint(visit, address):
     other.locator("input[data-path='start.speed']").fill("2.8")
     other.locator(".fingerprint .same").wait_for(state="detached")
     wait_for(other, "!location.hash.includes('fingerprint')")
-
-
-def test_a_link_with_other_bits_says_so_also_after_a_reload(visit):
-    page = visit("?start.speed=2.9#fingerprint=0123456789ABCDEF")
-    for _ in range(2):
-        page.locator(".fingerprint .differs").wait_for()
-        own = code_of(page)
-        (sentence,) = said(page, "differs")
-        assert sentence.startswith(f"The bits differ: {own} here, 0123456789abcdef where the link was made")
-        wait_for(page, "location.hash.includes('fingerprint=0123456789abcdef')")
-        page.reload()
-
-
-def test_what_is_no_fingerprint_in_a_link_is_left_out(visit):
-    page = visit("?start.speed=2.9#fingerprint=0123456789abcdeg")
-    page.locator(".fingerprint code").wait_for(state="attached")
-    assert said(page, "same") + said(page, "differs") == []
-    wait_for(page, "!location.hash.includes('fingerprint')")
 
 
 def test_each_of_two_hoops_has_its_own(visit, address):

@@ -35,6 +35,12 @@ PLANE = [
 ]
 RTL = "addEventListener('DOMContentLoaded', () => { document.documentElement.dir = 'rtl'; })"
 NO_STORAGE = "Object.defineProperty(globalThis, 'localStorage', { get() { throw new Error('forbidden'); } });"
+CLIPBOARD = {"permissions": ["clipboard-read", "clipboard-write"]}
+NO_CLIPBOARD = "Object.defineProperty(navigator, 'clipboard', { value: undefined })"
+OTHER_BITS = (
+    "until text('.fingerprint .differs').startsWith("
+    "`The bits differ: ${lab.film().fingerprint} here, 0123456789abcdef where the link was made`)"
+)
 CALM = {"reduced_motion": "reduce"}
 SIMPLE = "lab.root.classList.contains('simple')"
 
@@ -173,7 +179,9 @@ FLOWS = {
         "is document.activeElement.className === 'timeline'",
         "click .menu summary",
         "press Escape",
-        "is !document.querySelector('.menu[open]')",
+        "click .learn summary",
+        "press Escape",
+        "is !document.querySelector('details:is(.menu, .learn)[open]')",
         "press ?",
         "is all('dialog[open] tr').some((row) => row.innerText.startsWith('S\\tspin\\tslip: the rim turns too fast'))",
         "is all('dialog[open] tr').some((row) => row.innerText.startsWith('K\\tskid\\tslip: the rim slides ahead'))",
@@ -403,6 +411,134 @@ FLOWS = {
         "button For teachers",
         "click .teach[open] .sheet-table tr:nth-child(4) button",
         "until lab.film().values['start.speed'] === 1.9 && lab.film().radius === 0.4 && !seen('.teach')",
+    ]),
+    "a fingerprint is copied": ("", CLIPBOARD, [
+        "do first('.group:last-child').open = true",
+        "click .fingerprint button",
+        "until text('.fingerprint button') === 'Copied'",
+        "do globalThis.kept = await navigator.clipboard.readText()",
+        "is kept === lab.film().fingerprint && kept.length === 16",
+    ]),
+    "where nothing can be copied it is selected": ("", {"script": NO_CLIPBOARD}, [
+        "do first('.group:last-child').open = true",
+        "click .fingerprint button",
+        "until getSelection().toString() === lab.film().fingerprint",
+    ]),
+    "a preset has the bits of Python while it is unchanged": ("?duration=3", {}, [
+        "until document.querySelector('.fingerprint .same')",
+        "is !seen('.fingerprint')",
+        "fill start.speed 2.9",
+        "until !document.querySelector('.fingerprint .same')",
+        "do first('.group:last-child').open = true",
+        "choose .presets moon",
+        "until text('.fingerprint .same') === '✓ Same bits as in Python' && !seen('.fingerprint .differs')",
+    ]),
+    "where the bits of a preset differ both are named": ("?duration=3", {}, [
+        UNTIL_SETTLED,
+        "do lab.sameness.python.set(lab.film().query, '0123456789abcdef'); lab.show()",
+        "until text('.fingerprint .differs') ==="
+        " `The bits differ: ${lab.film().fingerprint} here, 0123456789abcdef in Python.`",
+        "is !seen('.fingerprint .same')",
+    ]),
+    "a link with other bits says so, also after a reload": ("?start.speed=2.9#fingerprint=0123456789ABCDEF", {}, [
+        OTHER_BITS,
+        "until location.hash.includes('fingerprint=0123456789abcdef')",
+        "reload",
+        OTHER_BITS,
+    ]),
+    "what is no fingerprint in a link is left out": ("?start.speed=2.9#fingerprint=0123456789abcdeg", {}, [
+        "until document.querySelector('.fingerprint code')",
+        "is !document.querySelector('.fingerprint :is(.same, .differs)')",
+        "until !location.hash.includes('fingerprint')",
+    ]),
+    "what others add to a link is ignored and said": ("?fbclid=IwAR2x.y&gclid=1&start.speed=2&plane.mu=0.5", {}, [
+        UNTIL_SHOWN,
+        "is lab.film().query === 'plane.mu=0.5&start.speed=2' && !seen('.message')",
+        "is text('.toast') === 'Ignored in the link: fbclid, gclid.'",
+    ]),
+    "both links of a comparison are read so": ("?start.speed=2&fbclid=1#with=start.speed%3D4%26plane.mu%3D-3", {}, [
+        UNTIL_SHOWN,
+        "is lab.motions.queries().join() === 'start.speed=2,start.speed=4' && text('.message').includes('plane.mu = -3')",
+    ]),
+    "the simple view has three sliders, one diagram and one row of buttons": ("#t=0.5", {"simple": True}, [
+        UNTIL_SETTLED,
+        "is all('.controls .slider').filter(shown).sort((a, b) => a.getBoundingClientRect().y - b.getBoundingClientRect().y)"
+        ".map((one) => one.dataset.path).join() === 'start.speed,hoop.load_fraction,plane.mu'",
+        "is all('.plot').filter(shown).length === 1",
+        "is !seen('.map, .phase, .theory')",
+        "is new Set(all('.transport button').filter(shown).map((one) => Math.round(one.getBoundingClientRect().y))).size === 1",
+        "fill plane.mu 0.5",
+        f"until lab.film().scenario.plane.mu === 0.5 && {SETTLED}",
+        "is !seen('.beyond')",
+        "do lab.motions.change([['plane.slope', 0.05]], true)",  # a motion with other settings says so
+        f"until seen('.beyond') && {SIMPLE}",
+        "button Show everything",
+        f"is !{SIMPLE} && seen(\"[data-path='plane.slope']\")",
+    ]),
+    "sliders are high enough for a finger": ("", {}, [
+        "is all('.slider, .quiet').filter(shown).length > 8",
+        "is all('.slider, .quiet').filter(shown).every((one) => one.getBoundingClientRect().height >= 24)",  # WCAG 2.5.8
+    ]),
+    "diagrams that take keys are no pictures": ("", {}, [
+        UNTIL_SHOWN,
+        "is all('[role=img][tabindex]').length === 0",
+        # the hoop, five diagrams, the plane of angle and rate
+        "is all('[role=figure]').length === 7 && all('[role=figure]').every((one) => one.tabIndex === 0 && one.ariaLabel)",
+    ]),
+    "everything has a name for a screen reader": ("", {}, [
+        UNTIL_SHOWN,
+        "is all('button, input, select, summary, [role=slider], [role=figure]')"
+        ".every((one) => one.ariaLabel || one.textContent.trim() || one.labels?.length || one.title)",
+        "press h",
+        "until first('.timeline').getAttribute('aria-valuetext') === '1.045 seconds, flight'",  # said with the next picture
+        "is first('[data-plot=forces] .plot-body').ariaLabel.includes('from')",
+        "is first('.stage').ariaLabel.includes('hops at 315.6°')",
+        "fill start.speed 2",
+        "until document.querySelector('.spoken').textContent === 'Rolls.'",
+    ]),
+    "keys turn, lift, push and tilt the hoop": ("?start.speed=0", CALM, [
+        UNTIL_SETTLED,
+        "do first('.grip-load').focus()",
+        *(3 * ["press ArrowRight"]),
+        "until lab.motions.history.past.length === 1 && Math.abs(lab.film().scenario.start.angle - Math.PI / 12) < 1e-4",
+        "is first('.grip-load').getAttribute('aria-valuetext') === '15.0°'",
+        "do first('.grip-hoop').focus()",
+        *(2 * ["press ArrowRight"]),
+        "until lab.motions.history.past.length === 2 && Math.abs(lab.film().scenario.start.speed - 0.2) < 1e-9",
+        "press ArrowUp",
+        "until lab.film().scenario.start.height === 0.05",
+        "do first('.grip-plane').focus()",
+        "press ArrowRight",
+        "until Math.abs(lab.film().scenario.plane.slope - Math.PI / 180) < 1e-4",
+        "press Enter",
+        "is lab.clock.playing === false",  # who wants no motion plays by hand
+    ]),
+    "the browser chooses the language and the visitor another one": ("?start.speed=2.8", {"locale": "de-AT"}, [
+        UNTIL_SHOWN,
+        "is document.documentElement.lang === 'de' && text('.summary').startsWith('Rollt, rutscht ab 65,5°')",
+        "until text('.theory').includes('würde über 2,043 m/s gleiten') && text('.readout .mode') === 'Rollen'",
+        "choose .language fr",
+        "until document.documentElement.lang === 'fr' && text('.summary').startsWith('Roule, dérape à partir de 65,5°')",
+        "until text('.theory').includes('glisserait au-delà de 2,043 m/s')",
+        "is first('.play').ariaLabel === 'Lecture (espace)'",
+        "reload",
+        "is document.documentElement.lang === 'fr'",  # the choice is kept
+        "choose .language en",
+        "until document.documentElement.lang === 'en' && text('.summary').startsWith('Rolls, skids at 65.5°')",
+    ]),
+    "a picture in space keeps its sharpness where it is still": ("", {}, [
+        "press 3",
+        "press h",
+        "until lab.stage.options.three && !lab.requested",
+        "do lab.stage.deep.share = 0.5",  # a machine that draws in software may lose it while the film runs
+        "press Space",
+        "until lab.stage.space.width < 0.9 * lab.stage.space.clientWidth",
+        "press Space",
+        "until lab.stage.space.width === lab.stage.space.clientWidth",
+    ]),
+    "nothing is said to be hatched where nothing is": ("?plane.mu=0.2", {}, [
+        *PLANE,
+        "is lab.phase.hatched.hidden && lab.phase.pictures[0].paradox.every((side) => side === 0)",
     ]),
 }  # fmt: skip
 

@@ -158,31 +158,6 @@ def test_it_is_pulled_up_and_dropped_and_escape_takes_it_back(visit):
 
 
 @pytest.mark.long
-def test_keys_turn_lift_push_and_tilt(visit):
-    page = visit("?start.speed=0", reduced_motion="reduce")
-    still(page)
-    page.locator(".grip-load").focus()
-    for _ in range(3):
-        page.keyboard.press("ArrowRight")
-    wait_for(page, "lab.motions.history.past.length === 1")
-    assert scenario(page).start.angle == pytest.approx(math.radians(15), abs=1e-4)
-    assert page.locator(".grip-load").get_attribute("aria-valuetext") == "15.0°"
-    page.locator(".grip-hoop").focus()
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("ArrowRight")
-    wait_for(page, "lab.motions.history.past.length === 2")
-    assert scenario(page).start.speed == pytest.approx(0.2)
-    page.keyboard.press("ArrowUp")
-    wait_for(page, "lab.film().scenario.start.height === 0.05")
-    page.locator(".grip-plane").focus()
-    page.keyboard.press("ArrowRight")
-    wait_for(page, "lab.film().scenario.plane.slope > 0")
-    assert scenario(page).plane.slope == pytest.approx(math.radians(1), abs=1e-4)
-    page.keyboard.press("Enter")
-    assert page.evaluate("hophoopLab.clock.playing") is False  # who wants no motion plays by hand
-
-
-@pytest.mark.long
 def test_a_finger_tilts_the_plane_without_scrolling_the_page(visit):
     page = visit(**PHONE)
     still(page)

@@ -121,40 +121,6 @@ def test_every_preset_plays(visit):
             picture(page, f"preset-{preset.key}")
 
 
-def test_in_space(visit):
-    page = visit()
-    page.keyboard.press("3")
-    page.keyboard.press("h")
-    wait_for(page, "lab.stage.options.three && !lab.requested")
-    assert colors_on(page, ".stage canvas:not([hidden])") > 100
-    picture(page, "space")
-    # a machine that draws in software may lose sharpness while the film runs, not in a still picture
-    page.evaluate("hophoopLab.stage.deep.share = 0.5")
-    page.keyboard.press(" ")
-    wait_for(page, "lab.stage.space.width < 0.9 * lab.stage.space.clientWidth")
-    page.keyboard.press(" ")
-    wait_for(page, "lab.stage.space.width === lab.stage.space.clientWidth")
-
-
-def test_everything_has_a_name_for_a_screen_reader(visit):
-    page = visit()
-    wait_for(page, "lab.theory.list.children.length > 4")
-    unnamed = page.evaluate(
-        """() => [...document.querySelectorAll("button, input, select, summary, [role=slider], [role=figure]")]
-          .filter((element) => !(element.getAttribute("aria-label") || element.textContent.trim() ||
-                                 element.labels?.length || element.title))
-          .map((element) => element.outerHTML.slice(0, 120))"""
-    )
-    assert unnamed == []
-    page.keyboard.press("h")
-    # said with the next picture
-    wait_for(page, "document.querySelector('.timeline').getAttribute('aria-valuetext') === '1.045 seconds, flight'")
-    assert "from" in page.locator("[data-plot=forces] .plot-body").get_attribute("aria-label")
-    assert "hops at 315.6°" in page.locator(".stage").get_attribute("aria-label")
-    page.locator("input[data-path='start.speed']").fill("2")
-    wait_for(page, "document.querySelector('.spoken').textContent === 'Rolls.'")
-
-
 def test_the_picture_follows_the_hand(visit):
     """While the slider moves pictures come, as fast as they are computed, and the last one is of where it stopped.
 

@@ -2,19 +2,7 @@
 
 import pytest
 
-from lab_page_tools import SHOWN, expect, wait_for
-from slow_page import also_delayed
-
-
-@also_delayed
-@pytest.mark.parametrize("foreign", ["fbclid=IwAR2x.y", "utm_source=mail&gclid=1"])
-def test_what_others_add_to_a_link_is_ignored_and_said(visit, foreign):
-    page = visit(f"?{foreign}&start.speed=2&plane.mu=0.5")
-    wait_for(page, SHOWN)
-    assert page.evaluate("hophoopLab.film().query") == "plane.mu=0.5&start.speed=2"
-    names = ", ".join(pair.partition("=")[0] for pair in foreign.split("&"))
-    expect(page.locator(".toast")).to_have_text(f"Ignored in the link: {names}.")
-    assert page.locator(".message").is_hidden()
+from lab_page_tools import SHOWN, wait_for
 
 
 @pytest.mark.parametrize(
@@ -50,13 +38,6 @@ def test_a_wrong_part_of_a_link_leaves_the_rest_and_the_address(visit, query, re
     wait_for(page, "!lab.film().query.includes('restitution')")
     assert page.evaluate("location.search") == f"?{query}"
     assert sorted(page.evaluate("hophoopLab.film().query").split("&")) == sorted(rest.split("&"))
-
-
-def test_both_links_of_a_comparison_are_read_so(visit):
-    page = visit("?start.speed=2&fbclid=1#with=start.speed%3D4%26plane.mu%3D-3")
-    wait_for(page, SHOWN)
-    assert page.evaluate("hophoopLab.motions.queries()") == ["start.speed=2", "start.speed=4"]
-    assert "plane.mu = -3" in page.locator(".message").inner_text()
 
 
 def test_python_stays_strict():

@@ -70,27 +70,6 @@ def address(site_address):
     return site_address
 
 
-@pytest.mark.long
-def test_the_browser_chooses_and_the_visitor_switches(visit):
-    page = visit("?start.speed=2.8", locale="de-AT")
-    wait_for(page, "!lab.surrounding && lab.theory.list.children.length > 4")
-    assert page.evaluate("document.documentElement.lang") == "de"
-    assert page.locator(".summary").inner_text().startswith("Rollt, rutscht ab 65,5°")
-    assert "würde über 2,043 m/s gleiten" in page.locator(".theory").inner_text()
-    assert page.locator(".readout .mode").inner_text() == "Rollen"
-    page.get_by_label("Sprache").select_option("fr")
-    wait_for(page, "document.documentElement.lang === 'fr' && !lab.surrounding")
-    assert page.locator(".summary").inner_text().startswith("Roule, dérape à partir de 65,5°")
-    assert "glisserait au-delà de 2,043 m/s" in page.locator(".theory").inner_text()
-    assert page.get_by_role("button", name="Lecture (espace)").is_visible()
-    page.reload()
-    page.wait_for_selector("[data-ready]")
-    assert page.evaluate("document.documentElement.lang") == "fr"  # the choice is kept
-    page.get_by_label("Langue").select_option("en")
-    wait_for(page, "document.documentElement.lang === 'en' && !lab.surrounding")
-    assert page.locator(".summary").inner_text().startswith("Rolls, skids at 65.5°")
-
-
 def test_another_language_falls_back_to_english(visit):
     asked = []
     page = visit(locale="fi-FI")

@@ -25,10 +25,3 @@ def test_the_paradox_is_hatched_with_the_couple_of_rolling_resistance(visit, cou
     assert hatched(page, 0) == pytest.approx(below, abs=0.01)
     assert hatched(page, 1) == pytest.approx(above, abs=0.01)
     assert page.evaluate("!hophoopLab.phase.hatched.hidden")
-
-
-def test_nothing_is_said_to_be_hatched_where_nothing_is(visit):
-    page = visit("?plane.mu=0.2")
-    wait_for(page, "lab.phase.pictures?.length === 1 && lab.phase.films && !lab.surrounding")
-    assert hatched(page, 0) == hatched(page, 1) == 0.0
-    assert page.evaluate("hophoopLab.phase.hatched.hidden")

@@ -6,7 +6,7 @@ import pytest
 
 import hophoop as hh
 from hophoop._version import __version__
-from lab_page_tools import PHONE, SETTLED, SHOWN, expect, picture, wait_for
+from lab_page_tools import PHONE, SETTLED, SHOWN, wait_for
 
 SLIDERS = (
     "[...document.querySelectorAll('.controls .slider')].filter((one) => one.checkVisibility()).map((one) => one.dataset.path)"
@@ -16,33 +16,6 @@ SIMPLE = "lab.root.classList.contains('simple')"
 
 def is_simple(page):
     return page.evaluate(f"(() => {{ const lab = hophoopLab; return {SIMPLE}; }})()")
-
-
-def test_the_simple_view_has_three_sliders_one_diagram_and_one_row_of_buttons(visit):
-    page = visit("#t=0.5", simple=True)
-    wait_for(page, SETTLED)
-    assert is_simple(page)
-    assert sorted(page.evaluate(SLIDERS)) == ["hoop.load_fraction", "plane.mu", "start.speed"]
-    # in this order
-    tops = [
-        page.locator(f"[data-path='{path}']").bounding_box()["y"] for path in ("start.speed", "hoop.load_fraction", "plane.mu")
-    ]
-    assert tops == sorted(tops)
-    assert page.locator(".plot").filter(visible=True).count() == 1
-    assert not page.locator(".map, .phase, .theory").filter(visible=True).count()
-    rows = {round(box.bounding_box()["y"]) for box in page.locator(".transport button").filter(visible=True).all()}
-    assert len(rows) == 1
-    page.locator("input[data-path='plane.mu']").fill("0.5")
-    wait_for(page, f"lab.film().scenario.plane.mu === 0.5 && {SETTLED}")
-    assert page.locator(".beyond").is_hidden()
-    picture(page, "simple")
-    # a motion with other settings says so
-    page.evaluate("hophoopLab.motions.change([['plane.slope', 0.05]], true)")
-    expect(page.locator(".beyond")).to_be_visible()
-    assert is_simple(page)
-    page.get_by_role("button", name="Show everything").click()
-    assert not is_simple(page)
-    assert page.locator("[data-path='plane.slope']").is_visible()
 
 
 @pytest.mark.parametrize(
