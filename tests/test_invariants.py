@@ -10,16 +10,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.native import forced
 from hophoop.simulation.trajectory import Trajectory
 from invariants import INVARIANTS, check, findings
 from symmetries import mirror_finding, mirrored, scaled, units_finding
-
-
-@pytest.fixture(autouse=True)
-def _interpreted():
-    with forced("interpreted"):
-        yield
 
 
 class Changed(Trajectory):

@@ -1,17 +1,13 @@
-"""The module's entries, for tests: the same calls as the page makes, under wasmtime or in this process."""
+"""The module's entries, for tests: the same calls as the page makes, under wasmtime."""
 
 from __future__ import annotations
 
 import ctypes
-import math
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import wasmtime
-from numba.core.types import CPointer
-from numba.np.numpy_support import as_dtype
 
 from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.compliant.run import MAX_STEPS
@@ -19,7 +15,6 @@ from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.kernel.rigid.sampling import MARGINS
-from hophoop.lab.wasm.entries import Entries
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
 
@@ -242,47 +237,3 @@ class Host(Calls):
 
     def call(self, name: str, *arguments: Any) -> None:
         assert not self.exports[name](self.store, *arguments)
-
-
-class InProcess(Calls):
-    """The entries as Python functions that call the kernels of this process, with places in its memory.
-
-    What differs between this and the library is the entries' own arithmetic; what differs between this and the module is
-    the machine code.
-    """
-
-    def __init__(self, entries: Entries) -> None:
-        self.entries = entries
-        self.kept: dict[int, Any] = {}
-        super().__init__()
-
-    def room(self, size: int) -> int:
-        memory = (ctypes.c_double * (size // 8 + 1))()
-        place = ctypes.addressof(memory)
-        self.kept[place] = memory
-        return place
-
-    def free(self, place: int) -> None:
-        del self.kept[place]
-
-    def view(self, place: int, count: int, kind: Any = np.float64) -> np.ndarray:
-        size = np.dtype(kind).itemsize * count
-        return np.frombuffer((ctypes.c_char * size).from_address(place), kind)
-
-    def call(self, name: str, *arguments: Any) -> None:
-        kernel, kinds = self.entries[name]
-        given = [
-            (value, as_dtype(kind.dtype)) if isinstance(kind, CPointer) else value
-            for value, kind in zip(arguments, kinds, strict=True)
-        ]
-        holder = sys.modules[kernel.__module__]
-        usual = holder.carray  # type: ignore[attr-defined]
-        holder.carray = self._array  # type: ignore[attr-defined]
-        try:
-            with np.errstate(all="ignore"):
-                kernel(*given)
-        finally:
-            holder.carray = usual  # type: ignore[attr-defined]
-
-    def _array(self, place: tuple[int, np.dtype[Any]], shape: tuple[int, ...]) -> np.ndarray:
-        return self.view(place[0], math.prod(int(each) for each in shape), place[1]).reshape(shape)

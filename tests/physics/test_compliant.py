@@ -169,3 +169,13 @@ def test_how_far_a_rim_sinks(k):
         met = speed + (math.sqrt(2.0 * height) if falls else 0.0)
         depth = compliant.sinking(k, falls, height, speed) - 1.0 / k
         assert k * depth * depth == pytest.approx(met * met, rel=1e-9)
+
+
+def test_a_restitution_near_zero_is_at_the_pole():
+    assert compliant.hunt_crossley_number(1e-3) == pytest.approx(1e3, rel=1e-12)
+
+
+def test_codes_of_the_laws():
+    assert {law.name: int(law) for law in NormalLaw} == {"KELVIN_VOIGT": 0, "HUNT_CROSSLEY": 1}
+    assert {law.name: int(law) for law in FrictionLaw} == {"TANH": 0, "LINEAR": 1, "BRISTLE": 2}
+    assert compliant.STRIBECK == 3.0  # static friction in the tanh law falls off over three slip speeds

@@ -79,6 +79,26 @@ def test_letters_of_slip():
     assert [modes.slip_mode(sigma) for sigma in (-1, 1)] == [SPIN, SKID]
 
 
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize("th", [0.5, -0.5, 1.2])
+def test_lift_off_that_is_a_tie(th, way):
+    """Where f_n = 0 now, it is what comes next that decides: f_n a little later in free motion."""
+    body = Body(0.8, 0.3, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+    om = way * math.sqrt(body.gn / (body.eps * math.cos(th)))
+    later = accelerations(body, th + 1e-4 * om, om, "free")[1]
+    assert abs(accelerations(body, th, om, "free")[1]) < 1e-12
+    assert modes.opening_sign(body, th, om) == (1 if later > 0.0 else -1)
+
+
+def test_lift_off_that_is_a_tie_twice():
+    body = Body(0.8, 0.3, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+    assert modes.opening_sign(body, 0.0, 1.0 / math.sqrt(0.8)) == -1  # the load at the top comes down
+    floating = body._replace(gn=0.0)
+    assert modes.opening_sign(floating, 0.5 * math.pi, 1.0) == -1
+    assert modes.opening_sign(floating, -0.5 * math.pi, 1.0) == 1
+    assert modes.opening_sign(floating, 0.3, 0.0) == 0
+
+
 def test_without_friction():
     """The slip that comes is that of the equations; at the top and at the bottom, that of a little later."""
     seen = set()
@@ -121,6 +141,10 @@ def a_little_later(body, th, om, motion, dt=1e-5):
     return th + om * dt + 0.5 * alpha * dt * dt, om + alpha * dt
 
 
+def test_codes_of_what_is_no_mode():
+    assert (modes.INCONSISTENT, modes.INDETERMINATE, modes.UNDECIDED) == (10, 11, 12)
+
+
 def test_rolling_at_the_edge_of_the_cone():
     seen = set()
     for body, random in bodies(400, 4):
@@ -148,6 +172,73 @@ def test_rolling_at_the_edge_of_the_cone():
     assert len(seen) == 8
 
 
+def rate_where(force, bound=40.0):
+    """θ̇ at which something linear in θ̇² is 0, or None."""
+    at_rest, slope = force(0.0), force(1.0) - force(0.0)
+    u = -at_rest / slope if slope != 0.0 else -1.0
+    return math.sqrt(u) if 1e-2 < u < bound else None
+
+
+def test_rolling_with_infinite_friction_where_the_plane_no_longer_presses():
+    seen = set()
+    for body, random in bodies(500, 5):
+        body = body._replace(mu_s=math.inf, mu_k=math.inf)
+        th = 6.0 * random.random() - 3.0
+        om = rate_where(lambda om, body=body, th=th: accelerations(body, th, om, "roll")[4])
+        if om is None:
+            continue
+        om *= random.choice([-1.0, 1.0])
+        normal = accelerations(body, *a_little_later(body, th, om, "roll"), "roll")[4]
+        if abs(normal) < 1e-7:
+            continue
+        assert modes.can_roll(body, th, om) == (normal > 0.0)
+        seen.add((normal > 0.0, om > 0.0, body.gt > 0.0))
+    assert len(seen) == 8
+
+
+def test_slip_that_begins_where_the_plane_no_longer_presses():
+    seen = set()
+    for body, random in bodies(900, 6):
+        th = 6.0 * random.random() - 3.0
+        sigma = int(random.choice([-1, 1]))
+        along, up = responses(body, th)
+        if up[1] - sigma * body.mu_k * along[1] < 1e-2:
+            continue
+        om = rate_where(lambda om, body=body, th=th, sigma=sigma: accelerations(body, th, om, sigma)[4])
+        if om is None:
+            continue
+        om *= random.choice([-1.0, 1.0])
+        ax, _, alpha, _, _ = accelerations(body, th, om, sigma)
+        normal = accelerations(body, *a_little_later(body, th, om, sigma), sigma)[4]
+        if abs(normal) < 1e-7 or abs(ax - alpha) < 1e-3:
+            continue
+        expected = normal > 0.0 and sigma * (ax - alpha) > 0.0
+        assert modes.can_start_slip(body, th, om, sigma) == expected
+        seen.add((sigma, normal > 0.0, sigma * (ax - alpha) > 0.0))
+    assert len(seen) == 8
+
+
+def test_slip_does_not_begin_against_itself_or_without_push():
+    for body, random in bodies(300, 7):
+        body = body._replace(mu_k=4.0 * body.mu_k + 1.0, mu_s=6.0 * body.mu_s + 2.0)
+        th, om = 6.0 * random.random() - 3.0, 2.0 * random.normal()
+        along, up = responses(body, th)
+        for sigma in (-1, 1):
+            if up[1] - sigma * body.mu_k * along[1] < 0.0:  # the paradox: no slip of this direction
+                assert not modes.can_start_slip(body, th, om, sigma)
+
+
+@pytest.mark.parametrize("om", [0.0, 0.5, -0.5])
+def test_without_friction_in_flight_and_at_rest(om):
+    body = Body(0.5, 0.4, 0.0, 0.0, 1.0, 0.0, 0.0, 2, False, 0.0)
+    fast = 3.0
+    assert modes.next_mode(body, 0.2, 0.0, fast, 0.0) == FLIGHT  # f_n > 0: the load pulls the rim up
+    assert modes.next_mode(body, 0.2, 0.0, om, 0.0) == modes.frictionless_mode(body, 0.2, 0.0, om)
+    slipping = modes.next_mode(body, 0.2, 0.0, om, 0.7)
+    assert slipping == SKID
+    assert modes.next_mode(body, 0.2, 0.0, om, -0.7) == SPIN
+
+
 def test_a_lift_off_that_is_a_tie_while_it_slips():
     """f_n = 0 now and f_n < 0 a little later: the rim stays; f_n > 0: it leaves."""
     body = Body(0.8, 0.3, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
@@ -161,6 +252,22 @@ def test_a_lift_off_that_is_a_tie_while_it_slips():
     # nothing presses and nothing pulls: it leaves
     assert modes.next_mode(floating, 0.3, 0.0, 0.0, 0.4) == FLIGHT
     assert modes.next_mode(floating._replace(mu_s=math.inf, mu_k=math.inf), 0.3, 0.0, 0.0, 0.4) == FLIGHT
+
+
+def test_at_painleves_threshold_the_plane_cannot_tell():
+    """Where the plane's answer to friction is 0 within rounding, a slip that presses has no motion."""
+    body = Body(0.9, 0.05, 9.0, 9.0, 1.0, 0.0, 0.0, 2, False, 0.0)
+    for th in (0.6, -0.6):
+        along, up = responses(body, th)
+        mu = abs(up[1] / along[1])
+        sigma = 1.0 if along[1] > 0.0 else -1.0
+        for nudge, expected in (
+            (0.0, modes.INCONSISTENT),
+            (-1e-12, SKID if sigma > 0.0 else SPIN),
+            (1e-12, modes.INCONSISTENT),
+        ):
+            at = body._replace(mu_s=mu * (1.0 + nudge), mu_k=mu * (1.0 + nudge))
+            assert modes.next_mode(at, th, 0.0, 0.1, sigma) == expected
 
 
 def test_at_the_threshold_itself_no_slip_can_start():
