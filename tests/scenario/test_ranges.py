@@ -70,12 +70,6 @@ def test_beyond_them_is_refused_in_a_sentence(path):
 @pytest.mark.parametrize(
     ("build", "expected"),
     [
-        (lambda: hh.Hoop(radius=1e-12), "hoop.radius = 1e-12 must be from 1e-06 to 1e+06 m."),
-        (lambda: hh.Start.rolling(1e10), "start.speed = 10000000000.0 must be from -1e+06 to 1e+06 m/s."),
-        (lambda: hh.Start(vx=1.9e278), "start.vx = 1.9e+278 must be from -1e+06 to 1e+06 m/s."),
-        (lambda: hh.Plane(gravity=1e-300), "plane.gravity = 1e-300 must be 0 or from 1e-06 to 1e+06 m/s²."),
-        (lambda: hh.Plane(mu=1e300), "plane.mu = 1e+300 must be from 0 to 1e+06, or inf."),
-        (lambda: hh.Plane(slope=1.5705), "plane.slope = 1.5705 must be from -1.57 to 1.57 rad."),
         (
             lambda: hh.Hoop.ideal(1.0 - 2.0**-43),
             f"hoop.load_fraction = {1.0 - 2.0**-43!r} gives hoop.inertia_ratio = {2.0**-42 - 2.0**-86!r}, "
@@ -89,23 +83,6 @@ def test_beyond_them_is_refused_in_a_sentence(path):
 )
 def test_sentences(build, expected):
     assert said(build) == expected
-
-
-SOFT = hh.Compliant(stiffness=100.0)
-
-
-@pytest.mark.parametrize(
-    ("parts", "expected"),
-    [
-        ({"contact": hh.Compliant(stiffness=1e-3)}, "contact.stiffness = 0.001 is 0.000102 m g/R of this hoop"),
-        ({"contact": hh.Compliant(tangential_stiffness=1e17)}, "contact.tangential_stiffness = 1e+17 is 1.02e+16 m g/R"),
-        ({"contact": hh.Compliant(slip_speed=1e-12)}, "contact.slip_speed = 1e-12 is 3.19e-13 √(g R)"),
-        ({"contact": SOFT, "start": hh.Start(vx=1.0, omega=1e6)}, "lets the rim sink some 1e+05 radii into the plane"),
-        ({"contact": SOFT, "start": hh.Start(height=1e6)}, "lets the rim sink some 4e+02 radii into the plane"),
-    ],
-)
-def test_a_spring_must_go_with_its_hoop(parts, expected):
-    assert expected in said(lambda: hh.Scenario(**parts))
 
 
 def test_the_schema_has_the_ranges():

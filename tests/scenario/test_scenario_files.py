@@ -108,24 +108,6 @@ def test_links_are_short_and_readable():
     assert stiff.to_query() == "hoop.mass=100&contact.model=compliant&contact.stiffness=1e16"
 
 
-@pytest.mark.parametrize(
-    ("query", "expected"),
-    [
-        ("start.speed=fast", "start.speed = 'fast' must be a number."),
-        ("start.speed=", "start.speed = '' must be a number."),
-        ("start.speed=1&start.speed=2", "start.speed is given twice."),
-        ("duration=1&duration.x=2", "duration.x cannot be given together with a value for duration."),
-        ("duration.x=1&duration=2", "duration is given twice."),
-        ("hoop.parts.1.shape=ring", "hoop.parts.1 is out of order: parts are numbered from 0 without a gap."),
-        ("plane.mu=nan", "plane.mu = nan must be at least 0 (inf is allowed)."),
-        ("speed=3", "speed is not a known key"),
-        ("&".join(f"a{i}=1" for i in range(2000)), "The query cannot be read: "),
-    ],
-)
-def test_refusals_of_links(query, expected):
-    assert expected in said(lambda: hh.Scenario.from_query(query))
-
-
 # Parameters by path
 
 

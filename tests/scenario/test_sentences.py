@@ -43,12 +43,6 @@ def test_what_pydantic_found_comes_without_its_links():
     assert "url" not in caught.value.errors[0]
 
 
-def test_several_words_are_joined_by_an_or():
-    keys = {"hoop": {"parts": [{"shape": "cube"}]}}
-    expected = "hoop.parts.0.shape = 'cube' must be 'ring', 'disk', 'point_mass' or 'rod'."
-    assert said(lambda: hh.Scenario.from_dict(keys)) == expected
-
-
 @pytest.mark.parametrize(
     ("value", "shown"),
     [(np.array([1.0, 2.0]), "array([1., 2.])"), (np.array("x"), "'x'"), (np.array(None), "None"), (np.float32(-0.5), None)],
@@ -73,12 +67,6 @@ def test_a_file_may_have_a_million_bytes(tmp_path):
 
 def test_the_key_that_is_given_twice_is_named():
     assert said(lambda: hh.Scenario.loads('{"duration": 1, "hoop": {}, "hoop": {}}')) == "The key 'hoop' is given twice."
-
-
-def test_a_link_has_at_most_a_thousand_keys():
-    pairs = [f"a{k}=1" for k in range(1001)]
-    assert "a0 is not a known key" in said(lambda: hh.Scenario.from_query("&".join(pairs[:-1])))
-    assert said(lambda: hh.Scenario.from_query("&".join(pairs))).startswith("The query cannot be read: ")
 
 
 def test_models_are_shown_as_they_were_given():

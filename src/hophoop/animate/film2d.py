@@ -165,7 +165,7 @@ class _Actor:
         self.turned.clear().rotate(-float(poses.angle[i]) - view.slope).translate(*center)
         self.moved.clear().translate(*center)
         shades = shades_of(self.speeds[i], film.subject.whole.speed)[:, :3]
-        back = np.array([int(self.theme.background[j : j + 2], 16) / 255.0 for j in (1, 3, 5)])
+        back = np.array(colors.rgb(self.theme.background)) / 255.0
         self.ring.set_color(self.alpha * shades + (1.0 - self.alpha) * back)  # pieces overlap: opacity would add up
         self.front[-1].set_facecolor(self.inks[int(flies)])
         sheet.draw(*self.behind, *self.front)

@@ -17,7 +17,7 @@ from hophoop.animate.frames import Timing, follow, subject_of
 from hophoop.animate.head import Head
 from hophoop.animate.look import FORCE_LENGTH, LANE, LONGEST, Look3D, bounded, nice
 from hophoop.animate.sheet import Bytes, Sheet, shades_of
-from hophoop.animate.themes import mix, theme_of
+from hophoop.animate.themes import theme_of
 from hophoop.results.poses import Floats, poses_of, rim_speeds, to_world
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
@@ -55,11 +55,11 @@ class _Actor:
         gloss = {"smooth_shading": True, "specular": 0.25, "specular_power": 20, "ambient": 0.25}
         self.solids = {
             "ring": film.add(self.ring, scalars="shade", rgb=True, split_sharp_edges=False, **gloss),
-            "load": film.add(ball, color=mix(theme.load, "#808080", 0.12), **shine),
+            "load": film.add(ball, color=colors.mix(theme.load, "#808080", 0.12), **shine),
             "heavy": film.add(bead, color=theme.visible(colors.GRAVITY_CENTER), ambient=0.4, **shine),
         }
         self.shadows = {
-            name: film.add(mesh.copy(), color=mix(film.ground, "#000000", 0.38), lighting=False, scalars=None)
+            name: film.add(mesh.copy(), color=colors.mix(film.ground, "#000000", 0.38), lighting=False, scalars=None)
             for name, mesh in (("ring", self.ring), ("load", ball))
             if film.look.shadows
         }
@@ -73,7 +73,7 @@ class _Actor:
         flies = np.zeros(len(self.trace.t), dtype=int)
         for a, b, airborne in self.trace.runs:
             flies[a:b] = airborne
-        paint = np.array([[int(ink[i : i + 2], 16) for i in (1, 3, 5)] for ink in (*self.inks, theme.load)], dtype=np.uint8)
+        paint = np.array([colors.rgb(ink) for ink in (*self.inks, theme.load)], dtype=np.uint8)
         self.lines = []
         for path, inks, width in ((self.trace.load, np.full_like(flies, 2), 2.5), (self.trace.gravity_center, flies, 4.0)):
             mesh = pv.Line()
@@ -237,14 +237,16 @@ class Film3D:
         for half, lift, share in ((FAR * radius, -0.012, 0.0), (self.half, -0.008, 0.05)):
             edge = to_world(ends, np.full(2, lift * radius), self.slope)
             corners = np.vstack([in_space(edge, -half), in_space(edge[::-1], half)])
-            self.add(self.pyvista.PolyData(corners, faces=[4, 0, 1, 2, 3]), color=mix(self.ground, ink, share), lighting=False)
+            self.add(
+                self.pyvista.PolyData(corners, faces=[4, 0, 1, 2, 3]), color=colors.mix(self.ground, ink, share), lighting=False
+            )
         first = math.floor((along[0] - 8.0 * radius) / self.step)
         last = min(math.ceil((along[1] + 8.0 * radius) / self.step), first + 2000)
         marks = np.arange(first, last + 1) * self.step
         feet = to_world(marks, np.full(len(marks), -0.005 * radius), self.slope)
         pairs = np.stack([in_space(feet, -self.half), in_space(feet, self.half)], axis=1).reshape(-1, 3)
         lines = self.pyvista.line_segments_from_points(pairs)
-        self.add(lines, color=mix(self.ground, ink, 0.25), lighting=False, line_width=1.3)
+        self.add(lines, color=colors.mix(self.ground, ink, 0.25), lighting=False, line_width=1.3)
 
     def _camera_path(self) -> tuple[Floats, Floats]:
         """Return positions and focal points, one row per frame (or one for all)."""
@@ -309,7 +311,7 @@ class Film3D:
             half = 0.5 * sheet.text_width(words)
             inside = half <= x <= self.size[0] - half and low <= y <= high
             if inside and all(abs(x - a) > half + b + 9.0 * u or abs(y - c) > 24.0 * u for a, b, c in taken):
-                sheet.text(x, y, words, mix(self.theme.ground, self.theme.ink, 0.7), "mm")
+                sheet.text(x, y, words, colors.mix(self.theme.ground, self.theme.ink, 0.7), "mm")
                 taken.append((x, half, y))
 
 

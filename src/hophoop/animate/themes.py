@@ -58,9 +58,3 @@ def theme_of(name: str) -> Theme:
         return THEMES[name]
     except KeyError:
         raise InputError.of_field("theme", name, f"one of {', '.join(THEMES)}") from None
-
-
-def mix(color: str, other: str, share: float) -> str:
-    """Interpolate between two colours."""
-    pairs = zip(*([int(name[i : i + 2], 16) for i in (1, 3, 5)] for name in (color, other)), strict=True)
-    return "#" + "".join(f"{round(a + share * (b - a)):02X}" for a, b in pairs)

@@ -40,16 +40,11 @@ def in_the_dark(color: str) -> str:
     """Return a colour for dark pages: grays are inverted, other colours lightened."""
     if not _gray(color):
         return colors.on_dark(color)
-    share = sum(_parts(color)) / (3 * 255.0)
-    dark, light = _parts(PAPER), _parts(INK)
+    share = sum(colors.rgb(color)) / (3 * 255.0)
+    dark, light = colors.rgb(PAPER), colors.rgb(INK)
     return "#" + "".join(f"{round(b + share * (a - b)):02X}" for a, b in zip(dark, light, strict=True))
 
 
 def _gray(color: str) -> bool:
-    parts = _parts(color)
+    parts = colors.rgb(color)
     return max(parts) - min(parts) <= GRAY_LEVEL
-
-
-def _parts(color: str) -> list[int]:
-    """Red, green and blue, from 0 to 255."""
-    return [int(color[i : i + 2], 16) for i in (1, 3, 5)]

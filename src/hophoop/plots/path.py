@@ -203,48 +203,54 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
     ax.fill_between([-2.0, 2.4], -0.24, 0.0, color=colors.LIGHT_GRAY, alpha=0.6, lw=0)
     ax.plot([-2.0, 2.4], [0.0, 0.0], color=colors.BLACK, lw=1.2)
     ax.add_patch(patches.Circle((0.0, 1.0), 1.0, fill=False, ec="#3A4A5A", lw=4.0))
+    ideal = hoop.load_fraction is not None
+    green, load_words = colors.GRAVITY_CENTER, r"load, $\gamma m$" if ideal else "load"
     # θ from the outward normal to the line from C to G
-    ax.plot([0.0, 0.0], [1.0, 2.3], color=colors.GRAY, lw=0.9, ls=(0, (6, 2, 1, 2)))
-    ax.plot([0.0, load * sine], [1.0, 1.0 + load * cosine], color=colors.GRAY, lw=0.9, ls=(0, (6, 2, 1, 2)))
+    dashed: dict[str, Any] = {"color": colors.GRAY, "lw": 0.9, "ls": (0, (6, 2, 1, 2))}
+    ax.plot([0.0, 0.0], [1.0, 2.3], **dashed)
+    ax.plot([0.0, load * sine], [1.0, 1.0 + load * cosine], **dashed)
     ax.add_patch(patches.Arc((0.0, 1.0), 0.9, 0.9, theta1=90.0 - math.degrees(angle), theta2=90.0, lw=1.2))
-    middle = 0.5 * angle
-    ax.text(
-        0.56 * math.sin(middle),
-        1.0 + 0.56 * math.cos(middle),
-        r"$\theta$",
-        fontsize=14,
-        ha="center",
-        va="center",
-    )
-    tip = (0.45 * math.sin(angle - 0.02), 1.0 + 0.45 * math.cos(angle - 0.02))
-    tail = (0.45 * math.sin(angle - 0.2), 1.0 + 0.45 * math.cos(angle - 0.2))
-    arrow = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 13}
-    ax.annotate("", tip, tail, arrowprops=arrow | {"lw": 0.0, "color": "black"})
-    ax.annotate("", (-0.92, 1.39), (0.0, 1.0), arrowprops=arrow | {"color": colors.GRAY})
-    ax.text(-0.46, 1.26, "$R$", fontsize=12, color=colors.GRAY, ha="center", va="bottom")
-    ax.annotate("", (0.62, 1.0), (0.0, 1.0), arrowprops=arrow | {"color": colors.CENTER_SPEED, "lw": 2.0})
-    ax.text(0.66, 0.99, "$v$", fontsize=13, ha="left", va="center")
-    ax.plot(0.0, 1.0, "o", color=colors.BLACK, ms=5, mfc="white", mew=1.3)
-    ax.text(-0.08, 0.94, "$C$", fontsize=12, ha="right", va="top")
-    ax.plot(load * sine, 1.0 + load * cosine, "o", color=colors.LOAD, ms=15)
-    words = "load" if hoop.load_fraction is None else r"load, $\gamma m$"
-    ax.text(load * sine + 0.17, 1.0 + load * cosine + 0.06, words, fontsize=12, ha="left", va="bottom")
-    if hoop.load_fraction is not None:
-        ax.text(-0.80, 1.72, r"ring, $(1-\gamma)m$", fontsize=12, ha="right", va="bottom")
-    green, same = colors.GRAVITY_CENTER, r" $= \gamma R$" if hoop.load_fraction is not None else ""
-    ax.plot(eps * sine, 1.0 + eps * cosine, "o", color=green, ms=8)
-    ax.text(eps * sine - 0.02, 1.0 + eps * cosine - 0.1, "$G$", fontsize=12, color=green, ha="left", va="top")
-    ax.text(1.06, 1.32, r"$CG = \varepsilon R$" + same, fontsize=12, color=green, ha="left", va="center")
-    force = arrow | {"lw": 2.2}
-    ax.annotate("", (0.0, 0.62), (0.0, 0.0), arrowprops=force | {"color": colors.NORMAL_FORCE})
-    ax.text(0.07, 0.45, "$N$", fontsize=13, color=colors.NORMAL_FORCE, ha="left", va="center")
-    # it acts on the hoop where it touches the plane
-    ax.annotate("", (0.74, 0.035), (0.0, 0.035), arrowprops=force | {"color": colors.FRICTION_FORCE})
-    ax.text(0.80, 0.13, "$F$", fontsize=13, color=colors.FRICTION_FORCE, ha="left", va="center")
-    ax.annotate("", (-1.6, 0.55), (-1.6, 1.15), arrowprops=arrow | {"color": colors.BLACK})
-    ax.text(-1.53, 0.85, "$g$", fontsize=13, ha="left", va="center")
-    ax.annotate("", (2.2, -0.12), (1.6, -0.12), arrowprops=arrow | {"color": colors.BLACK})
-    ax.text(1.53, -0.12, "$x$", fontsize=13, ha="right", va="center")
+    tip, tail = ((0.45 * math.sin(angle - less), 1.0 + 0.45 * math.cos(angle - less)) for less in (0.02, 0.2))
+    for head, foot, color, width in (
+        (tip, tail, colors.BLACK, 0.0),
+        ((-0.92, 1.39), (0.0, 1.0), colors.GRAY, 1.4),
+        ((0.62, 1.0), (0.0, 1.0), colors.CENTER_SPEED, 2.0),
+        ((0.0, 0.62), (0.0, 0.0), colors.NORMAL_FORCE, 2.2),
+        ((0.74, 0.035), (0.0, 0.035), colors.FRICTION_FORCE, 2.2),  # it acts on the hoop where it touches the plane
+        ((-1.6, 0.55), (-1.6, 1.15), colors.BLACK, 1.4),
+        ((2.2, -0.12), (1.6, -0.12), colors.BLACK, 1.4),
+    ):
+        look: dict[str, Any] = {
+            "arrowstyle": "-|>",
+            "lw": width,
+            "shrinkA": 0,
+            "shrinkB": 0,
+            "mutation_scale": 13,
+            "color": color,
+        }
+        ax.annotate("", head, foot, arrowprops=look)
+    for along, color, fill, size in (
+        (0.0, colors.BLACK, "white", 5),
+        (load, colors.LOAD, colors.LOAD, 15),
+        (eps, green, green, 8),
+    ):
+        ax.plot(along * sine, 1.0 + along * cosine, "o", color=color, mfc=fill, ms=size, mew=1.3 if fill == "white" else 1.0)
+    middle = (0.56 * math.sin(0.5 * angle), 1.0 + 0.56 * math.cos(0.5 * angle))
+    for (x, y), words, size, color, across, up in (
+        (middle, r"$\theta$", 14, colors.BLACK, "center", "center"),
+        ((-0.46, 1.26), "$R$", 12, colors.GRAY, "center", "bottom"),
+        ((0.66, 0.99), "$v$", 13, colors.BLACK, "left", "center"),
+        ((-0.08, 0.94), "$C$", 12, colors.BLACK, "right", "top"),
+        ((load * sine + 0.17, 1.06 + load * cosine), load_words, 12, colors.BLACK, "left", "bottom"),
+        ((-0.80, 1.72), r"ring, $(1-\gamma)m$" if ideal else "", 12, colors.BLACK, "right", "bottom"),
+        ((eps * sine - 0.02, 0.9 + eps * cosine), "$G$", 12, green, "left", "top"),
+        ((1.06, 1.32), r"$CG = \varepsilon R$" + (r" $= \gamma R$" if ideal else ""), 12, green, "left", "center"),
+        ((0.07, 0.45), "$N$", 13, colors.NORMAL_FORCE, "left", "center"),
+        ((0.80, 0.13), "$F$", 13, colors.FRICTION_FORCE, "left", "center"),
+        ((-1.53, 0.85), "$g$", 13, colors.BLACK, "left", "center"),
+        ((1.53, -0.12), "$x$", 13, colors.BLACK, "right", "center"),
+    ):
+        ax.text(x, y, words, fontsize=size, color=color, ha=across, va=up)
     ax.set_aspect("equal")
     ax.set_xlim(-2.0, 2.4)
     ax.set_ylim(-0.24, 2.4)

@@ -144,7 +144,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
             paint = _over_white(shades(speeds[i] / top)[:, :3], alpha)
         else:
             ink = colors.mode_color(str(flashes.words[i]))
-            paint = _over_white(np.array([[int(ink[j : j + 2], 16) / 255.0 for j in (1, 3, 5)]]), alpha)
+            paint = _over_white(np.array([colors.rgb(ink)]) / 255.0, alpha)
         ax.add_collection(
             collections.LineCollection(pieces, colors=paint, linewidths=2.6, capstyle="butt", zorder=2.0 + 0.01 * i),
             autolim=False,

@@ -58,13 +58,23 @@ LEAST_LIGHTNESS: Final = 0.48
 """Of a colour on a dark background, from 0 to 1."""
 
 
+def rgb(color: str) -> tuple[int, int, int]:
+    """Return red, green and blue of a colour, from 0 to 255; color: as ``#RRGGBB``."""
+    return int(color[1:3], 16), int(color[3:5], 16), int(color[5:7], 16)
+
+
+def mix(color: str, other: str, share: float) -> str:
+    """Interpolate between two colours."""
+    return "#" + "".join(f"{round(a + share * (b - a)):02X}" for a, b in zip(rgb(color), rgb(other), strict=True))
+
+
 def lightness(color: str) -> float:
     """Return the perceived lightness of a colour.
 
     color: as ``#RRGGBB``; lightness: from 0 to 1 [1].
     """
-    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-    return (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]) / 255.0
+    red, green, blue = rgb(color)
+    return (0.30 * red + 0.59 * green + 0.11 * blue) / 255.0
 
 
 def on_dark(color: str) -> str:
@@ -77,10 +87,8 @@ def on_dark(color: str) -> str:
     >>> on_dark("#1B3A78"), on_dark(YELLOW)
     ('#677CA5', '#F0E442')
     """
-    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
     light = lightness(color)
-    share = max(0.0, LEAST_LIGHTNESS - light) / max(1.0 - light, 1e-9)
-    return "#" + "".join(f"{round(part + share * (255 - part)):02X}" for part in parts)
+    return mix(color, "#FFFFFF", max(0.0, LEAST_LIGHTNESS - light) / max(1.0 - light, 1e-9))
 
 
 def mode_color(word: str) -> str:
@@ -186,7 +194,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
         ink = MASSLESS[", ".join(does)]
     else:
         ink = HOPS if name.endswith("H") else FAMILIES.get(first + name[-1:], ROLLS)
-    base = [int(ink[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
+    base = [part / 255.0 for part in rgb(ink)]
     middle = sum(base) / 3.0
     depth = min(len(name) - 1, 9) / 9.0
     # classes of equal length and family differ slightly, by their names
