@@ -66,17 +66,10 @@ def compare(case: Case) -> None:
             assert getattr(sample, name) == pytest.approx(right[name], rel=1e-9, abs=1e-9), (case, t, name)
 
 
-@pytest.mark.parametrize("seed", range(40))
-def test_random_motion(seed: int) -> None:
-    """A few scenarios in every run; hundreds with -m slow."""
-    compare(draw(seed))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("block", range(20))
-def test_many_random_motions(block: int) -> None:
-    """Fifty scenarios a block."""
-    for seed in range(1000 + 50 * block, 1050 + 50 * block):
+@pytest.mark.parametrize("block", [0, *(pytest.param(block, marks=pytest.mark.slow) for block in range(1, 20))])
+def test_random_motions(block: int) -> None:
+    """Twenty-five scenarios in every run; hundreds with -m slow."""
+    for seed in range(25 * block, 25 * block + 25):
         compare(draw(seed))
 
 
