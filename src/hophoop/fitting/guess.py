@@ -18,7 +18,7 @@ WIDTH = 0.05  # of the pieces for velocities [s]
 LEAST = 5  # minimum frames of such a piece
 ROLLING, FLYING = 8, 16  # minimum frames of rolling, or of flight, for the share of the load
 LEAST_GAP = 0.01  # height of the rim above the plane, over the radius, that is flight
-SPANS = (0.25, 0.4, 0.6, 0.8, 1.0)  # of the data from their start
+SPANS: Sequence[float] = (0.25, 0.4, 0.6, 0.8, 1.0)  # of the data from their start
 SLIPS = 4.0  # significant slip over its standard deviation
 DRAWS = 160
 A_SEQUENCE = 2  # starts of each sequence
@@ -104,7 +104,7 @@ def guess(run: Run, values: dict[str, float]) -> dict[str, float]:
             slip = np.interp(angle.t, x.t, x.rate) - run.radius * angle.rate
             error = np.hypot(np.interp(angle.t, x.t, x.error), run.radius * angle.error)
             slips = np.abs(slip) > SLIPS * error + 0.02 * np.abs(run.radius * angle.rate)
-            spans = (max(np.argmax([*slips, True]), ROLLING) / len(slips),)
+            spans = (max(int(np.argmax([*slips, True])), ROLLING) / len(slips),)
     elif omega is not None:
         turned = np.cumsum(0.5 * (omega.value[1:] + omega.value[:-1]) * np.diff(omega.t))
         turning = np.concatenate([[0.0], turned]), omega.value

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -87,7 +88,7 @@ def one_sided_limits(problem: Problem, solution: Solution, names: Sequence[str],
             value, values = _reach(
                 problem,
                 changed(params, begin.values),
-                lambda value, name=name: {name: value},
+                partial(_alone, name),
                 (begin.values[name], end),
                 -side * step,
                 begin.cost + CONFIDENT * spread,
@@ -126,6 +127,10 @@ def _ends(problem: Problem, params: Parameters, solution: Solution, name: str, r
         if found.cost - cost <= NEAR * spread_of(problem, cost, len(solution.free)):
             result.append(End(side, found, blind))
     return result
+
+
+def _alone(name: str, value: float) -> dict[str, float]:
+    return {name: value}
 
 
 def _reach(

@@ -306,29 +306,26 @@ def track_of(
     t: shape (n,), times [s]; columns: by name in COLUMNS; state: by default from the known values of each row; **others:
     attributes of the track.
     """
-    count = len(t)
+    count, name = len(t), others.get("source") or "The track"
     if count < 3:
-        raise InputError(f"{others.get('source') or 'The track'} has {count} rows; at least 3 are needed.")
+        raise InputError(f"{name} has {count} rows; at least 3 are needed.")
     bad = np.flatnonzero(~(np.diff(t) > 0))
     if len(bad) or not np.isfinite(t).all():
         row = int(bad[0]) + 2 if len(bad) else int(np.flatnonzero(~np.isfinite(t))[0]) + 1
-        raise InputError(
-            f"{others.get('source') or 'The track'} must have times that increase, which they do not in row {row}."
-        )
+        raise InputError(f"{name} must have times that increase, which they do not in row {row}.")
     arrays: dict[str, Any] = {}
-    for name, (attribute, index, _) in COLUMNS.items():
-        if attribute not in arrays:
-            arrays[attribute] = np.full((count, 2) if attribute in PAIRS else count, np.nan)
-        if name in columns:
-            arrays[attribute][(slice(None), index) if index is not None else slice(None)] = columns[name]
+    for key, (attribute, index, _) in COLUMNS.items():
+        values = arrays.setdefault(attribute, np.full((count, 2) if attribute in PAIRS else count, np.nan))
+        if key in columns:
+            values[... if index is None else (..., index)] = columns[key]
     arrays["t"] = t
     # drop positions with only one coordinate
-    for name in PAIRS:
-        arrays[name][~np.isfinite(arrays[name]).all(axis=1)] = np.nan
+    for pair in PAIRS:
+        arrays[pair][~np.isfinite(arrays[pair]).all(axis=1)] = np.nan
     placed = np.isfinite(arrays["centre"][:, 0])
     marked = np.isfinite(arrays["marker"][:, 0]) | np.isfinite(arrays["angle"]) | np.isfinite(arrays["omega"])
     if not (placed | marked).any():
-        raise InputError(f"{others.get('source') or 'The track'} has the hoop in no row.")
+        raise InputError(f"{name} has the hoop in no row.")
     if state is None:
         only_marker = not placed.any()
         state = (FOUND if b and (a or only_marker) else UNMARKED if a else LOST for a, b in zip(placed, marked, strict=True))
@@ -363,20 +360,12 @@ def track_from_dict(data: Any, name: str) -> Track:
 
 
 def _view_from_dict(data: Any, name: str) -> View:
-    parts: dict[str, Any] = {key: float(value) for key, value in data.items() if key not in ("camera", "chroma", "first")}
-    parts["first"] = int(data.get("first", 0))
-    if "chroma" in data:
-        blue, red = data["chroma"]
-        parts["chroma"] = (float(blue), float(red))
-    lens = dict(data["camera"])
-    wide, tall = int(lens.pop("width")), int(lens.pop("height"))
-    view = View(camera=Camera(wide, tall, **{key: float(value) for key, value in lens.items()}), **parts)
-    for key, value in {
-        "scale": view.scale,
-        "width": view.camera.width,
-        "height": view.camera.height,
-        "focal": view.camera.focal,
-    }.items():
+    parts = {key: float(value) for key, value in data.items() if key not in ("camera", "chroma", "first")}
+    blue, red = data.get("chroma", (np.nan, np.nan))
+    chroma = (float(blue), float(red)) if "chroma" in data else None
+    lens = {key: int(value) if key in ("width", "height") else float(value) for key, value in data["camera"].items()}
+    view = View(Camera(**lens), **parts, chroma=chroma, first=int(data.get("first", 0)))
+    for key, value in {"scale": view.scale, **{key: getattr(view.camera, key) for key in ("width", "height", "focal")}}.items():
         if not (np.isfinite(value) and value > 0):
             raise InputError(f"{name} has a view whose {key} = {value:g} must be a number above 0.")
     return view

@@ -139,12 +139,6 @@ def count(path: str | Path) -> int | None:
     return None
 
 
-@dataclass
-class _Sample:
-    picture: Picture
-    following: Picture | None = None
-
-
 def sample_pictures(
     path: str | Path,
     rate: float | None,
@@ -161,24 +155,22 @@ def sample_pictures(
     there are from `fewest` to twice `most` pictures; all if the video has fewer [1]; pictures: the first one and every n-th
     after it, each with the next picture.
     """
-    result: list[_Sample] = []
+    result: list[tuple[Picture, Picture | None]] = []
     stride, limit, seen = 1, 2 * most, 0
-    before: _Sample | None = None
-    for picture in pictures(path, rate, since, until):
+    for seen, picture in enumerate(pictures(path, rate, since, until), 1):
         if not result:
             limit = 2 * max(fewest, min(most, int(most_bytes / (6 * picture.luma.nbytes))))
-        if before is not None:
-            before.following, before = picture, None
-        if seen % stride == 0 and len(result) >= limit:
-            result, stride = result[::2], 2 * stride
-        if seen % stride == 0:
-            before = _Sample(picture)
-            result.append(before)
-        seen += 1
+        if (seen - 2) % stride == 0 and result:
+            result[-1] = (result[-1][0], picture)
+        if (seen - 1) % stride == 0:
+            if len(result) >= limit:
+                result, stride = result[::2], 2 * stride
+            if (seen - 1) % stride == 0:
+                result.append((picture, None))
     if seen < 3:
         window = ("" if since is None else f" from {since:g} s on") + ("" if until is None else f" up to {until:g} s")
         raise InputError(f"{path} has {seen} frame{'s' if seen != 1 else ''}{window}; tracking needs at least 3.")
-    return [(one.picture, one.following) for one in result]
+    return result
 
 
 def rgb(picture: Picture) -> Bytes:
