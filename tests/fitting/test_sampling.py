@@ -6,32 +6,26 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from fitting_tools import RADIUS, filmed, hopping, posed
 from hophoop.fitting import Posterior, sample
-from hophoop.fitting.channels import Autocorrelation, Sigma
-from hophoop.fitting.problem import problem_of, run_of
+from hophoop.fitting.channels import Autocorrelation
 from hophoop.fitting.sampling import innovations
-from hophoop.tracking.table import track_of
 
 # a chain asks for thousands of motions
 pytestmark = pytest.mark.compiled
 
-RADIUS, SIGMA = 0.3, 2e-3
+KNOWN = {"mu_excess": 0.0, "restitution": 0.0}
 
 
-def rolled(mu, sigma=SIGMA, frames=40, speed=1.2, seed=2):
-    """A track of a hoop that rolls for half a second."""
-    motion = hh.simulate(hh.Hoop.ideal(0.6, radius=RADIUS), hh.Plane(mu=mu), hh.Start.rolling(speed, angle=0.1), duration=0.9)
-    t, rng = np.linspace(0.0, 0.9, frames), np.random.default_rng(seed)
-    state = motion.at(t)
-    columns = {"x": state.x, "y": state.height + RADIUS, "angle": state.angle}
-    columns = {name: values + rng.normal(0, sigma, frames) for name, values in columns.items()}
-    columns |= {f"sigma_{name}": np.full(frames, sigma) for name in columns}
-    return track_of(t, columns, radius=RADIUS, placed=True)
+def rolled(frames=40):
+    """A track of a hoop that rolls for 0.9 s."""
+    motion = hopping(plane=hh.Plane(mu=0.9), start=hh.Start.rolling(1.2, angle=0.1), duration=0.9)
+    return filmed(motion, 2, (frames - 1) / 0.9, sigma=2e-3, sigma_angle=2e-3, frames=frames)
 
 
 @pytest.fixture(scope="module")
 def rolling():
-    return hh.fit(rolled(0.9), fixed={"mu_excess": 0.0, "restitution": 0.0})
+    return hh.fit(rolled(), fixed=KNOWN)
 
 
 @pytest.fixture(scope="module")
@@ -81,7 +75,7 @@ def test_a_sequence_has_the_share_of_the_samples_whose_friction_suffices(sampled
 
 @pytest.mark.long
 def test_bounds_are_the_prior(rolling):
-    bounded = hh.fit(rolled(0.9), fixed={"mu_excess": 0.0, "restitution": 0.0}, bounds={"mu_kinetic": (0.5, 0.7)})
+    bounded = hh.fit(rolled(), fixed=KNOWN, bounds={"mu_kinetic": (0.5, 0.7)})
     found = sample(bounded, 200).posterior
     low, middle, high = found.quantiles("mu_kinetic", (0.0, 0.5, 1.0))
     assert low >= 0.5
@@ -91,7 +85,7 @@ def test_bounds_are_the_prior(rolling):
 
 @pytest.mark.long
 def test_what_is_tied_goes_along(rolling):
-    tied = hh.fit(rolled(0.9), fixed={"restitution": 0.0, "mu_kinetic": 0.9}, tied={"mu_excess": "gamma / 10"})
+    tied = hh.fit(rolled(), fixed={"restitution": 0.0, "mu_kinetic": 0.9}, tied={"mu_excess": "gamma / 10"})
     found = sample(tied, 40)
     assert "mu_excess" not in found.posterior.names
     assert found.posterior.shares == {"R": 1.0}
@@ -126,8 +120,8 @@ def test_a_short_chain_is_said_to_be_short():
 
 def test_news_of_lasting_errors_have_their_likelihood():
     """The sum of the squares of the innovations is rᵀ P⁻¹ r with all of P written down."""
-    track = rolled(0.9, frames=20)
-    problem = problem_of([run_of(track, "ideal", "rolling", hh.Plane(), Sigma())])
+    track = rolled(20)
+    problem, _ = posed(track)
     off = np.random.default_rng(3).normal(size=problem.count)
     memory = [Autocorrelation(1.0, 0.6), Autocorrelation(0.0, 0.0), Autocorrelation(0.4, 0.8)]
     found = innovations(problem, off, memory)
