@@ -89,7 +89,11 @@ def slip_below(motion: Trajectory, limits: tuple[float, ...]) -> dict[float, flo
         if above.size:  # in the last phase that exceeds it
             k = int(above[-1])
             low = float(times[k, np.flatnonzero(slip[k] >= limit)[-1]])
-            result[limit] = bisect(low, float(ends[k]), lambda t, limit=limit: abs(motion.at(t).slip) >= limit)
+
+            def exceeds(t: float, limit: float = limit) -> bool:
+                return bool(abs(motion.at(t).slip) >= limit)
+
+            result[limit] = bisect(low, float(ends[k]), exceeds)
     return result
 
 
@@ -144,8 +148,11 @@ def positive_potential(runs: Runs) -> Result:
     times, values = (column[sample.t > 0.5] for column in (sample.t, sample.potential))
     angles = []
     for k in np.flatnonzero(np.sign(values[1:]) * np.sign(values[:-1]) < 0.0)[:2]:
-        sign = np.sign(values[k])
-        t = bisect(float(times[k]), float(times[k + 1]), lambda t, sign=sign: np.sign(motion.at(t).potential) == sign)
+
+        def is_before(t: float, sign: float = np.sign(values[k])) -> bool:
+            return bool(np.sign(motion.at(t).potential) == sign)
+
+        t = bisect(float(times[k]), float(times[k + 1]), is_before)
         angles.append(math.degrees(motion.at(t).angle))
     near = len(angles) == 2 and abs(angles[0] - 350.0) < 2.5 and abs(angles[1] - 395.0) < 2.5
     return Result(near, {"angles_deg": angles, "largest": largest(motion, sample.t, lambda state: state.potential)})

@@ -28,7 +28,7 @@ class Texts(string.Formatter):
         """Convert a number as its field asks for."""
         if conversion == "d":
             return math.degrees(value)
-        return 100.0 * value if conversion == "h" else super().convert_field(value, conversion)  # type: ignore[arg-type]
+        return 100.0 * value if conversion == "h" else super().convert_field(value, conversion)
 
     def format_field(self, value: Any, format_spec: str) -> str:
         """Format a number, or each one of a list."""

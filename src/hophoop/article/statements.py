@@ -44,11 +44,11 @@ def statements(runs: Runs | None = None, progress: Callable[[str], None] | None 
 
 def _checked(key: str, runs: Runs) -> Statement:
     """Check one statement; it fails if the computed motion lacks its subject."""
-    stated: dict[str, str] = STATED[key]
+    stated = STATED[key]
     check: Callable[[Runs], Result] = getattr(rolling if hasattr(rolling, key) else slipping, key)
     try:
         holds, numbers = check(runs)
-        texts = {name: Texts().format(text, **numbers) for name, text in stated.items()}
+        texts: dict[str, Any] = {name: Texts().format(text, **numbers) for name, text in stated.items()}
     except (IndexError, StopIteration, ValueError):
         lacking = {"article": "–", "ours": "–", "why": "The computed motion lacks the subject of the statement."}
         return Statement(key=key, **stated | lacking | {"verdict": FAILS})

@@ -85,24 +85,9 @@ def _quantities(scenario: Scenario) -> Iterator[Quantity]:
     hoop, plane = scenario.hoop, scenario.plane
     yield Quantity("eccentricity", "eccentricity ε", "1", hoop.eccentricity)
     yield Quantity("inertia_ratio", "moment of inertia κ", "1", hoop.inertia_ratio)
-    yield _row(
-        "first_slip_speed",
-        "slips in the first turn from v₀ =",
-        "m/s",
-        lambda: first_slip_speed(hoop, plane),
-    )
-    yield _row(
-        "first_hop_speed",
-        "hops in the first turn from v₀ =",
-        "m/s",
-        lambda: first_hop_speed(hoop, plane),
-    )
-    yield _row(
-        "immediate_hop_speed",
-        "hops at once from v₀ =",
-        "m/s",
-        lambda: immediate_hop_speed(hoop, plane),
-    )
+    yield _row("first_slip_speed", "slips in the first turn from v₀ =", "m/s", first_slip_speed, hoop, plane)
+    yield _row("first_hop_speed", "hops in the first turn from v₀ =", "m/s", first_hop_speed, hoop, plane)
+    yield _row("immediate_hop_speed", "hops at once from v₀ =", "m/s", immediate_hop_speed, hoop, plane)
     yield from _painleve(hoop, plane)
     yield from _jams(hoop, plane)
     yield from _start(scenario)
@@ -123,9 +108,9 @@ def _painleve(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
         yield Quantity("painleve_friction", "Painlevé's paradox from μ", "1", None, note)
         yield Quantity("painleve_angle", "    there at θ", "rad", None, note)
         return
-    least = painleve_minimum(hoop)
-    yield _row("painleve_friction", "Painlevé's paradox from μ =", "1", lambda: least.mu)
-    yield _row("painleve_angle", "    there at θ =", "rad", lambda: least.angle)
+    mu, angle = painleve_minimum(hoop)
+    yield _row("painleve_friction", "Painlevé's paradox from μ =", "1", float, mu)
+    yield _row("painleve_angle", "    there at θ =", "rad", float, angle)
 
 
 def _jams(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
@@ -145,26 +130,11 @@ def _start(scenario: Scenario) -> Iterator[Quantity]:
     speed = start.speed
     yield Quantity("start_speed", "rolling from v₀ =", "m/s", speed)
     yield _row("needed_friction", "    needs μ =", "1", lambda: needed_friction(hoop, speed, plane).mu)
-    yield _row(
-        "needed_friction_angle",
-        "    there at θ =",
-        "rad",
-        lambda: needed_friction(hoop, speed, plane).angle,
-    )
-    yield _row("slip_angle", "    slips first at θ =", "rad", lambda: slip_angle(hoop, speed, plane))
-    yield _row("hop_angle", "    hops first at θ =", "rad", lambda: hop_angle(hoop, speed, plane))
-    yield _row(
-        "max_rolling_speed",
-        "    largest θ̇ if it rolled",
-        "rad/s",
-        lambda: max_rolling_speed(hoop, speed, plane),
-    )
-    yield _row(
-        "rolling_period",
-        "    a whole turn if it rolled",
-        "s",
-        lambda: rolling_period(hoop, speed, plane),
-    )
+    yield _row("needed_friction_angle", "    there at θ =", "rad", lambda: needed_friction(hoop, speed, plane).angle)
+    yield _row("slip_angle", "    slips first at θ =", "rad", slip_angle, hoop, speed, plane)
+    yield _row("hop_angle", "    hops first at θ =", "rad", hop_angle, hoop, speed, plane)
+    yield _row("max_rolling_speed", "    largest θ̇ if it rolled", "rad/s", max_rolling_speed, hoop, speed, plane)
+    yield _row("rolling_period", "    a whole turn if it rolled", "s", rolling_period, hoop, speed, plane)
 
 
 def _rest(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
@@ -183,9 +153,10 @@ def _rest(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
             yield Quantity("rocking_period", "    small rocking", "s", rest.period)
 
 
-def _row(key: str, words: str, unit: str, quantity: Callable[[], Any]) -> Quantity:
+def _row(key: str, words: str, unit: str, quantity: Callable[..., Any], *arguments: Any) -> Quantity:
+    """Return the value of a function, or why it has none."""
     try:
-        value = float(quantity())
+        value = float(quantity(*arguments))
     except InputError as error:
         return Quantity(key, words, unit, None, str(error))
     note = ""
