@@ -60,12 +60,6 @@ def cases(sigma):
             yield body, th, om, [np.array([float(value) for value in series]) for series in expected]
 
 
-def before_changes():
-    """What `tests/mutations.py` computes once and not for every change: the motions that take long."""
-    for sigma in (0, 1, -1):
-        list(cases(sigma))
-
-
 @pytest.mark.parametrize("sigma", [0, 1, -1])
 def test_coefficients_are_derivatives_of_the_motion(sigma):
     for body, th, om, expected in cases(sigma):
