@@ -14,7 +14,6 @@ from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
 
@@ -132,16 +131,10 @@ class Calls:
 
     def samples(self, segments: int, times: np.ndarray, left: bool = False) -> np.ndarray:
         """States of the motion that was computed last."""
-        return self._rows("samples", len(SAMPLE_COLUMNS), segments, times, left)
-
-    def margins(self, segments: int, times: np.ndarray, left: bool = False) -> np.ndarray:
-        """What decides about the modes of the motion that was computed last."""
-        return self._rows("margins", len(MARGINS), segments, times, left)
-
-    def _rows(self, name: str, width: int, segments: int, times: np.ndarray, left: bool) -> np.ndarray:
+        width = len(SAMPLE_COLUMNS)
         when, out = self.room(8 * times.size), self.room(8 * times.size * width)
         self.view(when, times.size)[:] = times
-        self.call(name, self.cell, self.segments, segments, when, times.size, int(left), out)
+        self.call("samples", self.cell, self.segments, segments, when, times.size, int(left), out)
         result = self.view(out, times.size * width).reshape(-1, width).copy()
         self.free(when)
         self.free(out)

@@ -14,7 +14,6 @@ from hophoop.derivatives.results.propagation import propagate
 from hophoop.kernel.compliant.motion import chosen_in_si
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS, EVENT_COLUMNS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, MODULE
 from hophoop.maps.grid.cells import make_cells
@@ -24,7 +23,6 @@ from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of
 from hophoop.scenario.parts import combine
 from hophoop.scenario.scenario import time_unit
 from hophoop.simulation.compliant import to_compliance
-from hophoop.simulation.phases import margins
 from hophoop.vocabulary.names import MODE_WORDS, mode_words
 
 pytest.importorskip("wasmtime")
@@ -112,20 +110,6 @@ def test_motions_and_their_states(host: Calls, computed: list[tuple[hh.Scenario,
         times = times_of(motion)
         for left in (False, True):
             assert_states(host.samples(int(heads["segments"]), times, left), motion, times, left)
-
-
-def test_margins(host: Calls, computed: list[tuple[hh.Scenario, hh.Trajectory]]) -> None:
-    """At the begin of each piece, whose state both sides have as it is."""
-    for scenario, motion in computed[:60]:
-        heads, _ = host.motion(cell_of(scenario))
-        pieces = motion.tables["segments"]
-        times = np.array([motion._seconds(float(t)) for t in pieces["t"]])
-        last = np.append(times[1:] > times[:-1], True)  # of several at one instant the last
-        times, pieces = times[last], pieces[last]
-        found = host.margins(int(heads["segments"]), times)
-        for row, piece in zip(found, pieces, strict=True):
-            theirs = margins(scenario.to_body(), motion.units, int(piece["mode"]), piece)
-            assert same(row, [getattr(theirs, name) for name in MARGINS]), (scenario.to_query(), piece["t"])
 
 
 CONTACTS = [

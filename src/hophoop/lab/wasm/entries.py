@@ -20,7 +20,6 @@ MOTION = (motions.motion, (FLOATS, EVENTS, COUNT, SEGMENTS, COUNT, FLOATS, FLOAT
 ENTRIES: Entries = {
     "motion": MOTION,
     "samples": (motions.samples, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
-    "margins": (motions.margins, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
     "compliance": (compliant.compliance, (FLOATS, FLOATS, FLOATS)),
     "compliant_motion": (
         compliant.compliant_motion,

@@ -12,7 +12,6 @@ from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, PASSING, Impa
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, LETTERS_PER_INTEGER, MORE, SEGMENT
-from hophoop.kernel.rigid.sampling import MARGINS
 from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
 from hophoop.vocabulary.names import FATE_CODES, identifier
@@ -75,7 +74,6 @@ def layout() -> dict[str, Any]:
         "heads": HEADS,
         "events": EVENT_COLUMNS,
         "samples": SAMPLE_COLUMNS,
-        "margins": MARGINS,
         "changes": CHANGE_COLUMNS,
         "fate": FATE_COLUMNS,
         "fates": [identifier(name) for name in FATE_CODES],

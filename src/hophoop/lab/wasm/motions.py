@@ -14,11 +14,11 @@ from hophoop.kernel.records.cells import CELL, Cell, body_of, mode_of, scales_of
 from hophoop.kernel.records.layout import COLUMNS, PANELS, new_scratch
 from hophoop.kernel.records.writing import kernel_times
 from hophoop.kernel.rigid.run import run
-from hophoop.kernel.rigid.sampling import MARGINS, margins_of, sample
+from hophoop.kernel.rigid.sampling import sample
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
-RAW_WIDTH, MARGIN_WIDTH = len(COLUMNS), len(MARGINS)
+RAW_WIDTH = len(COLUMNS)
 ROLLING_LOSS, KINETIC, POTENTIAL = (COLUMNS.index(name) for name in ("rolling_resistance", "kinetic", "potential"))
 
 
@@ -132,22 +132,17 @@ def write_state(body, scales, raw, row):
     row[18] = raw[ROLLING_LOSS] * unit  # the same column in both contact models
 
 
-def sampled(body, scales, segments, times, left):
-    """Return the rows of `rigid.sampling.sample` at times in s."""
-    asked = np.empty(len(times))
-    kernel_times(segments["t"], segments[-1]["t_end"], times, scales.time, asked)
-    raw = np.empty((len(times), RAW_WIDTH))
-    sample(body, segments, asked, left != 0, raw)
-    return raw
-
-
 def samples(given, segments, count, times, n, left, out):
     """Write the states of a motion at times in s, from its segments; `left` is 1 for the state just before an impact."""
     cell = carray(given, (FIELDS,))
     rows = carray(out, (n, SAMPLE_WIDTH))
     scales = scales_of(cell)
     body = body_of(cell)
-    raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
+    pieces = carray(segments, (count,))
+    asked = np.empty(n)
+    kernel_times(pieces["t"], pieces[-1]["t_end"], carray(times, (n,)), scales.time, asked)
+    raw = np.empty((n, RAW_WIDTH))
+    sample(body, pieces, asked, left != 0, raw)
     for k in range(n):
         line = raw[k]
         write_state(body, scales, line, rows[k])
@@ -155,22 +150,3 @@ def samples(given, segments, count, times, n, left, out):
         rows[k, 14] = 0.0
         rows[k, 15] = line[KINETIC] * scales.energy
         rows[k, 16] = line[POTENTIAL] * scales.energy
-
-
-def margins(given, segments, count, times, n, left, out):
-    """Write the margins of the modes at times in s, in the order of `rigid.sampling.MARGINS` and in SI units; see `samples`."""
-    cell = carray(given, (FIELDS,))
-    rows = carray(out, (n, MARGIN_WIDTH))
-    scales = scales_of(cell)
-    body = body_of(cell)
-    raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
-    for k in range(n):
-        line = raw[k]
-        found = margins_of(body, int(line[0]), line[13], line[14], line[6], line[7], line[2])
-        rows[k, 0] = found[0] * scales.force
-        rows[k, 1] = found[1] * scales.force
-        rows[k, 2] = found[2] * scales.force
-        rows[k, 3] = found[3] * scales.acceleration
-        rows[k, 4] = found[4] * scales.speed
-        rows[k, 5] = found[5] * scales.length
-        rows[k, 6] = found[6]
