@@ -75,6 +75,17 @@ def test_slip_uses_all_friction_and_goes_on_doing_so():
     assert result.derivatives.tolist() == [[0.0, 0.0]]
 
 
+@pytest.mark.parametrize("start", [hh.Start.rolling(1.0), hh.Start(angle=1.0)])
+def test_a_massless_hoop_needs_the_tangent_of_half_the_angle(start):
+    """Its force points at the load, up to where it vanishes and the rim skims; afterwards the load lies on the plane."""
+    motion = hh.simulate(hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=start, duration=3.0))
+    assert motion.sequence == "RMR"
+    found = motion.sensitivity([USE, "skim.angle"], ["start.angle", "plane.mu", "plane.gravity"])
+    half, angle = math.tan(0.5 * motion.events[1].angle), found.derivatives[1]
+    assert found.values[0] == pytest.approx(half, rel=1e-13)
+    assert found.derivatives[0] == pytest.approx(0.5 * (1 + half**2) * angle - [0.0, half, 0.0], rel=1e-12)
+
+
 def test_where_there_is_none():
     flying = hh.Scenario(start=hh.Start(height=0.5), duration=0.1)
     result = hh.sensitivity(flying, USE, "start.angle")

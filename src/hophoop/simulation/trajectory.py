@@ -281,9 +281,10 @@ class Trajectory:
     def kernel_doubt(self) -> float:
         """`doubt` in the kernel's unit of time, to compare with `tables` [`units`]."""
         if self._doubt is None:  # for a loaded motion
-            from hophoop.derivatives.results.propagation import doubtful_from
+            from hophoop.simulation.rigid import simulate_rigid
+            from hophoop.simulation.until import NOTHING, read_until
 
-            self._doubt = doubtful_from(self)
+            self._doubt = simulate_rigid(self.scenario, NOTHING if self.until is None else read_until(self.until)).doubt
         return self._doubt
 
     def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:

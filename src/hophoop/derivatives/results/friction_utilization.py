@@ -12,12 +12,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.layout import BEFORE_OM, OM, STATE_ROWS, T
+from hophoop.derivatives.layout import BEFORE_OM, KAP, MU_S, OM, STATE_ROWS, TH
 from hophoop.derivatives.workspace import Pieces, Samples, new_workspace
 from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import HOLD
 from hophoop.kernel.physics.body import Body, Event, Mode
+from hophoop.kernel.physics.contact import resistance_arm
 from hophoop.kernel.records.layout import thread_scratch
 
 Floats = NDArray[np.float64]
@@ -54,10 +56,17 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     peaks : list of Peak
     """
     begin, end = events["t"][index], events["t"][index + 1]
+    if body.kap == 0.0:  # the force points at the load, even where it is 0: it needs most friction at an end
+        rows = events[index : index + 2]
+        needs = [_massless_need(float(row["theta"] + row["theta_low"])) for row in rows]
+        if rows[0]["omega"] == 0.0 and rows[0]["theta"] == rows[1]["theta"]:  # at rest, with the load on the plane
+            needs = [0.0, 0.0]
+        return [Peak(abs(needs[0]), index, False, begin, 0.0), Peak(abs(needs[1]), index + 1, True, end, 0.0)]
     numbers = np.flatnonzero((segments["t"] >= begin) & (segments["t"] < end)).tolist()
     first = segments[numbers[0]]
     if first["kind"] == HOLD:
-        need, rho = compiled(REQUIRED + "need_at_rest")(body, float(first["theta"]))
+        need = abs(body.gt) / body.gn
+        rho = resistance_arm(body, *sine_and_cosine(float(first["theta"])), 0.0, 0)
         times = [begin + part * (end - begin) for part in (0.0, 0.3, 0.5, 0.8, 1.0)]
         return [Peak(float(need), -1, False, t, float(rho)) for t in times]
     room = np.empty((3, ORDER + 2))
@@ -81,6 +90,12 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     if outer > 0.0:
         found.append(Peak(float(needs[-1]), index + 1, True, end, rho))
     return found
+
+
+def _massless_need(th: float) -> float:
+    """Return F/N of the massless hoop, tan(θ/2)."""
+    s, c = sine_and_cosine(th)
+    return float(s / (1.0 + c)) if c > -1.0 else math.inf
 
 
 def settled_by(body: Body, events: np.ndarray) -> tuple[float, int]:
@@ -134,26 +149,6 @@ def greatest_peaks(body: Body, events: np.ndarray, segments: np.ndarray, scratch
     return [peak for peak in found if peak.need >= most - TIED * max(most, body.mu_s)]
 
 
-def greatest_use(body: Body, events: np.ndarray, segments: np.ndarray) -> float:
-    """Return the maximum friction utilization of a motion.
-
-    Parameters
-    ----------
-    body : Body
-    events, segments : ndarray of records.EVENT, records.SEGMENT
-
-    Returns
-    -------
-    use : float
-        nan where nothing touches, or slips without friction alone.
-    """
-    use, event = settled_by(body, events)
-    if event >= 0:
-        return use
-    most = max(peak.need for peak in greatest_peaks(body, events, segments, thread_scratch()))
-    return min(most / body.mu_s, 1.0)
-
-
 def use_rates(body: Body, events: np.ndarray, at_events: Floats, pieces: Pieces, peak: Peak) -> tuple[Floats, Floats]:
     """Return the derivatives of the friction utilization at a peak, towards larger and towards smaller parameters.
 
@@ -186,20 +181,9 @@ def use_rates(body: Body, events: np.ndarray, at_events: Floats, pieces: Pieces,
         tangents, th, om = samples.tangents[0], samples.states[0, 2], samples.states[0, 3]
     larger, smaller = np.empty((2, parameter_tangents.shape[1]))
     compiled(REQUIRED + "use_changes")(body, float(th), float(om), peak.rho, tangents, parameter_tangents, larger, smaller)
+    if body.kap == 0.0:
+        need, massless = _massless_need(float(th)), parameter_tangents[KAP] == 0.0
+        turned = math.copysign(0.5 * (1.0 + need * need), need) * tangents[TH]
+        rates = (turned - peak.need * parameter_tangents[MU_S] / body.mu_s) / body.mu_s
+        larger[massless] = smaller[massless] = rates[massless]
     return larger, smaller
-
-
-def no_change(at_events: Floats, event: int) -> Floats:
-    """Zero, or nan where an event has no derivatives.
-
-    Parameters
-    ----------
-    at_events : ndarray, shape (events, EVENT_ROWS, n)
-    event : int
-
-    Returns
-    -------
-    rates : ndarray, shape (n,)
-    """
-    result: Floats = 0.0 * at_events[event, T]
-    return result

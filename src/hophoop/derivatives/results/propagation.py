@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,13 +18,12 @@ from hophoop.derivatives.layout import (
     STATE_ROWS,
     VT,
     Reason,
+    T,
 )
 from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.results.friction_utilization import (
     KERNELS,
     greatest_peaks,
-    greatest_use,
-    no_change,
     settled_by,
     use_rates,
 )
@@ -40,11 +38,9 @@ from hophoop.derivatives.units import (
 from hophoop.derivatives.workspace import KnownMotion, Pieces, Samples, new_solution, new_workspace
 from hophoop.kernel.native import compiled
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.records.cells import mode_of, second_of, start_of
-from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch, thread_scratch
-from hophoop.kernel.rigid.run import run
+from hophoop.kernel.records.layout import thread_scratch
 from hophoop.results.records import Motion
-from hophoop.scenario import InputError, cell_of
+from hophoop.scenario import InputError
 from hophoop.vocabulary.quantities import QUANTITIES
 
 COLUMNS = ("x", "height", "theta", "omega", "slip", "vy")  # of a state, in the order of its tangents from row X on
@@ -202,13 +198,13 @@ class TangentSolution:
         body, events, segments = self._body, self.motion.tables["events"], self.motion.tables["segments"]
         use, event = settled_by(body, events)
         if event >= 0:
-            return WithDerivatives(use, no_change(self.at_events, event) + 0.0 * use)
-        scratch = thread_scratch()
-        peaks = greatest_peaks(body, events, segments, scratch)
+            return WithDerivatives(use, 0.0 * self.at_events[event, T] + 0.0 * use)
+        peaks = greatest_peaks(body, events, segments, thread_scratch())
         pieces = Pieces(segments, self.at_segments, self.directions.parameter_tangents)
         rates = [use_rates(body, events, self.at_events, pieces, peak) for peak in peaks]
         larger, smaller = (np.array(side) for side in zip(*rates, strict=True))
-        return WithDerivatives(greatest_use(body, events, segments), larger.max(axis=0), smaller.min(axis=0))
+        most = max(peak.need for peak in peaks)
+        return WithDerivatives(min(most / body.mu_s, 1.0), larger.max(axis=0), smaller.min(axis=0))
 
     @cached_property
     def _at_events(self) -> tuple[Floats, Floats]:
@@ -258,32 +254,6 @@ def _state_of(row: np.void) -> Floats:
     state = np.array([row[name] for name in COLUMNS])
     state[2] += row["theta_low"]
     return state
-
-
-def doubtful_from(motion: Motion) -> float:
-    """Return the time from which double precision does not decide what follows: a tangency, or the boundary of two classes.
-
-    Parameters
-    ----------
-    motion : Motion
-        With rigid contact.
-
-    Returns
-    -------
-    t : float
-        In kernel units [√(R/g)]; inf where everything is certain.
-    """
-    scenario = motion.scenario
-    cell = cell_of(scenario)
-    events = np.empty(len(motion.tables["events"]) + 8, EVENT)
-    scratch = new_scratch()
-    second = second_of(cell)
-    compiled(run)(
-        scenario.to_body(), start_of(cell, second), mode_of(cell), scenario.duration / second, math.nan, 0, events,
-        np.empty(0, SEGMENT), scratch,
-    )  # fmt: skip
-    doubt = float(scratch.doubt[0])
-    return doubt if doubt <= motion.tables["events"]["t"][-1] else math.inf
 
 
 def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> TangentSolution:

@@ -17,16 +17,10 @@ from hophoop.results.records import Motion
 from hophoop.scenario import InputError
 from hophoop.vocabulary.names import phase_starts
 
-HOP = {
-    "height": ("Greatest gap", "m"),
-    "distance": ("Way of the centre along the plane", "m"),
-    "duration": ("From take-off to landing", "s"),
-    "takeoff_time": ("Time of the take-off", "s"),
-    "takeoff_angle": ("Angle at the take-off", "rad"),
-    "landing_angle": ("Angle at the landing", "rad"),
-    "load_up": ("Cosine of the angle at the landing: 1 with the load on top", "1"),
-    "loss": ("Energy lost in the landing", "J"),
-}
+HOP = {  # units
+    "height": "m", "distance": "m", "duration": "s", "takeoff_time": "s", "takeoff_angle": "rad", "landing_angle": "rad",
+    "load_up": "1", "loss": "J",
+}  # fmt: skip
 # What a map calls the same of the first hop, and of the whole motion.
 MAPPED = {
     "takeoff_time": "hop.takeoff_time",
@@ -66,7 +60,7 @@ def unit_of_quantity(name: str) -> str:
     if name in WHOLE:
         return WHOLE[name][1]
     field = name.split(").")[-1] if name.startswith("at(") else name.partition(".")[2]
-    return HOP[field][1] if name.startswith("hop") else unit_of(field)
+    return HOP[field] if name.startswith("hop") else unit_of(field)
 
 
 def quantity(motion: Motion, name: str) -> Callable[[TangentSolution], WithDerivatives]:

@@ -150,6 +150,11 @@ def _unit_of_parameter(path: str) -> str:
     return parameter(path).unit
 
 
+def agree(one: Floats, other: Floats) -> NDArray[np.bool_]:
+    """Return where the derivatives of two sides are one."""
+    return np.abs(one - other) <= AGREE * np.maximum(np.abs(one), np.abs(other))
+
+
 def names_of(given: str | Sequence[str], what: str) -> tuple[str, ...]:
     """Names as a tuple, of one name or some.
 
@@ -213,7 +218,7 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
             downward[:, k] = np.nan
         if not up:
             upward[:, k] = np.nan
-    same = np.abs(upward - downward) <= AGREE * np.maximum(np.abs(upward), np.abs(downward))
+    same = agree(upward, downward)
     derivatives = np.where(same, upward, np.nan)
     neither = (np.isnan(upward) & np.isnan(downward)).tolist()
     reasons = [[""] * len(paths) for _ in quantities]

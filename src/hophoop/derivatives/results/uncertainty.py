@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support import tables
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.derivatives.results.quantities import AT_TIMES
-from hophoop.derivatives.results.sensitivity import AGREE, Sensitivity, names_of, sensitivity_of
+from hophoop.derivatives.results.sensitivity import Sensitivity, agree, names_of, sensitivity_of
 from hophoop.kernel.numerics.arithmetic import matrix_product, weighted_sum
 from hophoop.results.records import Motion, documented
 from hophoop.scenario import InputError
@@ -188,8 +188,7 @@ def _rates_at(motion: Motion, paths: Sequence[str], times: Floats, left: bool) -
         smaller = propagate(motion, [paths[k] for k in sides], -1.0).at_times(times, AT_TIMES, left)
         for name, slopes in rates.items():
             up, down = slopes[:, sides], smaller[name][1]
-            same = np.abs(up - down) <= AGREE * np.maximum(np.abs(up), np.abs(down))
-            slopes[:, sides] = np.where(same, up, np.nan)
+            slopes[:, sides] = np.where(agree(up, down), up, np.nan)
     return rates
 
 
