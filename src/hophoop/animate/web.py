@@ -82,7 +82,7 @@ def scene_data(
     ends = [min(float(t[-1]), motion.duration) for t, motion in zip(shown.times, motions, strict=True)]
     extents = [extent(motion, timing.start, last) for motion, last in zip(motions, ends, strict=True)]
     radius = max(motion.scenario.hoop.radius for motion in motions)
-    hoops = []
+    hoops: list[dict[str, Any]] = []
     for i, motion in enumerate(motions):
         hoop = motion.scenario.hoop
         times = shown.times[i]
