@@ -19,7 +19,6 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.panels.panel import HOLD
 from hophoop.kernel.physics.body import Body, Event, Mode
-from hophoop.kernel.physics.contact import resistance_arm
 from hophoop.kernel.records.layout import thread_scratch
 
 Floats = NDArray[np.float64]
@@ -65,8 +64,7 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int, s
     numbers = np.flatnonzero((segments["t"] >= begin) & (segments["t"] < end)).tolist()
     first = segments[numbers[0]]
     if first["kind"] == HOLD:
-        need = abs(body.gt) / body.gn
-        rho = resistance_arm(body, *sine_and_cosine(float(first["theta"])), 0.0, 0)
+        need, rho = compiled(REQUIRED + "need_at_rest")(body, float(first["theta"]))
         times = [begin + part * (end - begin) for part in (0.0, 0.3, 0.5, 0.8, 1.0)]
         return [Peak(float(need), -1, False, t, float(rho)) for t in times]
     room = np.empty((3, ORDER + 2))
