@@ -363,7 +363,9 @@ def _view_from_dict(data: Any, name: str) -> View:
     parts = {key: float(value) for key, value in data.items() if key not in ("camera", "chroma", "first")}
     blue, red = data.get("chroma", (np.nan, np.nan))
     chroma = (float(blue), float(red)) if "chroma" in data else None
-    lens = {key: int(value) if key in ("width", "height") else float(value) for key, value in data["camera"].items()}
+    lens: dict[str, Any] = {
+        key: int(value) if key in ("width", "height") else float(value) for key, value in data["camera"].items()
+    }
     view = View(Camera(**lens), **parts, chroma=chroma, first=int(data.get("first", 0)))
     for key, value in {"scale": view.scale, **{key: getattr(view.camera, key) for key in ("width", "height", "focal")}}.items():
         if not (np.isfinite(value) and value > 0):
