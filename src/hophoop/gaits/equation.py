@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,6 @@ from hophoop.scenario.paths import parameter
 from hophoop.scenario.start import StartState
 
 Pair = NDArray[np.float64]
-SOLVED = 1e-13  # largest residual of a solution, in units of R and √(R/g)
 STEPS = 12  # of Newton's method
 FAR = 1e3  # times the size of the first correction: then it diverges
 
@@ -71,28 +71,28 @@ class Values(NamedTuple):
 
     def off(self, critical: float) -> float:
         """Return det(matrix − critical), which is 0 where a multiplier has this value."""
-        return determinant(self.matrix - critical * np.eye(len(self.matrix)))
+        return float(np.linalg.det(self.matrix - critical * np.eye(len(self.matrix))))
 
     @property
     def tangent(self) -> Pair:
         """Unit vector along the solutions in the coordinates and the scaled parameter."""
-        rows = np.column_stack([self.matrix - np.eye(len(self.matrix)), self.rate])
-        along = np.array([(-1) ** k * determinant(np.delete(rows, k, axis=1)) for k in range(rows.shape[1])])
-        found: Pair = along / np.linalg.norm(along)
+        found: Pair = np.linalg.svd(self.by_point)[2][-1]
         return found
 
-
-def determinant(matrix: Pair) -> float:
-    """Return the determinant, of a single number the number itself."""
-    return float(matrix[0, 0]) if matrix.shape == (1, 1) else float(np.linalg.det(matrix))
+    @property
+    def by_point(self) -> Pair:
+        """Derivative of the excess by the point, shape (n, n + 1)."""
+        found: Pair = np.column_stack([self.matrix - np.eye(len(self.matrix)), self.rate])
+        return found
 
 
 def leading(matrix: Pair) -> complex:
     """Return the eigenvalue of the largest modulus."""
-    if matrix.shape == (1, 1):
-        return complex(matrix[0, 0])
     found = np.linalg.eigvals(matrix)
     return complex(found[np.argmax(np.abs(found))])
+
+
+Condition = Callable[[Values, Pair], "tuple[Pair, float] | None"]  # at a point: the row of its derivatives, and what is left
 
 
 class GaitEquation:
@@ -197,19 +197,41 @@ class GaitEquation:
 
     def solve(self, point: Pair, normal: Pair, offset: float) -> tuple[Pair, Values] | None:
         """Return the solution with normal · point = offset near a point, by Newton's method, or None if it finds none."""
+        return self._newton(point, lambda values, point: (normal, float(normal @ point) - offset), 1e-13)
+
+    def solve_with(self, point: Pair, multiplier: float, step: float = 1e-6) -> tuple[Pair, Values] | None:
+        """Return the solution near a point with a given multiplier, or None.
+
+        step: of the central differences, in each coordinate and the scaled parameter.
+        """
+
+        def condition(values: Values, point: Pair) -> tuple[Pair, float] | None:
+            slopes = []
+            for shift in step * np.eye(len(point)):
+                ahead, back = self(point + shift), self(point - shift)
+                if ahead is None or back is None or ahead.key != values.key or back.key != values.key:
+                    return None
+                slopes.append((ahead.off(multiplier) - back.off(multiplier)) / (2.0 * step))
+            return np.array(slopes), values.off(multiplier)
+
+        found = self._newton(point, condition, 1e-12)
+        return found if found is not None and abs(found[1].off(multiplier)) < 1e-7 else None
+
+    def _newton(self, point: Pair, condition: Condition, solved: float) -> tuple[Pair, Values] | None:
+        """Return the solution with one more condition; `solved` is the largest residual, in units of R and √(R/g)."""
         first = math.inf
         for _ in range(STEPS):
             values = self(point)
-            if values is None:
+            known = None if values is None else condition(values, point)
+            if values is None or known is None:
                 return None
-            off = float(normal @ point) - offset
-            matrix = np.vstack([self.by_point(values), normal])
+            normal, off = known
             try:
-                step = np.linalg.solve(matrix, np.append(-values.excess, -off))
+                step = np.linalg.solve(np.vstack([values.by_point, normal]), np.append(-values.excess, -off))
             except np.linalg.LinAlgError:
                 return None
             size = float(np.abs(step).max())
-            if size < SOLVED or (np.abs(values.excess).max() < SOLVED and abs(off) < SOLVED):
+            if size < solved or (np.abs(values.excess).max() < solved and abs(off) < solved):
                 return point, values
             first = min(first, size)
             if size > FAR * first or size > 1.0:
@@ -217,42 +239,6 @@ class GaitEquation:
             point = point + step
         values = self(point)
         return None if values is None or np.abs(values.excess).max() > 1e-11 else (point, values)
-
-    @staticmethod
-    def by_point(values: Values) -> Pair:
-        """Return the derivative of the excess by the point, shape (n, n + 1)."""
-        found: Pair = np.column_stack([values.matrix - np.eye(len(values.matrix)), values.rate])
-        return found
-
-    def solve_with(self, point: Pair, multiplier: float, step: float = 1e-6) -> tuple[Pair, Values] | None:
-        """Return the solution near a point with a given multiplier, or None.
-
-        step: of the central differences, in each coordinate and the scaled parameter.
-        """
-        for _ in range(STEPS):
-            values = self(point)
-            if values is None:
-                return None
-            slopes = []
-            for shift in step * np.eye(len(point)):
-                ahead, back = self(point + shift), self(point - shift)
-                if ahead is None or back is None or ahead.key != values.key or back.key != values.key:
-                    return None
-                slopes.append((ahead.off(multiplier) - back.off(multiplier)) / (2.0 * step))
-            matrix = np.vstack([self.by_point(values), slopes])
-            try:
-                change = np.linalg.solve(matrix, np.append(-values.excess, -values.off(multiplier)))
-            except np.linalg.LinAlgError:
-                return None
-            if float(np.abs(change).max()) > 0.5:
-                return None
-            point = point + change
-            if float(np.abs(change).max()) < 1e-12:
-                break
-        values = self(point)
-        if values is None or np.abs(values.excess).max() > 1e-11 or abs(values.off(multiplier)) > 1e-7:
-            return None
-        return point, values
 
 
 def value_of(scenario: Scenario, path: str) -> float:
