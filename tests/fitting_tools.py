@@ -20,7 +20,7 @@ def hopping(hoop=None, plane=PLANE, start=None, duration=1.01):
 def filmed(motion, seed=1, rate=240.0, angle=True, sigma=SIGMA, sigma_angle=SIGMA_ANGLE, frames=None, alike=0.0, sign=1.0):
     """A track as a film of a motion would give it; errors of neighbouring frames may correlate."""
     n = frames or int(motion.duration * rate)
-    t, errors = np.arange(n) / rate, lasting(np.random.default_rng(seed).normal(0, sign, (3, n)), alike)
+    t, errors = np.arange(n) / rate, lasting(sign * np.random.default_rng(seed).normal(0, 1, (3, n)), alike)
     state, radius = motion.at(t), motion.scenario.hoop.radius
     columns = {"x": state.x + sigma * errors[0], "y": state.height + radius + sigma * errors[1]}
     columns |= {"sigma_x": np.full(n, sigma), "sigma_y": np.full(n, sigma)}
