@@ -185,15 +185,11 @@ def nothing(tmp_path, busy=True, frames=12):
     return make(tmp_path / "empty.mp4", article_like(duration=0.2), film)
 
 
-def test_a_patch_that_does_not_turn_with_the_hoop_is_doubted(tmp_path):
-    """A film of `hophoop animate` has a coloured patch at the contact, and no marker."""
-    motion = hh.simulate(hh.Scenario(duration=2.0))
+def test_a_film_without_a_marker_is_doubted(tmp_path):
+    """A film of `hophoop animate` has a black load and coloured arrows, but no marker."""
     look = hh.animate.Look(size=(1280, 720), camera="hold")
-    hh.animate.film(motion, tmp_path / "hold.mp4", hh.animate.Timing(fps=30), look)
-    found = hh.track(tmp_path / "hold.mp4", radius=1.0)
-    right = motion.at(np.clip(found.t, 0.0, motion.duration)).angle
-    assert np.nanmax(np.abs(found.angle - right)) > 1.0  # it is not the load
-    assert found.notes[0].startswith("Doubtful: the hoop moves by")
+    hh.animate.film(hh.simulate(hh.Scenario(duration=2.0)), tmp_path / "hold.mp4", hh.animate.Timing(fps=30), look)
+    assert hh.track(tmp_path / "hold.mp4", radius=1.0).notes[0].startswith("Doubtful: the ")
 
 
 @pytest.mark.parametrize(
