@@ -436,6 +436,18 @@ def test_rolling_resistance_is_an_axis():
             assert float(cell.greatest_utilization) >= np.nanmax(used) - 1e-10
 
 
+@pytest.mark.parametrize("angle, speed", [(0.0, 1.0), (1.0, 0.0)])
+def test_a_massless_hoop_needs_the_tangent_of_half_the_angle(angle, speed):
+    """Where its force vanishes, too: the rim skims from there, and rests with the load on the plane."""
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=hh.Start.rolling(speed, angle=angle), duration=3.0)
+    friction = np.array([1.0, 2.0])
+    motions = [hh.simulate(scenario.with_values({"plane.mu": mu})) for mu in friction]
+    assert [motion.sequence for motion in motions] == ["RMR", "RMR"]
+    needs = np.tan([0.5 * motion.events[1].angle for motion in motions])
+    found = maps.points(scenario, {"plane.mu": friction}, ["greatest_utilization"], span="duration")
+    assert found["greatest_utilization"] == pytest.approx(needs / friction, rel=1e-9)
+
+
 def test_too_much_rolling_resistance_is_marked():
     found = maps.sweep(
         hh.Scenario(duration=0.5),

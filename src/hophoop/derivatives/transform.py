@@ -110,6 +110,12 @@ class _Writer:
                 return moving
             moving = found
 
+    def _refusal(self, node: ast.AST) -> NotImplementedError:
+        return NotImplementedError(
+            f"{self.definition.name}: hophoop.derivatives.transform has no derivative of `{ast.unparse(node)}`; "
+            "write it in terms that it has, or give its function a rule in hophoop.derivatives.rules."
+        )
+
     # --- statements
 
     def _write(self, line: str) -> None:
@@ -146,7 +152,7 @@ class _Writer:
             case ast.Break() | ast.Continue():
                 self._write(ast.unparse(node))
             case _:
-                raise NotImplementedError(ast.unparse(node))
+                raise self._refusal(node)
 
     def _zero(self, node: ast.expr) -> str:
         """Return the tangent of a result that does not change."""
@@ -197,7 +203,7 @@ class _Writer:
                 return self._choice(node)
             case ast.Call():
                 return self._call(node)
-        raise NotImplementedError(ast.unparse(node))
+        raise self._refusal(node)
 
     def _of_field(self, node: ast.Attribute) -> str | None:
         place = ast.unparse(node)
@@ -222,7 +228,7 @@ class _Writer:
                 return quotient, f"(({da + ' - ' if da else '-'}{quotient} * {db}) / {b})"
             case ast.Div():
                 return f"({a} / {b})", da and f"({da} / {b})"
-        raise NotImplementedError(ast.unparse(node))
+        raise self._refusal(node)
 
     def _choice(self, node: ast.IfExp) -> Pair:
         """A conditional expression, as a branch."""

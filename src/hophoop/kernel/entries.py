@@ -76,8 +76,8 @@ ENTRIES: dict[str, tuple[Any, ...]] = {
         Named("hophoop.derivatives.workspace.Solution", (CUBE, CUBE, COUNTS, COUNTS)), WORKSPACE,
     ),
     "hophoop.derivatives.pieces.sampling.sample_tangents": (
-        Body, Named("hophoop.derivatives.pieces.sampling.Pieces", (SEGMENTS, CUBE, TABLE)), ROW, ROW, bool,
-        Named("hophoop.derivatives.pieces.sampling.Samples", (TABLE, CUBE)), WORKSPACE,
+        Body, Named("hophoop.derivatives.workspace.Pieces", (SEGMENTS, CUBE, TABLE)), ROW, ROW, bool,
+        Named("hophoop.derivatives.workspace.Samples", (TABLE, CUBE)), WORKSPACE,
     ),
     "hophoop.derivatives.pieces.energies.fill_energies": (Body, TABLE, CUBE, TABLE, TABLE, CUBE),
     "hophoop.derivatives.pieces.required_friction.need_at_rest": (Body, float),

@@ -17,6 +17,8 @@ def required_friction(body, th0, u0, offset):
     """Return abs(F)/N at an angle that rolling reaches."""
     u = max(rolling_u(body, th0, u0, offset), 0.0)
     s, c = sine_and_cosine(th0 + offset)
+    if body.kap == 0.0:  # the force points at the load, even where it is 0; none is needed with the load on the plane
+        return abs(s) / (1.0 + c) if c > -1.0 else 0.0
     friction, normal = rolling_forces(body, s, c, u, 0.0)
     if friction == 0.0:
         return 0.0
