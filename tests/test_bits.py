@@ -41,7 +41,7 @@ def test_interpreted_motions_have_the_kept_bits() -> None:
 
 @pytest.mark.long
 def test_interpreted_motions_of_every_kind_have_the_kept_bits() -> None:
-    kept = kept_scenarios(every=30)
+    kept = kept_scenarios(every=25)
     assert {each.kind for each in kept} == set(kept_hashes()["kinds"])
     assert differing(computed(kept, "interpreted")) == {}
 

@@ -436,7 +436,7 @@ def test_rolling_resistance_is_an_axis():
             assert float(cell.greatest_utilization) >= np.nanmax(used) - 1e-10
 
 
-@pytest.mark.parametrize("angle, speed", [(0.0, 1.0), (1.0, 0.0)])
+@pytest.mark.parametrize(("angle", "speed"), [(0.0, 1.0), (1.0, 0.0)])
 def test_a_massless_hoop_needs_the_tangent_of_half_the_angle(angle, speed):
     """Where its force vanishes, too: the rim skims from there, and rests with the load on the plane."""
     scenario = hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=hh.Start.rolling(speed, angle=angle), duration=3.0)

@@ -11,7 +11,9 @@ WHERE = {
     "dark": {"color_scheme": "dark"},
     "forced colours": {"forced_colors": "active"},
 }
-PLACES = [(where, locale) for locale in ("en", "de", "es", "fr", "zh") for where in WHERE]
+# Colours are the same in all languages.
+PLACES = [("dark", "en"), ("forced colours", "en")]
+PLACES += [(where, locale) for locale in ("en", "de", "es", "fr", "zh") for where in ("desktop", "phone", "narrow")]
 # Each leads from the state before.
 STATES = {
     "simple": "null",
