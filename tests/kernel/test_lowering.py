@@ -36,6 +36,11 @@ def by_loops(value, more=2):
 
 
 @noinline
+def spread(one, other):
+    return abs(one - other)
+
+
+@noinline
 def long_one(value):
     return by_loops(value)
 
@@ -115,6 +120,18 @@ def test_a_change_of_a_callee_compiles_its_callers_only_if_it_gives_another_type
     assert compiled("x - more") == ("float64", ["callee"])
     assert compiled("x > more") == ("int64", ["callee", "caller"])
     assert compiled("x > more") == ("int64", [])
+
+
+@pytest.mark.parametrize("damaged", [b"", b"\x80\x05\x95", b"cnothing\nat all\n.", b"garbage"])
+def test_a_damaged_file_of_an_earlier_build_is_made_again(tmp_path, monkeypatch, damaged):
+    monkeypatch.setenv("HOPHOOP_BUILD_CACHE", str(tmp_path))
+    monkeypatch.setattr(lowering, "_parts", {})
+    made = lowering.part_of(spread, (lowering.types.float64, lowering.types.float64))
+    (file,) = tmp_path.iterdir()
+    file.write_bytes(damaged)
+    lowering._parts.clear()
+    assert lowering.part_of(spread, (lowering.types.float64, lowering.types.float64)) == made
+    assert file.read_bytes() != damaged
 
 
 def test_a_dispatcher_has_the_bits_of_the_interpreter():

@@ -90,7 +90,7 @@ def _kept(kernel: Any, file: Path) -> Part | None:
     """Return a kernel's part of an earlier build, unless a callee gives something else now."""
     try:
         part: Part = pickle.loads(file.read_bytes())
-    except (OSError, AttributeError, ImportError):  # there is none, or one with a type that has moved
+    except Exception:  # there is none, a damaged one, or one with a type that has moved: pickle raises anything
         return None
     callees = {name_of(callee): callee for callee in called(kernel)}  # a generated tangent is no attribute of its module
     current = all(part_of(callees[name], kinds).gives() == expected for name, kinds, expected in part.calls.values())
