@@ -73,13 +73,6 @@ def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
     return file.read_text(encoding="utf-8")
 
 
-def bitcode(text: str) -> bytes:
-    """LLVM's code in the form that the build takes."""
-    import llvmlite.binding as llvm
-
-    return llvm.parse_assembly(text).as_bitcode()
-
-
 def short_hash(*words: str) -> str:
     """A part of a file's name."""
     return hashlib.sha256(" ".join(words).encode()).hexdigest()[:16]
@@ -100,14 +93,17 @@ def why_no_program(processor: str) -> str:
 
 
 def program(processor: str, folder: Path) -> Path:
-    """The kernel's entries as a static program for a processor."""
+    """The kernel's entries as a static program for a processor, with its assembly next to it."""
+    import llvmlite.binding as llvm
+
     triple, target = PROCESSORS[processor]
-    machine, code = optimized(bitcode(code_of(NATIVE)), NATIVE, triple, features=FEATURES.get(processor, ""))
-    compiled, made = folder / f"{processor}.o", folder / f"kernel-{processor}"
-    compiled.write_bytes(machine.emit_object(code))
+    code = llvm.parse_assembly(code_of(NATIVE)).as_bitcode()
+    machine, code = optimized(code, NATIVE, triple, features=FEATURES.get(processor, ""))
+    assembly, made = folder / f"kernel-{processor}.s", folder / f"kernel-{processor}"
+    assembly.write_text(machine.emit_assembly(code), encoding="utf-8")
     subprocess.run(
         [sys.executable, "-m", "ziglang", "cc", "-target", target, "-O2", "-ffp-contract=off", "-static",
-         str(FOLDER / "native.c"), str(HERE / "nrt.c"), str(compiled), "-o", str(made), "-lm"],
+         str(FOLDER / "native.c"), str(HERE / "nrt.c"), str(assembly), "-o", str(made), "-lm"],
         check=True,
     )  # fmt: skip
     return made
