@@ -18,7 +18,6 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-import typer
 from typer.testing import CliRunner
 
 import hophoop
@@ -125,9 +124,8 @@ def _commands(content: str, place: str) -> list[str]:
 @cache
 def options(name: str) -> set[str]:
     """Every option of a command."""
-    group = typer.main.get_command(hophoop.cli.app)
-    command = group.get_command(group.make_context("hophoop", [], resilient_parsing=True), name)
-    parameters = () if command is None else command.params
+    known = name in hophoop.cli.COMMANDS + hophoop.cli.RESEARCH
+    parameters = hophoop.cli.command_of(name).params if known else ()
     return {"--help", *(flag for parameter in parameters for flag in (*parameter.opts, *parameter.secondary_opts))}
 
 

@@ -55,7 +55,7 @@ def commands() -> str:
     """Every command with its arguments and options, and first those that most of them share."""
     group = typer.main.get_command(hophoop.cli.app)
     context = group.make_context("hophoop", [], resilient_parsing=True)
-    known = {name: group.get_command(context, name) for name in group.list_commands(context)}
+    known = {name: hophoop.cli.command_of(name) for name in group.list_commands(context)}
     sharing = [name for name, command in known.items() if "--v0" in flags(command)]
     parts = [
         "## Options that make a scenario\n",

@@ -1,6 +1,7 @@
 """`hophoop fit` and `hophoop plan`, as a person or a script calls them."""
 
 import json
+from functools import wraps
 
 import numpy as np
 import pytest
@@ -78,8 +79,10 @@ def test_a_chain_that_is_stopped_says_no_more_than_that(table, monkeypatch):
 
 def test_the_lab_opens_a_fit(table, tmp_path, monkeypatch):
     pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+    from hophoop.lab.server import app as server
+
     opened = []
-    monkeypatch.setattr("hophoop.lab.server.app.serve", lambda **given: opened.append(given))
+    monkeypatch.setattr(server, "serve", wraps(server.serve)(lambda **given: opened.append(given)))
     file = tmp_path / "fit.json"
     done = call("fit", table, "--radius", 0.3, "--save", file, "--lab", "--quiet")
     assert done.exit_code == 0, done.output

@@ -2,10 +2,12 @@
 
 import json
 import math
+from functools import wraps
 
 import pytest
 
 from cli_tools import run
+from hophoop.gaits import finding
 
 HOP = ["gait", "--slope-deg", "3", "--gamma", "0.5", "--near", "8.68"]
 
@@ -107,7 +109,7 @@ def test_a_branch_is_followed_and_drawn(tmp_path):
     ],
 )
 def test_what_cannot_be_followed_is_refused_before_the_search(arguments, message, monkeypatch):
-    monkeypatch.setattr("hophoop.gaits.finding.find", lambda *_, **__: pytest.fail("it looks for gaits"))
+    monkeypatch.setattr(finding, "find", wraps(finding.find)(lambda *_, **__: pytest.fail("it looks for gaits")))
     found = run(*FOLLOW, *arguments)
     assert found.exit_code == 2
     assert message in found.stderr

@@ -1,11 +1,13 @@
 """What the command line says to someone who types what the Python pages or another language would write."""
 
+import dataclasses
 import socket
 
 import pytest
 from typer.testing import CliRunner
 
-from hophoop.cli import app
+from hophoop.cli import app, command_of
+from hophoop.tracking import Hints
 
 
 def said(*arguments):
@@ -54,3 +56,13 @@ def test_a_port_in_use_leads_to_a_free_one():
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         assert "0 takes a free port" in said("lab", "--no-browser", "--port", taken.getsockname()[1])
+
+
+def test_an_option_is_declared_where_its_value_is_used():
+    """Type, default and text are those of the dataclass; the command names the option and its place in the help."""
+    options = {option.name: option for option in command_of("track").params}
+    for field in dataclasses.fields(Hints):
+        assert options[field.name].default == field.default, field.name
+    assert options["level"].opts == ["--level-deg"]
+    assert options["level"].help == "Rise of a level line to the right in the picture, degrees."
+    assert options["ring"].help == "The rim against its background: auto, dark or light."

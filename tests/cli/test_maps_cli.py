@@ -1,6 +1,7 @@
 """`hophoop map`, as a person or a script calls it."""
 
 import re
+from functools import wraps
 from types import SimpleNamespace
 
 import numpy as np
@@ -11,7 +12,7 @@ from typer.testing import CliRunner
 import hophoop as hh
 from hophoop import maps
 from hophoop.cli import app
-from hophoop.maps.grid import memory
+from hophoop.maps.grid import memory, sweeping
 
 AXES = ["--axis", "plane.mu=0.2:1.8:9", "--axis", "start.speed=0.1,2,3.1,5"]
 
@@ -142,10 +143,11 @@ def test_a_netcdf_map_that_cannot_be_written_in_the_end_is_not_begun(monkeypatch
 
 @pytest.mark.parametrize(("name", "place"), [("map.zarr", "map.zarr"), ("map.nc", "map.nc.part.zarr")])
 def test_what_was_stopped_before_it_began_keeps_nothing(monkeypatch, tmp_path, name, place):
+    @wraps(sweeping.sweep)
     def stopped(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("hophoop.maps.grid.sweeping.sweep", stopped)
+    monkeypatch.setattr(sweeping, "sweep", stopped)
     out = tmp_path / name
     arguments = ("--axis", "plane.mu=0.5:1:2", "--axis", "start.speed=1:2:2", "--out", out, "--quiet")
     assert call(*arguments).stderr == "Stopped.\n"

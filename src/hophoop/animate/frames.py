@@ -32,17 +32,19 @@ class Timing:
     Attributes
     ----------
     fps : float or None
-        Frames per second of film; None for the default of the format [1/s].
+        Pictures per second; by default 60, in 3D 30, in a gif 25 [1].
     speed : float
-        Seconds of motion per second of film, outside of slow motion [1].
+        Seconds of motion per second of film [1].
     slow_at : str, float or sequence of them
         Kinds of events, or times [s], with slow motion around them.
     slow_factor : float
         Factor of the slow motion [1].
     slow_width : float or None
-        Duration of the slow motion before and after, in the motion's time; None for √(R/g)/2 [s].
-    start, end : float or None
-        Shown part of the motion [s].
+        Duration of the slow motion before and after, in the motion's time [s]; by default √(R/g)/2.
+    start : float
+        First time to show [s].
+    end : float or None
+        Last time to show [s]; by default the motion's end.
     step : {'time', 'angle'}
         Quantity that several motions have in common in each frame.
     """

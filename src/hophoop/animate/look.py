@@ -73,12 +73,17 @@ class Look3D:
     size : (int, int)
         Width and height in pixels; a scene fills its window [1].
     theme : {'light', 'dark', 'print'}
+        Colours.
     camera : {'chase', 'side', 'orbit', 'hold'}
         Next to the hoop and a little behind, perpendicular to it, orbiting it, or at rest with a view of the whole path.
     labels : sequence of str or None
         One line per motion; None for its parameters.
-    traces, forces, shadows : bool
-        Whether to draw them.
+    traces : bool
+        Draw the traces.
+    forces : bool
+        Draw the contact forces.
+    shadows : bool
+        Cast shadows, in 3D.
     """
 
     size: tuple[int, int] = (1280, 720)

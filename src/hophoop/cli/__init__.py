@@ -1,7 +1,8 @@
 """The command line: each command parses, calls one public function and prints.
 
-A command is a function in a module of the same name: `hophoop map` is `map` in ``cli/map.py``. Modules are loaded on use,
-and heavy imports are inside the functions, so that ``hophoop --help`` is fast.
+A command is a function in a module of the same name: `hophoop map` is `map` in ``cli/map.py``; its docstring lists its options,
+see ``cli/_options.py``. They are made for the command that runs, and heavy imports are inside the functions, so that
+``hophoop --help`` is fast.
 """
 
 from __future__ import annotations
@@ -10,7 +11,6 @@ import sys
 import traceback
 from collections.abc import Sequence
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
 import typer
@@ -33,21 +33,16 @@ class Commands(TyperGroup):
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Return the names of the commands."""
-        return [name for name in COMMANDS + RESEARCH if find_spec(f"hophoop.cli.{name}") is not None]
+        return [*COMMANDS, *RESEARCH]
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
-        """Return the command of a name, or None."""
-        if cmd_name not in self.list_commands(ctx):
-            return None
-        module = import_module(f"hophoop.cli.{cmd_name}")
-        one = typer.Typer(add_completion=False)
-        one.command(
-            cmd_name,
-            cls=getattr(module, "COMMAND_CLASS", None),
-            rich_help_panel="Research" if cmd_name in RESEARCH else None,
-            context_settings={"help_option_names": ["-h", "--help"]},
-        )(getattr(module, cmd_name))
-        return typer.main.get_command(one)
+        """Return a command of a name for lists, without its options, or None."""
+        return command_of(cmd_name, brief=True) if cmd_name in self.list_commands(ctx) else None
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> tuple[str | None, Any, list[str]]:
+        """Return the command to run, with its options."""
+        name, command, rest = super().resolve_command(ctx, args)
+        return name, command and command_of(str(name)), rest
 
     def make_context(self, *args: Any, **extra: Any) -> Any:
         """Read the options; --help and --version print here."""
@@ -74,7 +69,7 @@ class Commands(TyperGroup):
         except InputError as error:
             from hophoop.cli._output import in_options
 
-            raise Failed(str(in_options(error, self._options(ctx)))) from error
+            raise Failed(str(in_options(error, _flags(ctx.invoked_subcommand)))) from error
         except (OSError, MissingExtra) as error:
             from hophoop.scenario.sentences import sentence
 
@@ -88,26 +83,16 @@ class Commands(TyperGroup):
         """Refuse an empty file name, which pathlib would read as the current folder."""
         if not any(word == "" or word.endswith("=") for word in words):
             return
-        from typing import get_type_hints
-
         name = next((word for word in words if not word.startswith("-")), "")
-        command = self.get_command(None, name)
-        if command is None:
+        if name not in self.list_commands(None):
             return
-        hints = get_type_hints(getattr(import_module(f"hophoop.cli.{name}"), name))
-        files = {flag for one in command.params if "Path" in str(hints.get(one.name)) for flag in one.opts if flag[0] == "-"}
+        command = command_of(name)
+        kinds = command.callback.__annotations__
+        files = {flag for one in command.params if "Path" in str(kinds.get(one.name)) for flag in one.opts if flag[0] == "-"}
         for word, following in zip(words, [*words[1:], None], strict=True):
             flag = word.removesuffix("=")
             if flag in files and (word != flag or following == ""):
                 raise Failed(f"{flag} = '' must name a file or a folder.")
-
-    def _options(self, ctx: Any) -> dict[str, str]:
-        """Map Python argument names to option names; scenario options keep their paths."""
-        from hophoop.cli._options import OPTIONS
-
-        flags = {one.name: max(one.opts, key=len) for one in self.get_command(ctx, ctx.invoked_subcommand).params}
-        paths = {option.flag for option in OPTIONS if "assign" in flags}
-        return {name: flag for name, flag in flags.items() if flag.startswith("--") and flag not in paths}
 
     def main(
         self,
@@ -133,6 +118,34 @@ class Commands(TyperGroup):
                     raise
                 status = _report_failure(error, stopping)
             sys.exit(status if isinstance(status, int) else DONE)
+
+
+def command_of(name: str, brief: bool = False) -> Any:
+    """Return the command of a name; a brief one has no options."""
+    module = import_module(f"hophoop.cli.{name}")
+    function = getattr(module, name)
+    from hophoop.cli._options import declared, summary
+
+    one = typer.Typer(add_completion=False)
+    one.command(
+        name,
+        cls=getattr(module, "COMMAND_CLASS", None),
+        help=summary(function),
+        rich_help_panel="Research" if name in RESEARCH else None,
+        context_settings={"help_option_names": ["-h", "--help"]},
+    )((lambda: None) if brief else declared(function))
+    return typer.main.get_command(one)
+
+
+def _flags(name: str) -> dict[str, str]:
+    """Map Python argument names to options of a command; options of a scenario keep their paths."""
+    from hophoop.cli._options import OPTIONS
+
+    flags = {one.name: max(one.opts, key=len) for one in command_of(name).params}
+    paths = {option.flag for option in OPTIONS} if "assign" in flags else set()
+    if paths:
+        flags.pop("start", None)  # of the scenario, too
+    return {name: flag for name, flag in flags.items() if flag.startswith("--") and flag not in paths}
 
 
 def _is_short_of_memory(error: BaseException) -> bool:

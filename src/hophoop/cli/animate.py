@@ -3,96 +3,72 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from hophoop.cli._options import Quiet, assigned, panel, value_of, with_scenario
+from hophoop.cli._options import assigned, value_of
 from hophoop.cli._output import check_folder, named_options
 
-in_picture, in_pace, in_compare = panel("Picture"), panel("Pace"), panel("Comparison")
 
-
-@with_scenario
 def animate(
     scenario: Any,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "--out",
-            metavar="FILE",
-            help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html, "
-            "an interactive scene.",
-            show_default=False,
-        ),
-    ],
-    three_d: Annotated[bool, in_picture("--3d", help="In three dimensions.")] = False,
-    size: Annotated[str, in_picture(metavar="WxH", help="Width and height in pixels.")] = "1280x720",
-    theme: Annotated[str, in_picture(help="light, dark or print.")] = "light",
-    camera: Annotated[
-        str | None,
-        in_picture(
-            help="follow or hold; with --3d chase, side, orbit or hold.",
-        ),
-    ] = None,
-    panel: Annotated[
-        list[str] | None,
-        in_picture(
-            help="An animated plot, not with --3d: velocity, energy, forces, utilization or phase; may be repeated.",
-        ),
-    ] = None,
-    traces: Annotated[bool, in_picture(help="Draw the traces.")] = True,
-    forces: Annotated[bool, in_picture(help="Draw the contact forces.")] = True,
-    shadows: Annotated[bool, in_picture(help="Cast shadows, with --3d.")] = True,
-    fps: Annotated[
-        float | None,
-        in_pace(help="Pictures per second; by default 60, with --3d 30, in a gif 25."),
-    ] = None,
-    speed: Annotated[float, in_pace(help="Seconds of motion per second of film.")] = 1.0,
-    slow_at: Annotated[
-        list[str] | None,
-        in_pace(
-            metavar="EVENT|TIME",
-            help="Slow motion around events of a kind, such as takeoff, or a time in s; may be repeated.",
-        ),
-    ] = None,
-    slow_factor: Annotated[float, in_pace(help="Factor of the slow motion.")] = 8.0,
-    slow_width: Annotated[
-        float | None,
-        in_pace(
-            help="Duration of the slow motion before and after, in the motion's time, s.",
-        ),
-    ] = None,
-    begin: Annotated[float, in_pace("--from", help="First time to show, s.")] = 0.0,
-    end: Annotated[
-        float | None,
-        in_pace("--to", help="Last time to show, s."),
-    ] = None,
-    others: Annotated[
-        list[str] | None,
-        in_compare(
-            "--with",
-            metavar="FILE",
-            help="Another scenario to show; may be repeated.",
-        ),
-    ] = None,
-    vary: Annotated[
-        str | None,
-        in_compare(
-            metavar="PATH=A,B,…",
-            help="Show the scenario for several values of a parameter, such as plane.mu=0.3,1.",
-        ),
-    ] = None,
-    overlay: Annotated[bool, in_compare("--overlay", help="Show all in one view.")] = False,
-    step: Annotated[str, in_compare(help="Common quantity of the motions in a frame: time or angle.")] = "time",
-    label: Annotated[
-        list[str] | None,
-        in_compare(help="Label of a motion, in their order; may be repeated."),
-    ] = None,
-    quiet: Quiet = False,
+    out: Path,
+    timing: Annotated[Any, "hophoop.animate:Timing"],
+    look: Annotated[Any, "hophoop.animate:Look3D"],
+    three_d: bool = False,
+    size: str = "1280x720",
+    camera: str | None = None,
+    panel: Sequence[str] | None = None,
+    others: list[str] | None = None,
+    vary: str | None = None,
+    overlay: bool = False,
+    quiet: bool = False,
 ) -> None:
-    """Make a film of one motion or of several, with traces and forces to scale."""
+    """Make a film of one motion or of several, with traces and forces to scale.
+
+    Options
+    -------
+    out
+        Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html, an interactive scene.
+    quiet
+
+    Picture
+    -------
+    three_d : --3d
+        In three dimensions.
+    size : WxH
+        Width and height in pixels.
+    theme
+    camera
+        follow or hold; with --3d chase, side, orbit or hold.
+    panel
+        An animated plot, not with --3d: velocity, energy, forces, utilization or phase.
+    traces, forces, shadows
+
+    Pace
+    ----
+    fps, speed
+    slow_at : EVENT|TIME
+        Slow motion around events of a kind, such as takeoff, or a time in s.
+    slow_factor, slow_width
+    start : --from
+    end : --to
+
+    Comparison
+    ----------
+    others : --with FILE
+        Another scenario to show.
+    vary : PATH=A,B,…
+        Show the scenario for several values of a parameter, such as plane.mu=0.3,1.
+    overlay
+        Show all in one view.
+    step
+    labels : --label
+        Label of a motion, in their order.
+    """
     from hophoop._support.extras import need
     from hophoop.cli import NO_ANSWER, say
     from hophoop.scenario import InputError, Scenario
@@ -111,37 +87,18 @@ def animate(
     need("matplotlib", "films")  # in the extra 'plots', which 'films' includes
     from hophoop import animate as films
 
-    with named_options({"start": "--from", "panels": "--panel", "labels": "--label"}):
-        slow = tuple(_mark(text) for text in slow_at or ())
-        timing = films.Timing(
-            fps=fps,
-            speed=speed,
-            slow_at=slow,
-            slow_factor=slow_factor,
-            slow_width=slow_width,
-            start=begin,
-            end=end,
-            step=step,
-        )
-        common: dict[str, Any] = {
-            "size": (int(match[1]), int(match[2])),
-            "theme": theme,
-            "labels": label or None,
-            "traces": traces,
-            "forces": forces,
-        }
+    with named_options({"start": "--from", "panels": "--panel"}):
+        pace = films.Timing(**timing)
+        shown: dict[str, Any] = {"size": (int(match[1]), int(match[2])), **({} if camera is None else {"camera": camera})}
         with films.bar(out.name, quiet=quiet) as progress:
             if not three_d:
-                look = films.Look(
-                    camera=camera or "follow", panels=panel or (), layout="overlay" if overlay else "side", **common
-                )
-                films.film(motions, out, timing, look, progress)
+                look.pop("shadows")
+                layout = "overlay" if overlay else "side"
+                films.film(motions, out, pace, films.Look(panels=panel or (), layout=layout, **shown, **look), progress)
+            elif out.suffix.lower() == ".html":
+                films.scene(motions, out, pace, films.Look3D(**shown, **look))
             else:
-                space = films.Look3D(camera=camera or "chase", shadows=shadows, **common)
-                if out.suffix.lower() == ".html":
-                    films.scene(motions, out, timing, space)
-                else:
-                    films.film_3d(motions, out, timing, space, progress)
+                films.film_3d(motions, out, pace, films.Look3D(**shown, **look), progress)
     if not quiet:
         say(f"Wrote {out}.")
     for motion in motions:
@@ -155,10 +112,3 @@ def _variations(scenario: Any, vary: str | None) -> list[Any]:
         return [scenario]
     path, values = assigned("--vary", vary, "a path and values, such as plane.mu=0.3,1")
     return [scenario.replace(path, value_of(word.strip())) for word in values.split(",")]
-
-
-def _mark(text: str) -> str | float:
-    try:
-        return float(text)
-    except ValueError:
-        return text

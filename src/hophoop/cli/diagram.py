@@ -7,27 +7,37 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from hophoop.cli._options import Picture, Quiet, with_scenario
-
 if TYPE_CHECKING:
     from hophoop.gaits.diagram import Diagram
 
 STORES = (".nc", ".csv")
 
 
-@with_scenario
 def diagram(
     scenario: Any,
-    file: Any,
-    axis: Annotated[str, typer.Option(help="path=first:last:count, path=first:last:count:log or path=a,b,c.")],
-    starts: Annotated[int, typer.Option(help="Starts for each value.")] = 5,
-    passages: Annotated[int, typer.Option(help="The most passages of each motion.")] = 1500,
-    section: Annotated[str, typer.Option(help="bottom (load at the bottom) or landing.")] = "bottom",
-    out: Annotated[Path | None, typer.Option(help="File of the attractors, ending in .nc or .csv.")] = None,
-    plot: Picture = None,
-    quiet: Quiet = False,
+    how: Annotated[Any, "hophoop.gaits.diagram:diagram"],
+    axis: str,
+    file: Any = None,
+    out: Path | None = None,
+    plot: Path | None = None,
+    quiet: bool = False,
 ) -> None:
-    """Compute on what a hoop settles, over a parameter and from several starts; Ctrl-C keeps the values that are done."""
+    """Compute on what a hoop settles, over a parameter and from several starts; Ctrl-C keeps the values that are done.
+
+    Options
+    -------
+    axis
+        path=first:last:count, path=first:last:count:log or path=a,b,c.
+    starts
+        Starts for each value.
+    passages
+        The most passages of each motion.
+    section
+        bottom (load at the bottom) or landing.
+    out
+        File of the attractors, ending in .nc or .csv.
+    plot, quiet
+    """
     from hophoop._support.progress import bar
     from hophoop.cli._output import PICTURES, check_outputs, named_options
     from hophoop.gaits.diagram import diagram as computed
@@ -42,7 +52,7 @@ def diagram(
     if values.dtype.kind != "f":
         raise InputError(f"--axis {axis} must have numbers.")
     with bar(path, quiet=quiet, share=True) as progress:
-        found = computed(scenario, path, values, starts, passages=passages, section=section, progress=progress)
+        found = computed(scenario, path, values, progress=progress, **how)
     _write(found, out, plot)
     if not found.complete:
         raise KeyboardInterrupt

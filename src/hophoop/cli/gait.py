@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from hophoop.cli._options import Json, Picture, Quiet, assigned, numbers, with_scenario
+from hophoop.cli._options import assigned, numbers
 from hophoop.cli._output import print_json, save_picture
 from hophoop.cli._tables import print_table
 
@@ -21,23 +21,33 @@ TITLES = ("sequence", "stable", "multiplier", "speed (m/s)", "hops", "revolution
 SPARE = ("hop (m)", "revolutions", "next boundary", "θ̇ (rad/s)", "hops", "speed (m/s)")
 
 
-@with_scenario
 def gait(
     scenario: Any,
-    period: Annotated[int, typer.Option(help="Passages after which the gait repeats itself, 1 to 64.")] = 1,
-    near: Annotated[float | None, typer.Option(help="Look near this θ̇ at the passage (rad/s).")] = None,
-    fastest: Annotated[float | None, typer.Option(help="Look up to this θ̇ (rad/s).")] = None,
-    section: Annotated[str, typer.Option(help="bottom (load at the bottom) or landing.")] = "bottom",
-    digits: Annotated[int | None, typer.Option(help="Compute the first one again with so many digits.")] = None,
-    follow: Annotated[
-        str | None,
-        typer.Option(metavar="PATH=LOW:HIGH", help="Follow the first one over a parameter: print the branch's special points."),
-    ] = None,
-    plot: Picture = None,
-    json: Json = False,
-    quiet: Quiet = False,
+    search: Annotated[Any, "hophoop.gaits.finding:find"],
+    digits: int | None = None,
+    follow: str | None = None,
+    plot: Path | None = None,
+    json: bool = False,
+    quiet: bool = False,
 ) -> None:
-    """Find the periodic gaits of a hoop on a slope, stable or not, the slowest first, and follow one over a parameter."""
+    """Find the periodic gaits of a hoop on a slope, stable or not, the slowest first, and follow one over a parameter.
+
+    Options
+    -------
+    period
+        Passages after which the gait repeats itself, 1 to 64.
+    near
+        Look near this θ̇ at the passage, rad/s.
+    fastest
+        Look up to this θ̇, rad/s.
+    section
+        bottom (load at the bottom) or landing.
+    digits
+        Compute the first one again with so many digits.
+    follow : PATH=LOW:HIGH
+        Follow the first one over a parameter: print the branch's special points.
+    plot, json, quiet
+    """
     from hophoop._support.progress import bar
     from hophoop.cli._output import PICTURES, check_outputs
     from hophoop.gaits.finding import find
@@ -52,7 +62,7 @@ def gait(
 
         check_digits(digits)
     with bar("looking for gaits", quiet=quiet, share=True) as progress:
-        found = find(scenario, period, near=near, fastest=fastest, section=section, progress=progress)
+        found = find(scenario, progress=progress, **search)
     precise = None if digits is None else found[0].digits(digits)
     branch = None
     if follow is not None:

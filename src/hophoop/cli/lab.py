@@ -10,32 +10,40 @@ import typer
 
 
 def lab(
-    file: Annotated[
-        str | None, typer.Argument(metavar="[FILE]", help="Scenario to open with, or a fit (fit.json); '-' is standard input.")
-    ] = None,
-    host: Annotated[str, typer.Option(help="Address to listen on; 0.0.0.0 answers other machines as well.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option(help="Port to listen on; 0 for a free one.")] = 8765,
-    name: Annotated[list[str] | None, typer.Option(help="Host name of the lab; may be repeated.")] = None,
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
-    film: Annotated[Path | None, typer.Option(metavar="VIDEO", help="With a fit: the tracked film, as the background.")] = None,
-    export: Annotated[
-        Path | None,
-        typer.Option(metavar="DIR", help="Write the lab as a folder of files for any web host instead of serving it."),
-    ] = None,
-    docs: Annotated[
-        str | None,
-        typer.Option(
-            metavar="URL", help="With --export: address of this documentation, for teachers; a URL or a path like ../."
-        ),
-    ] = None,
-    url: Annotated[
-        str | None,
-        typer.Option(
-            metavar="URL", help="With --export: address at which the folder will be, for pictures in previews of links."
-        ),
-    ] = None,
+    server: Annotated[Any, "hophoop.lab.server.app:serve"],
+    file: str | None = None,
+    browser: bool = True,
+    film: Path | None = None,
+    export: Path | None = None,
+    docs: str | None = None,
+    url: str | None = None,
 ) -> None:
-    """Play with the hoop in a browser."""
+    """Play with the hoop in a browser.
+
+    Arguments
+    ---------
+    file : [FILE]
+        Scenario to open with, or a fit (fit.json); '-' is standard input.
+
+    Options
+    -------
+    host
+        Address to listen on; 0.0.0.0 answers other machines as well.
+    port
+        Port to listen on; 0 for a free one.
+    names : --name
+        Host name of the lab.
+    browser
+        Open the page in a browser.
+    film : VIDEO
+        With a fit: the tracked film, as the background.
+    export : DIR
+        Write the lab as a folder of files for any web host instead of serving it.
+    docs : URL
+        With --export: address of this documentation, for teachers; a URL or a path like ../.
+    url : URL
+        With --export: address at which the folder will be, for pictures in previews of links.
+    """
     if export is not None:
         from hophoop.lab.site import export as site
 
@@ -54,9 +62,9 @@ def lab(
         from hophoop.lab.server.app import serve
 
         query = "" if file is None else Scenario.load(file).to_query()
-        serve(host=host, port=port, browser=browser, query=query, names=name or ())
+        serve(browser=browser, query=query, **server)
         return
-    open_fit(found, film, host=host, port=port, browser=browser, names=name or ())
+    open_fit(found, film, browser=browser, **server)
 
 
 def fit_of_file(file: str | None) -> Any:

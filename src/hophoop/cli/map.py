@@ -8,8 +8,6 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperCommand
 
-from hophoop.cli._options import Picture, Quiet
-
 
 def _quantity_names() -> list[str]:
     from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
@@ -47,30 +45,42 @@ COMMAND_CLASS = MapCommand
 
 
 def map(
-    file: Annotated[str | None, typer.Argument(metavar="[FILE]", help="Scenario to vary; '-' is standard input.")] = None,
-    axis: Annotated[
-        list[str] | None,
-        typer.Option(help="path=first:last:count, path=first:last:count:log or path=a,b,c; twice or more."),
-    ] = None,
-    quantity: Annotated[
-        list[str] | None,
-        typer.Option(
-            help="Quantity of the map, by default sequence; may be repeated. See the list below.",
-            autocompletion=_quantity_names,
-        ),
-    ] = None,
-    span: Annotated[
-        str,
-        typer.Option(help="first_revolution, takeoff, reversal, duration, revolutions:N, settled or settled:landing."),
-    ] = "first_revolution",
-    out: Annotated[Path | None, typer.Option(help="File of the map, ending in .zarr or .nc.")] = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Resume a map that was stopped.")] = False,
-    plot: Picture = None,
-    threads: Annotated[int | None, typer.Option(help="Number of cores; by default all.")] = None,
-    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask scheduler, whose workers compute instead.")] = None,
-    quiet: Quiet = False,
+    how: Annotated[Any, "hophoop.maps.grid.sweeping:sweep"],
+    file: str | None = None,
+    axis: list[str] | None = None,
+    quantity: Annotated[list[str] | None, _quantity_names] = None,
+    out: Path | None = None,
+    resume: bool = False,
+    plot: Path | None = None,
+    scheduler: str | None = None,
+    quiet: bool = False,
 ) -> None:
-    """Compute a map over two or more parameters of a scenario (by default the reference hoop)."""
+    """Compute a map over two or more parameters of a scenario (by default the reference hoop).
+
+    Arguments
+    ---------
+    file : [FILE]
+        Scenario to vary; '-' is standard input.
+
+    Options
+    -------
+    axis
+        Two or more parameters with their values: path=first:last:count, path=first:last:count:log or path=a,b,c.
+    quantity
+        Quantity of the map, by default sequence, see the list below.
+    span
+        first_revolution, takeoff, reversal, duration, revolutions:N, settled or settled:landing.
+    out
+        File of the map, ending in .zarr or .nc.
+    resume
+        Resume a map that was stopped.
+    plot
+    threads
+        Number of cores; by default all.
+    scheduler
+        Address of a Dask scheduler, whose workers compute instead.
+    quiet
+    """
     from hophoop._support.stopping import say_when_stopped
     from hophoop.cli._output import PICTURES, check_outputs, named_options, save_picture
     from hophoop.maps.grid.axes import parse_axis
@@ -100,17 +110,7 @@ def map(
         check_memory(shape, ["f8"] * 6, "use fewer values, or --out without --plot")
     say_when_stopped(lambda: _stop_message(out))
     with named_options({"axes": "--axis"}):
-        dataset = sweep(
-            base,
-            axes,
-            quantities,
-            span,
-            out=out,
-            resume=resume,
-            threads=threads,
-            scheduler=scheduler,
-            progress=not quiet,
-        )
+        dataset = sweep(base, axes, quantities, out=out, resume=resume, scheduler=scheduler, progress=not quiet, **how)
     if plot is not None:
         from hophoop.plots.maps import motion_map
 

@@ -7,50 +7,51 @@ from __future__ import annotations
 
 import json as json_text
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
-from hophoop.cli._options import panel, with_scenario
 from hophoop.cli._output import print_json
 
 if TYPE_CHECKING:
     from hophoop.prove import Proof
     from hophoop.prove.proof import ProvedEvent
 
-in_output = panel("Output")
 
-
-@with_scenario
 def prove(
     scenario: Any,
-    file: Any,
-    digits: Annotated[int, typer.Option("--digits", help="Digits that the enclosures determine.")] = 15,
-    until: Annotated[
-        str,
-        typer.Option("--until", help="duration, or revolution: the first of a revolution, a turning point and a take-off."),
-    ] = "duration",
-    check: Annotated[
-        Path | None,
-        typer.Option("--check", metavar="CERTIFICATE", help="Verify a certificate instead; no scenario is read."),
-    ] = None,
-    seconds: Annotated[
-        float | None,
-        typer.Option("--seconds", help="Time limit, s."),
-    ] = None,
-    thresholds: Annotated[
-        str | None,
-        typer.Option(
-            "--thresholds",
-            metavar="KEY,…",
-            help="Prove critical speeds and thresholds instead of a motion: first_slip_speed, first_hop_speed, "
-            "immediate_hop_speed, painleve_friction, needed_friction or all.",
-        ),
-    ] = None,
-    out: Annotated[Path | None, in_output("--out", metavar="FILE", help="Write the result as JSON.")] = None,
-    json: Annotated[bool, in_output("--json", help="Print the result as JSON.")] = False,
+    file: Any = None,
+    digits: int = 15,
+    until: str = "duration",
+    check: Path | None = None,
+    seconds: float | None = None,
+    thresholds: str | None = None,
+    out: Path | None = None,
+    json: bool = False,
 ) -> None:
-    """Prove the events of a motion and enclose them; status 1 if something is undecided."""
+    """Prove the events of a motion and enclose them; status 1 if something is undecided.
+
+    Options
+    -------
+    digits
+        Digits that the enclosures determine.
+    until
+        duration, or revolution: the first of a revolution, a turning point and a take-off.
+    check : CERTIFICATE
+        Verify a certificate instead; no scenario is read.
+    seconds
+        Time limit, s.
+    thresholds : KEY,…
+        Prove critical speeds and thresholds instead of a motion: first_slip_speed, first_hop_speed, immediate_hop_speed,
+        painleve_friction, needed_friction or all.
+
+    Output
+    ------
+    out
+        Write the result as JSON.
+    json
+        Print the result as JSON.
+    """
     from hophoop.cli import NO_ANSWER, say
     from hophoop.cli._output import check_outputs
     from hophoop.cli._thresholds import prove_thresholds

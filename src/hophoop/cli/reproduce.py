@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -21,12 +21,18 @@ STAGES = {
 }
 
 
-def reproduce(
-    out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the report.")] = Path("article"),
-    films: Annotated[bool, typer.Option(help="Make the films, if the extra 'films' is installed.")] = True,
-    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress and no table.")] = False,
-) -> None:
-    """Reproduce the article: figures, films, checked statements, one HTML report."""
+def reproduce(out: Path = Path("article"), films: bool = True, quiet: bool = False) -> None:
+    """Reproduce the article: figures, films, checked statements, one HTML report.
+
+    Options
+    -------
+    out : DIR
+        Folder for the report.
+    films
+        Make the films, if the extra 'films' is installed.
+    quiet
+        Show no progress and no table.
+    """
     from hophoop import article
     from hophoop._support.progress import bar
     from hophoop.cli import NO_ANSWER, say

@@ -4,122 +4,82 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
-
-from hophoop.cli._options import ADVANCED, panel, with_scenario
-from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS
 
 if TYPE_CHECKING:
     from hophoop.scenario import Scenario
     from hophoop.simulation.phases import PhaseRecord
     from hophoop.simulation.trajectory import Trajectory
 
-in_output, in_advanced = panel("Output"), panel(ADVANCED)
 STORES = (".nc", ".zarr", ".zarr.zip")
 CHECK_DIGITS = 25
 
 
-@with_scenario
 def run(
     scenario: Any,
-    file: Any,
-    json: Annotated[bool, in_output("--json", help="Print the whole result as JSON, and nothing else.")] = False,
-    out: Annotated[
-        Path | None,
-        in_output("--out", metavar="FILE", help="The same JSON into a file."),
-    ] = None,
-    csv: Annotated[
-        Path | None,
-        in_output(
-            "--csv",
-            metavar="FILE",
-            help="Sampled states, one per line.",
-        ),
-    ] = None,
-    save: Annotated[
-        Path | None,
-        in_output(
-            "--save",
-            metavar="FILE",
-            help="A file for hophoop.load: .nc, .zarr or .zarr.zip.",
-        ),
-    ] = None,
-    plot: Annotated[
-        Path | None,
-        in_output(
-            "--plot",
-            metavar="FILE",
-            help="The motion on a page: .png, .svg or .pdf.",
-        ),
-    ] = None,
-    samples: Annotated[int, in_output("--samples", help="Number of lines in --csv.")] = 1001,
-    everything: Annotated[
-        bool,
-        in_output(
-            "--all",
-            help=f"Print all rows, not the first {FIRST_ROWS} and the last {LAST_ROWS}.",
-        ),
-    ] = False,
-    errors: Annotated[
-        bool,
-        in_advanced("--errors", help="Print also the estimated errors of the events."),
-    ] = False,
-    explain: Annotated[
-        bool,
-        in_output("--explain", help="Print also why each phase starts and ends, with the margins."),
-    ] = False,
-    sensitivity: Annotated[
-        str | None,
-        in_advanced(
-            "--sensitivity",
-            metavar="OF,…",
-            help="Print, also in the JSON, derivatives of quantities like takeoff.angle,hop.height by the parameters of --wrt.",
-        ),
-    ] = None,
-    wrt: Annotated[
-        str | None,
-        in_advanced(
-            "--wrt",
-            metavar="PATH,…",
-            help="Parameters for --sensitivity, such as plane.mu,start.speed.",
-        ),
-    ] = None,
-    until: Annotated[
-        str | None,
-        typer.Option(
-            "--until",
-            metavar="WORD",
-            help="End earlier: revolutions:N, landings:N, angle:RADIANS, takeoff or reversal.",
-        ),
-    ] = None,
-    quiet: Annotated[bool, in_output("--quiet", help="Print no table.")] = False,
-    digits: Annotated[
-        int | None,
-        in_advanced(
-            "--digits",
-            metavar="N",
-            help="Solve with this number of digits, 15 to 1000: the table, and --json and --out with decimal strings.",
-        ),
-    ] = None,
-    check: Annotated[
-        bool,
-        in_advanced(
-            "--check",
-            help="Print the number of correct digits of each event, by a solution in 25 digits or --digits.",
-        ),
-    ] = False,
-    check_fingerprint: Annotated[
-        str | None,
-        in_advanced(
-            "--check-fingerprint",
-            metavar="HEX",
-            help="Compare the motion's fingerprint with this one, to check that this machine gets the same bits.",
-        ),
-    ] = None,
+    file: Any = None,
+    json: bool = False,
+    out: Path | None = None,
+    csv: Path | None = None,
+    save: Path | None = None,
+    plot: Path | None = None,
+    samples: int = 1001,
+    everything: bool = False,
+    errors: bool = False,
+    explain: bool = False,
+    sensitivity: str | None = None,
+    wrt: str | None = None,
+    until: str | None = None,
+    quiet: bool = False,
+    digits: int | None = None,
+    check: bool = False,
+    check_fingerprint: str | None = None,
 ) -> None:
-    """Compute one motion, from a scenario file or from options."""
+    """Compute one motion, from a scenario file or from options.
+
+    Options
+    -------
+    until : WORD
+        End earlier: revolutions:N, landings:N, angle:RADIANS, takeoff or reversal.
+
+    Output
+    ------
+    json
+        Print the whole result as JSON, and nothing else.
+    out
+        The same JSON into a file.
+    csv
+        Sampled states, one per line.
+    save
+        A file for hophoop.load: .nc, .zarr or .zarr.zip.
+    plot
+        The motion on a page: .png, .svg or .pdf.
+    samples
+        Number of lines in --csv.
+    everything : --all
+        Print all rows of long tables, not only the first and the last ones.
+    explain
+        Print also why each phase starts and ends, with the margins.
+    quiet
+        Print no table.
+
+    Advanced
+    --------
+    errors
+        Print also the estimated errors of the events.
+    sensitivity : OF,…
+        Print, also in the JSON, derivatives of quantities like takeoff.angle,hop.height by the parameters of --wrt.
+    wrt : PATH,…
+        Parameters for --sensitivity, such as plane.mu,start.speed.
+    digits : N
+        Solve with this number of digits, 15 to 1000: the table, and --json and --out with decimal strings.
+    check
+        Print the number of correct digits of each event, by a solution in 25 digits or --digits.
+    check_fingerprint : HEX
+        Compare the motion's fingerprint with this one, to check that this machine gets the same bits.
+    """
     from hophoop._support.fingerprint import DIGITS, is_fingerprint
     from hophoop.cli import NO_ANSWER, _motion, say
     from hophoop.cli._output import PICTURES, check_outputs, named_options, print_json

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from hophoop.cli._options import Json, with_scenario
 from hophoop.cli._output import print_json
 from hophoop.cli._tables import print_table
 
@@ -13,12 +12,13 @@ if TYPE_CHECKING:
     from hophoop.theory import Quantity
 
 
-@with_scenario
-def theory(
-    scenario: Any,
-    json: Json = False,
-) -> None:
-    """Print the thresholds and closed forms of a hoop on its plane."""
+def theory(scenario: Any, json: bool = False) -> None:
+    """Print the thresholds and closed forms of a hoop on its plane.
+
+    Options
+    -------
+    json
+    """
     from hophoop.theory.summary import summary, summary_dict
 
     if json:

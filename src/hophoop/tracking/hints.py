@@ -16,33 +16,36 @@ class Hints:
     Parameters
     ----------
     marker_color : str, default 'auto'
-        Colour of the marker: a name such as 'red', '#rrggbb', or 'none'.
+        Colour of the marker: auto, none, a name such as red, or #rrggbb.
     ring : {'auto', 'dark', 'light'}, default 'auto'
-        Whether the rim is darker or lighter than its background.
+        The rim against its background.
     centre : tuple of float, optional
-        Column and row of the hoop's centre in a frame [pixel].
+        The hoop's centre in a frame [pixels].
     rim : float, optional
-        Radius of the rim in that frame [pixel].
+        Radius of the rim in that frame [pixels].
     at : float, default 0
         Time of that frame [s].
     ground : tuple of float, optional
-        Columns and rows of two points on the line where the rim touches the ground: column, row, column, row [pixel].
+        Two points of the ground line below the rim [pixels]: column, row, column, row.
     level : float, default 0
-        Angle by which a level line rises to the right in the picture [rad].
+        Rise of a level line to the right in the picture [rad].
     slope : float, optional
         Slope of the plane, downhill to the right [rad].
     exposure : float, default 0
-        Exposure time; times of the track are at its middle [s].
+        Exposure time [s]; the times of the track are at its middle.
     row_delay : float, default 0
-        Rolling shutter: delay of the exposure from row to row [s].
+        Rolling shutter: delay from row to row [s].
     rate : float, optional
-        Frames per second as taken, if the file's own times are those of slow motion [Hz].
-    since, until : float, optional
-        Times between which the hoop is tracked, from the first frame of the film [s].
+        Frames per second as taken, if the file is in slow motion [1].
+    since : float, optional
+        Time from which to track [s], from the first frame of the film.
+    until : float, optional
+        Time up to which to track [s].
     tilt : tuple of float, optional
-        Rotation of the plane of motion about the picture's horizontal and vertical axis; (0, 0) is straight on [rad].
+        Rotation of the plane of motion about the picture's horizontal and vertical axis [rad]; 0,0 is without tilt. By
+        default it is found from the film.
     focal : float, optional
-        Focal length of the lens [pixel].
+        Focal length [pixels].
 
     Raises
     ------

@@ -40,19 +40,23 @@ class Reading:
 
     Parameters
     ----------
-    centre, marker : str, optional
-        Names of the points at the rim's centre and at the marker, or of a column of them.
+    centre : str, optional
+        Name of the point at the centre, or of a column of it.
+    marker : str, optional
+        Name of the point at the marker, or of a column of it.
     columns : dict, optional
         Columns as the file spells them, by quantity: t, frame, x, y, marker_x, marker_y, angle, omega, or another one of
         `Track.save`. Columns that are not given are found by their names.
     rate : float, optional
-        Frames per second as taken, if the file numbers the frames or has one row per frame and no times [Hz].
-    since, until : float, optional
-        Times between which the motion is free; other rows are left out [s].
+        Frames per second as taken, if the file has frames, or one row per frame, instead of times [1].
+    since : float, optional
+        Time from which the motion is free [s]; earlier rows are left out.
+    until : float, optional
+        Time up to which it is free [s].
     angle_unit : {'rad', 'deg'}, optional
-        Unit of angles and angular velocities, if the file has none.
+        Unit of angles and angular velocities, if the data lack it.
     radius : float, optional
-        Radius of the rim [m].
+        Radius of the rim [m], if the data lack it.
 
     Raises
     ------
