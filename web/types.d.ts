@@ -222,9 +222,6 @@ interface SceneData {
 
 type MaybeLater<T> = T | Promise<T>;
 
-// A compliant contact as its scenario gives it; null where the default is used.
-type GivenContact = CompliantContact;
-
 // A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
 interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
   radius: number;
@@ -243,7 +240,7 @@ interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
   rolling: boolean; // the scenario has start.speed: theory's numbers of a rolling start are asked for with vx
   duration: number;
   max_events: number;
-  contact: GivenContact | null; // null for rigid contact
+  contact: CompliantContact | null; // null for rigid contact
 }
 
 // What checking a scenario needs of mechanics. All at once: nothing is awaited while a scenario is read.
@@ -336,20 +333,9 @@ interface Fate {
 }
 
 // Rates of events, rows of the module's `changes`: nan where there is no derivative; why, and from which event on.
-interface ChangedEvents {
-  rates: Float64Array;
-  reason: string; // "none", or one of the module's reasons
-  sided: boolean; // towards the other side it is another
-  failed: number;
-}
+type ChangedEvents = ReturnType<import("./kernel/module.ts").HoopModule["side"]>;
 
-interface MotionChanges {
-  count: number;
-  larger: ChangedEvents;
-  smaller: ChangedEvents;
-}
-
-// The same, where a side to which the parameter cannot go has none.
+// Those of both sides, where a side to which the parameter cannot go has none.
 type SidedChanges = { count: number } & Record<"larger" | "smaller", ChangedEvents | null>;
 
 // --- A scenario that has been checked: web/model ---------------------------------------------------------------------

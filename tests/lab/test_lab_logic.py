@@ -63,9 +63,9 @@ def test_a_map_stays_where_its_parameters_are_allowed(js):
         for name, path in (("x", "start.speed"), ("y", "plane.mu")):
             low, high = next(axis["allowed"] for axis in axes if axis["path"] == path)
             assert low <= windows[name][0] < windows[name][1] <= high
-    assert js("map_axes.ts", "return lab.within([-1, 2], [0, 10])") == [0, 3]
-    assert js("map_axes.ts", "return lab.within([8, 12], [0, 10])") == [6, 10]
-    assert js("map_axes.ts", "return lab.within([-5, 50], [0, 10])") == [0, 10]
+    assert js("clamp.ts", "return lab.within([-1, 2], [0, 10])") == [0, 3]
+    assert js("clamp.ts", "return lab.within([8, 12], [0, 10])") == [6, 10]
+    assert js("clamp.ts", "return lab.within([-5, 50], [0, 10])") == [0, 10]
 
 
 def test_the_name_of_an_axis_has_room_beside_its_longest_number(js):

@@ -6,26 +6,11 @@ import type { Computed, HoopModule } from "./module.ts";
 const RATE = 150; // samples a second
 const FEWEST = 240;
 const MOST = 6000;
-const [ROLL, SPIN, SKID] = [0, 1, 2]; // places of the words, and of the modes' letters
+const [SPIN, SKID] = [1, 2]; // places of the words, and of the modes' letters
 
-/** Fields of a state, and of which columns of the module each is the sum. */
-const COLUMNS: Record<string, string[]> = {
-  x: ["x"],
-  height: ["height"],
-  angle: ["angle"],
-  vx: ["vx"],
-  vy: ["vy"],
-  omega: ["omega"],
-  slip: ["slip"],
-  friction_force: ["friction_force"],
-  normal_force: ["normal_force"],
-  kinetic: ["kinetic"],
-  potential: ["potential"],
-  friction_loss: ["friction", "impact_tangential"],
-  normal_loss: ["impact_normal", "damping"],
-  rolling_resistance: ["rolling_resistance"],
-  utilization: ["utilization"],
-};
+/** Fields of a state, each the sum of columns of the module: its own and these. */
+const SUMS = { friction_loss: ["friction", "impact_tangential"], normal_loss: ["impact_normal", "damping"] };
+const COLUMNS = Object.entries({ ...Object.fromEntries(layout.samples.map((name) => [name, [name]])), ...SUMS });
 
 /** `module`: in which the motion was computed last; `window`: times from and to; the whole motion by default. */
 export function columnsOf(module: HoopModule, computed: Computed, window?: [number, number]) {
@@ -88,7 +73,7 @@ export function joined(times: Float64Array, after: Float64Array, sides: Float64A
     place++;
   }
   const columns: Record<string, Column> = { t };
-  for (const [name, parts] of Object.entries(COLUMNS)) {
+  for (const [name, parts] of COLUMNS) {
     // from −0, so that a sum of one part has all its bits
     const column = new Float64Array(size).fill(-0);
     for (const part of parts) {
@@ -114,5 +99,3 @@ function wordsOf(states: Float64Array, size: number, omega: Column) {
   }
   return words;
 }
-
-export { ROLL };

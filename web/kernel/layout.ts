@@ -34,7 +34,7 @@ export const cellOf = (given: Given) => Float64Array.from(READ, (read) => read(g
  * A compliant contact's numbers in the order of `layout.compliant`; nan is what it chooses by itself, and all of a
  * rigid one.
  */
-export function contactOf(contact: GivenContact | null) {
+export function contactOf(contact: CompliantContact | null) {
   const values: Record<string, any> = contact
     ? {
         ...contact,

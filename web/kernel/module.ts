@@ -39,6 +39,21 @@ export class HoopModule implements Mechanics {
     if (failed) throw new Error(`The kernel ended ${name} with ${failed}.`);
   }
 
+  /** Numbers that an entry writes where its last argument says. */
+  answer(name: string, count: number, ...values: number[]) {
+    const out = this.memory.room("answers", 8 * count);
+    this.call(name, ...values, out);
+    return [...this.memory.floats(out, count)];
+  }
+
+  cell(given: Given) {
+    return this.memory.put("cell", cellOf(given));
+  }
+
+  contact({ contact }: Given) {
+    return this.memory.put("contact", contactOf(contact));
+  }
+
   // --- motions --------------------------------------------------------------------------------
 
   /** Computes a motion; its events stay in memory for what follows. */
@@ -48,13 +63,18 @@ export class HoopModule implements Mechanics {
     for (;;) {
       const table = memory.room("table", 8 * width * this.mostEvents);
       const heads = memory.room("heads", 8 * layout.heads.length);
-      if (given.contact) this.computeCompliant(given, given.contact, table, heads);
-      else this.computeRigid(given, table, heads);
+      const events = memory.room("events", layout.event_bytes * this.mostEvents);
+      if (given.contact) this.computeCompliant(given, events, table, heads);
+      else {
+        const segments = memory.room("segments", layout.segment_bytes * this.mostSegments);
+        this.call("motion", this.cell(given), events, this.mostEvents, segments, this.mostSegments, table, heads);
+      }
       const head = memory.floats(heads, layout.heads.length).slice();
       const count = head[HEAD.events];
       const more = count === this.mostEvents && count < given.max_events;
       if (more) this.mostEvents *= 4;
-      if (head[HEAD.status] === BUFFER) this.makeRoom(given, head[HEAD.segments]);
+      if (head[HEAD.status] === BUFFER && given.contact) this.mostRows = head[HEAD.segments];
+      else if (head[HEAD.status] === BUFFER) this.mostSegments *= 4;
       else if (!more) {
         const rows = memory.floats(table, count * width).slice();
         return { given, head, rows, count, duration: head[HEAD.duration], segments: head[HEAD.segments] };
@@ -62,39 +82,12 @@ export class HoopModule implements Mechanics {
     }
   }
 
-  computeRigid(given: Given, table: number, heads: number) {
-    const { memory } = this;
-    const cell = memory.put("cell", cellOf(given));
-    const events = memory.room("events", layout.event_bytes * this.mostEvents);
-    const segments = memory.room("segments", layout.segment_bytes * this.mostSegments);
-    this.call("motion", cell, events, this.mostEvents, segments, this.mostSegments, table, heads);
-  }
-
-  computeCompliant(given: Given, contact: GivenContact, table: number, heads: number) {
-    const { memory } = this;
+  computeCompliant(given: Given, events: number, table: number, heads: number) {
     const guess = Math.min(FIRST_ROWS + ROWS * given.duration, MOST_STEPS);
     this.mostRows = Math.max(this.mostRows, Math.ceil(guess));
-    const cell = memory.put("cell", cellOf(given));
-    const numbers = memory.put("contact", contactOf(contact));
-    const events = memory.room("events", layout.event_bytes * this.mostEvents);
-    const rows = memory.room("rows", layout.compliant_segment_bytes * this.mostRows);
-    this.call(
-      "compliant_motion",
-      cell,
-      numbers,
-      events,
-      this.mostEvents,
-      MOST_STEPS,
-      rows,
-      this.mostRows,
-      table,
-      heads,
-    );
-  }
-
-  makeRoom(given: Given, wanted: number) {
-    if (given.contact) this.mostRows = wanted;
-    else this.mostSegments *= 4;
+    const rows = this.memory.room("rows", layout.compliant_segment_bytes * this.mostRows);
+    const asked = [this.cell(given), this.contact(given), events, this.mostEvents, MOST_STEPS];
+    this.call("compliant_motion", ...asked, rows, this.mostRows, table, heads);
   }
 
   motion(given: Given): ComputedMotion {
@@ -113,8 +106,8 @@ export class HoopModule implements Mechanics {
   /** A film's columns at one time, of a motion that was computed elsewhere. `pieces`: of the motion. */
   instant(given: Given, pieces: Uint8Array, time: number) {
     const segments = pieces.length / (given.contact ? layout.compliant_segment_bytes : layout.segment_bytes);
-    this.memory.put("cell", cellOf(given));
-    if (given.contact) this.memory.put("contact", contactOf(given.contact));
+    this.cell(given);
+    this.contact(given);
     const times = Float64Array.of(time);
     const states = this.states({ given, segments }, times, false, this.placeOf(pieces));
     const none = new Float64Array(0);
@@ -174,7 +167,7 @@ export class HoopModule implements Mechanics {
    * The rates of all events with one parameter: how they change where it becomes larger, and where it becomes
    * smaller. `rates`: of the cell, with the parameter.
    */
-  changes(given: Given, rates: Float64Array): MotionChanges {
+  changes(given: Given, rates: Float64Array) {
     const { memory } = this;
     const computed = this.compute(given);
     const more = memory.put("rates", rates);
@@ -184,7 +177,7 @@ export class HoopModule implements Mechanics {
     return { count: computed.count, larger, smaller };
   }
 
-  side({ count, segments, head }: Computed, more: number, sign: 1 | -1): ChangedEvents {
+  side({ count, segments, head }: Computed, more: number, sign: 1 | -1) {
     const { memory } = this;
     const size = count * layout.changes.length;
     const out = memory.room("changes", 8 * size);
@@ -203,10 +196,7 @@ export class HoopModule implements Mechanics {
 
   /** What becomes of a rigid motion in the end, after at most so many passages of the bottom. */
   fate(given: Given, most: number): Fate {
-    const { memory } = this;
-    const out = memory.room("fate", 8 * layout.fate.length);
-    this.call("fate", memory.put("cell", cellOf(given)), most, out);
-    const values = memory.floats(out, layout.fate.length);
+    const values = this.answer("fate", layout.fate.length, this.cell(given), most);
     const found = Object.fromEntries(layout.fate.map((name, k) => [name, values[k]]));
     return { ...found, fate: layout.fates[found.fate] } as Fate;
   }
@@ -214,12 +204,8 @@ export class HoopModule implements Mechanics {
   // --- theory ---------------------------------------------------------------------------------
 
   thresholds(given: Given): TheoryNumbers {
-    const { memory } = this;
-    const cell = memory.put("cell", cellOf(given));
-    const out = memory.room("answers", 8 * layout.thresholds.length);
-    const starts = given.rolling && given.angle === 0;
-    this.call("thresholds", cell, starts ? given.vx : Number.NaN, out);
-    const values = memory.floats(out, layout.thresholds.length);
+    const speed = given.rolling && given.angle === 0 ? given.vx : Number.NaN;
+    const values = this.answer("thresholds", layout.thresholds.length, this.cell(given), speed);
     const found: Record<string, number | null> = Object.fromEntries(
       layout.thresholds.map((name, k) => [name, Number.isNaN(values[k]) ? null : values[k]]),
     );
@@ -233,10 +219,9 @@ export class HoopModule implements Mechanics {
 
   regions(given: Given, [left, right, bottom, top]: [number, number, number, number], columns: number, rows: number) {
     const { memory } = this;
-    const cell = memory.put("cell", cellOf(given));
     const modes = memory.room("modes", columns * rows);
     const sides = memory.room("sides", 2 * columns);
-    this.call("regions", cell, left, right, bottom, top, columns, rows, modes, sides);
+    this.call("regions", this.cell(given), left, right, bottom, top, columns, rows, modes, sides);
     const { buffer } = this.exports.memory;
     return {
       modes: new Uint8Array(buffer, modes, columns * rows).slice(),
@@ -255,23 +240,16 @@ export class HoopModule implements Mechanics {
     this.call("map_cells", place, count, angle ?? Number.NaN, stop, timed, wanted, numbers, words, keys);
     const { buffer } = this.exports.memory;
     if (what === "sequence") return sequencesOf(new BigUint64Array(buffer, keys, count * layout.keys), count);
-    const values = new Float64Array(count);
-    if (what in WORD) {
-      const codes = new Int32Array(buffer, words, count * layout.words.length);
-      for (let k = 0; k < count; k++) values[k] = codes[k * layout.words.length + WORD[what]];
-    } else {
-      const found = memory.floats(numbers, count * layout.numbers.length);
-      for (let k = 0; k < count; k++) values[k] = found[k * layout.numbers.length + NUMBER[what]];
-    }
-    return { values };
+    const column = (table: Float64Array | Int32Array, place: number) =>
+      Float64Array.from({ length: count }, (_, k) => table[(k * table.length) / count + place]);
+    if (what in WORD) return { values: column(new Int32Array(buffer, words, count * layout.words.length), WORD[what]) };
+    return { values: column(memory.floats(numbers, count * layout.numbers.length), NUMBER[what]) };
   }
 
   // --- mechanics that checking a scenario needs -------------------------------------------------
 
   ideal(loadFraction: number) {
-    const out = this.memory.room("answers", 8 * layout.thresholds.length);
-    this.call("ideal_hoop", loadFraction, out);
-    return this.memory.floats(out, 1)[0];
+    return this.answer("ideal_hoop", 1, loadFraction)[0];
   }
 
   /**
@@ -279,18 +257,14 @@ export class HoopModule implements Mechanics {
    * needs.
    */
   refused(given: Given): [code: number, number: number] {
-    const cell = this.memory.put("cell", cellOf(given));
-    const contact = this.memory.put("contact", contactOf(given.contact));
-    const out = this.memory.room("answers", 8 * layout.thresholds.length);
-    this.call("refused", cell, contact, Number(!given.contact), out);
-    const [code, number] = this.memory.floats(out, 2);
-    return [code, number];
+    const asked = [this.cell(given), this.contact(given), Number(!given.contact)];
+    return this.answer("refused", 2, ...asked) as [number, number];
   }
 
   combine(radius: number, parts: WholePart[]) {
     const { memory } = this;
     const rows = memory.put("parts", parts.flatMap(rowOf));
-    const out = memory.room("answers", 8 * layout.thresholds.length);
+    const out = memory.room("hoop", 8 * 3);
     const reaches = memory.room("reaches", 8 * parts.length);
     this.call("hoop_of_parts", radius, rows, parts.length, out, reaches);
     const [mass, eccentricity, inertia_ratio] = memory.floats(out, 3);
@@ -299,11 +273,7 @@ export class HoopModule implements Mechanics {
 
   /** What a compliant contact chooses by itself, in SI units. */
   chosen(given: Given): Record<string, number> {
-    const cell = this.memory.put("cell", cellOf(given));
-    const contact = this.memory.put("contact", contactOf(given.contact));
-    const out = this.memory.room("answers", 8 * layout.thresholds.length);
-    this.call("compliance", cell, contact, out);
-    const values = this.memory.floats(out, layout.chosen.length);
+    const values = this.answer("compliance", layout.chosen.length, this.cell(given), this.contact(given));
     return Object.fromEntries(layout.chosen.map((name, place) => [name, values[place]]));
   }
 }

@@ -3,29 +3,18 @@
 const ROUNDED = 1e-9; // of the velocities: within it a start's own slip agrees with them
 
 export function given({ duration, hoop, plane, start, contact }: Checked): Given {
-  const { radius, mass, eccentricity, inertia_ratio } = hoop;
+  const { load_fraction, parts, ...ofHoop } = hoop;
   const { mu, apart, ...ofPlane } = plane;
-  const { x, height, angle, vx, vy, omega, slip, mode } = stateOf(start, radius);
   const { max_events, model, ...rest } = contact;
   return {
-    radius,
-    mass,
-    eccentricity,
-    inertia_ratio,
-    ideal: hoop.load_fraction !== null,
+    ...ofHoop,
+    ideal: load_fraction !== null,
     ...ofPlane,
-    x,
-    height,
-    angle,
-    vx,
-    vy,
-    omega,
-    slip,
-    mode,
+    ...stateOf(start, hoop.radius),
     rolling: start.speed !== null,
     duration,
     max_events,
-    contact: model === "rigid" ? null : (rest as unknown as GivenContact),
+    contact: model === "rigid" ? null : (rest as unknown as CompliantContact),
   };
 }
 

@@ -231,7 +231,7 @@ FLOWS = {
     "a refused click on the map is said in sight": ("", {}, [
         UNTIL_SETTLED,
         "do scrollTo(0, first('.map-body').getBoundingClientRect().top - 50)",
-        "do lab.map.onmotion([['hoop.load_fraction', 1], ['plane.slope', 0.1]])",
+        "do lab.motions.change([['hoop.load_fraction', 1], ['plane.slope', 0.1]], true)",
         "until seen('.toast') && text('.toast').includes('plane.slope')",
         "is (({ top, bottom }) => top >= 0 && bottom <= innerHeight)(first('.toast').getBoundingClientRect())",
     ]),
@@ -285,7 +285,7 @@ FLOWS = {
         "press +",
         "until lab.phase.pictures.length === 2",
         *(9 * ["press -"]),
-        "is lab.phase.window[1] === lab.phase.reach() && lab.phase.pictures.length === 1",
+        "is lab.phase.window[1] === lab.phase.reach && lab.phase.pictures.length === 1",
     ]),
     "a part that comes after the whole was asked for is not shown": ("", {}, [
         *PLANE,

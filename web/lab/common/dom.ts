@@ -95,6 +95,7 @@ export function theme(element: HTMLElement) {
     paper: read("--paper"),
     panel: read("--panel"),
     ground: read("--ground"),
+    accent: read("--accent"),
     font: given("--font"),
     px: Number.parseFloat(style.fontSize) / LETTERS || 1,
     dark: luminance(read("--paper")) < 0.2,

@@ -31,6 +31,21 @@ export function disc(context: Pen, [x, y]: number[], radius: number) {
   context.fill();
 }
 
+/** The head of an arrow, from its tip against its direction. */
+export function arrowHead(context: Pen, [x, y]: number[], [ux, uy]: number[], length: number) {
+  const [bx, by, half] = [x - ux * length, y - uy * length, 0.5 * length];
+  fill(context, [x, y], [bx - uy * half, by + ux * half], [bx + uy * half, by - ux * half]);
+}
+
+/** Twice: broad in the paper's colour, then thinner in its own. */
+export function outlined(context: Pen, paper: [string, number], ink: [string, number], draw: (width: number) => void) {
+  for (const [color, width] of [paper, ink]) {
+    context.strokeStyle = context.fillStyle = color;
+    context.lineWidth = width;
+    draw(width);
+  }
+}
+
 /** Words with a rim of the paper's colour. */
 export function haloed(context: Pen, text: string, [x, y]: number[], ink: string, paper: string) {
   context.lineWidth = 4;

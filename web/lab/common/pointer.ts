@@ -4,6 +4,12 @@
 export const focused = (element: HTMLElement | null) =>
   element !== null && (element.getRootNode() as Document | ShadowRoot).activeElement === element;
 
+/** Where an event is on an element, in so many pixels. */
+export function placeOn(element: Element, { clientX, clientY }: Point, pixels = 1) {
+  const { left, top } = element.getBoundingClientRect();
+  return [(clientX - left) / pixels, (clientY - top) / pixels];
+}
+
 /**
  * One press: `move` follows the finger, `end` gets the last event and whether the finger was lifted (or taken away).
  */

@@ -6,6 +6,7 @@ import { clamp } from "../common/clamp.ts";
 import { show, withUnit } from "../common/numbers.ts";
 import { Parts, partsLike } from "./parts.ts";
 import { t } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
 
 const DEGREE = Math.PI / 180;
 const CONTACT = ["model", "law", "friction", "stiffness", "slip_speed", "restitution"];
@@ -24,54 +25,54 @@ function rangeOf({ allowed, degrees }: SliderInfo): NumberRange | undefined {
 
 class Slider {
   held = false;
-  range: HTMLInputElement;
-  entry: Entry;
-  element: HTMLDivElement;
+  id = `hh-${this.info.path}-${Math.random().toString(36).slice(2, 7)}`;
+  range = h("input", {
+    type: "range",
+    id: this.id,
+    class: "slider",
+    min: String(this.place(this.info.least)),
+    max: String(this.place(this.info.most)),
+    step: this.info.logarithmic ? "0.01" : String(this.info.step),
+    "data-path": this.info.path,
+    oninput: () => this.slid(false),
+    onchange: () => this.slid(true),
+    onpointerdown: () => this.hold(true),
+    onpointerup: () => this.hold(false),
+    onpointercancel: () => this.hold(false),
+    onblur: () => this.hold(false),
+  });
+  entry = new Entry(
+    {
+      ...this.info,
+      name: {
+        key: `controls.exact_value${this.info.unit && "_unit"}`,
+        values: { name: this.info.label, unit: this.info.unit },
+      },
+      range: rangeOf(this.info),
+    },
+    (value) => this.send(value, true),
+  );
+  element = h(
+    "div",
+    { class: "control", title: this.info.help },
+    h("label", { for: this.id }, h("span", {}, this.info.label), h("span", { class: "symbol" }, this.info.symbol)),
+    this.range,
+    h("span", { class: "entry" }, this.entry.input, h("span", { class: "unit" }, this.info.unit)),
+    this.entry.error,
+  );
 
   constructor(
     readonly info: SliderInfo,
     public onchange: (changes: Change[], commit: boolean) => void,
-  ) {
-    const id = `hh-${info.path}-${Math.random().toString(36).slice(2, 7)}`;
-    const hold = (held: boolean) => () => {
-      this.held = held;
-    };
-    this.range = h("input", {
-      type: "range",
-      id,
-      class: "slider",
-      min: String(this.low()),
-      max: String(this.high()),
-      step: info.logarithmic ? "0.01" : String(info.step),
-      "data-path": info.path,
-      oninput: () => this.slid(false),
-      onchange: () => this.slid(true),
-      onpointerdown: hold(true),
-      onpointerup: hold(false),
-      onpointercancel: hold(false),
-      onblur: hold(false),
-    });
-    const { label, unit } = info;
-    const name: Phrase = unit
-      ? { key: "controls.exact_value_unit", values: { name: label, unit } }
-      : { key: "controls.exact_value", values: { name: label } };
-    this.entry = new Entry({ label, unit, name, range: rangeOf(info) }, (value) => this.send(value, true));
-    this.element = h(
-      "div",
-      { class: "control", title: info.help },
-      h("label", { for: id }, h("span", {}, label), h("span", { class: "symbol" }, info.symbol)),
-      this.range,
-      h("span", { class: "entry" }, this.entry.input, h("span", { class: "unit" }, unit)),
-      this.entry.error,
-    );
+  ) {}
+
+  hold(held: boolean) {
+    this.held = held;
   }
 
-  low() {
-    return this.info.logarithmic ? Math.log10(this.info.least) : this.info.least;
-  }
-
-  high() {
-    return this.info.logarithmic ? Math.log10(this.info.most) : this.info.most;
+  /** Where a value is on the slider. */
+  place(value: number) {
+    return this.info.logarithmic ? Math.log10(value) : value;
   }
 
   slid(commit: boolean) {
@@ -107,7 +108,7 @@ class Slider {
     this.entry.show(!own ? "" : Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "∞");
     this.entry.input.placeholder = own ? "" : t("controls.auto_value", { value: show(shown, 2) });
     this.entry.input.title = own ? withUnit(String(shown), this.info.unit) : "";
-    const place = clamp(this.info.logarithmic ? Math.log10(shown) : shown, this.low(), this.high());
+    const place = this.place(clamp(shown, this.info.least, this.info.most));
     if (Math.abs(Number(this.range.value) - place) > 1e-6) this.range.value = String(place);
     this.say(shown);
   }
@@ -124,36 +125,79 @@ function choice(info: ChoiceInfo, onchange: (changes: Change[], commit: boolean)
 }
 
 export class Controls {
-  way: { select: HTMLSelectElement; element: HTMLElement };
-  kind: { select: HTMLSelectElement; element: HTMLElement };
-  gravity: { select: HTMLSelectElement; element: HTMLElement };
-  apart: HTMLInputElement;
-  derived: HTMLElement;
   film: Film;
   broken: Entry | null = null; // a rule between fields, by the value of this one
 
-  sliders: Map<string, Slider> = new Map();
-  onchange: (changes: Change[], commit?: boolean) => void;
-  choices: Map<string, { element: HTMLLabelElement; select: HTMLSelectElement; path: string }>;
-  parts: Parts;
-  gravities: [string, number][];
-  element: HTMLDivElement;
+  onchange = (changes: Change[], commit = true) => this.lab.motions.change(changes, commit);
+  setup = this.lab.setup.controls;
+  sliders = new Map(
+    Object.values(this.setup.groups)
+      .flat()
+      .map((info) => [info.path, new Slider(info, this.onchange)]),
+  );
+  choices = new Map(this.setup.choices.map((info) => [info.path, choice(info, this.onchange)]));
+  parts = new Parts(this.onchange);
+  gravities = this.setup.gravities as [string, number][];
+  way = this.select(
+    "controls.hoop_definition",
+    {
+      load_fraction: "controls.by_load_fraction",
+      eccentricity: "controls.by_eccentricity",
+      parts: "controls.by_parts",
+    },
+    (way) => {
+      const { values } = this.film;
+      if (way === "parts") this.onchange([["hoop.parts", partsLike(values)]]);
+      else this.onchange([[`hoop.${way}`, values["hoop.eccentricity"]]]);
+    },
+  );
+  derived = h("p", { class: "derived" });
+  apart = h("input", {
+    type: "checkbox",
+    onchange: () => {
+      const { values } = this.film;
+      const names = this.apart.checked ? ["mu_static", "mu_kinetic"] : ["mu"];
+      this.onchange(names.map((name) => [`plane.${name}`, values[`plane.${name}`] ?? values["plane.mu_static"]]));
+    },
+  });
+  gravity = this.select(
+    "controls.gravity_place",
+    { ...Object.fromEntries(this.gravities.map(([name]) => [name, name])), "": "controls.gravity_other" },
+    (name) => {
+      const found = this.gravities.find(([known]) => known === name);
+      if (found) this.onchange([["plane.gravity", found[1]]]);
+    },
+  );
+  kind = this.select(
+    "controls.start_kind",
+    { rolling: "controls.start_rolling", free: "controls.start_free" },
+    (kind) => {
+      const { values } = this.film;
+      if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
+      else this.onchange([["start.omega", values["start.omega"]]]);
+    },
+  );
+  element = h(
+    "div",
+    { class: "controls" },
+    this.group(
+      "controls.hoop",
+      this.way.element,
+      ...this.of("hoop", { "hoop.radius": [this.parts.element, this.derived] }),
+    ),
+    this.group(
+      "controls.plane",
+      ...this.of("plane", {
+        "plane.slope": [h("label", { class: "check" }, this.apart, "controls.two_frictions")],
+        "plane.gravity": [this.gravity.element],
+      }),
+    ),
+    this.group("controls.start", this.kind.element, ...this.of("start"), this.at("duration")),
+    // what few visitors ask for; closed at first
+    this.group("controls.advanced", ...ADVANCED.map((path) => this.at(path)), this.lab.story.fingerprint),
+  );
 
-  /** `signature`: of the motion, shown with what few visitors ask for. */
-  constructor(
-    setup: ControlsInfo,
-    onchange: (changes: Change[], commit: boolean) => void,
-    readonly signature: HTMLElement,
-  ) {
-    this.onchange = (changes: Change[], commit = true) => onchange(changes, commit);
-    for (const list of Object.values(setup.groups)) {
-      for (const info of list) this.sliders.set(info.path, new Slider(info, this.onchange));
-    }
-    this.choices = new Map(setup.choices.map((info) => [info.path, choice(info, this.onchange)]));
-    this.parts = new Parts(this.onchange);
-    this.gravities = setup.gravities as [string, number][];
-    this.element = h("div", { class: "controls" }, this.hoop(), this.plane(), this.start(), this.advanced());
-  }
+  constructor(readonly lab: Lab) {}
 
   at(path: string) {
     const found = this.sliders.get(path) ?? this.choices.get(path);
@@ -182,76 +226,9 @@ export class Controls {
 
   group(title: string, ...children: HTMLElement[]) {
     // on a phone all of it would be a long way to scroll
-    const open =
-      title !== "controls.advanced" &&
-      (title === "controls.start" || title === "controls.plane" || !matchMedia("(max-width: 47.5em)").matches);
+    const wide = !matchMedia("(max-width: 47.5em)").matches;
+    const open = title === "controls.start" || title === "controls.plane" || (wide && title === "controls.hoop");
     return h("details", { class: "group", open }, h("summary", {}, title), children);
-  }
-
-  hoop() {
-    this.way = this.select(
-      "controls.hoop_definition",
-      {
-        load_fraction: "controls.by_load_fraction",
-        eccentricity: "controls.by_eccentricity",
-        parts: "controls.by_parts",
-      },
-      (way) => {
-        const { values } = this.film;
-        if (way === "parts") this.onchange([["hoop.parts", partsLike(values)]]);
-        else this.onchange([[`hoop.${way}`, values["hoop.eccentricity"]]]);
-      },
-    );
-    this.derived = h("p", { class: "derived" });
-    return this.group(
-      "controls.hoop",
-      this.way.element,
-      ...this.of("hoop", { "hoop.radius": [this.parts.element, this.derived] }),
-    );
-  }
-
-  plane() {
-    this.apart = h("input", {
-      type: "checkbox",
-      onchange: () => {
-        const { values } = this.film;
-        if (this.apart.checked) {
-          this.onchange([
-            ["plane.mu_static", values["plane.mu_static"]],
-            ["plane.mu_kinetic", values["plane.mu_kinetic"]],
-          ]);
-        } else this.onchange([["plane.mu", values["plane.mu_static"]]]);
-      },
-    });
-    this.gravity = this.select(
-      "controls.gravity_place",
-      { ...Object.fromEntries(this.gravities.map(([name]) => [name, name])), "": "controls.gravity_other" },
-      (name: string) => {
-        const found = this.gravities.find(([known]) => known === name);
-        if (found) this.onchange([["plane.gravity", found[1]]]);
-      },
-    );
-    const apart = h("label", { class: "check" }, this.apart, "controls.two_frictions");
-    const before = { "plane.slope": [apart], "plane.gravity": [this.gravity.element] };
-    return this.group("controls.plane", ...this.of("plane", before));
-  }
-
-  start() {
-    this.kind = this.select(
-      "controls.start_kind",
-      { rolling: "controls.start_rolling", free: "controls.start_free" },
-      (kind: string) => {
-        const { values } = this.film;
-        if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
-        else this.onchange([["start.omega", values["start.omega"]]]);
-      },
-    );
-    return this.group("controls.start", this.kind.element, ...this.of("start"), this.at("duration"));
-  }
-
-  /** What few visitors ask for; closed at first. */
-  advanced() {
-    return this.group("controls.advanced", ...ADVANCED.map((path) => this.at(path)), this.signature);
   }
 
   /** A change that was refused is said at its field, if it is one that is seen. */
@@ -284,11 +261,8 @@ export class Controls {
     }
     this.film = film;
     this.showChoices(film, waiting);
-    const sections: Record<string, any> = film.scenario;
     for (const [path, slider] of this.sliders) {
-      if (waiting.has(path)) continue;
-      const [section, key] = path.split(".");
-      slider.show(film.values[path] ?? (key ? sections[section]?.[key] : sections[section]), film.automatic?.[path]);
+      if (!waiting.has(path)) slider.show(film.value(path), film.automatic[path]);
     }
   }
 
@@ -325,11 +299,7 @@ export class Controls {
         ? ""
         : `ε = ${show(values["hoop.eccentricity"], 5)}, κ = ${show(values["hoop.inertia_ratio"], 5)}` +
           (way === "parts" ? `, m = ${show(values["hoop.mass"], 5)} kg` : "");
-    const sections: Record<string, any> = scenario;
-    for (const [path, { select }] of this.choices) {
-      if (waiting.has(path)) continue;
-      const [section, key] = path.split(".");
-      if (sections[section]?.[key] !== undefined) select.value = sections[section][key];
-    }
+    for (const [path, { select }] of this.choices)
+      if (!waiting.has(path)) select.value = film.value(path) ?? select.value;
   }
 }

@@ -3,52 +3,27 @@
 import { disc, ring } from "../common/paint.ts";
 import { hoopInk } from "../common/colors.ts";
 import { drawnAs, strokeThrough } from "./crowd.ts";
-import { scaledContext, h, once } from "../common/dom.ts";
-import { clamp } from "../common/clamp.ts";
+import { h, once } from "../common/dom.ts";
+import { clamp, modulo, scaled } from "../common/clamp.ts";
+import { Diagram, LEFT, TOP } from "./diagram.ts";
+import { placeOn } from "../common/pointer.ts";
+import { name } from "../words/words.ts";
 import { niceStep } from "../common/numbers.ts";
 import { axes, hatch, pictureOf } from "./phase_picture.ts";
-import { BOTTOM, LEFT, RIGHT, TOP } from "./plot_axes.ts";
 import { swatch } from "./swatch.ts";
 import { byFingers, zoomable } from "../common/zoom.ts";
 
-export class PhasePlane {
-  films: Film[];
-  active: number;
-  look: Look;
-  box: Box;
+export class PhasePlane extends Diagram {
   window: number[] | null;
   pictures: { window: number[]; paradox: Column; picture: HTMLCanvasElement }[];
-  reached: number;
+  reach: number;
   forwards: boolean;
   backwards: boolean;
   keyed: boolean;
   sharpening: AbortController;
 
-  canvas = h("canvas", { class: "plot-canvas" });
-  over = h("canvas", { class: "plot-canvas plot-over" });
-  keys = h("div", { class: "plot-keys" });
   hatched = h("span", { hidden: true }, "phase.hatched", " ");
   asked = "";
-  body = h(
-    "div",
-    { class: "plot-body", role: "figure", tabindex: "0", "aria-label": "phase.label" },
-    this.canvas,
-    this.over,
-  );
-  element = h(
-    "section",
-    { class: "phase" },
-    h("header", {}, h("h3", {}, "phase.title"), this.keys),
-    this.body,
-    h(
-      "p",
-      { class: "hint" },
-      "phase.colours",
-      " ",
-      this.hatched,
-      byFingers() ? "phase.hint_touch" : "phase.hint_mouse",
-    ),
-  );
   pinched = zoomable(this.body, {
     zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
     home: () => this.home(),
@@ -62,12 +37,16 @@ export class PhasePlane {
     public clock: Clock,
     public colors: Colors,
   ) {
+    super({ class: "phase" }, "phase.title");
+    const hint = byFingers() ? "phase.hint_touch" : "phase.hint_mouse";
+    this.element.append(h("p", { class: "hint" }, "phase.colours", " ", this.hatched, hint));
+    name(this.body, "aria-label", "phase.label");
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
   }
 
   /** The regions belong to hoop and plane alone: they are asked for when those change, or the reach grows. */
   async fetch(scenario: Scenario, signal: AbortSignal | undefined) {
-    const reach = this.reach();
+    const reach = this.reach;
     const key = JSON.stringify([scenario.hoop, scenario.plane, reach]);
     if (key !== this.asked) {
       const whole = await this.painted(scenario, [0, 2 * Math.PI, -reach, reach], signal);
@@ -103,10 +82,6 @@ export class PhasePlane {
     return { window, paradox, picture: pictureOf(modes, paradox.length / 2, this.colors.modes) };
   }
 
-  reach() {
-    return this.reached;
-  }
-
   // How far up the diagram goes: past nearly all of the motion, to a round number.
   findReach() {
     let most = 0;
@@ -129,7 +104,7 @@ export class PhasePlane {
   isWhole() {
     const [low, high] = this.range;
     const wide = high - low >= 2 * Math.PI - 1e-9;
-    return wide && (!this.window || this.window[1] - this.window[0] >= 2 * this.reach() - 1e-9);
+    return wide && (!this.window || this.window[1] - this.window[0] >= 2 * this.reach - 1e-9);
   }
 
   // No finer part, nor one that is still being computed.
@@ -140,9 +115,8 @@ export class PhasePlane {
 
   /** θ and θ̇ under a pointer. */
   point(event: Point) {
-    const box = this.body.getBoundingClientRect();
-    const across = ((event.clientX - box.left) / this.look.px - LEFT) / this.box.width;
-    const up = 1 - ((event.clientY - box.top) / this.look.px - TOP) / this.box.height;
+    const [x, y] = placeOn(this.body, event, this.look.px);
+    const [across, up] = [(x - LEFT) / this.box.width, 1 - (y - TOP) / this.box.height];
     return [
       this.range[0] + across * (this.range[1] - this.range[0]),
       this.bottom() + up * (this.top() - this.bottom()),
@@ -154,13 +128,10 @@ export class PhasePlane {
   }
 
   zoomAbout([th, om]: number[], factor: number) {
-    const low = Math.max(th - (th - this.range[0]) * factor, 0);
-    const high = Math.min(th + (this.range[1] - th) * factor, 2 * Math.PI);
-    const reach = this.reach();
-    const down = Math.max(om - (om - this.bottom()) * factor, -reach);
-    const up = Math.min(om + (this.top() - om) * factor, reach);
-    this.range = [low, high];
-    this.window = [down, up];
+    const reach = this.reach;
+    const window = scaled([this.bottom(), this.top()], om, factor);
+    this.range = scaled(this.range, th, factor).map((angle) => clamp(angle, 0, 2 * Math.PI));
+    this.window = window.map((rate) => clamp(rate, -reach, reach));
     if (this.isWhole()) this.wholeAgain();
     else this.soon();
     this.redraw();
@@ -168,18 +139,18 @@ export class PhasePlane {
 
   bottom() {
     if (this.window) return this.window[0];
-    return this.backwards ? -this.reach() : 0;
+    return this.backwards ? -this.reach : 0;
   }
 
   top() {
-    return this.window ? this.window[1] : this.forwards ? this.reach() : 0.12 * this.reach();
+    return this.window ? this.window[1] : this.forwards ? this.reach : 0.12 * this.reach;
   }
 
   draw(films: Film[], active: number, look: Look) {
     this.films = films;
     this.active = active;
     this.look = look;
-    this.reached = this.findReach();
+    this.reach = this.findReach();
     this.forwards = films.some((film) => film.columns.omega.some((value) => value > 0.3));
     this.backwards = films.some((film) => film.columns.omega.some((value) => value < -0.3));
     if (!this.forwards && !this.backwards) this.forwards = true;
@@ -197,13 +168,8 @@ export class PhasePlane {
   redraw() {
     if (!this.films) return;
     const { colors, look } = this;
-    const { context, width, height } = scaledContext(this.canvas, look.px);
-    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
-    context.clearRect(0, 0, width, height);
-    context.save();
-    context.beginPath();
-    context.rect(LEFT, TOP, this.box.width, this.box.height);
-    context.clip();
+    const context = this.begin();
+    this.clip(context);
     if (this.pictures) {
       context.imageSmoothingEnabled = false;
       for (const { picture, window } of this.pictures) {
@@ -253,7 +219,7 @@ export class PhasePlane {
       go(angle[i] - lap * turn, omega[i]);
       last = Number.isFinite(omega[i]) ? lap : Number.NaN;
     }
-    const { broad, band } = drawnAs(xs, ys, new DOMRect(LEFT, TOP, this.box.width, this.box.height));
+    const { broad, band } = drawnAs(xs, ys, this.frame());
     context.lineWidth = lane ? Math.min(broad, 1.2) : broad;
     context.setLineDash(lane ? [4, 3] : []);
     context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
@@ -264,23 +230,19 @@ export class PhasePlane {
     context.setLineDash([]);
   }
 
-  spot({ angle, omega }: Pose) {
-    const turn = 2 * Math.PI;
-    return [this.x(angle - Math.floor(angle / turn) * turn), this.y(omega)];
+  spot({ angle, omega }: Pick<Pose, "angle" | "omega">) {
+    return [this.x(modulo(angle, 2 * Math.PI)), this.y(omega)];
   }
 
   cursor(time: number) {
     if (!this.films || !this.box) return;
-    const { context, width, height } = scaledContext(this.over, this.look.px);
-    context.clearRect(0, 0, width, height);
+    const context = this.beginOver();
     const { pointed } = this.clock;
     if (pointed !== null) {
       const [x, y] = this.spot(this.films[this.active].at(pointed));
       context.strokeStyle = this.look.ink;
       context.lineWidth = 1.5;
-      for (const radius of [6, 10]) {
-        ring(context, [x, y], radius);
-      }
+      for (const radius of [6, 10]) ring(context, [x, y], radius);
     }
     this.films.forEach((film, lane) => {
       const pose = film.at(time);
@@ -301,16 +263,14 @@ export class PhasePlane {
 
   /** The moment of the motion that passes nearest to where the finger points. */
   seek(event: PointerEvent) {
-    const box = this.body.getBoundingClientRect();
-    const [px, py] = [event.clientX - box.left, event.clientY - box.top].map((at) => at / this.look.px);
+    const [px, py] = placeOn(this.body, event, this.look.px);
     if (this.pinched()) return;
     const film = this.films[this.active];
     const { angle, omega } = film.columns;
-    const turn = 2 * Math.PI;
     let best = { distance: Infinity, t: 0 };
     for (let i = 0; i < film.length; i++) {
-      const th = angle[i] - Math.floor(angle[i] / turn) * turn;
-      const distance = Math.hypot(this.x(th) - px, this.y(omega[i]) - py);
+      const [x, y] = this.spot({ angle: angle[i], omega: omega[i] });
+      const distance = Math.hypot(x - px, y - py);
       if (distance < best.distance) best = { distance, t: film.t[i] };
     }
     if (best.distance < 40) this.clock.seek(clamp(best.t, 0, film.duration));

@@ -6,7 +6,7 @@ import { faded, parsed } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
 import { niceStep, tickText, ticks } from "../common/numbers.ts";
-import { LEFT, TOP } from "./plot_axes.ts";
+import { LEFT, TOP } from "./diagram.ts";
 import { t } from "../words/words.ts";
 import type { PhasePlane } from "./phase.ts";
 

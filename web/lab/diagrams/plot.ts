@@ -4,23 +4,20 @@ import { disc, haloed, stroke } from "../common/paint.ts";
 import { axisFont } from "../common/axes.ts";
 import { faded, hoopInk, readable } from "../common/colors.ts";
 import { type Crowd, drawnAs, strokeThrough } from "./crowd.ts";
-import { scaledContext, h } from "../common/dom.ts";
-import { clamp } from "../common/clamp.ts";
+import { h } from "../common/dom.ts";
+import { clamp, scaled } from "../common/clamp.ts";
+import { Diagram, LEFT, RIGHT, TOP } from "./diagram.ts";
 import { show } from "../common/numbers.ts";
-import { BOTTOM, grid, heightsOf, LEFT, RIGHT, TOP } from "./plot_axes.ts";
-import { follow } from "../common/pointer.ts";
+import { grid, heightsOf } from "./plot_axes.ts";
+import { follow, placeOn } from "../common/pointer.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { DASHES, swatch } from "./swatch.ts";
-import { t } from "../words/words.ts";
+import { name, t } from "../words/words.ts";
 import { zoomable } from "../common/zoom.ts";
 
 export type Drawn = Curve & { film: Film; lane: number; number: number };
 
-export class Plot {
-  films: Film[];
-  active: number;
-  look: Look;
-  box: Box;
+export class Plot extends Diagram {
   range: number[];
   heights: number[];
   cut: { low: string; high: string } | null = null; // what the axis upwards leaves out
@@ -33,12 +30,11 @@ export class Plot {
   unit: PlotDefinition["unit"];
   curves: PlotDefinition["curves"];
   limits: PlotDefinition["limits"];
-  body: HTMLDivElement;
-  element: HTMLElement;
-  pinched: () => boolean;
-  canvas = h("canvas", { class: "plot-canvas" });
-  over = h("canvas", { class: "plot-canvas plot-over" });
-  keys = h("div", { class: "plot-keys" });
+  pinched = zoomable(this.body, {
+    zoom: (factor, at) => this.films && this.zoomAbout(at ? this.valueAt(at) : this.middle(), 1 / factor),
+    home: () => this.zoomTo(null),
+    keys: true,
+  });
   onseek: (time: number) => void = () => {};
 
   /** `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots. */
@@ -46,25 +42,10 @@ export class Plot {
     definition: PlotDefinition,
     public shared: PlotShared,
   ) {
-    const { key, title } = Object.assign(this, definition);
-    this.body = h(
-      "div",
-      { class: "plot-body", tabindex: "0", role: "figure", "aria-label": title },
-      this.canvas,
-      this.over,
-    );
-    this.element = h(
-      "section",
-      { class: "plot", "data-plot": key },
-      h("header", {}, h("h3", {}, title), this.keys),
-      this.body,
-    );
+    super({ class: "plot", "data-plot": definition.key }, definition.title);
+    Object.assign(this, definition);
+    name(this.body, "aria-label", this.title);
     this.body.addEventListener("pointerdown", (event) => this.press(event));
-    this.pinched = zoomable(this.body, {
-      zoom: (factor, at) => this.films && this.zoomAbout(at ? this.valueAt(at) : this.middle(), 1 / factor),
-      home: () => this.zoomTo(null),
-      keys: true,
-    });
   }
 
   abscissa(film: Film) {
@@ -95,9 +76,7 @@ export class Plot {
   /** Curves and axes of what was taken; the cursor has its own canvas above. */
   draw(colors: Colors) {
     const { films, active } = this;
-    const { context, width, height } = scaledContext(this.canvas, this.look.px);
-    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
-    context.clearRect(0, 0, width, height);
+    const context = this.begin();
     const drawn = films.flatMap((film, lane) =>
       this.shades(film, lane)
         .map((curve, number) => ({ ...curve, film, lane, number }))
@@ -106,10 +85,7 @@ export class Plot {
     this.heights = this.limits ?? this.findHeights(drawn);
     if (this.shared.axis === "time") this.bands(context, films[active], colors);
     grid(context, this);
-    context.save();
-    context.beginPath();
-    context.rect(LEFT, TOP, this.box.width, this.box.height);
-    context.clip();
+    this.clip(context);
     const banded = drawn.map((curve) => this.curve(context, curve)).some(Boolean);
     const first = films.map((_, lane) => drawn.find((curve) => curve.lane === lane));
     if (films.length > 1) for (const curve of first) if (curve) this.letter(context, curve);
@@ -185,7 +161,7 @@ export class Plot {
       }
     }
     context.strokeStyle = context.fillStyle = color ?? this.look.ink;
-    const { broad, band } = drawnAs(xs, ys, new DOMRect(LEFT, TOP, this.box.width, this.box.height));
+    const { broad, band } = drawnAs(xs, ys, this.frame());
     if (band) this.band(context, band);
     context.lineWidth = broad;
     context.setLineDash(DASHES[dash ?? "solid"]);
@@ -266,8 +242,7 @@ export class Plot {
 
   cursor(time: number) {
     if (!this.heights) return; // not drawn yet
-    const { context, width, height } = scaledContext(this.over, this.look.px);
-    context.clearRect(0, 0, width, height);
+    const context = this.beginOver();
     this.films.forEach((film, lane) => {
       const now = film.moment(time);
       const x = this.x(this.abscissa(now)[0]);
@@ -302,22 +277,21 @@ export class Plot {
   }
 
   valueAt(event: Point) {
-    const box = this.body.getBoundingClientRect();
     const { px } = this.look;
-    const share = clamp(((event.clientX - box.left) / px - LEFT) / (box.width / px - LEFT - RIGHT), 0, 1);
+    const [x] = placeOn(this.body, event, px);
+    const share = clamp((x - LEFT) / (this.body.clientWidth / px - LEFT - RIGHT), 0, 1);
     return this.range[0] + share * (this.range[1] - this.range[0]);
   }
 
   press(event: PointerEvent) {
     if (!this.films) return;
-    const box = this.body.getBoundingClientRect();
-    const start = (event.clientX - box.left) / this.look.px;
+    const [start] = placeOn(this.body, event, this.look.px);
     const from = this.valueAt(event);
     let twoFingers = this.pinched();
     const move = (moved: PointerEvent) => {
       twoFingers ||= this.pinched();
       if (twoFingers) return;
-      const now = (moved.clientX - box.left) / this.look.px;
+      const [now] = placeOn(this.body, moved, this.look.px);
       this.picked = event.pointerType === "mouse" && Math.abs(now - start) > 5 ? [start, now] : null;
       if (event.pointerType !== "mouse") this.seek(this.valueAt(moved));
       this.cursor(this.shared.clock.time);
@@ -350,9 +324,8 @@ export class Plot {
 
   zoomAbout(center: number, factor: number) {
     const full = this.fullRange();
-    const low = Math.max(center - (center - this.range[0]) * factor, full[0]);
-    const high = Math.min(center + (this.range[1] - center) * factor, full[1]);
-    this.zoomTo(low <= full[0] && high >= full[1] ? null : [low, high]);
+    const [low, high] = scaled(this.range, center, factor).map((value) => clamp(value, full[0], full[1]));
+    this.zoomTo(low === full[0] && high === full[1] ? null : [low, high]);
   }
 
   zoomTo(range: number[] | null) {

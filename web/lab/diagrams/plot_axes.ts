@@ -2,15 +2,10 @@
 
 import { drawAxes, named } from "../common/axes.ts";
 import { niceStep, tickText, ticks } from "../common/numbers.ts";
+import { LEFT, TOP } from "./diagram.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { t } from "../words/words.ts";
 import type { Plot } from "./plot.ts";
-
-// What axes need beside the box of curves.
-export const LEFT = 52;
-export const RIGHT = 10;
-export const TOP = 8;
-export const BOTTOM = 30;
 
 /** From where to where an axis upwards goes for finite values. */
 export function heightsOf(values: number[]) {

@@ -4,6 +4,7 @@ import { h, saveBlob, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { t } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
 
 const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -66,12 +67,7 @@ export class Table {
     ),
   );
 
-  /** `names`: of the modes. */
-  constructor(
-    readonly source: () => Film,
-    readonly clock: Clock,
-    readonly names: () => Record<string, string>,
-  ) {
+  constructor(readonly lab: Lab) {
     this.step.value = "0.1";
   }
 
@@ -93,7 +89,7 @@ export class Table {
   open(open: boolean) {
     this.element.hidden = !open;
     if (!open) return;
-    this.draw(this.source());
+    this.draw(this.lab.film());
     this.element.scrollIntoView({ block: "nearest" });
     this.element.querySelector("select")?.focus();
   }
@@ -107,7 +103,7 @@ export class Table {
   fill() {
     const { film, columns } = this;
     const step = Number(this.step.value);
-    const names = this.names();
+    const names = this.lab.theme.colors.mode_names;
     const units = columns.map((key) => QUANTITIES[key]);
     this.head.replaceChildren(
       h(
@@ -124,7 +120,7 @@ export class Table {
       time,
       row: h(
         "tr",
-        { onclick: () => this.clock.seek(time) },
+        { onclick: () => this.lab.clock.seek(time) },
         values.map((value, i) => (i === 0 ? h("th", { scope: "row" }, show(value, 4)) : h("td", {}, show(value, 4)))),
         h("td", { class: "table-mode" }, names[mode]),
       ),
@@ -133,7 +129,7 @@ export class Table {
     const whole = film.duration / step + 1 <= MOST + 1e-6;
     const more = { key: "table.shortened", values: { count: MOST } };
     say(this.caption, whole ? film.summary : [film.summary, " ", more]);
-    this.cursor(this.clock.time);
+    this.cursor(this.lab.clock.time);
   }
 
   cursor(time: number) {

@@ -9,6 +9,7 @@ import { otherStart } from "./map_words.ts";
 import { byFingers } from "../common/zoom.ts";
 import { cellAt, layerOf, legendOf, paint, stacked, textAt } from "./map_layers.ts";
 import { messageOf } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
 
 const LEVELS = [
   [24, 16],
@@ -22,7 +23,6 @@ export class MotionMap {
   look: Look;
   asked: AbortController;
   stale: boolean;
-  computing: boolean;
   key_now: string;
   kind: string;
   level: number;
@@ -32,13 +32,19 @@ export class MotionMap {
   layers: MapLayer[] = [];
   // only a map that is looked at is computed
   seen = false;
-  onmotion: (changes: Change[]) => void;
-  say: (text: string) => void;
-  changed: () => void;
-  axes: MapAxes;
-  selects: { x: HTMLSelectElement; y: HTMLSelectElement };
-  quantity: HTMLSelectElement;
-  element: HTMLElement;
+  axes = new MapAxes(this.lab.setup.controls.map_axes);
+  selects: Record<AxisName, HTMLSelectElement> = { x: this.pick("x"), y: this.pick("y") };
+  quantity = h(
+    "select",
+    {
+      "aria-label": "map.quantity_label",
+      onchange: () => {
+        this.what = this.quantity.value;
+        this.refresh();
+      },
+    },
+    this.lab.setup.map_quantities.map(([name, words]) => h("option", { value: name }, words)),
+  );
   canvas = h("canvas", { class: "plot-canvas" });
   tip = h("div", { class: "tip", hidden: true });
   body = h(
@@ -49,70 +55,47 @@ export class MotionMap {
   );
   keys = h("div", { class: "map-keys" });
   state = h("span", { class: "hint" });
+  element = h(
+    "section",
+    { class: "map", "aria-label": "map.label" },
+    h(
+      "div",
+      { class: "map-head" },
+      h("h2", {}, "map.title"),
+      h("label", {}, "map.quantity", this.quantity),
+      h("label", {}, "map.across", this.selects.x),
+      h("label", {}, "map.up", this.selects.y),
+      h(
+        "span",
+        { class: "buttons" },
+        h("button", { "aria-label": "map.zoom_in", onclick: () => this.zoom(0.5, this.aim()) }, "+"),
+        h("button", { "aria-label": "map.zoom_out", onclick: () => this.zoom(2, this.aim()) }, "−"),
+        h("button", { onclick: () => this.home() }, "map.zoom_home"),
+      ),
+      this.state,
+    ),
+    this.body,
+    this.keys,
+    h("p", { class: "hint" }, byFingers() ? "map.hint_touch" : "map.hint_mouse"),
+  );
   soon = once(() => this.refresh(), 140);
   watch = new IntersectionObserver(([entry]) => {
     this.seen = entry.isIntersecting;
     if (this.seen && this.stale) this.refresh();
   });
 
-  /**
-   * `rest.take`: what a click on a motion does; `rest.say`: for a screen reader; `rest.changed`: another part of it
-   * is looked at.
-   */
-  constructor(
-    readonly backend: Backend,
-    setup: Setup,
-    { take, say, changed }: { take: (changes: Change[]) => void; say: (text: string) => void; changed: () => void },
-  ) {
-    this.onmotion = take;
-    this.say = say;
-    this.changed = changed;
-    const axes = setup.controls.map_axes;
-    this.axes = new MapAxes(axes);
-    const pick = (name: AxisName): HTMLSelectElement =>
-      h(
-        "select",
-        { "data-axis": name, onchange: () => this.setAxis(name, this.selects[name].value) },
-        axes.map(({ path, label }) => h("option", { value: path }, label)),
-      );
-    this.selects = { x: pick("x"), y: pick("y") };
-    this.quantity = h(
-      "select",
-      {
-        "aria-label": "map.quantity_label",
-        onchange: () => {
-          this.what = this.quantity.value;
-          this.refresh();
-        },
-      },
-      setup.map_quantities.map(([name, words]) => h("option", { value: name }, words)),
-    );
-    this.element = h(
-      "section",
-      { class: "map", "aria-label": "map.label" },
-      h(
-        "div",
-        { class: "map-head" },
-        h("h2", {}, "map.title"),
-        h("label", {}, "map.quantity", this.quantity),
-        h("label", {}, "map.across", this.selects.x),
-        h("label", {}, "map.up", this.selects.y),
-        h(
-          "span",
-          { class: "buttons" },
-          h("button", { "aria-label": "map.zoom_in", onclick: () => this.zoom(0.5, this.aim()) }, "+"),
-          h("button", { "aria-label": "map.zoom_out", onclick: () => this.zoom(2, this.aim()) }, "−"),
-          h("button", { onclick: () => this.home() }, "map.zoom_home"),
-        ),
-        this.state,
-      ),
-      this.body,
-      this.keys,
-      h("p", { class: "hint" }, byFingers() ? "map.hint_touch" : "map.hint_mouse"),
-    );
+  constructor(readonly lab: Lab) {
     takeHands(this);
     this.watch.observe(this.body);
     this.syncSelects();
+  }
+
+  pick(name: AxisName) {
+    return h(
+      "select",
+      { "data-axis": name, onchange: () => this.setAxis(name, this.selects[name].value) },
+      this.axes.all.map(({ path, label }) => h("option", { value: path }, label)),
+    );
   }
 
   close() {
@@ -173,7 +156,7 @@ export class MotionMap {
 
   async refresh() {
     if (!this.film) return;
-    this.changed();
+    this.lab.address?.soon();
     if (!this.seen) {
       this.stale = true;
       return;
@@ -185,7 +168,6 @@ export class MotionMap {
     const base = this.film.scenario;
     // maps know rigid contact only
     const changes: Change[] = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
-    this.computing = true;
     // the coarse layers stay below as long as they show the same quantity of the same motion
     const kind = `${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;
     if (kind !== this.kind) this.layers = [];
@@ -196,7 +178,7 @@ export class MotionMap {
         say(this.state, { key: "map.computing", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
-        const reply = await this.backend.map(body, signal);
+        const reply = await this.lab.backend.map(body, signal);
         const layer = layerOf(reply);
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
@@ -211,7 +193,6 @@ export class MotionMap {
       if ((error as Error).name === "AbortError") return;
       say(this.state, messageOf(error));
     }
-    this.computing = false;
   }
 
   redraw() {
@@ -245,11 +226,8 @@ export class MotionMap {
 
   // Where the present motion stands on the map.
   here() {
-    const value = (path: string) => {
-      const [section, name] = path.split(".");
-      return this.film.values[path] ?? (this.film.scenario as Record<string, any>)[section]?.[name];
-    };
-    const place = { x: value(this.axes.paths.x), y: value(this.axes.paths.y) };
+    const { paths } = this.axes;
+    const place = { x: this.film.value(paths.x), y: this.film.value(paths.y) };
     return typeof place.x === "number" && typeof place.y === "number" ? place : null;
   }
 
@@ -262,7 +240,11 @@ export class MotionMap {
   take(place: Place) {
     const cell = cellAt(this.layers, place);
     const value = (name: AxisName) => (cell ? this.axes.round(name, cell[name], place[name]) : place[name]);
-    this.onmotion(AXES.map((name) => [this.axes.paths[name], value(name)]));
+    this.lab.clock.time = 0;
+    this.lab.motions.change(
+      AXES.map((name) => [this.axes.paths[name], value(name)]),
+      true,
+    );
   }
 
   zoom(factor: number, center?: Place) {

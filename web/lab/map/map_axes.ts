@@ -1,8 +1,9 @@
 // The two axes of a map: which parameters, from where to where, and where that is on the canvas.
 
 import { type Axis, drawAxes } from "../common/axes.ts";
-import { clamp } from "../common/clamp.ts";
+import { clamp, scaled, within } from "../common/clamp.ts";
 import { niceStep, show, tickText, ticks, withUnit } from "../common/numbers.ts";
+import { outlined, ring, stroke } from "../common/paint.ts";
 import { t } from "../words/words.ts";
 
 const LEFT = 62;
@@ -65,7 +66,7 @@ export class MapAxes {
     for (const name of AXES) {
       const [low, high] = this.windows[name];
       const middle = center?.[name] ?? 0.5 * (low + high);
-      next[name] = within([middle - (middle - low) * factor, middle + (high - middle) * factor], this.bounds(name));
+      next[name] = within(scaled([low, high], middle, factor), this.bounds(name));
       // as deep as numbers go, and no further
       const size = Math.max(Math.abs(next[name][0]), Math.abs(next[name][1]), 1e-9);
       if (next[name][1] - next[name][0] < 400 * Number.EPSILON * size) return false;
@@ -194,32 +195,13 @@ export class MapAxes {
   }
 }
 
-/** A window moved, and if it must be cut, so that it lies within bounds. */
-export function within([low, high]: number[], [least, most]: number[]) {
-  const size = Math.min(high - low, most - least);
-  if (low < least) return [least, least + size];
-  if (high > most) return [most - size, most];
-  return [low, high];
-}
-
 /** The mark of a motion. */
 export function cross(context: CanvasRenderingContext2D, x: number, y: number, ink: string, paper: string) {
-  for (const [color, line] of [
-    [paper, 4],
-    [ink, 1.8],
-  ] as [string, number][]) {
-    context.strokeStyle = color;
-    context.lineWidth = line;
-    context.beginPath();
-    context.arc(x, y, 7, 0, 2 * Math.PI);
-    context.moveTo(x - 13, y);
-    context.lineTo(x - 4, y);
-    context.moveTo(x + 4, y);
-    context.lineTo(x + 13, y);
-    context.moveTo(x, y - 13);
-    context.lineTo(x, y - 4);
-    context.moveTo(x, y + 4);
-    context.lineTo(x, y + 13);
-    context.stroke();
-  }
+  outlined(context, [paper, 4], [ink, 1.8], () => {
+    ring(context, [x, y], 7);
+    for (const way of [-1, 1]) {
+      stroke(context, [x + 4 * way, y], [x + 13 * way, y]);
+      stroke(context, [x, y + 4 * way], [x, y + 13 * way]);
+    }
+  });
 }

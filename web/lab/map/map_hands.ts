@@ -1,7 +1,7 @@
 // Mouse, fingers and keys on a map: drag to move, a click or Enter takes a motion; it zooms as all pictures do.
 
 import { clamp } from "../common/clamp.ts";
-import { follow } from "../common/pointer.ts";
+import { follow, placeOn } from "../common/pointer.ts";
 import { zoomable } from "../common/zoom.ts";
 import type { MotionMap } from "./map.ts";
 
@@ -30,17 +30,17 @@ export function takeHands(map: MotionMap) {
 }
 
 function placeAt(map: MotionMap, event: Point) {
-  const box = map.body.getBoundingClientRect();
-  const { px } = map.look;
-  return map.axes.place((event.clientX - box.left) / px, (event.clientY - box.top) / px);
+  const [x, y] = placeOn(map.body, event, map.look.px);
+  return map.axes.place(x, y);
 }
 
 function hover(map: MotionMap, event: PointerEvent) {
   map.tip.textContent = map.said(placeAt(map, event));
   map.tip.hidden = false;
-  const box = map.body.getBoundingClientRect();
-  map.tip.style.left = `${clamp(event.clientX - box.left, 150, Math.max(box.width - 150, 150))}px`;
-  map.tip.style.bottom = `${box.bottom - event.clientY + 16}px`;
+  const [x, y] = placeOn(map.body, event);
+  const { clientWidth, clientHeight } = map.body;
+  map.tip.style.left = `${clamp(x, 150, Math.max(clientWidth - 150, 150))}px`;
+  map.tip.style.bottom = `${clientHeight - y + 16}px`;
 }
 
 function press(map: MotionMap, event: PointerEvent, pinched: () => boolean, drags: (now: boolean) => void) {
@@ -84,7 +84,7 @@ function key(map: MotionMap, event: KeyboardEvent) {
       y: clamp(place.y + (dy * (y[1] - y[0])) / STEPS, y[0], y[1]),
     };
     map.state.textContent = map.said(map.pointed);
-    map.say(map.said(map.pointed));
+    map.lab.story.say(map.said(map.pointed));
   } else if (event.key === "Enter") map.take(place);
   else return;
   event.preventDefault();

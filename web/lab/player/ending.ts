@@ -5,9 +5,6 @@ import { show } from "../common/numbers.ts";
 import { messageOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
-/** What is asked, and what shows the answer. */
-type Asked = Pick<Lab, "backend" | "film" | "motions" | "clock" | "story">;
-
 export class Ending {
   asked: AbortController | null = null;
   known: Fate | null = null;
@@ -17,7 +14,7 @@ export class Ending {
   gait = h("button", { hidden: true, onclick: () => this.take() }, "ending.show");
   element = h("p", { class: "ending" }, this.ask, " ", this.answer, " ", this.gait);
 
-  constructor(readonly lab: Asked) {}
+  constructor(readonly lab: Lab) {}
 
   /** Another motion has another end. */
   changed() {

@@ -95,6 +95,11 @@ export class Film {
     return part && time >= part.t[0] && time <= part.t[part.length - 1] ? part : this;
   }
 
+  /** Of a parameter: as the sliders show it, or as the scenario has it. */
+  value(path: string) {
+    return this.values[path] ?? path.split(".").reduce((node: any, key) => node?.[key], this.scenario);
+  }
+
   findPhases() {
     const { mode } = this.columns;
     const phases: Phase[] = [];

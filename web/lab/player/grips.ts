@@ -7,7 +7,7 @@ import { changesFor, keyed, Pull, taken, type Grip, type Held } from "./grab.ts"
 import { clearPlace } from "./clear.ts";
 import { clamp } from "../common/clamp.ts";
 import { degrees, length, show } from "../common/numbers.ts";
-import { follow } from "../common/pointer.ts";
+import { follow, placeOn } from "../common/pointer.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 import type { Scene } from "./scene2d.ts";
@@ -15,9 +15,6 @@ import type { Scene } from "./scene2d.ts";
 const REST = 700; // milliseconds after the last key until the start counts as chosen
 const SMALL = 44; // pixels, the least that a finger hits
 const LOAD = 16; // pixels about the middle of the load that are not covered
-
-/** What the hand moves, and what shows it. */
-type Hands = Pick<Lab, "stage" | "clock" | "motions" | "backend" | "notice" | "film" | "request" | "mark">;
 
 const GRIPS: [Grip, string, string][] = [
   ["plane", "hand.slope", "hand.slope_title"],
@@ -46,7 +43,7 @@ export class Grips {
   );
   settle = once(() => this.chosen(false), REST);
 
-  constructor(readonly lab: Hands) {
+  constructor(readonly lab: Lab) {
     const { flat, plane } = lab.stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
     flat.grab = (event) => this.take(event);
@@ -177,11 +174,10 @@ export class Grips {
     const { flat, plane } = lab.stage;
     const place = this.places.get(grip) as HTMLElement;
     const view = this.view();
-    const box = plane.getBoundingClientRect();
-    const inside = (other: PointerEvent): Point => ({
-      clientX: other.clientX - box.left,
-      clientY: other.clientY - box.top - view.top,
-    });
+    const inside = (other: PointerEvent): Point => {
+      const [clientX, y] = placeOn(plane, other);
+      return { clientX, clientY: y - view.top };
+    };
     const pull = new Pull(grip, lab.film(), lab.clock.time, view, inside(event));
     const shift = [...flat.shift];
     let [moved, left] = [false, false];

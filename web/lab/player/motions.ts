@@ -1,9 +1,10 @@
 // The one or two motions that are shown, what is being changed in them, and the steps back and forth.
 
 import { Film } from "./film.ts";
-import { Stopped, type Computing } from "../shell/computing.ts";
+import { Stopped } from "../shell/computing.ts";
 import { History } from "../shell/history.ts";
 import type { Asked } from "../backend/backend.ts";
+import type { Lab } from "../shell/lab.ts";
 
 /**
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under
@@ -20,30 +21,17 @@ export type Lane = {
   refining?: boolean;
   coarse?: Film;
 };
-export interface Listener {
-  shown: (since?: number | null) => void; // another motion is there; `since` is when the hand moved that asked for it
-  refined: () => void; // a film has become finer
-  settled: () => void; // a change is complete
-  noted: (step: "same" | "step" | "again" | "travelled") => void; // what is shown is a step that can be undone, or was one
-  travelled: (way: -1 | 1) => Promise<void>; // it has gone back or on by a step
-  failed: (error: Error, changes?: Change[]) => void;
-}
-
 export class Motions {
   history = new History();
   lanes: Lane[] = [];
   active = 0;
   going: Promise<any> = Promise.resolve();
 
-  constructor(
-    readonly backend: Backend,
-    readonly computing: Computing,
-    readonly listener: Listener,
-  ) {}
+  constructor(readonly lab: Lab) {}
 
   /** A motion, which the visitor may give up where it takes long. */
   ask(asked: Asked) {
-    return this.computing.during((signal) => this.backend.film(asked, signal));
+    return this.lab.computing.during((signal) => this.lab.backend.film(asked, signal));
   }
 
   film(lane = this.active) {
@@ -98,10 +86,10 @@ export class Motions {
     lane.busy = true;
     try {
       lane.film = new Film(await this.ask({ scenario: lane.film.scenario, changes }));
-      if (this.lanes.includes(lane)) this.listener.shown(since);
+      if (this.lanes.includes(lane)) this.lab.changed(since);
     } catch (error) {
       if (error instanceof Stopped) lane.pending = null;
-      if (this.lanes.includes(lane)) this.listener.failed(error as Error, changes);
+      if (this.lanes.includes(lane)) this.lab.failed(error as Error, changes);
     } finally {
       lane.busy = false;
     }
@@ -116,11 +104,11 @@ export class Motions {
       const window = film.wanted(time, ahead);
       if (!window) continue;
       lane.refining = true;
-      this.backend
+      this.lab.backend
         .samples(film.scenario, window)
         .then((columns) => {
           film.refine(columns);
-          this.listener.refined();
+          this.lab.request();
         })
         .catch(() => {
           lane.coarse = film; // it stays as it is, and plays on
@@ -136,7 +124,7 @@ export class Motions {
     lane.commit = false;
     // when the hand moved, not when the answer came
     this.note(lane.what, lane.moved);
-    this.listener.settled();
+    this.lab.story.announce(this.films());
   }
 
   // What the motions that are shown are known by.
@@ -146,14 +134,14 @@ export class Motions {
 
   /** `what`: what was changed, if one thing was; `when`: in milliseconds. */
   note(what?: string, when?: number) {
-    this.listener.noted(this.history.note(this.queries(), what, when));
+    this.lab.noted(this.history.note(this.queries(), what, when));
   }
 
   /** Another motion in place of the chosen one. */
   replace(reply: FilmReply) {
     // an answer that is still under way belongs to what was there before
     this.lanes[this.active] = { film: new Film(reply) };
-    this.listener.shown();
+    this.lab.changed();
     this.note();
   }
 
@@ -164,9 +152,9 @@ export class Motions {
       if (!queries) return;
       await this.load(queries);
       this.history.step(way);
-      await this.listener.travelled(way);
-      this.listener.shown();
-      this.listener.noted("travelled");
+      await this.lab.address?.travel(way);
+      this.lab.changed();
+      this.lab.noted("travelled");
     });
   }
 
@@ -175,8 +163,8 @@ export class Motions {
     return this.inTurn(async () => {
       await this.load(queries);
       this.history.arrive(this.queries());
-      this.listener.shown();
-      this.listener.noted("travelled");
+      this.lab.changed();
+      this.lab.noted("travelled");
     });
   }
 
@@ -185,7 +173,7 @@ export class Motions {
     this.going = this.going.then(go).then(
       () => true,
       (error) => {
-        this.listener.failed(error);
+        this.lab.failed(error);
         return false;
       },
     );
@@ -201,20 +189,20 @@ export class Motions {
       this.lanes.splice(1 - this.active, 1);
       this.active = 0;
     }
-    this.listener.shown();
+    this.lab.changed();
     this.note();
   }
 
   choose(lane: number) {
     this.active = lane;
-    this.listener.shown();
-    this.listener.noted("same");
+    this.lab.changed();
+    this.lab.noted("same");
   }
 
   /** `view`: what else the link holds, as the part behind its #. */
   link(view = "") {
     const other = this.lanes.length > 1 ? `with=${encodeURIComponent(this.film(1).query)}` : "";
     const hash = [other, view].filter(Boolean).join("&");
-    return this.backend.link(this.film(0).query, hash && `#${hash}`);
+    return this.lab.backend.link(this.film(0).query, hash && `#${hash}`);
   }
 }

@@ -1,10 +1,10 @@
 // The picture itself, played once from the start and recorded by the browser, as WebM.
 
 import { h } from "../common/dom.ts";
-import { copyInto, type Shown } from "./pictures.ts";
+import { copyInto } from "./pictures.ts";
 import type { Lab } from "../shell/lab.ts";
 
-export async function record(lab: Shown & Pick<Lab, "notice" | "afterFrame">): Promise<Blob> {
+export async function record(lab: Lab): Promise<Blob> {
   const source = lab.stage.canvas();
   if (!source.captureStream || !globalThis.MediaRecorder) {
     throw new Error("save.cannot_record");

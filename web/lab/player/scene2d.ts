@@ -1,6 +1,6 @@
 // One hoop on its plane, drawn on a canvas or whatever takes the same strokes.
 
-import { disc, fill, ring, stroke } from "../common/paint.ts";
+import { arrowHead, disc, fill, outlined, ring, stroke } from "../common/paint.ts";
 import { SPEED_TEXTS } from "../common/colors.ts";
 import { clamp } from "../common/clamp.ts";
 import { niceStep, show, tickText } from "../common/numbers.ts";
@@ -303,14 +303,9 @@ export class Scene {
     const size = (force: number) => film.newton * force;
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const foot = [pose.x, pose.height];
-    this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N = ${show(pose.normal_force, 3)} N`, false);
-    this.arrow(
-      foot,
-      [size(pose.friction_force), 0],
-      colors.friction_force,
-      `F = ${show(pose.friction_force, 3)} N`,
-      true,
-    );
+    const { normal_force: N, friction_force: F } = pose;
+    this.arrow(foot, [0, size(N)], colors.normal_force, `N = ${show(N, 3)} N`, false);
+    this.arrow(foot, [size(F), 0], colors.friction_force, `F = ${show(F, 3)} N`, true);
   }
 
   /** The label of N stands beside its tip, that of F below the plane: they never meet. */
@@ -326,21 +321,9 @@ export class Scene {
     const ux = (to[0] - from[0]) / length;
     const uy = (to[1] - from[1]) / length;
     const head = Math.min(11, length);
-    for (const [ink, width] of [
-      [look.paper, 6],
-      [color, 3],
-    ] as [string, number][]) {
-      context.strokeStyle = ink;
-      context.fillStyle = ink;
-      context.lineWidth = width;
-      stroke(context, from, [to[0] - ux * head, to[1] - uy * head]);
-    }
-    fill(
-      context,
-      to,
-      [to[0] - ux * head - uy * head * 0.5, to[1] - uy * head + ux * head * 0.5],
-      [to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5],
-    );
+    const neck = [to[0] - ux * head, to[1] - uy * head];
+    outlined(context, [look.paper, 6], [color, 3], () => stroke(context, from, neck));
+    arrowHead(context, to, [ux, uy], head);
     if (cut) {
       const [x, y] = [from[0] + 0.55 * ux * length, from[1] + 0.55 * uy * length];
       context.strokeStyle = look.paper;

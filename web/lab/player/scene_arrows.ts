@@ -1,6 +1,6 @@
 // Arrows in the picture: from where the rim touches, or comes closest, at each event to where it would with a little more.
 
-import { disc, haloed, stroke } from "../common/paint.ts";
+import { arrowHead, disc, haloed, outlined, stroke } from "../common/paint.ts";
 import { counts, type Changes } from "../sensitivity/changes.ts";
 import { MARKS } from "./marks.ts";
 import type { Scene } from "./scene2d.ts";
@@ -72,13 +72,8 @@ function change(
   const length = Math.hypot(to[0] - begin[0], to[1] - begin[1]);
   const [ux, uy] = length > 0 ? [(to[0] - begin[0]) / length, (to[1] - begin[1]) / length] : [1, 0];
   const head = Math.min(9, length);
-  for (const [color, wide] of [
-    [look.paper, 6.5],
-    [look.ink, 2.5],
-  ] as [string, number][]) {
-    context.strokeStyle = color;
-    context.fillStyle = color;
-    context.lineCap = "round";
+  context.lineCap = "round";
+  outlined(context, [look.paper, 6.5], [look.ink, 2.5], (wide) => {
     if (lift) {
       context.lineWidth = wide > 3 ? 3 : 1;
       stroke(context, from, begin);
@@ -88,16 +83,12 @@ function change(
     stroke(context, begin, [to[0] - ux * head, to[1] - uy * head]);
     context.setLineDash([]);
     disc(context, begin, wide > 3 ? 5.5 : 3.5);
-    if (length < 1) continue;
+    if (length < 1) return;
+    arrowHead(context, to, [ux, uy], head);
     context.lineWidth = wide > 3 ? 4 : 1;
-    context.beginPath();
-    context.moveTo(to[0], to[1]);
-    context.lineTo(to[0] - ux * head - uy * head * 0.55, to[1] - uy * head + ux * head * 0.55);
-    context.lineTo(to[0] - ux * head + uy * head * 0.55, to[1] - uy * head - ux * head * 0.55);
     context.closePath();
     context.stroke();
-    context.fill();
-  }
+  });
   context.lineCap = "butt";
   const label = known ? mark : "?";
   if (!label) return;

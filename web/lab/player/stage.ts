@@ -95,9 +95,9 @@ export class Stage {
   /**
    * The picture in space with other numbers of pixels, until it is drawn again. `ratio`: pixels for one of the page.
    */
-  sharp(shown: Pick<Lab, "theme" | "films" | "clock">, ratio: number) {
-    const { look, inks } = shown.theme;
-    this.deep?.draw(shown.films(), shown.clock.time, this.options, look, inks, false, ratio);
+  sharp(lab: Lab, ratio: number) {
+    const { look, inks } = lab.theme;
+    this.deep?.draw(lab.films(), lab.clock.time, this.options, look, inks, false, ratio);
     return this.space;
   }
 

@@ -1,14 +1,13 @@
 // The bar of time: modes as coloured stretches, events as marks, the hand that scrubs; it zooms as all pictures do.
 
-import { fill } from "../common/paint.ts";
+import { fill, outlined } from "../common/paint.ts";
 import { hoopInk, writing } from "../common/colors.ts";
 import { scaledContext, h } from "../common/dom.ts";
 import { eventWord } from "./events.ts";
-import { within } from "../map/map_axes.ts";
 import { placed, stretches } from "./marks.ts";
-import { clamp } from "../common/clamp.ts";
+import { clamp, scaled, within } from "../common/clamp.ts";
 import { niceStep, show, tickText, ticks } from "../common/numbers.ts";
-import { follow } from "../common/pointer.ts";
+import { follow, placeOn } from "../common/pointer.ts";
 import { zoomable } from "../common/zoom.ts";
 import { t } from "../words/words.ts";
 
@@ -56,12 +55,9 @@ export class Timeline {
   zoom(factor: number, center: number) {
     const [from, to] = this.ends();
     const least = 1e-6 * this.clock.duration;
-    const size = Math.max((to - from) * factor, least);
-    const share = (center - from) / (to - from);
-    this.window =
-      size < this.clock.duration
-        ? within([center - share * size, center + (1 - share) * size], [0, this.clock.duration])
-        : null;
+    const window = scaled([from, to], center, Math.max(factor, least / (to - from)));
+    const whole = window[1] - window[0] >= this.clock.duration;
+    this.window = whole ? null : within(window, [0, this.clock.duration]);
     this.clock.changed();
   }
 
@@ -79,9 +75,8 @@ export class Timeline {
   }
 
   timeAt(event: Point) {
-    const box = this.canvas.getBoundingClientRect();
     const [from, to] = this.ends();
-    return from + clamp((event.clientX - box.left) / box.width, 0, 1) * (to - from);
+    return from + clamp(placeOn(this.canvas, event)[0] / this.canvas.clientWidth, 0, 1) * (to - from);
   }
 
   scrub(event: PointerEvent) {
@@ -102,13 +97,12 @@ export class Timeline {
       : `${show(time, 4)} s`;
     this.tip.textContent = said;
     this.tip.hidden = false;
-    const box = this.canvas.getBoundingClientRect();
-    this.tip.style.left = `${clamp(event.clientX - box.left, 70, box.width - 70)}px`;
+    this.tip.style.left = `${clamp(placeOn(this.canvas, event)[0], 70, this.canvas.clientWidth - 70)}px`;
   }
 
   nearest(time: number, pixels: number) {
     const [from, to] = this.ends();
-    const reach = (pixels * (to - from)) / (this.canvas.getBoundingClientRect().width || 1);
+    const reach = (pixels * (to - from)) / (this.canvas.clientWidth || 1);
     let best = null;
     for (const film of this.films ?? []) {
       for (const event of film.events) {
@@ -161,15 +155,10 @@ export class Timeline {
     const { pointed } = this.clock;
     if (pointed !== null && pointed >= begin && pointed <= end) {
       const at = clamp(place(pointed), 2, width - 2);
-      context.lineWidth = 2;
-      for (const [color, wide] of [
-        [look.paper, 5],
-        [look.ink, 1],
-      ] as const) {
-        context.fillStyle = color;
+      outlined(context, [look.paper, 5], [look.ink, 1], (wide) => {
         context.fillRect(at - 0.5 * wide, above - 4, wide, height - above - 9);
         context.fillRect(at - 5 - 0.5 * wide, above - 4, 10 + wide, wide);
-      }
+      });
     }
     const x = clamp(place(this.clock.time), 6, width - 6);
     const now = clamp(place(this.clock.time), 1, width - 1);

@@ -6,6 +6,7 @@ import { icon } from "../common/icons.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { eventWord, leaves } from "./events.ts";
 import { name } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
 
 const STEP = 1 / 60; // seconds
 
@@ -22,10 +23,8 @@ const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-h
 export class Transport {
   titled = "";
 
-  switches: Map<keyof StageOptions, HTMLButtonElement>;
-  row: HTMLDivElement; // of the switches
-  element: HTMLDivElement;
-  playButton: HTMLButtonElement = button(icon("play"), "player.play", () => this.clock.play());
+  clock = this.lab.clock;
+  playButton = button(icon("play"), "player.play", () => this.clock.play(), { class: "play" });
   speeds = h(
     "select",
     {
@@ -36,50 +35,43 @@ export class Transport {
     },
     SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
   );
-
-  /** `say`: what is seen; `tell`: what a screen reader says. */
-  constructor(
-    public clock: Clock,
-    public films: () => Film[],
-    toggle: (name: keyof StageOptions) => void,
-    readonly say: (text: string) => void,
-    readonly tell: (said: Message) => void,
-  ) {
-    this.playButton.classList.add("play");
-    this.speeds.value = "1";
-    this.switches = new Map(
-      SWITCHES.map(([name, label, title]) => [
-        name,
-        h("button", { class: "switch", title, onclick: () => toggle(name) }, label),
-      ]),
-    );
-    this.row = h("div", { class: "buttons switches" }, [...this.switches.values()]);
-    this.element = h(
+  switches = new Map(
+    SWITCHES.map(([name, label, title]) => [
+      name,
+      h("button", { class: "switch", title, onclick: () => this.lab.toggle(name) }, label),
+    ]),
+  );
+  row = h("div", { class: "buttons switches" }, [...this.switches.values()]);
+  element = h(
+    "div",
+    { class: "transport" },
+    h(
       "div",
-      { class: "transport" },
-      h(
-        "div",
-        { class: "buttons" },
-        button(icon("start"), "player.to_start", () => clock.seek(0)),
-        button(icon("previous"), "player.previous_event", () => this.jump(-1)),
-        button(icon("back"), "player.frame_back", () => this.nudge(-1)),
-        this.playButton,
-        button(icon("on"), "player.frame_on", () => this.nudge(1)),
-        button(icon("next"), "player.next_event", () => this.jump(1)),
-      ),
-      h(
-        "div",
-        { class: "buttons jumps" },
-        button(marked("▲", "mode.flight"), "player.next_flight", () => this.jump(1, "takeoff")),
-        button(marked("▼", "event.impact"), "player.next_landing", () => this.jump(1, "impact")),
-      ),
-      this.speeds,
-      this.row,
-    );
+      { class: "buttons" },
+      button(icon("start"), "player.to_start", () => this.clock.seek(0)),
+      button(icon("previous"), "player.previous_event", () => this.jump(-1)),
+      button(icon("back"), "player.frame_back", () => this.nudge(-1)),
+      this.playButton,
+      button(icon("on"), "player.frame_on", () => this.nudge(1)),
+      button(icon("next"), "player.next_event", () => this.jump(1)),
+    ),
+    h(
+      "div",
+      { class: "buttons jumps" },
+      button(marked("▲", "mode.flight"), "player.next_flight", () => this.jump(1, "takeoff")),
+      button(marked("▼", "event.impact"), "player.next_landing", () => this.jump(1, "impact")),
+    ),
+    this.speeds,
+    this.row,
+  );
+
+  constructor(readonly lab: Lab) {
+    this.speeds.value = "1";
   }
 
-  show(options: StageOptions) {
+  show() {
     const { clock, playButton } = this;
+    const { options } = this.lab.stage;
     for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
     const title = clock.playing ? "player.pause" : "player.play";
     if (this.titled !== title) {
@@ -99,7 +91,9 @@ export class Transport {
   /** To the next event of all films, or of one kind; where there is none of that kind any more, to its first. */
   jump(way: -1 | 1, kind: "takeoff" | "impact" | null = null) {
     this.clock.playing = false;
-    const all = this.films()
+    const { notice, story } = this.lab;
+    const films = this.lab.films();
+    const all = films
       .flatMap((film, lane) => film.events.map((event) => ({ event, lane })))
       .filter(({ event }) => !kind || (kind === "impact" ? event.kind === kind : leaves(event)))
       .sort((a, b) => a.event.t - b.event.t);
@@ -108,13 +102,13 @@ export class Transport {
       way > 0 ? all.find(({ event }) => event.t > now + 1e-9) : all.findLast(({ event }) => event.t < now - 1e-9);
     if (!next && kind) next = all[0];
     if (!next) {
-      if (kind) this.say(kind === "takeoff" ? "player.no_flight" : "player.no_landing");
+      if (kind) notice.say(kind === "takeoff" ? "player.no_flight" : "player.no_landing");
       return;
     }
     this.clock.seek(next.event.t);
     const { event, lane } = next;
     const values = { what: eventWord(event.kind), angle: degrees(event.angle), time: show(event.t, 4) };
     const said = { key: "player.event_at", values };
-    this.tell(this.films().length > 1 ? [["hoops.a", "hoops.b"][lane], ": ", said] : said);
+    story.say(films.length > 1 ? [["hoops.a", "hoops.b"][lane], ": ", said] : said);
   }
 }

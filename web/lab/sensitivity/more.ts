@@ -8,12 +8,6 @@ import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arr
 import { messageOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
-/** The motion that is asked about, and what shows and says the answer. */
-type Asked = Pick<
-  Lab,
-  "stage" | "clock" | "motions" | "backend" | "controls" | "story" | "film" | "request" | "marked" | "address"
->;
-
 const DEGREE = Math.PI / 180;
 const WAIT = 100; // milliseconds
 const FIRST = "plane.mu";
@@ -87,7 +81,7 @@ export class More {
     this.scale,
   );
 
-  constructor(readonly lab: Asked) {
+  constructor(readonly lab: Lab) {
     lab.stage.flat.over = (scene, lane) => {
       const guessing = lab.marked("guessing"); // what comes is to be guessed
       if (!this.on || guessing || lane !== lab.motions.active) return;
@@ -128,11 +122,9 @@ export class More {
 
   // The parameter, its value in SI units and a step of it; nothing where it has no value.
   parameter() {
-    const { values, scenario } = this.lab.film();
     const info = this.offered().find(({ path }) => path === this.path);
     if (!info) return null;
-    const [section, name] = info.path.split(".");
-    const value = values[info.path] ?? (scenario as any)[section][name];
+    const value = this.lab.film().value(info.path);
     return { info, value: Number(value === "inf" ? Infinity : value), step: info.step * (info.degrees ? DEGREE : 1) };
   }
 

@@ -3,8 +3,7 @@
 import { once } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
 import { listed } from "../words/words.ts";
-import type { Notice } from "./notice.ts";
-import type { Motions } from "../player/motions.ts";
+import type { Lab } from "./lab.ts";
 
 const LETTERS: [keyof StageOptions, string][] = [
   ["traces", "t"],
@@ -95,12 +94,7 @@ export class Address {
   soon = once(() => this.write("same"), WAIT);
   listen: () => Promise<void> = () => this.arrived();
 
-  /** `link`: to what is shown. */
-  constructor(
-    readonly motions: Motions,
-    readonly notice: Notice,
-    readonly link: () => string | null,
-  ) {
+  constructor(readonly lab: Lab) {
     addEventListener("popstate", this.listen);
   }
 
@@ -109,12 +103,12 @@ export class Address {
   }
 
   write(step: "same" | "step" | "again" | "travelled") {
-    const { motions } = this;
+    const { motions } = this.lab;
     if (!motions.lanes.length) return;
     // a motion that is still in the hand is no step, and must not take the place of the one before
     if (!motions.history.holds(motions.queries())) return;
     if (this.held && (step === "same" || step === "travelled")) return;
-    const link = this.link();
+    const link = this.lab.link();
     if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);
     this.held = false;
@@ -122,8 +116,7 @@ export class Address {
 
   /** Links as far as they can be read; what is wrong in them is said, and the address stays as it is. */
   read(links: string[]) {
-    const { notice } = this;
-    const { backend } = this.motions;
+    const { notice, backend } = this.lab;
     const found = links.map((link) => backend.readable?.(link) ?? { query: link, foreign: [], error: null });
     const error = found.find((one) => one.error)?.error;
     const foreign = found.flatMap((one) => one.foreign);
@@ -148,8 +141,8 @@ export class Address {
   async arrived() {
     const number = history.state?.number ?? 0;
     const { links: asked, said } = this.read(queries());
-    if (JSON.stringify(asked) === JSON.stringify(this.motions.queries())) this.number = number;
-    else if (await this.motions.arrive(asked)) {
+    if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) this.number = number;
+    else if (await this.lab.motions.arrive(asked)) {
       this.number = number;
       said();
     } else if (number !== this.number) history.go(this.number - number); // stay with what is shown

@@ -17,80 +17,75 @@ import type { Lab } from "./lab.ts";
 
 const LONG = 60; // letters of a motion's name
 
-/** The parts of the page that these need. */
-type Around = ConstructorParameters<typeof Grips>[0] &
-  ConstructorParameters<typeof Visit>[0] &
-  ConstructorParameters<typeof More>[0] &
-  Pick<Lab, "root" | "hosted" | "theme" | "load" | "about" | "known">;
-
 export class Extras {
-  grips: Grips;
+  clock = this.lab.clock;
+  grips = new Grips(this.lab);
   sound = new Sound();
-  present: Present;
-  challenges: Challenges;
-  visit: Visit;
-  table: Table;
-  more: More;
-  teach: HTMLDialogElement;
-  tools: HTMLElement;
-  menu: HTMLDetailsElement;
-  languages: HTMLElement;
-  loop: HTMLButtonElement;
-  slow: HTMLButtonElement;
-  loud: HTMLButtonElement;
-  large: HTMLButtonElement;
-
-  constructor(readonly lab: Around) {
-    const film = () => lab.film();
-    const load = (query: string) => lab.load(query);
-    this.grips = new Grips(lab);
-    this.present = new Present(lab.root, () => lab.show());
-    this.challenges = new Challenges(film, load, () => lab.stage.options.ahead);
-    this.visit = new Visit(lab, () => this.challenges.open());
-    this.table = new Table(film, lab.clock, () => lab.theme.colors.mode_names);
-    this.more = new More(lab);
-    this.teach = teachDialog(load, () => this.visit.start());
-    this.tools = this.makeTools();
-    this.menu = this.makeMenu();
-    const changed = () => {
+  present = new Present(this.lab);
+  challenges = new Challenges(this.lab);
+  visit = new Visit(this.lab);
+  table = new Table(this.lab);
+  more = new More(this.lab);
+  teach = teachDialog(
+    (query) => this.lab.load(query),
+    () => this.visit.start(),
+  );
+  /** Switches beside those of the player, and whether each is on. */
+  switches = new Map([
+    this.switch(
+      "loop",
+      "menu.repeat",
+      () => this.clock.loop,
+      () => (this.clock.loop = !this.clock.loop),
+    ),
+    this.switch(
+      "slow",
+      "menu.slow_motion",
+      () => this.clock.speed === 0.1,
+      () => {
+        this.clock.speed = this.clock.speed === 0.1 ? 1 : 0.1;
+        this.clock.changed();
+      },
+    ),
+    this.switch(
+      "sound",
+      "menu.sound",
+      () => this.sound.on,
+      () => this.sound.turn(!this.sound.on),
+    ),
+    this.switch(
+      "large",
+      "menu.presentation_title",
+      () => this.present.on,
+      () => this.present.turn(),
+    ),
+  ]);
+  tools = h("div", { class: "buttons tools" }, [...this.switches.keys()]);
+  menu = this.makeMenu();
+  languages = languageMenu(
+    () => {
       this.spoken();
-      repeat(lab.root);
-      lab.show();
-    };
-    this.languages = languageMenu(changed, (error) => lab.notice.fail(error));
+      repeat(this.lab.root);
+      this.lab.show();
+    },
+    (error) => this.lab.notice.fail(error),
+  );
+
+  constructor(readonly lab: Lab) {
+    this.mark();
     this.spoken();
   }
 
-  /** Switches beside those of the player. */
-  makeTools() {
-    const { clock } = this.lab;
-    const toggle = (name: any, title: string, action: () => void) =>
-      iconButton(icon(name), title, action, { "aria-pressed": "false" });
-    this.loop = toggle("loop", "menu.repeat", () => {
-      clock.loop = !clock.loop;
+  switch(name: Parameters<typeof icon>[0], title: string, on: () => boolean, turn: () => void) {
+    const pressed = () => {
+      turn();
       this.mark();
-    });
-    this.slow = toggle("slow", "menu.slow_motion", () => {
-      clock.speed = clock.speed === 0.1 ? 1 : 0.1;
-      clock.changed();
-      this.mark();
-    });
-    this.loud = toggle("sound", "menu.sound", () => {
-      this.sound.turn(!this.sound.on);
-      this.mark();
-    });
-    this.large = toggle("large", "menu.presentation_title", () => this.present.turn());
-    this.present.onchange = () => this.mark();
-    this.mark();
-    return h("div", { class: "buttons tools" }, this.loop, this.slow, this.loud, this.large);
+    };
+    return [iconButton(icon(name), title, pressed), on] as const;
   }
 
   mark() {
-    const { clock } = this.lab;
-    this.loop.setAttribute("aria-pressed", String(clock.loop));
-    this.slow.setAttribute("aria-pressed", String(clock.speed === 0.1));
-    this.loud.setAttribute("aria-pressed", String(this.sound.on));
-    this.large.setAttribute("aria-pressed", String(this.present.on));
+    for (const [button, on] of this.switches) button.setAttribute("aria-pressed", String(on()));
   }
 
   makeMenu() {

@@ -57,45 +57,21 @@ export class Lab {
   clock = new Clock();
   notice = new Notice();
   computing = new Computing(this.backend.kernel.limit);
-  motions = new Motions(this.backend, this.computing, {
-    shown: (since) => this.changed(since),
-    refined: () => this.request(),
-    settled: () => this.story.announce(this.films()),
-    noted: (step) => this.noted(step),
-    travelled: async (way) => this.address?.travel(way),
-    failed: (error, changes) => this.failed(error, changes),
-  });
+  motions = new Motions(this);
   theme: Theme;
   stage = new Stage(this.setup.colors, () => {
     this.request();
     this.address?.soon();
   });
-  transport = new Transport(
-    this.clock,
-    () => this.films(),
-    (name) => this.toggle(name),
-    (text) => this.notice.say(text),
-    (text) => this.story.say(text),
-  );
+  transport = new Transport(this);
   timeline = new Timeline(this.clock);
   story = new Story(this.clock);
   ending = new Ending(this);
   theory = new Theory();
   plots = new Plots(this.clock, this.setup.colors);
   phase = new PhasePlane(this.backend, this.clock, this.setup.colors);
-  map = new MotionMap(this.backend, this.setup, {
-    take: (changes) => {
-      this.clock.time = 0;
-      this.motions.change(changes, true);
-    },
-    say: (text) => this.story.say(text),
-    changed: () => this.address?.soon(),
-  });
-  controls = new Controls(
-    this.setup.controls,
-    (changes: Change[], commit: boolean) => this.motions.change(changes, commit),
-    this.story.fingerprint,
-  );
+  map = new MotionMap(this);
+  controls = new Controls(this);
   share = new Share(this);
   singleKeys: SingleKeys;
   help: HTMLDialogElement;
@@ -124,7 +100,7 @@ export class Lab {
     this.onmotion = onmotion;
     prepareRoot(root, hosted);
     const { colors } = setup;
-    this.address = hosted ? new Address(this.motions, this.notice, () => this.link()) : null;
+    this.address = hosted ? new Address(this) : null;
     this.theme = new Theme(root, colors, hosted, () => this.show());
     this.singleKeys = new SingleKeys(hosted);
     this.about = aboutDialog(setup.version, hosted);
@@ -133,15 +109,7 @@ export class Lab {
       this.show();
       this.address?.write("same");
     });
-    this.header = new Header(setup.presets, this.share.menu, this.view.button, {
-      take: (preset) => this.take(preset),
-      undo: () => this.travel(-1),
-      redo: () => this.travel(1),
-      reset: () => this.beginFrom(this.firstQuery()),
-      compare: () => this.motions.compare(),
-      theme: () => this.theme.toggle(),
-      help: () => this.help.showModal(),
-    });
+    this.header = new Header(this);
     this.extras = new Extras(this);
     this.opening = new Opening(this.clock, this.extras.grips.hint);
     const { player, sticky } = layOut(this, panels);
@@ -227,7 +195,7 @@ export class Lab {
   }
 
   noted(step: "same" | "step" | "again" | "travelled") {
-    this.showSteps();
+    this.header.show();
     this.address?.write(step);
     if (this.hosted) rememberForTab(STEPS, this.motions.history.written());
     this.onmotion(this.film().query);
@@ -289,6 +257,10 @@ export class Lab {
     return this.beginFrom(query);
   }
 
+  reset() {
+    return this.beginFrom(this.firstQuery());
+  }
+
   private async beginFrom(query: string) {
     try {
       const reply = await this.motions.ask({ query });
@@ -325,7 +297,7 @@ export class Lab {
     clock.duration = Math.max(...films.map((film) => film.duration));
     clock.time = Math.min(clock.time, clock.duration);
     this.root.classList.toggle("two", two);
-    this.showSteps();
+    this.header.show();
     this.hoops.show(films.length, motions.active);
     this.drawStage();
     this.controls.show(this.film(), this.motions.waiting());
@@ -375,7 +347,7 @@ export class Lab {
     this.plots.cursor(time);
     this.phase.cursor(time);
     this.story.cursor(time);
-    this.transport.show(this.stage.options);
+    this.transport.show();
   }
 
   request() {
@@ -416,12 +388,6 @@ export class Lab {
     return this.first[this.motions.active] ?? this.first[0];
   }
 
-  showSteps() {
-    const { motions } = this;
-    const changed = motions.film().query !== this.firstQuery();
-    this.header.show(motions.history, motions.lanes.length > 1, changed);
-  }
-
   /** Draw it, or leave it out. */
   async toggle(name: keyof StageOptions) {
     const { options } = this.stage;
@@ -433,7 +399,7 @@ export class Lab {
         this.notice.say(messageOf(error));
       }
     }
-    this.transport.show(options);
+    this.transport.show();
     this.address?.soon();
     this.request();
   }

@@ -1,6 +1,7 @@
 // For a class: the player alone, large, on the whole screen, or in all of the page where there is no full screen.
 
 import { iconButton } from "../common/dom.ts";
+import type { Lab } from "./lab.ts";
 
 export class Present {
   full = false;
@@ -8,25 +9,21 @@ export class Present {
   left: () => void = () => {
     if (!document.fullscreenElement && this.full) this.turn(false);
   };
-  onchange: () => void = () => {};
   /** The way out, also for fingers. */
   leave = iconButton(document.createTextNode("×"), "menu.leave_presentation", () => this.turn(false), {
     class: "leave",
   });
 
-  constructor(
-    readonly root: HTMLElement,
-    readonly show: () => void,
-  ) {
+  constructor(readonly lab: Lab) {
     document.addEventListener("fullscreenchange", this.left);
   }
 
   async turn(on: boolean = !this.on) {
-    const { root } = this;
+    const { root, extras } = this.lab;
     this.on = on;
     root.classList.toggle("presenting", on);
-    this.onchange();
-    this.show();
+    extras.mark();
+    this.lab.show();
     if (on) this.leave.focus({ preventScroll: true }); // what was pressed may be hidden now
     if (!on) {
       const full = this.full;

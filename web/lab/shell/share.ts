@@ -6,9 +6,6 @@ import { record } from "../player/recording.ts";
 import { png, svg } from "../player/pictures.ts";
 import type { Lab } from "./lab.ts";
 
-/** What is kept, and who makes it. */
-type Kept = Parameters<typeof record>[0] & Pick<Lab, "backend" | "film" | "link">;
-
 const FILES = [
   ["motion.toml", "save.scenario"],
   ["motion.csv", "save.states"],
@@ -45,7 +42,7 @@ export class Share {
   );
   dialog = h("dialog", { class: "code-dialog", "aria-label": "save.code_title" });
 
-  constructor(readonly lab: Kept) {}
+  constructor(readonly lab: Lab) {}
 
   /** `kind`: `full` where the simple view leaves it out. */
   item(label: string, action: () => void, kind = "") {
@@ -87,7 +84,7 @@ export class Share {
     this.lab.notice.say({ key: "save.ready", values: { name } });
   }
 
-  async picture(kind: string, make: (shown: Kept) => Promise<Blob> | Blob) {
+  async picture(kind: string, make: (lab: Lab) => Promise<Blob> | Blob) {
     saveBlob(await make(this.lab), `hophoop.${kind}`);
   }
 

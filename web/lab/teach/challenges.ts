@@ -4,6 +4,7 @@ import { h, say } from "../common/dom.ts";
 import { GOALS, stars, type Goal } from "./goals.ts";
 import { recall, remember } from "../shell/memory.ts";
 import { spoken } from "../words/words.ts";
+import type { Lab } from "../shell/lab.ts";
 
 const KEY = "hophoop-best-";
 
@@ -46,12 +47,7 @@ export class Challenges {
     ),
   );
 
-  /** `load`: shows the motion of a link; `ahead`: whether the hoop is in the hand. */
-  constructor(
-    readonly film: () => Film,
-    readonly load: (query: string) => Promise<void>,
-    readonly ahead: () => boolean,
-  ) {}
+  constructor(readonly lab: Lab) {}
 
   open() {
     this.element.hidden = false;
@@ -76,7 +72,7 @@ export class Challenges {
   begin() {
     if (!this.goal) return;
     this.solved.delete(this.goal.key);
-    this.load(this.goal.start);
+    this.lab.load(this.goal.start);
   }
 
   /** A solution that is shown is not the visitor's: it does not count, and nothing that is made of it. */
@@ -84,22 +80,22 @@ export class Challenges {
     const { goal } = this;
     if (!goal) return;
     this.solved.add(goal.key);
-    await this.load(goal.best);
-    this.solutions.add(this.film().query);
+    await this.lab.load(goal.best);
+    this.solutions.add(this.lab.film().query);
   }
 
   /** Another motion is there: its score. A start that is still in the hand does not count. */
   changed() {
     const { goal } = this;
     if (!goal) return;
-    const { points, text, values = {} } = goal.score(this.film());
-    const counts = !this.solved.has(goal.key) && !this.solutions.has(this.film().query);
+    const { points, text, values = {} } = goal.score(this.lab.film());
+    const counts = !this.solved.has(goal.key) && !this.solutions.has(this.lab.film().query);
     this.meter.value = points;
     const key = counts ? "challenge.points" : "challenge.points_not_counted";
     const said = { key, values: { stars: drawn(points), count: points, what: { key: text, values } } };
     if (this.result.textContent !== spoken(said)) say(this.result, said);
     const kept = Number(recall(KEY + goal.key) ?? 0);
-    const best = counts && !this.ahead() ? Math.max(kept, points) : kept;
+    const best = counts && !this.lab.stage.options.ahead ? Math.max(kept, points) : kept;
     if (best > kept) remember(KEY + goal.key, String(best));
     say(this.kept, { key: "challenge.own_best", values: { count: best } });
   }

@@ -1,9 +1,9 @@
 // What a visitor says before the motion is shown: one of several answers, a mark on a circle, or a curve.
 
 import { disc, ring, stroke } from "../common/paint.ts";
-import { scaledContext, h } from "../common/dom.ts";
-import { clamp } from "../common/clamp.ts";
-import { follow } from "../common/pointer.ts";
+import { scaledContext, h, theme } from "../common/dom.ts";
+import { clamp, modulo } from "../common/clamp.ts";
+import { follow, placeOn } from "../common/pointer.ts";
 
 /** A guess: what stands on the page, whether it has been made, and how good it was (from 0 to 100). */
 export interface Guess {
@@ -13,12 +13,9 @@ export interface Guess {
   redraw?: () => void; // in other colours
 }
 
-/** `angle`: in degrees. */
-const around = (angle: number) => angle - 360 * Math.floor(angle / 360);
-
 /** Points for an angle: none at 90° off, all within a degree. */
 export function anglePoints(guess: number, truth: number) {
-  const off = Math.abs(around(guess - truth + 180) - 180);
+  const off = Math.abs(modulo(guess - truth + 180, 360) - 180);
   return Math.round(100 * clamp(1 - (off - 1) / 89, 0, 1));
 }
 
@@ -95,11 +92,8 @@ export function dial(label: string, onguess: () => void): Guess {
     canvas,
   );
   const draw = () => {
-    const style = getComputedStyle(element);
-    const { context } = scaledContext(canvas, Number.parseFloat(style.width) / SIZE || 1);
-    const ink = style.getPropertyValue("--ink").trim();
-    const soft = style.getPropertyValue("--soft").trim();
-    const accent = style.getPropertyValue("--accent").trim();
+    const { context } = scaledContext(canvas, element.clientWidth / SIZE || 1);
+    const { ink, soft, accent } = theme(element);
     context.clearRect(0, 0, SIZE, SIZE);
     context.strokeStyle = soft;
     context.fillStyle = soft;
@@ -127,7 +121,7 @@ export function dial(label: string, onguess: () => void): Guess {
   };
   const turn = (to: number) => {
     if (truth !== null) return;
-    angle = around(to);
+    angle = modulo(to, 360);
     made = true;
     element.setAttribute("aria-valuenow", String(Math.round(angle)));
     element.setAttribute("aria-valuetext", `${Math.round(angle)}°`);
@@ -135,9 +129,8 @@ export function dial(label: string, onguess: () => void): Guess {
     onguess();
   };
   const toward = (event: PointerEvent) => {
-    const box = canvas.getBoundingClientRect();
-    const [x, y] = [event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2];
-    turn((Math.atan2(x, -y) * 180) / Math.PI);
+    const [x, y] = placeOn(canvas, event, canvas.clientWidth / 2);
+    turn((Math.atan2(x - 1, 1 - y) * 180) / Math.PI);
   };
   element.addEventListener("pointerdown", (event) => {
     event.preventDefault();
@@ -158,7 +151,7 @@ export function dial(label: string, onguess: () => void): Guess {
     redraw: draw,
     made: () => made,
     judge: (found: number) => {
-      truth = around(found);
+      truth = modulo(found, 360);
       draw();
       return anglePoints(angle, truth);
     },
@@ -201,19 +194,17 @@ export function sketch(
     canvas,
     handles,
   );
-  const box = () => canvas.getBoundingClientRect();
   let size = { width: 0, height: 0, px: 1 };
   const x = (i: number) => LEFT + (i / (POINTS - 1)) * (size.width - LEFT - RIGHT);
   const y = (value: number) => TOP + (1 - value / most) * (size.height - TOP - BOTTOM);
   const draw = () => {
-    const style = getComputedStyle(element);
-    const px = Number.parseFloat(style.getPropertyValue("font-size")) / 14 || 1;
+    const look = theme(element);
+    const { px } = look;
     const { context, width, height } = scaledContext(canvas, px);
     size = { width, height, px };
-    const read = (name: string) => style.getPropertyValue(name).trim();
     context.clearRect(0, 0, width, height);
-    context.strokeStyle = read("--line");
-    context.fillStyle = read("--soft");
+    context.strokeStyle = look.line;
+    context.fillStyle = look.soft;
     context.font = "11px system-ui, sans-serif";
     for (let i = 0; i < POINTS; i += 2) {
       context.textAlign = "center";
@@ -240,8 +231,8 @@ export function sketch(
       context.stroke();
       context.setLineDash([]);
     };
-    line(values, read("--accent"), [6, 4]);
-    if (truth) line(truth, read("--ink"), []);
+    line(values, look.accent, [6, 4]);
+    if (truth) line(truth, look.ink, []);
     handles.forEach((handle, i) => {
       handle.style.transform = `translate(${px * x(i)}px, ${px * y(values[i])}px)`;
     });
@@ -257,8 +248,7 @@ export function sketch(
   };
   let last: number | null = null;
   const pull = (event: PointerEvent) => {
-    const frame = box();
-    const [across, down] = [event.clientX - frame.left, event.clientY - frame.top].map((at) => at / size.px);
+    const [across, down] = placeOn(canvas, event, size.px);
     const share = clamp((across - LEFT) / (size.width - LEFT - RIGHT), 0, 1);
     const i = Math.round(share * (POINTS - 1));
     const value = most * (1 - (down - TOP) / (size.height - TOP - BOTTOM));

@@ -10,12 +10,6 @@ import type { Guess } from "./predict.ts";
 
 const KEY = "hophoop-visit";
 
-/** What a visit plays, and what it says. */
-type Guided = Pick<
-  Lab,
-  "stage" | "clock" | "motions" | "backend" | "notice" | "films" | "show" | "changed" | "mark" | "opening"
->;
-
 export class Visit {
   step: Step | null = null;
   guess: Guess | null = null;
@@ -36,17 +30,11 @@ export class Visit {
   /** Counts what has been asked for, so that an answer to an earlier step is not shown. */
   asked = 0;
 
-  onchallenges: () => void;
   body = h("div", { class: "visit-body" });
   said = h("div", { class: "visit-answer", role: "status" });
   element = h("section", { class: "visit card", "aria-label": "menu.visit", hidden: true }, this.body, this.said);
 
-  constructor(
-    readonly lab: Guided,
-    challenges: () => void,
-  ) {
-    this.onchallenges = challenges;
-  }
+  constructor(readonly lab: Lab) {}
 
   /** Whether the visitor still guesses: then nothing may tell what will happen. */
   get guessing() {
@@ -233,7 +221,7 @@ export class Visit {
 
   challenge() {
     this.leave();
-    this.onchallenges();
+    this.lab.extras.challenges.open();
   }
 
   /** Another motion is there, or other colours. */

@@ -1,5 +1,6 @@
 // The guided visit: what is asked, and what the computed motion answers. Nothing is known here before it is computed.
 
+import { modulo } from "../common/clamp.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { choices, dial, sketch, type Guess } from "./predict.ts";
 
@@ -24,7 +25,7 @@ const WHOLE = 2 * Math.PI;
 
 const first = (film: Film, kind: string) => film.events.find((event) => event.kind === kind);
 
-const inTurn = (angle: number) => degrees(angle - WHOLE * Math.floor(angle / WHOLE));
+const inTurn = (angle: number) => degrees(modulo(angle, WHOLE));
 
 /** A quantity at equal steps of the first turn. */
 export function overTurn(film: Film, column: string, steps = 72) {

@@ -1,0 +1,54 @@
+// What diagrams and the plane of angle and rate have in common: two canvases, the lower for curves and the upper for the cursor.
+
+import { h, scaledContext } from "../common/dom.ts";
+
+// What axes need beside the box of curves.
+export const LEFT = 52;
+export const RIGHT = 10;
+export const TOP = 8;
+export const BOTTOM = 30;
+
+export class Diagram {
+  films: Film[];
+  active: number;
+  look: Look;
+  box: Box;
+
+  canvas = h("canvas", { class: "plot-canvas" });
+  over = h("canvas", { class: "plot-canvas plot-over" });
+  keys = h("div", { class: "plot-keys" });
+  body = h("div", { class: "plot-body", tabindex: "0", role: "figure" }, this.canvas, this.over);
+  element: HTMLElement;
+
+  constructor(attributes: Record<string, string>, title: string) {
+    this.element = h("section", attributes, h("header", {}, h("h3", {}, title), this.keys), this.body);
+  }
+
+  /** The lower canvas, empty. */
+  begin() {
+    const { context, width, height } = scaledContext(this.canvas, this.look.px);
+    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    context.clearRect(0, 0, width, height);
+    return context;
+  }
+
+  /** What is drawn from here to `restore` stays in the box. */
+  clip(context: CanvasRenderingContext2D) {
+    const { left, top, width, height } = this.frame();
+    context.save();
+    context.beginPath();
+    context.rect(left, top, width, height);
+    context.clip();
+  }
+
+  frame() {
+    return new DOMRect(LEFT, TOP, this.box.width, this.box.height);
+  }
+
+  /** The upper canvas, empty. */
+  beginOver() {
+    const { context, width, height } = scaledContext(this.over, this.look.px);
+    context.clearRect(0, 0, width, height);
+    return context;
+  }
+}
