@@ -249,7 +249,7 @@ def test_files_that_are_no_films(tmp_path):
         ({"exposure": 2.0}, "exposure = 2.0 must be from 0 to 1 s"),
         ({"row_delay": 1.0}, "row_delay = 1.0"),
         ({"tilt": (1.0, 0.0)}, "tilt"),
-        ({"slope": 2.0}, "slope = 2.0 must lie between"),
+        ({"slope": 2.0}, "slope = 2.0 must be between"),
     ],
 )
 def test_bad_values(films, values, message):

@@ -7,12 +7,15 @@ the optical axis meets the plane. Without tilt a rectified pixel is a pixel.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
 from hophoop._support.extras import need
 from hophoop.tracking.circle import fit_circle
+from hophoop.tracking.scatter import spread
 
 Floats = NDArray[np.float64]
 
@@ -37,23 +40,18 @@ class Camera:
         Turn of the plane about the picture's horizontal and vertical axis [rad].
     """
 
-    width: int
-    height: int
-    focal: float
+    width: Annotated[int, Field(gt=0)]
+    height: Annotated[int, Field(gt=0)]
+    focal: Annotated[float, Field(gt=0, allow_inf_nan=False)]
     tilt_x: float = 0.0
     tilt_y: float = 0.0
 
-    @property
-    def middle(self) -> Floats:
-        """The pixel on the optical axis [pixel]."""
-        return np.array([0.5 * (self.width - 1), 0.5 * (self.height - 1)])
-
-    def _axes(self) -> Floats:
-        a, b = self.tilt_x, self.tilt_y
-        about_x = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
-        about_y = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
-        axes: Floats = about_x @ about_y
-        return axes
+    def _projection(self) -> Floats:
+        """Matrix from points of the plane to pixels, in homogeneous coordinates."""
+        (sin_x, sin_y), (cos_x, cos_y) = np.sin([self.tilt_x, self.tilt_y]), np.cos([self.tilt_x, self.tilt_y])
+        plane = np.array([[cos_y, 0, 0], [sin_x * sin_y, cos_x, 0], [-cos_x * sin_y, sin_x, self.focal]])
+        lens = np.array([[self.focal, 0, 0.5 * (self.width - 1)], [0, -self.focal, 0.5 * (self.height - 1)], [0, 0, 1]])
+        return np.asarray(lens @ plane)
 
     def to_picture(self, points: Floats) -> Floats:
         """Project points of the plane to pixels.
@@ -68,10 +66,7 @@ class Camera:
         pixels : ndarray, shape (…, 2)
             Column and row [pixel].
         """
-        seen = points @ self._axes()[:, :2].T
-        shrink = self.focal / (self.focal + seen[..., 2])
-        result: Floats = self.middle + np.stack([seen[..., 0] * shrink, -seen[..., 1] * shrink], axis=-1)
-        return result
+        return _through(self._projection(), points)
 
     def to_plane(self, pixels: Floats) -> Floats:
         """Return the points of the plane at pixels.
@@ -86,14 +81,13 @@ class Camera:
         points : ndarray, shape (…, 2)
             In rectified pixels, up is positive [pixel].
         """
-        axes = self._axes()
-        away = (pixels - self.middle) * [1.0, -1.0]
-        ray = np.concatenate([away / self.focal, np.ones((*away.shape[:-1], 1))], axis=-1)
-        reach = self.focal * axes[2, 2] / (ray @ axes[:, 2])
-        place = ray * reach[..., None]
-        place[..., 2] -= self.focal
-        result: Floats = place @ axes[:, :2]
-        return result
+        return _through(np.asarray(np.linalg.inv(self._projection()), dtype=float), pixels)
+
+
+def _through(matrix: Floats, points: Floats) -> Floats:
+    """Return points through a projection."""
+    seen = points @ matrix[:, :2].T + matrix[:, 2]
+    return np.asarray(seen[..., :2] / seen[..., 2:])
 
 
 def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[Camera, bool]:
@@ -105,10 +99,9 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[
     optimize = need("scipy.optimize", "track")
     first = camera.focal
     edges = [points[:: max(1, len(points) // 60)] for points in edges]
-    spread = _spread(camera, edges)
-    counts = np.array([len(points) for points in edges])
+    scatter = _scatter(camera, edges)
     # blur and coding add an error of the radius to that of its points
-    error = np.sqrt(spread**2 / counts + RADIUS_ERROR**2)
+    error = np.sqrt(scatter**2 / np.array([len(points) for points in edges]) + RADIUS_ERROR**2)
 
     def of(values: Floats) -> Camera:
         return replace(camera, tilt_x=values[0], tilt_y=values[1], focal=first * np.exp(0.0 if focal_known else values[2]))
@@ -119,7 +112,7 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[
         radii = np.array([fit[2] for fit in fits])
         prior = np.array([values[0] / TILT_SPREAD, values[1] / TILT_SPREAD, values[2] / FOCAL_SPREAD])
         off = (radii - np.average(radii, weights=error**-2)) / error
-        result: Floats = np.concatenate([*(fit[3] / spread for fit in fits), off, prior])
+        result: Floats = np.concatenate([*(fit[3] / scatter for fit in fits), off, prior])
         return result
 
     def cost(values: Floats) -> float:
@@ -138,8 +131,7 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[
     return of(best.x), True
 
 
-def _spread(camera: Camera, edges: list[Floats]) -> float:
+def _scatter(camera: Camera, edges: list[Floats]) -> float:
     """Error of a point of an edge, from differences of neighbours, which a tilt hardly changes [pixel]."""
     steps = [np.diff(fit_circle(camera.to_plane(points))[3]) for points in edges]
-    together = np.concatenate(steps)
-    return max(float(1.4826 * np.median(np.abs(together - np.median(together))) / np.sqrt(2.0)), 0.05)
+    return max(spread(np.concatenate(steps)) / float(np.sqrt(2.0)), 0.05)

@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.tracking.scatter import spread
+
 Floats = NDArray[np.float64]
 
 BINS = 72  # of the circumference
@@ -53,7 +55,7 @@ def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[f
     width = reach
     weight = np.zeros(len(points))
     normal: Floats = np.eye(3)
-    spread = reach
+    scatter = reach
     for _ in range(10):
         away = points - (x, y)
         distance = np.maximum(np.hypot(*away.T), 1e-9)
@@ -62,25 +64,25 @@ def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[f
         if near.sum() < 8:
             return None
         # the median of the near points is small although half of the rest are outliers
-        spread = max(float(1.4826 * np.median(np.abs(off[near] - np.median(off[near])))), 0.03)
-        scale = max(4.685 * spread, 0.3)
+        scatter = max(spread(off[near]), 0.03)
+        scale = max(4.685 * scatter, 0.3)
         weight = np.where(np.abs(off) < scale, (1.0 - (off / scale) ** 2) ** 2, 0.0)
         jacobian = np.column_stack([away / distance[:, None], np.ones(len(points))])
         normal = jacobian.T @ (weight[:, None] * jacobian)
         right = jacobian.T @ (weight * off)
         if expected is not None:
-            hold = (spread / expected[1]) ** 2
+            hold = (scatter / expected[1]) ** 2
             normal[2, 2] += hold
             right[2] += hold * (expected[0] - radius)
         if np.linalg.det(normal) <= 1e-4 * float(np.trace(normal)) ** 2:
             return None  # an arc too short to distinguish from a line
         step = np.linalg.solve(normal, right)
         x, y, radius = x + float(step[0]), y + float(step[1]), radius + float(step[2])
-        width = max(3.0 * spread, 1.0)
+        width = max(3.0 * scatter, 1.0)
         if np.abs(step).max() < 1e-3:
             break
-    covariance = np.asarray(spread**2 * np.linalg.inv(normal), dtype=float)
-    return CircleFit(Circle(x, y, radius), covariance, weight > 0.0, spread)
+    covariance = np.asarray(scatter**2 * np.linalg.inv(normal), dtype=float)
+    return CircleFit(Circle(x, y, radius), covariance, weight > 0.0, scatter)
 
 
 def ransac_circles(

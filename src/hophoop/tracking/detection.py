@@ -76,7 +76,7 @@ def detect(luma: Bytes, search: Search, rng: np.random.Generator) -> Hoop | None
                 middle = (np.array([circle.x, circle.y]) + 0.5) * search.by - 0.5
                 # with a tilt the size in the picture differs from that in the plane, but little enough for the search
                 plane = search.camera.to_plane(middle)
-                hoop = confirm(luma, search, Circle(float(plane[0]), float(plane[1]), circle.radius * search.by), rng)
+                hoop = confirm(luma, search, Circle(float(plane[0]), float(plane[1]), circle.radius * search.by))
                 if hoop is not None and (best is None or hoop.rim.share > best.rim.share):
                     best = hoop
                 if best is not None and best.rim.share > CERTAIN:
@@ -84,9 +84,7 @@ def detect(luma: Bytes, search: Search, rng: np.random.Generator) -> Hoop | None
     return best
 
 
-def confirm(
-    luma: Bytes, search: Search, circle: Circle, rng: np.random.Generator, lean: tuple[float, float] = (0.0, 0.0)
-) -> Hoop | None:
+def confirm(luma: Bytes, search: Search, circle: Circle, lean: tuple[float, float] = (0.0, 0.0)) -> Hoop | None:
     """Find the hoop's outer edge near a circle, which may be its inner edge or off by a few pixels.
 
     luma shape (height, width) [1]; lean: as in `find_rim` [rectified pixels per row]; hoop: None if too little of a rim is
@@ -116,7 +114,7 @@ def confirm(
     if outer.radius < SMALLEST:
         return None
     reach = max(5.0, 0.06 * outer.radius)
-    rim = find_rim(luma, search.camera, outer, sign, reach, search.expected, rng, lean)
+    rim = find_rim(luma, search.camera, outer, sign, reach, search.expected, lean)
     if rim is None or not acceptable(rim, search.expected):
         return None
     return Hoop(rim, sign)

@@ -18,7 +18,7 @@ from hophoop._version import __version__
 from hophoop.scenario import InputError
 from hophoop.tracking.plots import Curve, plot
 from hophoop.tracking.table import FOUND, LOST, Track, View
-from hophoop.tracking.video import Bytes, jpeg, open_writer, pictures, rgb
+from hophoop.tracking.video import Picture, jpeg, open_writer, pictures, rgb
 
 Floats = NDArray[np.float64]
 Colour = tuple[int, int, int]
@@ -27,64 +27,59 @@ RIM, MARK, GROUND, GONE = (255, 214, 10), (0, 229, 255), (255, 255, 255), (230, 
 MODEL = (255, 60, 220)  # a computed hoop
 POINTS = "#0a6"
 DARK = (20, 20, 20)
+FAR = 1e5  # of a point outside the picture [pixel]
 STILLS = 9
 LOST_STILLS = 3
 STILL_WIDTH = 640
 
 
-def curve(image: Bytes, pixels: Floats, colour: Colour, width: int = 2) -> None:
+def curve(pen: Any, pixels: Floats, colour: Colour, width: int = 2) -> None:
     """Draw a line through points, with a dark edge so that it is visible on any background.
 
-    image: shape (height, width, 3), modified in place [1]; pixels shape (n, 2) [pixel]; colour: red, green and blue [1]; width
-    [pixel].
+    pen: Pillow's ImageDraw; pixels shape (n, 2) [pixel]; colour: red, green and blue [1]; width [pixel].
     """
-    if len(pixels) < 2 or not np.isfinite(pixels).all():
-        return
-    size = np.array([image.shape[1], image.shape[0]])
-    pixels = pixels.clip(-size, 2 * size)
-    lengths = np.hypot(*np.diff(pixels, axis=0).T)
-    along = np.concatenate([[0.0], np.cumsum(lengths)])
-    fine = np.linspace(0.0, along[-1], max(2, int(2 * along[-1])))
-    points = np.stack([np.interp(fine, along, pixels[:, k]) for k in (0, 1)], axis=-1)
-    for brush, paint in ((width + 2, DARK), (width, colour)):
-        span = np.arange(brush) - 0.5 * (brush - 1)
-        dots = (points[:, None, None, :] + np.stack(np.meshgrid(span, span), axis=-1)[None]).reshape(-1, 2).round().astype(int)
-        inside = ((dots >= 0) & (dots < size)).all(axis=1)
-        image[dots[inside, 1], dots[inside, 0]] = paint
+    if np.isfinite(pixels).all():
+        places = [tuple(place) for place in pixels.clip(-FAR, FAR).tolist()]
+        for brush, paint in ((width + 2, DARK), (width, colour)):
+            pen.line(places, paint, brush, joint="curve")
 
 
-def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, colour: Colour = RIM, dashes: int = 0) -> None:
+def draw(pen: Any, view: View, radius: float, centre: Floats, angle: float, colour: Colour = RIM, dashes: int = 0) -> None:
     """Draw a hoop over a picture.
 
-    image: shape (height, width, 3), modified in place [1]; radius [m]; centre: shape (2,), along the plane and above it [m];
+    pen: Pillow's ImageDraw; radius [m]; centre: shape (2,), along the plane and above it [m];
     angle: angle of the marker; nan if unknown [rad]; colour: colour of the rim [1]; dashes: number of gaps in the rim [1].
     """
     around = np.linspace(0.0, 2 * np.pi, 91)
     rim = centre + radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
     pieces = np.array_split(rim, 2 * dashes)[::2] if dashes else [rim]
     for piece in pieces:
-        curve(image, view.to_picture(piece, radius), colour)
+        curve(pen, view.to_picture(piece, radius), colour)
     cross = 0.06 * radius
     for along in ((cross, 0.0), (0.0, cross)):
-        curve(image, view.to_picture(np.array([centre - along, centre + along]), radius), colour, 1)
+        curve(pen, view.to_picture(np.array([centre - along, centre + along]), radius), colour, 1)
     if np.isfinite(angle):
         reach = radius * (view.marker_ratio if np.isfinite(view.marker_ratio) else 1.0)
         tip = centre + reach * np.array([np.sin(angle), np.cos(angle)])
-        curve(image, view.to_picture(np.array([centre, tip]), radius), MARK)
+        curve(pen, view.to_picture(np.array([centre, tip]), radius), MARK)
         small = tip + 0.05 * radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
-        curve(image, view.to_picture(small, radius), MARK)
+        curve(pen, view.to_picture(small, radius), MARK)
 
 
-def _draw_frame(image: Bytes, track: Track, row: int) -> Bytes:
+def _draw_frame(picture: Picture, track: Track, row: int, model: tuple[Floats, Floats] | None) -> Any:
+    """Return a picture of Pillow with the hoop of a row, and with the computed one."""
+    image = need("PIL.Image", "track").fromarray(rgb(picture))
+    pen = need("PIL.ImageDraw", "track").Draw(image)
     view = track.view
     assert view is not None
     span = np.linspace(np.nanmin(track.centre[:, 0]) - 3 * track.radius, np.nanmax(track.centre[:, 0]) + 3 * track.radius, 60)
-    curve(image, view.to_picture(np.stack([span, 0.0 * span], axis=-1), track.radius), GROUND, 1)
+    curve(pen, view.to_picture(np.stack([span, 0.0 * span], axis=-1), track.radius), GROUND, 1)
     if track.state[row] == LOST:
-        edge = max(4, image.shape[1] // 160)
-        image[:edge], image[-edge:], image[:, :edge], image[:, -edge:] = GONE, GONE, GONE, GONE
+        pen.rectangle((0, 0, image.width - 1, image.height - 1), outline=GONE, width=max(4, image.width // 160))
     else:
-        draw(image, view, track.radius, track.centre[row], track.angle[row])
+        draw(pen, view, track.radius, track.centre[row], track.angle[row])
+    if model is not None and np.isfinite(model[0][row]).all():
+        draw(pen, view, track.radius, model[0][row], model[1][row], MODEL, 12)
     return image
 
 
@@ -133,14 +128,11 @@ def overlay(
     with target as add:
         for row, picture in _rows(video, track):
             if add is not None or row in wanted:
-                image = _draw_frame(rgb(picture), track, row)
-                if model is not None and np.isfinite(model[0][row]).all():
-                    draw(image, track.view, track.radius, model[0][row], model[1][row], MODEL, 12)
+                image = _draw_frame(picture, track, row, model)
                 if add is not None:
-                    add(image, picture.t)
+                    add(np.asarray(image), picture.t)
                 if row in wanted:
-                    by = max(1, image.shape[1] // STILL_WIDTH)
-                    stills.append((row, jpeg(np.ascontiguousarray(image[::by, ::by]))))
+                    stills.append((row, jpeg(np.asarray(image.reduce(max(1, image.width // STILL_WIDTH))))))
             if progress is not None:
                 progress(row + 1, len(track.t))
     if page is not None:

@@ -94,9 +94,7 @@ class Follower:
             circle = Circle(float(guess[0]), float(guess[1]), expected[0])
             lean = velocity * self.row_delay
             reach = min(reach, 0.45 * expected[0])
-            rim = find_rim(
-                picture.luma, self.search.camera, circle, self.search.sign, reach, expected, self._rng, (lean[0], lean[1])
-            )
+            rim = find_rim(picture.luma, self.search.camera, circle, self.search.sign, reach, expected, (lean[0], lean[1]))
             if rim is not None and acceptable(rim, expected):
                 return rim
         hoop = detect(picture.luma, self.search, self._rng)
@@ -109,10 +107,9 @@ class Follower:
             return None
         good = []
         for spot in spots(picture, self.search.camera, circle, self.marker):
-            ratio = np.hypot(spot.x - circle.x, spot.y - circle.y) / circle.radius
-            share = spot.area / self.marker.area
-            if AREAS[0] < share < AREAS[1] and abs(ratio - self.marker.ratio) < max(NEAR, 3.0 / circle.radius):
-                good.append((abs(np.log(share)) + abs(ratio - self.marker.ratio) / NEAR, spot))
+            share, off = spot.area / self.marker.area, abs(spot.ratio - self.marker.ratio)
+            if AREAS[0] < share < AREAS[1] and off < max(NEAR, 3.0 / circle.radius):
+                good.append((abs(np.log(share)) + off / NEAR, spot))
         if not good:
             return None
         spot = min(good, key=lambda pair: pair[0])[1]

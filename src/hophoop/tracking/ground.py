@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.tracking.scatter import NORMAL
+
 Floats = NDArray[np.float64]
 
 LOW = 0.15  # share of the frames below the first line
@@ -34,34 +36,30 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
     points: shape (n, 2), centres [rectified pixels]; errors: shape (n,), errors of the heights [rectified pixels]; radius
     [rectified pixels]; ground: level if the hoop stays in one place.
     """
-    x, y = points[:, 0], points[:, 1]
-    middle = float(x.mean())
+    middle, y = float(points[:, 0].mean()), points[:, 1]
+    x = points[:, 0] - middle
     directed = bool(np.ptp(x) > LEAST_WAY * radius)
-    design = np.column_stack([np.ones(len(x)), x - middle]) if directed else np.ones((len(x), 1))
-    line = np.linalg.lstsq(design, y, rcond=None)[0]
+    line = np.polyfit(x, y, int(directed))
     for _ in range(60):  # quantile regression by reweighting
-        off = y - design @ line
+        off = y - np.polyval(line, x)
         weight = np.where(off > 0, LOW, 1.0 - LOW) / np.maximum(np.abs(off), 1e-3)
-        line = np.linalg.lstsq(design * np.sqrt(weight)[:, None], y * np.sqrt(weight), rcond=None)[0]
+        line = np.polyfit(x, y, int(directed), w=np.sqrt(weight))
     error = max(float(np.median(errors)), 0.05)
-    near = np.abs(y - design @ line) < 4.0 * error
+    near = np.abs(y - np.polyval(line, x)) < 4.0 * error
     for _ in range(20):
-        if near.sum() < max(3, 2 * design.shape[1]):
+        if near.sum() < (4 if directed else 3):
             break
-        line = np.linalg.lstsq(design[near], y[near], rcond=None)[0]
-        off = y - design @ line
-        now = np.abs(off) < 3.0 * max(error, float(1.4826 * np.median(np.abs(off[near]))))
-        if (now == near).all():
+        line = np.polyfit(x[near], y[near], int(directed))
+        off, before = np.abs(y - np.polyval(line, x)), near
+        near = off < 3.0 * max(error, NORMAL * float(np.median(off[near])))
+        if (near == before).all():
             break
-        near = now
     if not near.any():  # the hoop keeps no height, as in a film that lies on its side
         near[:] = True
-    angle = float(np.arctan(line[1])) if directed else 0.0
-    count = int(near.sum())
-    off = (y - design @ line)[near]
-    height_error = max(float(np.sqrt((off**2).mean())), LEAST_OFF) * np.sqrt(ALIKE / count)
+    angle, off = float(np.arctan(line[0])) if directed else 0.0, (y - np.polyval(line, x))[near]
+    height_error = max(float(np.sqrt((off**2).mean())), LEAST_OFF) * np.sqrt(ALIKE / len(off))
     angle_error = height_error / float(np.std(x[near])) if directed else float("nan")
-    return Ground(middle, float(line[0]), angle, count, directed, float(height_error), angle_error)
+    return Ground(middle, float(line[-1]), angle, len(off), directed, float(height_error), angle_error)
 
 
 def line_through(first: Floats, second: Floats, radius: float) -> Ground:

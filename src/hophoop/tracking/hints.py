@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from hophoop.scenario import InputError
+
+NUMBERS = {"centre": 2, "ground": 4, "tilt": 2}
 
 
 @dataclass(frozen=True)
@@ -74,26 +77,23 @@ class Hints:
             from hophoop.tracking.marker import colour_chroma
 
             colour_chroma(self.marker_color)
-        if self.ring not in ("auto", "dark", "light"):
-            raise InputError.of_field("ring", self.ring, "auto, dark or light")
         if (self.centre is None) != (self.rim is None):
             missing, there = ("rim", "centre") if self.rim is None else ("centre", "rim")
             raise InputError(f"{missing} is missing: {there} alone does not locate the hoop.")
-        for name, count in (("centre", 2), ("ground", 4), ("tilt", 2)):
-            value = getattr(self, name)
-            if value is not None and (len(value) != count or not np.isfinite(value).all()):
-                raise InputError.of_field(name, value, f"{count} numbers")
-        for name in ("rim", "rate", "focal"):
-            value = getattr(self, name)
-            if value is not None and not (np.isfinite(value) and value > 0):
-                raise InputError.of_field(name, value, "a number above 0")
-        if not 0.0 <= self.exposure < 1.0:
-            raise InputError.of_field("exposure", self.exposure, "from 0 to 1 s")
-        if not abs(self.row_delay) <= 1e-3:
-            raise InputError.of_field("row_delay", self.row_delay, "from -0.001 to 0.001 s")
-        if self.tilt is not None and max(abs(self.tilt[0]), abs(self.tilt[1])) > 0.6:
-            raise InputError.of_field("tilt", self.tilt, "from -0.6 to 0.6 (radians)")
-        if not abs(self.level) < 1.0:
-            raise InputError.of_field("level", self.level, "between -1 and 1 (radians)")
-        if self.slope is not None and not abs(self.slope) < 0.5 * np.pi:
-            raise InputError.of_field("slope", self.slope, "between -pi/2 and pi/2 (radians)", rule="must lie")
+        for name, good, allowed in (
+            ("ring", self.ring in ("auto", "dark", "light"), "auto, dark or light"),
+            *((name, _inside(getattr(self, name), count=n), f"{n} numbers") for name, n in NUMBERS.items()),
+            *((name, _inside(getattr(self, name), above=0.0), "a number above 0") for name in ("rim", "rate", "focal")),
+            ("exposure", 0.0 <= self.exposure < 1.0, "from 0 to 1 s"),
+            ("row_delay", abs(self.row_delay) <= 1e-3, "from -0.001 to 0.001 s"),
+            ("tilt", _inside(self.tilt, -0.6, 0.6, 2), "from -0.6 to 0.6 (radians)"),
+            ("level", _inside(self.level, -1.0, 1.0), "between -1 and 1 (radians)"),
+            ("slope", _inside(self.slope, -0.5 * np.pi, 0.5 * np.pi), "between -pi/2 and pi/2 (radians)"),
+        ):
+            if not good:
+                raise InputError.of_field(name, getattr(self, name), allowed)
+
+
+def _inside(value: Any, above: float = -np.inf, below: float = np.inf, count: int = 1) -> bool:
+    """Return True for None, and for numbers between limits."""
+    return value is None or (np.size(value) == count and bool(np.all((np.array(value) > above) & (np.array(value) < below))))

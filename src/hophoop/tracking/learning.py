@@ -29,7 +29,6 @@ class FilmSetup(NamedTuple):
     search: Search
     marker: Marker | None
     tilted: bool
-    seen: list[tuple[Picture, Circle]]
 
 
 def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str) -> FilmSetup:
@@ -53,7 +52,7 @@ def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str
         )
     if hints.row_delay:
         seen = _correct_rolling_shutter(
-            seen, dict(zip(map(id, pictures), (after for _, after in pairs), strict=True)), search, hints, rng
+            seen, dict(zip(map(id, pictures), (after for _, after in pairs), strict=True)), search, hints.row_delay
         )
     tilted = False
     if hints.tilt is None and len(seen) >= 4:
@@ -67,7 +66,7 @@ def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str
     again = []
     for picture, hoop in seen:
         point = camera.to_plane(before.to_picture(np.array(hoop.rim.circle[:2])))
-        found = confirm(picture.luma, search, Circle(float(point[0]), float(point[1]), radius), rng)
+        found = confirm(picture.luma, search, Circle(float(point[0]), float(point[1]), radius))
         if found is not None:
             again.append((picture, found.rim.circle))
     if len(again) < 2:
@@ -78,15 +77,14 @@ def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str
     # all pictures together give a more accurate radius than each one
     radius = float(np.median([circle.radius for _, circle in again]))
     search = search._replace(expected=(radius, TIGHT * radius))
-    return FilmSetup(search, _marker(again, camera, hints), tilted, again)
+    return FilmSetup(search, _marker(again, camera, hints), tilted)
 
 
 def _correct_rolling_shutter(
     seen: list[tuple[Picture, Hoop]],
     following: dict[int, Picture | None],
     search: Search,
-    hints: Hints,
-    rng: np.random.Generator,
+    row_delay: float,
 ) -> list[tuple[Picture, Hoop]]:
     """Return the hoops, with the rolling shutter's distortion of the rim corrected by their velocities."""
     result = []
@@ -94,11 +92,11 @@ def _correct_rolling_shutter(
         after = following[id(picture)]
         now = hoop.rim.circle
         near = search._replace(expected=(now.radius, 0.02 * now.radius))
-        then = None if after is None else confirm(after.luma, near, now, rng)
+        then = None if after is None else confirm(after.luma, near, now)
         if after is None or then is None:
             continue
-        way = np.array([then.rim.circle.x - now.x, then.rim.circle.y - now.y]) / (after.t - picture.t) * hints.row_delay
-        again = confirm(picture.luma, near, now, rng, (float(way[0]), float(way[1])))
+        way = np.array([then.rim.circle.x - now.x, then.rim.circle.y - now.y]) / (after.t - picture.t) * row_delay
+        again = confirm(picture.luma, near, now, (float(way[0]), float(way[1])))
         if again is not None:
             result.append((picture, again))
     return result if len(result) >= 2 else seen
@@ -112,7 +110,7 @@ def _hoops(
     sign = {"dark": 1, "light": -1}.get(hints.ring, 0)
     small = np.stack([downsample(picture.luma, by) for picture in pictures])
     background = np.median(small, axis=0)
-    given = _hoop_at_hint(pictures, camera, hints, sign, rng)
+    given = _hoop_at_hint(pictures, camera, hints, sign)
     best: list[tuple[Picture, Hoop]] = []
     result = Search(camera, None, by, sign, None)
     for way in (background, None):
@@ -132,14 +130,14 @@ def _hoops(
     return result, best
 
 
-def _hoop_at_hint(pictures: list[Picture], camera: Camera, hints: Hints, sign: int, rng: np.random.Generator) -> Hoop | None:
+def _hoop_at_hint(pictures: list[Picture], camera: Camera, hints: Hints, sign: int) -> Hoop | None:
     """Find the hoop at the hinted centre."""
     if hints.centre is None or hints.rim is None:
         return None
     picture = min(pictures, key=lambda one: abs(one.t - hints.at))
     place = camera.to_plane(np.array(hints.centre, dtype=float))
     search = Search(camera, None, 1, sign, None)
-    hoop = confirm(picture.luma, search, Circle(float(place[0]), float(place[1]), hints.rim), rng)
+    hoop = confirm(picture.luma, search, Circle(float(place[0]), float(place[1]), hints.rim))
     if hoop is None:
         raise InputError(
             f"centre = {hints.centre[0]:g}, {hints.centre[1]:g} and a rim of {hints.rim:g} pixels show no rim "

@@ -22,7 +22,7 @@ NAMES = {
 LEAST_CHROMA = 16.0  # minimum, to distinguish a colour from gray
 PALE = 18.0  # minimum chroma of a marker above its surroundings
 FEWEST = 3.0  # minimum chroma samples of a marker
-OUTSIDE = 1.12  # maximum distance of a marker from the centre, over the radius
+INSIDE, OUTSIDE = 0.15, 1.12  # distances of a marker from the centre, over the radius
 
 
 class Marker(NamedTuple):
@@ -35,11 +35,14 @@ class Marker(NamedTuple):
 
 
 class Spot(NamedTuple):
-    """A patch of the marker's colour in a picture."""
+    """A patch of colour on the hoop in a picture."""
 
     x: float  # in rectified pixels
     y: float
     row: float  # of the picture [pixel]
+    blue: float  # its chroma
+    red: float
+    ratio: float  # distance from the centre over the radius
     area: float  # sum of its weights
 
     @property
@@ -73,12 +76,13 @@ def colour_chroma(text: str) -> tuple[float, float]:
 
 
 class _Patch(NamedTuple):
-    """Chroma of the box around a circle, and the positions of its samples."""
+    """Samples of chroma in the box around a circle."""
 
     blue: Floats
     red: Floats
-    pixels: Floats  # [pixel]
+    rows: Floats  # of the picture [pixel]
     points: Floats  # [rectified pixels]
+    ratio: Floats  # distance from the centre over the radius
 
 
 def _patch(picture: Picture, camera: Camera, circle: Circle) -> _Patch | None:
@@ -94,14 +98,29 @@ def _patch(picture: Picture, camera: Camera, circle: Circle) -> _Patch | None:
     columns, rows = np.meshgrid(
         np.arange(left, right) * 2.0 + picture.chroma[0], np.arange(top, bottom) * 2.0 + picture.chroma[1]
     )
-    pixels = np.stack([columns, rows], axis=-1)
+    points = camera.to_plane(np.stack([columns, rows], axis=-1))
+    ratio = np.hypot(points[..., 0] - circle.x, points[..., 1] - circle.y) / circle.radius
     blue, red = picture.blue[cut].astype(float) - 128, picture.red[cut].astype(float) - 128
-    return _Patch(blue, red, pixels, camera.to_plane(pixels))
+    return _Patch(blue, red, rows, points, ratio)
+
+
+def _spots_of(patch: _Patch, circle: Circle, weight: Floats) -> list[Spot]:
+    """Return connected regions with a weight, the largest first, at the mean of their samples."""
+    ndimage = need("scipy.ndimage", "track")
+    labels, _ = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
+    samples = np.stack([patch.points[..., 0], patch.points[..., 1], patch.rows, patch.blue, patch.red], axis=-1)
+    result = []
+    for k, box in enumerate(ndimage.find_objects(labels), 1):
+        own = np.where(labels[box] == k, weight[box], 0.0)
+        area = float(own.sum())
+        if area >= FEWEST:
+            x, y, row, blue, red = (np.einsum("ij,ijk->k", own, samples[box]) / area).tolist()
+            result.append(Spot(x, y, row, blue, red, float(np.hypot(x - circle.x, y - circle.y) / circle.radius), area))
+    return sorted(result, key=lambda spot: -spot.area)
 
 
 def spots(picture: Picture, camera: Camera, circle: Circle, marker: Marker) -> list[Spot]:
     """Find patches of the marker's colour at its distance from the centre, the largest first."""
-    ndimage = need("scipy.ndimage", "track")
     patch = _patch(picture, camera, circle)
     if patch is None:
         return []
@@ -110,29 +129,11 @@ def spots(picture: Picture, camera: Camera, circle: Circle, marker: Marker) -> l
     across = np.abs(patch.blue * marker.red - patch.red * marker.blue) / size
     # a ramp about half of the full colour, so that blur and subsampled chroma do not move the centroid
     weight = ((along - 0.6 * np.maximum(across - 0.15 * size, 0.0)) / size - 0.25).clip(0.0, 0.5) * 2.0
-    ratio = np.hypot(patch.points[..., 0] - circle.x, patch.points[..., 1] - circle.y) / circle.radius
     if np.isfinite(marker.ratio):
-        weight = np.where(np.abs(ratio - marker.ratio) < max(0.2, 8.0 / circle.radius), weight, 0.0)
+        near = np.abs(patch.ratio - marker.ratio) < max(0.2, 8.0 / circle.radius)
     else:
-        weight = np.where(ratio < OUTSIDE, weight, 0.0)
-    labels, _ = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
-    result = []
-    for k, box in enumerate(ndimage.find_objects(labels)):
-        one = np.where(labels[box] == k + 1, weight[box], 0.0)
-        area = float(one.sum())
-        if area < FEWEST:
-            continue
-        x, y = ((one[..., None] * patch.points[box]).sum(axis=(0, 1)) / area).tolist()
-        row = float((one * patch.pixels[box][..., 1]).sum() / area)
-        result.append(Spot(x, y, row, area))
-    return sorted(result, key=lambda spot: -spot.area)
-
-
-class _Seen(NamedTuple):
-    blue: float
-    red: float
-    ratio: float
-    frame: int
+        near = patch.ratio < OUTSIDE
+    return _spots_of(patch, circle, np.where(near, weight, 0.0))
 
 
 def find_marker(seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker | None:
@@ -140,53 +141,35 @@ def find_marker(seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker | 
 
     seen: pictures with the hoop in them; marker: None if there is no such patch in at least half of the pictures.
     """
-    ndimage = need("scipy.ndimage", "track")
-    patches: list[_Seen] = []
+    found: list[tuple[int, Spot]] = []
     for frame, (picture, circle) in enumerate(seen):
         patch = _patch(picture, camera, circle)
-        if patch is None:
-            continue
-        usual = np.median(patch.blue), np.median(patch.red)
-        chroma = np.hypot(patch.blue - usual[0], patch.red - usual[1])
-        away = np.hypot(patch.points[..., 0] - circle.x, patch.points[..., 1] - circle.y) / circle.radius
-        inside = (away < OUTSIDE) & (away > 0.15)
-        if not inside.any():
-            continue
-        strong = inside & (chroma > max(PALE, 0.45 * float(chroma[inside].max())))
-        labels, count = ndimage.label(strong, structure=np.ones((3, 3)))
-        for k in range(1, count + 1):
-            own = labels == k
-            if own.sum() >= FEWEST:
-                core = own & (chroma >= np.quantile(chroma[own], 0.5))
-                blue, red = float(patch.blue[core].mean()), float(patch.red[core].mean())
-                x, y = (float(np.average(patch.points[..., i][own], weights=chroma[own])) for i in (0, 1))
-                ratio = float(np.hypot(x - circle.x, y - circle.y) / circle.radius)
-                patches.append(_Seen(blue, red, ratio, frame))
-    best: list[_Seen] = []
-    for seed in patches:
-        alike = [one for one in patches if _alike(one, seed)]
-        if len({one.frame for one in alike}) > len({one.frame for one in best}):
-            best = alike
-    if len({one.frame for one in best}) < max(2, 0.5 * len(seen)):
+        if patch is not None:
+            chroma = np.hypot(patch.blue - np.median(patch.blue), patch.red - np.median(patch.red))
+            chroma[(patch.ratio >= OUTSIDE) | (patch.ratio <= INSIDE)] = 0.0
+            most = float(chroma.max())
+            weight = np.where(chroma > max(PALE, 0.45 * most), chroma / max(most, PALE), 0.0)
+            found += [(frame, spot) for spot in _spots_of(patch, circle, weight)]
+    best: dict[int, Spot] = {}
+    for _, seed in found:
+        alike = {frame: spot for frame, spot in found if _alike(spot, seed)}
+        best = max(best, alike, key=len)
+    if len(best) < max(2, 0.5 * len(seen)):
         return None
-    blue, red, ratio = (float(np.median([getattr(one, name) for one in best])) for name in ("blue", "red", "ratio"))
+    blue, red, ratio = np.median([(spot.blue, spot.red, spot.ratio) for spot in best.values()], axis=0).tolist()
     return refine_marker(Marker(blue, red, ratio, np.nan), seen, camera)
 
 
-def _alike(one: _Seen, other: _Seen) -> bool:
+def _alike(one: Spot, other: Spot) -> bool:
     size = np.hypot(other.blue, other.red)
     apart = np.hypot(one.blue - other.blue, one.red - other.red)
     return bool(apart < max(0.3 * size, 10.0) and abs(one.ratio - other.ratio) < 0.08)
 
 
 def refine_marker(marker: Marker, seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker:
-    """Return the marker with its median colour, distance and size."""
-    ratios, areas = [], []
-    for picture, circle in seen:
-        found = spots(picture, camera, circle, marker)
-        if found:
-            ratios.append(np.hypot(found[0].x - circle.x, found[0].y - circle.y) / circle.radius)
-            areas.append(found[0].area)
-    if not areas:
+    """Return the marker with its median distance and size."""
+    largest = [found[0] for picture, circle in seen if (found := spots(picture, camera, circle, marker))]
+    if not largest:
         return marker
-    return marker._replace(ratio=float(np.median(ratios)), area=float(np.median(areas)))
+    ratio, area = np.median([(spot.ratio, spot.area) for spot in largest], axis=0).tolist()
+    return marker._replace(ratio=ratio, area=area)

@@ -17,7 +17,6 @@ Floats = NDArray[np.float64]
 RAYS = 180
 WIDE = 5  # samples on either side of the steepest one, averaged for its position
 WEAKEST = 4.0  # rise of luma over two pixels that counts as an edge
-DRAWS = 120  # pairs of rays drawn for the shift of the rim
 CLOSE = 4.0  # reach of the last search [pixel]
 
 
@@ -90,21 +89,6 @@ def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, 
     return Edges(found[good], angles[good], mean[good], strength[good], pixels[rows, best, 1][good], int(there.sum()))
 
 
-def estimate_shift(found: Edges, rng: np.random.Generator) -> tuple[float, float, float] | None:
-    """Estimate the shift of the circle from the offsets on all rays, many of which may be outliers.
-
-    x, y, share: the shift, and the share of rays that agree with it [pixel].
-    """
-    count = len(found.angles)
-    if count < 12:
-        return None
-    directions, pairs = np.column_stack([np.cos(found.angles), np.sin(found.angles)]), rng.integers(0, count, (DRAWS, 2))
-    shifts = (np.linalg.pinv(directions[pairs]) @ found.offsets[pairs][..., None])[..., 0]
-    agree = (np.abs(shifts @ directions.T - found.offsets) < 1.5).sum(axis=1)
-    best = int(np.argmax(agree))
-    return float(shifts[best, 0]), float(shifts[best, 1]), float(agree[best] / max(found.looked, 1))
-
-
 def find_rim(
     luma: Bytes,
     camera: Camera,
@@ -112,7 +96,6 @@ def find_rim(
     sign: int,
     reach: float,
     expected: tuple[float, float] | None,
-    rng: np.random.Generator,
     lean: tuple[float, float] = (0.0, 0.0),
 ) -> Rim | None:
     """Find the rim near a circle.
@@ -121,13 +104,8 @@ def find_rim(
     circle [pixel]; expected: radius and its error [pixel]; lean: displacement of the hoop per row of the rolling shutter
     [rectified pixels per row].
     """
-    if reach > 1.5 * CLOSE:
-        shift = estimate_shift(edges(luma, camera, circle, sign, reach, step=1.0), rng)
-        if shift is None or shift[2] < 0.25:
-            return None
-        circle = Circle(circle.x + shift[0], circle.y + shift[1], circle.radius)
     fit: CircleFit | None = None
-    for close in (CLOSE, CLOSE):
+    for close in (reach, CLOSE):
         found = edges(luma, camera, circle, sign, close)
         if len(found.points) < 12:
             return None

@@ -9,7 +9,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -151,17 +150,10 @@ def _text(file: Path) -> str:
 
 def _fill_in(track: Track, how: Reading) -> Track:
     """Fill in what the file lacks."""
-    values: dict[str, Any] = {}
-    if np.isnan(track.angle).all():
-        arrow = track.marker - track.centre
-        there = np.isfinite(arrow[:, 0])
-        angle = np.arctan2(arrow[:, 0], arrow[:, 1])
-        angle[there] = np.unwrap(angle[there])
-        if there.any():
-            values["angle"] = angle
-    if how.radius is not None:
-        values["radius"] = how.radius
-    return replace(track, **values) if values else track
+    angle = track.angle
+    if np.isnan(angle).all():
+        angle = _unwrapped(np.arctan2(*(track.marker - track.centre).T))
+    return replace(track, angle=angle, radius=track.radius if how.radius is None else how.radius)
 
 
 # --- tables ----------------------------------------------------------------------------------------
@@ -170,10 +162,7 @@ def _fill_in(track: Track, how: Reading) -> Track:
 def _from_table(columns: list[Column], notes: list[str], file: Path, how: Reading) -> Track:
     name = str(file)
     used = {channel: _of_label(columns, channel, label, name) for channel, label in how.columns.items()}
-    own = [
-        column for column in columns if column.quantity in COLUMNS and column.quantity not in ("t", "x", "y", "angle", "omega")
-    ]
-    used |= {column.quantity: column for column in own if column.quantity not in used}
+    used = {column.quantity: column for column in columns if column.quantity in CERTAIN} | used
     # points of other programs are not along and above the plane; our own table's are
     ours = {"sigma_x", "sigma_y"} <= used.keys()
     centre = _find_positions(columns, used, how, name, notes)
@@ -253,17 +242,20 @@ def _values(used: dict[str, Column], how: Reading, name: str) -> dict[str, Float
     """Values of all columns but the times, in SI units and radians."""
     values = {}
     for channel, column in used.items():
-        kind = KINDS.get(channel)
-        if channel in ("t", "frame"):
-            continue
-        unit = (how.angle_unit or "") if kind == "angle" else f"{how.angle_unit}/s" if kind == "rate" and how.angle_unit else ""
-        if channel.startswith("sigma"):
-            unit = {"angle": "rad", "rate": "rad/s"}.get(kind or "", "")
-        values[channel] = column.values if kind is None else column.converted(kind, name, unit)
+        kind, angle = KINDS.get(channel, ""), "rad" if channel.startswith("sigma") else how.angle_unit
+        unit = {"angle": angle, "rate": angle and f"{angle}/s"}.get(kind) or ""
+        if channel not in ("t", "frame"):
+            values[channel] = column.converted(kind, name, unit) if kind else column.values
     if "angle" in values:
-        there = np.isfinite(values["angle"])
-        values["angle"][there] = np.unwrap(values["angle"][there])
+        values["angle"] = _unwrapped(values["angle"])
     return values
+
+
+def _unwrapped(angle: Floats) -> Floats:
+    """Return an angle without jumps of whole revolutions; nan stays."""
+    result, there = angle.copy(), np.isfinite(angle)
+    result[there] = np.unwrap(angle[there])
+    return result
 
 
 def _find_positions(columns: list[Column], used: dict[str, Column], how: Reading, name: str, notes: list[str]) -> str | None:
@@ -286,9 +278,7 @@ def _roles(free: list[Column], points: list[str], how: Reading, name: str, notes
     roles: dict[str, str] = {}
     for role, said, words in (("centre", how.centre, CENTRE_WORDS), ("marker", how.marker, MARKER_WORDS)):
         if said is not None:
-            same = [
-                column.point for column in free if said in (column.point, column.label, re.sub(r"\s*[(\[].*", "", column.label))
-            ]
+            same = [column.point for column in free if said in (column.point, column.label, UNIT.sub("", column.label))]
             if not same:
                 raise InputError(f"{name} has no point {said!r}; its points are {_shown(points)}.")
             roles[role] = same[0]

@@ -7,13 +7,15 @@ import json
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field, TypeAdapter, ValidationError
 
 from hophoop._support.files import replacing
 from hophoop.scenario import InputError
+from hophoop.scenario.sentences import findings_sentence
 from hophoop.tracking.camera import Camera
 
 Floats = NDArray[np.float64]
@@ -57,7 +59,7 @@ class View:
     """
 
     camera: Camera
-    scale: float
+    scale: Annotated[float, Field(gt=0, allow_inf_nan=False)]
     x: float
     y: float
     rise: float
@@ -341,7 +343,10 @@ def track_from_dict(data: Any, name: str) -> Track:
         raise InputError(f"{name} is not a track of hophoop ({SCHEMA}).")
     try:
         columns = {key: np.array(values, dtype=float) for key, values in data["columns"].items() if key in COLUMNS}
-        view = _view_from_dict(data["view"], name) if "view" in data else None
+        view = None
+        if "view" in data:
+            lens = Camera(**data["view"]["camera"])  # refuses strange names, as View does; pydantic the values
+            view = TypeAdapter(View).validate_python(asdict(View(**{**data["view"], "camera": lens})))
         others = {key: float(data[key]) for key in HEAD if key in data}
         return track_of(
             columns.pop("t"),
@@ -353,24 +358,12 @@ def track_from_dict(data: Any, name: str) -> Track:
             notes=tuple(str(note) for note in data["notes"]),
             **others,
         )
+    except ValidationError as error:
+        raise InputError(f"{name}: {findings_sentence(error.errors(), 'view')}") from None
     except InputError:
         raise
     except (KeyError, TypeError, AttributeError, ValueError) as error:
         raise InputError(f"{name} is incomplete: {error}.") from None
-
-
-def _view_from_dict(data: Any, name: str) -> View:
-    parts = {key: float(value) for key, value in data.items() if key not in ("camera", "chroma", "first")}
-    blue, red = data.get("chroma", (np.nan, np.nan))
-    chroma = (float(blue), float(red)) if "chroma" in data else None
-    lens: dict[str, Any] = {
-        key: int(value) if key in ("width", "height") else float(value) for key, value in data["camera"].items()
-    }
-    view = View(Camera(**lens), **parts, chroma=chroma, first=int(data.get("first", 0)))
-    for key, value in {"scale": view.scale, **{key: getattr(view.camera, key) for key in ("width", "height", "focal")}}.items():
-        if not (np.isfinite(value) and value > 0):
-            raise InputError(f"{name} has a view whose {key} = {value:g} must be a number above 0.")
-    return view
 
 
 def _plain(values: Floats) -> list[float | None]:

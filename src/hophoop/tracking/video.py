@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -176,17 +177,13 @@ def sample_pictures(
 def rgb(picture: Picture) -> Bytes:
     """Convert a picture to RGB.
 
-    rgb: shape (height, width, 3), red, green and blue [1].
+    rgb: shape (height, width, 3), cut to even sides; red, green and blue [1].
     """
-    luma = (picture.luma.astype(np.float32) - 16) * 1.164
-    tall, wide = luma.shape
-    blue, red = (
-        np.repeat(np.repeat(plane, 2, axis=0), 2, axis=1)[:tall, :wide].astype(np.float32) - 128
-        for plane in (picture.blue, picture.red)
-    )
-    colours = np.stack([luma + 1.596 * red, luma - 0.392 * blue - 0.813 * red, luma + 2.017 * blue], axis=-1)
-    result: Bytes = colours.clip(0, 255).astype(np.uint8)
-    return result
+    wide, tall = (side // 2 for side in picture.size)
+    planes = picture.luma[: 2 * tall, : 2 * wide], picture.blue[:tall, :wide], picture.red[:tall, :wide]
+    together = np.concatenate([plane.ravel() for plane in planes]).reshape(3 * tall, 2 * wide)
+    frame = need("av", "track").VideoFrame.from_ndarray(together, format="yuv420p")
+    return np.asarray(frame.to_ndarray(format="rgb24"))
 
 
 @contextmanager
@@ -222,11 +219,6 @@ def jpeg(colours: Bytes) -> bytes:
 
     colours: shape (height, width, 3), red, green and blue [1].
     """
-    av = need("av", "track")
-    coder = av.CodecContext.create("mjpeg", "w")
-    coder.height, coder.width = colours.shape[0] // 2 * 2, colours.shape[1] // 2 * 2
-    coder.pix_fmt, coder.time_base = "yuvj420p", Fraction(1, 25)
-    coder.options = {"qmin": "3", "qmax": "5"}
-    image = np.ascontiguousarray(colours[: coder.height, : coder.width])
-    frame = av.VideoFrame.from_ndarray(image, format="rgb24").reformat(format="yuvj420p")
-    return b"".join(bytes(packet) for packet in [*coder.encode(frame), *coder.encode(None)])
+    file = BytesIO()
+    need("PIL.Image", "track").fromarray(colours).save(file, "JPEG")
+    return file.getvalue()
