@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ def quick(monkeypatch):
 
 def film(options=None, fps=5, runs=None, **timing):
     look = {"size": SIZE, "traces": False, "forces": False, "shadows": False} | (options or {})
-    return Film3D(runs or [motion()], Timing(fps=fps, **timing), Look3D(**look))
+    return closing(Film3D(runs or [motion()], Timing(fps=fps, **timing), Look3D(**look)))
 
 
 def test_a_film_has_its_frames_and_size_without_a_display(tmp_path, monkeypatch):

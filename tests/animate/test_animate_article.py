@@ -48,9 +48,3 @@ def test_the_runs_are_the_articles():
         assert film.scenario.hoop == hh.Hoop.ideal(0.75)
         assert film.scenario.start == hh.Start.rolling(film.speed)
         assert film.scenario.plane.mu == film.mu
-
-
-def test_other_runs_need_the_name_of_a_film(tmp_path):
-    with pytest.raises(ValueError, match="scenarios names 'v4'"):
-        article_films(tmp_path, scenarios={"v4": hh.Scenario()})
-    assert not list(tmp_path.iterdir())

@@ -6,6 +6,7 @@ The distances on the plane in 3D as well.
 import itertools
 import math
 import re
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -116,7 +117,7 @@ def projected(film, k, point):
 @pytest.mark.parametrize("camera", ["chase", "orbit", "side", "hold"])
 def test_a_distance_stands_at_its_mark(camera, slope, written):
     """Below the near edge of the track, which is 2.2 radii wide."""
-    with Film3D([motion(3.1, slope=slope)], Timing(fps=10), Look3D(camera=camera)) as film:
+    with closing(Film3D([motion(3.1, slope=slope)], Timing(fps=10), Look3D(camera=camera))) as film:
         for k in (0, 4):
             written.clear()
             film.draw(k)

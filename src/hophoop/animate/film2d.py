@@ -15,7 +15,7 @@ from hophoop.animate.head import Head, arrow_look
 from hophoop.animate.look import FORCE_LENGTH, LONGEST, Look, bounded, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.sheet import Bytes, Points, Rectangle, Sheet, shades_of
-from hophoop.animate.themes import theme_of
+from hophoop.animate.themes import THEMES
 from hophoop.results.poses import Floats, Poses, load_distance, part_side, poses_of, rim_speeds, to_world
 from hophoop.scenario import Ring, Rod
 from hophoop.simulation.trajectory import Trajectory
@@ -77,13 +77,9 @@ class _Actor:
         self.plane[1].set_data(ground[:2].T)
         self.step = nice(200.0 * unit / view.scale)
         self.inks = [theme.visible(color) for color in (colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE)]
-        shown = np.zeros((2, len(self.trace.t), 1), dtype=bool)
-        for a, b, flies in self.trace.runs:
-            shown[int(flies), a : b + 1] = True
         self.paths = [(self.trace.load, line(theme.load, 1.7, 0.85 * alpha))]
         self.paths += [
-            (np.where(here, self.trace.gravity_center, np.nan), line(ink, 2.6, alpha))
-            for here, ink in zip(shown, self.inks, strict=True)
+            (self.trace.gravity_path(flies), line(ink, 2.6, alpha)) for flies, ink in zip((False, True), self.inks, strict=True)
         ]
         around, load, round_ = self.turned + axes.transData, load_distance(hoop), patches.Circle
         spoke = patches.Polygon([(0.0, 0.0), (0.0, load)], ec=theme.muted, lw=1.2, alpha=0.7 * alpha)
@@ -203,7 +199,7 @@ class Film2D:
     def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look) -> None:
         self.subject = subject_of(motions, timing, look.labels)
         self.clock, self.count = self.subject.clock, self.subject.clock.count
-        self.fps, self.look, self.size, self.theme = timing.frame_rate, look, look.size, theme_of(look.theme)
+        self.fps, self.look, self.size, self.theme = timing.frame_rate, look, look.size, THEMES[look.theme]
         self.sheet = Sheet(look.size, self.theme.background)
         self.overlay = look.layout == "overlay" and len(motions) > 1
         self.side = len(motions) > 1 and not self.overlay

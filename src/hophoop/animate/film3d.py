@@ -7,19 +7,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
 from hophoop._support.extras import need
-from hophoop.animate.frames import Timing, follow, subject_of
+from hophoop.animate.frames import Timing, common_slope, follow, subject_of
 from hophoop.animate.head import Head
 from hophoop.animate.look import FORCE_LENGTH, LANE, LONGEST, Look3D, bounded, nice
 from hophoop.animate.sheet import Bytes, Sheet, shades_of
-from hophoop.animate.themes import theme_of
+from hophoop.animate.themes import THEMES
 from hophoop.results.poses import Floats, poses_of, rim_speeds, to_world
-from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
@@ -70,9 +68,7 @@ class _Actor:
             mesh = pv.Arrow()
             self.arrows[name] = mesh, film.add(mesh, color=theme.visible(color), ambient=0.35)
         self.inks = [theme.visible(ink) for ink in (colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE)]
-        flies = np.zeros(len(self.trace.t), dtype=int)
-        for a, b, airborne in self.trace.runs:
-            flies[a:b] = airborne
+        flies = self.trace.airborne.astype(int)
         paint = np.array([colors.rgb(ink) for ink in (*self.inks, theme.load)], dtype=np.uint8)
         self.lines = []
         for path, inks, width in ((self.trace.load, np.full_like(flies, 2), 2.5), (self.trace.gravity_center, flies, 4.0)):
@@ -125,7 +121,7 @@ class _Actor:
 
 
 class Film3D:
-    """The pictures of a film in 3D: `draw(k)` gives the k-th. Close it, or use it in a with statement.
+    """The pictures of a film in 3D: `draw(k)` gives the k-th. Close it.
 
     Parameters
     ----------
@@ -146,11 +142,8 @@ class Film3D:
     def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look3D) -> None:
         self.subject = subject_of(motions, timing, look.labels)
         self.clock, self.count = self.subject.clock, self.subject.clock.count
-        self.fps, self.look, self.size, self.theme = timing.frame_rate, look, look.size, theme_of(look.theme)
-        slopes = {motion.scenario.plane.slope for motion in motions}
-        if len(slopes) > 1:
-            raise InputError.of_field("plane.slope", sorted(slopes), "the same in all motions of one scene")
-        self.slope = slopes.pop()
+        self.fps, self.look, self.size, self.theme = timing.frame_rate, look, look.size, THEMES[look.theme]
+        self.slope = common_slope(motions)
         self.pyvista = need("pyvista", "films3d")
         self.radius = max(motion.scenario.hoop.radius for motion in motions)
         self.newton = FORCE_LENGTH * self.radius / self.subject.whole.force
@@ -203,12 +196,6 @@ class Film3D:
     def close(self) -> None:
         """Free the renderer."""
         self._plotter.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, where: TracebackType | None) -> None:
-        self.close()
 
     def add(self, mesh: Any, **look: Any) -> Any:
         """Add a mesh to the scene."""

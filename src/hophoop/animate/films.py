@@ -5,11 +5,12 @@ from __future__ import annotations
 import base64
 import html
 from collections.abc import Sequence
+from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from hophoop._support.stopping import temporary_folder
-from hophoop.animate.export import Progress, check_film, format_of, write
+from hophoop.animate.export import Progress, format_of, write
 from hophoop.animate.film2d import Film2D
 from hophoop.animate.film3d import Film3D
 from hophoop.animate.frames import Timing
@@ -70,9 +71,7 @@ def film(
     ...     film(motion, f"{folder}/hop.mp4", Timing(fps=30), Look(size=(320, 180))).name
     'hop.mp4'
     """
-    timing = _with_frame_rate(timing, path, FPS_2D)
-    check_film(format_of(path), look.size, timing.frame_rate)
-    return write(Film2D(_several(motions), timing, look), path, progress)
+    return write(Film2D(_several(motions), _with_frame_rate(timing, path, FPS_2D), look), path, progress)
 
 
 def picture(motions: Motions, t: float, look: Look = Look()) -> Bytes:
@@ -143,9 +142,7 @@ def film_3d(
     ImportError
         If the extra 'films3d' is not installed.
     """
-    timing = _with_frame_rate(timing, path, FPS_3D)
-    check_film(format_of(path), look.size, timing.frame_rate)
-    with Film3D(_several(motions), timing, look) as pictures:
+    with closing(Film3D(_several(motions), _with_frame_rate(timing, path, FPS_3D), look)) as pictures:
         return write(pictures, path, progress)
 
 

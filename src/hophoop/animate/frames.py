@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
-from hophoop.animate.look import TAGS, labels_of
+from hophoop.animate.look import TAGS, as_tuple, labels_of
 from hophoop.kernel.physics.body import EVENT_NAMES
 from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, to_world, turned_at
 from hophoop.scenario import InputError
@@ -18,7 +18,7 @@ from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.names import EVENTS, STATUSES
 
 STEPS = ("time", "angle")
-USUAL_RATE = 60.0
+USUAL_RATE, MOST_FPS = 60.0, 1000.0
 HOLD = 1.2  # pause on the last state of a motion without continuation [s of film]
 # Points of a trace per unit of time √(R/g), about 310 per second for the reference hoop.
 TRACE_DENSITY = 100
@@ -60,34 +60,27 @@ class Timing:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "slow_at", self.marks)
-        for name, most in (("fps", 1000.0), ("speed", math.inf), ("slow_factor", math.inf)):
+        for name, least, most, allowed in (
+            ("fps", 0.0, MOST_FPS, f"a positive number and at most {MOST_FPS:g}"),
+            ("speed", 0.0, math.inf, "a positive number"),
+            ("slow_factor", 0.0, math.inf, "a positive number"),
+            ("slow_width", 0.0, math.inf, "positive (s)"),
+            ("start", -math.inf, math.inf, "a finite time (s)"),
+            ("end", -math.inf, math.inf, "a finite time (s)"),
+        ):
             value = getattr(self, name)
-            if value is None:
-                continue
-            if not (0.0 < value <= most and math.isfinite(value)):
-                limit = f" and at most {most:g}" if math.isfinite(most) else ""
-                raise InputError.of_field(name, value, f"a positive number{limit}")
-        if self.slow_width is not None and not (0.0 < self.slow_width < math.inf):
-            raise InputError.of_field("slow_width", self.slow_width, "positive (s)")
-        for name in ("start", "end"):
-            value = getattr(self, name)
-            if value is not None and not math.isfinite(value):
-                raise InputError.of_field(name, value, "a finite time (s)")
+            if value is not None and not (least < value <= most and math.isfinite(value)):
+                raise InputError.of_field(name, value, allowed)
         if self.step not in STEPS:
             raise InputError.of_field("step", self.step, f"one of {', '.join(STEPS)}")
         for mark in self.marks:
-            if not isinstance(mark, str) and not math.isfinite(mark):
-                raise InputError.of_field("slow_at", mark, "a finite time (s) or a kind of event")
-            if isinstance(mark, str) and mark not in EVENT_NAMES:
-                raise InputError(
-                    f"slow_at = {mark!r} is not a time or one of {', '.join(EVENT_NAMES)}.", field="slow_at", value=mark
-                )
+            if mark not in EVENT_NAMES if isinstance(mark, str) else not math.isfinite(mark):
+                raise InputError.of_field("slow_at", mark, f"a finite time (s) or one of {', '.join(EVENT_NAMES)}")
 
     @property
     def marks(self) -> tuple[str | float, ...]:
         """Kinds of events or times [s] with slow motion, as a tuple."""
-        marks = self.slow_at
-        return (marks,) if isinstance(marks, str | float | int) else tuple(marks)
+        return as_tuple(self.slow_at)
 
     @property
     def frame_rate(self) -> float:
@@ -208,14 +201,20 @@ class Trace:
         Times, including all events [s].
     load, gravity_center : ndarray, shape (n, 2)
         World coordinates [m].
-    runs : list of (int, int, bool)
-        Pieces from a first to a last index, airborne or not; each starts at the end of the one before.
+    airborne : ndarray of bool, shape (n,)
+        Whether the hoop is airborne after each point.
     """
 
     t: Floats
     load: Floats
     gravity_center: Floats
-    runs: list[tuple[int, int, bool]]
+    airborne: NDArray[np.bool_]
+
+    def gravity_path(self, airborne: bool) -> Floats:
+        """Return the path of the centre of gravity in flight or in contact, nan elsewhere."""
+        shown = self.airborne == airborne
+        shown[1:] |= shown[:-1].copy()
+        return np.where(shown[:, None], self.gravity_center, np.nan)
 
 
 def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Trace:
@@ -229,12 +228,10 @@ def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> T
     marks = marks[(marks >= start) & (marks <= end)]
     t = np.unique(np.concatenate([np.linspace(start, end, count), marks]))
     poses = poses_of(motion, t)
-    # the mode at a time is the one after it, so the piece after point i is airborne if i is
-    airborne = poses.mode[:-1] == "H" if len(t) > 1 else np.zeros(0, dtype=bool)
-    edges = np.flatnonzero(np.diff(airborne.astype(int))) + 1
-    bounds = [0, *edges.tolist(), len(airborne)]
-    runs = [(a, b, bool(airborne[a])) for a, b in pairwise(bounds) if b > a]
-    return Trace(t, poses.load, poses.gravity_center, runs)
+    airborne = poses.mode == "H"
+    if len(t) > 1:
+        airborne[-1] = airborne[-2]  # nothing is after the last point
+    return Trace(t, poses.load, poses.gravity_center, airborne)
 
 
 @dataclass(frozen=True)
@@ -343,6 +340,14 @@ def subject_of(motions: Sequence[Trajectory], timing: Timing, labels: Sequence[s
     traces = tuple(trace(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True))
     marks = tuple(event_marks(motion, times) for motion, times in pairs)
     return Subject(tuple(motions), shown, labels_of(motions, labels), extents, whole, traces, marks, max(ends))
+
+
+def common_slope(motions: Sequence[Trajectory]) -> float:
+    """Return the slope of all motions [rad]; refuse different ones."""
+    slopes = sorted({motion.scenario.plane.slope for motion in motions})
+    if len(slopes) > 1:
+        raise InputError.of_field("plane.slope", slopes, "the same in all motions of one scene")
+    return slopes[0]
 
 
 def follow(times: Floats, places: Floats, seconds: float) -> Floats:

@@ -34,14 +34,6 @@ def pace_words(rate: float) -> str:
     return f"slow motion, 1/{1.0 / rate:.2g}" if rate < 1.0 else f"{rate:.3g} times as fast"
 
 
-def newtons(amount: float) -> str:
-    """Format a force with a suitable unit, such as 50 MN in a jam."""
-    for least, size, unit in ((1e6, 1e6, "MN"), (1e4, 1e3, "kN")):
-        if amount >= least:
-            return f"{amount / size:g} {unit}"
-    return f"{amount:g} N"
-
-
 def arrow_look(theme: Theme, unit: float) -> dict[str, Any]:
     """Options of Matplotlib's quiver for the arrows of normal force and friction, to the scale of its axes."""
     shaft = 7.0 * unit
@@ -104,7 +96,7 @@ class Head:
     def _lines(self) -> list[tuple[str, str]]:
         theme, lines = self.theme, [("load", self.theme.load)]
         lines.append(("centre of gravity", theme.visible(colors.GRAVITY_CENTER)))
-        if any(airborne for track in self.subject.traces for _, _, airborne in track.runs):
+        if any(track.airborne.any() for track in self.subject.traces):
             lines.append(("airborne", theme.visible(colors.GRAVITY_CENTER_AIRBORNE)))
         return lines
 
@@ -123,6 +115,7 @@ class Head:
         axes = self.sheet.axes(place, xlim=(0.0, FORCES), ylim=(0.0, KEYS), facecolor="none")
         axes.set_axis_off()
         amount = nice(min(120.0 * u / newton, self.subject.whole.force))
+        newtons = need("matplotlib.ticker", "plots").EngFormatter("N")
         x, long, levels = FORCES - ARROW, amount * newton / u, (34.0, 10.0)
         axes.quiver([x, x], levels, [long, long], [0.0, 0.0], **arrow_look(theme, u))
         look = {"fontsize": FONT, "color": theme.ink}

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.animate.themes import theme_of
+from hophoop.animate.themes import THEMES
 from hophoop.scenario import InputError, describe
 from hophoop.simulation.trajectory import Trajectory
 
@@ -54,14 +54,8 @@ class Look:
     forces: bool = True
 
     def __post_init__(self) -> None:
-        _keep_tuples(self)
-        object.__setattr__(self, "panels", _words(self.panels))
-        check_size(self.size)
-        theme_of(self.theme)
-        one_of("camera", self.camera, CAMERAS)
-        one_of("layout", self.layout, LAYOUTS)
-        for panel in self.panels:
-            one_of("panels", panel, PANELS)
+        object.__setattr__(self, "panels", as_tuple(self.panels))
+        _check(self, camera=CAMERAS, layout=LAYOUTS, panels=PANELS)
 
 
 @dataclass(frozen=True)
@@ -95,33 +89,26 @@ class Look3D:
     shadows: bool = True
 
     def __post_init__(self) -> None:
-        _keep_tuples(self)
-        check_size(self.size)
-        theme_of(self.theme)
-        one_of("camera", self.camera, CAMERAS_3D)
+        _check(self, camera=CAMERAS_3D)
 
 
-def _keep_tuples(look: Look | Look3D) -> None:
-    object.__setattr__(look, "size", tuple(look.size))
+def _check(look: Look | Look3D, **allowed: Sequence[str]) -> None:
+    """Refuse a size that is not two integers, and words that are not allowed."""
+    size = tuple(look.size)
+    object.__setattr__(look, "size", size)
     if look.labels is not None:
-        object.__setattr__(look, "labels", _words(look.labels))
-
-
-def _words(words: Sequence[str] | str) -> tuple[str, ...]:
-    return (words,) if isinstance(words, str) else tuple(words)
-
-
-def check_size(size: tuple[int, int]) -> None:
-    """Refuse a size that is not two integers."""
-    good = len(size) == 2 and all(isinstance(side, int) and 64 <= side <= MAX_SIDE for side in size)
-    if not good:
+        object.__setattr__(look, "labels", as_tuple(look.labels))
+    if len(size) != 2 or not all(isinstance(side, int) and 64 <= side <= MAX_SIDE for side in size):
         raise InputError.of_field("size", size, f"a width and a height from 64 to {MAX_SIDE} pixels")
+    for name, words in {"theme": tuple(THEMES), **allowed}.items():
+        for word in as_tuple(getattr(look, name)):
+            if word not in words:
+                raise InputError.of_field(name, word, f"one of {', '.join(words)}")
 
 
-def one_of(name: str, value: str, allowed: Sequence[str]) -> None:
-    """Refuse a word that is not allowed."""
-    if value not in allowed:
-        raise InputError.of_field(name, value, f"one of {', '.join(allowed)}")
+def as_tuple(given: Any) -> tuple[Any, ...]:
+    """Return one word or number, or several, as a tuple."""
+    return (given,) if isinstance(given, str | float | int) else tuple(given)
 
 
 def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tuple[str, ...]:

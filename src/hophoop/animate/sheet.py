@@ -64,9 +64,9 @@ class Sheet:
         line.set_data(np.transpose(points))
         line.draw(self.renderer)
 
-    def dot(self, spot: Points, size: float, fill: str, edge: str, width: float = 1.0) -> None:
+    def dot(self, spot: Points, size: float, fill: str, edge: str) -> None:
         """Draw a disc; size: diameter [units]."""
-        self.line(np.array([spot]), marker="o", ms=size, mfc=fill, mec=edge, mew=width)
+        self.line(np.array([spot]), marker="o", ms=size, mfc=fill, mec=edge, mew=1.0)
 
     def text(self, x: float, y: float, words: str, color: str, anchor: str = "ls", bold: bool = False) -> None:
         """Write a line of text; anchor: Pillow's, 'ls' is the left end of the baseline, 'mm' the middle."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from hophoop.scenario import InputError
 from hophoop.vocabulary import colors
 
 
@@ -50,11 +49,3 @@ THEMES: Final[dict[str, Theme]] = {
     "dark": Theme("#14161A", "#2A2E35", "#F2F2F2", "#A6ABB3", "#FFFFFF", "#E0E0E0", dark=True),
     "print": Theme("#FFFFFF", "#FFFFFF", "#000000", "#4D4D4D", colors.LOAD, "#000000"),
 }
-
-
-def theme_of(name: str) -> Theme:
-    """Return a theme by name."""
-    try:
-        return THEMES[name]
-    except KeyError:
-        raise InputError.of_field("theme", name, f"one of {', '.join(THEMES)}") from None

@@ -13,16 +13,17 @@ from typing import Any
 import numpy as np
 
 from hophoop._support.files import replacing
-from hophoop.animate.frames import Timing, clock, event_marks, extent, trace
-from hophoop.animate.look import FORCE_LENGTH, TAGS, Look3D, labels_of, nice
-from hophoop.animate.themes import theme_of
+from hophoop.animate.frames import Timing, common_slope, subject_of
+from hophoop.animate.look import FORCE_LENGTH, Look3D, nice
+from hophoop.animate.themes import THEMES
 from hophoop.results.poses import Floats, load_distance, poses_of
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.names import EVENTS, FLIGHT, MODE_WORDS, WORDS
+from hophoop.vocabulary.names import EVENTS, MODE_WORDS, WORDS
 
 TRACE_POINTS = 4000
+PATH = ("t", "x", "height", "angle", "mode")
 STATE = ("x", "height", "angle", "vx", "vy", "omega", "normal_force", "friction_force")
 
 
@@ -73,42 +74,30 @@ def scene_data(
 
     data: SI units; arrays have one row per frame.
     """
-    shown = clock(motions, timing)
-    slopes = {motion.scenario.plane.slope for motion in motions}
-    if len(slopes) > 1:
-        raise InputError.of_field("plane.slope", sorted(slopes), "the same in all motions of one scene")
-    theme = theme_of(look.theme)
-    names = labels_of(motions, look.labels)
-    ends = [min(float(t[-1]), motion.duration) for t, motion in zip(shown.times, motions, strict=True)]
-    extents = [extent(motion, timing.start, last) for motion, last in zip(motions, ends, strict=True)]
-    radius = max(motion.scenario.hoop.radius for motion in motions)
-    hoops: list[dict[str, Any]] = []
-    for i, motion in enumerate(motions):
-        hoop = motion.scenario.hoop
-        times = shown.times[i]
-        hoops.append({
-            "label": names[i],
-            "tag": TAGS[i % len(TAGS)] if len(motions) > 1 else "",
-            "radius": hoop.radius,
-            "eccentricity": hoop.eccentricity,
-            "load": load_distance(hoop),
-            "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in event_marks(motion, times)],
-            "frames": _columns(motion, times),
-            "path": _path(motion, timing.start, ends[i]) if look.traces else None,
-        })  # fmt: skip
+    subject, slope, theme = subject_of(motions, timing, look.labels), common_slope(motions), THEMES[look.theme]
+    whole, radius = subject.whole, max(motion.scenario.hoop.radius for motion in motions)
+    hoops = [
+        {
+            "label": subject.labels[i],
+            "tag": subject.tag(i) if len(motions) > 1 else "",
+            "radius": motion.scenario.hoop.radius,
+            "eccentricity": motion.scenario.hoop.eccentricity,
+            "load": load_distance(motion.scenario.hoop),
+            "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in subject.marks[i]],
+            "frames": _columns(motion, subject.clock.times[i], ("t", *STATE, "mode")),
+            "path": _columns(motion, _thinned(subject.traces[i].t), PATH) if look.traces else None,
+        }
+        for i, motion in enumerate(motions)
+    ]
     return {
         "fps": timing.frame_rate,
-        "rate": shown.rate,
-        "slope": slopes.pop(),
-        "extent": {
-            "left": min(size.along[0] for size in extents),
-            "right": max(size.along[1] for size in extents),
-            "speed": max(size.speed for size in extents) or 1.0,
-        },
+        "rate": subject.clock.rate,
+        "slope": slope,
+        "extent": {"left": whole.along[0], "right": whole.along[1], "speed": whole.speed},
         "grid": nice(1.01 * radius),
         # length of the arrow of a force of 1 N [m]
-        "newton": FORCE_LENGTH * radius / (max(size.force for size in extents) or 1.0) if look.forces else None,
-        "flies": any(hoop["path"] is not None and MODE_WORDS.index(FLIGHT) in hoop["path"]["mode"] for hoop in hoops),
+        "newton": FORCE_LENGTH * radius / whole.force if look.forces else None,
+        "flies": look.traces and any(bool(track.airborne.any()) for track in subject.traces),
         "theme": {
             "paper": theme.background,
             "ground": theme.ground if look.theme != "print" else "#F1F1F1",
@@ -127,20 +116,17 @@ def scene_data(
     }
 
 
-def _columns(motion: Trajectory, times: Floats) -> dict[str, Any]:
-    """Return the states at times [s] in SI units; modes as indices into `MODE_WORDS`."""
+def _columns(motion: Trajectory, times: Floats, names: Sequence[str]) -> dict[str, Any]:
+    """Return quantities at times [s] in SI units; modes as indices into `MODE_WORDS`."""
     poses = poses_of(motion, times)
-    columns: dict[str, Any] = {name: getattr(poses.sample, name) for name in STATE}
+    columns = {name: getattr(poses.sample, name) for name in STATE}
     columns["omega"] = np.nan_to_num(columns["omega"], posinf=0.0, neginf=0.0)
-    codes = np.array([MODE_WORDS.index(str(word)) for word in poses.words])
-    return {"t": poses.t, **columns, "mode": codes}
+    columns |= {"t": poses.t, "mode": np.array([MODE_WORDS.index(str(word)) for word in poses.words])}
+    return {name: columns[name] for name in names}
 
 
-def _path(motion: Trajectory, start: float, end: float) -> dict[str, Any]:
-    t = trace(motion, start, end).t
-    keep = np.unique(np.linspace(0, len(t) - 1, min(len(t), TRACE_POINTS)).astype(int))
-    columns = _columns(motion, t[keep])
-    return {name: columns[name] for name in ("t", "x", "height", "angle", "mode")}
+def _thinned(t: Floats) -> Floats:
+    return t[np.unique(np.linspace(0, len(t) - 1, min(len(t), TRACE_POINTS)).astype(int))]
 
 
 def page(data: dict[str, Any]) -> str:

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.derivatives.results.uncertainty import Uncertainty
-from hophoop.plots.style import Against
+from hophoop.plots.style import Against, Axes
 from hophoop.results.records import ArraySample
 from hophoop.scenario import InputError
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 WIDTH = 2.0  # standard deviations
 OPACITY = 0.25

@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from hophoop.gaits.branch import Branch
 from hophoop.plots.diagram import KINDS
-from hophoop.plots.style import finish, new_axes, parameter_axis
+from hophoop.plots.style import Axes, finish, new_axes, parameter_axis
 from hophoop.vocabulary import colors
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 PLACES = {"bottom": "at the bottom", "landing": "after the landing"}
 MARKS = {

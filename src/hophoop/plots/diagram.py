@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
 import numpy as np
 
 from hophoop.gaits.diagram import Attractor, Diagram
-from hophoop.plots.style import ON_PAPER, finish, new_axes, parameter_axis
+from hophoop.plots.style import ON_PAPER, Axes, finish, new_axes, parameter_axis
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.names import FATES, Fate
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 SIZE = (8.0, 4.2)
 KINDS = {  # colour and size of the dots

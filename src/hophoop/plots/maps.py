@@ -15,7 +15,7 @@ from hophoop.kernel.records.cells import CELL
 from hophoop.maps import Border, words_of
 from hophoop.maps.grid.axes import ordered
 from hophoop.maps.grid.cells import make_cells
-from hophoop.plots.style import ON_COLOR, SMALL, new_axes
+from hophoop.plots.style import ON_COLOR, SMALL, Axes, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.colors import class_color
@@ -25,9 +25,6 @@ from hophoop.vocabulary.quantities import with_unit
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 SIZE = (8.2, 5.4)
 LABELLED = 0.012  # minimum share of the map for a region's name inside it

@@ -11,17 +11,13 @@ import numpy as np
 
 from hophoop.plots.bands import draw_bands
 from hophoop.plots.curves import curve, values_of
-from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
+from hophoop.plots.style import LINE, Against, Axes, abscissa, as_list, check_against, finish, new_axes, show_modes
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from hophoop.derivatives.results.uncertainty import Uncertainty
-else:
-    Axes = Any
 
 DASHES = ("-", (0, (5, 2)), (0, (1, 1.4)), (0, (6, 2, 1, 2)))  # of several motions
 BROKEN, THIN = (0, (4, 1.6)), 1.0

@@ -4,22 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve, phases
-from hophoop.plots.style import new_axes
+from hophoop.plots.style import Axes, new_axes
 from hophoop.results.poses import Floats, Poses, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop, InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 # Events at which the hoop is drawn: those that change its motion.
 POSED = (

@@ -4,23 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 
 from hophoop import theory
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve, shown_words
-from hophoop.plots.style import degrees, new_axes
+from hophoop.plots.style import Axes, degrees, new_axes
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
 from hophoop.vocabulary.names import FLIGHT, MARKS, MODE_WORDS, ROLL, SKID, SKIM, SPIN, mode_words
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 GRID = (900, 560)
 TINT = 0.30  # opacity of a region's colour; motions have the full colour
@@ -135,32 +130,17 @@ def _borders(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], sp
     lift = np.asarray(theory.lift_off_speed(theta, hoop, plane), dtype=float)
     top = 3.0 * max(abs(speeds[0]), abs(speeds[1]))
     lift[~(lift < top)] = np.nan
-    feet = _feet(theta, least, hoop, plane)
+    above = np.nan_to_num(least) > 0.0
+    feet = np.flatnonzero(above[1:] != above[:-1])
     for sign in (1.0, -1.0) if speeds[0] < 0.0 else (1.0,):
         for border in (least, most):
             values = np.where((border > 0.0) & (border < top), border, np.nan)
             ax.plot(across, sign * values, color="black", lw=1.1, zorder=2)
-        for foot, k in feet:
+        for k in feet:
             # the boundary is vertical where it reaches θ̇ = 0: two points of the grid do not meet there
-            ax.plot([math.degrees(foot), across[k]], [0.0, sign * least[k]], color="black", lw=1.1, zorder=2)
+            ends = (0.0, sign * least[k + 1]) if above[k + 1] else (sign * least[k], 0.0)
+            ax.plot(across[k : k + 2], ends, color="black", lw=1.1, zorder=2)
         ax.plot(across, sign * lift, color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), zorder=2)
-
-
-def _feet(theta: Any, least: Any, hoop: Hoop, plane: Plane) -> list[tuple[float, int]]:
-    """Return the angles at which the lower boundary of rolling reaches θ̇ = 0, each with the nearest grid point above."""
-    found = []
-    above = np.nan_to_num(least) > 0.0
-    for k in np.flatnonzero(above[1:] != above[:-1]):
-        inside, outside = (k + 1, k) if above[k + 1] else (k, k + 1)
-        a, b = float(theta[inside]), float(theta[outside])
-        for _ in range(50):
-            middle = 0.5 * (a + b)
-            if float(np.nan_to_num(theory.rolling_range(middle, hoop, plane)[0])) > 0.0:
-                a = middle
-            else:
-                b = middle
-        found.append((a, int(inside)))
-    return found
 
 
 def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]) -> None:

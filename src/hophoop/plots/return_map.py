@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.return_map import ReturnMap
 from hophoop.kernel.physics.body import MODE_LETTERS
-from hophoop.plots.style import finish, new_axes
+from hophoop.plots.style import Axes, finish, new_axes
 from hophoop.vocabulary import colors
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 FLIGHT = MODE_LETTERS[3]
 MOST = 100_000

@@ -3,23 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve
 from hophoop.plots.path import draw_traces, frame, ground, legend_above, mode_keys
-from hophoop.plots.style import ON_PAPER, new_axes
+from hophoop.plots.style import ON_PAPER, Axes, new_axes
 from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-else:
-    Axes = Any
 
 FLASHES = 12  # approximate default
 MOST_FLASHES = 400

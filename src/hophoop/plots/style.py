@@ -15,7 +15,7 @@ from hophoop.vocabulary.names import EVENTS, MARKS
 from hophoop.vocabulary.parameters import PARAMETERS
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    from matplotlib.axes import Axes as Axes
 else:
     Axes = Any
 
@@ -56,7 +56,7 @@ def check_against(against: str) -> None:
 HANDLE, LETTER = 0.7, 0.066
 
 
-def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
+def finish(ax: Axes, across: str, up: str) -> None:
     """Add labels, a light grid and a legend clear of the curves; remove the frame without a scale."""
     ax.set_xlabel(across)
     ax.set_ylabel(_scaled(ax, up))
@@ -65,7 +65,7 @@ def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     handles, names = ax.get_legend_handles_labels()
-    if not legend or not handles:
+    if not handles:
         return
     # below the axes, clear of the curves and of neighbouring axes
     columns = len(handles) if len(handles) <= 3 else math.ceil(len(handles) / 2)
@@ -183,11 +183,6 @@ def _word(piece: Phase, share: float, ax: Axes) -> str:
 
 def _ink(word: str) -> str:
     return "white" if colors.lightness(colors.mode_color(word)) < 0.45 else "black"
-
-
-def set_title(ax: Axes, title: str) -> None:
-    """Set a title with space for the ribbon and its marks."""
-    ax.set_title(title, fontsize=11, loc="left", pad=24)
 
 
 def as_list(motions: Trajectory | Sequence[Trajectory]) -> list[Trajectory]:
