@@ -10,9 +10,8 @@ from hophoop.derivatives.events.conditions import (
     fail_all,
     go_with_jam,
     is_on_border,
-    meet_cone,
     meet_jam,
-    meet_opening,
+    meet_margin,
     meet_row,
     meet_time,
     part_at_rest,
@@ -23,15 +22,13 @@ from hophoop.derivatives.events.impact import (
     PLASTIC,
     SIDED,
     Blow,
-    d_pull_back,
+    d_stop_impulse,
     impact_change,
     is_between_courses,
 )
-from hophoop.derivatives.events.massless import follow_strike, skim_rates
+from hophoop.derivatives.events.massless import follow_strike
 from hophoop.derivatives.layout import (
     BEFORE_OM,
-    BEFORE_VN,
-    BEFORE_VT,
     END,
     EPS,
     IMPACT_N,
@@ -54,7 +51,6 @@ from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine, sine_cosine
 from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, SKIMMING
 from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.contact import resistance_arm, rolling_forces
 from hophoop.kernel.physics.impact import impact
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.records.state import with_velocities
@@ -84,9 +80,7 @@ def begin_changes(body, row, tangents, reasons):
 @noinline
 def end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons):
     """Propagate all directions to the end of rolling at the friction cone, or at N = 0."""
-    s, c = sine_cosine(before.th, before.th_low)
-    friction = rolling_forces(body, s, c, before.om * before.om, resistance_arm(body, s, c, before.om, 0))[0]
-    meet_cone(body, before, rates, 1.0 if friction > 0.0 else -1.0, parameter_tangents, tangents, reasons)
+    meet_margin(body, False, before, rates, parameter_tangents, tangents, reasons)
     if row["kind"] == Event.SKIM:
         for k in range(tangents.shape[1]):
             if parameter_tangents[EPS, k] != 0.0 or parameter_tangents[KAP, k] != 0.0:
@@ -110,7 +104,7 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
         change, reason = impact_change(body, blow, d_body, Blow(d_rest, c * dth, -s * dth, tangents[VT, k], tangents[VN, k]))
         dvt, dvn, dspin, dp_n, dp_t, dloss_n, dloss_t = change
         if pulls:
-            turned, pulled_n, pulled_t, lost = d_pull_back(body, s, c, vn, d_body, c * dth, -s * dth, dvn)[1]
+            turned, pulled_n, pulled_t, lost = d_stop_impulse(body, s, c, vn, d_body, c * dth, -s * dth, dvn)[1]
             dvt = dvn = 0.0
             dspin += turned
             dp_n += pulled_n
@@ -129,9 +123,8 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
             if reasons[k] == NONE:
                 reasons[k] = SIDED
         elif reason == PLASTIC:  # time and place of the landing do not change
-            for i in (OM, VT, VN, IMPACT_N, IMPACT_T):
-                tangents[i, k] = math.nan
-            event_tangents[P_N, k] = event_tangents[P_T, k] = math.nan
+            tangents[OM : IMPACT_T + 1, k] = math.nan
+            event_tangents[P_N:, k] = math.nan
             if reasons[k] <= 0:
                 reasons[k] = PLASTIC
         elif reason != NONE:
@@ -141,12 +134,9 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
 @noinline
 def keep_before(tangents, event_tangents):
     """The velocities just before an event, and no impulse."""
+    event_tangents[BEFORE_OM:P_N] = tangents[OM : VN + 1]
     for k in range(tangents.shape[1]):
-        event_tangents[BEFORE_OM, k] = tangents[OM, k]
-        event_tangents[BEFORE_VT, k] = tangents[VT, k]
-        event_tangents[BEFORE_VN, k] = tangents[VN, k]
-        event_tangents[P_N, k] = 0.0 * tangents[OM, k]
-        event_tangents[P_T, k] = 0.0 * tangents[OM, k]
+        event_tangents[P_N:, k] = 0.0 * tangents[OM, k]  # nan where there is no derivative
 
 
 class Past(NamedTuple):
@@ -166,9 +156,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
     after = state_of(row)
     before = with_velocities(after, row["before_slip"], row["before_vy"], row["before_omega"])
     if kind == Event.IMPACT and mode == Mode.SKIM:
-        for k in range(tangents.shape[1]):
-            for i in range(STATE_ROWS):
-                tangents[i, k] = past.fresh[i, k]
+        tangents[:] = past.fresh
         follow_strike(body, state_of(piece), parameter_tangents, tangents, event_tangents)
         return
     if kind == Event.START:
@@ -179,16 +167,14 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
     way = piece["direction"] if passed and is_panel(piece) else 0.0
     # the couple changes its sign where the hoop turns round, and with it the forces: what follows is decided anew
     turned = body.resist > 0.0 and way != 0.0 and before.om == 0.0
-    if mode == Mode.SKIM:
-        rates = skim_rates(body, before)
-    elif mode >= 0 and not (passed and piece["kind"] == HOLD and piece["sigma"] == 0):
+    if mode >= 0 and not (passed and piece["kind"] == HOLD and piece["sigma"] == 0):
         rates = accelerations(body, mode, before, way)
     if turned and kind != Event.END:
         pass
     elif mode == Mode.ROLL and (kind in (Event.SLIP_START, Event.TAKEOFF) or (kind == Event.SKIM and passed)):
         end_rolling(body, row, before, rates, parameter_tangents, tangents, reasons)
     elif kind == Event.TAKEOFF and before.vt != 0.0:
-        meet_opening(body, before, rates, parameter_tangents, tangents, reasons)
+        meet_margin(body, True, before, rates, parameter_tangents, tangents, reasons)
     elif kind in (Event.STICK, Event.SLIP_REVERSAL, Event.TAKEOFF):
         meet_row(VT, rates[1], 1e-300 + body.gn + abs(body.gt) + before.om * before.om, before, rates, tangents, reasons)
     elif (kind == Event.IMPACT and mode == Mode.FLIGHT and row["collision"] == 1) or kind == Event.BOUNCE_LIMIT:
@@ -225,8 +211,7 @@ def keep_after(row, tangents, event_tangents):
     """Record the tangents just after an event; at the start those that were given."""
     for k in range(tangents.shape[1]):
         if row["kind"] != Event.START or math.isnan(tangents[TH, k]):
-            for i in range(STATE_ROWS):
-                event_tangents[i, k] = tangents[i, k]
+            event_tangents[:STATE_ROWS, k] = tangents[:, k]
 
 
 @noinline

@@ -10,11 +10,11 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import OM, PARAMETERS, REASONS, STATE_ROWS, TH, VN, VT, Reason
 from hophoop.derivatives.parameters import Directions, directions_of
 from hophoop.derivatives.pieces.flight_and_rest import accelerations
-from hophoop.derivatives.workspace import KnownMotion, new_solution, new_workspace
+from hophoop.derivatives.results.propagation import propagated
+from hophoop.derivatives.workspace import KnownMotion
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.kernels.layout import COLUMNS
 from hophoop.gaits.results import Lyapunov, Passages
@@ -245,9 +245,7 @@ def _step(
     for place, name in enumerate(columns):
         tangents[_ROWS[name], place] = sign
     parameters[:, len(columns) :] = sign * changes
-    solution = new_solution(len(events), len(segments), width)
-    known = KnownMotion(events, segments, float(events["t"][-1]), math.inf)
-    _propagate(body, known, parameters, tangents, solution, new_workspace(scratch, width))
+    solution = propagated(body, KnownMotion(events, segments, float(events["t"][-1]), math.inf), parameters, tangents)
     last = sign * solution.at_events[-1]
     if not landing:
         state = state_of(events[-1])
@@ -282,4 +280,4 @@ def lyapunov_of(found: Passages) -> Lyapunov:
     return Lyapunov(float(np.mean(growth)), float(np.std(batches, ddof=1)) / math.sqrt(len(batches)), len(growth))
 
 
-_run, _propagate = compiled(run), compiled(propagate_motion)
+_run = compiled(run)

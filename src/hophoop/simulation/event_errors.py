@@ -7,19 +7,15 @@ inside a phase is attributed to the event at its start.
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.errors import InputError
 from hophoop.derivatives.layout import MU_K, MU_S, OM, PARAMETERS, STATE_ROWS, TH, VN, VT, T, X, Y
-from hophoop.derivatives.pieces.pieces import is_before
-from hophoop.derivatives.workspace import KnownMotion, new_solution, new_workspace
-from hophoop.kernel.native import compiled
+from hophoop.derivatives.results.propagation import transitions
 from hophoop.kernel.numerics.arithmetic import matrix_product, weighted_sum
-from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.records.layout import thread_scratch
+from hophoop.kernel.physics.body import Mode
 from hophoop.results.records import EventErrors, Motion
 
 ROUNDING = 4e-16  # relative rounding of a quantity at an event
@@ -49,30 +45,16 @@ def estimated_errors(motion: Motion) -> NDArray[np.float64]:
 
     inf from an event on that has no derivatives.
     """
-    body, events, segments = motion.scenario.to_body(), motion.tables["events"], motion.tables["segments"]
-    parameters = np.zeros((PARAMETERS, DIRECTIONS))
+    body, events = motion.scenario.to_body(), motion.tables["events"]
+    friction = np.zeros((PARAMETERS, 1))
     if not math.isinf(body.mu_s):
-        parameters[[MU_S, MU_K], FRICTION] = body.mu_s, body.mu_k
+        friction[[MU_S, MU_K], 0] = body.mu_s, body.mu_k
     table = np.stack([events[name] for name in FIELDS], axis=1)
     squares = np.square(ROUNDING * (1.0 + np.abs(table)))
     covariance = np.zeros((DIRECTIONS, DIRECTIONS))
-    t_end, doubt = motion.scenario.duration / motion.units.time, motion.kernel_doubt
-    workspace = new_workspace(thread_scratch(), DIRECTIONS)
-    turns = np.flatnonzero(events["kind"] != Event.APEX)  # an apex is inside its segment
-    begin = end = 0
-    for first, last in pairwise(turns):
-        while end < len(segments) and is_before(segments[end]["t"], segments[end]["t_low"], events[last]):
-            end += 1
-        rows = events[first : last + 1].copy()
-        rows["kind"][0] = Event.TURN  # its state is the start, as it is
-        known = KnownMotion(rows, segments[begin : end + 1], t_end, doubt)
-        begin = end
-        solution = new_solution(len(rows), len(known.segments), DIRECTIONS)
-        compiled("hophoop.derivatives.events.ending.propagate_motion")(
-            body, known, parameters, np.eye(STATE_ROWS, DIRECTIONS), solution, workspace
-        )
+    for first, last, rates in transitions(motion, friction):
         covariance += np.diag(_variances_of(events[first]))
-        tangents = np.where(covariance.any(axis=0), solution.at_events[1:, :STATE_ROWS], 0.0)
+        tangents = np.where(covariance.any(axis=0), rates, 0.0)
         changes = tangents[:, [T, X, Y, TH, OM, VN, OM, VT]]
         changes[:, FIELDS.index("vx")] += tangents[:, VT]
         flat = changes.reshape(-1, DIRECTIONS)

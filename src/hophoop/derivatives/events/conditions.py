@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.derivatives.layout import OM, ROLLING_LOSS, STILL, TH, VT, Reason, T, body_tangent
-from hophoop.derivatives.pieces.flight_and_rest import d_free_acceleration, resisted_motion, step_along
-from hophoop.derivatives.pieces.forces import change_of_forces, forces_by_angle
+from hophoop.derivatives.pieces.flight_and_rest import resisted_motion, step_along
 from hophoop.derivatives.pieces.panels import d_kappa_p_sigma, d_slip_after
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
@@ -27,8 +26,7 @@ FLAT = 1e-9  # relative to its natural size: a smaller rate belongs to a quantit
 
 def fail(tangents, reasons, k, reason):
     """There is no derivative in a direction from here on; the first reason is kept."""
-    for row in range(tangents.shape[0]):
-        tangents[row, k] = math.nan
+    tangents[:, k] = math.nan
     if reasons[k] <= 0:
         reasons[k] = reason
 
@@ -47,38 +45,31 @@ def meet(dg, rate, scale, state, rates, tangents, reasons, k):
         step_along(tangents, k, -dg / rate, state, rates)
 
 
-@noinline
-def meet_cone(body, state, rates, side, parameter_tangents, tangents, reasons):
-    """Rolling that comes to the friction cone, at side · F > 0: g = μs N − side · F, or N without a bound on F."""
-    s, c = sine_cosine(state.th, state.th_low)
-    rho = resistance_arm(body, s, c, state.om, 0)
-    normal = rolling_forces(body, s, c, state.om * state.om, rho)[1]
-    friction_by_angle, normal_by_angle = forces_by_angle(body, s, c, state.om, rho)
-    bound = not math.isinf(body.mu_s)
-    weight = body.mu_s if bound else 1.0
-    share = side if bound else 0.0
-    scale = (body.gn + abs(body.gt) + state.om * state.om) * (1.0 + weight) * (abs(state.om) + 1e-300)
-    rate = state.om * (weight * normal_by_angle - share * friction_by_angle)
-    for k in range(tangents.shape[1]):
-        d_body = body_tangent(parameter_tangents, k)
-        dfriction, dnormal = change_of_forces(body, s, c, state.om, rho, d_body, tangents, k)
-        dg = weight * dnormal - share * dfriction
-        if bound:
-            dg += d_body.mu_s * normal
-        meet(dg, rate, scale, state, rates, tangents, reasons, k)
+def contact_margin(body, slips, s, c, om):
+    """Return what comes to zero as contact ends: f_n in slip, in rolling μs N − abs(F), or N without a bound on F."""
+    if slips:
+        return free_acceleration(body, s, c, om * om)[1]
+    friction, normal = rolling_forces(body, s, c, om * om, math.copysign(body.resist, om))
+    if math.isinf(body.mu_s):
+        return normal
+    return body.mu_s * normal - abs(friction)
+
+
+d_contact_margin = tangent_of(contact_margin, "body", "s", "c", "om")
 
 
 @noinline
-def meet_opening(body, state, rates, parameter_tangents, tangents, reasons):
-    """Slip that lifts off: g = f_n comes to zero."""
+def meet_margin(body, slips, state, rates, parameter_tangents, tangents, reasons):
+    """The end of rolling or of the contact in slip."""
     s, c = sine_cosine(state.th, state.th_low)
     om = state.om
-    rate = d_free_acceleration(body, s, c, om * om, STILL, c * om, -s * om, 2.0 * om * rates[0])[1][1]
-    scale = (body.gn + om * om) * abs(om)
+    rate = d_contact_margin(body, slips, s, c, om, STILL, c * om, -s * om, rates[0])[1]
+    weight = 0.0 if slips or math.isinf(body.mu_s) else body.mu_s
+    scale = (body.gn + abs(body.gt) + om * om) * (1.0 + weight) * (abs(om) + 1e-300)
     for k in range(tangents.shape[1]):
-        d_body = body_tangent(parameter_tangents, k)
         dth = tangents[TH, k]
-        dg = d_free_acceleration(body, s, c, om * om, d_body, c * dth, -s * dth, 2.0 * om * tangents[OM, k])[1][1]
+        d_body = body_tangent(parameter_tangents, k)
+        dg = d_contact_margin(body, slips, s, c, om, d_body, c * dth, -s * dth, tangents[OM, k])[1]
         meet(dg, rate, scale, state, rates, tangents, reasons, k)
 
 
@@ -151,26 +142,9 @@ def meet_jam(body, sigma, jam, before, parameter_tangents, tangents):
         jam_om, djam_om = d_jam_speed(body, c, way, d_body, dc)
         tangents[ROLLING_LOSS, k] += d_last_loss(body, s, before.om, jam_om, way, d_body, ds, dom, djam_om)[1]
         tangents[VT, k] = d_slip_after(
-            body,
-            sigma,
-            before.vt,
-            before.om,
-            s,
-            c,
-            jam_om,
-            s,
-            c,
-            0.0,
-            d_body,
-            tangents[VT, k],
-            dom,
-            ds,
-            dc,
-            djam_om,
-            ds,
-            dc,
-            0.0,
-        )[1]
+            body, sigma, before.vt, before.om, s, c, jam_om, s, c, 0.0,
+            d_body, tangents[VT, k], dom, ds, dc, djam_om, ds, dc, 0.0,
+        )[1]  # fmt: skip
         tangents[OM, k] = djam_om
         tangents[TH, k] = dth
 

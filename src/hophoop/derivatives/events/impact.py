@@ -12,7 +12,7 @@ from hophoop.derivatives.layout import STILL, Reason
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.physics.contact import contact_arms
-from hophoop.kernel.physics.impact import NEWTON, impact, impulse_ratio, slip_rates, stick_rates
+from hophoop.kernel.physics.impact import NEWTON, impact, impulse_ratio, slip_rates, stick_rates, stop_impulse
 
 NONE, BORDER, PLASTIC, SIDED = int(Reason.NONE), int(Reason.BORDER), int(Reason.PLASTIC), -1
 CLOSE = 1e-10  # relative: closer to zero a quantity that decides may have either sign
@@ -20,6 +20,7 @@ JUMP = 1e-10  # relative: changes on both sides of a border that differ by less 
 LEAST = 1e-200  # a slip that is no more than the change of none
 
 d_impact = tangent_of(impact, "body", "rest", "s", "c", "vt", "vn")
+d_stop_impulse = tangent_of(stop_impulse, "body", "s", "c", "vn")
 
 
 class Blow(NamedTuple):
@@ -89,14 +90,3 @@ def impact_change(body, blow, d_body, d_blow):
     if blow.rest == 0.0 and d_blow.rest != 0.0 and compressed:
         reason = PLASTIC
     return change, reason
-
-
-def pull_back(body, s, c, vn):
-    """Return (change of θ̇, p_n, p_t, loss) by the impulse that pulls back a rim launched by infinite friction with v_n."""
-    arm, lever = contact_arms(body, s, c)
-    r, turn, lift = stick_rates(body, arm, lever)
-    p_n = -vn / lift
-    return turn * p_n, p_n, r * p_n, -0.5 * vn * p_n
-
-
-d_pull_back = tangent_of(pull_back, "body", "s", "c", "vn")

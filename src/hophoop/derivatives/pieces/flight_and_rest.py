@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 
+from hophoop.derivatives.events.massless import skim_rates
 from hophoop.derivatives.layout import OM, ROLLING_LOSS, STILL, TH, VN, VT, T, X, Y, body_tangent
 from hophoop.derivatives.pieces.panels import follow_slip
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine, versine_of
 from hophoop.kernel.numerics.exponentials import hyperbolic_cosine, hyperbolic_sine
+from hophoop.kernel.panels.landing import Flight, downcrossing_between, moment_of
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap
 from hophoop.kernel.physics.contact import (
@@ -50,19 +52,16 @@ def resisted_motion(body, sigma, state, way):
 @noinline
 def accelerations(body, mode, state, way):
     """(θ̈, v̇_t, v̇_n, power lost to rolling resistance) of a state in a mode; `way` as in `resisted_motion`."""
-    if mode != Mode.FLIGHT and body.resist > 0.0:
-        return resisted_motion(body, slip_direction(mode), state, way)
-    s, c = sine_cosine(state.th, state.th_low)
-    u = state.om * state.om
-    if mode == Mode.ROLL:
-        return rolling_acceleration(body, s, c, u, 0.0), 0.0, 0.0, 0.0
+    if mode == Mode.SKIM:
+        return skim_rates(body, state)
     if mode == Mode.FLIGHT:
-        along, away = free_acceleration(body, s, c, u)
+        s, c = sine_cosine(state.th, state.th_low)
+        along, away = free_acceleration(body, s, c, state.om * state.om)
         return 0.0, along, away, 0.0
-    if body.kap == 0.0:  # the massless hoop that slides with its load on the plane
-        return 0.0, body.gt - slip_direction(mode) * body.mu_k * body.gn, 0.0, 0.0
-    turning, _, along = slip_motion(body, s, c, u, slip_direction(mode), 0.0)
-    return turning, along, 0.0, 0.0
+    sigma = slip_direction(mode)
+    if body.kap == 0.0 and sigma != 0:  # the massless hoop that slides with its load on the plane
+        return 0.0, body.gt - sigma * body.mu_k * body.gn, 0.0, 0.0
+    return resisted_motion(body, sigma, state, way)
 
 
 def step_along(tangents, k, dt, state, rates):
@@ -109,47 +108,34 @@ def skims_plane(body, opening, begin, tau):
     om = begin.om
     if not body.eps * om * om > body.gn:
         return False  # the gap has no minimum
+    flight = Flight(s, c, om, begin.y, begin.vn, opening)
     steps = int(abs(om) * tau / SCAN) + 1
-    low = 0.0
-    falls = False
+    first = moment_of(body, flight, 0.0)
     for i in range(1, steps + 1):
-        high = tau * i / steps
-        rises = flight_gap(body, s, c, om, begin.y, begin.vn, opening, high)[1] > 0.0
-        if falls and rises:
-            left, right = low, high
-            for _ in range(60):
-                middle = 0.5 * (left + right)
-                if flight_gap(body, s, c, om, begin.y, begin.vn, opening, middle)[1] > 0.0:
-                    right = middle
-                else:
-                    left = middle
-            gap = flight_gap(body, s, c, om, begin.y, begin.vn, opening, left)[0]
-            if gap <= TOUCH * (begin.y + body.eps):
+        last = moment_of(body, flight, tau * i / steps)
+        if first.rate < 0.0 < last.rate:
+            lowest = moment_of(body, flight, downcrossing_between(body, flight, first, last, True))
+            if lowest.gap <= TOUCH * (begin.y + body.eps):
                 return True
-        falls = not rises
-        low = high
+        first = last
     return False
 
 
 def perturbed_rest(stiffness, drive, angle, rate, tau):
     """(δθ, δθ̇) after the time tau of δθ̈ = stiffness · δθ + drive."""
-    pull = abs(stiffness)
+    pull = max(abs(stiffness), 1e-200)  # a smaller one does nothing
     pace = math.sqrt(pull)
     phase = pace * tau
-    if phase < 1e-3:  # to rounding
-        square = stiffness * tau * tau
-        even = 1.0 + 0.5 * square * (1.0 + square / 12.0)
-        odd = tau * (1.0 + square / 6.0 * (1.0 + square / 20.0))
-        bent = 0.5 * tau * tau * (1.0 + square / 12.0)
-    elif stiffness > 0.0:
+    if stiffness > 0.0:
         even = hyperbolic_cosine(phase)
-        odd = hyperbolic_sine(phase) / pace
+        odd = hyperbolic_sine(phase)
         half = hyperbolic_sine(0.5 * phase)
-        bent = 2.0 * half * half / pull
+        bent = 2.0 * half * half
     else:
         odd, even = sine_and_cosine(phase)
-        odd /= pace
-        bent = versine_of(phase) / pull
+        bent = versine_of(phase)
+    odd /= pace
+    bent /= pull
     return angle * even + rate * odd + drive * bent, stiffness * angle * odd + rate * even + drive * odd
 
 

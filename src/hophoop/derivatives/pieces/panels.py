@@ -1,4 +1,4 @@
-"""Derivatives on a panel of rolling or slip (docs/derivatives.md#on-a-panel).
+"""Derivatives on a panel of rolling or slip.
 
 Over θ, u = θ̇² obeys u′ = 2 θ̈, which is linear in u, so that its changes have the same integrating factor. They are taken at
 fixed ξ of the panel, which moves with its start, and with the turning point at its end: so dt/dξ stays smooth. The changes by
@@ -287,26 +287,9 @@ def follow_slip(body, sigma, time, begin, end, before, dt, d_body, tangents, k):
         body, sigma, begin.vt, begin.om, s0, c0, s1 - s0, c1 - c0, time, d_body, dvt, dom0, ds0, dc0, ds1 - ds0, dc1 - dc0, dt
     )[1]
     tangents[VT, k] = d_slip_after(
-        body,
-        sigma,
-        begin.vt,
-        begin.om,
-        s0,
-        c0,
-        end.om,
-        s1,
-        c1,
-        time,
-        d_body,
-        dvt,
-        dom0,
-        ds0,
-        dc0,
-        tangents[OM, k],
-        ds1,
-        dc1,
-        dt,
-    )[1]
+        body, sigma, begin.vt, begin.om, s0, c0, end.om, s1, c1, time,
+        d_body, dvt, dom0, ds0, dc0, tangents[OM, k], ds1, dc1, dt,
+    )[1]  # fmt: skip
 
 
 class Rates(NamedTuple):

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop.derivatives.events.massless import skim_rates
 from hophoop.derivatives.layout import T
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, step_along
 from hophoop.derivatives.pieces.panels import prepare_panel
 from hophoop.derivatives.pieces.pieces import follow_prepared, follow_without_panel, is_panel
-from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, TIME, Totals, fill_inside, no_panel
+from hophoop.kernel.panels.panel import FLY, HOLD, TIME, Totals, fill_inside, no_panel
 from hophoop.kernel.records.writing import find_segment, panel_of
 from hophoop.kernel.rigid.panel_choice import solve
 from hophoop.kernel.rigid.sampling import xi_at_time
@@ -46,10 +45,8 @@ def sample_tangents(body, pieces, clock, times, left, samples, workspace):
         else:
             end = follow_without_panel(body, row, tau, parameter_tangents, tangents)
         rates = (0.0, 0.0, 0.0, 0.0)
-        if row["kind"] != SKIMMING and not (row["kind"] == HOLD and row["sigma"] == 0):
+        if not (row["kind"] == HOLD and row["sigma"] == 0):
             rates = accelerations(body, row["mode"], end, row["direction"])
-        elif row["kind"] == SKIMMING:
-            rates = skim_rates(body, end)
         for k in range(tangents.shape[1]):
             step_along(tangents, k, clock[k] * times[i] - tangents[T, k], end, rates)
         samples.tangents[i] = tangents

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from hophoop.derivatives.layout import (
     IMPACT_N,
     IMPACT_T,
     OM,
+    PARAMETERS,
     ROLLING_LOSS,
     STATE_ROWS,
     VT,
@@ -35,9 +37,9 @@ from hophoop.derivatives.units import (
     UNITS,
     sizes_and_rates,
 )
-from hophoop.derivatives.workspace import KnownMotion, Pieces, Samples, new_solution, new_workspace
+from hophoop.derivatives.workspace import KnownMotion, Pieces, Samples, Solution, new_solution, new_workspace
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Body
+from hophoop.kernel.physics.body import Body, Event
 from hophoop.kernel.records.layout import thread_scratch
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
@@ -199,7 +201,7 @@ class TangentSolution:
         use, event = settled_by(body, events)
         if event >= 0:
             return WithDerivatives(use, 0.0 * self.at_events[event, T] + 0.0 * use)
-        peaks = greatest_peaks(body, events, segments, thread_scratch())
+        peaks = greatest_peaks(body, events, segments)
         pieces = Pieces(segments, self.at_segments, self.directions.parameter_tangents)
         rates = [use_rates(body, events, self.at_events, pieces, peak) for peak in peaks]
         larger, smaller = (np.array(side) for side in zip(*rates, strict=True))
@@ -282,13 +284,46 @@ def propagate(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Tangen
     given = directions_of(scenario, paths)
     events, segments = motion.tables["events"], motion.tables["segments"]
     known = KnownMotion(events, segments, scenario.duration / motion.units.time, motion.kernel_doubt)
-    found = new_solution(len(events), len(segments), len(paths))
-    compiled(KERNELS + "events.ending.propagate_motion")(
-        scenario.to_body(),
-        known,
-        sign * given.parameter_tangents,
-        sign * given.start,
-        found,
-        new_workspace(thread_scratch(), len(paths)),
-    )
+    found = propagated(scenario.to_body(), known, sign * given.parameter_tangents, sign * given.start)
     return TangentSolution(motion, given, sign * found.at_events, sign * found.at_segments, found.reasons, found.failed)
+
+
+def propagated(body: Body, known: KnownMotion, parameter_tangents: Floats, tangents: Floats) -> Solution:
+    """Return the derivatives of a motion in kernel units, from the tangents of its start, which are overwritten."""
+    directions = tangents.shape[1]
+    found = new_solution(len(known.events), len(known.segments), directions)
+    workspace = new_workspace(thread_scratch(), directions)
+    compiled(KERNELS + "events.ending.propagate_motion")(body, known, parameter_tangents, tangents, found, workspace)
+    return found
+
+
+def transitions(motion: Motion, parameter_tangents: Floats) -> Iterator[tuple[int, int, Floats]]:
+    """Differentiate a rigid motion from each event but an apex, which is inside a segment, to the next one.
+
+    Parameters
+    ----------
+    motion : Motion
+    parameter_tangents : ndarray, shape (PARAMETERS, m)
+        Directions of the parameters.
+
+    Yields
+    ------
+    first, last : int
+        The events.
+    rates : ndarray, shape (last − first, STATE_ROWS, STATE_ROWS + m)
+        At the events behind `first` up to `last`, with respect to the state just after `first` and to the parameters, in kernel
+        units; nan where there are no derivatives.
+    """
+    body, events, segments = motion.scenario.to_body(), motion.tables["events"], motion.tables["segments"]
+    t_end, doubt = motion.scenario.duration / motion.units.time, motion.kernel_doubt
+    parameters = np.hstack([np.zeros((PARAMETERS, STATE_ROWS)), parameter_tangents])
+    start = np.eye(STATE_ROWS, parameters.shape[1])
+    begin = 0
+    for first, last in pairwise(np.flatnonzero(events["kind"] != Event.APEX).tolist()):
+        rows = events[first : last + 1].copy()
+        rows["kind"][0] = Event.TURN  # its state is the start, as it is
+        before = (segments["t"][begin:] - rows["t"][-1]) + (segments["t_low"][begin:] - rows["t_low"][-1]) < 0.0
+        end = begin + int(np.count_nonzero(before))
+        known = KnownMotion(rows, segments[begin : end + 1], t_end, doubt)
+        begin = end
+        yield first, last, propagated(body, known, parameters, start.copy()).at_events[1:, :STATE_ROWS]

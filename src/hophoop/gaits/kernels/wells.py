@@ -1,4 +1,4 @@
-"""Wells of energy: where a hoop on a slope rocks for ever (docs/gaits.md#wells).
+"""Wells of energy: where a hoop on a slope rocks for ever.
 
 Rolling, x = θ (units of R and m), so that the potential energy is a function of θ alone, with one well per revolution:
 

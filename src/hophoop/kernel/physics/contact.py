@@ -88,6 +88,24 @@ def rolling_forces(body, s, c, u, rho):
     return alpha * arm - lever * u - body.gt, body.gn - lever * alpha - body.eps * c * u
 
 
+def force_ratio(body, s, c, u, rho):
+    """Return F/N in rolling, infinite if N ≤ 0; 0 without a force."""
+    friction, normal = rolling_forces(body, s, c, u, rho)
+    if normal > 0.0:
+        return friction / normal
+    return math.copysign(math.inf, friction) if friction != 0.0 else 0.0
+
+
+def required_ratio(body, s, c, u, rho):
+    """Return F/N that rolling requires: of the massless hoop tan(θ/2), since the force points at the load also where it is 0.
+
+    Where cos θ = −1 its load lies on the plane, at rest.
+    """
+    if body.kap == 0.0:
+        return s / (1.0 + c) if c > -1.0 else 0.0
+    return force_ratio(body, s, c, u, rho)
+
+
 @inline
 def cone_weights(mu):
     """Return (a, b) with a N ≥ b abs(F) inside the friction cone; (1, 0) if μ is infinite."""

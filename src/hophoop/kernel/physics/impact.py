@@ -33,6 +33,14 @@ def slip_rates(body, arm, lever, r):
     return spin, r - arm * spin, (body.kap + lever * torque) / body.kap
 
 
+def stop_impulse(body, s, c, vn):
+    """Return (change of θ̇, p_n, p_t, loss) of the impulse that stops a rim which infinite friction has launched with v_n."""
+    arm, lever = contact_arms(body, s, c)
+    r, turn, lift = stick_rates(body, arm, lever)
+    p_n = -vn / lift
+    return turn * p_n, p_n, r * p_n, -0.5 * vn * p_n
+
+
 def impulse_ratio(body, arm, lever, vt):
     """Return (tangential per normal impulse in the present state, True if that state is stick)."""
     if vt > 0.0:

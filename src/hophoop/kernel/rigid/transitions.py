@@ -10,13 +10,12 @@ from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import Event, Mode
 from hophoop.kernel.physics.contact import (
     cone_weights,
-    contact_arms,
     free_acceleration,
     resistance_arm,
     rolling_forces,
     slip_coefficients,
 )
-from hophoop.kernel.physics.impact import impact, singular_angle, singular_slip, stick_rates
+from hophoop.kernel.physics.impact import impact, singular_angle, singular_slip, stop_impulse
 from hophoop.kernel.physics.modes import (
     INDETERMINATE,
     UNDECIDED,
@@ -67,14 +66,9 @@ def end_bounces(body, state):
         return after, cause
     # μ = ∞: the impulse that stops the slip lifts the rim; a second impulse that stops the rim dissipates as little
     s, c = sine_cosine(state.th, state.th_low)
-    arm, lever = contact_arms(body, s, c)
-    r, turn, lift = stick_rates(body, arm, lever)
-    p_n = -after.vn / lift
-    p_t = r * p_n
-    om = after.om + turn * p_n
-    lost = after.impact_n - 0.5 * after.vn * p_n
-    still = with_velocities(state, 0.0, 0.0, om)
-    still = with_losses(still, state.friction, lost, after.impact_t, state.rolling_loss)
+    spin, p_n, p_t, loss = stop_impulse(body, s, c, after.vn)
+    still = with_velocities(state, 0.0, 0.0, after.om + spin)
+    still = with_losses(still, state.friction, after.impact_n + loss, after.impact_t, state.rolling_loss)
     p_n += cause.p_n
     p_t += cause.p_t
     return still, PendingEvent(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)

@@ -7,22 +7,10 @@ import math
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Event, Mode
 from hophoop.kernel.physics.closed_forms import rolling_u
-from hophoop.kernel.physics.contact import rolling_acceleration, rolling_forces, utilization
+from hophoop.kernel.physics.contact import required_ratio, rolling_acceleration, utilization
 
 SAMPLES_PER_RADIAN = 24
 RESISTED_SAMPLES_PER_RADIAN = 120
-
-
-def required_friction(body, th0, u0, offset):
-    """Return abs(F)/N at an angle that rolling reaches."""
-    u = max(rolling_u(body, th0, u0, offset), 0.0)
-    s, c = sine_and_cosine(th0 + offset)
-    if body.kap == 0.0:  # the force points at the load, even where it is 0; none is needed with the load on the plane
-        return abs(s) / (1.0 + c) if c > -1.0 else 0.0
-    friction, normal = rolling_forces(body, s, c, u, 0.0)
-    if friction == 0.0:
-        return 0.0
-    return abs(friction) / normal if normal > 0.0 else math.inf
 
 
 def resisted_slope(body, th, u, rho):
@@ -40,12 +28,11 @@ def resisted_u(body, th, u, rho, step):
     return u + step * (first + 2.0 * (second + third) + last) / 6.0
 
 
-def resisted_required_friction(body, th, u, rho, step):
-    """Return abs(F)/N of resisted rolling after a small step of θ."""
-    u = max(resisted_u(body, th, u, rho, step), 0.0)
+def required_friction(body, th, u, rho, step):
+    """Return abs(F)/N of rolling after a step of θ, which is small with rolling resistance."""
+    after = resisted_u(body, th, u, rho, step) if rho != 0.0 else rolling_u(body, th, u, step)
     s, c = sine_and_cosine(th + step)
-    friction, normal = rolling_forces(body, s, c, u, rho)
-    return abs(friction) / normal if normal > 0.0 else math.inf
+    return abs(required_ratio(body, s, c, max(after, 0.0), rho))
 
 
 def maximum_between(body, th, u, rho, low, high, greatest):
@@ -54,10 +41,7 @@ def maximum_between(body, th, u, rho, low, high, greatest):
     for _ in range(44):
         a = high - part * (high - low)
         b = low + part * (high - low)
-        if rho != 0.0:
-            at_a, at_b = resisted_required_friction(body, th, u, rho, a), resisted_required_friction(body, th, u, rho, b)
-        else:
-            at_a, at_b = required_friction(body, th, u, a), required_friction(body, th, u, b)
+        at_a, at_b = required_friction(body, th, u, rho, a), required_friction(body, th, u, rho, b)
         if at_a > at_b:
             high = b
         else:
@@ -76,11 +60,11 @@ def resisted_maximum(body, th0, om0, turned):
     step = turned / count
     th = th0
     u = om0 * om0
-    greatest = resisted_required_friction(body, th, u, rho, 0.0)
+    greatest = required_friction(body, th, u, rho, 0.0)
     low_th = th0
     low_u = u
     for i in range(1, count + 1):
-        need = resisted_required_friction(body, th, u, rho, step)
+        need = required_friction(body, th, u, rho, step)
         if need > greatest:
             greatest = need
             low_th = th
@@ -101,7 +85,7 @@ def maximum_required_friction(body, th0, om0, turned):
     best = 0
     greatest = -1.0
     for i in range(count + 1):
-        need = required_friction(body, th0, u0, step * i)
+        need = required_friction(body, th0, u0, 0.0, step * i)
         if need > greatest:
             greatest = need
             best = i
