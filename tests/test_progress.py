@@ -58,9 +58,9 @@ def test_an_error_of_the_computation_is_raised():
 @pytest.mark.parametrize(("soon", "shown"), [(0.0, True), (60.0, False)])
 def test_a_long_command_shows_a_bar_on_a_terminal(terminal, monkeypatch, soon, shown):
     monkeypatch.setattr(reporting, "SOON", soon)
-    soft = run("run", "--set", "contact.model=compliant", "--duration", 0.5).stderr
+    soft = run("run --set contact.model=compliant --duration 0.5").stderr
     assert ("motion" in soft and "%" in soft) == shown
-    assert "motion" not in run("run", *HOP, "--quiet").stderr
+    assert "motion" not in run(f"{HOP} --quiet").stderr
 
 
 def test_a_bar_counts(terminal, capsys):
@@ -76,7 +76,7 @@ def test_there_is_no_bar_without_a_terminal(monkeypatch, capsys):
     monkeypatch.setattr(Console, "is_terminal", False)
     with reporting.bar("frames") as report:
         assert report is None
-    assert "motion" not in run("run", "--set", "contact.model=compliant", "--duration", 0.1).stderr
+    assert "motion" not in run("run --set contact.model=compliant --duration 0.1").stderr
     assert capsys.readouterr() == ("", "")
 
 

@@ -156,7 +156,7 @@ def words_in(line):
 def test_events_are_printed_as_the_command_line_does():
     motion = hh.simulate(hh.Scenario(duration=2.0))
     head, _, *rows = repr(motion.events).splitlines()
-    told = run("run", "--duration", "2").stdout.splitlines()
+    told = run("run --duration 2").stdout.splitlines()
     first = next(number for number, line in enumerate(told) if "t (s)" in line)
     assert words_in(head) == words_in(told[first])
     assert [words_in(row) for row in rows] == [words_in(line) for line in told[first + 2 : first + 2 + len(motion.events)]]

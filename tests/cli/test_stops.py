@@ -15,98 +15,75 @@ SIGNALS = pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (
 LONG = 120.0  # seconds that a command takes that does not stop
 SOON = 60.0  # seconds in which it has to, on a machine that is as busy as may be
 
-# `hophoop run`, which comes to `work` where it would compute
-START = """
-import os, signal, subprocess, sys, time
+# `hophoop run`, where `stop` is called at some moment
+PROGRAM = """
+import os, runpy, signal, sys, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background leaves it ignored
-from pathlib import Path
-import hophoop.cli._work
-from hophoop._support.files import replacing
-from hophoop.cli import app
-number, folder = int(sys.argv.pop(1)), Path(sys.argv.pop(1))
+number, sys.argv = int(sys.argv[1]), ["hophoop", "run"]
 def stop():
     os.kill(os.getpid(), number)
-def wait():
     end = time.monotonic() + {long}
     while time.monotonic() < end:
         time.sleep(0.01)
+{moment}
+runpy.run_module("hophoop", run_name="__main__")
+"""
+WORK = """
+import hophoop.cli._work
+from hophoop._support.files import replacing
+from pathlib import Path
 def work(*_):
 {body}
 hophoop.cli._work.work_ahead = work
-app()
 """
-HEARS = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
-RUN = "from hophoop.cli import app; app()"
-
-# where the exception may come
-WHERE = {
-    "a library that makes another error of it": """
+MOMENTS = {
+    # Python itself would show a traceback
+    "the command is loaded": """
+class Finder:
+    def find_spec(self, name, *_):
+        if name == "hophoop.cli":
+            stop()
+sys.meta_path.insert(0, Finder())
+""",
+    "its options are read": "import hophoop.cli; hophoop.cli.Commands.parse_args = lambda *_: stop()",
+    "it computes": WORK.format(body="    stop()"),
+    "a library makes another error of it": WORK.format(
+        body="""
+    try:
+        stop()
+    except BaseException:
+        raise ValueError("Invalid affine transformation matrix") from None
+"""
+    ),
+    "it writes a file, and a terminal and a starter send a signal": WORK.format(
+        body="""
+    with replacing(Path("half.csv").absolute()) as path:
+        path.write_text("half")
         try:
             stop()
-            wait()
-        except BaseException:
-            raise ValueError("Invalid affine transformation matrix") from None
-    """,
-    "code that writes a file": """
-        with replacing(folder / "half.csv") as path:
-            path.write_text("half")
-            stop()
-            wait()
-    """,
-    "signals from a terminal and from a starter": """
-        with replacing(folder / "half.csv") as path:
-            path.write_text("half")
-            try:
-                stop()
-            finally:
-                stop()
-    """,
+        finally:
+            os.kill(os.getpid(), number)
+"""
+    ),
 }
 
 
-def stopped(body, number, folder):
-    """What `hophoop run` gives whose work is `body`."""
-    lines = body.strip("\n").splitlines()
-    margin = min(len(line) - len(line.lstrip()) for line in lines if line.strip())
-    text = "\n".join("    " + line[margin:] for line in lines)
+@SIGNALS
+@pytest.mark.parametrize("moment", MOMENTS)
+def test_a_stop_is_the_last_word(moment, number, status, tmp_path):
     began = time.monotonic()
     done = subprocess.run(
-        [sys.executable, "-c", START.format(long=LONG, body=text), str(int(number)), str(folder), "run"],
+        [sys.executable, "-c", PROGRAM.format(long=LONG, moment=MOMENTS[moment]), str(int(number))],
+        cwd=tmp_path,
         capture_output=True,
         text=True,
-        env=os.environ | {"HOPHOOP_KERNELS": "interpreted", "TMPDIR": str(folder)},
+        env=os.environ | {"HOPHOOP_KERNELS": "interpreted", "TMPDIR": str(tmp_path)},
         check=False,
         timeout=2 * LONG,
     )
     assert time.monotonic() - began < SOON
-    return done.returncode, done.stdout, done.stderr, sorted(path.name for path in folder.iterdir())
-
-
-@SIGNALS
-@pytest.mark.parametrize("where", WHERE)
-def test_a_stop_is_the_last_word(where, number, status, tmp_path):
-    assert stopped(WHERE[where], number, tmp_path) == (status, "", "Stopped.\n", [])
-
-
-LOADED = """
-import os, runpy, signal, sys
-signal.signal(signal.SIGINT, signal.default_int_handler)
-class Finder:
-    def find_spec(self, name, *_):
-        if name == "hophoop.cli":
-            os.kill(os.getpid(), {number})
-sys.meta_path.insert(0, Finder())
-sys.argv = ["hophoop", "run"]
-runpy.run_module("hophoop", run_name="__main__")
-"""
-
-
-@SIGNALS
-def test_a_stop_while_the_command_is_loaded(number, status, tmp_path):
-    """Python itself would show a traceback."""
-    code = LOADED.format(number=int(number))
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=SOON)
     assert (done.returncode, done.stdout, done.stderr) == (status, "", "Stopped.\n")
+    assert list(tmp_path.iterdir()) == []
 
 
 # long commands, and what a stopped one may leave: figures that are complete, chunks of a map
