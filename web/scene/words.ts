@@ -1,6 +1,6 @@
 // What stands beside the picture: mode, time and angle of each hoop, the colours of speed, what the lines are.
 
-import { SPEED_TEXTS } from "../lab/common/colors.ts";
+import { SPEED_GRADIENT } from "../lab/common/colors.ts";
 
 const MOST_RULER = 90; // pixels
 
@@ -42,7 +42,7 @@ export class Words {
   }
 
   scale(most: number) {
-    element("bar").style.background = `linear-gradient(to right, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join()})`;
+    element("bar").style.background = SPEED_GRADIENT;
     const step = round(most / 3);
     for (let value = 0; value <= most; value += step) {
       const tick = named("span", "", plain(value));

@@ -55,6 +55,7 @@ function viridis() {
 export const SPEED_COLORS = viridis();
 
 export const SPEED_TEXTS = SPEED_COLORS.map((color) => `rgb(${color.join(",")})`);
+export const SPEED_GRADIENT = `linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})`;
 
 // What tells two hoops apart, beside their letters; neither is the colour of a mode or of a quantity.
 export const HOOP_INKS = ["#123a8c", "#8a6d00"];

@@ -38,6 +38,34 @@ export const iconButton = (sign: Node | string, title: string, onclick: () => vo
 export const closing = () =>
   h("button", { class: "close", onclick: ({ target }: any) => target.closest("dialog").close() }, "table.close");
 
+/** A button that copies a code, or selects it where the browser does not let it. */
+export function copying(code: HTMLElement) {
+  const button = h("button", {}, "motion.copy");
+  button.onclick = async () => {
+    try {
+      await navigator.clipboard.writeText(code.textContent ?? "");
+      say(button, "motion.copied");
+    } catch {
+      getSelection()?.selectAllChildren(code); // to be copied by hand
+    }
+  };
+  return button;
+}
+
+/** An item of a menu, which closes as it is chosen. */
+export const menuItem = (words: string, action: () => void, kind = "") =>
+  h(
+    "button",
+    {
+      class: kind,
+      onclick: ({ target }: any) => {
+        target.closest("details").open = false;
+        action();
+      },
+    },
+    words,
+  );
+
 /** The names of columns. */
 export const headed = (...names: Message[]) =>
   h("thead", {}, h("tr", {}, ...names.map((name) => h("th", { scope: "col" }, [name]))));

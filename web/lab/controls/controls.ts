@@ -45,7 +45,7 @@ class Slider {
     {
       ...this.info,
       name: {
-        key: `controls.exact_value${this.info.unit && "_unit"}`,
+        key: this.info.unit ? "controls.exact_value_unit" : "controls.exact_value",
         values: { name: this.info.label, unit: this.info.unit },
       },
       range: rangeOf(this.info),
@@ -197,7 +197,7 @@ export class Controls {
     this.group("controls.advanced", ...ADVANCED.map((path) => this.at(path)), this.lab.story.fingerprint),
   );
 
-  constructor(readonly lab: Lab) {}
+  constructor(readonly lab: Pick<Lab, "motions" | "setup" | "story">) {}
 
   at(path: string) {
     const found = this.sliders.get(path) ?? this.choices.get(path);

@@ -35,7 +35,6 @@ export class Plot extends Diagram {
     home: () => this.zoomTo(null),
     keys: true,
   });
-  onseek: (time: number) => void = () => {};
 
   /** `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots. */
   constructor(
@@ -307,7 +306,7 @@ export class Plot extends Diagram {
   }
 
   seek(value: number) {
-    if (this.shared.axis === "time") return this.onseek(value);
+    if (this.shared.axis === "time") return this.shared.clock.seek(value);
     // the time at which the angle is passed first after the present time, else at all
     const film = this.films[this.active];
     const across = this.abscissa(film);
@@ -315,7 +314,7 @@ export class Plot extends Diagram {
     for (let i = 0; i < across.length; i++) {
       if (Math.abs(across[i] - value) < Math.abs(across[best] - value)) best = i;
     }
-    return this.onseek(film.t[best]);
+    return this.shared.clock.seek(film.t[best]);
   }
 
   middle() {

@@ -1,8 +1,10 @@
 // Which diagrams there are: velocities, energies and losses, forces, friction utilization.
 
 import { h, say } from "../common/dom.ts";
+import { byFingers } from "../common/zoom.ts";
 import { optionsOf, ownPlot } from "./own_plot.ts";
 import { Plot } from "./plot.ts";
+import { QUANTITIES } from "./quantities.ts";
 
 function definitions(colors: Colors): PlotDefinition[] {
   return [
@@ -12,12 +14,7 @@ function definitions(colors: Colors): PlotDefinition[] {
       unit: "diagram.velocity_axis",
       curves: (film: Film) => [
         { name: "diagram.speed", color: colors.center_speed, values: film.columns.vx },
-        {
-          name: "diagram.rotation",
-          color: colors.rotation_speed,
-          dash: "dash",
-          values: film.derived("spin", ({ omega }) => Float64Array.from(omega, (value) => value * film.radius)),
-        },
+        { name: "diagram.rotation", color: colors.rotation_speed, dash: "dash", values: QUANTITIES.spin.values(film) },
       ],
     },
     {
@@ -27,13 +24,7 @@ function definitions(colors: Colors): PlotDefinition[] {
       curves: (film: Film) => [
         { name: "diagram.kinetic", color: colors.kinetic, values: film.columns.kinetic },
         { name: "diagram.potential", color: colors.potential, values: film.columns.potential },
-        {
-          name: "diagram.total",
-          values: film.derived("total", ({ t, kinetic, potential }) =>
-            Float64Array.from(t, (_, i) => kinetic[i] + potential[i]),
-          ),
-          dash: "dash",
-        },
+        { name: "diagram.total", values: QUANTITIES.total.values(film), dash: "dash" },
         // as in Python's plots: what an impact loses along the plane is friction's
         { name: "diagram.friction_loss", color: colors.friction_loss, values: film.columns.friction_loss },
         {
@@ -77,8 +68,18 @@ export class Plots {
   look: Look;
 
   shared = { axis: "time", range: null, clock: this.clock, changed: () => this.redraw() };
-  axis: HTMLSelectElement;
-  element: HTMLDivElement;
+  axis = h(
+    "select",
+    {
+      "aria-label": "diagram.axis_choice",
+      onchange: () => {
+        this.shared.axis = this.axis.value;
+        this.shared.range = null;
+        this.redraw();
+      },
+    },
+    optionsOf(({ name }) => ({ key: "diagram.axis_option", values: { quantity: name } })),
+  );
   plots: Plot[] = [
     ...definitions(this.colors).map((definition) => new Plot(definition, this.shared)),
     ownPlot(this.shared),
@@ -87,12 +88,14 @@ export class Plots {
   seen = new Map(this.plots.map((plot) => [plot.element, true]));
   back = h("button", { hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "diagram.zoom_home");
   hint = h("span", { class: "hint" });
+  element = h("div", { class: "plots" }, h("div", { class: "plots-head" }, this.axis, this.back, this.hint), [
+    ...this.seen.keys(),
+  ]);
 
   constructor(
     readonly clock: Clock,
     readonly colors: Colors,
   ) {
-    for (const plot of this.plots) plot.onseek = (time: number) => clock.seek(time);
     const watch = new IntersectionObserver(
       (entries) => {
         for (const { target, isIntersecting } of entries) this.seen.set(target as HTMLElement, isIntersecting);
@@ -101,31 +104,13 @@ export class Plots {
       { rootMargin: "400px" },
     );
     for (const plot of this.plots) watch.observe(plot.element);
-    this.axis = h(
-      "select",
-      {
-        "aria-label": "diagram.axis_choice",
-        onchange: () => {
-          this.shared.axis = this.axis.value;
-          this.shared.range = null;
-          this.redraw();
-        },
-      },
-      optionsOf(({ name }) => ({ key: "diagram.axis_option", values: { quantity: name } })),
-    );
-    this.element = h(
-      "div",
-      { class: "plots" },
-      h("div", { class: "plots-head" }, this.axis, this.back, this.hint),
-      this.plots.map((plot) => plot.element),
-    );
   }
 
   draw(films: Film[], active: number, look: Look) {
     this.films = films;
     this.active = active;
     this.look = look;
-    const hands = matchMedia("(hover: none)").matches ? "diagram.hint_touch" : "diagram.hint_mouse";
+    const hands = byFingers() ? "diagram.hint_touch" : "diagram.hint_mouse";
     const two = films.length > 1;
     say(this.hint, two ? { key: "diagram.hint_two_hoops", values: { hoop: "AB"[active], hands } } : hands);
     this.redraw();

@@ -21,9 +21,8 @@ export function swatch(color: string | undefined, dash: Curve["dash"] = "solid")
       at += size;
       return `${k % 2 ? "transparent" : (color ?? "var(--ink)")} ${at - size}px ${at}px`;
     });
-    element.style.height = "2.5px";
-    element.style.width = "28px";
-    element.style.background = `repeating-linear-gradient(90deg, ${parts.join(", ")})`;
+    const background = `repeating-linear-gradient(90deg, ${parts.join(", ")})`;
+    Object.assign(element.style, { height: "2.5px", width: "28px", background });
   }
   return element;
 }

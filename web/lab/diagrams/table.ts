@@ -67,7 +67,7 @@ export class Table {
     ),
   );
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Pick<Lab, "clock" | "film" | "theme">) {
     this.step.value = "0.1";
   }
 

@@ -84,7 +84,7 @@ export class MotionMap {
     if (this.seen && this.stale) this.refresh();
   });
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Pick<Lab, "address" | "backend" | "clock" | "motions" | "setup" | "story">) {
     takeHands(this);
     this.watch.observe(this.body);
     this.syncSelects();

@@ -1,6 +1,6 @@
 // The computed parts of a map, the finer over the coarser: pictures, legend, and what a place holds.
 
-import { parsed, SPEED_COLORS } from "../common/colors.ts";
+import { parsed, SPEED_COLORS, SPEED_GRADIENT } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
 import { show, withUnit } from "../common/numbers.ts";
@@ -75,16 +75,10 @@ export function stacked(layers: MapLayer[], layer: MapLayer) {
 export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement | string)[] {
   const { classes } = header;
   if (!classes) {
-    const bar = h("canvas", { width: 120, height: 10, style: "width:120px;height:10px" });
-    const context = pen(bar);
-    for (let k = 0; k < 120; k++) {
-      context.fillStyle = `rgb(${SPEED_COLORS[Math.floor((255 * k) / 119)].join(",")})`;
-      context.fillRect(k, 0, 1, 10);
-    }
     const [scale, unit] = units(header);
     return [
       h("span", {}, header.label, ": ", high >= low ? show(low * scale, 3) : "map.none", " "),
-      bar,
+      h("span", { class: "bar", style: `background: ${SPEED_GRADIENT}` }),
       h("span", {}, high >= low ? withUnit(show(high * scale, 3), unit) : ""),
       values.some((value) => !Number.isFinite(value)) ? h("span", {}, h("i", { class: "blank" }), "map.none") : "",
     ];

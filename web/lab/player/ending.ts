@@ -14,7 +14,7 @@ export class Ending {
   gait = h("button", { hidden: true, onclick: () => this.take() }, "ending.show");
   element = h("p", { class: "ending" }, this.ask, " ", this.answer, " ", this.gait);
 
-  constructor(readonly lab: Lab) {}
+  constructor(readonly lab: Pick<Lab, "backend" | "clock" | "film" | "motions" | "story">) {}
 
   /** Another motion has another end. */
   changed() {

@@ -43,7 +43,7 @@ export class Grips {
   );
   settle = once(() => this.chosen(false), REST);
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Pick<Lab, "clock" | "film" | "mark" | "motions" | "notice" | "request" | "stage">) {
     const { flat, plane } = lab.stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
     flat.grab = (event) => this.take(event);

@@ -27,7 +27,9 @@ export class Motions {
   active = 0;
   going: Promise<any> = Promise.resolve();
 
-  constructor(readonly lab: Lab) {}
+  constructor(
+    readonly lab: Pick<Lab, "address" | "backend" | "changed" | "computing" | "failed" | "noted" | "request" | "story">,
+  ) {}
 
   /** A motion, which the visitor may give up where it takes long. */
   ask(asked: Asked) {

@@ -6,9 +6,12 @@ import { degrees, show } from "../common/numbers.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
+/** What a picture is made of. */
+type Shown = Pick<Lab, "stage" | "clock" | "theme" | "films" | "drawStage">;
+
 const WIDE = 3840; // pixels across a picture that is kept
 
-export async function png(lab: Lab): Promise<Blob> {
+export async function png(lab: Shown): Promise<Blob> {
   const { width, height } = lab.stage.canvas().getBoundingClientRect();
   const ratio = Math.max(WIDE / width, globalThis.devicePixelRatio || 1);
   const canvas = h("canvas", { width: Math.round(width * ratio), height: Math.round(height * ratio) });
@@ -26,7 +29,7 @@ export async function png(lab: Lab): Promise<Blob> {
 }
 
 /** As lines and curves, which stay sharp at any size. */
-export async function svg(lab: Lab) {
+export async function svg(lab: Shown) {
   if (lab.stage.options.three) throw new Error("save.no_svg_in_space");
   const { width, height } = lab.stage.canvas().getBoundingClientRect();
   const { Context } = await fetched(import("./svg.ts"));
@@ -38,7 +41,7 @@ export async function svg(lab: Lab) {
 }
 
 /** A copy of what is on the screen, as a film takes it. */
-export function copyInto(lab: Lab, canvas: HTMLCanvasElement) {
+export function copyInto(lab: Shown, canvas: HTMLCanvasElement) {
   const source = lab.stage.canvas();
   const { width, height } = source.getBoundingClientRect();
   const context = pen(canvas);
@@ -48,18 +51,18 @@ export function copyInto(lab: Lab, canvas: HTMLCanvasElement) {
   words(context, lab, height);
 }
 
-function background(context: CanvasRenderingContext2D, { theme }: Lab, width: number, height: number) {
+function background(context: CanvasRenderingContext2D, { theme }: Shown, width: number, height: number) {
   context.fillStyle = theme.look.paper;
   context.fillRect(0, 0, width, height);
 }
 
-function flat(context: CanvasRenderingContext2D, lab: Lab, width: number, height: number) {
+function flat(context: CanvasRenderingContext2D, lab: Shown, width: number, height: number) {
   const { stage, clock, theme } = lab;
   stage.flat.paint(context, width, height, lab.films(), clock.time, stage.options, theme.look, theme.inks);
 }
 
 /** Mode, time, angle and speed of each hoop, in its part of the picture. */
-function words(context: CanvasRenderingContext2D, lab: Lab, height: number) {
+function words(context: CanvasRenderingContext2D, lab: Shown, height: number) {
   const { theme, stage, clock } = lab;
   const { px } = theme.look;
   const films = lab.films();

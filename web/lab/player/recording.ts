@@ -4,7 +4,7 @@ import { h } from "../common/dom.ts";
 import { copyInto } from "./pictures.ts";
 import type { Lab } from "../shell/lab.ts";
 
-export async function record(lab: Lab): Promise<Blob> {
+export async function record(lab: Parameters<typeof copyInto>[0] & Pick<Lab, "notice" | "afterFrame">): Promise<Blob> {
   const source = lab.stage.canvas();
   if (!source.captureStream || !globalThis.MediaRecorder) {
     throw new Error("save.cannot_record");

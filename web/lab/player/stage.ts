@@ -1,6 +1,6 @@
 // The picture of the hoops, in the plane or in space, with what stands on it: readout, colours of speed, key.
 
-import { SPEED_TEXTS } from "../common/colors.ts";
+import { SPEED_GRADIENT } from "../common/colors.ts";
 import { h } from "../common/dom.ts";
 import { fetched } from "../common/later.ts";
 import { degrees, length, show, withUnit } from "../common/numbers.ts";
@@ -20,22 +20,21 @@ const OUTPUTS = [
   "player.gap",
 ];
 
+const dot = (color: string, words: string) =>
+  h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
+
 export class Stage {
   options: StageOptions = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
   plane = h("canvas", { class: "stage-canvas" });
   space = h("canvas", { class: "stage-canvas", hidden: true });
   flat = new Stage2D(this.plane, this.onview);
   deep: Stage3D | null = null; // made when it is first asked for
-  element: HTMLDivElement;
-  outputs: { name: HTMLElement; value: HTMLElement }[] = OUTPUTS.map((name) => ({
-    name: h("dt", {}, name),
-    value: h("dd", {}),
-  }));
+  outputs = OUTPUTS.map((name) => ({ name: h("dt", {}, name), value: h("dd", {}) }));
   fastest = h("span", {});
   legend = h(
     "div",
     { class: "legend", "aria-hidden": "true" },
-    h("i", { style: `background: linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})` }),
+    h("i", { style: `background: ${SPEED_GRADIENT}` }),
     h("span", {}, "0"),
     h("span", {}, "player.rim_speed"),
     this.fastest,
@@ -46,6 +45,22 @@ export class Stage {
     this.outputs.flatMap(({ name, value }) => [name, value]),
   );
   order = h("span", { hidden: true }, "player.order");
+  element = h(
+    "div",
+    { class: "stage", role: "figure", "aria-label": "player.picture", tabindex: "0" },
+    this.plane,
+    this.space,
+    this.readout,
+    this.legend,
+    h(
+      "div",
+      { class: "stage-keys", "aria-hidden": "true" },
+      dot("var(--ink)", "player.load"),
+      dot(this.colors.gravity_center, "player.center_of_gravity"),
+      dot(this.colors.airborne, "player.in_flight"),
+      this.order,
+    ),
+  );
 
   /** `onview`: what to do when it is seen from elsewhere. */
   constructor(
@@ -53,24 +68,6 @@ export class Stage {
     readonly onview: () => void,
   ) {
     this.outputs[1].value.className = "mode";
-    const dot = (color: string, words: string) =>
-      h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
-    this.element = h(
-      "div",
-      { class: "stage", role: "figure", "aria-label": "player.picture", tabindex: "0" },
-      this.plane,
-      this.space,
-      this.readout,
-      this.legend,
-      h(
-        "div",
-        { class: "stage-keys", "aria-hidden": "true" },
-        dot("var(--ink)", "player.load"),
-        dot(colors.gravity_center, "player.center_of_gravity"),
-        dot(colors.airborne, "player.in_flight"),
-        this.order,
-      ),
-    );
   }
 
   // The canvas that is seen now.
@@ -95,7 +92,7 @@ export class Stage {
   /**
    * The picture in space with other numbers of pixels, until it is drawn again. `ratio`: pixels for one of the page.
    */
-  sharp(lab: Lab, ratio: number) {
+  sharp(lab: Pick<Lab, "theme" | "films" | "clock">, ratio: number) {
     const { look, inks } = lab.theme;
     this.deep?.draw(lab.films(), lab.clock.time, this.options, look, inks, false, ratio);
     return this.space;

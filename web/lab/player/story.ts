@@ -1,6 +1,6 @@
 // The motion in words, as a list that leads to each moment, and what theory says about this hoop.
 
-import { h, say } from "../common/dom.ts";
+import { copying, h, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import type { Comparison } from "../backend/sameness.ts";
 
@@ -129,17 +129,8 @@ export class Story {
 /** The fingerprint with a button that copies it. */
 function fingerprintOf(fingerprint: string) {
   const code = h("code", {}, document.createTextNode(fingerprint));
-  const copy = h("button", {}, "motion.copy");
-  copy.onclick = async () => {
-    try {
-      await navigator.clipboard.writeText(fingerprint);
-      say(copy, "motion.copied");
-    } catch {
-      getSelection()?.selectAllChildren(code); // to be copied by hand
-    }
-  };
   const title = "motion.fingerprint_title";
-  return [h("span", { title }, "motion.fingerprint"), " ", code, " ", copy];
+  return [h("span", { title }, "motion.fingerprint"), " ", code, " ", copying(code)];
 }
 
 export class Theory {

@@ -65,7 +65,7 @@ export class Transport {
     this.row,
   );
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Pick<Lab, "clock" | "films" | "notice" | "stage" | "story" | "toggle">) {
     this.speeds.value = "1";
   }
 

@@ -81,7 +81,12 @@ export class More {
     this.scale,
   );
 
-  constructor(readonly lab: Lab) {
+  constructor(
+    readonly lab: Pick<
+      Lab,
+      "address" | "backend" | "clock" | "controls" | "film" | "marked" | "motions" | "request" | "stage" | "story"
+    >,
+  ) {
     lab.stage.flat.over = (scene, lane) => {
       const guessing = lab.marked("guessing"); // what comes is to be guessed
       if (!this.on || guessing || lane !== lab.motions.active) return;

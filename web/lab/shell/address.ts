@@ -94,7 +94,7 @@ export class Address {
   soon = once(() => this.write("same"), WAIT);
   listen: () => Promise<void> = () => this.arrived();
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Pick<Lab, "backend" | "link" | "motions" | "notice">) {
     addEventListener("popstate", this.listen);
   }
 

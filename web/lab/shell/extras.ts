@@ -2,7 +2,7 @@
 // what a class needs.
 
 import { Challenges } from "../teach/challenges.ts";
-import { h, iconButton } from "../common/dom.ts";
+import { h, iconButton, menuItem } from "../common/dom.ts";
 import { Grips } from "../player/grips.ts";
 import { icon } from "../common/icons.ts";
 import { languageMenu } from "../words/languages.ts";
@@ -16,6 +16,15 @@ import { current, repeat, spoken, t } from "../words/words.ts";
 import type { Lab } from "./lab.ts";
 
 const LONG = 60; // letters of a motion's name
+
+/** What the parts of the page need that are made here. */
+type Around = Grips["lab"] &
+  Visit["lab"] &
+  More["lab"] &
+  Challenges["lab"] &
+  Table["lab"] &
+  Present["lab"] &
+  Pick<Lab, "hosted" | "about" | "known">;
 
 export class Extras {
   clock = this.lab.clock;
@@ -61,7 +70,22 @@ export class Extras {
     ),
   ]);
   tools = h("div", { class: "buttons tools" }, [...this.switches.keys()]);
-  menu = this.makeMenu();
+  menu = h(
+    "details",
+    { class: "learn" },
+    h("summary", { class: "button" }, "menu.learn"),
+    h(
+      "div",
+      { class: "menu-body" },
+      menuItem("menu.visit", () => this.visit.start()),
+      menuItem("menu.challenges", () => this.challenges.open()),
+      menuItem("sensitivity.title", () => this.more.turn(true)),
+      menuItem("table.title", () => this.table.open(true)),
+      menuItem("menu.presentation", () => this.present.turn(true)),
+      menuItem("menu.teachers", () => this.teach.showModal()),
+      menuItem("menu.about", () => this.lab.about.showModal()),
+    ),
+  );
   languages = languageMenu(
     () => {
       this.spoken();
@@ -71,7 +95,7 @@ export class Extras {
     (error) => this.lab.notice.fail(error),
   );
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Around) {
     this.mark();
     this.spoken();
   }
@@ -86,37 +110,6 @@ export class Extras {
 
   mark() {
     for (const [button, on] of this.switches) button.setAttribute("aria-pressed", String(on()));
-  }
-
-  makeMenu() {
-    const item = (words: string, action: () => void) =>
-      h(
-        "button",
-        {
-          onclick: () => {
-            menu.open = false;
-            action();
-          },
-        },
-        words,
-      );
-    const menu = h(
-      "details",
-      { class: "learn" },
-      h("summary", { class: "button" }, "menu.learn"),
-      h(
-        "div",
-        { class: "menu-body" },
-        item("menu.visit", () => this.visit.start()),
-        item("menu.challenges", () => this.challenges.open()),
-        item("sensitivity.title", () => this.more.turn(true)),
-        item("table.title", () => this.table.open(true)),
-        item("menu.presentation", () => this.present.turn(true)),
-        item("menu.teachers", () => this.teach.showModal()),
-        item("menu.about", () => this.lab.about.showModal()),
-      ),
-    );
-    return menu;
   }
 
   spoken() {

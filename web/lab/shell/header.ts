@@ -50,7 +50,12 @@ export class Header {
     this.right,
   );
 
-  constructor(readonly lab: Lab) {}
+  constructor(
+    readonly lab: Pick<
+      Lab,
+      "firstQuery" | "help" | "known" | "motions" | "reset" | "share" | "take" | "theme" | "travel" | "view"
+    >,
+  ) {}
 
   options(more: boolean) {
     const presets = this.lab.known.filter((preset) => preset.more === more);

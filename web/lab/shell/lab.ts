@@ -1,6 +1,6 @@
 // The lab: one or two motions, the clock, and everything that shows them.
 
-import { recallForTab, rememberForTab } from "./memory.ts";
+import { recall, remember } from "./memory.ts";
 import { Address, written, type Shown } from "./address.ts";
 import { Computing } from "./computing.ts";
 import { Clock } from "../player/clock.ts";
@@ -141,7 +141,7 @@ export class Lab {
   begin() {
     this.first = this.motions.queries();
     this.show();
-    const steps = this.hosted ? recallForTab(STEPS) : null;
+    const steps = this.hosted ? recall(STEPS, "sessionStorage") : null;
     this.motions.note();
     if (steps) {
       this.motions.history.restore(steps);
@@ -197,7 +197,7 @@ export class Lab {
   noted(step: "same" | "step" | "again" | "travelled") {
     this.header.show();
     this.address?.write(step);
-    if (this.hosted) rememberForTab(STEPS, this.motions.history.written());
+    if (this.hosted) remember(STEPS, this.motions.history.written(), "sessionStorage");
     this.onmotion(this.film().query);
   }
 

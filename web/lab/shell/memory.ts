@@ -2,36 +2,21 @@
 
 const held: Map<string, string> = new Map();
 
-export function recall(key: string) {
+type Storing = "localStorage" | "sessionStorage"; // for ever, or until the tab is closed
+
+export function recall(key: string, where: Storing = "localStorage") {
   try {
-    return localStorage.getItem(key) ?? held.get(key) ?? null;
+    return globalThis[where].getItem(key) ?? held.get(key) ?? null;
   } catch {
     return held.get(key) ?? null;
   }
 }
 
-export function remember(key: string, value: string) {
+export function remember(key: string, value: string, where: Storing = "localStorage") {
   held.set(key, value);
   try {
-    localStorage.setItem(key, value);
+    globalThis[where].setItem(key, value);
   } catch {
     // it stays in `held`
-  }
-}
-
-/** What a page remembers until its tab is closed; nothing where storage is forbidden. */
-export function recallForTab(key: string) {
-  try {
-    return sessionStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-export function rememberForTab(key: string, value: string) {
-  try {
-    sessionStorage.setItem(key, value);
-  } catch {
-    // the page forgets it when it is loaded again
   }
 }

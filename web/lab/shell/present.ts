@@ -14,7 +14,7 @@ export class Present {
     class: "leave",
   });
 
-  constructor(readonly lab: Lab) {
+  constructor(readonly lab: Pick<Lab, "extras" | "root" | "show">) {
     document.addEventListener("fullscreenchange", this.left);
   }
 

@@ -1,10 +1,13 @@
 // Share and save: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
-import { closing, h, saveBlob, say } from "../common/dom.ts";
+import { closing, copying, h, menuItem, saveBlob } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
 import { record } from "../player/recording.ts";
 import { png, svg } from "../player/pictures.ts";
 import type { Lab } from "./lab.ts";
+
+/** What is kept, and who makes it. */
+type Kept = Parameters<typeof record>[0] & Pick<Lab, "backend" | "film" | "link">;
 
 const FILES = [
   ["motion.toml", "save.scenario"],
@@ -42,25 +45,11 @@ export class Share {
   );
   dialog = h("dialog", { class: "code-dialog", "aria-label": "save.code_title" });
 
-  constructor(readonly lab: Lab) {}
+  constructor(readonly lab: Kept) {}
 
   /** `kind`: `full` where the simple view leaves it out. */
-  item(label: string, action: () => void, kind = "") {
-    return h(
-      "button",
-      {
-        class: kind,
-        onclick: async () => {
-          this.menu.open = false;
-          try {
-            await action();
-          } catch (error) {
-            this.lab.notice.fail(error as Error);
-          }
-        },
-      },
-      label,
-    );
+  item(label: string, action: () => Promise<void>, kind = "") {
+    return menuItem(label, () => action().catch((error) => this.lab.notice.fail(error)), kind);
   }
 
   fingerprints() {
@@ -84,7 +73,7 @@ export class Share {
     this.lab.notice.say({ key: "save.ready", values: { name } });
   }
 
-  async picture(kind: string, make: (lab: Lab) => Promise<Blob> | Blob) {
+  async picture(kind: string, make: (lab: Kept) => Promise<Blob> | Blob) {
     saveBlob(await make(this.lab), `hophoop.${kind}`);
   }
 
@@ -102,16 +91,8 @@ export class Share {
   show(...pairs: string[]) {
     const blocks = [];
     for (let i = 0; i < pairs.length; i += 2) {
-      const text = pairs[i + 1];
-      const copy = h("button", {}, "motion.copy");
-      copy.onclick = async () => {
-        await navigator.clipboard?.writeText(text).catch(() => {});
-        say(copy, "motion.copied");
-      };
-      blocks.push(
-        h("header", {}, h("h2", {}, pairs[i]), copy),
-        h("pre", { tabindex: "0" }, h("code", {}, document.createTextNode(text))),
-      );
+      const code = h("code", {}, document.createTextNode(pairs[i + 1]));
+      blocks.push(h("header", {}, h("h2", {}, pairs[i]), copying(code)), h("pre", { tabindex: "0" }, code));
     }
     this.dialog.replaceChildren(...blocks, closing());
     this.dialog.showModal();

@@ -47,7 +47,7 @@ export class Challenges {
     ),
   );
 
-  constructor(readonly lab: Lab) {}
+  constructor(readonly lab: Pick<Lab, "film" | "load" | "stage">) {}
 
   open() {
     this.element.hidden = false;

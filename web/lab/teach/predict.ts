@@ -5,10 +5,9 @@ import { scaledContext, h, theme } from "../common/dom.ts";
 import { clamp, modulo } from "../common/clamp.ts";
 import { follow, placeOn } from "../common/pointer.ts";
 
-/** A guess: what stands on the page, whether it has been made, and how good it was (from 0 to 100). */
+/** A guess: what stands on the page, and how good it was (from 0 to 100). */
 export interface Guess {
   element: HTMLElement;
-  made: () => boolean;
   judge: (truth: any) => number; // shows the truth beside the guess
   redraw?: () => void; // in other colours
 }
@@ -31,17 +30,8 @@ let count = 0;
 /** `options`: words by key. */
 export function choices(options: Record<string, string>, onguess: () => void): Guess {
   const name = `hh-guess-${++count}`;
-  let chosen = "";
   const rows = Object.entries(options).map(([key, words]) => {
-    const radio = h("input", {
-      type: "radio",
-      name,
-      value: key,
-      onchange: () => {
-        chosen = key;
-        onguess();
-      },
-    });
+    const radio = h("input", { type: "radio", name, value: key, onchange: onguess });
     return { key, radio, row: h("label", { class: "guess-choice" }, radio, h("span", {}, words)) };
   });
   return {
@@ -50,8 +40,8 @@ export function choices(options: Record<string, string>, onguess: () => void): G
       { class: "guess", role: "radiogroup", "aria-label": "visit.guess" },
       rows.map(({ row }) => row),
     ),
-    made: () => chosen !== "",
     judge: (truth) => {
+      const chosen = rows.find(({ radio }) => radio.checked)?.key;
       for (const { key, radio, row } of rows) {
         radio.disabled = true;
         const right = key === truth;
@@ -149,7 +139,6 @@ export function dial(label: string, onguess: () => void): Guess {
   return {
     element,
     redraw: draw,
-    made: () => made,
     judge: (found: number) => {
       truth = modulo(found, 360);
       draw();
@@ -167,7 +156,6 @@ export function sketch(
   onguess: () => void,
 ): Guess {
   const values: number[] = Array(POINTS).fill(most / 4);
-  let made = false;
   let truth: number[] | null = null;
   const canvas = h("canvas", { class: "sketch-canvas" });
   const handles = values.map((_, i) =>
@@ -240,7 +228,6 @@ export function sketch(
   const put = (i: number, value: number) => {
     if (truth) return;
     values[i] = clamp(value, 0, most);
-    made = true;
     handles[i].setAttribute("aria-valuenow", values[i].toPrecision(3));
     handles[i].setAttribute("aria-valuetext", `${values[i].toPrecision(2)} ${unit}`);
     draw();
@@ -271,7 +258,6 @@ export function sketch(
   return {
     element,
     redraw: draw,
-    made: () => made,
     judge: (found: number[]) => {
       truth = found;
       draw();

@@ -34,7 +34,12 @@ export class Visit {
   said = h("div", { class: "visit-answer", role: "status" });
   element = h("section", { class: "visit card", "aria-label": "menu.visit", hidden: true }, this.body, this.said);
 
-  constructor(readonly lab: Lab) {}
+  constructor(
+    readonly lab: Pick<
+      Lab,
+      "changed" | "clock" | "extras" | "films" | "mark" | "motions" | "notice" | "opening" | "show" | "stage"
+    >,
+  ) {}
 
   /** Whether the visitor still guesses: then nothing may tell what will happen. */
   get guessing() {
