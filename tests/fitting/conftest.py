@@ -6,11 +6,11 @@ import hophoop as hh
 from fitting_tools import filmed, hopping
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def hop():
     return hopping()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def found(hop):
     return hh.fit(filmed(hop))

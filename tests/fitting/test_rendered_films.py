@@ -1,7 +1,4 @@
-"""From a rendered film to parameters: the truth within the uncertainties that are told.
-
-Run as a program it prints the numbers of docs/film.md.
-"""
+"""From a rendered film to parameters: the truth within the uncertainties that are told."""
 
 import dataclasses
 
@@ -76,15 +73,3 @@ def test_pulls_of_rendered_films(tmp_path):
     assert np.nanmax(np.abs(found)) < 3.5
     assert np.sqrt(np.nanmean(found**2, axis=0)).max() < 1.8
     assert np.sqrt(np.nanmean(found**2)) == pytest.approx(1.0, abs=0.35)
-
-
-if __name__ == "__main__":
-    import tempfile
-    from pathlib import Path
-
-    with tempfile.TemporaryDirectory() as folder:
-        fits = [hopping(Path(folder), seed) for seed in range(8)]
-    found = np.array([pulls(fit) for fit in fits])
-    for k, name in enumerate(TRUTH):
-        error = np.median([fit.error(name) for fit in fits if name in fit.free])
-        print(f"| {name} | {error:.2g} | {np.nanmean(found[:, k]):+.1f} | {np.sqrt(np.nanmean(found[:, k] ** 2)):.1f} |")
