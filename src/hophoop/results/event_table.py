@@ -23,7 +23,7 @@ WIDTH = 100  # of the text [characters]
 def cells(event: EventRecord[float]) -> list[str]:
     """Return a row of the table, in the order of `TITLES`."""
     numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
-    return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{_clean(number):.4f}" for number in numbers)]
+    return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{number:z.4f}" for number in numbers)]
 
 
 def change_of(event: EventRecord[Any] | ProvedEvent) -> str:
@@ -57,7 +57,3 @@ def text_table(events: Sequence[EventRecord[float]], width: int = WIDTH) -> str:
     if left_out:
         lines.append(f"… {left_out:,} events are left out where the dots are.")
     return "\n".join(lines)
-
-
-def _clean(number: float) -> float:
-    return 0.0 if abs(number) < 5e-5 else number

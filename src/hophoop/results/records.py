@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast, overload
+from typing import Any, Generic, Literal, Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -361,16 +361,7 @@ class Motion(Protocol):
     def kernel_doubt(self) -> float:
         """Time from which double precision cannot decide the motion, in kernel units; inf if everything is certain."""
 
-    @overload
-    def at(self, t: float, side: Side = ...) -> ScalarSample: ...
-
-    @overload
-    def at(self, t: NDArray[np.float64] | Sequence[float], side: Side = ...) -> ArraySample: ...
-
-    @overload
-    def at(self, t: ArrayLike, side: Side = ...) -> Sample[Any, Any]: ...
-
-    def at(self, t: ArrayLike, side: Side = "right") -> Sample[Any, Any]:
+    def at(self, t: Any, side: Side = "right") -> Sample[Any, Any]:
         """Return the state at any time."""
 
     def times(self, n: int = 1000) -> NDArray[np.float64]:

@@ -48,6 +48,13 @@ def near_name(word: str, known: Sequence[str], place: str) -> str:
     return names[close[0]] if close else elsewhere.get(word, "")
 
 
+def unknown_key(key: str, known: Sequence[str], place: str) -> str:
+    """Return the sentence for a key that a section does not have, with the one that it probably means."""
+    close = near_name(key, known, place)
+    hint = say("did_you_mean", close=close) if close else say("known_are", known=", ".join(known))
+    return say("unknown_key", path=f"{place}{shortened(key)}", hint=hint)
+
+
 class Frozen(BaseModel):
     """A validated model that never changes; a bad value raises `InputError`."""
 
@@ -72,10 +79,7 @@ class Frozen(BaseModel):
         known = [field.alias or name for name, field in cls.model_fields.items()]
         for key in data if isinstance(data, Mapping) else ():
             if key not in known:
-                close = near_name(str(key), known, cls.place)
-                hint = say("did_you_mean", close=close) if close else say("known_are", known=", ".join(known))
-                path = f"{cls.place}{shortened(str(key))}"
-                raise refuse(say("unknown_key", path=path, hint=hint), path)
+                raise refuse(unknown_key(str(key), known, cls.place), f"{cls.place}{shortened(str(key))}")
         return data
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -92,12 +96,9 @@ class Frozen(BaseModel):
         raise InputError(f"{path} cannot be deleted, since a {type(self).__name__} never changes.", field=path)
 
     def _path_of(self, name: str) -> str:
-        known = list(type(self).model_fields)
-        path = f"{self.place}{shortened(name)}"
+        path, known = f"{self.place}{shortened(name)}", list(type(self).model_fields)
         if name not in known and not hasattr(type(self), name):
-            close = near_name(name, known, self.place)
-            hint = say("did_you_mean", close=close) if close else say("known_are", known=", ".join(known))
-            raise InputError(say("unknown_key", path=path, hint=hint), field=path)
+            raise InputError(unknown_key(name, known, self.place), field=path)
         return path
 
     def _changing(self, name: str, value: str) -> str:

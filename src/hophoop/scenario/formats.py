@@ -151,10 +151,9 @@ def read_query(query: str) -> dict[str, Any]:
         if steps[-1] in node:
             raise InputError(say("given_twice", path=path))
         node[steps[-1]] = _query_number(text)
-    for section, key in (("hoop", "parts"), ("start", "exact")):
-        table = data.get(section)
-        if isinstance(table, dict) and isinstance(table.get(key), dict):
-            table[key] = _numbered(table[key], f"{section}.{key}")
+    hoop = data.get("hoop")
+    if isinstance(hoop, dict) and isinstance(hoop.get("parts"), dict):
+        hoop["parts"] = _numbered(hoop["parts"])
     return data
 
 
@@ -165,9 +164,9 @@ def _query_number(text: str) -> Any:
         return text
 
 
-def _numbered(parts: Mapping[str, Any], path: str) -> list[Any]:
+def _numbered(parts: Mapping[str, Any]) -> list[Any]:
     names = [str(index) for index in range(len(parts))]
     for name in parts:
         if name not in names:
-            raise InputError(say("parts_out_of_order", name=name).replace("hoop.parts", path))
+            raise InputError(say("parts_out_of_order", name=name))
     return [parts[name] for name in names]

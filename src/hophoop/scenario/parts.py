@@ -18,6 +18,12 @@ Length = Annotated[float, within("hoop.parts.length"), NUMBER]
 
 Row = tuple[int, float, float, float, float]
 
+_LENGTHS = ("inner_radius", "outer_radius", "radius", "length")
+_KINDS = {
+    "ring": cells.RING, "disk": cells.DISK, "point_mass": cells.POINT_MASS,
+    "radial": cells.RADIAL_ROD, "tangential": cells.TANGENTIAL_ROD,
+}  # fmt: skip
+
 # Tolerance for a part that touches the rim, since its position is rounded.
 TOUCH = 1e-12
 
@@ -34,7 +40,9 @@ class _Part(Frozen):
     @property
     def row(self) -> Row:
         """Its row in the table of parts of `kernel.records.cells`."""
-        raise NotImplementedError
+        part: Any = self
+        first, second, *_ = *(getattr(part, name) for name in _LENGTHS if hasattr(part, name)), 0.0, 0.0
+        return _KINDS[getattr(part, "direction", part.shape)], part.mass, first, second, part.at
 
     @property
     def inertia(self) -> float:
@@ -81,11 +89,6 @@ class Ring(_Part):
         """Distance of its centre from C: 0 [m]."""
         return 0.0
 
-    @property
-    def row(self) -> Row:
-        """Its row in the table of parts of `kernel.records.cells`."""
-        return cells.RING, self.mass, self.inner_radius, self.outer_radius, 0.0
-
 
 class Disk(_Part):
     """A uniform disk, such as a cylindrical load seen from its end, or a round hole.
@@ -110,11 +113,6 @@ class Disk(_Part):
     at: Number = quantity(0.0, "Signed distance of the disk's centre from C", "m")
     shape: Literal["disk"] = quantity("disk", "Kind of part", "")
 
-    @property
-    def row(self) -> Row:
-        """Its row in the table of parts of `kernel.records.cells`."""
-        return cells.DISK, self.mass, self.radius, 0.0, self.at
-
 
 class PointMass(_Part):
     """A small load.
@@ -135,11 +133,6 @@ class PointMass(_Part):
     mass: PartMass = quantity(..., "Mass of the load", "kg")
     at: Number = quantity(..., "Signed distance of the load from C", "m")
     shape: Literal["point_mass"] = quantity("point_mass", "Kind of part", "")
-
-    @property
-    def row(self) -> Row:
-        """Its row in the table of parts of `kernel.records.cells`."""
-        return cells.POINT_MASS, self.mass, 0.0, 0.0, self.at
 
 
 class Rod(_Part):
@@ -167,12 +160,6 @@ class Rod(_Part):
     at: Number = quantity(0.0, "Signed distance of the rod's middle from C", "m")
     direction: Literal["radial", "tangential"] = quantity("radial", "Along the line from C or across it", "")
     shape: Literal["rod"] = quantity("rod", "Kind of part", "")
-
-    @property
-    def row(self) -> Row:
-        """Its row in the table of parts of `kernel.records.cells`."""
-        kind = cells.RADIAL_ROD if self.direction == "radial" else cells.TANGENTIAL_ROD
-        return kind, self.mass, self.length, 0.0, self.at
 
 
 Part = Annotated[Ring | Disk | PointMass | Rod, Discriminator("shape")]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING, Any, overload
 
 from hophoop._support.progress import compute_reporting
@@ -139,13 +138,13 @@ def simulate(
 
 
 def _simulate_precisely(scenario: Scenario, digits: int, until: str | None) -> PreciseMotion:
-    precise = import_module("hophoop.precise")
     if until is None:
-        motion: PreciseMotion = precise.simulate_precisely(scenario, digits, __version__)
-    else:
-        end = _asked(scenario, until)
-        motion = import_module("hophoop.simulation.precise_until").simulate_precisely_until(scenario, digits, until, end)
-    return motion
+        from hophoop.precise import simulate_precisely
+
+        return simulate_precisely(scenario, digits, __version__)
+    from hophoop.simulation.precise_until import simulate_precisely_until
+
+    return simulate_precisely_until(scenario, digits, until, _asked(scenario, until))
 
 
 def _asked(scenario: Scenario, until: str | None) -> Until:
@@ -158,13 +157,10 @@ def _asked(scenario: Scenario, until: str | None) -> Until:
 
 def _refuse_parts(**parts: Any) -> None:
     given = [name for name, part in parts.items() if part is not None]
-    what = f"{given[0]} is" if len(given) == 1 else f"{', '.join(given[:-1])} and {given[-1]} are"
-    how = (
-        f'scenario.replace("{given[0]}", …)'
-        if len(given) == 1
-        else "scenario.with_values({" + ", ".join(f'"{name}": …' for name in given) + "})"
+    values = ", ".join(f'"{name}": …' for name in given)
+    raise InputError(
+        f"{' and '.join(given)} cannot be given together with a scenario: simulate scenario.with_values({{{values}}}) instead."
     )
-    raise InputError(f"{what} part of the scenario and cannot be given as well: simulate {how} instead.")
 
 
 def _simulate(scenario: Scenario, until: str | None, progress: Progress | None) -> Trajectory:
