@@ -31,7 +31,7 @@ from symmetries import mirror_finding, mirrored, scaled, units_finding
 TURNS = 200.0  # so short that thousands of them take half a minute
 ONE_IN = 8  # is compliant
 PATIENCE = 20.0  # s of the processor that a motion may take, on any machine
-MANY = int(os.environ.get("HOPHOOP_FUZZ", "600"))
+MANY = int(os.environ.get("HOPHOOP_FUZZ", "200"))
 ONCE_OPEN = sorted((Path(__file__).parents[1] / "data" / "once_open").glob("*.toml"))
 
 
