@@ -26,6 +26,7 @@ def simulate(case: Case, duration: float | None = None) -> hh.Trajectory:
         slope=case.slope,
         mu_static=case.mu_static,
         mu_kinetic=case.mu_kinetic,
+        rolling_resistance=case.rolling_resistance,
         restitution=case.restitution,
         impact_law=case.impact_law,
         painleve=case.painleve,

@@ -32,6 +32,7 @@ class Case:
     rolling: bool = False  # omega is then exactly vx / radius, whatever its field says
     duration: float = 6.0
     rest_below: float = 0.0  # slower impacts [m/s] are plastic: this ends an accumulation of bounces
+    rolling_resistance: float = 0.0  # lever arm of N over R
     max_events: int = 40  # state changes, impacts, turns and apexes together
 
     def is_ideal(self) -> bool:

@@ -1,10 +1,8 @@
 """The hybrid motion of the hoop in double precision: SciPy's DOP853 in the time domain, for any scenario.
 
-The equations are those of :mod:`oracles.mechanics`. Events are bracketed on the dense output with several
-sub-samples a step and extrema between them looked at, then settled by integrating again from the step's
-beginning up to the root. Ties of the mode rule are decided by trying: the candidate motion is integrated for
-a thousandth of √(R/g), and the signs of slip velocity and normal force there are read off. Impacts are
-integrated numerically over the normal impulse.
+The equations are those of :mod:`oracles.mechanics`. Steps are so short that the dense output is as good as they are, and
+SciPy finds the events on it. After an event every mode that the velocities allow is tried, and the first whose signs come out
+right is taken; a sign that is zero is that of a thousandth of √(R/g) later. Impacts are integrated over the normal impulse.
 
 It repeats the laws of impact on purpose and shares no code with hophoop.
 """
@@ -12,13 +10,12 @@ It repeats the laws of impact on purpose and shares no code with hophoop.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from scipy.integrate import DOP853, solve_ivp
-from scipy.optimize import brentq, minimize_scalar
+from scipy.integrate import solve_ivp
 
 from .cases import Case
 from .mechanics import (
@@ -39,52 +36,33 @@ from .mechanics import (
 )
 
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
-TOLERANCES = {"rtol": 1e-13, "atol": 1e-15}
-SUBSAMPLES = 16
-
-
-@dataclass
-class Piece:
-    """One integrator step in one mode, with the state it began from."""
-
-    mode: str
-    start: float
-    state: Vector
+EXACT = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-15}
+Mode = tuple[str, int]  # what the rim does, and which way the hoop turns against rolling resistance
 
 
 @dataclass
 class Motion:
-    """Pieces, events and losses of one motion; the state vector is (x, y, θ, ẋ, ẏ, θ̇, friction work)."""
+    """Pieces, events and losses of one motion; the state is (x, y, θ, ẋ, ẏ, θ̇, friction work, rolling work)."""
 
     case: Case
-    pieces: list[Piece] = field(default_factory=list)
+    pieces: list[tuple[float, Any, str]] = field(default_factory=list)
     events: list[dict[str, Any]] = field(default_factory=list)
     sequence: str = ""
     status: str = "completed"
     end: float = 0.0
     loss_normal: float = 0.0
     loss_tangential: float = 0.0
-    ledger: dict[str, float] = field(default_factory=dict)
+    residual: float = 0.0
 
     def at(self, t: float) -> dict[str, Any]:
-        """State, mode and contact force at t (right limit at an event)."""
-        piece = next(p for p in reversed(self.pieces) if p.start <= t)
-        # the dense output is of lower order than the step, so the step is taken anew up to t
-        state = advance(self.case, piece.mode, piece.state, t - piece.start)
-        force = solve_mode(self.case, piece.mode, state[2], state[5])
-        return {
-            "t": t,
-            "mode": piece.mode,
-            **named(state),
-            "friction": force[3],
-            "normal": force[4],
-            "work": state[6],
-        }
+        """State and mode at t (right limit at an event)."""
+        start, dense, mode = next(piece for piece in reversed(self.pieces) if piece[0] <= t)
+        return {"t": t, "mode": mode, **named(dense(t - start))}
 
 
 def named(state: Vector) -> dict[str, float]:
-    """Names for the six numbers of a state."""
-    return dict(zip(STATE, map(float, state[:6]), strict=True))
+    """Names for the numbers of a state."""
+    return dict(zip((*STATE, "work", "rolling"), map(float, state), strict=True))
 
 
 def time_scale(case: Case) -> float:
@@ -97,60 +75,64 @@ def slip_velocity(case: Case, state: Vector) -> float:
     return float(state[3] - case.radius * state[5])
 
 
-def rates(case: Case, mode: str) -> Callable[[float, Vector], Vector]:
+def rates(case: Case, mode: Mode) -> Callable[[float, Vector], Vector]:
     """Right-hand side in a mode."""
 
     def right(_: float, state: Vector) -> Vector:
-        solution = solve_mode(case, mode, state[2], state[5])
-        power = -solution[3] * slip_velocity(case, state) if mode in DIRECTION else 0.0
-        return np.array([*state[3:6], *solution[:3], power])
+        found = solve_mode(case, mode[0], state[2], state[5], mode[1])
+        power = -found[3] * slip_velocity(case, state) if mode[0] in DIRECTION else 0.0
+        return np.array([*state[3:6], *found[:3], power, -found[5] * state[5]])
 
     return right
 
 
-def advance(case: Case, mode: str, state: Vector, tau: float) -> Vector:
+def advance(case: Case, mode: Mode, state: Vector, tau: float) -> Vector:
     """State a time τ later in one mode."""
-    if tau == 0.0:
-        return state
-    return solve_ivp(rates(case, mode), (0.0, tau), state, method="DOP853", rtol=3e-14, atol=1e-15).y[:, -1]
+    return solve_ivp(rates(case, mode), (0.0, tau), state, **EXACT).y[:, -1]
 
 
-def choose(case: Case, state: Vector) -> tuple[str, str]:
+def choose(case: Case, state: Vector) -> tuple[Mode, str]:
     """Mode that follows from contact at rest off the plane, and a Painlevé event if there is one."""
+    vt, omega = slip_velocity(case, state), state[5]
+    ways = [0]
+    if case.rolling_resistance:
+        ways = [0, 1, -1] if omega == 0.0 else [1 if omega > 0.0 else -1]
+    contacts = (ROLL, SPIN, SKID)
+    if vt != 0.0:
+        contact = SKID if vt > 0.0 else SPIN
+        contacts = (contact,)
+        if normal_response(case, state[2], DIRECTION[contact], ways[0]) <= 0.0:
+            if free_normal_acceleration(case, state[2], omega) < 0.0:
+                return ("impact", 0), "painleve_inconsistent"
+            return ("impact" if case.painleve == "impact" else FLIGHT, 0), "painleve_indeterminate"
+    for contact in contacts:
+        for way in ways:
+            responds = contact == ROLL or normal_response(case, state[2], DIRECTION[contact], way) > 0.0
+            if responds and holds(case, (contact, way), state):
+                return (contact, way), ""
+    return (FLIGHT, 0), ""
+
+
+def holds(case: Case, mode: Mode, state: Vector) -> bool:
+    """Whether the signs come out right in a mode, now and a moment later."""
+    contact, way = mode
     tiny = 1e-9 * case.mass * (case.gravity or 1.0)
-    probe = 1e-3 * time_scale(case)
+    later = advance(case, mode, state, 1e-3 * time_scale(case))
+    now, then = (solve_mode(case, contact, s[2], s[5], way) for s in (state, later))
 
-    def decided(quantity: Callable[[Vector], float], mode: str, scale: float) -> float:
-        now = quantity(state)
-        return now if abs(now) > scale else quantity(advance(case, mode, state, probe))
+    def decided(quantity: Callable[[Vector], float]) -> float:
+        return float(quantity(now if abs(quantity(now)) > tiny else then))
 
-    def normal(mode: str) -> Callable[[Vector], float]:
-        return lambda s: float(solve_mode(case, mode, s[2], s[5])[4])
-
-    vt = slip_velocity(case, state)
-    if vt == 0.0:
-
-        def margin(s: Vector) -> float:
-            friction, pressure = solve_mode(case, ROLL, s[2], s[5])[3:]
-            return float(case.mu_static * pressure - abs(friction))
-
-        # rolling lasts only where it also can go on; equality with no motion away from it (μ = 0, F = 0) is
-        # allowed
-        if decided(normal(ROLL), ROLL, tiny) > 0 and decided(margin, ROLL, tiny) >= -1e-12 * tiny:
-            return ROLL, ""
-        for mode in (SPIN, SKID):
-            if normal_response(case, state[2], DIRECTION[mode]) <= 0:
-                continue
-            later = advance(case, mode, state, probe)
-            if decided(normal(mode), mode, tiny) > 0 and slip_velocity(case, later) * DIRECTION[mode] > 0:
-                return mode, ""
-        return FLIGHT, ""
-    mode = SKID if vt > 0 else SPIN
-    if normal_response(case, state[2], DIRECTION[mode]) > 0:
-        return (mode if decided(normal(mode), mode, tiny) > 0 else FLIGHT), ""
-    if free_normal_acceleration(case, state[2], state[5]) < 0:
-        return "impact", "painleve_inconsistent"
-    return ("impact" if case.painleve == "impact" else FLIGHT), "painleve_indeterminate"
+    right = decided(lambda f: f[4]) > 0.0
+    if contact == ROLL:
+        # equality with no motion away from it (μ = 0, F = 0) is allowed
+        right &= decided(lambda f: case.mu_static * f[4] - abs(f[3])) >= -1e-12 * tiny
+    elif slip_velocity(case, state) == 0.0:
+        right &= slip_velocity(case, later) * DIRECTION[contact] > 0.0
+    if case.rolling_resistance and state[5] == 0.0:
+        most = case.rolling_resistance * case.radius
+        right &= later[5] * way > 0.0 if way else abs(now[5]) <= most * now[4]
+    return bool(right)
 
 
 def impact(case: Case, state: Vector) -> tuple[Vector, dict[str, Any]]:
@@ -220,7 +202,7 @@ def impact(case: Case, state: Vector) -> tuple[Vector, dict[str, Any]]:
             break
     if stuck:
         s[0] = case.radius * s[2]
-    after = np.array([*state[:3], *s[:3], state[6]])
+    after = np.array([*state[:3], *s[:3], *state[6:]])
     return after, {
         "impulse": {"normal": p, "tangential": float(s[5])},
         "loss_normal": -float(s[3]),
@@ -228,212 +210,142 @@ def impact(case: Case, state: Vector) -> tuple[Vector, dict[str, Any]]:
     }
 
 
-def guards(case: Case, mode: str) -> dict[str, Callable[[Vector], float]]:
-    """Functions that are positive while the mode lasts (turn and apex: cross zero)."""
-    if mode == FLIGHT:
-        return {"impact": lambda s: float(s[1]), "apex": lambda s: float(s[4])}
-    both: dict[str, Callable[[Vector], float]] = {"turn": lambda s: float(s[5])}
-    if mode == ROLL:
+def guards(case: Case, mode: Mode) -> Iterator[tuple[str, Callable[[float, Vector], float]]]:
+    """Functions that are positive while the mode lasts; of a turn and an apex, which change no mode, the sign changes."""
+    contact, way = mode
 
-        def cone(sign: float) -> Callable[[Vector], float]:
-            def margin(s: Vector) -> float:
-                force = solve_mode(case, ROLL, s[2], s[5])
-                return float(case.mu_static * force[4] - sign * force[3])
+    def force(s: Vector) -> Vector:
+        return solve_mode(case, contact, s[2], s[5], way)
 
-            return margin
+    def lasts(guard: Callable[[Vector], float]) -> Callable[[float, Vector], float]:
+        def test(tau: float, s: Vector) -> float:
+            return guard(s) if tau > 0.0 else 1.0  # it is zero where the last event was its own
 
-        return {SPIN: cone(1.0), SKID: cone(-1.0), **both}
-    return {
-        "rest": lambda s: DIRECTION[mode] * slip_velocity(case, s),
-        "takeoff": lambda s: float(solve_mode(case, mode, s[2], s[5])[4]),
-        **both,
-    }
+        test.terminal, test.direction = True, -1.0  # type: ignore[attr-defined]
+        return test
 
+    def mark(guard: Callable[[Vector], float], direction: float) -> Callable[[float, Vector], float]:
+        def test(_: float, s: Vector) -> float:
+            return guard(s)
 
-def crossings(
-    guard: Callable[[Vector], float],
-    dense: Callable[[float], Vector],
-    start: float,
-    end: float,
-    armed: bool,
-    small: float,
-) -> list[tuple[float, float]]:
-    """Brackets in a step; a guard just handled (not armed) is zero at the start and must leave zero first."""
-    times = np.linspace(start, end, SUBSAMPLES + 1)
-    values = np.array([guard(dense(float(t))) for t in times])
-    if not armed:
-        first = next((i for i, v in enumerate(values) if abs(v) > small), len(values))
-        times, values = times[first:], values[first:]
-    found = []
-    for i in range(len(values) - 1):
-        if values[i] * values[i + 1] <= 0 and values[i] != 0:
-            found.append((float(times[i]), float(times[i + 1])))
-    for i in range(1, len(values) - 1):
-        a, b, c = np.abs(values[i - 1 : i + 2])
-        same = values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0
-        if same and b <= a and b <= c:
-            sign = math.copysign(1.0, values[i])
-            inside = minimize_scalar(
-                lambda t, sign=sign: sign * guard(dense(t)),
-                bounds=(times[i - 1], times[i + 1]),
-                method="bounded",
-            )
-            if inside.fun < 0:
-                found += [(float(times[i - 1]), float(inside.x)), (float(inside.x), float(times[i + 1]))]
-    return sorted(found)
+        test.direction = direction  # type: ignore[attr-defined]
+        return test
+
+    if contact == FLIGHT:
+        yield "impact", lasts(lambda s: s[1])
+        yield "apex", mark(lambda s: s[4], -1.0)
+        return
+    if way:
+        yield "turn", lasts(lambda s: way * s[5])
+    elif not case.rolling_resistance:
+        yield "turn", mark(lambda s: s[5], 0.0)
+    if contact == ROLL:
+        yield SPIN, lasts(lambda s: case.mu_static * force(s)[4] - force(s)[3])
+        yield SKID, lasts(lambda s: case.mu_static * force(s)[4] + force(s)[3])
+    else:
+        yield "rest", lasts(lambda s: DIRECTION[contact] * slip_velocity(case, s))
+        yield "takeoff", lasts(lambda s: force(s)[4])
 
 
 def solve(case: Case) -> Motion:
-    """Solve a case until its duration or its number of events is reached."""
+    """Solve a case until its duration or its number of events is reached, or until it rests for good."""
     motion = Motion(case)
     omega = case.vx / case.radius if case.rolling else case.omega
     vx = case.radius * omega if case.rolling else case.vx
-    state = np.array([case.x, case.height, case.angle, vx, case.vy, omega, 0.0])
+    state = np.array([case.x, case.height, case.angle, vx, case.vy, omega, 0.0, 0.0])
     origin = state.copy()
-    t, mode = 0.0, FLIGHT
+    t, mode = 0.0, (FLIGHT, 0)
     if case.height > 0:
         motion.events.append({"t": t, "kind": "start", "from": "start", "to": FLIGHT, **named(state)})
     else:
-        mode, state = settle(motion, t, state, "start", "")
-    motion.sequence = mode
-    small = {"impact": 1e-14 * case.radius}
+        mode, state = settle(motion, t, state, "start")
+    motion.sequence = mode[0]
     while t < case.duration and len(motion.events) <= case.max_events:
-        tau, state, name = flow(motion, mode, t, state, small)
-        t += tau
-        if name == "":
+        if mode == (ROLL, 0) and case.rolling_resistance:
+            motion.status = "at_rest"
             break
-        if name in ("turn", "apex"):
-            state[5 if name == "turn" else 4] = 0.0
-            if name == "turn" and mode == ROLL:
-                state[3] = 0.0
-            motion.events.append({"t": t, "kind": name, "from": mode, "to": mode, **named(state), "work": state[6]})
-            continue
+        names, tests = zip(*guards(case, mode), strict=True)
+        run = solve_ivp(
+            rates(case, mode), (0.0, case.duration - t), state, events=tests, dense_output=True,
+            max_step=0.03 * time_scale(case), **EXACT,
+        )  # fmt: skip
+        motion.pieces.append((t, run.sol, mode[0]))
+        found = [(float(tau), name) for name, times in zip(names, run.t_events, strict=True) for tau in times if tau > 0.0]
+        for tau, name in sorted(found):
+            state = run.sol(tau)
+            if name in ("turn", "apex"):
+                state[5 if name == "turn" else 4] = 0.0
+                if name == "turn" and mode[0] == ROLL:
+                    state[3] = 0.0
+                motion.events.append({"t": t + tau, "kind": name, "from": mode[0], "to": mode[0], **named(state)})
+        state = run.y[:, -1].copy()
+        t += float(run.t[-1])
+        if run.status != 1:
+            break
+        name = max(found)[1]
         if name == "impact":
             state[1] = 0.0
-        elif mode != FLIGHT:
+        elif mode[0] != FLIGHT:
             state[1] = state[4] = 0.0
+        if name == "turn":
+            state[5] = 0.0
+        if name == "rest" or mode[0] == ROLL:
+            state[3] = case.radius * state[5]
         forced = FLIGHT if name == "takeoff" else ""
         if name in DIRECTION:
             forced = FLIGHT if free_normal_acceleration(case, state[2], state[5]) >= 0 else name
-        if name == "rest":
-            state[3] = case.radius * state[5]
-        mode, state = settle(motion, t, state, mode, forced)
-        motion.sequence += mode
-    if t < case.duration:
+        before = mode[0]
+        if name == "turn":
+            mode, _ = choose(case, state)
+            motion.events[-1] |= {"to": mode[0], "kind": "rest" if mode == (ROLL, 0) else "turn"}
+        elif forced:
+            motion.events.append(
+                {"t": t, "kind": "takeoff" if forced == FLIGHT else "slip_start", "from": before, "to": forced, **named(state)}
+            )
+            mode = forced, 0 if forced == FLIGHT else mode[1]
+        else:
+            mode, state = settle(motion, t, state, before)
+        if name != "turn" or mode[0] != before:
+            motion.sequence += mode[0]
+    if t < case.duration and motion.status == "completed":
         motion.status = "event_limit"
     motion.end = t
-    motion.events.append({"t": t, "kind": "end", "from": mode, "to": mode, **named(state), "work": state[6]})
-    energies = [(kinetic_energy(case, s[2], s[3:6]), potential_energy(case, s[0], s[1], s[2])) for s in (origin, state)]
-    lost = state[6] + motion.loss_normal + motion.loss_tangential
-    motion.ledger = {
-        "kinetic": energies[1][0],
-        "potential": energies[1][1],
-        "friction": float(state[6]),
-        "impact_normal": motion.loss_normal,
-        "impact_tangential": motion.loss_tangential,
-        "residual": sum(energies[1]) + lost - sum(energies[0]),
-    }
+    motion.events.append({"t": t, "kind": "end", "from": mode[0], "to": mode[0], **named(state)})
+    energies = [kinetic_energy(case, s[2], s[3:6]) + potential_energy(case, s[0], s[1], s[2]) for s in (origin, state)]
+    motion.residual = energies[1] + float(state[6] + state[7]) + motion.loss_normal + motion.loss_tangential - energies[0]
     return motion
 
 
-def flow(motion: Motion, mode: str, t: float, state: Vector, small: dict[str, float]) -> tuple[float, Vector, str]:
-    """Integrate in one mode to its next event: time taken, state there, name ('' at the end)."""
-    case, start = motion.case, t
-    remaining = case.duration - t
-    solver = DOP853(rates(case, mode), 0.0, state, remaining, max_step=0.2 * time_scale(case), **TOLERANCES)
-    tests = guards(case, mode)
-    armed = {name: abs(guard(state)) > small.get(name, 1e-11) for name, guard in tests.items()}
-    while solver.status == "running":
-        begin = solver.y.copy()
-        solver.step()
-        if solver.status == "failed":
-            raise RuntimeError(f"{case.name}: the integrator failed at t = {start + solver.t}")
-        dense, left, right = solver.dense_output(), solver.t_old, solver.t
-        roots = []
-        for name, guard in tests.items():
-            scale = small.get(name, 1e-11)
-            for a, b in crossings(guard, dense, left, right, armed[name], scale):
-                falling = guard(dense(a)) > guard(dense(b))
-                if falling or name == "turn":
-                    roots.append((polish(case, mode, begin, left, guard, dense, a, b), name))
-            armed[name] = armed[name] or abs(guard(solver.y)) > scale
-        motion.pieces.append(Piece(mode, start + left, begin))
-        if roots:
-            tau, name = min(roots)
-            return tau, advance(case, mode, begin, tau - left), name
-    return remaining, solver.y.copy(), ""
-
-
-def polish(
-    case: Case,
-    mode: str,
-    begin: Vector,
-    left: float,
-    guard: Callable[[Vector], float],
-    dense: Callable[[float], Vector],
-    a: float,
-    b: float,
-) -> float:
-    """Root of a guard in [a, b]: first on the dense output, then on the motion integrated anew."""
-    rough = float(brentq(lambda t: guard(dense(t)), a, b, xtol=1e-14))
-
-    def exact(t: float) -> float:
-        return guard(advance(case, mode, begin, t - left))
-
-    width = 1e-9 * time_scale(case)
-    low, high = max(left, rough - width), rough + width
-    while exact(low) * exact(high) > 0:
-        width *= 4.0
-        low, high = max(left, rough - width), rough + width
-        if width > b - left + time_scale(case):
-            return rough
-    return float(brentq(exact, low, high, xtol=1e-16))
-
-
-def settle(motion: Motion, t: float, state: Vector, mode: str, forced: str) -> tuple[str, Vector]:
+def settle(motion: Motion, t: float, state: Vector, mode: str) -> tuple[Mode, Vector]:
     """Impact where the state moves into the plane, then the mode rule, with the events of both."""
     case = motion.case
+    pending: list[dict[str, Any]] = []
 
-    def record(kind: str, new: str, **more: Any) -> dict[str, Any]:
-        event = {
-            "t": t,
-            "kind": kind,
-            "from": mode,
-            "to": new,
-            **named(state),
-            "work": float(state[6]),
-            **more,
-        }
-        motion.events.append(event)
-        return event
+    def record(kind: str, **more: Any) -> None:
+        pending.append({"t": t, "kind": kind, "from": mode, **named(state), **more})
 
-    def collide(collision: bool) -> dict[str, Any]:
+    def collide(collision: bool) -> None:
         nonlocal state
         before = {"vx": float(state[3]), "vy": float(state[4]), "omega": float(state[5])}
         state, more = impact(case, state)
         motion.loss_normal += more["loss_normal"]
         motion.loss_tangential += more["loss_tangential"]
-        return record("impact", FLIGHT, before=before, collision=collision, **more)
+        record("impact", before=before, collision=collision, **more)
 
-    if forced:
-        record("takeoff" if forced == FLIGHT else "slip_start", forced)
-        return forced, state
-    pending = []
     if state[4] < 0:
-        pending.append(collide(True))
-    following = FLIGHT
+        collide(True)
+    following: Mode = (FLIGHT, 0)
     if state[4] == 0:
         following, painleve = choose(case, state)
         if painleve:
-            pending.append(record(painleve, following))
-        if following == "impact":
-            pending.append(collide(False))
-            following = FLIGHT if state[4] > 0 else choose(case, state)[0]
-    for event in pending:
-        event["to"] = following
+            record(painleve)
+        if following[0] == "impact":
+            collide(False)
+            following = (FLIGHT, 0) if state[4] > 0 else choose(case, state)[0]
     if not pending:
-        kind = {ROLL: "stick", FLIGHT: "takeoff"}.get(following, "slip_reversal")
-        record("start" if mode == "start" else kind, following)
+        kind = {ROLL: "stick", FLIGHT: "takeoff"}.get(following[0], "slip_reversal")
+        record("start" if mode == "start" else kind)
+    motion.events += [event | {"to": following[0]} for event in pending]
     return following, state
 
 
@@ -463,7 +375,7 @@ def slip_over_impulse(case: Case, mode: str, t: float, state: Vector) -> tuple[f
         return float(s[5])
 
     stops.terminal = turns.terminal = True  # type: ignore[attr-defined]
-    start = np.array([*state, t])
+    start = np.array([*state[:7], t])
     # a bound on the impulse: what would stop the whole body many times over
     horizon = 1e3 * case.mass * (abs(slip_velocity(case, state)) + case.radius * abs(state[5]))
     run = solve_ivp(

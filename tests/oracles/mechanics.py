@@ -7,8 +7,8 @@ With q = (x, y, θ) of the rim's centre the centre of gravity is G = (x + εR si
 
 which gives the constant-free mass matrix below, the centrifugal terms mεRθ̇² (sin θ, cos θ, 0) and the
 gravity terms. The material point at the bottom of the rim has velocity (ẋ − Rθ̇, ẏ); its Jacobian J is
-constant. The contact force λ = (F, N) enters as Jᵀλ. The accelerations and λ solve one augmented 5 × 5
-system, closed by two rows that depend on the mode: nothing is eliminated by hand.
+constant. The contact force λ = (F, N) enters as Jᵀλ, the couple M of rolling resistance in the third row. The accelerations,
+λ and M solve one augmented 6 × 6 system, closed by three rows that depend on the mode: nothing is eliminated by hand.
 """
 
 from __future__ import annotations
@@ -53,22 +53,31 @@ def contact_jacobian(case: Case) -> Vector:
     return np.array([[1.0, 0.0, -case.radius], [0.0, 1.0, 0.0]])
 
 
-def solve_mode(case: Case, mode: str, angle: float, omega: float) -> Vector:
-    """Accelerations and contact force (ẍ, ÿ, θ̈, F, N) in a mode."""
-    system = np.zeros((5, 5))
-    right = np.zeros(5)
+def solve_mode(case: Case, mode: str, angle: float, omega: float, way: int = 0) -> Vector:
+    """Accelerations, contact force and couple (ẍ, ÿ, θ̈, F, N, M) in a mode.
+
+    With rolling resistance f the couple is −f R N way where the hoop turns that `way`, and holds θ̇ where `way` is 0.
+    """
+    system = np.zeros((6, 6))
+    right = np.zeros(6)
     jacobian = contact_jacobian(case)
     system[:3, :3] = mass_matrix(case, angle)
-    system[:3, 3:] = -jacobian.T
+    system[:3, 3:5] = -jacobian.T
+    system[2, 5] = -1.0
     right[:3] = applied_forces(case, angle, omega)
+    system[5, 5] = 1.0
     if mode == FLIGHT:
         system[3, 3] = system[4, 4] = 1.0
+        return np.linalg.solve(system, right)
+    system[4, :3] = jacobian[1]
+    if mode == ROLL:
+        system[3, :3] = jacobian[0]
     else:
-        system[4, :3] = jacobian[1]
-        if mode == ROLL:
-            system[3, :3] = jacobian[0]
-        else:
-            system[3, 3], system[3, 4] = 1.0, DIRECTION[mode] * case.mu_kinetic
+        system[3, 3], system[3, 4] = 1.0, DIRECTION[mode] * case.mu_kinetic
+    if case.rolling_resistance and way == 0:
+        system[5, 2], system[5, 5] = 1.0, 0.0
+    else:
+        system[5, 4] = case.rolling_resistance * case.radius * way
     return np.linalg.solve(system, right)
 
 
@@ -77,10 +86,11 @@ def free_normal_acceleration(case: Case, angle: float, omega: float) -> float:
     return float(np.linalg.solve(mass_matrix(case, angle), applied_forces(case, angle, omega))[1])
 
 
-def normal_response(case: Case, angle: float, direction: float) -> float:
-    """Acceleration off the plane per unit normal force when slip in `direction` drags friction along."""
+def normal_response(case: Case, angle: float, direction: float, way: int = 0) -> float:
+    """Acceleration off the plane per unit normal force when slip in `direction` and a turn that `way` drag along."""
     jacobian = contact_jacobian(case)
     force = jacobian[1] - direction * case.mu_kinetic * jacobian[0]
+    force[2] -= case.rolling_resistance * case.radius * way
     return float(np.linalg.solve(mass_matrix(case, angle), force)[1])
 
 

@@ -16,7 +16,7 @@ from hophoop.kernel.physics.contact import most_resistance
 from hophoop.prove import check, prove, thresholds
 from hophoop.prove.checker.equations import Equations
 from oracles.cases import Case
-from oracles.resistance import solve_mode
+from oracles.mechanics import solve_mode
 from prove_tools import NUMBERS, contradiction
 from random_scenarios import draw
 from random_scenarios import scenario_of as random_scenario
@@ -38,13 +38,12 @@ def scenario(f, mu=1.0, gamma=0.75, start=None, duration=3.0, **plane):
 # --- equations: a sixth unknown, solved as they are, knows nothing of ρ, D or W --------------------
 
 
-CASE = Case("resisted", eccentricity=0.6, inertia_ratio=0.3, mu_static=0.5, mu_kinetic=0.4, slope=0.3)
-RESIST = 0.15
+CASE = Case("resisted", eccentricity=0.6, inertia_ratio=0.3, mu_static=0.5, mu_kinetic=0.4, slope=0.3, rolling_resistance=0.15)
 
 
 def balls():
     hoop = hh.Hoop(radius=1.0, mass=1.0, eccentricity=0.6, inertia_ratio=0.3)
-    plane = hh.Plane(mu_static=0.5, mu_kinetic=0.4, slope=0.3, gravity=9.81, rolling_resistance=RESIST)
+    plane = hh.Plane(mu_static=0.5, mu_kinetic=0.4, slope=0.3, gravity=9.81, rolling_resistance=CASE.rolling_resistance)
     return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start(angle=1.0, vx=1.0, omega=1.0), duration=1.0)
 
 
@@ -54,7 +53,7 @@ def test_the_equations_of_the_checker(letter, sigma, way):
     equations = Equations(balls().to_dict()).turning(way)
     unit = 9.81
     for th, om in ((0.4, 1.3), (1.9, 0.8), (3.6, 2.1), (5.3, 1.7), (-2.0, 0.0)):
-        acceleration = solve_mode(CASE, RESIST, (letter, way), th, way * om)
+        acceleration = solve_mode(CASE, letter, th, way * om, way)
         u = flint.arb(om * om / unit)
         s, c = flint.arb(th).sin_cos()
         contact = equations.contact(s, c, u, sigma)

@@ -99,7 +99,7 @@ def test_random_impacts_against_integration(law: str) -> None:
             vy=float(-random.uniform(0.1, 5.0)),
             omega=float(random.normal() * 5),
         )
-        state = np.array([0.0, 0.0, case.angle, case.vx, case.vy, case.omega, 0.0])
+        state = np.array([0.0, 0.0, case.angle, case.vx, case.vy, case.omega, 0.0, 0.0])
         after, more = hybrid.impact(case, state)
         hoop = hh.Hoop(
             radius=case.radius,

@@ -205,8 +205,8 @@ def test_slip_through_the_edge_of_the_painleve_region() -> None:
         rolling=True,
         duration=0.1,
     )
-    begin = np.array([0.0, 0.0, case.angle, case.vx, 0.0, case.vx / case.radius, 0.0])
-    begin = hybrid.advance(case, "K", begin, 0.08)
+    begin = np.array([0.0, 0.0, case.angle, case.vx, 0.0, case.vx / case.radius, 0.0, 0.0])
+    begin = hybrid.advance(case, ("K", 0), begin, 0.08)
     t, state = hybrid.slip_over_impulse(case, "K", 0.08, begin)
     for restitution in (0.0, 0.5):
         motion = simulate(dataclasses.replace(case, restitution=restitution))
