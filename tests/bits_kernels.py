@@ -170,13 +170,11 @@ def run_module(host: Host, kept: Iterable[Kept]) -> dict[int, Bits]:
     """The bits of rigid motions that the module computes."""
     found = {}
     for each in kept:
-        heads, _ = host.motion(cell_of(each.scenario))
-        count = int(heads["events"])
-        events = np.frombuffer(host.view(host.events, EVENT.itemsize * count, np.uint8).tobytes(), EVENT)
-        rows = np.empty((0, len(SAMPLE_COLUMNS)))
-        if heads["duration"] > 0.0:
-            rows = host.samples(int(heads["segments"]), sample_times(heads["duration"]))
-        found[each.index] = bits_of_heads(heads, events, rows)
+        cell = cell_of(each.scenario)
+        heads, _ = host.motion(cell)
+        duration = heads["duration"]
+        rows = host.samples(cell, sample_times(duration)) if duration > 0.0 else np.empty((0, len(SAMPLE_COLUMNS)))
+        found[each.index] = bits_of_heads(heads, host.events, rows)
     return found
 
 

@@ -15,7 +15,7 @@ from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
 pytest.importorskip("wasmtime")
 
 from module.host import Host
-from module.module_tools import cell_of, drawn, rates_of, same
+from module.module_tools import cell_of, drawn, rates_of, references, same
 
 WRT = (
     "plane.mu_kinetic",
@@ -78,15 +78,12 @@ def test_reasons_are_told(host: Host) -> None:
     assert [int(each) for each in failed] == [kinds.index("impact"), -1]
 
 
-@pytest.mark.long
 def test_rates_of_random_motions_are_the_same(host: Host) -> None:
     count = 0
-    for scenario in drawn(120, 4000):
+    for scenario in [*references()[::3], *drawn(50, 4000)]:
         motion = hh.simulate(scenario)
-        if math.isfinite(motion.doubt) or len(motion.events) > 40:
-            continue
-        if not math.isfinite(scenario.plane.mu_static):
+        if math.isfinite(motion.doubt) or len(motion.events) > 40 or not math.isfinite(scenario.plane.mu_static):
             continue
         assert_same(host, scenario, WRT)
         count += 1
-    assert count > 40
+    assert count > 20
