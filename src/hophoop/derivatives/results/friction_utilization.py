@@ -46,7 +46,8 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int) -
     piece = segments[first]
     if piece["kind"] == HOLD:
         need = abs(body.gt) / body.gn if body.gn > 0.0 else 0.0
-        rho = resistance_arm(body, *sine_and_cosine(float(piece["theta"])), 0.0, 0)
+        s, c = sine_and_cosine(float(piece["theta"]))
+        rho = resistance_arm(body, s, c, 0.0, 0)
         return [Peak(need, -1, False, begin + part * (end - begin), rho) for part in (0.0, 0.3, 0.5, 0.8, 1.0)]
     rho = float(piece["direction"] * body.resist)
     peaks = np.empty((MOST * (last - first), 2))
@@ -54,7 +55,8 @@ def peaks_of(body: Body, events: np.ndarray, segments: np.ndarray, index: int) -
     found = [Peak(need, -1, False, t, rho) for need, t in peaks[:count].tolist()]
     for event, before in ((index, False), (index + 1, True)):
         th, om = _state_of(events[event], before)
-        need = abs(required_ratio(body, *sine_and_cosine(th), om * om, rho))
+        s, c = sine_and_cosine(th)
+        need = abs(required_ratio(body, s, c, om * om, rho))
         found.append(Peak(need, event, before, end if before else begin, rho))
     return found
 
