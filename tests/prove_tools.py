@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import json
+from typing import Any
+
 import hophoop as hh
 from hophoop.prove import prove
 
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
+BOUNCING = hh.Scenario(plane=hh.Plane(restitution=0.3), start=hh.Start(height=0.5, vx=1.0, omega=3.0, vy=2.0), duration=2.0)
 KERNEL = 1e-8  # of the number, or of 0.001 of its SI unit
 
 
@@ -38,3 +42,9 @@ def contradiction(scenario: hh.Scenario, most: int, seconds: float) -> str:
     if proof.proved and proof.status != "event_limit" and len(facts) != len(events):
         return f"{len(facts)} events are proved, {len(events)} computed"
     return "" if proof.proved else "undecided"
+
+
+def read_again(certificate: Any) -> dict[str, Any]:
+    """A certificate as its file has it."""
+    found: dict[str, Any] = json.loads(json.dumps(certificate))
+    return found

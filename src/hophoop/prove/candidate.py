@@ -15,6 +15,7 @@ from hophoop.prove.checker.check import Stopped, Walk
 from hophoop.prove.checker.conventions import Conventions
 from hophoop.prove.checker.equations import Refused, State
 from hophoop.prove.checker.flight import gap, without_apex
+from hophoop.prove.checker.panel_phases import direction
 from hophoop.prove.checker.rule import SIGMA
 from hophoop.prove.deadline import Deadline
 from hophoop.prove.guide import DURATION, REVOLUTION, Mark
@@ -24,6 +25,7 @@ SAMPLES = 48  # of the gap, per radian of a flight
 NEWTON, HALVINGS = 8, 60
 LATE = 0.999999  # of the time: an end of rolling after it is the end of the time
 PASSING = ("apex", "kane_gain")  # no ends of a phase
+ENDS_OF_SLIP = {"turn": "turn", "rest": "turn", "end": "limit", "stick": "stop", "slip_reversal": "stop"}
 
 
 class Made(NamedTuple):
@@ -144,12 +146,8 @@ class Candidate(Walk):
 
     def _way(self, sigma: int) -> int:
         """Direction in which the hoop turns, or begins to turn."""
-        rate = self.state.om
-        if rate.is_zero():
-            after = self.equations.just_after(self.state.th, rate, sigma)
-            s, c = self.state.th.sin_cos()
-            rate = after.contact(s, c, arb(0), sigma).alpha
-        return 1 if rate > 0 else -1
+        state = self.state
+        return direction(self.equations.just_after(state.th, state.om, sigma), sigma, state)
 
     def _spans(self, way: int, ahead: Mark) -> bool:
         """Return True if the whole turn that is asked for comes before an event."""
@@ -200,12 +198,8 @@ class Candidate(Walk):
 
 def _end_of_slip(ahead: Mark) -> str:
     """The name that the checker gives the end of a phase of slip."""
-    if ahead.kind in ("turn", "rest"):
-        return "turn"
-    if ahead.kind == "end":
-        return "limit"
-    if ahead.kind == "takeoff" and ahead.slip != 0:
-        return "lift"
-    if ahead.kind in ("stick", "slip_reversal", "takeoff"):
-        return "stop"
-    raise Refused("slip stays away from p_σ = 0")
+    if ahead.kind == "takeoff":
+        return "lift" if ahead.slip != 0 else "stop"
+    if ahead.kind not in ENDS_OF_SLIP:
+        raise Refused("slip stays away from p_σ = 0")
+    return ENDS_OF_SLIP[ahead.kind]

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.precise.kernels import Number
 from hophoop.precise.problem import Problem
-from hophoop.precise.solver import Solution, solve_problem
+from hophoop.precise.solver import solve_problem
 from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.deadline import Deadline
 from hophoop.scenario import Scenario
@@ -61,11 +61,6 @@ def by_digits(
         solution = solve_problem(problem, digits, end, max_events + FURTHER, CLOSING, steps)
     except ArithmeticError:
         return None
-    return _marks(solution)
-
-
-def _marks(solution: Solution) -> list[Mark]:
-    """The events of a solution."""
     with precision(solution.bits + GUARD):
         return [
             Mark(EVENT_NAMES[one.kind], MODE_LETTERS[one.after_mode], *(_ball(getattr(one.state, name)) for name in STATE))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import pairwise
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits
@@ -13,22 +12,13 @@ Function = Callable[[Ball, int], Jet]  # (x, terms) → Taylor coefficients, val
 PARTS = 64
 
 
-@dataclass(frozen=True)
-class Highest:
-    """The highest value, and where it is: at all of these places one may be it."""
-
-    value: Ball
-    places: tuple[Ball, ...]
-
-
-def highest(function: Function, low: Ball, high: Ball) -> Highest:
+def highest(function: Function, low: Ball, high: Ball) -> Ball:
     """Return the highest value on [low, high], exact numbers; raise Undecided if a maximum is too flat to be located."""
     width = (high - low) / PARTS
     marks = [low, *((low + width * k).mid() for k in range(1, PARTS)), high]
     best = function(low, 1)[0]
     for mark in marks[1:]:
         best = best.max(function(mark, 1)[0])
-    tops: list[Ball] = []
     work = list(pairwise(marks))
     while work:
         a, b = work.pop()
@@ -39,12 +29,9 @@ def highest(function: Function, low: Ball, high: Ball) -> Highest:
             middle = ((a + b) / 2).mid()
             work += [(a, middle), (middle, b)]
         else:
-            tops += verdict
-    values = [(function(place, 1)[0], place) for place in [low, *tops, high]]
-    value = values[0][0]
-    for other, _ in values[1:]:
-        value = value.max(other)
-    return Highest(value, tuple(place for one, place in values if not one < value))
+            for top in verdict:
+                best = best.max(function(top, 1)[0])
+    return best
 
 
 def _top(function: Function, a: Ball, b: Ball, best: Ball) -> list[Ball] | None:

@@ -27,7 +27,6 @@ from hophoop.results.event_table import change_of
 from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.vocabulary.names import plain
 
-NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 LEAST_DIGITS, MOST_DIGITS = 1, 200
 BITS_A_DIGIT = 3.3219280948873626
 GUARD = 45  # bits
@@ -175,11 +174,6 @@ class Proof:
         """True if the whole motion is proved."""
         return self.verdict == "proved"
 
-    @property
-    def rank(self) -> tuple[bool, int, int]:
-        """The key by which attempts are compared."""
-        return self.proved, len(self.events), self.digits_proved
-
     def save(self, path: str | Path) -> None:
         """Write the certificate as JSON.
 
@@ -192,15 +186,10 @@ class Proof:
         ValueError
             If the motion is undecided.
         """
-        save_certificate(self.certificate, self.why, path)
-
-
-def save_certificate(certificate: dict[str, Any] | None, why: str, path: str | Path) -> None:
-    """Write a certificate as JSON, unless there is none."""
-    if certificate is None:
-        raise InputError(f"There is no certificate to write: {why}.")
-    with replacing(Path(path)) as file:
-        file.write_text(json.dumps(certificate, ensure_ascii=False, separators=(",", ":")) + "\n", encoding="utf-8")
+        if self.certificate is None:
+            raise InputError(f"There is no certificate to write: {self.why}.")
+        with replacing(Path(path)) as file:
+            file.write_text(json.dumps(self.certificate, ensure_ascii=False, separators=(",", ":")) + "\n", encoding="utf-8")
 
 
 def prove(
@@ -253,8 +242,7 @@ def _prove(scenario: Scenario, digits: int, until: str, max_events: int, deadlin
     bits = int(digits * BITS_A_DIGIT) + GUARD + min(problem.tiny(), 200)
     rough = guide = by_doubles(scenario, until, max_events)
     wide, guide_digits = WIDE, LEAST_GUIDE
-    best: Proof | None = None
-    reached: list[int] = []  # how many events, attempt by attempt
+    attempts: list[Proof] = []
     for _ in range(TRIES):
         conventions = Conventions(scenario.to_dict(), until, 0, max_events, bits + CHECKER_GUARD)
         walk, why = walked(conventions, guide, wide, bits, deadline)
@@ -265,10 +253,8 @@ def _prove(scenario: Scenario, digits: int, until: str, max_events: int, deadlin
                 return found
             if not verdict.accepted:
                 found = _refused(found, verdict, deadline)
-        if best is None or found.rank > best.rank:
-            best = found
-        reached.append(len(found.events))
-        if deadline.late or (not found.proved and reached[-3:] == [reached[-1]] * 3):
+        attempts.append(found)
+        if deadline.late or (not found.proved and [len(one.events) for one in attempts[-3:]] == [len(found.events)] * 3):
             break  # twice as many digits, twice, have not helped
         if found.proved:
             more = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT))
@@ -278,7 +264,7 @@ def _prove(scenario: Scenario, digits: int, until: str, max_events: int, deadlin
             wide, guide_digits = NARROW, 2 * guide_digits
         deadline.expect((more / bits) ** 2)
         bits = more
-    assert best is not None
+    best = max(attempts, key=lambda one: (one.proved, len(one.events), one.digits_proved))
     return replace(best, why=str(Late())) if deadline.late and not best.proved else best
 
 
@@ -391,8 +377,5 @@ def certificate_of(walk: Candidate, scenario: dict[str, Any], events: Sequence[P
 
 
 def _event_dict(event: ProvedEvent) -> dict[str, Any]:
-    found: dict[str, Any] = {"kind": event.kind, "from": event.from_mode, "to": event.to_mode}
-    for name in NUMBERS:
-        one: Enclosure = getattr(event, name)
-        found[name] = [str(one.middle), str(one.radius)]
-    return found
+    numbers = {name: [str(one.middle), str(one.radius)] for name, one in vars(event).items() if isinstance(one, Enclosure)}
+    return {"kind": event.kind, "from": event.from_mode, "to": event.to_mode, **numbers}

@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from hophoop.prove._flint import Ball, arb, bits, coefficients, order, polynomial, precision, series
 from hophoop.prove.checker.equations import Equations, State
 
@@ -209,13 +211,4 @@ def packed(values: list[Ball], reach: float, precise: int) -> str:
             numbers.append(int(whole.unique_fmpz()))
     while len(numbers) > 1 and numbers[-1] == 0:
         numbers.pop()
-    return " ".join(map(digits36, numbers))
-
-
-def digits36(whole: int) -> str:
-    """An integer to base 36."""
-    sign, whole, found = "-" if whole < 0 else "", abs(whole), ""
-    while whole:
-        whole, digit = divmod(whole, 36)
-        found = "0123456789abcdefghijklmnopqrstuvwxyz"[digit] + found
-    return sign + (found or "0")
+    return " ".join(np.base_repr(one, 36).lower() for one in numbers)

@@ -257,13 +257,9 @@ class Walk:
 
     def panels(self, sigma: int) -> None:
         """A phase that is certified by panels, with its turning points."""
-        one = self.record(self.mode)
-        limits: dict[str, Any] = {}
-        if self.until == "duration":
-            limits["t_end"] = self.equations.t_end
-        else:
-            limits["turn_end"] = self._turn_left
-        what, state, turns = verify_panels(self.equations, sigma, self.state, self.zeros, one, limits)
+        one, t_end = self.record(self.mode), self.equations.t_end
+        limit = ("limit", lambda panel, x: panel.limits(x, t_end)) if self.until == "duration" else ("span", self._turn_left)
+        what, state, turns = verify_panels(self.equations, sigma, self.state, self.zeros, one, limit)
         for turn in turns:
             self.state = turn
             self.after("turn")

@@ -162,6 +162,13 @@ class Equations:
         slip = (w_tt * friction + w_tn * normal) / self.kap + f_t
         return Contact(alpha, normal, friction, slip, f_n, divisor)
 
+    def margins(self, contact: Contact) -> list[Series]:
+        """What keeps a rolling hoop from slipping ahead and back: μ N − F and μ N + F; N if friction is infinite."""
+        if self.mu_s is None:
+            return [contact.normal]
+        hold = self.mu_s * contact.normal
+        return [hold - contact.friction, hold + contact.friction]
+
     def linear(self, s: Any, c: Any, sigma: int) -> tuple[Any, Any, Any]:
         """(d, a, b) of d θ̈ = a u + b, without a division: for polynomials as well as balls."""
         self.deadline.ask()

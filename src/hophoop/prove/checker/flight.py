@@ -6,7 +6,7 @@ import math
 
 from hophoop.prove._flint import Ball, Jet, arb, pi
 from hophoop.prove.checker.equations import Equations, State
-from hophoop.prove.checker.intervals import expanded, require
+from hophoop.prove.checker.intervals import expanded, shown
 
 MOST_PARTS = 40_000
 
@@ -65,25 +65,19 @@ def no_top(equations: Equations, state: State, begin: Ball, end: Ball, zeros: in
     On each part the gap rises, or falls, or is convex, or is lower. `zeros` counts the derivatives of the gap that vanish
     at the start, its value included; there the first one that does not vanish gives the direction.
     """
-    low, high = begin.lower(), end.upper()
-    work = [(low, high, True)] if low < high else []
-    for _ in range(MOST_PARTS):
-        if not work:
-            return
-        a, b, starts = work.pop()
+
+    def moves(value: Ball, slope: Ball) -> bool:
+        return bool(slope > 0) or bool(slope < 0) or (height is not None and bool(value < height))
+
+    def no_top_on(a: Ball, b: Ball, starts: bool) -> bool:
         jet = gap(equations, state, a.union(b), 4)
-        moves = bool(jet[1] > 0) or bool(jet[1] < 0) or bool(jet[2] > 0)
-        if starts and not moves:
-            moves = _from_rest(state, jet, zeros)
-        lower = height is not None and bool(jet[0] < height)
-        if not (moves or lower):
-            value, slope = expanded(lambda x, terms: [gap(equations, state, x, terms)], 0, a.union(b))
-            moves, lower = bool(slope > 0) or bool(slope < 0), height is not None and bool(value < height)
-        if not (moves or lower):
-            middle = ((a + b) / 2).mid()
-            require(bool(a < middle) and bool(middle < b), "the flight has no other apex than is said")
-            work += [(middle, b, False), (a, middle, starts)]
-    require(not work, "the flight has no other apex than is said")
+        if jet[2] > 0 or moves(*jet[:2]) or (starts and _from_rest(state, jet, zeros)):
+            return True
+        return moves(*expanded(lambda x, terms: [gap(equations, state, x, terms)], 0, a.union(b)))
+
+    low, high = begin.lower(), end.upper()
+    if low < high:
+        shown(no_top_on, low, high, "the flight has no other apex than is said", MOST_PARTS)
 
 
 def _from_rest(state: State, jet: Jet, zeros: int) -> bool:

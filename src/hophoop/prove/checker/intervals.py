@@ -18,31 +18,35 @@ def require(fact: bool, what: str) -> None:
         raise Refused(what)
 
 
+def shown(clear: Callable[[Ball, Ball, bool], bool], low: Ball, high: Ball, what: str, most: int = MOST_PARTS) -> None:
+    """Refuse unless `clear` is true on parts that cover an interval; its last argument is whether a part begins it."""
+    work = [(low, high, True)]
+    for _ in range(most):
+        if not work:
+            return
+        a, b, starts = work.pop()
+        try:
+            done = clear(a, b, starts)
+        except (ValueError, ZeroDivisionError):  # a divisor may vanish on so wide an interval
+            done = False
+        if not done:
+            middle = ((a + b) / 2).mid()
+            require(bool(a < middle) and bool(middle < b), what)
+            work += [(middle, b, False), (a, middle, starts)]
+    require(not work, what)
+
+
 def positive(functions: Functions, begin: Ball, end: Ball, what: str, zeros: Sequence[int] | None = None) -> None:
     """Refuse unless all functions are positive on (begin, end].
 
     `zeros` counts, per function, the derivatives that vanish at the start (the value included): the next one is then
     shown to be positive on the part that starts there. Such a `begin` may be a ball.
     """
-    low = begin.lower()
-    if end.upper() <= low:
-        return
+    low, high = begin.lower(), end.upper()
     first = list(zeros or [])
     terms = max([1, *first]) + 1
-    work = [(low, end.upper(), True)]
-    for _ in range(MOST_PARTS):
-        if not work:
-            return
-        a, b, starts = work.pop()
-        try:
-            clear = _clear(functions, a, b, terms, first if starts else [])
-        except (ValueError, ZeroDivisionError):  # a divisor may vanish on so wide an interval
-            clear = False
-        if not clear:
-            middle = ((a + b) / 2).mid()
-            require(bool(a < middle) and bool(middle < b), what)
-            work += [(middle, b, False), (a, middle, starts)]
-    raise Refused(what)
+    if low < high:
+        shown(lambda a, b, starts: _clear(functions, a, b, terms, first if starts else []), low, high, what)
 
 
 def _clear(functions: Functions, a: Ball, b: Ball, terms: int, zeros: Sequence[int]) -> bool:
@@ -83,7 +87,12 @@ def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> 
     require(bool(functions(low, 1)[index][0] > 0), f"{what}: not before its bracket")
     require(bool(functions(high, 1)[index][0] < 0), f"{what}: not within its bracket")
     positive(others, low, high, f"{what}: something else comes in its bracket")
-    _falling(functions, index, low, high, f"{what}: only one in its bracket")
+
+    def falls(a: Ball, b: Ball, _: bool) -> bool:
+        x = a.union(b)
+        return bool(functions(x, 2)[index][1] < 0) or bool(expanded(functions, index, x)[1] < 0)
+
+    shown(falls, low.lower(), high.upper(), f"{what}: only one in its bracket")
     x = low.union(high)
     for _ in range(100):
         middle = x.mid()
@@ -101,22 +110,3 @@ def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> 
             return closer
         x = closer
     return x
-
-
-def _falling(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> None:
-    """Refuse unless one function falls from low to high."""
-    work = [(low.lower(), high.upper())]
-    for _ in range(MOST_PARTS):
-        if not work:
-            return
-        a, b = work.pop()
-        try:
-            whole = a.union(b)
-            clear = bool(functions(whole, 2)[index][1] < 0) or bool(expanded(functions, index, whole)[1] < 0)
-        except (ValueError, ZeroDivisionError):
-            clear = False
-        if not clear:
-            middle = ((a + b) / 2).mid()
-            require(bool(a < middle) and bool(middle < b), what)
-            work += [(middle, b), (a, middle)]
-    raise Refused(what)

@@ -51,8 +51,7 @@ class Panel:
         x = self.way * (th - self.centre)
         length = (end - x).abs_upper()
         require(bool(abs(x).abs_upper() <= reach) and bool(abs(end).abs_upper() <= reach), "a panel reaches far enough")
-        flint = _flint
-        value = flint.arb_poly(self.value_terms)
+        value = _flint.arb_poly(self.value_terms)
         rate = value.derivative()
         left, stiff = left_over(model, sigma, self.centre, self.way, reach, value, rate)
         eta = left / stiff.abs_lower()
@@ -61,7 +60,7 @@ class Panel:
         self.error_u = symmetric(grown * (first + length * eta))
         if self.time_terms is None:
             return
-        slow = flint.arb_poly(self.time_terms).derivative()
+        slow = _flint.arb_poly(self.time_terms).derivative()
         rest = largest(coefficients_of(slow * slow * value - 1), reach)
         speed = largest(coefficients_of(slow), reach)
         spoilt = rest + speed * speed * self.error_u.abs_upper()
@@ -72,10 +71,9 @@ class Panel:
 
     def lowest(self, whole: Ball) -> Ball:
         """A positive bound of θ̇² from below on a stretch."""
-        values = [self.square(part).lower() for part in parts(whole)]
-        for value in values:
-            require(bool(value > 0), "θ̇ stays away from zero on a panel")
-        return least_of(values)
+        least = least_of([self.square(part).lower() for part in parts(whole)])
+        require(bool(least > 0), "θ̇ stays away from zero on a panel")
+        return least
 
     def square(self, x: Ball) -> Ball:
         """θ̇²; on an interval about its middle."""
@@ -115,14 +113,14 @@ class TurnPanel(Panel):
         self.phase, self.way, self.centre = phase, way, turn
         self.reach = number(record["reach"])  # of s
         self.value_terms, self.time_terms = (poly(record[name], self.reach, bits) for name in ("g", "h"))
-        flint, model, sigma = _flint, phase.equations, phase.sigma
-        ratio = flint.arb_poly(self.value_terms)
-        along = flint.arb_poly([0, 1])
+        model, sigma = phase.equations, phase.sigma
+        ratio = _flint.arb_poly(self.value_terms)
+        along = _flint.arb_poly([0, 1])
         value = along * ratio
         left, divisor = left_over(model, sigma, turn, -way, self.reach, value, value.derivative())
         grown = growth(model, sigma, turn, -way, arb(0).union(self.reach)).exp()
         self.error_g = symmetric(left / divisor.abs_lower() * grown)
-        timing = flint.arb_poly(self.time_terms)
+        timing = _flint.arb_poly(self.time_terms)
         slow = timing + 2 * along * timing.derivative()
         rest = largest(coefficients_of(slow * slow * ratio - 4), self.reach)
         speed = largest(coefficients_of(slow), self.reach)
@@ -194,13 +192,12 @@ def growth(model: Equations, sigma: int, centre: Ball, way: int, whole: Ball) ->
 
 def left_over(model: Equations, sigma: int, centre: Ball, way: int, reach: Ball, value: Any, rate: Any) -> tuple[Ball, Ball]:
     """(bound of d (U' − 2 way θ̈) on the stretch, d there): zero for θ̇² itself; d θ̈ is linear in θ̇²."""
-    flint = _flint
     terms = max(value.length() + 8, 24)
     tail = reach**terms / arb(terms).gamma() / terms * 2
     with order(terms):
         sine, cosine = (coefficients(one, terms) for one in series([centre, way]).sin_cos())
     sine[0], cosine[0] = sine[0] + symmetric(tail), cosine[0] + symmetric(tail)
-    divisor, grow, push = model.linear(flint.arb_poly(sine), flint.arb_poly(cosine), sigma)
+    divisor, grow, push = model.linear(_flint.arb_poly(sine), _flint.arb_poly(cosine), sigma)
     left = divisor * rate - (grow * value + push) * (2 * way)
     sine_all, cosine_all = (centre + symmetric(reach)).sin_cos()
     stiff = model.linear(sine_all, cosine_all, sigma)[0]

@@ -111,6 +111,5 @@ class Roll:
 
     def _margins(self, z: Any, u: Any, terms: int) -> list[Jet]:
         s, c = z.sin_cos()
-        contact, static = self.equations.contact(s, c, u, 0), self.equations.mu_s
-        found = [contact.normal] if static is None else [static * contact.normal + way * contact.friction for way in (-1, 1)]
+        found = self.equations.margins(self.equations.contact(s, c, u, 0))
         return [coefficients(series([0]) + one, terms) for one in found]

@@ -9,6 +9,7 @@ from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, arb, coefficients, order, pi, series, symmetric
 from hophoop.prove.checker.equations import Equations, State
 from hophoop.prove.checker.intervals import positive, require, root
+from hophoop.prove.checker.panel_phases import direction
 from hophoop.prove.deadline import Deadline
 
 NAMES = ("ahead", "back", "turn")
@@ -37,12 +38,7 @@ class Rolling:
             s, c = z.sin_cos()
             excess = self.energy - equations.height(z, s, c)
             contact = equations.contact(s, c, 2 * excess / equations.inertia(c), 0)
-            if equations.mu_s is None:
-                found = [contact.normal, excess]
-            else:
-                hold = equations.mu_s * contact.normal
-                found = [hold - contact.friction, hold + contact.friction, excess]
-            return [coefficients(series([0]) + one, terms) for one in found]
+            return [coefficients(series([0]) + one, terms) for one in (*equations.margins(contact), excess)]
 
     def along(self, origin: Ball) -> Any:
         """The margins as functions of the way from an angle."""
@@ -115,11 +111,7 @@ class Rolling:
 def roll(equations: Equations, state: State, record: dict[str, Any], until: str, origin: Ball) -> State:
     """The state at the end of a certified piece of rolling."""
     way, what = int(record["way"]), record["what"]
-    if state.om.is_zero():
-        s, c = state.th.sin_cos()
-        require(bool(way * equations.contact(s, c, arb(0), 0).alpha > 0), "rolling begins in its direction")
-    else:
-        require(bool(way * state.om > 0), "rolling goes in its direction")
+    require(way == direction(equations, 0, state), "rolling goes in its direction")
     rolling = Rolling(equations, state, way)
     timed = until == "duration"
     if what == "span":

@@ -42,9 +42,7 @@ def rolls(equations: Equations, state: State) -> bool:
     s, c = state.th.sin_cos()
     after = equations.just_after(state.th, state.om, 0)
     contact = after.contact(s, c, state.om * state.om, 0)
-    margins = [contact.normal]
-    if equations.mu_s is not None:
-        margins += [equations.mu_s * contact.normal + way * contact.friction for way in (1, -1)]
+    margins = [contact.normal, *equations.margins(contact)]
     if all(bool(value > 0) for value in margins):
         return True
     if any(bool(value < 0) for value in margins):
