@@ -9,14 +9,11 @@ import os
 import re
 from dataclasses import asdict
 
-import netCDF4
 import numpy as np
 import pytest
 import xarray as xr
-import zarr
 
 import hophoop as hh
-from damage import sign, unseal
 from hophoop import cite, io
 from hophoop.vocabulary.quantities import EVENT_UNITS
 
@@ -182,35 +179,6 @@ def test_a_missing_folder_is_told_with_the_name_that_was_given(motion, tmp_path,
     assert refusal.value.filename == str(tmp_path / "gone" / name)
 
 
-def with_attributes(motion, path, **attributes):
-    """A file with other attributes, as if hophoop had written them."""
-    motion.save(path)
-    if path.suffix == ".nc":
-        unseal(path)
-        with netCDF4.Dataset(path, "a") as file:
-            file.setncatts(attributes)
-    else:
-        zarr.open_group(path, mode="a").attrs.update(attributes)
-    if "schema" not in attributes:
-        sign(path)
-    return path
-
-
-@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
-def test_another_version_is_read_with_a_warning(motion, tmp_path, name):
-    path = with_attributes(motion, tmp_path / name, version="0.0.1")
-    with pytest.warns(UserWarning, match=r"was written by hophoop 0\.0\.1; samples may differ"):
-        loaded = hh.load(path)
-    assert loaded.version == "0.0.1"
-    assert loaded.at(1.0) == motion.at(1.0)
-
-
-def test_samples_alone_are_not_a_motion(motion, tmp_path):
-    motion.to_xarray(n=5).to_netcdf(tmp_path / "half.nc")
-    with pytest.raises(ValueError, match=r"half\.nc is not whole: it has the samples of a motion, but not the tables"):
-        hh.load(tmp_path / "half.nc")
-
-
 @pytest.mark.long
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_write_that_fails_leaves_the_old_file(motion, tmp_path, name, monkeypatch):
@@ -244,14 +212,6 @@ def test_a_file_has_the_fingerprint(motion, compliant, tmp_path, name):
         loaded = hh.load(tmp_path / name, check_fingerprint=True)
         assert loaded.fingerprint == one.fingerprint
         assert one.to_xarray(n=2).attrs["fingerprint"] == one.fingerprint
-
-
-@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
-def test_events_of_another_fingerprint_are_damage(motion, tmp_path, name):
-    path = with_attributes(motion, tmp_path / name, fingerprint="0123456789abcdef")
-    said = f"is damaged: its fingerprint '0123456789abcdef' is not that of its events, '{motion.fingerprint}'"
-    with pytest.raises(ValueError, match=re.escape(said)):
-        hh.load(path)
 
 
 def test_bits_that_this_machine_does_not_get_are_told(motion, tmp_path):

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 
-import netCDF4
 import numpy as np
 import pytest
 import xarray as xr
-import zarr
 
 import hophoop as hh
-from damage import sign, unseal
 from hophoop import io
 from hophoop._support import files
 from hophoop.results import save as export
@@ -24,78 +20,9 @@ def motion():
     return hh.simulate(hh.Scenario(duration=0.1))
 
 
-@pytest.fixture
-def saved(motion, tmp_path):
-    path = tmp_path / "hop.nc"
-    io.save(motion, path, n=5)
-    unseal(path)
-    return path
-
-
-def change(path, **attributes):
-    """Write a file with other attributes, as if hophoop had."""
-    with netCDF4.Dataset(path, "a") as file:
-        file.setncatts(attributes)
-    sign(path)
-
-
-def refusal(path):
-    with pytest.raises(ValueError, match=rf"^{re.escape(str(path))} ") as caught:
-        hh.load(path)
-    return str(caught.value).removeprefix(f"{path} ")
-
-
-# --- damaged, of another version, not whole ---------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "attributes",
-    [
-        {"scenario": "{"},  # ValueError
-        {"scenario": 5},  # TypeError
-        {"scenario": "[" * 100_000},  # RecursionError
-        {"scenario": '{"nonsense": 1}'},
-        {"status": "asleep"},  # KeyError
-        {"status": 5},  # AttributeError
-    ],
-)
-def test_an_attribute_that_means_nothing_is_damage(saved, attributes):
-    change(saved, **attributes)
-    assert refusal(saved).startswith("is damaged: ")
-
-
-def test_what_another_version_can_say_is_told_with_its_name(saved):
-    change(saved, version="0.0.1", scenario='{"nonsense": 1}')
-    assert refusal(saved).startswith("was written by hophoop 0.0.1: ")
-    change(saved, scenario="{")
-    assert refusal(saved).startswith("is damaged: ")
-
-
-def test_a_zarr_store_without_a_table_cannot_be_read(motion, tmp_path):
-    path = tmp_path / "hop.zarr"
-    io.save(motion, path, n=5)
-    del zarr.open_group(path, mode="a")["segments"]
-    assert re.match(r"cannot be read as Zarr: .*segments", refusal(path))
-
-
-def test_a_table_without_its_layout_is_damage(motion, tmp_path):
-    path = tmp_path / "hop.zarr"
-    io.save(motion, path, n=5)
-    del zarr.open_group(path, mode="a")["events"].attrs["layout"]
-    sign(path)
-    assert refusal(path) == "is damaged: 'layout'."
-
-
 def test_only_the_first_line_of_an_error_is_told():
     assert io._first_line(ValueError("no such key: \nand much more")) == "no such key"
     assert io._first_line(ValueError()) == "ValueError"
-
-
-def test_a_warning_about_the_version_points_at_who_loads(saved):
-    change(saved, version="0.0.1")
-    with pytest.warns(UserWarning, match="was written by hophoop 0") as caught:
-        hh.load(saved)
-    assert [Path(warning.filename).name for warning in caught] == [Path(__file__).name]
 
 
 def test_a_column_of_vectors_comes_back():
@@ -104,13 +31,6 @@ def test_a_column_of_vectors_comes_back():
     packed = export._packed(xr, table, "event")
     assert packed["force"].dims == ("event", "force_1")
     assert io._unpacked(packed).tobytes() == table.tobytes()
-
-
-def test_a_store_whose_metadata_is_no_text_of_zarr_is_refused(tmp_path):
-    path = tmp_path / "hop.zarr"
-    path.mkdir()
-    (path / "zarr.json").write_text("{", encoding="utf-8")
-    assert refusal(path).startswith("cannot be read as Zarr: ")
 
 
 # --- formats ---------------------------------------------------------------------------------------
@@ -131,21 +51,6 @@ def test_each_format_asks_for_its_own_library_and_warns_of_nothing(motion, tmp_p
     hh.load(tmp_path / name)
     assert other not in asked
     assert {"netCDF4", "zarr"} - {other} <= set(asked)
-
-
-@pytest.mark.parametrize(("name", "words"), [("hop.nc", "netCDF"), ("hop.zarr.zip", "Zarr")])
-def test_noise_is_named_by_its_format(tmp_path, name, words):
-    (tmp_path / name).write_bytes(b"this is no file of ours" * 99)
-    assert refusal(tmp_path / name).startswith(f"cannot be read as {words}: ")
-
-
-def test_a_file_of_others_is_refused_without_a_word_on_formats(tmp_path):
-    for attributes in ({}, {"schema": 5}, {"schema": "other/1"}):
-        path = tmp_path / "other.nc"
-        xr.Dataset({"x": ("time", [1.0])}, attrs=attributes).to_netcdf(path)
-        assert refusal(path) == "is not a saved motion of hophoop."
-    (tmp_path / "empty.zarr").mkdir()
-    assert refusal(tmp_path / "empty.zarr").startswith("cannot be read as Zarr")
 
 
 @pytest.mark.parametrize("name", ["hop.zarr", "hop.zarr.zip"])
