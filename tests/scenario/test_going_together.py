@@ -93,3 +93,52 @@ def test_a_vertical_plane_is_none():
         said(lambda: hh.Plane(slope=0.5 * math.pi))
         == f"plane.slope = {0.5 * math.pi!r} must lie between -pi/2 and pi/2 (radians)."
     )
+
+
+HOLDS = ""
+ENTERS, PULLS = "without contact the rim would enter the plane", "the plane would have to pull"
+SLIPS = "rolling needs more friction than there is"
+
+
+@pytest.mark.parametrize(
+    ("mode", "start", "plane", "why"),
+    [
+        ("H", {}, {}, ENTERS),
+        ("H", {"vx": 1.0, "omega": 1.0}, {"rolling_resistance": 0.01}, ENTERS),
+        ("H", {}, {"rolling_resistance": 0.01}, HOLDS),  # the couple jumps where the hoop turns back
+        ("H", {"vx": 9.0, "omega": 9.0}, {}, HOLDS),
+        ("H", {"height": 0.1}, {}, HOLDS),
+        ("H", {"vy": 0.1}, {}, HOLDS),
+        ("R", {"vx": 2.0, "omega": 2.0}, {}, HOLDS),
+        ("R", {"vx": 9.0, "omega": 9.0}, {}, PULLS),
+        ("R", {"angle": 1.0}, {"mu": 0.01}, SLIPS),
+        ("S", {"vx": 1.0, "omega": 2.0}, {}, HOLDS),
+        ("S", {"vx": 8.0, "omega": 9.0}, {}, PULLS),
+        ("K", {"vx": 2.0, "omega": 1.0}, {}, HOLDS),
+        ("K", {"vx": 10.0, "omega": 9.0}, {}, PULLS),
+    ],
+)
+def test_the_mode_of_a_start_can_hold(mode, start, plane, why):
+    begin = hh.Start(mode=mode, slip=start.get("vx", 0.0) - start.get("omega", 0.0), **start)
+    if why == HOLDS:
+        assert hh.Scenario(start=begin, plane=hh.Plane(**plane)).start == begin
+    else:
+        assert said(lambda: hh.Scenario(start=begin, plane=hh.Plane(**plane))) == f"start.mode = {mode!r} cannot hold: {why}."
+
+
+@pytest.mark.parametrize(
+    ("start", "expected"),
+    [
+        ({"mode": "R"}, "start.mode = 'R' needs start.slip, the slip velocity."),
+        ({"mode": "R", "slip": 0.0, "height": 1.0}, "start.mode = 'R' needs start.height = 0 and start.vy = 0."),
+        ({"mode": "K", "slip": 0.0, "vy": 1.0}, "start.mode = 'K' needs start.height = 0 and start.vy = 0."),
+        ({"mode": "R", "slip": 0.1}, "start.slip = 0.1 must be 0 with start.mode = 'R'."),
+        ({"mode": "S", "slip": 0.1}, "start.slip = 0.1 must be at most 0 with start.mode = 'S'."),
+        ({"mode": "K", "slip": -0.1}, "start.slip = -0.1 must be at least 0 with start.mode = 'K'."),
+        ({"speed": 1.0, "mode": "R", "slip": 0.0}, "start.slip cannot be given together with start.speed."),
+        ({"omega": None}, "start.omega = None must be a number."),
+        ({"slip": 0.1}, "start.slip = 0.1 must be start.vx - hoop.radius start.omega = 0.0 within rounding."),
+    ],
+)
+def test_a_slip_velocity_and_a_mode_that_contradict_the_state(start, expected):
+    assert said(lambda: hh.Scenario(start=hh.Start(**start))) == expected

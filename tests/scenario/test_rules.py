@@ -13,44 +13,7 @@ import hophoop as hh
 from hophoop.kernel.records.cells import Cell
 from hophoop.kernel.records.refusal import Refusal, hoop_refusal, plane_refusal, refusal
 from hophoop.maps.grid.cells import make_cells
-from hophoop.scenario import InputError, cell_of
-from hophoop.scenario.rules import RULES
-from hophoop.scenario.texts import TEXTS
-
-COMPLIANT = "contact.model=compliant"
-BROKEN = {
-    Refusal.HOOP_MASS: "hoop.parts.0.shape=point_mass&hoop.parts.0.mass=1e12&hoop.parts.0.at=0&"
-    "hoop.parts.1.shape=point_mass&hoop.parts.1.mass=1e12&hoop.parts.1.at=1",
-    Refusal.PARTS_CENTER: "hoop.parts.0.shape=ring&hoop.parts.0.mass=1&hoop.parts.0.inner_radius=1&hoop.parts.0.outer_radius=1&"
-    "hoop.parts.1.shape=point_mass&hoop.parts.1.mass=-0.6&hoop.parts.1.at=-0.8",
-    Refusal.LOAD_INERTIA: "hoop.load_fraction=0.99999999999999",
-    Refusal.PARTS_INERTIA: "hoop.parts.0.shape=disk&hoop.parts.0.mass=1&hoop.parts.0.radius=1e-9",
-    Refusal.MASSLESS_ECCENTRICITY: "hoop.eccentricity=0.4&hoop.inertia_ratio=0",
-    Refusal.KINETIC_ABOVE_STATIC: "plane.mu_static=0.4&plane.mu_kinetic=0.5",
-    Refusal.VERTICAL: "plane.slope=1.6",
-    Refusal.SLOPE: "plane.slope=1.5702",
-    Refusal.MASSLESS_SLOPE: "hoop.load_fraction=1&plane.slope=0.1",
-    Refusal.MASSLESS_RESISTANCE: "hoop.load_fraction=1&plane.rolling_resistance=0.1",
-    Refusal.RESISTANCE: "hoop.eccentricity=0.9&hoop.inertia_ratio=0.01&plane.rolling_resistance=0.9",
-    Refusal.MASSLESS_COMPLIANT: f"hoop.load_fraction=1&{COMPLIANT}",
-    Refusal.COMPLIANT_FRICTION: f"plane.mu=inf&{COMPLIANT}",
-    Refusal.STIFFNESS: f"{COMPLIANT}&contact.stiffness=1e-3",
-    Refusal.TANGENTIAL_STIFFNESS: f"{COMPLIANT}&contact.tangential_stiffness=1e17",
-    Refusal.SLIP_SPEED: f"{COMPLIANT}&contact.slip_speed=1e-12",
-    Refusal.TOO_SOFT: f"{COMPLIANT}&contact.stiffness=100&start.height=1e6",
-    Refusal.TOO_FAST: "hoop.radius=1e-3&start.vx=1e6",
-    Refusal.TOO_HIGH: "hoop.radius=0.5&start.height=1e6",
-}
-
-
-def test_every_rule_has_a_sentence_and_breaks():
-    assert [*BROKEN] == [*RULES] == [rule for rule in Refusal if rule]
-    for code, query in BROKEN.items():
-        rule = RULES[code]
-        begin = TEXTS[rule.sentence].format_map({**rule.known, **dict.fromkeys(rule.values, 0.0), rule.number: 0.0})
-        with pytest.raises(InputError) as caught:
-            hh.Scenario.from_query(query)
-        assert str(caught.value).split(" ")[0] == begin.split(" ")[0]
+from hophoop.scenario import InputError
 
 
 def expected(hoop, plane, start, contact):
@@ -106,18 +69,3 @@ def test_a_range_holds_both_ends(ends):
         assert (hoop_refusal(mass, 0.5, 0.5, False) == Refusal.NONE) == inside
     assert plane_refusal(0.5, 0.5, math.nextafter(1.57, 2.0)) == Refusal.SLOPE
     assert plane_refusal(0.5, 0.5, -1.57) == Refusal.NONE
-
-
-def test_numbers_go_into_the_sentences():
-    cell = cell_of(hh.Scenario(hoop=hh.Hoop(eccentricity=0.9, inertia_ratio=0.01)))
-    broken = [*cell]
-    broken[Cell.ROLLING_RESISTANCE] = 0.9
-    code, most = refusal(broken, ())
-    assert code == Refusal.RESISTANCE
-    assert f"must be below {most:.6g}" in str(_said(BROKEN[Refusal.RESISTANCE]))
-
-
-def _said(query):
-    with pytest.raises(InputError) as caught:
-        hh.Scenario.from_query(query)
-    return caught.value

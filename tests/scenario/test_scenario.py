@@ -11,7 +11,11 @@ from hypothesis import given
 from pydantic import ValidationError
 
 import hophoop as hh
-from hophoop.scenario import InputError, sentence, time_unit, to_body
+from hophoop.kernel.records.cells import Cell
+from hophoop.kernel.records.refusal import Refusal, refusal
+from hophoop.scenario import InputError, cell_of, models, scenario, sentence, time_unit, to_body
+from hophoop.scenario.rules import RULES, refused
+from hophoop.scenario.texts import TEXTS
 from strategies import bodies, said
 
 
@@ -262,6 +266,12 @@ REFUSED = [
     ("contact.model=compliant&contact.tangential_stiffness=1e17", "contact.tangential_stiffness = 1e+17 is 1.02e+16 m g/R"),
     ("contact.model=compliant&contact.slip_speed=1e-12", "contact.slip_speed = 1e-12 is 3.19e-13 √(g R)"),
     ("contact.model=compliant&contact.stiffness=100&start.vx=1&start.omega=1e6", "lets the rim sink some 1e+05 radii into"),
+    ("hoop.load_fraction=0.99999999999999", "hoop.load_fraction = 0.99999999999999 gives hoop.inertia_ratio = "),
+    ("hoop.load_fraction=1&plane.rolling_resistance=0.1", "plane.rolling_resistance = 0.1 must be 0 for the massless hoop"),
+    ("hoop.eccentricity=0.9&hoop.inertia_ratio=0.01&plane.rolling_resistance=0.9", "must be below"),
+    ("hoop.radius=1e-3&start.vx=1e6", "start has a speed of 1.01e+07 √(g R), with R of the hoop, and must have at most"),
+    ("hoop.radius=0.5&start.height=1e7", "start.height = 10000000.0 must be from 0 to 1e+06 m."),
+    ("hoop.radius=0.5&start.height=1e6", "start.height = 1000000.0 is 2e+06 radii of this hoop and must be at most"),
     ("contact.model=compliant&contact.stiffness=100&start.height=1e6", "lets the rim sink some 4e+02 radii into the plane"),
 ]
 
@@ -277,6 +287,45 @@ def test_refusals_name_field_value_and_what_is_allowed(text, expected):
     with pytest.raises(ValidationError) as caught:
         hh.Scenario.model_validate(json.loads(text))
     assert alike(expected) in alike(sentence(caught.value))
+
+
+def codes_of(text):
+    """The rules that a link or a file breaks, and what is said."""
+    codes = []
+
+    def noted(code, *given):
+        codes.append(Refusal(code))
+        return refused(code, *given)
+
+    with pytest.MonkeyPatch.context() as patch:
+        for module in (models, scenario):
+            patch.setattr(module, "refused", noted)
+        with pytest.raises(InputError) as caught:
+            (hh.Scenario.loads if text.startswith("{") else hh.Scenario.from_query)(text)
+    return codes, str(caught.value)
+
+
+def test_every_rule_has_a_sentence_and_breaks():
+    assert [*RULES] == [rule for rule in Refusal if rule]
+    broken = set()
+    for text, _ in REFUSED:
+        codes, said = codes_of(text)
+        for code in codes:
+            rule = RULES[code]
+            begin = TEXTS[rule.sentence].format_map({**rule.known, **dict.fromkeys(rule.values, 0.0), rule.number: 0.0})
+            assert said.split(" ")[0] == begin.split(" ")[0]
+        broken |= set(codes)
+    assert broken == set(RULES)
+
+
+def test_numbers_go_into_the_sentences():
+    cell = [*cell_of(hh.Scenario(hoop=hh.Hoop(eccentricity=0.9, inertia_ratio=0.01)))]
+    cell[Cell.ROLLING_RESISTANCE] = 0.9
+    code, most = refusal(cell, ())
+    text = "hoop.eccentricity=0.9&hoop.inertia_ratio=0.01&plane.rolling_resistance=0.9"
+    codes, said = codes_of(text)
+    assert codes == [code] == [Refusal.RESISTANCE]
+    assert f"must be below {most:.6g}" in said
 
 
 @pytest.mark.parametrize(
