@@ -260,15 +260,16 @@ def test_serve_refuses_bad_addresses():
 
 
 def test_serve_listens_on_loopback_unless_told_otherwise(monkeypatch):
-    seen = {}
-    monkeypatch.setattr(uvicorn.Server, "run", lambda server: seen.update(vars(server.config)))
+    seen = []
+    monkeypatch.setattr(uvicorn.Server, "run", lambda server, lines: seen.extend(line.getsockname() for line in lines))
     app.serve(port=0)
-    assert seen["host"] == "127.0.0.1"
-    assert seen["port"] > 0
+    ((host, port),) = seen
+    assert host == "127.0.0.1"
+    assert port > 0
 
 
 def test_serve_to_a_network_prints_the_address_for_others(monkeypatch, capsys):
-    monkeypatch.setattr(uvicorn.Server, "run", lambda server: None)
+    monkeypatch.setattr(uvicorn.Server, "run", lambda server, lines: lines[0].close())
     monkeypatch.setattr(app, "_own_address", lambda: "192.168.1.7")
     app.serve(host="0.0.0.0", port=0)
     assert re.search(r"Others in your network open http://192\.168\.1\.7:\d+/\.", capsys.readouterr().err)

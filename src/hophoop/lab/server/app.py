@@ -6,11 +6,9 @@ import contextlib
 import socket
 import sys
 import threading
-import time
 import webbrowser
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
-from urllib.request import urlopen
 
 from hophoop._support.extras import need
 from hophoop._support.stopping import forget
@@ -61,29 +59,23 @@ def serve(
     need("starlette", "lab")
     if not 0 <= port <= 65535:
         raise InputError.of_field("port", port, "from 0 to 65535")
-    if port == 0:
-        port = _free_port(host)
-    _check_free(host, port)
+    line = _listening(host, port)
+    port = line.getsockname()[1]
     print("The lab is starting …", file=sys.stderr)
     shown = f"[{host}]" if ":" in host else host
     if host in ("0.0.0.0", "::"):
         shown = "localhost"
     address = f"http://{shown}:{port}/"
-    if browser:
-        threading.Thread(target=_open, args=(address, query), daemon=True).start()
-    print(
-        f"The lab is at {address}{'?' + query if query else ''} (Ctrl-C stops it).",
-        file=sys.stderr,
-        flush=True,
-    )
+    opened = f"{address}?{query}" if query else address
+    if browser:  # it waits until the server answers; some browsers keep the thread until they are closed
+        threading.Thread(target=webbrowser.open, args=(opened,), daemon=True).start()
+    print(f"The lab is at {opened} (Ctrl-C stops it).", file=sys.stderr, flush=True)
     if host == "0.0.0.0" and (own := _own_address()):
         print(f"Others in your network open http://{own}:{port}/.", file=sys.stderr, flush=True)
     from hophoop.lab.server.site import create_app
 
     config = uvicorn.Config(
         create_app([host, *names], backdrop),
-        host=host,
-        port=port,
         ws="none",
         log_level="warning",
         access_log=False,
@@ -93,7 +85,7 @@ def serve(
         limit_concurrency=CONNECTIONS,
     )
     with contextlib.suppress(KeyboardInterrupt):
-        _server(config).run()
+        _server(config).run([line])
     forget()  # Ctrl-C is the normal end of a server
 
 
@@ -110,12 +102,6 @@ def _server(config: Any) -> Any:
     return Server(config)
 
 
-def _free_port(host: str) -> int:
-    with socket.socket(_family(host)) as probe:
-        probe.bind((host, 0))
-        return int(probe.getsockname()[1])
-
-
 def _own_address() -> str | None:
     """Return this machine's address in its network; a datagram socket sends nothing to connect."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
@@ -126,27 +112,11 @@ def _own_address() -> str | None:
             return None
 
 
-def _check_free(host: str, port: int) -> None:
-    with socket.socket(_family(host)) as probe:
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            probe.bind((host, port))
-        except OSError as error:
-            reason = (error.strerror or str(error)).lower()
-            message = f"port = {port} cannot be used on {host}: {reason}; 0 takes a free port."
-            raise InputError(message, field="port", value=port) from None
-
-
-def _family(host: str) -> socket.AddressFamily:
-    return socket.AF_INET6 if ":" in host else socket.AF_INET
-
-
-def _open(address: str, query: str) -> None:
-    """Open the browser once the page answers."""
-    for _ in range(100):
-        try:
-            with urlopen(address, timeout=1):
-                break
-        except OSError:
-            time.sleep(0.1)
-    webbrowser.open(f"{address}?{query}" if query else address)
+def _listening(host: str, port: int) -> socket.socket:
+    """Return a socket that accepts connections; they wait until the server answers."""
+    try:
+        return socket.create_server((host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET)
+    except OSError as error:
+        reason = (error.strerror or str(error)).partition(" (")[0].lower()
+        message = f"port = {port} cannot be used on {host}: {reason}; 0 takes a free port."
+        raise InputError(message, field="port", value=port) from None
