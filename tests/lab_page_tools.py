@@ -7,6 +7,8 @@ import threading
 import time
 from pathlib import Path
 
+import pytest
+
 PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parent / "results" / "lab"))
 
 
@@ -70,7 +72,22 @@ WORDS = """
   const seen = (selector) => all(selector).some(shown);
   const text = (selector) => first(selector)?.innerText ?? "";
   const value = (label) => first(`[aria-label="${label}"]`).value;
+  const event = (kind) => lab.film().events.find((one) => one.kind === kind);
+  const near = (one, other, size) => Math.abs(one - other) <= size;
+  const degrees = (angle) => `${(angle * 180 / Math.PI).toFixed(1)}°`;
+  const digits = (number, count = 3) => String(Number(number.toPrecision(count)));
 """
+
+
+def fingers(page):
+    """What puts fingers down, moves them and lifts them."""
+    session = page.context.new_cdp_session(page)
+
+    def touch(kind, *places):
+        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    return touch
 
 
 class Steps:
@@ -116,6 +133,61 @@ class Steps:
     def button(self, said):
         self.page.get_by_role("button", name=said, exact=True).click()
 
+    def drag(self, said):
+        """From the middle of what is named, over places behind a colon, in pixels from there; `drop` lets go."""
+        selector, _, places = said.partition(": ")
+        box = self.page.locator(selector).first.bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        self.page.mouse.move(x, y)
+        self.page.mouse.down()
+        for dx, dy in self.do(f"return {places}"):
+            self.page.mouse.move(x + dx, y + dy)
+
+    def drop(self, _):
+        self.page.mouse.up()
+
+    def touch(self, said):
+        """A finger, as `drag`, that is lifted at the end."""
+        selector, _, places = said.partition(": ")
+        box = self.page.locator(selector).first.bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        touch = fingers(self.page)
+        touch("touchStart", (x, y))
+        for dx, dy in self.do(f"return {places}"):
+            touch("touchMove", (x + dx, y + dy))
+        touch("touchEnd")
+
+    def point(self, said):
+        """At a part of the width and the height of what is named."""
+        selector, across, down = said.rsplit(maxsplit=2)
+        box = self.page.locator(selector).first.bounding_box()
+        self.page.mouse.move(box["x"] + float(across) * box["width"], box["y"] + float(down) * box["height"])
+
+    def wheel(self, said):
+        self.page.mouse.wheel(0, float(said))
+
+    def save(self, said):
+        """What a button saves is a text, `kept`."""
+        with self.page.expect_download() as download:
+            self.button(said)
+        text = download.value.path().read_bytes().decode("latin-1")
+        self.page.evaluate("text => { globalThis.kept = text; }", text)
+
+    def write(self, said):
+        selector, text = said.split()
+        self.page.locator(selector).fill(text)
+        self.page.locator(selector).press("Enter")
+
+    def size(self, said):
+        width, height = map(int, said.split())
+        self.page.set_viewport_size({"width": width, "height": height})
+
+    def back(self, _):
+        self.page.go_back()
+
+    def forward(self, _):
+        self.page.go_forward()
+
     def open(self, said):
         self.page.goto(re.split("[?#]", self.page.url)[0] + said)
 
@@ -125,6 +197,12 @@ class Steps:
 
     def wait(self, said):
         self.page.wait_for_timeout(float(said))
+
+
+def each_of(flows, *long):
+    """A test for each flow; the long ones in CI only."""
+    marked = [pytest.param(name, marks=pytest.mark.long if name in long else ()) for name in flows]
+    return pytest.mark.parametrize("name", marked)
 
 
 def follow(page, steps):

@@ -7,20 +7,12 @@ import pytest
 import hophoop as hh
 from lab_page_tools import wait_for
 
-# The speed at which the contact force is zero at the start: its double may lie on either side.
-UNDECIDED = "start.speed=3.616628264005025"
-AS_IN_PYTHON, AS_IN_LINK = "✓ Same bits as in Python", "✓ Same bits as where the link was made"
-PRESET = "duration=3"  # its query
+AS_IN_LINK = "✓ Same bits as where the link was made"
 
 
 def code_of(page):
     """The fingerprint that is written, also where its group is closed."""
     return page.locator(".fingerprint code").text_content()
-
-
-def opened(page):
-    page.locator("summary", has_text="Advanced").click()
-    return page
 
 
 @pytest.mark.parametrize("query", ["", "start.speed=2.8&plane.restitution=0.5&plane.slope=0.05"])
@@ -34,15 +26,6 @@ def test_it_is_that_of_python(visit, query):
     page.locator(".fingerprint code", has_text=hh.simulate(changed).fingerprint).wait_for(state="attached")
 
 
-def test_a_motion_that_doubles_do_not_decide(visit):
-    page = visit(f"?{UNDECIDED}")
-    assert code_of(page) == hh.simulate(hh.Scenario.from_query(UNDECIDED)).fingerprint
-    assert "Run it with `--digits 30` for the exact answer." in page.locator(".story").inner_text()
-    page.evaluate("hophoopLab.motions.change([['start.speed', 3.1]], true)")
-    wait_for(page, "lab.film().values['start.speed'] === 3.1 && !lab.surrounding")
-    assert not page.locator(".story .hint").is_visible()
-
-
 def said(page, kind):
     return page.locator(f".fingerprint .{kind}").all_inner_texts()
 
@@ -53,12 +36,6 @@ def link_of(page, address, name="Copy a link with its fingerprint"):
     page.get_by_role("button", name=name).click()
     page.locator(".toast", has_text="Link copied.").wait_for()
     return page.evaluate("navigator.clipboard.readText()").removeprefix(address)
-
-
-def test_a_link_is_copied_without_it_by_default(visit, address):
-    page = visit("?start.speed=2.9#fingerprint=0123456789abcdef", permissions=["clipboard-read", "clipboard-write"])
-    page.locator(".fingerprint code").wait_for(state="attached")
-    assert "fingerprint" not in link_of(page, address, "Copy a link to this motion")
 
 
 def test_a_copied_link_carries_the_fingerprint(visit, address):

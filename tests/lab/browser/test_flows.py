@@ -3,9 +3,7 @@
 The verbs are those of `lab_page_tools.Steps`; behind `until` and `is` stands JavaScript that knows `lab` and its `WORDS`.
 """
 
-import pytest
-
-from lab_page_tools import PHONE, SETTLED, SHOWN, follow
+from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow
 from slow_page import also_delayed
 
 UNTIL_SETTLED, UNTIL_SHOWN = f"until {SETTLED}", f"until {SHOWN}"
@@ -451,6 +449,20 @@ FLOWS = {
         "is !document.querySelector('.fingerprint :is(.same, .differs)')",
         "until !location.hash.includes('fingerprint')",
     ]),
+    "a motion that doubles do not decide says so": ("?start.speed=3.616628264005025", {}, [
+        "until text('.story').includes('Run it with `--digits 30` for the exact answer.')",
+        "do lab.motions.change([['start.speed', 3.1]], true)",
+        "until lab.film().values['start.speed'] === 3.1 && !lab.surrounding",
+        "is !seen('.story .hint')",
+    ]),
+    "a link is copied without a fingerprint by default": ("?start.speed=2.9#fingerprint=0123456789abcdef", CLIPBOARD, [
+        "until document.querySelector('.fingerprint code')",
+        "click .menu summary",
+        "button Copy a link to this motion",
+        "until text('.toast') === 'Link copied.'",
+        "do globalThis.kept = await navigator.clipboard.readText()",
+        "is kept.includes('start.speed=2.9') && !kept.includes('fingerprint')",
+    ]),
     "what others add to a link is ignored and said": ("?fbclid=IwAR2x.y&gclid=1&start.speed=2&plane.mu=0.5", {}, [
         UNTIL_SHOWN,
         "is lab.film().query === 'plane.mu=0.5&start.speed=2' && !seen('.message')",
@@ -544,7 +556,7 @@ FLOWS = {
 
 
 @also_delayed
-@pytest.mark.parametrize("name", FLOWS)
+@each_of(FLOWS)
 def test_a_visitor(visit, name):
     link, options, steps = FLOWS[name]
     follow(visit(link, **options), steps)

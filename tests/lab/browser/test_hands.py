@@ -1,11 +1,101 @@
 """The hoop in the visitor's hand: by mouse, finger and keys; what is computed is what the hand has chosen."""
 
-import math
-
 import pytest
 
-import hophoop as hh
-from lab_page_tools import PHONE, wait_for
+from lab_page_tools import PHONE, SETTLED, each_of, follow
+
+CALM = {"reduced_motion": "reduce"}
+START = "lab.film().scenario.start"
+DONE = "until lab.motions.history.past.length === 1"
+RADIUS = """const [hoop, load] = ['hoop', 'load'].map((one) => first(`.grip-${one}`).getBoundingClientRect());
+  globalThis.radius = hoop.top + hoop.height / 2 - load.top - load.height / 2"""
+# What the hand did, with times of its own: along the plane, or sideways, in the last fifth of a second.
+PULL = """
+  const view = lab.stage.flat.views[0];
+  const { Pull } = lab.extras.grips.constructor;
+  const pull = (grip, time, at, until = 200) => {
+    const made = new Pull(grip, lab.film(), time, view, at(0));
+    for (let k = 0; k <= 20; k++) made.move(at(k), 10 * k);
+    return made.release(until);
+  };
+  const place = (x, y) => (([clientX, clientY]) => ({ clientX, clientY }))(view.point(x, y));
+  const turned = (time, speed) => pull('load', time, (k) => {
+    const { x, height } = lab.film().at(time);
+    return place(x + Math.sin(speed * 0.01 * k), 1 + height + Math.cos(speed * 0.01 * k));
+  });"""
+TOUCH = """const { view } = { view: lab.stage.flat.views[0] };
+  const box = lab.stage.element.getBoundingClientRect();
+  const grip = first('.grip-plane').getBoundingClientRect();
+  const [x, y] = [grip.x + grip.width / 2, grip.y + grip.height / 2];
+  globalThis.reach = x - view.point(view.pose.x, 0)[0] - box.left"""
+
+# name: (link, options, steps), as in test_flows.py
+FLOWS = {
+    "the load is turned, and the motion follows the hand": ("?start.speed=2", CALM, [
+        f"until {SETTLED}",
+        f"do {RADIUS}",
+        "drag .grip-load: [[0.7 * radius, 0.3 * radius], [radius, radius]]",  # a quarter turn
+        "wait 600",  # so long that the address of the page is written while the hoop is in the hand
+        f"until {SETTLED}",
+        f"is location.search === '?start.speed=2' && near({START}.angle, Math.PI / 2, 0.03)",
+        "is lab.motions.history.past.length === 0 && lab.stage.options.ahead",  # still in the hand
+        "drop",
+        DONE,
+        f"is {START}.speed === 2",  # the hand was at rest: the hoop keeps its speed
+        "is lab.clock.time === 0 && !lab.stage.options.ahead",
+        "press z",
+        "until lab.film().query === 'start.speed=2'",
+    ]),
+    "a flick gives the speed of the hand": ("?start.speed=0", CALM, [
+        f"until {SETTLED}",
+        f"do {PULL} globalThis.held = pull('hoop', 0, (k) => place(0.02 * k, 1))",  # 2 m/s
+        "is near(held.vx, 2, 1e-6) && held.height === 0 && near(held.angle, 0.4, 1e-6)",  # it has rolled 0.4 m in the hand
+        f"do {PULL} globalThis.held = pull('load', 0, (k) => ({{ clientX: 300 + 4 * k, clientY: 100 }}), 400)",
+        "is held.omega === 0",  # a hand that has come to rest before it lets go gives none
+    ]),
+    "a load keeps the speed of the hoop unless it is flicked": ("?start.speed=3.1", CALM, [
+        f"until {SETTLED}",
+        f"do {PULL} globalThis.held = [0, 0.5].map((time) => turned(time, 0.3).vx)",  # also where it rolls or slips later
+        "is held.join() === '3.1,3.1'",
+        f"do {PULL} globalThis.held = turned(1.4, 0.3)",
+        "is held.height > 0 && ['vx', 'vy', 'omega'].every((name) => held[name] === lab.film().at(1.4)[name])",
+        f"do {PULL} globalThis.held = turned(0, 2)",
+        "is near(held.vx, 2, 1e-6)",
+    ]),
+    "the speed of the scenario stays as it is, to its last digit": ("?start.speed=3.616628264005025", CALM, [
+        f"until {SETTLED}",
+        "do first('.grip-load').focus()",
+        "press ArrowRight",
+        "press Enter",
+        DONE,
+        f"is {START}.speed === 3.616628264005025",
+    ]),
+    "it is pulled up and dropped, and Escape takes it back": ("?start.speed=0&start.angle=0.5", CALM, [
+        f"until {SETTLED}",
+        "do globalThis.scale = lab.stage.flat.views[0].scale",
+        "drag .grip-hoop: [[0, -10], [0, -0.3 * scale]]",
+        "wait 250",
+        f"until {SETTLED}",
+        f"is near({START}.height, 0.3, 0.02)",
+        "is near(lab.stage.flat.views[0].scale / scale, 1, 1e-9)",  # the hoop stays under the hand
+        "drop",
+        DONE,
+        f"is lab.film().sequence[0] === 'H' && near(event('impact').t / Math.sqrt(2 * {START}.height / 9.81), 1, 1e-3)",
+        "do globalThis.before = lab.film().query; first('.grip-load').focus()",
+        "press ArrowRight",
+        "until lab.stage.options.ahead",
+        "press Escape",
+        "until lab.film().query === before",  # what is let go by Escape was never taken
+    ]),
+    "a finger tilts the plane without scrolling the page": ("", PHONE, [
+        f"until {SETTLED}",
+        f"do {TOUCH}",
+        "touch .grip-plane: Array.from({ length: 7 }, (_, k) => [0, k / 6 * reach * Math.tan(Math.PI / 18)])",
+        DONE,
+        "is near(lab.film().scenario.plane.slope, Math.PI / 18, 0.011) && scrollY === 0",
+        "until lab.clock.playing",  # it runs when the hand lets go
+    ]),
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -14,173 +104,7 @@ def address(site_address):
     return site_address
 
 
-def middle(page, grip):
-    box = page.locator(f".grip-{grip}").bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-
-def scenario(page):
-    return hh.Scenario.from_query(page.evaluate("hophoopLab.film().query"))
-
-
-def still(page):
-    """Nothing is under way, and the picture is that of the motion."""
-    wait_for(page, "!lab.motions.lanes[0].busy && !lab.motions.lanes[0].pending && !lab.surrounding && !lab.requested")
-
-
-def drag(page, grip, places, hold=250):
-    """Take the hoop, pass these places (from where it was taken), and let go after a while [ms]."""
-    x, y = middle(page, grip)
-    page.mouse.move(x, y)
-    page.mouse.down()
-    for dx, dy in places:
-        page.mouse.move(x + dx, y + dy)
-    page.wait_for_timeout(hold)
-    still(page)
-
-
-def test_the_load_is_turned_and_the_motion_follows_the_hand(visit):
-    page = visit("?start.speed=2", reduced_motion="reduce")
-    still(page)
-    center = middle(page, "hoop")
-    _x, y = middle(page, "load")
-    radius = center[1] - y
-    # a quarter turn: the load comes to where the finger is
-    # so long that the address of the page is written while the hoop is in the hand
-    drag(page, "load", [(0.7 * radius, 0.3 * radius), (radius, radius)], hold=600)
-    assert page.evaluate("location.search") == "?start.speed=2"
-    assert scenario(page).start.angle == pytest.approx(math.pi / 2, abs=0.03)
-    assert page.evaluate("hophoopLab.motions.history.past.length") == 0  # still in the hand
-    assert page.evaluate("hophoopLab.stage.options.ahead") is True
-    page.mouse.up()
-    wait_for(page, "lab.motions.history.past.length === 1")
-    assert scenario(page).start.speed == 2.0  # the hand was at rest: the hoop keeps its speed
-    assert page.evaluate("[hophoopLab.clock.time, hophoopLab.stage.options.ahead]") == [0, False]
-    page.keyboard.press("z")
-    wait_for(page, "lab.film().query === 'start.speed=2'")
-
-
-def test_a_flick_gives_the_speed_of_the_hand(visit):
-    page = visit("?start.speed=0", reduced_motion="reduce")
-    still(page)
-    # what the hand did, with times of its own: 2 m/s along the plane in the last tenth of a second
-    held = page.evaluate(
-        """async () => {
-          const lab = hophoopLab;
-          const view = lab.stage.flat.views[0];
-          const { Pull } = lab.extras.grips.constructor;
-          const [x, y] = view.point(0, 1);
-          const pull = new Pull("hoop", lab.film(), 0, view, { clientX: x, clientY: y });
-          for (let k = 0; k <= 20; k++) pull.move({ clientX: x + view.scale * 2 * 0.01 * k, clientY: y }, 10 * k);
-          return pull.release(200);
-        }"""
-    )
-    assert held["vx"] == pytest.approx(2.0, rel=1e-6)
-    assert held["height"] == 0
-    assert held["angle"] == pytest.approx(0.4, rel=1e-6)  # it has rolled 0.4 m in the hand
-    # a hand that has come to rest before it lets go gives none
-    assert (
-        page.evaluate(
-            """() => {
-          const view = hophoopLab.stage.flat.views[0];
-          const { Pull } = hophoopLab.extras.grips.constructor;
-          const pull = new Pull("load", hophoopLab.film(), 0, view, { clientX: 300, clientY: 100 });
-          for (let k = 0; k <= 20; k++) pull.move({ clientX: 300 + 4 * k, clientY: 100 }, 10 * k);
-          return pull.release(400).omega;
-        }"""
-        )
-        == 0
-    )
-
-
-PULL_LOAD = """([time, speed]) => {
-  const lab = hophoopLab;
-  const view = lab.stage.flat.views[0];
-  const { Pull } = lab.extras.grips.constructor;
-  const R = lab.film().radius;
-  const pose = lab.film().at(time);
-  const center = [pose.x, R + pose.height];
-  const at = (angle) => {
-    const [x, y] = view.point(center[0] + R * Math.sin(angle), center[1] + R * Math.cos(angle));
-    return { clientX: x, clientY: y };
-  };
-  const pull = new Pull("load", lab.film(), time, view, at(0));
-  for (let k = 0; k <= 20; k++) pull.move(at((speed / R) * 0.01 * k), 10 * k);
-  const { vx, vy, omega, height } = pull.release(200);
-  return { vx, vy, omega, height, pose: { vx: pose.vx, vy: pose.vy, omega: pose.omega } };
-}"""
-
-
-def test_a_load_keeps_the_speed_of_the_hoop_unless_it_is_flicked(visit):
-    page = visit("?start.speed=3.1", reduced_motion="reduce")
-    still(page)
-    slow = page.evaluate(PULL_LOAD, [0, 0.3])
-    assert slow["vx"] == 3.1
-    later = page.evaluate(PULL_LOAD, [0.5, 0.3])  # also where the film is stopped while it rolls or slips
-    assert later["vx"] == 3.1
-    flying = page.evaluate(PULL_LOAD, [1.4, 0.3])
-    assert flying["height"] > 0
-    assert {name: flying[name] for name in ("vx", "vy", "omega")} == flying["pose"]
-    fast = page.evaluate(PULL_LOAD, [0, 2.0])
-    assert fast["vx"] == pytest.approx(2.0, rel=1e-6)
-    # the speed of the scenario stays as it is, to its last digit
-    page = visit("?start.speed=3.616628264005025", reduced_motion="reduce")
-    still(page)
-    page.locator(".grip-load").focus()
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("Enter")
-    wait_for(page, "lab.motions.history.past.length === 1")
-    assert scenario(page).start.speed == 3.616628264005025
-
-
-@pytest.mark.long
-def test_it_is_pulled_up_and_dropped_and_escape_takes_it_back(visit):
-    page = visit("?start.speed=0&start.angle=0.5", reduced_motion="reduce")
-    still(page)
-    scale = page.evaluate("hophoopLab.stage.flat.views[0].scale")
-    drag(page, "hoop", [(0, -10), (0, -0.3 * scale)])
-    start = scenario(page).start
-    assert start.height == pytest.approx(0.3, abs=0.02)
-    # the hoop stays under the hand: the picture keeps its scale
-    assert page.evaluate("hophoopLab.stage.flat.views[0].scale") == pytest.approx(scale)
-    page.mouse.up()
-    wait_for(page, "lab.motions.history.past.length === 1")
-    motion = hh.simulate(scenario(page))
-    assert motion.sequence.startswith("H")
-    fall = math.sqrt(2 * start.height / 9.81)
-    assert motion.find("impact")[0].t == pytest.approx(fall, rel=1e-3)
-    # what is let go by Escape was never taken
-    page.locator(".grip-load").focus()
-    page.keyboard.press("ArrowRight")
-    wait_for(page, "lab.stage.options.ahead")
-    page.keyboard.press("Escape")
-    wait_for(page, f"lab.film().query === {hh.Scenario.to_query(motion.scenario)!r}")
-
-
-@pytest.mark.long
-def test_a_finger_tilts_the_plane_without_scrolling_the_page(visit):
-    page = visit(**PHONE)
-    still(page)
-    x, y = middle(page, "plane")
-    foot = page.evaluate(
-        """() => {
-          const view = hophoopLab.stage.flat.views[0];
-          const box = hophoopLab.stage.element.getBoundingClientRect();
-          const [x, y] = view.point(view.pose.x, 0);
-          return [x + box.left, y + box.top];
-        }"""
-    )
-    session = page.context.new_cdp_session(page)
-
-    def touch(kind, *places):
-        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": a, "y": b, "id": 0} for a, b in places]})
-
-    reach = x - foot[0]
-    touch("touchStart", (x, y))
-    for k in range(1, 7):
-        touch("touchMove", (x, y + k / 6 * reach * math.tan(math.radians(10))))
-    touch("touchEnd")
-    wait_for(page, "lab.motions.history.past.length === 1")
-    assert math.degrees(scenario(page).plane.slope) == pytest.approx(10, abs=0.6)
-    assert page.evaluate("scrollY") == 0
-    wait_for(page, "lab.clock.playing")  # it runs when the hand lets go
+@each_of(FLOWS, "it is pulled up and dropped, and Escape takes it back", "a finger tilts the plane without scrolling the page")
+def test_a_hand(visit, name):
+    link, options, steps = FLOWS[name]
+    follow(visit(link, **options), steps)

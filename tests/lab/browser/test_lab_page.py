@@ -3,7 +3,7 @@
 import pytest
 
 import hophoop as hh
-from lab_page_tools import SETTLED, SHOWN, colors_on, expect, picture, summary, wait_for
+from lab_page_tools import SETTLED, SHOWN, colors_on, each_of, follow, picture, summary, wait_for
 from slow_page import also_delayed
 
 
@@ -18,59 +18,68 @@ def test_the_page_opens_with_the_hop(visit):
     picture(page, "desktop", full_page=True)
 
 
-@also_delayed
-def test_real_parts_and_compliant_contact_and_the_sentence_of_a_part_stays(visit):
-    page = visit()
-    wait_for(page, SHOWN)
-    page.evaluate("hophoopLab.controls.way.select.closest('details').open = true")
-    page.get_by_label("Defined by").select_option("parts")
-    fields = page.locator(".part input")
-    expect(fields).to_have_count(5)
-    fields.nth(0).fill("heavy")
-    fields.nth(0).press("Enter")
-    wrong = page.locator(".parts .error:visible")
-    expect(wrong).to_have_count(1)
-    fields.nth(3).fill("0.4")
-    fields.nth(3).press("Enter")
-    page.locator("input[data-path='start.speed']").fill("2.5")
-    wait_for(page, f"lab.film().values['start.speed'] === 2.5 && {SETTLED}")
-    assert wrong.count() == 1
-    assert fields.nth(0).input_value() == "heavy"
-    assert page.evaluate("hophoopLab.film().scenario.hoop.parts[1].mass") == 0.4
-    page.get_by_label("Add a part").select_option("disk")
-    wait_for(page, "lab.film().scenario.hoop.parts.length === 3")
-    page.locator("summary", has_text="Advanced").click()
-    page.locator("select[data-path='contact.model']").select_option("compliant")
-    wait_for(page, "lab.film().scenario.contact.model === 'compliant'")
-    stiffness = page.get_by_label("Stiffness, exact value in N/m", exact=True)
-    assert stiffness.get_attribute("placeholder").startswith("auto ")
-    picture(page, "parts")
+# name: (link, options, steps), as in test_flows.py
+FLOWS = {
+    "real parts and compliant contact, and the sentence of a part stays": ("", {}, [
+        f"until {SHOWN}",
+        "do lab.controls.way.select.closest('details').open = true",
+        "choose .group:first-child>.choice>select parts",
+        "until all('.part input').length === 5",
+        "do all('.part input')[0].id = 'mass'; all('.part input')[3].id = 'load'",
+        "write #mass heavy",
+        "until all('.parts .error').filter(shown).length === 1",
+        "write #load 0.4",
+        "fill start.speed 2.5",
+        f"until lab.film().values['start.speed'] === 2.5 && {SETTLED}",
+        "is all('.parts .error').filter(shown).length === 1 && first('#mass').value === 'heavy'",
+        "is lab.film().scenario.hoop.parts[1].mass === 0.4",
+        "choose .parts+select disk",
+        "until lab.film().scenario.hoop.parts.length === 3",
+        "click .group:last-child>summary",
+        "choose select[data-path='contact.model'] compliant",
+        "until lab.film().scenario.contact.model === 'compliant'",
+        "is first('[aria-label=\"Stiffness, exact value in N/m\"]').placeholder.startsWith('auto ')",
+    ]),
+    "it plays and is scrubbed": ("", {}, [
+        f"until {SHOWN}",
+        "do globalThis.before = lab.frames",
+        "press Space",
+        "until lab.clock.time > 0.3 && lab.frames > before + 5",
+        "press Space",
+        "do first('.timeline-canvas').scrollIntoView({ block: 'center' })",
+        "drag .timeline-canvas: [[0.25 * first('.timeline-canvas').offsetWidth, 0]]",
+        "drop",
+        "is near(lab.clock.time, 4.5, 0.02)",
+        "press Home",
+        "press h",
+        "is lab.clock.time === event('takeoff').t",
+        "until text('.readout .mode') === 'flight'",
+        "press l",
+        "is lab.clock.time === event('impact').t",
+        "press ArrowRight",
+        "is near(lab.clock.time, event('impact').t + 1 / 60, 1e-9)",
+        "press Shift+ArrowLeft",
+        "is lab.clock.time === event('impact').t",
+    ]),
+    "a link opens the same motions": ("?start.speed=2.9&plane.restitution=0.4", {}, [
+        "button Compare two hoops",
+        "fill plane.mu 0.5",
+        "until lab.films().length === 2 && lab.motions.history.past.length === 2",
+        "do sessionStorage.kept = lab.films().map((film) => film.sequence).join()",
+        "is new Set(sessionStorage.kept.split(',')).size === 2",
+        "reload",
+        "is lab.films().map((film) => film.sequence).join() === sessionStorage.kept",
+    ]),
+}  # fmt: skip
 
 
 @also_delayed
-def test_it_plays_and_is_scrubbed(visit):
-    page = visit()
-    wait_for(page, SHOWN)
-    before = page.evaluate("hophoopLab.frames")
-    page.keyboard.press(" ")
-    wait_for(page, f"lab.clock.time > 0.3 && lab.frames > {before} + 5")
-    page.keyboard.press(" ")
-    stopped = page.evaluate("hophoopLab.clock.time")
-    line = page.locator(".timeline-canvas")
-    line.click(position={"x": 0.75 * line.bounding_box()["width"], "y": 25})
-    assert page.evaluate("hophoopLab.clock.time") == pytest.approx(4.5, abs=0.02)
-    assert page.evaluate("hophoopLab.clock.time") != stopped
-    page.keyboard.press("Home")
-    page.keyboard.press("h")
-    motion = hh.simulate(hh.Scenario())
-    assert page.evaluate("hophoopLab.clock.time") == motion.find("takeoff")[0].t
-    wait_for(page, "document.querySelector('.readout .mode').textContent === 'flight'")
-    page.keyboard.press("l")
-    assert page.evaluate("hophoopLab.clock.time") == motion.find("impact")[0].t
-    page.keyboard.press("ArrowRight")
-    assert page.evaluate("hophoopLab.clock.time") == pytest.approx(motion.find("impact")[0].t + 1 / 60)
-    page.keyboard.press("Shift+ArrowLeft")
-    assert page.evaluate("hophoopLab.clock.time") == motion.find("impact")[0].t
+@each_of(FLOWS)
+def test_a_page(visit, name):
+    link, options, steps = FLOWS[name]
+    page = visit(link, **options)
+    follow(page, steps)
+    picture(page, f"page-{name.replace(' ', '-')}")
 
 
 def test_the_film_between_frames_is_the_motion_and_its_energies_are_booked_alike(visit):
@@ -90,18 +99,6 @@ def test_the_film_between_frames_is_the_motion_and_its_energies_are_booked_alike
     assert dict(drawn)["diagram.friction_loss"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
     assert dict(drawn)["diagram.impact_loss"] == pytest.approx(ledger.impact_normal, rel=1e-6)
     assert ledger.impact_tangential > 0.1  # what tells one convention from the other
-
-
-def test_a_link_opens_the_same_motion(visit):
-    page = visit("?start.speed=2.9&plane.restitution=0.4")
-    page.get_by_role("button", name="Compare two hoops").click()
-    page.locator("input[data-path='plane.mu']").fill("0.5")
-    wait_for(page, "lab.films().length === 2 && lab.motions.history.past.length === 2")
-    sequences = page.evaluate("hophoopLab.films().map((film) => film.sequence)")
-    assert sequences[0] != sequences[1]
-    other = visit(page.evaluate("location.pathname + location.search + location.hash").lstrip("/"))
-    assert other.evaluate("hophoopLab.films().map((film) => film.sequence)") == sequences
-    picture(other, "compare")
 
 
 @pytest.mark.long

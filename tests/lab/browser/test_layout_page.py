@@ -1,210 +1,136 @@
 """Where everything is on the page: low and narrow windows, large letters, long words, other directions of writing."""
 
-import math
-
-import pytest
-
-import hophoop as hh
-from lab_page_tools import PHONE, SETTLED, SHOWN, picture, wait_for
+from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow, picture
 
 FINGERS = {"has_touch": True, "is_mobile": True, "device_scale_factor": 1}
 
 # pairs of texts on the picture that lie over one another, and those that leave it
-CROSSING = """() => {
+CROSSING = """
   const stage = document.querySelector(".stage").getBoundingClientRect();
-  const shown = [...document.querySelectorAll(".readout, .legend, .stage-keys")].filter((one) => one.checkVisibility());
-  const view = hophoopLab.stage.flat.views[0];
+  const view = lab.stage.flat.views[0];
   const [, foot] = view.point(view.pose.x, 0);
-  const { px } = hophoopLab.theme.look;
-  const boxes = shown.map((one) => ({ name: one.className, ...one.getBoundingClientRect().toJSON() }));
+  const { px } = lab.theme.look;
+  const texts = all(".readout, .legend, .stage-keys").filter((one) => one.checkVisibility());
+  const boxes = texts.map((one) => ({ name: one.className, ...one.getBoundingClientRect().toJSON() }));
   // the numbers on the plane
   const [top, bottom] = [8, 20].map((below) => stage.top + foot + below * px);
   boxes.push({ name: "axis", left: stage.left, right: stage.right, top, bottom });
-  const found = boxes.filter(({ left, right, bottom }) => left < stage.left || right > stage.right || bottom > stage.bottom);
+  globalThis.crossing = boxes.filter(({ left, right, bottom }) =>
+    left < stage.left || right > stage.right || bottom > stage.bottom);
   for (const [i, a] of boxes.entries())
     for (const b of boxes.slice(0, i))
-      if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) found.push(`${a.name} over ${b.name}`);
-  return found;
-}"""
-
-
-@pytest.mark.parametrize("size", [(320, 256), (360, 320), (320, 568), (844, 390)])
-def test_a_small_window_is_no_wider_than_it_is_and_no_text_covers_another(visit, size):
-    options = FINGERS if size[1] in (390, 568) else {}
-    page = visit(viewport={"width": size[0], "height": size[1]}, **options)
-    wait_for(page, SETTLED)
-    assert page.evaluate("document.documentElement.scrollWidth") == size[0]
-    assert page.evaluate(CROSSING) == []
-    # every control of the player is inside of it, and the speed can be read
-    outside = page.evaluate(
-        """() => {
-          const player = document.querySelector(".player").getBoundingClientRect();
-          return [...document.querySelectorAll(".transport button, .transport select")]
-            .filter((one) => one.checkVisibility())
-            .filter((one) => one.getBoundingClientRect().right > player.right || one.scrollWidth > one.clientWidth + 1)
-            .map((one) => one.outerHTML.slice(0, 90));
-        }"""
-    )
-    assert outside == []
-    assert page.locator(".transport select").bounding_box()["width"] >= 55
-    if size == (844, 390):
-        player = page.locator(".player").bounding_box()
-        assert player["y"] + player["height"] <= 390
-    picture(page, f"small-{size[0]}-{size[1]}")
-
-
-def test_the_names_of_languages_are_whole(visit):
-    page = visit(**PHONE)
-    cut = page.evaluate(
-        """() => {
-          const menu = document.querySelector(".language");
-          const free = menu.cloneNode(true);
-          free.style.cssText = "position: absolute; max-width: none; width: auto";
-          menu.after(free);
-          const [shown, wanted] = [menu, free].map((one) => one.getBoundingClientRect().width);
-          free.remove();
-          return wanted - shown;
-        }"""
-    )
-    assert cut <= 0.5
-
-
-def test_what_theory_says_stays_in_its_card(visit):
-    page = visit(locale="fr")
-    wait_for(page, "lab.theory.list.children.length > 4")
-    wide = page.evaluate(
-        """() => {
-          const card = document.querySelector(".theory").getBoundingClientRect();
-          const values = [...document.querySelectorAll(".theory dd")];
-          return [
-            Math.max(...values.map((one) => one.getBoundingClientRect().right)) - card.right,
-            Math.max(...values.map((one) => one.scrollWidth - one.clientWidth)),
-            Math.min(...values.map((one) => one.clientWidth)),
-          ];
-        }"""
-    )
-    assert wide[0] < 0
-    assert wide[1] <= 0
-    assert wide[2] > 110  # no word a line
-
-
+      if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+        crossing.push(`${a.name} over ${b.name}`)"""
+# controls of the player that are not inside of it, or cannot be read
+OUTSIDE = """
+  const player = first(".player").getBoundingClientRect();
+  globalThis.outside = all(".transport button, .transport select")
+    .filter((one) => one.checkVisibility())
+    .filter((one) => one.getBoundingClientRect().right > player.right || one.scrollWidth > one.clientWidth + 1)
+    .map((one) => one.outerHTML.slice(0, 90))"""
+# how much wider the menu would be with room
+CUT = """
+  const menu = first(".language");
+  const free = menu.cloneNode(true);
+  free.style.cssText = "position: absolute; max-width: none; width: auto";
+  menu.after(free);
+  globalThis.cut = free.getBoundingClientRect().width - menu.getBoundingClientRect().width;
+  free.remove()"""
 LARGE = "addEventListener('DOMContentLoaded', () => { document.documentElement.style.fontSize = '200%'; })"
+SIZES = """['.hophoop', '.readout', '.hint', '.control label']
+    .map((one) => parseFloat(getComputedStyle(first(one)).fontSize)).join()"""
+# the canvases that are seen: device pixels to a pixel of the page across and down, and how wide the page is
+DRAWN = """all("canvas").filter((one) => one.checkVisibility()).map((one) => {
+    const { width, height } = one.getBoundingClientRect();
+    return [one.width / width, one.height / height, first(".hophoop").clientWidth];
+  })"""
+# which numbers of the dial its mark covers
+COVERED = """
+  const { prototype } = CanvasRenderingContext2D;
+  const { fillText } = prototype;
+  globalThis.texts = [];
+  prototype.fillText = function (text, x, y) {
+    if (this.canvas.className === "dial-canvas") texts.push([text, x, y, this.measureText(text).width]);
+    fillText.call(this, text, x, y);
+  };
+  lab.extras.visit.guess.redraw();
+  prototype.fillText = fillText;
+  // the ring's radius less that of the mark
+  globalThis.covered = texts.filter(([, x, y, width]) => Math.hypot(Math.abs(x - 84) + width / 2, y - 4 - 84) >= 58 - 12)"""
 
 
-def test_larger_letters_of_the_browser_are_taken_over_also_in_pictures(visit):
-    usual, large = visit(), visit(script=LARGE)
-    sizes = """['.hophoop', '.readout', '.hint', '.control label']
-      .map((one) => parseFloat(getComputedStyle(document.querySelector(one)).fontSize))"""
-    before, after = usual.evaluate(sizes), large.evaluate(sizes)
-    assert after == pytest.approx([2 * size for size in before])
-    assert large.evaluate("hophoopLab.theme.look.px") == 2 * usual.evaluate("hophoopLab.theme.look.px") == 2
-    assert large.evaluate("document.documentElement.scrollWidth") == 1440
-    # what is drawn larger is still found where it is pointed at
-    wait_for(large, SHOWN)
-    line = large.locator("[data-plot=velocities] .plot-body")
-    line.scroll_into_view_if_needed()
-    wait_for(large, "lab.plots.plots[0].box")
-    box = line.bounding_box()
-    line.click(position={"x": 2 * 52 + 0.25 * (box["width"] - 2 * 62), "y": 60})
-    assert large.evaluate("hophoopLab.clock.time") == pytest.approx(1.5, abs=0.02)
+def window(width, height, **options):
+    """A window is no wider than it is, and no text covers another."""
+    return ("", {"viewport": {"width": width, "height": height}, **options}, [
+        f"until {SETTLED}",
+        f"is document.documentElement.scrollWidth === {width}",
+        f"do {CROSSING}",
+        "is crossing.length === 0",
+        f"do {OUTSIDE}",
+        "is outside.length === 0 && first('.transport select').offsetWidth >= 55",
+    ])  # fmt: skip
 
 
-def test_a_presentation_shows_the_player_alone_in_proportion(visit):
-    size = (1920, 1080)
-    page = visit("#t=0.8", viewport={"width": size[0], "height": size[1]})
-    wait_for(page, SETTLED)
-    before = page.evaluate("hophoopLab.theme.look.px")
-    page.evaluate("hophoopLab.extras.present.turn(true)")
-    wait_for(page, "!lab.surrounding && lab.theme.look.px > 1")
-    player = page.locator(".player").bounding_box()
-    assert [player[side] for side in ("x", "y", "width", "height")] == pytest.approx([0, 0, *size], abs=1)
-    assert not page.locator(".why, .words, .map, .side, .top").filter(visible=True).count()
-    assert page.evaluate("document.documentElement.scrollHeight") <= size[1]
-    # the numbers on the axes have the size of a line on a blackboard, as the readout has
-    assert page.evaluate("11 * hophoopLab.theme.look.px") >= 0.02 * size[1]
-    picture(page, f"presentation-{size[0]}")
-    page.evaluate("hophoopLab.extras.present.turn(false)")
-    wait_for(page, f"lab.theme.look.px === {before}")
+# name: (link, options, steps), as in test_flows.py
+FLOWS = {
+    "320 × 256": window(320, 256),
+    "360 × 320": window(360, 320),
+    "320 × 568": window(320, 568, **FINGERS),
+    "844 × 390": window(844, 390, **FINGERS),
+    "the player fits on a phone held across": ("", {"viewport": {"width": 844, "height": 390}, **FINGERS}, [
+        f"until {SETTLED}",
+        "is first('.player').getBoundingClientRect().bottom <= 390",
+    ]),
+    "the names of languages are whole": ("", PHONE, [f"do {CUT}", "is cut <= 0.5"]),
+    "what theory says stays in its card": ("", {"locale": "fr"}, [
+        "until lab.theory.list.children.length > 4",
+        "is all('.theory dd').every((one) =>"
+        " one.getBoundingClientRect().right < first('.theory').getBoundingClientRect().right)",
+        "is all('.theory dd').every((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 110)",  # no word a line
+    ]),
+    "usual letters": ("", {}, [f"is {SIZES} === '14,12,12,13' && lab.theme.look.px === 1"]),
+    "larger letters of the browser are taken over also in pictures": ("", {"script": LARGE}, [
+        f"is {SIZES} === '28,24,24,26' && lab.theme.look.px === 2 && document.documentElement.scrollWidth === 1440",
+        f"until {SHOWN}",
+        "do first('[data-plot=velocities] .plot-body').scrollIntoView({ block: 'center' })",
+        "until lab.plots.plots[0].box",
+        "click [data-plot=velocities] .plot-body",  # its middle
+        "is near(lab.clock.time, (({ offsetWidth }) => 6 * (0.5 * offsetWidth - 104) / (offsetWidth - 124))"
+        "(first('[data-plot=velocities] .plot-body')), 0.02)",
+    ]),
+    "a presentation shows the player alone in proportion": ("#t=0.8", {"viewport": {"width": 1920, "height": 1080}}, [
+        f"until {SETTLED}",
+        "do globalThis.before = lab.theme.look.px; lab.extras.present.turn(true)",
+        "until !lab.surrounding && lab.theme.look.px > 1",
+        "is (({ x, y, width, height }) => near(x + y, 0, 1) && near(width, 1920, 1) && near(height, 1080, 1))"
+        "(first('.player').getBoundingClientRect())",
+        "is !seen('.why, .words, .map, .side, .top') && document.documentElement.scrollHeight <= 1080",
+        "is 11 * lab.theme.look.px >= 0.02 * 1080",  # numbers on the axes are as high as a line on a blackboard
+        "do lab.extras.present.turn(false)",
+        "until lab.theme.look.px === before",
+    ]),
+    "pictures are drawn for the width of a sheet": ("#t=0.8", {}, [
+        f"until {SHOWN}",
+        f"do globalThis.before = {DRAWN}; dispatchEvent(new Event('beforeprint')); globalThis.printed = {DRAWN}",  # at once
+        "is printed.length > 3 && printed.every(([across, down, width]) =>"
+        " near(across / down, 1, 0.02) && near(width, 180 / 25.4 * 96, 1))",
+        "do dispatchEvent(new Event('afterprint'))",
+        f"until {SETTLED}",
+        f"is JSON.stringify({DRAWN}) === JSON.stringify(before)",
+    ]),
+    "the mark of the dial covers no number": ("", {}, [
+        "do lab.extras.visit.go(2)",
+        "until text('.visit-count').startsWith('Step 3 ')",
+        "wait 100",
+        f"do {COVERED}",
+        "is texts.map(([text]) => text).join() === '0°,90°,180°,270°' && covered.length === 0",
+    ]),
+}  # fmt: skip
 
 
-def test_pictures_are_drawn_for_the_width_of_a_sheet(visit):
-    page = visit("#t=0.8")
-    wait_for(page, SHOWN)
-    measure = """() => [...document.querySelectorAll("canvas")].filter((one) => one.checkVisibility()).map((one) => {
-      const { width, height } = one.getBoundingClientRect();
-      return [one.width / width, one.height / height, document.querySelector(".hophoop").clientWidth];
-    })"""
-    before = page.evaluate(measure)
-    # at once: the sheet is filled while the event is handled
-    printed = page.evaluate(f"() => {{ dispatchEvent(new Event('beforeprint')); return ({measure})(); }}")
-    assert len(printed) > 3
-    for across, down, width in printed:
-        assert across == pytest.approx(down, rel=0.02)
-        assert width == pytest.approx(180 / 25.4 * 96, abs=1)
-    page.evaluate("dispatchEvent(new Event('afterprint'))")
-    wait_for(page, SETTLED)
-    assert page.evaluate(measure) == before
-
-
-def step(page, number):
-    page.evaluate("number => hophoopLab.extras.visit.go(number)", number)
-    page.wait_for_function(
-        "number => document.querySelector('.visit-count')?.textContent.startsWith(`Step ${number + 1} `)", arg=number
-    )
-
-
-def test_a_visit_uses_the_window_and_halts_at_the_event_it_speaks_of(visit):
-    page = visit()
-    step(page, 2)
-    card, stage = (page.locator(one).bounding_box() for one in (".visit", ".stage"))
-    assert stage["x"] + stage["width"] > 1420
-    assert card["width"] + stage["width"] > 0.95 * 1440
-    dial = page.locator(".dial")
-    dial.focus()
-    page.keyboard.press("PageDown")
-    page.keyboard.press("PageDown")
-    play = page.locator(".visit").get_by_role("button", name="Play", exact=True)
-    page.evaluate("hophoopLab.clock.speed = 0.05")  # time to press a button, also on a busy machine
-    play.click()
-    wait_for(page, "lab.clock.time > 0.001")
-    # it can be halted, goes on, and can be skipped
-    page.locator(".visit").get_by_role("button", name="Pause", exact=True).click()
-    at = page.evaluate("hophoopLab.clock.time")
-    page.wait_for_timeout(200)
-    slip = hh.simulate(hh.Scenario.from_query("start.speed=2.8")).find("slip_start")[0]
-    assert page.evaluate("hophoopLab.clock.time") == at < slip.t
-    assert page.locator(".visit-answer").inner_text() == ""
-    page.locator(".visit").get_by_role("button", name="Skip to the answer").click()
-    page.wait_for_function("() => document.querySelector('.visit-answer').textContent")
-    said = page.locator(".visit-answer").inner_text()
-    assert f"{math.degrees(slip.angle):.1f}°" in said
-    assert said.startswith("Not so.")
-    assert "0 of 100" not in said
-    assert page.evaluate("hophoopLab.clock.time") == slip.t
-    assert page.locator(".readout dd").nth(3).inner_text() == f"{math.degrees(slip.angle):.1f}°"
-    assert not page.locator(".visit").get_by_role("button", name="Play", exact=True).count()
-
-
-def test_the_mark_of_the_dial_covers_no_number(visit):
-    page = visit()
-    step(page, 2)
-    page.wait_for_timeout(100)
-    # where texts are drawn on the dial, and how far they reach
-    texts = page.evaluate(
-        """() => {
-          const { prototype } = CanvasRenderingContext2D;
-          const { fillText } = prototype;
-          const found = [];
-          prototype.fillText = function (text, x, y) {
-            if (this.canvas.className === "dial-canvas") found.push([text, x, y, this.measureText(text).width]);
-            fillText.call(this, text, x, y);
-          };
-          hophoopLab.extras.visit.guess.redraw();
-          prototype.fillText = fillText;
-          return found;
-        }"""
-    )
-    assert [text for text, *_ in texts] == ["0°", "90°", "180°", "270°"]
-    for text, x, y, width in texts:
-        far = math.hypot(abs(x - 84) + width / 2, y - 4 - 84)
-        assert far < 58 - 12, text  # the ring's radius less that of the mark
+@each_of(FLOWS)
+def test_it_is_in_its_place(visit, name):
+    link, options, steps = FLOWS[name]
+    page = visit(link, **options)
+    follow(page, steps)
+    picture(page, f"layout-{name.replace(' ', '-')}")

@@ -1,13 +1,186 @@
 """The visit, the challenges and what a class needs: every answer and score is that of the computed motion."""
 
-import math
-
-import numpy as np
 import pytest
 
-import hophoop as hh
-from hophoop.vocabulary.names import mode_word
-from lab_page_tools import wait_for
+from lab_page_tools import SETTLED, each_of, follow
+
+CALM = {"reduced_motion": "reduce"}
+ANSWERED = ["button Play", "until text('.visit-answer')"]
+METER, RESULT, OWN = "first('.challenges meter').value", "text('.challenge-result')", "text('.challenges .hint')"
+# Where the speeds of the motion lie on the sheet, from its middle.
+SPEEDS = """all('.sketch-point').map((point, k) => {
+  const [sheet, here] = [first('.sketch-canvas'), point].map((one) => one.getBoundingClientRect());
+  const { angle, vx } = lab.film().columns;
+  const speed = vx[angle.findIndex((one) => one >= k * Math.PI / 4)];
+  return [here.x + here.width / 2 - sheet.x - sheet.width / 2, 12 + (1 - speed / 10) * (sheet.height - 38) - sheet.height / 2];
+})"""
+APEXES = "film.events.filter(({ kind }) => kind === 'apex').map(({ height }) => height)"
+ROW = """const film = lab.film();
+  globalThis.wrong = [...lab.extras.table.body.rows].filter((row, k) => {
+    const { angle, x, vx, omega, normal_force, friction_force, mode } = film.at(k / 2);
+    const cells = [...row.cells].map((cell) => cell.textContent.replace('−', '-'));
+    const states = [k / 2, angle * 180 / Math.PI, x, vx, omega, normal_force, friction_force];
+    return cells.pop() !== { R: 'roll', S: 'spin', K: 'skid', H: 'flight' }[mode]
+      || states.some((state, i) => !near(cells[i], state, 2e-3 * (1 + Math.abs(state))));
+  })"""
+HEARD = """const { heard, knocks } = lab.extras.sound.constructor;
+  const film = lab.film();
+  globalThis.wrong = [0, 0.2, 0.4, 1.3, 2].filter((time) => {
+    const { normal_force, mode } = film.at(time);
+    const { tone, hiss } = heard(film, time);
+    const force = mode === 'H' ? 0 : normal_force / 9.81;
+    return !near(tone, force / (1 + force), 1e-6) || (hiss > 0) !== 'SK'.includes(mode);
+  });
+  const landings = film.events.filter(({ kind }) => kind === 'impact');
+  const falls = landings.map(({ before }) => Math.abs(before.vy) / Math.sqrt(2 * 9.81));
+  globalThis.apart = knocks(film, 0, film.duration).map((one, k) => one - falls[k]).filter((one) => !near(one, 0, 1e-9))"""
+
+
+def step(number):
+    """Another step of the visit."""
+    return [f"do lab.extras.visit.go({number})", f"until text('.visit-count').startsWith('Step {number + 1} ')"]
+
+
+def challenge(name, right):
+    """A challenge whose solution is shown; it does not count, nor does what is made of it."""
+    return ("", {}, [
+        "do lab.extras.challenges.open()",
+        f"until {METER} === 18",
+        f"button {name}",
+        f"do globalThis.before = {OWN}",
+        "button Show a best solution",
+        f"until {METER} === 100 && {SETTLED}",
+        f"is {right}",
+        f"is {RESULT}.includes('points, shown and not counted.') && {OWN} === before",
+        "do globalThis.best = lab.film().query; lab.motions.change([['hoop.mass', 2]], true)",
+        f"until lab.film().mass === 2 && {SETTLED}",
+        f"is {OWN} === before",
+        "button Start again",
+        f"until lab.film().mass === 1 && {SETTLED} && !{RESULT}.includes('not counted')",
+        "do lab.extras.challenges.lab.load(best)",  # neither does the way back make it one
+        f"until {METER} === 100 && {RESULT}.includes('points, shown and not counted.')",
+        "is Object.keys(localStorage).every((key) => localStorage[key] !== '100')",
+    ])  # fmt: skip
+
+
+# name: (link, options, steps), as in test_flows.py
+FLOWS = {
+    "nothing tells the answer before the guess": ("", CALM, [
+        "button Start the visit",
+        f"until seen('.visit-count') && {SETTLED}",
+        "is !seen('.timeline, .words, .why, .map, .transport') && first('.visit-body .main').disabled",
+        "is first('.stage').ariaLabel === 'The hoop, before it is let go.'",
+        "click .guess-choice input[value=hop]",
+        *ANSWERED,
+        "is text('.visit-answer').startsWith('Not so.') && text('.visit-answer').includes(degrees(event('skim').angle))",
+        "is text('.guess-choice.right').startsWith('The weight falls freely') && seen('.timeline')",
+    ]),
+    "a drawn curve is compared with the motion": ("", CALM, [
+        *step(1),
+        "until first('.sketch-point').style.transform",
+        f"drag .sketch-canvas: {SPEEDS}",
+        "drop",
+        *ANSWERED,
+        "is parseInt(text('.visit-answer')) >= 97",
+        "is text('.visit-answer').includes(`${digits(Math.max(...lab.film().columns.vx), 2)} m/s`)",
+    ]),
+    "a mark on the circle is compared with the take-off": ("", CALM, [
+        *step(3),
+        "do first('.dial').focus()",
+        "press PageDown",
+        "is first('.dial').getAttribute('aria-valuetext') === '315°'",
+        *ANSWERED,
+        "is text('.visit-answer').startsWith('100 of 100 points')",
+        "is text('.visit-answer').includes(degrees(event('takeoff').angle)) && lab.clock.time === event('takeoff').t",
+    ]),
+    "the landing is that of the motion": ("", CALM, [
+        *step(4),
+        "click .guess-choice input",
+        *ANSWERED,
+        "is text('.visit-answer').includes(`${digits(event('impact').t - event('takeoff').t)} s`)",
+        "is text('.visit-answer').includes(`${digits(100 * event('apex').height)} cm`)",
+        "is first('.guess-choice.right input').value === { R: 'roll', S: 'spin', K: 'skid' }[event('impact').to]",
+    ]),
+    "the highest hop of three is that of the motions": ("", CALM, [
+        *step(5),
+        "click .guess-choice:nth-child(2) input",
+        *ANSWERED,
+        "is text('.visit-answer').startsWith('100 of 100 points')",
+        "is lab.extras.visit.films.length === 3 && lab.extras.visit.films.every((film) =>"
+        f" text('.visit-answer').includes(`${{digits(100 * Math.max(...{APEXES}))}} cm`))",
+    ]),
+    "the highest hop is scored by its height": challenge(
+        "Hop highest", f"(({{ film }}) => {RESULT}.endsWith(`${{digits(Math.max(...{APEXES}))}} m.`))({{ film: lab.film() }})",
+    ),
+    "an upright landing is scored by its angle": challenge(
+        "Land upright",
+        "((angle) => Math.cos(angle) > Math.cos(Math.PI / 360) && text('.challenge-result').includes("
+        "degrees(Math.abs(Math.asin(Math.sin(angle))))))"
+        "(lab.film().events.find(({ kind, t }) => kind === 'impact' && t > event('takeoff').t).angle)",
+    ),
+    "a hop without skidding is scored by its first height": challenge(
+        "Hop without skidding",
+        "/^R[^KH]*H/.test(lab.film().sequence)"
+        " && text('.challenge-result').endsWith(`${digits(100 * event('apex').height)} cm.`)",
+    ),
+    "a start of one's own counts, and a motion that breaks a rule has no points": ("", {}, [
+        "do lab.extras.challenges.open()",
+        "button Hop highest",
+        "do lab.load('plane.mu=0.8')",
+        f"until lab.film().scenario.plane.mu === 0.8 && {SETTLED}",
+        f"do globalThis.points = {METER}",
+        "do lab.motions.change([['plane.slope', 0.1]], true)",
+        f"until points > 0 && {METER} === 0 && {RESULT}.includes('The plane must be level.')",
+        f"is {OWN} === `Your best: ${{points}} points.`",
+    ]),
+    "the table holds the states of the motion": ("", {}, [
+        "do lab.extras.table.open(true)",
+        "choose .table-step>select 0.5",
+        f"do {ROW}",
+        "is lab.extras.table.body.rows.length === 13 && wrong.length === 0",
+        "save Save as CSV",
+        "is kept.startsWith('time [s],angle') && kept.split('\\r\\n').length === 15",
+    ]),
+    "any quantity stands on either axis": ("", {}, [
+        "choose .plots-head>select x",
+        "choose [data-plot=own]>header>select total",
+        "until lab.plots.plots.at(-1).unit === 'W [J]'",
+        "is first('[data-plot=own] .plot-body').ariaLabel.includes('total energy from')",
+        "do globalThis.end = lab.film().at(6)",
+        "is near(lab.plots.plots.at(-1).abscissa(lab.film()).at(-1), end.x, 1e-4)",
+        "is near(lab.plots.plots.at(-1).curves(lab.film())[0].values.at(-1), end.kinetic + end.potential, 1e-4)",
+        "do lab.plots.plots[0].seek(7)",  # to the sample that is nearest on the chosen axis
+        "is near(lab.film().at(lab.clock.time).x, 7, 0.1)",
+    ]),
+    "sound follows the contact force": ("", {}, [
+        f"do {HEARD}",
+        "is wrong.length === 0 && apart.length === 0",
+        "is lab.extras.sound.constructor.heard(lab.film(), 1.3).tone === 0",  # in flight there is nothing to hear
+        "is lab.extras.sound.context === null",
+        "button Sound of the contact",
+        "is lab.extras.sound.context instanceof AudioContext",
+    ]),
+    "a visit uses the window and halts at the event it speaks of": ("", {}, [
+        *step(2),
+        "is (({ width, right }) => right > 1420 && width + first('.visit').offsetWidth > 0.95 * 1440)"
+        "(first('.stage').getBoundingClientRect())",
+        "do first('.dial').focus()",
+        "press PageDown",
+        "press PageDown",
+        "do lab.clock.speed = 0.05",  # time to press a button, also on a busy machine
+        "button Play",
+        "until lab.clock.time > 0.001",
+        "button Pause",
+        "do globalThis.at = lab.clock.time",
+        "wait 200",
+        "is lab.clock.time === at && at < event('slip_start').t && text('.visit-answer') === ''",
+        "button Skip to the answer",
+        "until text('.visit-answer').includes(degrees(event('slip_start').angle))",
+        "is text('.visit-answer').startsWith('Not so.') && !text('.visit-answer').includes('0 of 100')",
+        "is lab.clock.time === event('slip_start').t && lab.extras.visit.play.hidden",
+        "until all('.readout dd')[3].textContent === degrees(event('slip_start').angle)",
+    ]),
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -16,219 +189,16 @@ def address(site_address):
     return site_address
 
 
-def step(page, number):
-    page.evaluate("number => hophoopLab.extras.visit.go(number)", number)
-    page.wait_for_function(
-        "number => document.querySelector('.visit-count')?.textContent.startsWith(`Step ${number + 1} `)", arg=number
-    )
-
-
-def answer(page):
-    page.get_by_role("button", name="Play", exact=True).click()
-    page.wait_for_function("() => document.querySelector('.visit-answer').textContent")
-    return page.locator(".visit-answer").inner_text()
-
-
-def test_nothing_tells_the_answer_before_the_guess(visit):
-    page = visit(reduced_motion="reduce")
-    page.get_by_role("button", name="Start the visit").click()
-    page.wait_for_selector(".visit-count")
-    for hidden in (".timeline", ".words", ".why", ".map", ".transport"):
-        assert page.locator(hidden).first.is_hidden(), hidden
-    wait_for(page, "!lab.surrounding")
-    assert page.locator(".stage").get_attribute("aria-label") == "The hoop, before it is let go."
-    assert page.get_by_role("button", name="Play", exact=True).is_disabled()
-    page.get_by_text("It hops: the hoop leaves the plane.").click()
-    said = answer(page)
-    lost = hh.simulate(hh.Scenario.from_query("hoop.load_fraction=1&start.speed=0.1&duration=3")).find("skim")[0]
-    assert f"{math.degrees(lost.angle):.1f}°" in said
-    assert said.startswith("Not so.")
-    assert page.locator(".guess-choice.right").inner_text().startswith("The weight falls freely")
-    assert page.locator(".timeline").is_visible()
-
-
-@pytest.mark.long
-def test_a_drawn_curve_and_a_mark_on_the_circle_are_compared_with_the_motion(visit):
-    page = visit(reduced_motion="reduce")
-    step(page, 1)
-    points = page.locator(".sketch-point")
-    rolling = hh.theory.rolling_speed(np.radians([0, 45, 90, 135, 180, 225, 270, 315, 360]), hh.Hoop.ideal(0.75), v0=0.1)
-    box = page.locator(".sketch-canvas").bounding_box()
-    for k, speed in enumerate(rolling):  # radius 1 m
-        place = points.nth(k).bounding_box()
-        x = place["x"] + place["width"] / 2
-        y = box["y"] + 12 + (1 - speed / 10) * (box["height"] - 38)
-        page.mouse.move(x, y)
-        page.mouse.down()
-        page.mouse.up()
-    said = answer(page)
-    assert int(said.split()[0]) >= 97
-    assert f"{rolling.max():.2g} m/s" in said
-    # a mark on the circle is compared with the take-off
-    step(page, 3)
-    page.locator(".dial").focus()
-    page.keyboard.press("PageDown")  # 315°
-    assert page.locator(".dial").get_attribute("aria-valuetext") == "315°"
-    said = answer(page)
-    takeoff = hh.simulate(hh.Scenario()).find("takeoff")[0]
-    assert said.startswith("100 of 100 points")
-    assert f"{math.degrees(takeoff.angle):.1f}°" in said
-    # the film stands at the event
-    assert page.evaluate("hophoopLab.clock.time") == takeoff.t
-
-
-def test_the_landing_and_the_highest_hop_are_those_of_the_library(visit):
-    page = visit(reduced_motion="reduce")
-    step(page, 4)
-    page.locator(".guess-choice input").first.check()
-    said = answer(page)
-    motion = hh.simulate(hh.Scenario())
-    up, down = motion.find("takeoff")[0], motion.find("impact")[0]
-    assert f"{down.t - up.t:.3g} s" in said
-    assert f"{100 * motion.find('apex')[0].height:.3g} cm" in said
-    truth = page.locator(".guess-choice.right input").get_attribute("value")
-    assert truth == mode_word(down.to_mode, down.omega)
-    step(page, 5)
-    page.locator(".guess-choice input").nth(1).check()
-    said = answer(page)
-    heights = []
-    for mu in (0.05, 0.2, 1.0):
-        run = hh.simulate(hh.Scenario(plane=hh.Plane(mu=mu)))
-        heights.append(max(event.height for event in run.find("apex")))
-    assert int(np.argmax(heights)) == 1
-    assert said.startswith("100 of 100 points")
-    for height in heights:
-        assert f"{100 * height:.3g} cm" in said
-
-
-@pytest.mark.long
-def test_challenges_are_scored_from_the_motion(visit):
-    page = visit()
-    page.evaluate("hophoopLab.extras.challenges.open()")
-    page.wait_for_selector(".challenges:not([hidden])")
-    wait_for(page, "document.querySelector('.challenges meter').value === 18")
-    keys = page.evaluate(
-        "Object.fromEntries([...hophoopLab.extras.challenges.tabs].map(([key, tab]) => [tab.textContent, key]))"
-    )
-    for name in ("Hop highest", "Land upright", "Hop without skidding"):
-        page.get_by_role("button", name=name).click()
-        before = page.locator(".challenges .hint").inner_text()
-        page.get_by_role("button", name="Show a best solution").click()
-        wait_for(page, "document.querySelector('.challenges meter').value === 100")
-        motion = hh.simulate(hh.Scenario.from_query(page.evaluate("hophoopLab.film().query")))
-        said = page.locator(".challenge-result").inner_text()
-        if name == "Land upright":
-            landing = next(event for event in motion.find("impact") if event.t > motion.find("takeoff")[0].t)
-            off = abs(math.remainder(landing.angle, 2 * math.pi))
-            assert off < math.radians(0.5)
-            assert f"{math.degrees(off):.1f}°" in said
-        else:
-            top = [event.height for event in motion.find("apex")]
-            best = max(top) if name == "Hop highest" else top[0]
-            assert said.endswith(f"{best:.3g} m." if best >= 0.995 else f"{100 * best:.3g} cm.")
-        if name == "Hop without skidding":
-            first = motion.sequence.partition("H")[0]
-            assert first.startswith("R")
-            assert "K" not in first
-        # a solution that is shown is nobody's own, and so is one that is changed a little
-        assert "points, shown and not counted." in said
-        assert page.locator(".challenges .hint").inner_text() == before
-        page.evaluate("hophoopLab.motions.change([['hoop.mass', 2]], true)")
-        wait_for(page, "lab.film().mass === 2 && !lab.surrounding")
-        assert page.locator(".challenges .hint").inner_text() == before
-        page.get_by_role("button", name="Start again").click()
-        wait_for(page, "lab.film().mass === 1 && !lab.surrounding")
-        assert "not counted" not in page.locator(".challenge-result").inner_text()
-        # neither does the way back make it one
-        page.evaluate("query => hophoopLab.extras.challenges.load(query)", motion.scenario.to_query())
-        wait_for(page, "document.querySelector('.challenges meter').value === 100")
-        assert "points, shown and not counted." in page.locator(".challenge-result").inner_text()
-        assert "100" not in page.evaluate("key => String(localStorage.getItem(key))", f"hophoop-best-{keys[name]}")
-    # another start that reaches as much counts, and is kept
-    page.get_by_role("button", name="Hop highest").click()
-    page.evaluate("hophoopLab.extras.challenges.load('plane.mu=0.8')")
-    wait_for(page, "lab.film().scenario.plane.mu === 0.8 && !lab.surrounding")
-    points = page.evaluate("document.querySelector('.challenges meter').value")
-    assert points > 0
-    # a motion that breaks a rule has no points, and is told why
-    page.evaluate("hophoopLab.motions.change([['plane.slope', 0.1]], true)")
-    wait_for(page, "document.querySelector('.challenges meter').value === 0")
-    assert "The plane must be level." in page.locator(".challenge-result").inner_text()
-    assert page.locator(".challenges .hint").inner_text() == f"Your best: {points} points."  # the best one is kept
-
-
-def test_the_table_holds_the_states_of_the_motion(visit):
-    page = visit()
-    page.evaluate("hophoopLab.extras.table.open(true)")
-    page.locator(".table-step select").select_option("0.5")
-    rows = page.evaluate(
-        """async () => {
-          const { table } = hophoopLab.extras;
-          return [...table.body.rows].map((row) => [...row.cells].map((cell) => cell.textContent));
-        }"""
-    )
-    motion = hh.simulate(hh.Scenario())
-    times = np.arange(13) * 0.5
-    sample = motion.at(times)
-    assert len(rows) == 13
-    for i, row in enumerate(rows):
-        cells = [float(text.replace("−", "-")) for text in row[:-1]]
-        expected = [times[i], math.degrees(sample.angle[i]), sample.x[i], sample.vx[i], sample.omega[i]]
-        expected += [sample.normal_force[i], sample.friction_force[i]]
-        assert cells == pytest.approx(expected, rel=2e-3, abs=2e-3)
-        assert row[-1] == mode_word(sample.mode[i], sample.omega[i])
-    with page.expect_download() as download:
-        page.get_by_role("button", name="Save as CSV").click()
-    text = download.value.path().read_text()
-    assert text.splitlines()[0].startswith("time [s],angle [°],displacement of the centre [m]")
-    assert len(text.splitlines()) == 14
-
-
-def test_any_quantity_stands_on_either_axis(visit):
-    page = visit()
-    page.get_by_label("Horizontal axis of the diagrams").select_option("x")
-    page.get_by_label("Quantity of your diagram").select_option("total")
-    wait_for(page, "lab.plots.plots.at(-1).unit === 'W [J]'")
-    label = page.locator("[data-plot=own] .plot-body").get_attribute("aria-label")
-    assert "total energy from" in label
-    across, up = page.evaluate(
-        """() => {
-          const plot = hophoopLab.plots.plots.at(-1);
-          const film = hophoopLab.film();
-          return [[...plot.abscissa(film)], [...plot.curves(film)[0].values]].map((list) => [list[0], list.at(-1)]);
-        }"""
-    )
-    end = hh.simulate(hh.Scenario()).at([0.0, 6.0])
-    assert across == pytest.approx(end.x, abs=1e-4)
-    assert up == pytest.approx(end.kinetic + end.potential, abs=1e-4)
-    # a click leads to the sample that is nearest on the chosen axis
-    page.evaluate("hophoopLab.plots.plots[0].seek(7)")
-    time = page.evaluate("hophoopLab.clock.time")
-    assert hh.simulate(hh.Scenario()).at(time).x == pytest.approx(7, abs=0.1)
-
-
-@pytest.mark.long
-def test_sound_follows_the_contact_force(visit):
-    page = visit()
-    times = [0.0, 0.2, 0.4, 1.3, 2.0]
-    heard, knocks = page.evaluate(
-        """async (times) => {
-          const { heard, knocks } = hophoopLab.extras.sound.constructor;
-          const film = hophoopLab.film();
-          return [times.map((t) => heard(film, t)), knocks(film, 0, film.duration)];
-        }""",
-        times,
-    )
-    motion = hh.simulate(hh.Scenario())
-    sample = motion.at(times)
-    for i, sound in enumerate(heard):
-        force = sample.normal_force[i] / 9.81
-        assert sound["tone"] == pytest.approx(force / (1 + force), abs=1e-6)
-        assert (sound["hiss"] > 0) == (sample.mode[i] in "SK")
-    assert heard[3]["tone"] == 0  # in flight there is nothing to hear
-    downwards = [abs(event.before.vy) for event in motion.find("impact")]
-    assert knocks == pytest.approx([v / math.sqrt(2 * 9.81) for v in downwards])
-    # off until it is asked for
-    assert page.evaluate("hophoopLab.extras.sound.context") is None
-    page.get_by_role("button", name="Sound of the contact").click()
-    assert page.evaluate("hophoopLab.extras.sound.context instanceof AudioContext") is True
+@each_of(
+    FLOWS,
+    "a drawn curve is compared with the motion",
+    "a mark on the circle is compared with the take-off",
+    "the highest hop is scored by its height",
+    "an upright landing is scored by its angle",
+    "a hop without skidding is scored by its first height",
+    "a start of one's own counts, and a motion that breaks a rule has no points",
+    "sound follows the contact force",
+)
+def test_a_lesson(visit, name):
+    link, options, steps = FLOWS[name]
+    follow(visit(link, **options), steps)

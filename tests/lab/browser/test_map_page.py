@@ -1,56 +1,51 @@
 """The map on the page: a click takes its motion, and it waits for its kernel."""
 
 import numpy as np
-import pytest
 
 import hophoop as hh
-from hophoop.vocabulary.names import class_text
-from lab_page_tools import colors_on, picture, wait_for
+from lab_page_tools import each_of, follow, picture, wait_for
+
+SEEN = ["do first('.map-body').scrollIntoView({ block: 'center' })", "until lab.map.level === 4"]
+# name: (link, steps), as in test_flows.py
+FLOWS = {
+    "a click takes that motion": ("", [
+        *SEEN,
+        "point .map-body 0.57 0.38",
+        "drag .map-body: [[0, 0]]",
+        "drop",
+        "until lab.motions.history.past.length === 1",
+        "is near(lab.film().values['start.speed'], lab.map.pointed.x, 0.02)",
+        "is near(lab.film().values['plane.mu'], lab.map.pointed.y, 0.02)",
+        "is ['start.speed', 'plane.mu'].every((path) => String(lab.film().values[path]).length <= 5)",  # as the map resolves
+        "do globalThis.words = { R: 'roll', S: 'spin', K: 'skid', H: 'flight' }",
+        "is (([said]) => said && [...lab.film().sequence].map((one) => words[one]).join(' → ').startsWith(said))"
+        "([lab.map.said(lab.map.pointed).split(': ')[1]])",
+        *(6 * ["wheel -400"]),  # and deep into it
+        "until lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0] < 1",
+    ]),
+    "what is pointed at is said": ("", [
+        *SEEN,
+        "point .map-body 0.57 0.38",
+        "is /^Speed v₀ = [\\d.]+ m\\/s, Friction μ = [\\d.]+: roll/.test(text('.map-body .tip'))",
+    ]),
+    "the legend has the words of modes": ("", [
+        *SEEN,
+        "is text('.map-keys').includes('roll → skid → roll → spin → flight') && !text('.map-keys').includes('slip')",
+        "is text('.map-keys').includes('for backward rotation they change places')",
+    ]),
+    "the map of a compliant hoop is that of rigid contact": ("?contact.model=compliant&duration=0.5", [
+        *SEEN,
+        "is text('.map-head .hint') === '124416 motions with rigid contact'",
+    ]),
+}  # fmt: skip
 
 
-def test_a_click_on_the_map_takes_that_motion(visit):
-    page = visit()
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "lab.map.level === 4")
-    assert colors_on(page, ".map-body canvas") > 8
-    box = page.locator(".map-body").bounding_box()
-    place = {"x": box["x"] + 62 + 0.55 * (box["width"] - 74), "y": box["y"] + 10 + 0.4 * (box["height"] - 46)}
-    page.mouse.move(**place)
-    told = page.locator(".map-body .tip").inner_text()
-    page.mouse.click(**place)
-    wait_for(page, "lab.motions.history.past.length === 1")
-    speed, mu = page.evaluate("[hophoopLab.film().values['start.speed'], hophoopLab.film().values['plane.mu']]")
-    assert speed == pytest.approx(0.55 * 5.0, abs=0.02)
-    assert mu == pytest.approx(0.6 * 1.5, abs=0.02)
-    # no more digits than the map resolves
-    assert max(len(repr(value)) for value in (speed, mu)) <= 5, (speed, mu)
-    words = {letter: class_text(letter, "sequence") for letter in "RSKH"}
-    sequence = page.evaluate("hophoopLab.film().sequence")
-    phases = told.rpartition(": ")[2].split(" → ")
-    assert [words[letter] for letter in sequence][: len(phases)] == phases
-    # and deep into it
-    for _ in range(6):
-        page.mouse.wheel(0, -400)
-    wait_for(page, "lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0] < 1")
-    picture(page, "map", full_page=True)
-
-
-def test_the_legend_of_the_map_has_the_words_of_modes(visit):
-    page = visit()
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "lab.map.level === 4")
-    said = page.locator(".map-keys").inner_text()
-    assert "roll → skid → roll → spin → flight" in said
-    assert "slip" not in said
-    assert "for backward rotation they change places" in said
-
-
-@pytest.mark.long
-def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
-    page = visit("?contact.model=compliant&duration=0.5")
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "lab.map.level === 4")
-    assert page.locator(".map-head .hint").inner_text() == "124416 motions with rigid contact"
+@each_of(FLOWS, "the map of a compliant hoop is that of rigid contact")
+def test_a_map(visit, name):
+    link, steps = FLOWS[name]
+    page = visit(link)
+    follow(page, steps)
+    picture(page, f"map-{name.replace(' ', '-')}")
 
 
 SIDES = 24  # that are compared

@@ -2,18 +2,7 @@
 
 import pytest
 
-from lab_page_tools import PHONE, SHOWN, until, wait_for
-
-
-def fingers(page):
-    """What puts fingers down, moves them and lifts them."""
-    session = page.context.new_cdp_session(page)
-
-    def touch(kind, *places):
-        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
-        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    return touch
+from lab_page_tools import PHONE, SHOWN, each_of, fingers, follow, until, wait_for
 
 
 def at_rest(page, target):
@@ -98,37 +87,42 @@ def test_a_diagram_that_is_not_drawn_yet_zooms_and_keeps_its_place(visit):
     assert page.evaluate(PLACES_IN_SECTION) == pytest.approx(before, abs=0.5)  # a line of a legend has 16 pixels
 
 
-def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
-    page = visit()
-    box = page.locator(".stage").bounding_box()
-    page.mouse.move(box["x"] + 300, box["y"] + 200)
-    page.mouse.wheel(0, 300)
-    page.wait_for_function("() => scrollY > 100")
-    assert page.evaluate("hophoopLab.stage.flat.zoom") == 1
-    page.evaluate("scrollTo(0, 0)")
-    page.mouse.click(box["x"] + 300, box["y"] + 200)
-    page.mouse.wheel(0, -300)
-    page.wait_for_function("() => hophoopLab.stage.flat.zoom > 1.2")
-    assert page.evaluate("scrollY") == 0
+# name: (link, options, steps), as in test_flows.py
+MAP = [
+    f"until {SHOWN}",
+    "do first('.map-body').scrollIntoView({ block: 'center' }); lab.map.zoom(0.5); globalThis.before = String(Object.values("
+    "lab.map.axes.windows)); globalThis.query = lab.film().query",
+]
+MOVED = "String(Object.values(lab.map.axes.windows)) !== before"
+FLOWS = {
+    "the wheel scrolls on unless the stage is chosen": ("", {}, [
+        "point .stage 0.4 0.4",
+        "wheel 300",
+        "until scrollY > 100",
+        "is lab.stage.flat.zoom === 1",
+        "do scrollTo(0, 0)",
+        "click .stage",
+        "wheel -300",
+        "until lab.stage.flat.zoom > 1.2",
+        "is scrollY === 0",
+    ]),
+    **{
+        f"a finger {words} the map": ("", PHONE, [
+            *MAP,
+            f"touch .map-body: [1, 2, 3, 4, 5, 6].map((k) => [{across} * k / 6, {down} * k / 6])",
+            "wait 200",
+            f"is {MOVED} === {moves} && lab.film().query === query",
+        ])
+        for words, across, down, moves in (
+            ("that starts upwards leaves", 0, -60, "false"),
+            ("that starts nearly upwards leaves", 6, -50, "false"),
+            ("that starts across moves", 60, 4, "true"),
+        )
+    },
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(("way", "moves"), [((0, -60), False), ((6, -50), False), ((60, 4), True)])
-def test_a_finger_moves_the_map_only_when_it_starts_across(visit, way, moves):
-    page = visit(**PHONE)
-    wait_for(page, SHOWN)
-    if not page.locator(".map-body").is_visible():
-        page.evaluate("hophoopLab.view.show(true)")
-    page.locator(".map-body").scroll_into_view_if_needed()
-    page.evaluate("hophoopLab.map.zoom(0.5)")
-    before = page.evaluate("hophoopLab.map.axes.windows")
-    box = page.locator(".map-body").bounding_box()
-    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.5 * box["height"]
-    touch = fingers(page)
-    query = page.evaluate("hophoopLab.film().query")
-    touch("touchStart", (x, y))
-    for k in range(1, 7):
-        touch("touchMove", (x + way[0] * k / 6, y + way[1] * k / 6))
-    touch("touchEnd")
-    page.wait_for_timeout(200)
-    assert (page.evaluate("hophoopLab.map.axes.windows") != before) is moves
-    assert page.evaluate("hophoopLab.film().query") == query
+@each_of(FLOWS)
+def test_wheel_and_finger(visit, name):
+    link, options, steps = FLOWS[name]
+    follow(visit(link, **options), steps)
