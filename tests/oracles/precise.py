@@ -12,6 +12,8 @@ It repeats the laws of impact on purpose and shares no code with hophoop.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import partial
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,6 +21,7 @@ from mpmath import mp, mpf
 
 from .cases import Case
 from .mechanics import DIRECTION, FLIGHT, ROLL, SKID, SPIN
+from .rational import collide
 from .series import Parameters, Piece, Series, derivative, expand, leading, value
 
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
@@ -103,72 +106,11 @@ def normal_response(p: Parameters, angle: mpf, mode: str) -> mpf:
 
 def impact(p: Parameters, state: tuple[mpf, ...]) -> dict[str, Any]:
     """Velocities after an impact: the straight pieces of the velocity over the growing normal impulse."""
-    angle, velocity = state[2], [state[3], state[4], state[5]]
-    along = p.response(angle, mpf(1), mpf(0))
-    off = p.response(angle, mpf(0), mpf(1))
-    slip_per_tangential = along[0] - p.radius * along[2]
-    slip_per_normal = off[0] - p.radius * off[2]
-    holding = -slip_per_normal / slip_per_tangential  # ratio of impulses that keeps the slip at zero
-    stuck = slip_velocity(p, state) == 0
-    vt, vn = slip_velocity(p, state), state[4]
-    approach, impulse, tangential = vn, mpf(0), mpf(0)
-    work, loss_tangential = mpf(0), mpf(0)  # work = ∫ v_n dp
-    compressing, impulse_compression, work_compression = True, mpf(0), mpf(0)
-    e, law = p.restitution, p.case.impact_law
-    if -vn < p.case.rest_below:
-        e = mpf(0)
-    while True:
-        if stuck and abs(holding) <= p.mu_static:
-            ratio = holding
-        else:
-            # slip that starts from rest goes where the normal impulse alone drives it
-            direction = mp.sign(vt) if not stuck else mp.sign(slip_per_normal)
-            ratio = -direction * p.mu_kinetic
-        change = [off[i] + ratio * along[i] for i in range(3)]
-        rate_t, rate_n = change[0] - p.radius * change[2], change[1]
-        if stuck and ratio == holding:
-            rate_t = mpf(0)
-        to_rest = -vt / rate_t if vt * rate_t < 0 else mp.inf
-        if compressing:
-            to_end = -vn / rate_n if rate_n > 0 else mp.inf
-        elif law == "newton":
-            to_end = (-e * approach - vn) / rate_n
-        elif law == "poisson":
-            to_end = (1 + e) * impulse_compression - impulse
-        else:  # vn·d + rate_n d²/2 = wanted, the stable root
-            wanted = -(e**2) * work_compression - (work - work_compression)
-            to_end = 2 * wanted / (vn + mp.sqrt(vn**2 + 2 * rate_n * wanted)) if wanted > 0 else mpf(0)
-        step = min(to_rest, to_end)
-        if step == mp.inf:
-            raise RuntimeError("the impact never ends")
-        loss_tangential -= ratio * step * (vt + rate_t * step / 2)
-        work += step * (vn + rate_n * step / 2)
-        velocity = [velocity[i] + change[i] * step for i in range(3)]
-        vt, vn = vt + rate_t * step, vn + rate_n * step
-        impulse, tangential = impulse + step, tangential + ratio * step
-        stopped = to_rest <= to_end
-        if stopped:
-            vt, stuck = mpf(0), True
-        elif vt != 0:
-            stuck = False
-        if to_end <= to_rest:
-            if compressing:
-                compressing, vn = False, mpf(0)
-                impulse_compression, work_compression = impulse, work
-                # nothing rebounds: e = 0, or Newton's law where nothing approached
-                if e == 0 or (law == "newton" and approach == 0):
-                    break
-            else:
-                break
-    if vt == 0:
-        velocity[0] = p.radius * velocity[2]
-    velocity[1] = mpf(0) if vn == 0 else velocity[1]
-    return {
-        "velocity": tuple(velocity),
-        "impulse": {"normal": impulse, "tangential": tangential},
-        "loss_normal": -work,
-        "loss_tangential": loss_tangential,
-    }
+    restitution = mpf(0) if -state[4] < p.case.rest_below else p.restitution
+    contact = SimpleNamespace(
+        radius=p.radius, mu_static=p.mu_static, mu_kinetic=p.mu_kinetic, answer=partial(p.response, state[2])
+    )  # fmt: skip
+    return collide(contact, state[3:], restitution, p.case.impact_law, mp.sqrt)
 
 
 def event_functions(p: Parameters, piece: Piece) -> dict[str, tuple[Series, mpf, bool]]:

@@ -52,6 +52,7 @@ class Contact:
     cosine: Fraction
     mu_static: Fraction
     mu_kinetic: Fraction
+    radius: int = 1
 
     def __post_init__(self) -> None:
         if self.sine**2 + self.cosine**2 != 1:
@@ -88,18 +89,26 @@ def root(square: Fraction) -> Fraction:
     return Fraction(isqrt(square.numerator * unit**2 // square.denominator), unit)
 
 
-def collide(contact: Contact, velocity: Triple, restitution: Fraction, law: str) -> dict[str, Any]:
-    """Velocity after the impact, impulse and losses."""
-    pieces = path(contact)
-    impulse, tangential, work, loss = Fraction(0), Fraction(0), Fraction(0), Fraction(0)
-    now, closed = velocity, False
-    approach = velocity[1]
-    at_closure = (Fraction(0), Fraction(0))  # normal impulse and ∫v_n dp at the end of compression
+def collide(contact: Any, velocity: Triple, restitution: Any, law: str, root: Any = root) -> dict[str, Any]:
+    """Velocity after the impact, impulse and losses, in the numbers that are given: fractions, or mpmath's.
+
+    On each straight piece the slip keeps its direction, or friction holds it at zero.
+    """
+    radius = contact.radius
+    along, off = contact.answer(1, 0), contact.answer(0, 1)
+    push, pull = off[0] - radius * off[2], along[0] - radius * along[2]
+    hold = -push / pull
+    now, approach = tuple(velocity), velocity[1]
+    impulse = tangential = work = loss = 0 * approach
+    stuck, closed, at_closure = now[0] == radius * now[2], False, (impulse, work)
     while True:
-        ratio, length = pieces(now)
-        change = contact.answer(ratio, Fraction(1))
-        slip, rate = now[0] - now[2], change[0] - change[2]
-        separation, opening = now[1], change[1]
+        slip, separation = now[0] - radius * now[2], now[1]
+        holds = stuck and abs(hold) <= contact.mu_static
+        forwards = slip > 0 or (stuck and push > 0)
+        ratio = hold if holds else -contact.mu_kinetic if forwards else contact.mu_kinetic
+        change = [off[i] + ratio * along[i] for i in range(3)]
+        rate, opening = 0 if holds else push + ratio * pull, change[1]
+        length = -slip / rate if slip * rate < 0 else None
         if not closed:
             end = -separation / opening if opening > 0 else None
         elif law == "newton":
@@ -115,33 +124,19 @@ def collide(contact: Contact, velocity: Triple, restitution: Fraction, law: str)
             raise ValueError("the impact never ends")
         loss -= ratio * step * (slip + rate * step / 2)
         work += step * (separation + opening * step / 2)
-        now = (now[0] + change[0] * step, now[1] + change[1] * step, now[2] + change[2] * step)
+        stuck = holds or step == length
+        turn = now[2] + change[2] * step
+        now = (radius * turn if stuck else now[0] + change[0] * step, separation + opening * step, turn)
         impulse, tangential = impulse + step, tangential + ratio * step
-        if finishes:
-            if closed or restitution == 0:
+        if finishes and not closed:
+            closed, at_closure, now = True, (impulse, work), (now[0], 0 * approach, now[2])
+            if restitution == 0 or (law == "newton" and approach == 0):
                 break
-            closed, at_closure = True, (impulse, work)
+        elif finishes:
+            break
     return {
         "velocity": now,
         "impulse": {"normal": impulse, "tangential": tangential},
         "loss_normal": -work,
         "loss_tangential": loss,
     }
-
-
-def path(contact: Contact) -> Any:
-    """Rule: velocity on the way → impulse ratio and how long it holds (None: to the end)."""
-    along, off = contact.answer(Fraction(1), Fraction(0)), contact.answer(Fraction(0), Fraction(1))
-    push, pull = off[0] - off[2], along[0] - along[2]
-    hold = -push / pull
-
-    def rule(now: Triple) -> tuple[Fraction, Fraction | None]:
-        slip = now[0] - now[2]
-        if slip == 0 and abs(hold) <= contact.mu_static:
-            return hold, None
-        forwards = slip > 0 or (slip == 0 and push > 0)
-        ratio = -contact.mu_kinetic if forwards else contact.mu_kinetic
-        rate = push + ratio * pull
-        return ratio, (-slip / rate if slip * rate < 0 else None)
-
-    return rule
