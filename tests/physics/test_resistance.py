@@ -6,25 +6,9 @@ import numpy as np
 import pytest
 
 from hophoop.kernel.physics import contact, modes
-from newton_euler import BODIES, STATES, responses
+from newton_euler import BODIES, STATES, accelerations, responses
 
 FS = (0.03, 0.4, 1.0)
-
-
-def accelerations(body, th, om, mode, rho):
-    """(ẍ, ÿ, θ̈, F, N): as `newton_euler.accelerations`, with the couple −ρ N."""
-    s, c, u = math.sin(th), math.cos(th), om * om
-    eps = body.eps
-    rows = [
-        ([1, 0, eps * c, -1, 0], body.gt + eps * s * u),
-        ([0, 1, -eps * s, 0, -1], -body.gn + eps * c * u),
-        ([0, 0, body.kap, 1 + eps * c, -eps * s + rho], 0.0),
-    ]
-    if mode == "roll":
-        rows += [([1, 0, -1, 0, 0], 0.0), ([0, 1, 0, 0, 0], 0.0)]
-    else:
-        rows += [([0, 0, 0, 1, mode * body.mu_k], 0.0), ([0, 1, 0, 0, 0], 0.0)]
-    return np.linalg.solve(np.array([row for row, _ in rows], float), np.array([value for _, value in rows]))
 
 
 @pytest.mark.parametrize("body", BODIES)

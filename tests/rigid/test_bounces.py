@@ -118,18 +118,6 @@ def test_limit_of_an_eccentric_hoop(law, restitution, angle, omega, mu, slope):
     assert abs(motion.ledger.residual) <= 1e-11 * motion.ledger.range
 
 
-def test_limit_does_not_depend_on_how_far_the_motion_is_followed():
-    """The bounces before the limit, and the limit itself, are the same for any duration."""
-    plane = hh.Plane(mu=0.4, restitution=0.8)
-    hoop, start = hh.Hoop.ideal(0.6), hh.Start(height=0.1, angle=0.4, vx=1.0)
-    long = hh.simulate(hoop, plane, start, duration=6.0)
-    limit = limit_of(long)
-    short = hh.simulate(hoop, plane, start, duration=0.5 * limit.t)
-    assert not short.find("bounce_limit")
-    for one, other in zip(short.find("impact"), long.find("impact"), strict=False):
-        assert one == other
-
-
 def test_elastic_bounces_do_not_end():
     """e = 1 has no limit: without a loss there is nothing to close."""
     motion = hh.simulate(DISK, hh.Plane(restitution=1.0), hh.Start(height=0.1), duration=60.0)
@@ -138,18 +126,3 @@ def test_elastic_bounces_do_not_end():
     period = 2 * math.sqrt(2 * 0.1 / 9.81)
     impacts = motion.find("impact")
     assert impacts[-1].t == pytest.approx((len(impacts) - 0.5) * period, rel=1e-12)
-
-
-def test_event_limit_keeps_the_motion_so_far():
-    """Too many bounces for `max_events` end the motion with a status that says so."""
-    motion = hh.simulate(
-        DISK,
-        hh.Plane(restitution=0.99),
-        hh.Start(height=0.3),
-        duration=60.0,
-        contact=hh.Rigid(max_events=50),
-    )
-    assert motion.status == "event_limit"
-    assert not motion.ok
-    assert len(motion.events) == 50
-    assert motion.at(0.5 * motion.duration).height >= 0.0

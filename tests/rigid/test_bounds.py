@@ -11,15 +11,11 @@ import pytest
 
 import hophoop as hh
 import hophoop.simulation.simulate
-from contact_tools import sines_of
 from hophoop.kernel.native import forced
 from hophoop.kernel.numerics import collocation
 from hophoop.kernel.panels import landing
-from hophoop.kernel.panels.panel import LEVELS, RESOLVED
-from hophoop.kernel.records.layout import MOST_PANELS, PANELS, new_scratch
-from hophoop.kernel.records.state import start_state
+from hophoop.kernel.records.layout import MOST_PANELS
 from hophoop.kernel.rigid import panel_choice
-from hophoop.kernel.rigid.phase import START_LEVEL
 from hophoop.precise.motion import Run
 from hophoop.precise.problem import Problem
 from hophoop.precise.series import Work, work_of_step
@@ -33,57 +29,6 @@ def is_finite(motion):
     json.dumps(motion.to_dict(), allow_nan=False)
     sample = motion.at(motion.times(21) if motion.duration > 0.0 else np.zeros(1))
     return all(np.isfinite(getattr(sample, name)).all() for name in ("x", "angle", "vx", "omega", "slip", "kinetic"))
-
-
-@pytest.mark.parametrize(
-    "start",
-    [
-        hh.Start.rolling(-0.063, angle=math.pi),
-        hh.Start.rolling(0.063, angle=-math.pi),
-        hh.Start(angle=math.pi, vx=-0.063),
-        hh.Start(angle=math.pi, vx=0.5, omega=-0.063),
-        hh.Start.rolling(11.0, angle=3 * math.pi),
-    ],
-)
-def test_the_load_on_the_plane_and_a_speed(start):
-    """Without mass in the rim its rotation holds no energy: no motion follows from it. Once without end."""
-    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, start=start))
-    assert motion.status == "undetermined"
-    assert motion.duration == 0.0
-    assert is_finite(motion)
-
-
-@pytest.mark.parametrize("angle", [2.0977, 1.0, 3.0])
-def test_massless_without_gravity(angle):
-    """Free of any force the load goes on in a straight line until it strikes. Once `completed` with ω = inf."""
-    speed = 11.37
-    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, plane=SMOOTH, start=hh.Start.rolling(speed, angle=angle)))
-    assert motion.sequence.startswith("M")
-    assert is_finite(motion)
-    impact = motion.find("impact")[0]
-    # rolling, the load's velocity is θ̇ times its distance 2 cos(θ/2) from the contact, its downward part θ̇ sin θ
-    fall = (1.0 + math.cos(angle)) / (math.sin(angle) * speed)
-    assert impact.t == pytest.approx(fall, rel=1e-12)
-    along = math.sin(angle) + speed * (1.0 + math.cos(angle)) * fall
-    assert impact.x == pytest.approx(along, rel=1e-12)
-    assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
-
-
-def test_massless_without_gravity_at_the_top():
-    """The load moves along the plane for ever, and the rim below it, without turning."""
-    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, plane=SMOOTH, start=hh.Start.rolling(2.0)))
-    assert (motion.status, motion.sequence) == ("completed", "M")
-    end = motion.at(6.0)
-    assert (end.omega, end.vx, end.x) == (0.0, 4.0, pytest.approx(24.0, rel=1e-15))
-
-
-@pytest.mark.parametrize("rest", [0.5, 1.0])
-def test_a_strike_that_rebounds_ends_with_a_finite_state(rest):
-    """The model ends at the strike; the state after it is kept, and not the θ̇ without bound before it."""
-    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, plane=hh.Plane(restitution=rest), start=hh.Start(angle=3.0)))
-    assert motion.status == "undetermined"
-    assert motion.at(motion.duration).omega == 0.0
-    assert is_finite(motion)
 
 
 @pytest.mark.slow
@@ -173,31 +118,6 @@ def solving(monkeypatch, change):
     return solved
 
 
-def choose(state, body):
-    scratch = new_scratch()
-    state = panel_choice.set_anchor(body, 0, state, *sines_of(state), scratch)
-    return panel_choice.choose_panel(body, 0, state, *sines_of(state), START_LEVEL, scratch), scratch
-
-
-@pytest.mark.parametrize("omega", [0.0, 1.0, 1e-10, 1e-150])
-def test_a_panel_that_is_never_resolved_is_given_up(monkeypatch, omega):
-    """Narrower and narrower ones are tried, each counted, down to the smallest that is allowed; then it is said so."""
-    solved = solving(monkeypatch, lambda totals, _: totals._replace(tail=1.0))
-    (panel, totals, level), scratch = choose(start_state(0.0, 0.0, 1.0, 0.0, 0.0, omega), hh.Scenario().to_body())
-    assert totals.tail > RESOLVED
-    tried = scratch.counts[PANELS]
-    if omega == 0.0:
-        # halved from 0.4 rad until it is below the smallest
-        assert len(solved) == tried == math.ceil(math.log2(panel_choice.FIRST_EXTENT / panel_choice.SMALLEST_EXTENT)) + 1
-        assert panel.extent < panel_choice.SMALLEST_EXTENT
-    else:
-        # below a speed of 10⁻³ a hoop turns within θ̇²/θ̈, for which there are levels beyond the tables
-        finest = LEVELS + max(0, math.ceil(2.0 * math.log2(panel_choice.SLOW**2 / omega**2)))
-        assert tried <= finest
-        assert level >= finest
-        assert len(solved) <= (5 + 1 + panel_choice.MOST_MOVES) * tried
-
-
 def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
     """It ends without an answer where the panels end, and not with one that is wrong."""
     solving(monkeypatch, lambda totals, count: totals._replace(tail=1.0) if count > 5 else totals)
@@ -206,22 +126,3 @@ def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
     assert motion.status == "undetermined"
     assert 0.0 < motion.duration < 1.0
     assert is_finite(motion)
-
-
-def test_a_turning_point_is_moved_so_often_and_no_more(monkeypatch):
-    """Where moving it never brings θ̇² to what it is at the start."""
-    body = hh.Scenario().to_body()
-    begin = panel_choice.PanelStart(-1.0, 0.0, math.sin(-1.0), math.cos(-1.0), 0.5, 1.0, 0.0, 0.0, 1.0, 0.0)
-    before = panel_choice.linear_panel(0, 0, 1.0, begin)
-    scratch = new_scratch()
-    solved = solving(monkeypatch, lambda totals, count: totals._replace(tail=0.0, u=1.1 if count % 2 else 0.9))
-    with np.errstate(all="ignore"):
-        panel_choice.solve_arrival(body, before, 0.1, scratch.work)
-    assert len(solved) == 1 + panel_choice.MOST_MOVES
-    # with the true solutions a few moves are enough
-    monkeypatch.undo()
-    motion = hh.simulate(hh.Scenario(start=hh.Start.rolling(0.5, angle=math.pi)))
-    turn = motion.find("turn")[0]
-    # ½ v² (2 + 2 γ cos π) = γ g (1 + cos θ) R of height
-    height = (1.0 - 0.75) * 0.25 / (0.75 * 9.81)
-    assert abs(math.pi - turn.angle) == pytest.approx(math.acos(1.0 - height), rel=1e-12)

@@ -12,30 +12,26 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics import arcs, arithmetic, circular
 from hophoop.kernel.panels.anchor import separatrix, separatrix_value, slip_unstable_equilibrium
 from hophoop.kernel.physics.body import Event
-from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
-from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.run import BY_RULE, run
 from oracles import elliptic
 from oracles.cases import rolling
+from rigid.tools import body_of, motion_of, state_of
 
 GAMMA = mpf("0.75")
 TURN, REST = int(Event.TURN), int(Event.REST)
 ENDLESS = 1e9
 
 
-def motion_of(body, start, t_end=ENDLESS, span=math.nan):
-    """(status, events) of the kernel."""
-    events = np.empty(400, EVENT)
-    status, count, _ = compiled(run)(body, start, BY_RULE, t_end, span, 0, events, np.empty(0, SEGMENT), new_scratch())
-    return status, events[:count]
+def arc(scale, end, function):
+    """∫ of a function of z from 0 to acosh(end/scale), for θ = scale cosh z beside an angle where the motion rests."""
+    return mp.quad(lambda z: function(scale * mp.cosh(z), z) * scale * mp.sinh(z), mp.linspace(0, mp.acosh(end / scale), 14))
 
 
-def body_of(gamma=0.75, mu=1.0, slope=0.0):
-    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, slope=slope)).to_body()
+def fallen(scale, z):
+    """cos of the angle `scale` less that of `scale` cosh z, with all its digits."""
+    return 2 * mp.sin(scale * mp.sinh(z / 2) ** 2) * mp.sin(scale * mp.cosh(z / 2) ** 2)
 
 
 def from_zero(function, scale, end):
@@ -43,7 +39,7 @@ def from_zero(function, scale, end):
     return mp.quad(lambda z: function(scale * mp.sinh(z)) * scale * mp.cosh(z), mp.linspace(0, mp.asinh(end / scale), 14))
 
 
-@pytest.mark.parametrize("speed", [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-30, 1e-100])
+@pytest.mark.parametrize("speed", [1e-1, 1e-4, 1e-9, 1e-100])
 def test_passing_the_top_keeps_the_time_of_the_next_turns(speed):
     """Once 8e-8 off at 1e-4, 1.5 at 1e-8, and a reversal that cannot be at 1e-9."""
     with mp.workdps(40):
@@ -54,28 +50,18 @@ def test_passing_the_top_keeps_the_time_of_the_next_turns(speed):
             mp.pi,
         )
         for turns in (1, 2, 3):
-            _, events = motion_of(body_of(), start_state(0.0, 0.0, 0.0, 0.0, 0.0, speed), span=2 * math.pi * turns)
+            _, events, _ = motion_of(body_of(mu=1.0), state_of(0.0, speed), span=2 * math.pi * turns)
             assert not (events["kind"] == TURN).any()
             assert abs(mpf(float(events[-1]["t"])) / (2 * turns * half) - 1) < 1e-15
 
 
-@pytest.mark.parametrize("offset", [1e-1, 1e-3, 1e-6, 1e-9, 8e-15, 5e-15, 1e-15, 1e-100])
+@pytest.mark.parametrize("offset", [1e-1, 1e-6, 5e-15, 1e-100])
 def test_turning_just_short_of_the_top(offset):
     """From rest beside the top: the first two turning points, 2π − offset and offset again. 5e-15 was frozen."""
     with mp.workdps(40):
         d = mpf(offset)
-        half = mp.quad(
-            lambda z: (
-                mp.sqrt(
-                    (1 + GAMMA * mp.cos(d * mp.cosh(z)))
-                    / (2 * GAMMA * mp.sin(d * mp.sinh(z / 2) ** 2) * mp.sin(d * mp.cosh(z / 2) ** 2))
-                )
-                * d
-                * mp.sinh(z)
-            ),
-            mp.linspace(0, mp.acosh(mp.pi / d), 14),
-        )
-        status, events = motion_of(body_of(), start_state(0.0, 0.0, offset, 0.0, 0.0, 0.0), t_end=float(half * 4.5))
+        half = arc(d, mp.pi, lambda th, z: mp.sqrt((1 + GAMMA * mp.cos(th)) / (GAMMA * fallen(d, z))))
+        status, events, _ = motion_of(body_of(mu=1.0), state_of(offset), t_end=float(half * 4.5))
         turns = events[events["kind"] == TURN]
         assert status == 0
         assert len(turns) == 2
@@ -85,35 +71,19 @@ def test_turning_just_short_of_the_top(offset):
         assert turns[1]["angle"] == pytest.approx(offset, rel=1e-12, abs=0)
 
 
-def test_exactly_at_the_top_it_rests():
-    status, events = motion_of(body_of(), start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end=50.0)
-    assert status == 1
-    assert (events["kind"] == REST).sum() == 1
-
-
 @pytest.mark.parametrize(("gamma", "offset"), [(0.75, 1e-14), (0.75, 1e-3), (0.1482093344156866, -1e-12), (0.5, 1e-80)])
 def test_a_slow_start_without_friction(gamma, offset):
     """The time to 90° from rest beside the top, μ = 0; the first came 1.49 s late, the third 43 % off in θ."""
     with mp.workdps(40):
         g, d = mpf(gamma), mpf(abs(offset))
-        time = mp.quad(
-            lambda z: (
-                mp.sqrt(
-                    (1 - g**2 + g**2 * mp.sin(d * mp.cosh(z)) ** 2)
-                    / (4 * g * mp.sin(d * mp.sinh(z / 2) ** 2) * mp.sin(d * mp.cosh(z / 2) ** 2))
-                )
-                * d
-                * mp.sinh(z)
-            ),
-            mp.linspace(0, mp.acosh(mp.pi / 2 / d), 14),
-        )
-        _, events = motion_of(body_of(gamma, 0.0), start_state(0.0, 0.0, offset, 0.0, 0.0, 0.0), span=math.pi / 2 - abs(offset))
+        time = arc(d, mp.pi / 2, lambda th, z: mp.sqrt((1 - g**2 + g**2 * mp.sin(th) ** 2) / (2 * g * fallen(d, z))))
+        _, events, _ = motion_of(body_of(gamma, mu=0.0), state_of(offset), span=math.pi / 2 - abs(offset))
         assert abs(mpf(float(events[-1]["t"])) / time - 1) < 2e-15
         letters = set(events["after_mode"][:-1].tolist())
         assert letters == ({2} if offset * (events[-1]["slip"]) > 0 else {1}) or len(letters) == 1
 
 
-@pytest.mark.parametrize("omega", [1e-2, 1e-4, 1e-6, 1e-9])
+@pytest.mark.parametrize("omega", [1e-2, 1e-9])
 def test_slip_that_passes_its_hilltop(omega):
     """Without friction the hilltop is passed once a turn, at the rotation of the start; events between change nothing."""
     with mp.workdps(40):
@@ -125,12 +95,11 @@ def test_slip_that_passes_its_hilltop(omega):
         )
         for slip in (1.0, 0.3):
             for turns in (1, 2):
-                _, events = motion_of(body_of(mu=0.0), start_state(0.0, 0.0, 0.0, slip, 0.0, omega), span=2 * math.pi * turns)
+                _, events, _ = motion_of(body_of(mu=0.0), state_of(0.0, omega, slip), span=2 * math.pi * turns)
                 assert abs(mpf(float(events[-1]["t"])) / (2 * turns * half) - 1) < 1e-13
 
 
-@pytest.mark.parametrize("speed", [1e-2, 1e-5, 1e-8])
-@pytest.mark.parametrize(("slope", "gamma"), [(0.3, 0.75), (0.1, 0.5), (-0.4, 0.75)])
+@pytest.mark.parametrize(("slope", "gamma", "speed"), [(0.3, 0.75, 1e-2), (0.1, 0.5, 1e-5), (-0.4, 0.75, 1e-8)])
 def test_a_hilltop_on_a_slope(slope, gamma, speed):
     """Pushed uphill from the double nearest to the hilltop, it turns and comes back over it: at its first speed."""
     with mp.workdps(40):
@@ -151,9 +120,8 @@ def test_a_hilltop_on_a_slope(slope, gamma, speed):
             lambda s: 2 * s * mp.sqrt((1 + g * mp.cos(turning - way * s * s)) / abs(gained(turning - way * s * s))),
             mp.linspace(mpf(10) ** -15, mp.sqrt(abs(turning - begin - way)), 8),
         )
-        _, events = motion_of(
-            body_of(gamma, 3.0, slope), start_state(0.0, 0.0, begin, 0.0, 0.0, way * speed), t_end=float(first + rest) * 2
-        )
+        body = body_of(gamma, mu=3.0, slope=slope)
+        _, events, _ = motion_of(body, state_of(begin, way * speed), t_end=float(first + rest) * 2)
         turns = events[events["kind"] == TURN]
         assert len(turns) == 1
         assert abs(mpf(float(turns[0]["t"])) / (first + rest) - 1) < 1e-14
@@ -163,9 +131,9 @@ def test_a_hilltop_on_a_slope(slope, gamma, speed):
 
 
 @pytest.mark.compiled
-@pytest.mark.parametrize("turns", [30, 100, 1000])
-def test_many_turns(turns):
+def test_many_turns():
     """θ after many turns of rolling at 2 m/s; it was 1.5e-7 off after 1,000."""
+    turns = 1000
     period = elliptic.rolling_time(rolling("long", 2.0, 1.0), mpf(2) * mp.pi)
     t = float(period * turns)
     motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(2.0), duration=t + 0.1)
@@ -185,21 +153,27 @@ def test_the_ledger_of_a_long_motion():
     assert abs(motion.ledger.residual) < 1e-11
 
 
-@pytest.mark.parametrize(("mu", "slope", "speed"), [(0.0132, 0.24, 4.0), (0.02, 0.0, 8.0), (0.01, -0.2, -6.0)])
-def test_slip_over_several_turns_from_its_hilltop(mu, slope, speed):
-    """The motion that comes to rest at one hilltop does not do so at the next one; taken for it, the ledger was off by half."""
-    motion = hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(mu=mu, slope=slope), hh.Start(vx=speed, omega=0.2 * speed), duration=6.0)
-    assert abs(motion.events[-1].angle) > 13.0
-    assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
-    truth = hh.simulate(motion.scenario, digits=20)
-    assert motion.sequence == truth.sequence
-    assert motion.events[-1].angle == pytest.approx(float(truth.events[-1].angle), rel=1e-11)
+def test_slow_slip_round_to_the_next_hilltop():
+    """What comes to rest at the one hilltop does not at the other."""
+    hoop, plane = hh.Hoop.ideal(0.02), hh.Plane(mu=1.253973103890006e-05)
+    motion = hh.simulate(hoop, plane, hh.Start.rolling(0.0379), duration=22.0)
+    reversal = motion.find("slip_reversal")[0]
+    # in 30 digits
+    assert reversal.t == pytest.approx(18.766863665208465, rel=1e-12)
+    assert reversal.angle == pytest.approx(6.19008528543195, rel=1e-12)
+    assert reversal.omega == pytest.approx(0.04016475066857652, rel=1e-10)
+    assert abs(motion.ledger.residual) < 1e-14
 
 
-def test_a_rim_that_stays_at_the_plane_without_gravity_does_not_land():
-    """An impact was reported at each panel of the flight."""
-    motion = hh.simulate(hh.Hoop.ideal(0.0), hh.Plane(mu=0.0, gravity=0.0), hh.Start(vx=0.0, omega=2.0))
-    assert [event.kind for event in motion.events] == ["start", "end"]
+@pytest.mark.compiled
+def test_ledgers_of_slow_slip_on_little_friction():
+    rng = np.random.default_rng(8)
+    for _ in range(40):
+        hoop = hh.Hoop.ideal(float(rng.choice([0.1, 0.48, 0.75, 0.9])))
+        plane = hh.Plane(mu=float(10.0 ** rng.uniform(-6.0, -3.0)))
+        start = hh.Start.rolling(float(10.0 ** rng.uniform(-4.0, -1.0)))
+        motion = hh.simulate(hoop, plane, start, duration=30.0)
+        assert abs(motion.ledger.residual) < 1e-12, (hoop, plane, start)
 
 
 @pytest.mark.parametrize("sigma", [1, -1])

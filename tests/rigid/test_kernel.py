@@ -9,84 +9,61 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from contact_tools import body_of
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import EVENT, EVENTS, PANEL_LIMIT, SEGMENT, new_scratch
-from hophoop.kernel.records.state import start_state
-from hophoop.kernel.records.writing import new_log
+from hophoop.kernel.records.layout import PANEL_LIMIT, new_scratch
 from hophoop.kernel.rigid import run as kernel
-from hophoop.kernel.rigid.phase import GOING, START_LEVEL, Ending, Phase
+from hophoop.kernel.rigid.phase import GOING, START_LEVEL, STOP_AT_TAKEOFF, STOP_AT_TURN, Ending, Phase
+from rigid.tools import FLIGHT, NOWHERE, ROLL, SKID, SPIN, body_of, log_of, motion_of, moves, state_of
 
-NOWHERE = -1  # the mode before a start on the plane
-
-
-def state_of(angle, *, y=0.0, vt=0.0, vn=0.0, om=0.0):
-    return start_state(0.5, y, angle, vt, vn, om)
+MASSLESS, SKIM = body_of(1.0), int(Mode.SKIM)
+UNDETERMINED = int(Status.UNDETERMINED)
 
 
 def begin(body, state):
-    """(first phase, events as (kind, mode before, mode after))."""
-    events, scratch = np.zeros(20, EVENT), new_scratch()
-    phase = kernel.begin(body, state, kernel.BY_RULE, new_log(events, np.empty(0, SEGMENT), scratch), scratch)
-    return phase, [tuple(map(int, row)) for row in events[["kind", "before_mode", "after_mode"]][: scratch.counts[EVENTS]]]
+    """(first phase, its events)."""
+    log, scratch = log_of()
+    phase = kernel.begin(body, state, kernel.BY_RULE, log, scratch)
+    return phase, moves(log.events[: scratch.counts[0]])
 
 
 @pytest.mark.parametrize(
-    ("given", "before", "mode"),
+    ("body", "state", "before", "mode", "status"),
     [
-        ({"vt": 0.5}, NOWHERE, Mode.SKID),
-        ({"vt": -0.5}, NOWHERE, Mode.SPIN),
-        ({"vn": 0.5}, Mode.FLIGHT, Mode.FLIGHT),
-        ({"vn": -0.5}, Mode.FLIGHT, Mode.FLIGHT),
-        ({"y": 0.5}, Mode.FLIGHT, Mode.FLIGHT),
-        ({"y": 0.5, "vt": 0.5, "vn": -0.5}, Mode.FLIGHT, Mode.FLIGHT),
+        # a hoop on the plane begins in the mode that the rule gives: at the top θ̇² ε > g throws the rim up
+        (body_of(), state_of(0.0), NOWHERE, ROLL, GOING),
+        (body_of(), state_of(0.0, vt=0.5), NOWHERE, SKID, GOING),
+        (body_of(), state_of(0.0, vt=-0.5), NOWHERE, SPIN, GOING),
+        (body_of(), state_of(0.0, 3.0), NOWHERE, FLIGHT, GOING),
+        # one that is thrown flies
+        (body_of(), state_of(0.5, 1.0, y=1e-200), FLIGHT, FLIGHT, GOING),
+        (body_of(), state_of(0.5, 1.0, y=0.5, vn=-0.5), FLIGHT, FLIGHT, GOING),
+        (body_of(), state_of(0.5, 1.0, vn=0.5), FLIGHT, FLIGHT, GOING),
+        (body_of(), state_of(0.5, 1.0, 0.5, y=0.5), FLIGHT, FLIGHT, GOING),
+        # of a massless hoop that does not roll nothing is said: without a moment of inertia no force tells how it turns
+        (MASSLESS, state_of(0.5, vt=0.5), NOWHERE, SKID, UNDETERMINED),
+        (MASSLESS, state_of(0.5, 0.5, -0.5), NOWHERE, SPIN, UNDETERMINED),
+        (MASSLESS, state_of(0.5, vn=0.5), FLIGHT, FLIGHT, UNDETERMINED),
+        (MASSLESS, state_of(0.5, vn=-0.5), FLIGHT, FLIGHT, UNDETERMINED),
+        (MASSLESS, state_of(0.5, 0.5, y=0.5), FLIGHT, FLIGHT, UNDETERMINED),
+        # it rolls from a slow start where tan(θ/2) ≤ μ, or with its load at rest on the plane
+        (MASSLESS, state_of(0.5, 0.25), NOWHERE, ROLL, GOING),
+        (MASSLESS, state_of(math.pi), NOWHERE, ROLL, GOING),
+        # all turns about the load, which has no weight to be moved
+        (MASSLESS, state_of(math.pi, 0.5), NOWHERE, ROLL, UNDETERMINED),
+        (MASSLESS, state_of(math.pi, -1.0), NOWHERE, ROLL, UNDETERMINED),
     ],
 )
-@pytest.mark.parametrize("om", [0.0, 0.5])
-def test_of_a_massless_hoop_that_does_not_roll_nothing_is_said(given, before, mode, om):
-    """Without a moment of inertia no force tells how it turns."""
-    state = state_of(0.5, om=om, **given)
-    phase, events = begin(body_of(1.0), state)
+def test_the_first_phase(body, state, before, mode, status):
+    phase, events = begin(body, state)
     assert events == [(Event.START, before, mode)]
-    assert (phase.mode, phase.state, phase.begins) == (mode, state, False)
-    assert (phase.ending, phase.status) == (Ending.CONTINUES, Status.UNDETERMINED)
-
-
-@pytest.mark.parametrize(
-    ("angle", "om", "mode", "status"),
-    [
-        (0.5, 0.25, Mode.ROLL, GOING),
-        (1.5, 0.25, Mode.SKIM, GOING),  # it would need more than μ N
-        (math.pi, 0.0, Mode.ROLL, GOING),
-        (math.pi, 0.5, Mode.ROLL, Status.UNDETERMINED),  # all turns about the load, which has no weight to be moved
-        (math.pi, 1.0, Mode.ROLL, Status.UNDETERMINED),
-        (math.pi, -1.0, Mode.ROLL, Status.UNDETERMINED),
-        (3.0, 0.0, Mode.SKIM, GOING),
-        (3.0, 1.0, Mode.SKIM, GOING),
-    ],
-)
-def test_a_massless_hoop_rolls_or_skims_from_the_start(angle, om, mode, status):
-    """tan(θ/2) ≤ μ is what it needs to roll from a slow start."""
-    state = state_of(angle, om=om)
-    phase, events = begin(body_of(1.0), state)
-    skim = [(Event.SKIM, Mode.ROLL, Mode.SKIM)] if mode == Mode.SKIM else []
-    assert events == [(Event.START, NOWHERE, Mode.ROLL), *skim]
     assert phase == Phase(mode, state, status == GOING, START_LEVEL, Ending.CONTINUES, status)
 
 
-@pytest.mark.parametrize(
-    "given", [{"y": 1e-200}, {"y": 0.5, "vn": -0.5}, {"y": 1.0, "vn": -0.5}, {"vn": 0.5}, {"y": 0.5, "vt": 0.5}]
-)
-def test_a_thrown_hoop_flies_at_first(given):
-    state = state_of(0.5, om=1.0, **given)
-    phase, events = begin(body_of(), state)
-    assert events == [(Event.START, Mode.FLIGHT, Mode.FLIGHT)]
-    assert (phase.mode, phase.state, phase.ending, phase.status) == (
-        Mode.FLIGHT,
-        state,
-        Ending.CONTINUES,
-        GOING,
-    )
+@pytest.mark.parametrize(("angle", "om"), [(1.5, 0.25), (3.0, 0.0), (3.0, 1.0)])
+def test_a_massless_hoop_skims_from_the_start_where_it_would_need_more_than_there_is(angle, om):
+    phase, events = begin(MASSLESS, state_of(angle, om))
+    assert events == [(Event.START, NOWHERE, ROLL), (Event.SKIM, ROLL, SKIM)]
+    assert phase == Phase(SKIM, state_of(angle, om), True, START_LEVEL, Ending.CONTINUES, GOING)
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.5])
@@ -103,79 +80,79 @@ def test_a_hoop_thrown_at_the_plane_strikes_it_at_once(restitution):
 @pytest.mark.parametrize(("resistance", "left"), [(0.1, 0.0), (0.0, 1e-150)])
 def test_a_rotation_whose_square_underflows_is_none_for_the_couple(resistance, left, sign):
     """Rolling resistance is against it, or holds the hoop that does not turn."""
-    phase, _ = begin(body_of(rolling_resistance=resistance), state_of(math.pi + 0.05, om=sign * 1e-150))
-    assert phase.state.om == sign * left
-    fast, _ = begin(body_of(rolling_resistance=resistance), state_of(math.pi + 0.05, om=sign * 1e-100))
-    assert fast.state.om == sign * 1e-100
+    body = body_of(rolling_resistance=resistance)
+    for om, kept in ((1e-150, left), (1e-100, 1e-100)):
+        assert begin(body, state_of(math.pi + 0.05, sign * om))[0].state.om == sign * kept
 
 
-@pytest.mark.parametrize(
-    ("given", "mode"), [({}, Mode.ROLL), ({"vt": 0.5}, Mode.SKID), ({"vt": -0.5}, Mode.SPIN), ({"om": 3.0}, Mode.FLIGHT)]
-)
-def test_a_hoop_on_the_plane_begins_in_the_mode_that_the_rule_gives(given, mode):
-    """At the top θ̇² ε > g throws the rim up: 9 · 0.75 of g."""
-    phase, events = begin(body_of(), state_of(0.0, **given))
-    assert events == [(Event.START, NOWHERE, mode)]
-    assert (phase.mode, phase.begins, phase.ending, phase.status) == (mode, True, Ending.CONTINUES, GOING)
+def test_a_motion_may_end_at_a_turn_or_a_takeoff():
+    """Each by itself or both; the start is neither."""
+    swing, hop, thrown = state_of(2.0), state_of(0.0, 3.1 / math.sqrt(9.81)), state_of(0.0, 1.0, y=0.5)
+    for start, own, last in ((swing, STOP_AT_TURN, Event.TURN), (hop, STOP_AT_TAKEOFF, Event.TAKEOFF), (thrown, 0, None)):
+        for stop in (STOP_AT_TURN, STOP_AT_TAKEOFF, STOP_AT_TURN + STOP_AT_TAKEOFF):
+            if start is not thrown or stop == STOP_AT_TURN:
+                status, events, _ = motion_of(body_of(), start, 5.0, stop=stop)
+                assert status == Status.COMPLETED
+                assert (events[-2]["kind"] if events[-1]["t"] < 5.0 else None) == (last if own & stop else None)
 
 
-def run(events=100, segments=1000, t_end=4.0, panels=None):
+def test_a_doubt_of_the_motion_before_is_forgotten():
+    scratch = new_scratch()
+    scratch.doubt[:] = 0.5
+    motion_of(body_of(), state_of(0.5, 1.0), 1.0, scratch=scratch)
+    assert np.isnan(scratch.doubt).all()
+
+
+def hopped(*rooms, panels=None):
     """(status, events, segments) of a hoop that rolls, slips, hops and lands."""
-    tables, scratch = (np.zeros(events, EVENT), np.zeros(segments, SEGMENT)), new_scratch()
+    scratch = new_scratch()
     if panels is not None:
         scratch.counts[PANEL_LIMIT] = panels
-    found = kernel.run(body_of(), state_of(0.0, om=3.1 / math.sqrt(9.81)), kernel.BY_RULE, t_end, math.nan, 0, *tables, scratch)
-    return found, tables[0], tables[1]
+    return motion_of(body_of(), state_of(0.0, 3.1 / math.sqrt(9.81)), 4.0, scratch=scratch, rooms=rooms or (100, 1000))
 
 
 def test_what_a_motion_says_of_its_end():
     """Tables of just the length are enough, and one row less is not; what was written stays as it was."""
-    (status, count, pieces), events, segments = run()
-    assert (status, events["kind"][count - 1]) == (Status.COMPLETED, Event.END)
-    assert (events["t"][count - 1], segments["t_end"][pieces - 1]) == (4.0, 4.0)
-    exact = run(count, pieces)
-    assert exact[0] == (Status.COMPLETED, count, pieces)
-    assert (exact[1] == events[:count]).all()
-    assert run(count, 0)[0] == (Status.COMPLETED, count, 0)
+    status, events, segments = hopped()
+    count, pieces = len(events), len(segments)
+    assert (status, events["kind"][-1]) == (Status.COMPLETED, Event.END)
+    assert (events["t"][-1], segments["t_end"][-1]) == (4.0, 4.0)
+    for room in (pieces, 0):  # no segments are asked for
+        found = hopped(count, room)
+        assert (found[0], len(found[2])) == (Status.COMPLETED, room)
+        assert (found[1] == events).all()
     for length in (count - 1, count - 2, 1):
-        found, rows, _ = run(length, pieces)
-        assert found[:2] == (Status.EVENT_LIMIT, length)
+        found, rows, _ = hopped(length, pieces)
+        assert found == Status.EVENT_LIMIT
         assert (rows == events[:length]).all()
     for length in (pieces - 1, pieces - 2, 1):
-        found, known, rows = run(count, length)
-        assert (found[0], found[2]) == (Status.BUFFER, length)
+        found, known, rows = hopped(count, length)
+        assert found == Status.BUFFER
         assert (rows == segments[:length]).all()
-        assert (known[: found[1]] == events[: found[1]]).all()
-        assert events["t"][found[1]] >= rows["t_end"][-1]  # those of the pieces that are there, and no end
+        assert (known == events[: len(known)]).all()
+        assert events["t"][len(known)] >= rows["t_end"][-1]  # those of the pieces that are there, and no end
 
 
 def test_where_the_panels_are_used_up_the_motion_ends_where_it_has_come_to():
-    (status, count, pieces), events, segments = run(panels=3)
+    whole = hopped()[1]
+    status, events, segments = hopped(panels=3)
     assert status == Status.EVENT_LIMIT
-    assert events["kind"][count - 1] == Event.END
-    assert 0.0 < events["t"][count - 1] == segments["t_end"][pieces - 1] < 4.0
-    assert events["after_mode"][count - 1] == events["before_mode"][count - 1] == Mode.ROLL
-
-
-def bouncing(events, segments):
-    """(status, number of events, number of segments) of a ball that bounces for ever."""
-    tables = np.zeros(events, EVENT), np.zeros(segments, SEGMENT)
-    return kernel.run(
-        body_of(0.0, restitution=1.0), state_of(0.0, y=0.5), kernel.BY_RULE, 1e6, math.nan, 0, *tables, new_scratch()
-    )
+    assert moves(events[-1:]) == [(Event.END, ROLL, ROLL)]
+    assert 0.0 < events["t"][-1] == segments["t_end"][-1] < 4.0
+    events = hopped(panels=20)[1]
+    assert 2 < len(events) < len(whole)
+    assert (events[:-1] == whole[: len(events) - 1]).all()
 
 
 def test_where_the_events_are_used_up_the_pieces_so_far_are_counted():
-    """START, IMPACT, and from the second flight on APEX and IMPACT."""
-    assert bouncing(7, 100) == (Status.EVENT_LIMIT, 7, 4)  # no room for the fourth impact
-    assert bouncing(9, 100) == (Status.EVENT_LIMIT, 9, 5)
-    assert bouncing(100, 4) == (Status.BUFFER, 10, 4)  # up to the fifth impact
-
-
-def test_where_events_and_pieces_are_used_up_in_one_step_pieces_are_counted_too():
-    for events in range(2, 12):
-        for pieces in range(1, 6):
-            assert bouncing(events, pieces)[2] >= 0
+    """Of a ball that bounces for ever: START, IMPACT, and from the second flight on APEX and IMPACT."""
+    for rooms, found in (
+        ((7, 100), (Status.EVENT_LIMIT, 7, 4)),  # no room for the fourth impact
+        ((9, 100), (Status.EVENT_LIMIT, 9, 5)),
+        ((100, 4), (Status.BUFFER, 10, 4)),  # up to the fifth impact
+    ):
+        status, events, segments = motion_of(body_of(0.0, restitution=1.0), state_of(0.0, y=0.5), 1e6, rooms=rooms)
+        assert (status, len(events), len(segments)) == found
 
 
 def hopping_without_loss(most):

@@ -74,3 +74,10 @@ def test_a_load_of_zero_holds_nothing(mu):
     body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=mu, gravity=0.0)).to_body()
     found = margins(body, Mode.ROLL, 0.4, 1.0)
     assert (found["normal_force"], found["friction_limit"]) == (0.0, 0.0)
+
+
+def test_a_plane_without_slip_has_no_limit_where_it_presses():
+    body = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=math.inf)).to_body()
+    for omega, pulls, limit in ((0.0, False, math.inf), (1.5, True, -math.inf), (3.0, True, -math.inf)):
+        found = margins(body, Mode.ROLL, 0.0, omega)
+        assert (found["normal_force"] < 0.0, found["friction_limit"]) == (pulls, limit)

@@ -12,8 +12,8 @@ import pytest
 
 import hophoop as hh
 from oracle_program import STATE, essential, highest_apexes, program_events, reference, simulate
-from oracles import elliptic, hybrid, mechanics
-from oracles.cases import CASES, JAM, Case, by_name
+from oracles import elliptic, hybrid
+from oracles.cases import CASES, Case, by_name
 
 NAMES = [case.name for case in CASES]
 ENDLESS = [case.name for case in CASES if case.rest_below]
@@ -170,23 +170,6 @@ def test_accumulation_of_bounces(name: str) -> None:
         assert close(getattr(motion.ledger, part), stored["energy"][part], size["energy"], 1e-10), part
 
 
-def test_jam_is_where_p_and_the_free_acceleration_vanish() -> None:
-    """The jam's angle solves p = 0 and its angular velocity f_n = 0: both in closed form."""
-    motion = simulate(JAM)
-    assert motion.status == "jammed"
-    (jam,) = motion.find("jam")
-    assert jam.slip > 0.0
-    low, high = JAM.angle, -1.2
-    for _ in range(200):  # bisection on the response off the plane, computed from the 3 × 3 mass matrix
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if mechanics.normal_response(JAM, middle, 1.0) > 0 else (low, middle)
-    omega = math.sqrt(JAM.gravity / (JAM.eccentricity * JAM.radius * math.cos(low)))
-    assert jam.angle == pytest.approx(low, abs=1e-6)
-    assert mechanics.free_normal_acceleration(JAM, low, omega) == pytest.approx(0.0, abs=1e-10)
-    # the approach to ω* is slow: f_n falls as a small power of p
-    assert jam.omega == pytest.approx(omega, rel=1e-2)
-
-
 def test_slip_through_the_edge_of_the_painleve_region() -> None:
     """p → 0 with f_n < 0: N grows beyond all bounds and stops the slip in no time, whatever e is.
 
@@ -233,17 +216,3 @@ def test_rolling_against_elliptic_time(name: str) -> None:
         rate = float(elliptic.rolling_rate(case, sample.angle))
         assert abs(float(elliptic.rolling_time(case, sample.angle)) - t) * rate < 1e-12 * max(1.0, sample.angle)
         assert sample.omega == pytest.approx(rate, rel=1e-13)
-
-
-@pytest.mark.parametrize("name", ["article_v3.1_mu1", "skidding_start", "bounces_stronge", "frictionless"])
-def test_mirrored_reference(name: str) -> None:
-    """x, θ and β turned round: the mirrored motion meets the mirrored reference."""
-    case, stored = by_name(name), reference(name)
-    size = scales(case)
-    mirrored = dataclasses.replace(case, x=-case.x, angle=-case.angle, vx=-case.vx, omega=-case.omega, slope=-case.slope)
-    motion = simulate(mirrored)
-    for true in stored["samples"]:
-        sample = motion.at(true["t"])
-        assert sample.mode == {"S": "K", "K": "S"}.get(true["mode"], true["mode"])
-        flipped = {key: -true[key] if key in ("x", "angle", "vx", "omega") else true[key] for key in true if key != "mode"}
-        compare_states(sample, flipped, size, 1e-11)

@@ -14,7 +14,6 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.native import forced
-from hophoop.precise import solve
 from random_scenarios import draw_beside_a_border, scenario_of
 
 HOOP = hh.Hoop.ideal(0.75)
@@ -42,24 +41,6 @@ def start_of(mu, painleve="flight", restitution=0.0, law="stronge", duration=0.5
 
 def mirror(state):
     return {name: -value for name, value in state.items()}
-
-
-def test_threshold_is_where_a_push_no_longer_lifts():
-    """The theory's threshold against the rederived answer of the contact, over angles and hoops."""
-    for hoop in (HOOP, hh.Hoop(radius=2.0, mass=3.0, eccentricity=0.4, inertia_ratio=0.1)):
-        for angle in np.linspace(-3.0, -0.1, 30):
-            mu = hh.theory.painleve_threshold(angle, hoop)
-            assert lift_of_a_push(hoop, angle, mu, 1) == pytest.approx(0.0, abs=1e-12 * (1 + mu))
-            assert hh.theory.painleve_region(angle, 1.001 * mu, hoop) == 1
-            assert hh.theory.painleve_region(-angle, 1.001 * mu, hoop) == -1
-            assert hh.theory.painleve_region(angle, 0.999 * mu, hoop) == 0
-
-
-def test_the_articles_friction_is_inside():
-    """γ = 3/4 needs √7/3 = 0.8819: the reference plane, μ = 1, is beyond it."""
-    mu, angle = hh.theory.painleve_minimum(HOOP)
-    assert mu == pytest.approx(math.sqrt(7) / 3, rel=1e-14)
-    assert math.cos(angle) == pytest.approx(0.75, rel=1e-7)
 
 
 @pytest.mark.parametrize("state", [SKID, mirror(SKID)])
@@ -103,20 +84,6 @@ def test_indeterminate_slip_follows_the_planes_choice(state):
         assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
 
 
-def test_just_below_the_threshold_slip_goes_on():
-    """Below it: ordinary slip with a large force; above: impact."""
-    mu = float(hh.theory.painleve_threshold(-0.7, HOOP))
-    below = start_of(mu * (1 - 1e-6), duration=1e-7, **SKID)
-    assert below.sequence[0] == "K"
-    assert not below.find("painleve_inconsistent")
-    force = below.at(0.0).normal_force
-    expected = -free_lift(HOOP, -0.7, 1.0) / lift_of_a_push(HOOP, -0.7, mu * (1 - 1e-6), 1)
-    assert force == pytest.approx(expected, rel=1e-8)
-    assert force > 1e5
-    above = start_of(mu * (1 + 1e-6), duration=1e-7, **SKID)
-    assert above.find("painleve_inconsistent")
-
-
 def test_the_impact_is_the_limit_of_ordinary_slip():
     """As μ comes up to the threshold the slip stops in less and less time, with the impact's impulse at last.
 
@@ -144,30 +111,6 @@ def test_the_impact_closes_the_ledger_where_the_moment_of_inertia_is_small(omega
     motion = hh.simulate(hoop, hh.Plane(mu=0.9864259833341639), start, duration=6.0)
     assert motion.find("painleve_inconsistent")
     assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range
-
-
-@pytest.mark.parametrize(
-    ("hoop", "plane", "start"),
-    [  # at the top the singular angle is 1e-11 rad away, and the arm of the normal force is zero
-        pytest.param(hh.Hoop.ideal(1.0 - 4.1e-11), hh.Plane(mu=0.71), hh.Start(vx=-8.68, omega=-0.043), marks=pytest.mark.long),
-        (hh.Hoop.ideal(1.0 - 1.4e-12), hh.Plane(mu=2.36), hh.Start(vx=-1.6, omega=-0.48)),
-        pytest.param(
-            hh.Hoop.ideal(0.9999999999976574, radius=1.033069641828321, mass=4.611411676610286),
-            hh.Plane(mu=0.57791866516764, slope=-0.7396073216713517, impact_law="poisson", painleve="impact"),
-            hh.Start(vx=-2.434263341914896, omega=-1.846214099227036, vy=1.4017369727992153),
-            marks=pytest.mark.long,
-        ),
-    ],
-)
-def test_hoops_of_almost_no_ring(hoop, plane, start):
-    motion = hh.simulate(hoop, plane, start, duration=6.0)
-    assert abs(motion.ledger.residual) < 1e-9 * motion.ledger.range
-    truth = hh.simulate(hoop, plane, start, duration=1.25, digits=25)
-    pairs = list(zip(motion.events, truth.events, strict=False))[:-1]
-    assert len(pairs) >= 2
-    for event, true in pairs:
-        assert event.kind == true.kind
-        assert event.t == pytest.approx(float(true.t), rel=1e-11)
 
 
 def test_jam():
@@ -225,45 +168,6 @@ def test_energy_keeps_rolling_hoops_from_the_jam():
     assert finite > 20
     with pytest.raises(ValueError, match=r"plane\.slope"):
         hh.theory.least_jam_speed(HOOP, hh.Plane(slope=0.1))
-
-
-@pytest.mark.compiled
-def test_which_natural_starts_jam():
-    """Rolling on the level none; thrown, or rolling down 30°, some, and none slower than energy allows."""
-    gammas, frictions = [0.85, 0.95, 0.99], [0.3, 0.5, 0.8]
-
-    def searched(speeds, base=None):
-        axes = {"hoop.load_fraction": gammas, "plane.mu": frictions, "start.speed": speeds}
-        return hh.maps.sweep(base, axes, quantities=("status", "painleve"), span="duration")
-
-    def jams(found):
-        return found["status"].values == hh.maps.words_of(found["status"]).index("jammed")
-
-    rolling = searched(np.linspace(0.1, 3.1, 11))
-    assert not (rolling["painleve"].values == hh.maps.words_of(rolling["painleve"]).index("yes")).any()
-    speeds = np.linspace(3.5, 12.0, 60)
-    thrown = jams(searched(speeds))
-    assert thrown.any(axis=2).sum() >= 3
-    for i, j, k in np.argwhere(thrown):
-        assert speeds[k] >= hh.theory.least_jam_speed(hh.Hoop.ideal(gammas[i]), hh.Plane(mu=frictions[j]))
-    downhill = hh.Scenario(plane=hh.Plane(slope=math.radians(30)))
-    assert jams(searched(np.linspace(0.1, 3.1, 31), downhill)).any()
-
-
-# index → what the sign of κ p_σ, of some 1e-17, decides
-@pytest.mark.parametrize("index", [4, 85, 107, 157, 288, 446])
-def test_slip_from_the_threshold_itself(index):
-    """Within 4 units in the last place of Painlevé's threshold: whether it jams, turns, or is thrown up by 1e-9."""
-    scenario = scenario_of(draw_beside_a_border(2026, index)[1])
-    motion = hh.simulate(scenario)
-    truth = solve(scenario, 20, most_steps=100_000)
-    assert motion._status == truth.status
-    for row, record in list(zip(motion._events, truth.records, strict=False))[:6]:
-        assert int(row["kind"]) == record.kind
-        assert int(row["after_mode"]) == record.after_mode
-        assert float(row["t"]) == pytest.approx(float(record.state.t), rel=1e-12, abs=2e-14)
-        assert float(row["omega"]) == pytest.approx(float(record.state.om), rel=1e-12)
-        assert float(row["slip"]) == pytest.approx(float(record.state.vt), rel=1e-12, abs=1e-13)
 
 
 def test_force_at_the_threshold():

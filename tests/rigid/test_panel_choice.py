@@ -4,34 +4,23 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
-from mpmath import mp, mpf
 from scipy.optimize import brentq
 
-import hophoop as hh
-from contact_tools import sines_of
-from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING
-from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, PanelStart, leaving_panel, linear_panel
+from hophoop.kernel.panels.anchor import SLIPPING
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, PanelStart, linear_panel
 from hophoop.kernel.records.layout import PANELS, new_scratch
-from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid import panel_choice
 from newton_euler import accelerations
+from rigid.tools import body_of, sines_of, state_of
 
 RESOLVED = 2e-13
+HALF = body_of(0.5, 0.75, mu=1.0)
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
 
 
 def width_of(level):
     return 0.9 * 0.5 ** (0.5 * level)
-
-
-def body_of(eps=0.5, kap=0.75, **plane):
-    return hh.Scenario(hoop=hh.Hoop(eccentricity=eps, inertia_ratio=kap), plane=hh.Plane(**plane)).to_body()
-
-
-def state_of(th, om, vt=0.0):
-    return start_state(0.0, 0.0, th, vt, 0.0, om)
 
 
 def begin_of(body, sigma, state, scratch=None):
@@ -45,76 +34,15 @@ def anchored(body, sigma, state):
 # where a panel begins
 
 
-@pytest.mark.parametrize("om", [1.5, -1.5, 0.0])
-@pytest.mark.parametrize("resist", [0.0, 0.125, 1.0])
-def test_where_a_panel_of_rolling_begins(om, resist):
-    """The torque of the weight about the contact point, less the couple f g_n; one that does not turn is held by it."""
-    body = body_of(slope=0.25, rolling_resistance=resist)
-    begin = begin_of(body, 0, state_of(2.0, om))
-    torque = 0.5 * math.sin(2.0 + 0.25) + math.sin(0.25)
-    most = resist * math.cos(0.25)
-    couple = math.copysign(most, om) if om != 0.0 else min(torque, most)
-    assert begin.torque == pytest.approx(torque - couple, rel=1e-14, abs=1e-16)
-    assert begin.curvature == pytest.approx(0.5 * math.cos(2.0 + 0.25), rel=1e-14)
-    assert begin.u == om * om
-    assert (begin.th, begin.sine, begin.cosine, begin.vt) == (2.0, math.sin(2.0), math.cos(2.0), 0.0)
-
-
-@pytest.mark.parametrize("om", [1.5, -1.5])
-@pytest.mark.parametrize("resist", [0.0, 0.125])
-@pytest.mark.parametrize("sigma", [1, -1])
-def test_where_a_panel_of_slip_begins(sigma, resist, om):
-    """q, the arm of N about G with friction and the couple, and κ p_σ."""
-    body = body_of(mu=0.5, rolling_resistance=resist)
-    begin = begin_of(body, sigma, state_of(2.0, om, sigma * 0.75))
-    q = 0.5 * math.sin(2.0) + sigma * 0.5 * (1.0 + 0.5 * math.cos(2.0)) - math.copysign(resist, om)
-    assert begin.arm == pytest.approx(q, rel=1e-14)
-    assert begin.kappa_p_sigma == pytest.approx(0.75 + 0.5 * math.sin(2.0) * q, rel=1e-14)
-    assert (begin.u, begin.vt) == (om * om, sigma * 0.75)
-
-
-def test_a_phase_of_rolling_has_the_energy_that_it_conserves():
-    """Measured from the valley, where it is too little to pass the hilltop, or from there."""
-    body = body_of()
-    for om, bend in ((0.5, -0.5), (3.0, 0.5)):
-        state = anchored(body, 0, state_of(2.0, om))
-        top = 1.0 if bend > 0.0 else -1.0
-        energy = (2.0 + math.cos(2.0)) * om**2 + math.cos(2.0) - top
-        assert (state.anchor.kind, state.anchor.bend) == (ROLLING, pytest.approx(bend, rel=1e-15))
-        assert state.anchor.excess == pytest.approx(energy, rel=1e-14)
-    assert anchored(body_of(rolling_resistance=0.125), 0, state).anchor.kind == FREE
-
-
 def test_slip_without_friction_keeps_what_it_conserves():
     """(κ + ε² sin² θ) θ̇² + 2 ε cos θ, whichever way the rim slides; less that of the hilltop, as a part of θ̇²."""
-    body = body_of(mu=0.0)
+    body = body_of(0.5, 0.75, mu=0.0)
     state = anchored(body, 1, state_of(1.0, 2.0, 0.5))
     top = 2.0 * 0.5 * (1.0 - math.cos(1.0)) / (0.75 + 0.25 * math.sin(1.0) ** 2)
     assert state.anchor.kind == SLIPPING
     assert state.anchor.excess == pytest.approx(4.0 - top, rel=1e-14)
     again = anchored(body, -1, state._replace(om=3.0))
     assert again.anchor == state.anchor
-
-
-@pytest.mark.parametrize("sigma", [1, -1])
-@pytest.mark.parametrize("psi", [1e-9, -1e-4, 0.03125])
-def test_slip_beside_its_hilltop_has_all_digits_of_its_torque(sigma, psi):
-    body = body_of(mu=0.25)
-    mu = sigma * mpf(0.25)
-    with mp.workdps(40):
-        arc = mp.atan(mu)
-        th = -arc - mp.asin(mp.sin(arc) / mpf(0.5)) + mpf(psi)
-        high = float(th)
-        low = float(th - high)
-        q = mp.sin(th) / 2 + mu * (1 + mp.cos(th) / 2)
-        firm = mpf(0.75) + mp.sin(th) / 2 * q
-    state = anchored(body, sigma, state_of(high, 0.5, sigma * 1.0)._replace(th_low=low))
-    assert state.anchor.kind == SLIPPING
-    begin = begin_of(body, sigma, state)
-    assert begin.arm == pytest.approx(float(q), rel=1e-12)
-    assert begin.kappa_p_sigma == pytest.approx(float(firm), rel=1e-15)
-    far = state_of(1.5, 0.5, sigma * 1.0)
-    assert anchored(body, sigma, far).anchor.kind == FREE
 
 
 # how wide it is
@@ -131,7 +59,7 @@ def test_how_much_narrower_the_next_panel_is():
 
 def test_how_much_narrower_slip_is_that_begins_beside_p_sigma_of_zero():
     """By as much as κ p_σ, or that times θ̇², is below 10⁻¹²; only where p_σ grows."""
-    body = body_of(mu=0.5)
+    body = body_of(0.5, 0.75, mu=0.5)
     begin = PanelStart(0.0, 0.0, -0.6, 0.8, 0.0, 0.0, 0.5, 1e-15, 4.0, 1.0)  # κ p_σ grows with θ by 0.035
 
     def levels(way=1.0, sigma=1, **values):
@@ -180,7 +108,7 @@ def turning_point(body, sigma, state, level):
 @pytest.mark.parametrize("resist", [0.0, 1e-12])
 def test_a_turning_point_of_rolling_is_found(way, slope, resist):
     """By a panel that reaches beyond it, or by wider ones: at most 8 times as wide as the first."""
-    body = body_of(slope=slope, rolling_resistance=resist)
+    body = body_of(0.5, 0.75, slope=slope, rolling_resistance=resist)
     for ahead, level in ((0.3, 0), (0.3, 3), (0.3, 9), (0.75, 1), (0.75, 3), (0.05, 2), (0.05, 14)):
         found = turning_point(body, 0, start_before(body, math.pi + 0.25 * way, way, ahead), level)
         assert found == pytest.approx(ahead, rel=1e-10)
@@ -191,27 +119,9 @@ def test_a_turning_point_of_rolling_is_found(way, slope, resist):
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
-@pytest.mark.parametrize("sigma", [1, -1])
-def test_a_turning_point_of_slip_is_found(sigma, way):
-    """Without friction (κ + ε² sin² θ) θ̇² + 2 ε cos θ stays, with ε = ½."""
-    body = body_of(mu=0.0)
-    th = math.pi + way * 0.25
-
-    def found(ahead, level):
-        gained = math.cos(th + way * ahead) - math.cos(th)
-        om = way * math.sqrt(gained / (0.75 + 0.25 * math.sin(th) ** 2))
-        return turning_point(body, sigma, state_of(th, om, sigma * 1.0), level)
-
-    for ahead, level in ((0.3, 2), (0.3, 9), (0.05, 2), (0.05, 14)):
-        assert found(ahead, level) == pytest.approx(ahead, rel=1e-13)
-    assert found(0.3, 10) == 0.0
-    assert turning_point(body, sigma, state_of(th, way * 3.0, sigma * 1.0), 3) == 0.0
-
-
-@pytest.mark.parametrize("way", [1.0, -1.0])
 def test_whether_rolling_turns_not_far_beyond_a_panel(way):
     """Within 8 times its width."""
-    body = body_of()
+    body = HALF
 
     def turns(ahead, level, begin=0.25):
         panel, _ = linear(body, 0, start_before(body, math.pi + begin * way, way, ahead), level, new_scratch())
@@ -229,7 +139,7 @@ def test_whether_rolling_turns_not_far_beyond_a_panel(way):
 @pytest.mark.parametrize("off", [0.5, 0.95, 1.0, 1.25])
 def test_a_panel_up_to_a_turning_point_begins_with_the_speed_there(way, th, ahead, off):
     """Whatever is known of the place, the panel finds the right one; angles are from the valley."""
-    body = body_of()
+    body = HALF
     state = start_before(body, math.pi + way * th, way, ahead)
     scratch = new_scratch()
     before, _ = linear(body, 0, state, 2, scratch)
@@ -244,7 +154,7 @@ def test_a_panel_up_to_a_turning_point_begins_with_the_speed_there(way, th, ahea
 @pytest.mark.parametrize("ahead", [1e-3, 0.25])
 def test_a_panel_up_to_a_turning_point_is_not_moved_where_it_is_not_resolved(way, ahead):
     """A quarter of a swing about the valley never is."""
-    body = body_of()
+    body = HALF
     scratch = new_scratch()
     before, _ = linear(body, 0, start_before(body, math.pi, way, ahead), 2, scratch)
     panel, totals = panel_choice.solve_arrival(body, before, ahead, scratch.work)
@@ -260,7 +170,7 @@ def at_rest(body, th, sigma):
 
 def test_how_wide_the_first_panel_of_slip_from_rest_is():
     """0.4 rad, unless the slip ends in too small a part of that: then 16 times the angle until then."""
-    body = body_of(mu=0.5, slope=0.125)
+    body = body_of(0.5, 0.75, mu=0.5, slope=0.125)
 
     def extent(th, vt, sigma=1):  # of the `body` at the time
         begin = begin_of(body, sigma, state_of(th, 0.0, vt))
@@ -282,38 +192,9 @@ def test_how_wide_the_first_panel_of_slip_from_rest_is():
     begin = begin_of(body, 0, state_of(1.0, 0.0))
     assert panel_choice.first_extent(body, 0, 0.0, begin) == 0.4
     # slip that the slope drives does not end
-    body = body_of(mu=0.125, slope=0.75)
+    body = body_of(0.5, 0.75, mu=0.125, slope=0.75)
     assert at_rest(body, 1.0, 1)[1] > 0.05
     assert extent(1.0, 1e-9) == 0.4
-
-
-def test_the_first_panel_of_slip_that_hardly_turns():
-    """Beside the angle without torque: the work of friction is then large beside what the panel shows of it."""
-    body = body_of(mu=0.5)
-    still = brentq(lambda th: at_rest(body, th, 1)[0], -2.0, -1.0, xtol=1e-16)
-
-    def extent(th, vt):
-        begin = begin_of(body, 1, state_of(th, 0.0, vt))
-        return panel_choice.first_extent(body, 1, vt, begin)
-
-    th = still + 1e-5
-    alpha, rate = at_rest(body, th, 1)
-    assert 2.0 * 0.4 * rate**2 > 1e4 * alpha > 0.0
-    for share, wide in ((1e-4, 16.0 * 0.4e-10), (0.99, 16.0 * 0.4 * 0.99e-6), (1.01, 0.4)):
-        vt = math.sqrt(share * 0.4e-6 / (0.5 * alpha)) * -rate
-        assert extent(th, vt) == pytest.approx(wide, rel=1e-9)
-    # not so far from it, only slip is lost that is much shorter
-
-    def excess(one, factor):
-        alpha, rate = at_rest(body, one, 1)
-        return 2.0 * 0.4 * rate**2 - factor * 1e4 * alpha
-
-    for factor, wide in ((1.01, 16.0 * 0.4e-10), (0.99, 0.4)):
-        th = brentq(excess, still, -1.0, args=(factor,))
-        alpha, rate = at_rest(body, th, 1)
-        vt = math.sqrt(1e-4 * 0.4e-6 / (0.5 * alpha)) * -rate
-        assert extent(th, vt) == pytest.approx(wide, rel=1e-9)
-    assert extent(still, 1e-12) == 0.4
 
 
 # the panel
@@ -329,7 +210,7 @@ def chosen(body, sigma, state, level):
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_the_first_panel_from_rest(side):
     """To the side to which the torque turns the hoop; beside the bottom it is halved until it is resolved."""
-    body = body_of()
+    body = HALF
     panel, totals, level, tried = chosen(body, 0, state_of(side * 1.0, 0.0), 7)
     assert (panel.kind, panel.direction, panel.extent, level, tried) == (LEAVE, side, 0.4, 2, 1)
     assert totals.tail <= RESOLVED
@@ -343,7 +224,7 @@ def test_the_first_panel_from_rest(side):
 
 def test_slip_from_rest_that_has_no_answer_ends_its_search():
     """With κ p_σ < 0 no panel is narrow enough."""
-    body = body_of(kap=0.01, mu=1.0)
+    body = body_of(0.5, 0.01, mu=1.0)
     panel, totals, _, tried = chosen(body, 1, state_of(-1.0, 0.0, 1.0), 2)
     assert panel.kappa_p_sigma < 0.0
     assert totals.tail == math.inf
@@ -359,7 +240,7 @@ def test_slip_from_rest_that_has_no_answer_ends_its_search():
 @pytest.mark.parametrize("sigma", [0, 1])
 def test_the_next_panel_is_as_wide_as_is_resolved(om, sigma):
     """From the width of the last one, and the next is wider where this one is resolved by far."""
-    body = body_of(mu=0.25)
+    body = body_of(0.5, 0.75, mu=0.25)
     state = state_of(2.0, om, sigma * 1.0)
     panel, totals, level, tried = chosen(body, sigma, state, 0)
     assert (panel.kind, panel.direction) == (LINEAR, math.copysign(1.0, om))
@@ -372,7 +253,7 @@ def test_the_next_panel_is_as_wide_as_is_resolved(om, sigma):
         assert panel.extent == pytest.approx(width_of(begin), rel=1e-15)
         assert level == (begin - 1 if totals.tail < RESOLVED / 200.0 else begin)
     assert totals.tail < RESOLVED / 200.0
-    still = body_of(gravity=0.0, eps=0.0, kap=1.0)
+    still = body_of(0.0, gravity=0.0)
     assert chosen(still, 0, state_of(2.0, om), 0)[2:] == (0, 1)
 
 
@@ -384,7 +265,7 @@ def test_a_hoop_that_begins_slowly_has_a_narrow_panel(om, most, sigma, way):
 
     How many depends on no rounding: below θ̇ = 1e-3 the scale gives the first width, and rounding hides nothing there.
     """
-    body = body_of(mu=0.125)
+    body = body_of(0.5, 0.75, mu=0.125)
     th = 1.0 * way
     alpha = 0.5 * math.sin(1.0) / (2.0 + math.cos(1.0)) if sigma == 0 else at_rest(body, th, sigma)[0] * way
     assert alpha > 0.1
@@ -403,7 +284,7 @@ def test_a_hoop_that_begins_slowly_has_a_narrow_panel(om, most, sigma, way):
 
 def test_a_panel_outlasts_the_motion():
     """Where it takes 64 times the time that is left, and 64 √(R/g); unless it is over."""
-    _, totals = linear(body_of(), 0, state_of(2.0, 1.0), 2, new_scratch())
+    _, totals = linear(HALF, 0, state_of(2.0, 1.0), 2, new_scratch())
 
     def outlasts(time, left):
         return panel_choice.exceeds_time_left(totals._replace(time=time), left)
@@ -413,69 +294,3 @@ def test_a_panel_outlasts_the_motion():
     assert outlasts(128.1, 2.0)
     for time, left in ((63.9, 1.0), (63.9, 1e-9), (127.9, 2.0), (1e9, 0.0), (1e9, -1.0)):
         assert not outlasts(time, left)
-
-
-def shortened(body, state, panel, totals, left):
-    return panel_choice.narrow_to_time(body, panel, totals, state, left, new_scratch())
-
-
-@pytest.mark.parametrize("way", [1.0, -1.0])
-@pytest.mark.parametrize(("om", "left"), [(1e-5, 1.0), (1e-9, 0.25), (1e-9, 30.0), (1e-150, 1e-2), (2.0, 30.0)])
-def test_a_panel_that_outlasts_the_motion_is_made_shorter(om, left, way):
-    """Without gravity θ̇ stays: it then takes about 4 times what is left, at least."""
-    body = body_of(gravity=0.0, eps=0.0, kap=1.0)
-    state = state_of(2.0, way * om)
-    panel, totals = linear(body, 0, state, 0, new_scratch())
-    short, totals = shortened(body, state, panel, totals, left)
-    assert (short.kind, short.sigma, short.direction, short.ref, short.u) == (LINEAR, 0, way, 2.0, om**2)
-    assert totals.tail <= RESOLVED
-    assert totals.time == pytest.approx(short.extent / om, rel=1e-14)
-    if om < 1.0:
-        assert 4.0 * left <= totals.time < 4.0 * math.sqrt(2.0) * left
-    else:
-        assert short.level == 0
-
-
-def test_the_narrowest_panel_there_is():
-    body = body_of(gravity=0.0, eps=0.0, kap=1.0)
-    state = state_of(2.0, 1e-300)
-    panel, totals = linear(body, 0, state, 0, new_scratch())
-    short, _ = shortened(body, state, panel, totals, 1e-8)
-    assert short.level == 2000
-
-
-@pytest.mark.parametrize("left", [1.0, 0.25])
-def test_a_panel_from_rest_that_outlasts_the_motion_is_made_shorter(left):
-    """Of a ring that hardly begins to roll down a slope: 4 times what is left."""
-    body = body_of(slope=1e-8, eps=0.0, kap=1.0)
-    assert body.gt == 1e-8
-    state = state_of(0.0, 0.0)
-    begin = begin_of(body, 0, state)
-    scratch = new_scratch()
-    panel = leaving_panel(0, 1.0, 0.4, begin)
-    totals = panel_choice.solve(body, panel, scratch.work)
-    assert totals.time == pytest.approx(math.sqrt(2.0 * 0.4 / (0.5 * 1e-8)), rel=1e-13)
-    short, totals = shortened(body, state, panel, totals, left)
-    assert (short.kind, short.direction, short.ref) == (LEAVE, 1.0, 0.0)
-    assert totals.time == pytest.approx(4.0 * left, rel=1e-13)
-
-
-@pytest.mark.parametrize("sigma", [1, -1])
-@pytest.mark.parametrize(("om", "off"), [(2.0, 0.0), (1e-2, 0.0), (1e-2, 1e-13)])
-def test_slip_that_begins_beside_p_sigma_of_zero_has_a_narrow_panel(om, off, sigma):
-    """Of the scale on which κ p_σ grows from what it is; narrower than the tables go."""
-    body = body_of(eps=0.75, kap=0.4375, mu=1.3)
-
-    def firm(th):
-        return begin_of(body, sigma, state_of(th, om * sigma, sigma * 1.0))
-
-    th = sigma * brentq(lambda one: firm(sigma * one).kappa_p_sigma, -0.7, -0.1, xtol=1e-16)
-    begin = firm(th)
-    while not begin.kappa_p_sigma > 0.0:
-        th = np.nextafter(th, 0.0)
-        begin = firm(th)
-    assert 0.0 < begin.kappa_p_sigma < 1e-15
-    th += sigma * off
-    panel, totals, _, _ = chosen(body, sigma, state_of(th, om * sigma, sigma * 1.0), 2)
-    assert totals.tail <= RESOLVED
-    assert panel.level > 96

@@ -8,73 +8,14 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.native import forced
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING
+from hophoop.kernel.panels.panel import HOLD
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import COLUMNS, SEGMENT, new_scratch
 from hophoop.kernel.records.writing import find_segment
 from hophoop.kernel.rigid.sampling import contact_force, sample, xi_at_time
 from newton_euler import accelerations
 from random_scenarios import draw, scenario_of
-
-TIMES = np.array([0.0, 0.125, 0.25, 0.5])
-
-
-def test_a_ring_that_slides_down_without_friction():
-    plane = hh.Plane(gravity=8.0, slope=0.25, mu=0.0)
-    with forced("interpreted"):
-        motion = hh.simulate(hh.Hoop.ideal(0.0), plane, hh.Start(x=1.0, vx=2.0), duration=0.5)
-        at = motion.at(TIMES)
-    along = 8.0 * math.sin(0.25)
-    assert at.x == pytest.approx(1.0 + 2.0 * TIMES + 0.5 * along * TIMES**2, rel=1e-15)
-    assert at.vx == pytest.approx(2.0 + along * TIMES, rel=1e-15)
-    assert at.slip == pytest.approx(at.vx, rel=1e-15)
-    assert at.normal_force == pytest.approx(8.0 * math.cos(0.25), rel=1e-15)
-    assert (at.omega == 0.0).all()
-    assert (at.friction_force == 0.0).all()
-    assert (motion._events["t"][-1], motion._events["t_low"][-1]) == (0.5 / motion.units.time, 0.0)
-
-
-@pytest.mark.parametrize("side", [1.0, -1.0])
-def test_slip_in_which_friction_and_weight_have_no_torque(side):
-    """With the load level with C, ε in front of it: N ε is held by μ N at the arm of 1."""
-    hoop, plane = hh.Hoop(eccentricity=0.5, inertia_ratio=0.75, mass=2.0), hh.Plane(gravity=8.0, mu=0.5)
-    start = hh.Start(vx=4.0 * side, angle=-0.5 * math.pi * side)
-    with forced("interpreted"):
-        motion = hh.simulate(hoop, plane, start, duration=0.5)
-        at = motion.at(TIMES)
-    assert motion.sequence == ("K" if side > 0.0 else "S")
-    slid = 4.0 * TIMES - 0.5 * 4.0 * TIMES**2
-    assert at.x == pytest.approx(side * slid, rel=1e-14)
-    assert at.slip == pytest.approx(side * (4.0 - 4.0 * TIMES), rel=1e-14)
-    assert at.friction_force == pytest.approx(-side * 0.5 * 16.0, rel=1e-15)
-    assert at.friction == pytest.approx(0.5 * 16.0 * slid, rel=1e-14)
-
-
-@pytest.mark.parametrize("slope", [0.05, -0.05])
-def test_a_ring_that_is_held_on_a_slope(slope):
-    """By friction, which bears its weight along the plane, and by the couple."""
-    plane = hh.Plane(gravity=8.0, slope=slope, mu=0.5, rolling_resistance=0.125)
-    with forced("interpreted"):
-        motion = hh.simulate(hh.Hoop.ideal(0.0, mass=3.0), plane, hh.Start(), duration=0.5)
-        at = motion.at(TIMES)
-    assert motion.status == "at_rest"
-    assert at.friction_force == pytest.approx(-3.0 * 8.0 * math.sin(slope), rel=1e-15)
-    assert at.normal_force == pytest.approx(3.0 * 8.0 * math.cos(slope), rel=1e-15)
-    assert (at.x == 0.0).all()
-
-
-def test_what_rolling_resistance_has_taken():
-    """Of a ring: f N for each metre."""
-    plane = hh.Plane(gravity=8.0, mu=0.5, rolling_resistance=0.0625)
-    with forced("interpreted"):
-        motion = hh.simulate(hh.Hoop.ideal(0.0, radius=2.0, mass=3.0), plane, hh.Start.rolling(4.0), duration=0.5)
-        at = motion.at(TIMES)
-    along = 4.0 * TIMES - 0.5 * 0.5 * 8.0 * 0.0625 * TIMES**2  # half of it slows the centre, half the rotation
-    assert at.x == pytest.approx(along, rel=1e-13)
-    assert at.rolling_resistance == pytest.approx(0.0625 * 3.0 * 8.0 * along, rel=1e-12)
-    assert at.angle == pytest.approx(along / 2.0, rel=1e-13)
 
 
 def test_a_time_at_a_border_is_in_the_segment_before_or_after():
@@ -147,43 +88,6 @@ def test_a_sample_of_a_hoop_that_does_not_turn(mode, sigma, slip):
     assert found == pytest.approx(expected, rel=1e-15)
     fallen = 0.5 * (math.cos(0.5) - 1.0) * math.cos(0.25) - (3.0 + slid + 0.5 * math.sin(0.5)) * math.sin(0.25)
     assert energies == pytest.approx((0.5 * (slip + rate * tau) ** 2, fallen), rel=1e-13)
-
-
-def test_a_sample_of_a_flight():
-    """Of a hoop without eccentricity; what rounding would bring below the plane is on it."""
-    body = body_of(0.0, 1.0, slope=0.25)
-    values = {"mode": Mode.FLIGHT, "kind": FLY, "f_n": -math.cos(0.25), "vy": 1.0, "omega": 3.0, "slip": 4.0}
-    found = sampled(body, height=1.0, **values, **MOVING)
-    tau = 2.0 + BEFORE
-    turns = 2.0 * (2.0 * math.pi) + 3.0 * tau
-    expected = {
-        "mode": Mode.FLIGHT, "x": 3.0 + 7.0 * tau + 0.5 * math.sin(0.25) * tau**2,
-        "height": 1.0 + tau - 0.5 * math.cos(0.25) * tau**2, "angle": turns, "vx": 7.0 + math.sin(0.25) * tau,
-        "vy": 1.0 - math.cos(0.25) * tau, "omega": 3.0, "slip": 4.0 + math.sin(0.25) * tau, "normal_force": 0.0,
-        "friction_force": 0.0, "friction": 0.25, "impact_normal": 0.5, "impact_tangential": 0.75,
-        "rolling_resistance": 1.5,
-    }  # fmt: skip
-    assert {name: found[name] for name in expected} == pytest.approx(expected, rel=1e-14)
-    assert sampled(body, tau=3.0, **values)["height"] == 0.0
-
-
-@pytest.mark.parametrize("way", [1.0, -1.0])
-def test_a_sample_of_a_fall_of_the_massless_hoop(way):
-    """From rest with the load level with the centre the load falls straight down; the rim slides under it."""
-    body = hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(mu=0.0)).to_body()
-    tau = 1.0 - BEFORE
-    segment = {"mode": Mode.SKIM, "kind": SKIMMING, "direction": way, "theta": way * 0.5 * math.pi}
-    found = sampled(body, tau=1.0, t_low=BEFORE, **segment, **MOVING)
-    # the load at 1 − τ²/2
-    th = math.acos(-0.5 * tau**2)
-    om = tau / math.sin(th)
-    expected = {
-        "mode": Mode.SKIM, "x": 3.0 + way * (1.0 - math.sin(th)), "height": 0.0, "angle": 4.0 * math.pi + way * th,
-        "vy": 0.0, "omega": way * om, "vx": -way * om * math.cos(th), "normal_force": 0.0, "friction_force": 0.0,
-        "friction": 0.25, "impact_normal": 0.5, "impact_tangential": 0.75, "theta": way * th, "theta_low": 0.0,
-        "rolling_resistance": 1.5, "kinetic": 0.5 * tau**2, "potential": -1.0 - 0.5 * tau**2,
-    }  # fmt: skip
-    assert {name: found[name] for name in expected} == pytest.approx(expected, rel=1e-13)
 
 
 def massless_hoops():
