@@ -90,6 +90,19 @@ def fingers(page):
     return touch
 
 
+def at_rest(page, target):
+    """Where a part of the page is when what is computed for the page moves it no more."""
+    boxes = [target.bounding_box()]
+
+    def rests():
+        page.wait_for_timeout(100)
+        boxes.append(target.bounding_box())
+        return boxes[-1] == boxes[-2]
+
+    until(page, rests)
+    return boxes[-1]
+
+
 class Steps:
     """What a step of a flow does, by its first word; the rest of its line is `said`."""
 
@@ -157,6 +170,17 @@ class Steps:
             touch("touchMove", (x + dx, y + dy))
         touch("touchEnd")
 
+    def pinch(self, said):
+        """Two fingers spread to four times their distance."""
+        box = at_rest(self.page, self.page.locator(said).first)
+        x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
+        touch = fingers(self.page)
+        touch("touchStart", (x - 20, y))
+        for spread in range(20, 81, 5):
+            touch("touchMove" if spread > 20 else "touchStart", (x - spread, y), (x + spread, y))
+        touch("touchEnd", (x - 80, y))
+        touch("touchEnd")
+
     def point(self, said):
         """At a part of the width and the height of what is named."""
         selector, across, down = said.rsplit(maxsplit=2)
@@ -187,6 +211,13 @@ class Steps:
 
     def forward(self, _):
         self.page.go_forward()
+
+    def goto(self, said):
+        """A link that the page gives, as somebody else opens it."""
+        link = self.do(f"return {said}")
+        self.page.goto("about:blank")
+        self.page.goto(link)
+        self.page.wait_for_selector("[data-ready]")
 
     def open(self, said):
         self.page.goto(re.split("[?#]", self.page.url)[0] + said)

@@ -4,24 +4,25 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from lab_page_tools import follow
 
 
-def test_it_is_kept(visit, tmp_path):
+def test_it_is_kept(visit):
     page = visit("?start.speed=2.5")
-
-    def kept(item):
-        page.locator(".menu summary").click()
-        with page.expect_download() as download:
-            page.get_by_role("button", name=item).click()
-        return download.value.path().read_bytes()
-
-    assert hh.Scenario.loads(kept("Save the scenario (TOML)").decode()) == hh.Scenario(start=hh.Start.rolling(2.5))
-    assert kept("Save a picture (PNG)")[:8] == b"\x89PNG\r\n\x1a\n"
-    assert kept("Save the states (CSV)").startswith(b"t [s],")
-    page.keyboard.press("p")
-    page.locator(".code-dialog[open]").wait_for()
-    assert "hh.Start.rolling(speed=2.5)" in page.locator(".code-dialog pre").first.inner_text()
-    page.keyboard.press("Escape")
+    follow(page, [
+        "click .menu summary",
+        "save Save a picture (PNG)",
+        "is kept.startsWith('\\x89PNG\\r\\n\\x1a\\n')",
+        "click .menu summary",
+        "save Save the states (CSV)",
+        "is kept.startsWith('t [s],')",
+        "press p",
+        "until text('.code-dialog[open] pre').includes('hh.Start.rolling(speed=2.5)')",
+        "press Escape",
+        "click .menu summary",
+        "save Save the scenario (TOML)",
+    ])  # fmt: skip
+    assert hh.Scenario.loads(page.evaluate("kept")) == hh.Scenario(start=hh.Start.rolling(2.5))
 
 
 def decoded(block, name, folder):

@@ -35,6 +35,12 @@ RTL = "addEventListener('DOMContentLoaded', () => { document.documentElement.dir
 NO_STORAGE = "Object.defineProperty(globalThis, 'localStorage', { get() { throw new Error('forbidden'); } });"
 CLIPBOARD = {"permissions": ["clipboard-read", "clipboard-write"]}
 NO_CLIPBOARD = "Object.defineProperty(navigator, 'clipboard', { value: undefined })"
+COPIED = [
+    "until document.querySelector('.fingerprint code')",
+    "click .menu summary",
+    "button Copy a link with its fingerprint",
+    "until text('.toast') === 'Link copied.'",
+]
 OTHER_BITS = (
     "until text('.fingerprint .differs').startsWith("
     "`The bits differ: ${lab.film().fingerprint} here, 0123456789abcdef where the link was made`)"
@@ -455,6 +461,39 @@ FLOWS = {
         "until lab.film().values['start.speed'] === 3.1 && !lab.surrounding",
         "is !seen('.story .hint')",
     ]),
+    "a copied link carries the fingerprint where it is asked for": ("?start.speed=2.9", CLIPBOARD, [
+        *COPIED,
+        "is !location.href.includes('fingerprint')",  # it is of here, and says nothing until it is elsewhere
+        "goto navigator.clipboard.readText()",
+        "until text('.fingerprint .same') === '✓ Same bits as where the link was made'",
+        "fill start.speed 2.8",
+        "until !document.querySelector('.fingerprint .same') && !location.hash.includes('fingerprint')",
+    ]),
+    "each of two hoops has its fingerprint": ("?start.speed=2.9", CLIPBOARD, [
+        "button Compare two hoops",
+        "fill plane.mu 0.5",
+        "until lab.films().length === 2 && lab.motions.history.past.length === 2",
+        *COPIED,
+        "do sessionStorage.found = lab.films().map((film) => film.fingerprint).join()",
+        "goto (await navigator.clipboard.readText()).replace(sessionStorage.found.split(',')[1], '0123456789abcdef')",
+        "until document.querySelector('.fingerprint .same') && lab.films().length === 2",
+        "do lab.motions.choose(1)",
+        "until text('.fingerprint .differs').includes(lab.film(1).fingerprint)",
+    ]),
+    **{
+        f"a link that is copied in the {view} view opens it": ("?plane.slope=0.1", {"simple": simple, **CLIPBOARD, **CALM}, [
+            UNTIL_SETTLED,
+            "click .menu summary",
+            "button Copy a link to this motion",
+            "until text('.toast') === 'Link copied.'",
+            "do localStorage.clear()",
+            "goto navigator.clipboard.readText()",
+            UNTIL_SETTLED,
+            # what the simple view does not show is said
+            f"is {SIMPLE} === {str(simple).lower()} && seen('.beyond') === {str(simple).lower()}",
+        ])
+        for view, simple in (("simple", True), ("whole", False))
+    },
     "a link is copied without a fingerprint by default": ("?start.speed=2.9#fingerprint=0123456789abcdef", CLIPBOARD, [
         "until document.querySelector('.fingerprint code')",
         "click .menu summary",

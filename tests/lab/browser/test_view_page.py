@@ -1,12 +1,9 @@
 """What a visitor sees first: one run of the motion, the simple view, names and links of what is shown."""
 
-import pytest
-
 from hophoop._version import __version__
 from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow
 
 CALM = {"reduced_motion": "reduce"}
-COPYING = {"permissions": ["clipboard-read", "clipboard-write"], **CALM}
 SIMPLE = "lab.root.classList.contains('simple')"
 PAINTED = """['.stage-canvas:not([hidden])', '.timeline-canvas', '.phase .plot-over', '[data-plot=velocities] .plot-over']
     .map((one) => all(one).map((canvas) => canvas.toDataURL()).join())"""
@@ -96,15 +93,3 @@ FLOWS = {
 def test_a_first_look(visit, name):
     link, options, steps = FLOWS[name]
     follow(visit(link, **options), steps)
-
-
-@pytest.mark.parametrize("simple", [True, False])
-def test_a_copied_link_opens_as_it_was_copied(visit, address, simple):
-    page = visit("?plane.slope=0.1", simple=simple, **COPYING)
-    follow(page, [f"until {SETTLED}", "click .menu summary", "button Copy a link to this motion"])
-    follow(page, ["until text('.toast') === 'Link copied.'"])
-    link = page.evaluate("navigator.clipboard.readText()").removeprefix(address)
-    assert "fingerprint" not in link
-    # what the simple view does not show is said
-    seen = [f"until {SETTLED}", f"is {SIMPLE} === {str(simple).lower()} && seen('.beyond') === {str(simple).lower()}"]
-    follow(visit(link, simple=True, **CALM, **PHONE), seen)

@@ -1,55 +1,14 @@
 """Fingers and the wheel: one rule for all pictures of the page."""
 
-import pytest
-
-from lab_page_tools import PHONE, SHOWN, each_of, fingers, follow, until, wait_for
-
-
-def at_rest(page, target):
-    """Where a part of the page is when what is computed for the page moves it no more."""
-    boxes = [target.bounding_box()]
-
-    def rests():
-        page.wait_for_timeout(100)
-        boxes.append(target.bounding_box())
-        return boxes[-1] == boxes[-2]
-
-    until(page, rests)
-    return boxes[-1]
-
+from lab_page_tools import PHONE, SHOWN, each_of, follow
 
 # what two fingers zoom, and how wide the part is that it shows
 ZOOMED = {
-    ".stage canvas": "1 / hophoopLab.stage.flat.zoom",
-    "[data-plot=forces] .plot-body": "hophoopLab.plots.shared.range?.reduce((low, high) => high - low) ?? 6",
-    ".phase .plot-body": "hophoopLab.phase.range[1] - hophoopLab.phase.range[0]",
-    ".map-body": "hophoopLab.map.axes.windows.x[1] - hophoopLab.map.axes.windows.x[0]",
+    ".stage canvas": "1 / lab.stage.flat.zoom",
+    "[data-plot=forces] .plot-body": "(lab.plots.shared.range?.reduce((low, high) => high - low) ?? 6)",
+    ".phase .plot-body": "(lab.phase.range[1] - lab.phase.range[0])",
+    ".map-body": "(lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0])",
 }
-
-
-@pytest.mark.long
-def test_two_fingers_zoom_and_take_no_motion(visit):
-    page = visit(**PHONE)
-    touch = fingers(page)
-    for selector, width in ZOOMED.items():
-        target = page.locator(selector).first
-        target.scroll_into_view_if_needed()
-        wait_for(page, "!lab.surrounding")
-        before = page.evaluate(width)
-        box = at_rest(page, target)
-        x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
-        touch("touchStart", (x - 20, y))
-        touch("touchStart", (x - 20, y), (x + 20, y))
-        for spread in range(25, 81, 5):
-            touch("touchMove", (x - spread, y), (x + spread, y))
-        touch("touchEnd", (x - 80, y))
-        touch("touchEnd")
-        until(page, lambda width=width, wanted=pytest.approx(before / 4, rel=0.15): page.evaluate(width) == wanted)
-    page.wait_for_timeout(300)
-    assert page.evaluate("hophoopLab.motions.history.past.length") == 0
-    assert page.evaluate("hophoopLab.film().query") == ""
-
-
 # the browser tells which diagrams are in view after a picture of the page or two, and fingers can be there before
 NO_DIAGRAM_SEEN = """
 window.IntersectionObserver = class extends IntersectionObserver {
@@ -61,30 +20,7 @@ window.IntersectionObserver = class extends IntersectionObserver {
 };
 """
 
-PLACES_IN_SECTION = """() => {
-  const top = document.querySelector(".plots").getBoundingClientRect().y;
-  return [...document.querySelectorAll(".plot-body")].map((body) => body.getBoundingClientRect().y - top);
-}"""
-
-
-def test_a_diagram_that_is_not_drawn_yet_zooms_and_keeps_its_place(visit):
-    page = visit(**PHONE, script=NO_DIAGRAM_SEEN)
-    wait_for(page, "!lab.surrounding && [...lab.plots.seen.values()].every(seen => !seen)")
-    target = page.locator("[data-plot=forces] .plot-body")
-    target.scroll_into_view_if_needed()
-    box = at_rest(page, target)  # the stage shrinks after a scroll, and the browser scrolls again to make up for it
-    before = page.evaluate(PLACES_IN_SECTION)
-    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
-    touch = fingers(page)
-    touch("touchStart", (x - 20, y))
-    touch("touchStart", (x - 20, y), (x + 20, y))
-    touch("touchMove", (x - 80, y), (x + 80, y))
-    touch("touchEnd")
-    low, high = page.evaluate("hophoopLab.plots.shared.range")
-    assert high - low == pytest.approx(6 / 4, rel=0.15)
-    page.evaluate("for (const plot of hophoopLab.plots.plots) hophoopLab.plots.seen.set(plot.element, true)")
-    page.evaluate("hophoopLab.plots.redraw()")
-    assert page.evaluate(PLACES_IN_SECTION) == pytest.approx(before, abs=0.5)  # a line of a legend has 16 pixels
+PLACES = "all('.plot-body').map((body) => body.getBoundingClientRect().y - first('.plots').getBoundingClientRect().y)"
 
 
 # name: (link, options, steps), as in test_flows.py
@@ -95,6 +31,26 @@ MAP = [
 ]
 MOVED = "String(Object.values(lab.map.axes.windows)) !== before"
 FLOWS = {
+    "two fingers zoom and take no motion": ("", PHONE, [
+        *(step for selector, width in ZOOMED.items() for step in (
+            f"do first('{selector}').scrollIntoView({{ block: 'center' }}); globalThis.before = {width}",
+            "until !lab.surrounding",
+            f"pinch {selector}",
+            f"until near({width} / before, 0.25, 0.04)",
+        )),
+        "wait 300",
+        "is lab.motions.history.past.length === 0 && lab.film().query === ''",
+    ]),
+    "a diagram that is not drawn yet zooms and keeps its place": ("", {**PHONE, "script": NO_DIAGRAM_SEEN}, [
+        "until !lab.surrounding && [...lab.plots.seen.values()].every((seen) => !seen)",
+        "do first('[data-plot=forces] .plot-body').scrollIntoView({ block: 'center' })",
+        "wait 300",
+        f"do globalThis.before = {PLACES}",
+        "pinch [data-plot=forces] .plot-body",
+        "is near(lab.plots.shared.range[1] - lab.plots.shared.range[0], 1.5, 0.25)",
+        "do for (const plot of lab.plots.plots) lab.plots.seen.set(plot.element, true); lab.plots.redraw()",
+        f"is {PLACES}.every((place, k) => near(place, before[k], 0.5))",  # a line of a legend has 16 pixels
+    ]),
     "the wheel scrolls on unless the stage is chosen": ("", {}, [
         "point .stage 0.4 0.4",
         "wheel 300",
@@ -122,7 +78,7 @@ FLOWS = {
 }  # fmt: skip
 
 
-@each_of(FLOWS)
+@each_of(FLOWS, "two fingers zoom and take no motion")
 def test_wheel_and_finger(visit, name):
     link, options, steps = FLOWS[name]
     follow(visit(link, **options), steps)
