@@ -34,8 +34,8 @@ def test_all_bits_are_the_kept_ones() -> None:
 
 
 def test_interpreted_motions_have_the_kept_bits() -> None:
-    kept = of_kinds(kept_scenarios(every=40), "rigid", "border", "paradox", "resisted", "massless")
-    assert len(kept) > 20
+    kept = of_kinds(kept_scenarios(every=24), "rigid", "border", "paradox", "resisted", "massless")
+    assert len(kept) > 35
     assert differing(computed(kept, "interpreted")) == {}
 
 
