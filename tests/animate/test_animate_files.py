@@ -116,16 +116,6 @@ def test_half_a_film_is_not_left(tmp_path, name):
     assert old.read_bytes() == b"before"
 
 
-class Counting(Breaking):
-    """Remembers how far drawing ran ahead of the encoder."""
-
-    def __init__(self):
-        self.count = 2000
-
-    def draw(self, k):
-        return np.full((64, 64, 4), k % 256, np.uint8)
-
-
 def test_progress_is_told(tmp_path):
     told = []
     film(motion(), tmp_path / "a.mp4", Timing(fps=10), Look(size=(64, 64)), progress=lambda *pair: told.append(pair))

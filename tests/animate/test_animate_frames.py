@@ -146,14 +146,6 @@ def test_forces_are_arrows_across_and_along_the_plane():
         np.testing.assert_allclose(poses.friction_force[i], poses.sample.friction_force[i] * along, atol=1e-12)
 
 
-def test_the_rims_lowest_point_is_at_rest_in_rolling_and_the_top_twice_as_fast():
-    poses = poses_of(motion(2.0), [0.4])
-    v = poses.velocity[0, 0]
-    np.testing.assert_allclose(
-        rim_speeds(poses, [math.pi, 0.0, 0.5 * math.pi], 1.0)[0], [0, 2 * v, math.sqrt(2) * v], atol=1e-9
-    )
-
-
 def test_rim_speeds_are_those_of_the_moving_points():
     """Against the displacement of material points, in flight too."""
     run, step = motion(), 1e-6

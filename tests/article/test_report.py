@@ -185,14 +185,6 @@ def test_formulas_become_mathml_and_nothing_else_is_touched():
     assert 'display="block"' in mathml("x", displayed=True)
 
 
-def test_a_function_is_upright_and_apart_from_its_neighbours():
-    made = mathml(r"R\cos\theta", displayed=False)
-    parts = tree.fromstring(made.replace("&ApplyFunction;", "\u2061"))
-    assert [part.text for part in parts.iter("mi")] == ["R", "cos", "θ"]
-    assert parts.find("mspace").get("width") == "0.1667em"
-    assert parts.find(".//mo").get("lspace") == "0.1667em"
-
-
 def test_every_formula_of_the_report_can_be_set():
     for name, latex in FORMULAS.items():
         made = typeset(rf"\[{latex}\]")

@@ -16,7 +16,7 @@ from hophoop.kernel.records.writing import add_letter
 from hophoop.maps.grid import kernel
 from hophoop.maps.grid.axes import Axis, chunk_shape, linear, logarithmic, make_axes, ordered, parse_axis
 from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.evaluate import Plan, make_plan, run_cells
+from hophoop.maps.grid.evaluate import Plan, run_cells
 from hophoop.maps.grid.quantities import make_span
 from hophoop.scenario import paths
 from hophoop.vocabulary.names import LAW_CODES
@@ -319,6 +319,9 @@ def test_equal_bits_for_one_thread_and_many():
         assert a.tobytes() == b.tobytes()
 
 
+# Axes
+
+
 def test_mirrored_motions_are_alike():
     speeds = np.linspace(0.3, 4.9, 60)
     ahead = maps.points(None, {"start.speed": speeds}, ["sequence", "hop_height", "energy_lost"])
@@ -327,9 +330,6 @@ def test_mirrored_motions_are_alike():
     assert [text.translate(swap) for text in back["sequence"]] == ahead["sequence"].tolist()
     np.testing.assert_allclose(back["hop_height"], ahead["hop_height"], rtol=1e-10)
     np.testing.assert_allclose(back["energy_lost"], ahead["energy_lost"], rtol=1e-10, atol=1e-14)
-
-
-# Axes
 
 
 @given(
@@ -411,11 +411,6 @@ def test_bad_options(options, message):
         maps.sweep(None, {"plane.mu": [1.0], "start.speed": [1.0]}, **options)
 
 
-def test_maps_are_for_rigid_contact():
-    with pytest.raises(ValueError, match="must be 'rigid' in a map"):
-        make_plan(hh.Scenario(contact=hh.Compliant()), {"plane.mu": [1], "start.speed": [1]}, ["hop"], "duration")
-
-
 def test_rolling_resistance_is_an_axis():
     given, speeds = [0.01, 0.3], [1.0, 3.1]
     base = hh.Scenario(duration=2.0)
@@ -446,16 +441,6 @@ def test_a_massless_hoop_needs_the_tangent_of_half_the_angle(angle, speed):
     needs = np.tan([0.5 * motion.events[1].angle for motion in motions])
     found = maps.points(scenario, {"plane.mu": friction}, ["greatest_utilization"], span="duration")
     assert found["greatest_utilization"] == pytest.approx(needs / friction, rel=1e-9)
-
-
-def test_too_much_rolling_resistance_is_marked():
-    found = maps.sweep(
-        hh.Scenario(duration=0.5),
-        {"hoop.load_fraction": [0.5, 0.99], "plane.rolling_resistance": [0.0, 0.3]},
-        ["energy_lost"],
-        span="duration",
-    )
-    assert np.isfinite(found.energy_lost.values).tolist() == [[True, True], [True, False]]
 
 
 def test_a_logarithmic_axis_has_equal_ratios_and_exact_decades():

@@ -113,31 +113,6 @@ def test_no_motion_is_missing_from_the_catalogue(gamma):
     assert len(pairs) > 15
 
 
-NAMED = [
-    (0.75, "RSRKRSKR", ("reversal",)),
-    (0.48, "RSKRSKR", ("reversal", "revolutions")),
-    (0.48, "RSRSKR", ("reversal", "revolutions")),
-    (0.48, "RSKR", ("reversal", "revolutions")),
-]
-
-
-@pytest.mark.parametrize(("gamma", "sequence", "endings"), NAMED)
-def test_narrow_classes_are_in_the_catalogue(gamma, sequence, endings):
-    found = {entry.ending for entry in maps.catalogue(gamma) if entry.sequence == sequence}
-    assert found >= set(endings)
-
-
-def test_every_strip_that_theory_lists_is_found_or_too_narrow():
-    for gamma, hoop in HOOPS.items():
-        found = {f"{entry['sequence']} {entry['ending']}" for entry in hoop["entries"]}
-        narrow = {f"{one['sequence']} {one['ending']}": one for one in hoop["too_narrow"]}
-        assert found.isdisjoint(narrow), gamma
-        assert set(hoop["strips"]) <= found | narrow.keys(), gamma
-        assert all(one["log10_width"] < -13.9 for one in narrow.values()), gamma
-        # up to where a slow skid no longer carries over the top within the window
-        assert float(gamma) > 0.99 or "RSKR revolutions" in hoop["strips"], gamma
-
-
 def meeting(*sequences):
     found = [(x, y) for x, y, classes in HOOPS["0.75"]["meetings"] if {one.split(" ")[0] for one in classes} == set(sequences)]
     assert len(found) == 1
@@ -155,10 +130,6 @@ def test_where_rolling_alone_begins():
     assert speed == pytest.approx(HOOPS["0.75"]["speed_range"][0], rel=1e-5)
 
 
-def test_where_a_hop_meets_the_immediate_one():
-    assert meeting("H", "RKSH", "RKRSH")[1] == pytest.approx(math.sqrt(9.81 / 0.75), rel=1e-10)
-
-
 def test_classes_meet_where_the_catalogue_says():
     """Motions close to a meeting show all its classes."""
     inner = [one for one in HOOPS["0.75"]["meetings"] if len(one[2]) == 4]
@@ -171,17 +142,6 @@ def test_classes_meet_where_the_catalogue_says():
             found = maps.points(None, {"plane.mu": mu, "start.speed": speed}, ["sequence", "ending"])
             seen |= {f"{sequence} {ending}" for sequence, ending in zip(found["sequence"], found["ending"], strict=True)}
         assert seen >= set(classes), (x, y)
-
-
-def test_counts_fall_with_the_width():
-    for gamma in maps.catalogued():
-        before = len(maps.catalogue(gamma))
-        for width in np.geomspace(1e-14, 1.0, 57):
-            entries = maps.catalogue(gamma, float(width))
-            assert all(entry.width >= width for entry in entries)
-            assert len(entries) <= before
-            before = len(entries)
-        assert before == 0
 
 
 @pytest.mark.long

@@ -167,16 +167,12 @@ def test_many_events_are_counted(ax):
 
 def test_several_motions_in_one_colour_of_what_they_show(hop, rocking, ax):
     """A quantity keeps its colour; motions differ by their dashes."""
-    plots.friction_utilization([hop, rocking], ax=ax, labels=["one", "two"])
-    inks = {one.get_color() for one in ax.get_lines() if one.get_label() in ("one", "two")}
-    assert inks == {colors.FRICTION_FORCE}
-    assert len({one.get_linestyle() for one in ax.get_lines() if one.get_label() in ("one", "two")}) == 2
-
-
-def test_contact_forces_of_several(hop, rocking, ax):
     plots.contact_forces([hop, rocking], ax=ax, labels=["one", "two"])
-    names = [one.get_label() for one in ax.get_lines()]
-    assert {"normal force, one", "friction, two"} <= set(names)
+    drawn = {one.get_label(): one for one in ax.get_lines()}
+    one, two = (drawn[f"friction, {name}"] for name in ("one", "two"))
+    assert one.get_color() == two.get_color() == colors.FRICTION_FORCE
+    assert one.get_linestyle() != two.get_linestyle()
+    assert "normal force, one" in drawn
     with pytest.raises(ValueError, match="labels"):
         plots.contact_forces([hop, rocking], ax=ax, labels=["one"])
     with pytest.raises(ValueError, match="at least one"):
@@ -223,14 +219,6 @@ def test_the_ground_fills_all_below_a_slope(ax):
         if below[1] > high[0]:
             assert ground.get_path().contains_point(below)
         assert ground.get_path().contains_point((x, high[0])) == (high[0] < -math.tan(0.5) * x)
-
-
-def test_path_on_a_slope(ax):
-    motion = hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(slope=0.2), hh.Start.rolling(1.0), duration=1.5)
-    plots.path(motion, ax=ax)
-    assert render(ax).std() > 0.0
-    load = line(ax, "load")
-    assert load[-1, 1] < load[0, 1]
 
 
 def test_phase_plane_is_exact(ax):
@@ -304,13 +292,6 @@ def test_geometry_renders(ax):
     assert render(ax).std() > 0.0
     with pytest.raises(ValueError, match="angle"):
         plots.geometry(angle=math.nan)
-
-
-def test_new_axes_when_none_are_given(hop):
-
-    axes = plots.gap(hop)
-    assert axes.figure.number in plt.get_fignums()
-    plt.close(axes.figure)
 
 
 def test_overview_and_notebook(hop, tmp_path):

@@ -353,6 +353,20 @@ def test_units_scale(radius, mass, gravity):
         (lambda: theory.first_hop_speed(REFERENCE, hh.Plane(slope=-0.1)), "plane.slope must be at least 0"),
         (lambda: theory.first_hop_speed(REFERENCE, turns=0), "turns = 0 must be a whole number"),
         (lambda: theory.painleve_region(1.0, -0.5, REFERENCE), "mu = -0.5 must be at least 0."),
+        (lambda: theory.painleve_region(0.7, 1.0, REFERENCE, rolling_resistance=0.1), "omega = None must be given"),
+        *(
+            (
+                lambda f=f, gamma=gamma: theory.painleve_region(
+                    0.7, 1.0, hh.Hoop.ideal(gamma), rolling_resistance=f, omega=1.0
+                ),
+                said,
+            )
+            for f, gamma, said in (
+                (-0.1, 0.75, "rolling_resistance = -0.1 must be from 0 to 1"),
+                (0.98, 0.9, "rolling_resistance = 0.98 must be below 0.968"),
+                (0.1, 1.0, "rolling_resistance = 0.1 must be 0 for the massless hoop"),
+            )
+        ),
         (lambda: theory.jam_states(hh.Hoop.ideal(1.0)), "hoop.inertia_ratio = 0 must be above 0"),
         (lambda: theory.massless_loss(1.0, plane=DOWNHILL), "plane.slope must be 0"),
         (lambda: theory.massless_loss(1.0, radius=-1.0), "hoop.radius = -1.0 must be from 1e-06 to 1e+06 m."),

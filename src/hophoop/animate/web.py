@@ -126,7 +126,8 @@ def _columns(motion: Trajectory, times: Floats, names: Sequence[str]) -> dict[st
 
 
 def _thinned(t: Floats) -> Floats:
-    return t[np.unique(np.linspace(0, len(t) - 1, min(len(t), TRACE_POINTS)).astype(int))]
+    thinned: Floats = t[np.unique(np.linspace(0, len(t) - 1, min(len(t), TRACE_POINTS)).astype(int))]
+    return thinned
 
 
 def page(data: dict[str, Any]) -> str:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import tomllib
 from collections.abc import Sequence
+from importlib.resources import files
 from typing import Any
 
 from hophoop import theory
@@ -14,62 +16,7 @@ from hophoop.simulation.simulate import simulate
 
 SMALL = {"radius": 0.3, "mass": 2.0}  # another hoop, for a question in the article's comments
 
-# By the names in story.html, from the numbers of the statements by key and of `_motions` and `_bodies`.
-TEXTS = {
-    "turn_time": "{slow_motion[t_at_360]:.2f} s",
-    "slow_peak": "{slow_motion[largest_speed]:.2f} m/s",
-    "bottom_force": "{bottom_force:.1f} N",
-    "weight": "{weight:.2f} N",
-    "friction_used": "{friction_used[utilization]!h:.1f} %",
-    "friction_angle": "{friction_used[angle]!d:.0f}°",
-    "friction_needed": "{friction_needed[mu]:.4f}",
-    "faster_used": "{faster_friction_used[utilization]!h:.1f} %",
-    "critical_speed": "{critical_speed[first_slip_speed]:.4f} m/s",
-    "skid_angle": "{slips[slip_angle]!d:.1f}°",
-    "spin_angle": "{spin.angle!d:.1f}°",
-    "largest_slip": "{slips[largest_slip]:.2f} m/s",
-    "end_product": "{ends_rolling[excess_times_t_limit]:.1f} J s",
-    "skid_angle_hop": "{hop_slips[0].angle!d:.1f}°",
-    "spin_angle_hop": "{hop_slips[1].angle!d:.1f}°",
-    "takeoff_angle": "{hops[takeoff_angle_deg]:.1f}°",
-    "takeoff_time": "{hops[takeoff_t]:.3f} s",
-    "rise": "{hops[rise]!h:.0f} cm",
-    "flight_time": "{flight_time:.2f} s",
-    "flight_turn": "{flight_turn!d:.0f}°",
-    "landing_angle": "{hops[landing_angle_deg]:.1f}°",
-    "first_hop": "{hops[first_hop_speed]:.4f} m/s",
-    "roll_rate": "{roll_rate:.2f} rad/s",
-    "hop_rate": "{constant_rotation[omega]:.2f} rad/s",
-    "roll_hop_speed": "{roll_hop_speed:.2f} m/s",
-    "least_speed": "{centre_in_flight[least]:.2f} m/s",
-    "most_speed": "{centre_in_flight[largest]:.2f} m/s",
-    "gravity_centre_speed": "{centre_in_flight[gravity_centre]:.2f} m/s",
-    "fall_speed": "{fall_speed:.2f} m/s",
-    "rate_before": "{down.before.omega:.2f} rad/s",
-    "rate_after": "{down.omega:.2f} rad/s",
-    "landing_loss": "{impact_loss[lost]:.2f} J",
-    "landing_normal": "{impact_loss[normal]:.2f} J",
-    "landing_tangential": "{impact_loss[tangential]:.2f} J",
-    "slip_before": "{impact_loss[slip_before]:.2f} J",
-    "positive_from": "{positive_potential[angles_deg][0]:.1f}°",
-    "positive_to": "{positive_potential[angles_deg][1]:.1f}°",
-    "rolls_on": "{landing[slips_again_deg]:.1f}°",
-    "rolls_for": "{landing[rolls_for]:.2f} s",
-    "low_slip_angle": "{low_friction_rocks[first_slip_deg]:.1f}°",
-    "low_turn_angle": "{low_friction_rocks[turning_angles_deg][0]:.1f}°",
-    "low_slips": "{low_friction_slips[slips]}",
-    "low_loss": "{low_friction_slips[friction]:.1f} J",
-    "low_duration": "{low_friction_slips[duration]:g} s",
-    "parts_eccentricity": "{made.eccentricity:.2f}",
-    "parts_inertia": "{made.inertia_ratio:.4f}",
-    "scaled_radius": "{small.radius:g} m",
-    "scaled_mass": "{small.mass:g} kg",
-    "scaled_speed": "{small_speed:.2f} m/s",
-    "scaled_takeoff": "{scaled.angle!d:.6f}°",
-    "large_takeoff": "{large.angle!d:.6f}°",
-    "right_rate": "{with_load:.2f} rad/s",
-    "wrong_rate": "{without_load:.2f} rad/s",
-}
+TEXTS: dict[str, str] = tomllib.loads(files("hophoop.article").joinpath("facts.toml").read_text("utf-8"))
 
 
 def facts(statements: Sequence[Statement], runs: Runs) -> dict[str, str]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -131,14 +129,11 @@ class Diagram:
         text : str
             θ̇ at the passages is left out.
         """
-        rows = io.StringIO()
-        writer = csv.writer(rows, lineterminator="\n")
         names = [name for name, *_ in _VARIABLES]
-        writer.writerow([self.path, *names])
+        rows = [(self.path, *names)]
         for value, several in zip(self.values.tolist(), self.attractors, strict=True):
-            for one in several:
-                writer.writerow([repr(value), *(str(getattr(one, name)) for name in names)])
-        return rows.getvalue()
+            rows += [(repr(value), *(str(getattr(one, name)) for name in names)) for one in several]
+        return "".join(",".join(row) + "\n" for row in rows)
 
     def __repr__(self) -> str:
         known = {str(one.fate) for found in self.attractors for one in found}

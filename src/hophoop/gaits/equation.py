@@ -21,6 +21,7 @@ from hophoop.scenario.start import StartState
 
 Pair = NDArray[np.float64]
 STEPS = 12  # of Newton's method
+DIFFERENCE = 1e-6  # to either side, in each coordinate and the scaled parameter
 FAR = 1e3  # times the size of the first correction: then it diverges
 
 
@@ -169,7 +170,7 @@ class GaitEquation:
         start = Start(height=0.0, vx=self.scenario.hoop.radius * value["omega"] + value["slip"], mode=self.mode, **value)
         return self.scenario.replace(self.path, self.parameter(point)).replace("start", start)
 
-    def __call__(self, point: Pair, sign: float = 1.0) -> Values | None:
+    def __call__(self, point: Pair) -> Values | None:
         """Return the map at a point, or None where the hoop does not come back in the mode, or the value is not allowed."""
         try:
             scenario = self.at(point)
@@ -178,7 +179,7 @@ class GaitEquation:
         found = passages(scenario, self.period, section=self.section)
         if len(found) < self.period or found.mode[-1] != self.mode:
             return None
-        matrix, rate = parameter_rates(found, self.path, sign)
+        matrix, rate = parameter_rates(found, self.path)
         if not (np.isfinite(matrix).all() and np.isfinite(rate).all()):
             return None
         first = scenario.start.state(scenario.hoop).angle
@@ -199,19 +200,16 @@ class GaitEquation:
         """Return the solution with normal · point = offset near a point, by Newton's method, or None if it finds none."""
         return self._newton(point, lambda values, point: (normal, float(normal @ point) - offset), 1e-13)
 
-    def solve_with(self, point: Pair, multiplier: float, step: float = 1e-6) -> tuple[Pair, Values] | None:
-        """Return the solution near a point with a given multiplier, or None.
-
-        step: of the central differences, in each coordinate and the scaled parameter.
-        """
+    def solve_with(self, point: Pair, multiplier: float) -> tuple[Pair, Values] | None:
+        """Return the solution near a point with a given multiplier, or None."""
 
         def condition(values: Values, point: Pair) -> tuple[Pair, float] | None:
             slopes = []
-            for shift in step * np.eye(len(point)):
+            for shift in DIFFERENCE * np.eye(len(point)):
                 ahead, back = self(point + shift), self(point - shift)
                 if ahead is None or back is None or ahead.key != values.key or back.key != values.key:
                     return None
-                slopes.append((ahead.off(multiplier) - back.off(multiplier)) / (2.0 * step))
+                slopes.append((ahead.off(multiplier) - back.off(multiplier)) / (2.0 * DIFFERENCE))
             return np.array(slopes), values.off(multiplier)
 
         found = self._newton(point, condition, 1e-12)

@@ -22,13 +22,13 @@ from hophoop.scenario import Scenario
 from hophoop.scenario.start import StartState
 from hophoop.simulation.phases import PhaseRecord, phases
 from hophoop.simulation.simulate import simulate
+from hophoop.vocabulary.quantities import LOSSES
 
 if TYPE_CHECKING:
     from hophoop.gaits.branch import Branch
     from hophoop.gaits.digits import PreciseGait
     from hophoop.simulation.trajectory import Trajectory
 
-LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 MOST_PERIODS = 100_000
 LONGER = 1.001  # of the time to the last landing, which is looked for
 

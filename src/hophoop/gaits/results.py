@@ -17,6 +17,7 @@ from hophoop.kernel.records.layout import unpacked_sequence
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.vocabulary.names import Fate
+from hophoop.vocabulary.quantities import LOSSES
 
 if TYPE_CHECKING:
     import xarray
@@ -67,7 +68,6 @@ _VARIABLES = (
     ("impact_tangential", "J", "Energy lost in impacts, along the plane, since the last passage"),
     ("rolling_resistance", "J", "Energy lost to rolling resistance since the last passage"),
 )
-_LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 
 
 def _si(name: str, about: str) -> property:
@@ -183,8 +183,8 @@ class Passages:
         ValueError
             If it is none of them.
         """
-        if name not in _LOSSES:
-            raise InputError.of_field("name", name, f"one of {', '.join(_LOSSES)}")
+        if name not in LOSSES:
+            raise InputError.of_field("name", name, f"one of {', '.join(LOSSES)}")
         return self._since(name)
 
     def start(self, index: int) -> Start:
@@ -267,7 +267,7 @@ class Passages:
         xr = need("xarray", "maps")
         variables: dict[str, Any] = {}
         for name, unit, meaning in _VARIABLES:
-            values = self._since(name) if name in _LOSSES else getattr(self, name)
+            values = self._since(name) if name in LOSSES else getattr(self, name)
             variables[name] = ("passage", values, {"units": unit, "long_name": meaning})
         for name, letters, meaning in (
             ("mode", self.mode, "Mode at the passage"), ("sequence", self.sequences, "Phases since the last passage"),

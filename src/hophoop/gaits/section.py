@@ -176,15 +176,15 @@ def _product(found: Passages, index: int, further: int, sign: float) -> tuple[Fl
     return matrix, rows, columns, reason
 
 
-def parameter_rates(found: Passages, path: str, sign: float = 1.0) -> tuple[Floats, Floats]:
+def parameter_rates(found: Passages, path: str) -> tuple[Floats, Floats]:
     """Return the rates of the coordinates at the last passage by those at the start, and by a parameter, or nan.
 
-    In units of R and √(R/g), by the parameter per SI unit; with sign = −1 towards smaller coordinates and parameter.
+    In units of R and √(R/g), by the parameter per SI unit.
     """
     directions = check_no_unit(found.scenario, path)
     matrix, rates = np.eye(1), np.zeros(1)
     for index in range(-1, len(found) - 1):
-        step, _, columns, _ = _step(found, index, sign, directions.parameter_tangents)
+        step, _, columns, _ = _step(found, index, 1.0, directions.parameter_tangents)
         before, change = step[:, : len(columns)], step[:, len(columns)]
         matrix, rates = (before, change) if index < 0 else (before @ matrix, before @ rates + change)
     return matrix, rates

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Sequence
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -271,14 +273,17 @@ def _painleve_excess(dataset: Any) -> NDArray[np.float64] | None:
     grid = np.meshgrid(dataset[up].values, dataset[across].values, indexing="ij")
     values = dict(zip((str(up), str(across)), (part.reshape(-1) for part in grid), strict=True))
     cells = make_cells(base, {path: values[path] for path in ordered(list(values))}, grid[0].size)
-    body = cells[[CELL.index("eccentricity"), CELL.index("inertia_ratio")]]
-    kinds, place = np.unique(body, axis=1, return_inverse=True)
-    threshold = np.full(kinds.shape[1], np.inf)
-    for k, (eccentricity, inertia_ratio) in enumerate(kinds.T):
-        if inertia_ratio > 0.0:
-            hoop = Hoop(eccentricity=float(eccentricity), inertia_ratio=float(inertia_ratio))
-            threshold[k] = theory.painleve_minimum(hoop).mu
+    bodies = zip(*(cells[CELL.index(name)].tolist() for name in ("eccentricity", "inertia_ratio")), strict=True)
+    threshold = np.array([_least_friction(*body) for body in bodies])
     friction = cells[CELL.index("mu_kinetic")]
     with np.errstate(invalid="ignore"):
-        excess = np.clip(friction, 0.0, 1e6) - np.clip(threshold[place.reshape(-1)], 0.0, 1e6)
+        excess = np.clip(friction, 0.0, 1e6) - np.clip(threshold, 0.0, 1e6)
     return np.asarray(excess.reshape(grid[0].shape))
+
+
+@cache
+def _least_friction(eccentricity: float, inertia_ratio: float) -> float:
+    """Return the minimum friction for the paradox."""
+    if not inertia_ratio > 0.0:
+        return math.inf
+    return float(theory.painleve_minimum(Hoop(eccentricity=eccentricity, inertia_ratio=inertia_ratio)).mu)
