@@ -1,5 +1,6 @@
 """A defect of hophoop is shown as one, and only bad input as bad input."""
 
+import dask
 import pytest
 
 import hophoop as hh
@@ -61,3 +62,4 @@ def test_an_address_that_the_library_refuses_is_one_sentence(tmp_path):
     assert found.exit_code == 2
     assert found.stderr.startswith("Error: --scheduler = 'x' must be an address")
     assert found.stderr.count("\n") == 1
+    assert dask.config.get("scheduler", None) is None  # the next map is computed by this machine again

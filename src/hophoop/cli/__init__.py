@@ -18,7 +18,7 @@ from typer.core import TyperGroup
 
 from hophoop._support.errors import InputError, plain
 from hophoop._support.extras import MissingExtra
-from hophoop._support.stopping import Stopping, stop_on_signals
+from hophoop._support.stopping import stop_on_signals
 
 # In the order of --help.
 COMMANDS = ("run", "lab", "animate", "map", "track", "fit", "plan")
@@ -26,10 +26,12 @@ RESEARCH = ("theory", "prove", "gait", "diagram", "reproduce")
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
 DEFECT = 1
+# in errors of Python and of the system where memory is short
+TOO_LITTLE = ("can't start new thread", "failed to map segment", "annot allocate memory")
 
 
 class Commands(TyperGroup):
-    """The commands, each loaded on use; errors become one sentence and an exit status."""
+    """The commands, each loaded on use; errors become one sentence and an exit status, in `main`."""
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Return the names of the commands."""
@@ -43,56 +45,6 @@ class Commands(TyperGroup):
         """Return the command to run, with its options."""
         name, command, rest = super().resolve_command(ctx, args)
         return name, command and command_of(str(name)), rest
-
-    def make_context(self, *args: Any, **extra: Any) -> Any:
-        """Read the options; --help and --version print here."""
-        self._refuse_empty_names(list(extra["args"] if "args" in extra else args[1]))
-        try:
-            return super().make_context(*args, **extra)
-        except KeyboardInterrupt as error:
-            raise Stopped from error
-        except BrokenPipeError:
-            raise
-        except OSError as error:
-            from hophoop.scenario.sentences import sentence
-
-            raise Failed(sentence(error)) from error
-
-    def invoke(self, ctx: Any) -> Any:
-        """Run the command; bad input, unusable files and missing extras end with status 2."""
-        try:
-            return super().invoke(ctx)
-        except KeyboardInterrupt as error:
-            raise Stopped from error
-        except BrokenPipeError:
-            raise  # the reader of a pipe has closed it: Typer handles this
-        except InputError as error:
-            from hophoop.cli._output import in_options
-
-            raise Failed(str(in_options(error, _flags(ctx.invoked_subcommand)))) from error
-        except (OSError, MissingExtra) as error:
-            from hophoop.scenario.sentences import sentence
-
-            raise Failed(sentence(error)) from error
-        except (MemoryError, RuntimeError, ImportError) as error:
-            if not _is_short_of_memory(error):
-                raise
-            raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
-
-    def _refuse_empty_names(self, words: list[str]) -> None:
-        """Refuse an empty file name, which pathlib would read as the current folder."""
-        if not any(word == "" or word.endswith("=") for word in words):
-            return
-        name = next((word for word in words if not word.startswith("-")), "")
-        if name not in self.list_commands(None):
-            return
-        command = command_of(name)
-        kinds = command.callback.__annotations__
-        files = {flag for one in command.params if "Path" in str(kinds.get(one.name)) for flag in one.opts if flag[0] == "-"}
-        for word, following in zip(words, [*words[1:], None], strict=True):
-            flag = word.removesuffix("=")
-            if flag in files and (word != flag or following == ""):
-                raise Failed(f"{flag} = '' must name a file or a folder.")
 
     def main(
         self,
@@ -116,7 +68,9 @@ class Commands(TyperGroup):
             except BaseException as error:
                 if stopping.heard:
                     raise
-                status = _report_failure(error, stopping)
+                status = _report_failure(error)
+            if status == STOPPED and not stopping.heard:
+                stopping.say()
             sys.exit(status if isinstance(status, int) else DONE)
 
 
@@ -137,31 +91,18 @@ def command_of(name: str, brief: bool = False) -> Any:
     return typer.main.get_command(one)
 
 
-def _flags(name: str) -> dict[str, str]:
-    """Map Python argument names to options of a command; options of a scenario keep their paths."""
-    from hophoop.cli._options import OPTIONS
-
-    flags = {one.name: max(one.opts, key=len) for one in command_of(name).params}
-    paths = {option.flag for option in OPTIONS} if "assign" in flags else set()
-    if paths:
-        flags.pop("start", None)  # of the scenario, too
-    return {name: flag for name, flag in flags.items() if flag.startswith("--") and flag not in paths}
-
-
-def _is_short_of_memory(error: BaseException) -> bool:
-    """Return True for an error by which Python or the system reports too little memory."""
-    words = ("can't start new thread", "failed to map segment", "annot allocate memory")
-    return isinstance(error, MemoryError) or any(word in str(error) for word in words)
-
-
-def _report_failure(error: BaseException, stopping: Stopping) -> int:
+def _report_failure(error: BaseException) -> int:
     """Report an error; return the exit status."""
-    if isinstance(error, Failed):
-        _say_error(str(error))
-        return BAD_INPUT
-    if isinstance(error, (typer.Abort, Stopped, KeyboardInterrupt)):
-        stopping.say()
+    if isinstance(error, (typer.Abort, KeyboardInterrupt)):
         return STOPPED
+    if isinstance(error, (OSError, InputError, MissingExtra)):
+        from hophoop.scenario.sentences import sentence
+
+        _say_error(sentence(error))
+        return BAD_INPUT
+    if isinstance(error, MemoryError) or any(word in str(error) for word in TOO_LITTLE):
+        _say_error(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", "."))
+        return BAD_INPUT
     # an error in the arguments, reported by the parser
     _explain(error)
     describe = getattr(error, "format_message", None)
@@ -197,14 +138,6 @@ def _explain(error: BaseException) -> None:
     if allowed and param is not None:
         flag = max(param.opts, key=len)
         error.format_message = lambda: f"{flag} = {first['input']!r} must be {allowed}."  # type: ignore[attr-defined]
-
-
-class Stopped(Exception):
-    """Ctrl-C or SIGTERM; Typer would end a KeyboardInterrupt with status 130 and no message."""
-
-
-class Failed(Exception):
-    """Bad input, described in one sentence."""
 
 
 def say(text: str) -> None:

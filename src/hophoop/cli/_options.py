@@ -30,6 +30,7 @@ from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
 import typer
 
 from hophoop._support.errors import InputError
+from hophoop.cli._output import named_options
 from hophoop.vocabulary.parameters import TABLE, WORD, section_of
 
 
@@ -95,7 +96,7 @@ def declared(command: Callable[..., None]) -> Callable[..., None]:
     entries = entries_of(command.__doc__)
     known = _known(own, entries)
     options = {name: _option(name, entry, known[name]) for name, entry in entries.items()}
-    parameters = [parameter for parameter, _ in options.values()]
+    parameters = [parameter for parameter, _, _ in options.values()]
     shared = {_python_name(option): option for option in OPTIONS} if "scenario" in own else {}
     if shared:
         common = [_scenario_option(name, option) for name, option in shared.items() if option.panel != ADVANCED]
@@ -103,9 +104,12 @@ def declared(command: Callable[..., None]) -> Callable[..., None]:
         file, assign = _parameter("file", str | None, _FILE, None), _parameter("assign", list[str] | None, _SET, None)
         parameters = [file, *common, assign, *parameters, *rare]
 
+    # by argument, for errors; a scenario has a start, too
+    flags = {name: flag for name, (_, flag, _) in options.items() if not (shared and name == "start")}
+
     def run(**values: Any) -> None:
         arguments: dict[str, Any] = {one.holder: {} for one in known.values() if one.holder}
-        for name, (_, read) in options.items():
+        for name, (_, _, read) in options.items():
             holder, value = known[name].holder, values[name]
             if value is not None:
                 (arguments[holder] if holder else arguments)[name] = read(value)
@@ -114,7 +118,8 @@ def declared(command: Callable[..., None]) -> Callable[..., None]:
             arguments["scenario"] = scenario_of(values["file"], given, values["assign"] or [])
             if "file" in own:  # for commands that need its name
                 arguments["file"] = values["file"]
-        command(**arguments)
+        with named_options(flags):
+            command(**arguments)
 
     run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     run.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
@@ -160,11 +165,13 @@ def _text(entry: Entry) -> str:
     return f"{text.rstrip('.')}: {', '.join(choices[:-1])} or {choices[-1]}." if choices else text
 
 
-def _option(name: str, entry: Entry, known: Declared) -> tuple[inspect.Parameter, Callable[[Any], Any]]:
-    """Return an option as a parameter for Typer, and what makes the value of what Typer has read."""
+def _option(name: str, entry: Entry, known: Declared) -> tuple[inspect.Parameter, str, Callable[[Any], Any]]:
+    """Return an option as a parameter for Typer, its flag, and what makes the value of what Typer has read."""
     sign, _, place = entry.sign.partition(" ") if entry.sign.startswith("--") else ("", "", entry.sign)
     flag, default = sign or f"--{name.replace('_', '-')}", known.parameter.default
     kind, read, complete = _reading(known.parameter.annotation, flag)
+    if "Path" in str(known.parameter.annotation):
+        place, default = place or "FILE", str(default) if isinstance(default, Path) else default
     text = entry.text or known.text or _TEXTS[flag.removeprefix("--")]
     if kind == list[str]:
         text = f"{text.rstrip('.')}; may be repeated."
@@ -172,10 +179,8 @@ def _option(name: str, entry: Entry, known: Declared) -> tuple[inspect.Parameter
         text, default = re.sub(r", rad\b", ", degrees", text), default and math.degrees(default)
     if default is not inspect.Parameter.empty and kind is not bool and (kind == list[str] or not isinstance(default, kind)):
         kind, default = kind | None, None
-    if kind is Path or kind == Path | None:
-        place = place or "FILE"
     if entry.heading == "Arguments":
-        return _parameter(name, kind, typer.Argument(metavar=place, help=text, show_default=False), default), read
+        return _parameter(name, kind, typer.Argument(metavar=place, help=text, show_default=False), default), flag, read
     made = typer.Option(
         *(() if default is True else (flag,)),  # else Typer adds --no-…
         metavar=place or None,
@@ -183,7 +188,7 @@ def _option(name: str, entry: Entry, known: Declared) -> tuple[inspect.Parameter
         autocompletion=complete,
         rich_help_panel=None if entry.heading == "Options" else entry.heading,
     )
-    return _parameter(name, kind, made, default), read
+    return _parameter(name, kind, made, default), flag, read
 
 
 def _reading(annotation: Any, flag: str) -> tuple[Any, Callable[[Any], Any], Callable[..., Any] | None]:
@@ -195,6 +200,8 @@ def _reading(annotation: Any, flag: str) -> tuple[Any, Callable[[Any], Any], Cal
     kind = next(one for one in kinds if one is not NoneType)
     origin, parts = get_origin(kind), get_args(kind)
     turned = math.radians if flag.endswith("-deg") else lambda value: value
+    if kind is Path:
+        return str, lambda text: _path(flag, text), None
     if origin is tuple:
         return str, lambda text: tuple(map(turned, numbers(flag, text, len(parts)))), None
     if origin is Mapping:
@@ -202,6 +209,13 @@ def _reading(annotation: Any, flag: str) -> tuple[Any, Callable[[Any], Any], Cal
     if origin is Sequence:
         return list[str], lambda texts: tuple(texts if parts[0] is str else map(value_of, texts)), None
     return kind, turned, complete
+
+
+def _path(flag: str, text: str) -> Path:
+    """Return the name of a file or folder; pathlib would read an empty one as the current folder."""
+    if not text:
+        raise InputError.of_field(flag, text, "a file or a folder", rule="must name")
+    return Path(text)
 
 
 def _table(flag: str, texts: Sequence[str], kind: Any) -> dict[str, Any]:

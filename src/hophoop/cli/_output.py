@@ -59,12 +59,6 @@ def check_apart(paths: list[Path], source: str | Path | None, what: str) -> None
             raise InputError(f"{paths[k]} is {what} itself: name another file for the output.")
 
 
-def in_options(error: InputError, names: Mapping[str, str]) -> InputError:
-    """Return the error with the option in place of the argument of a Python function."""
-    option = names.get(error.field or "")
-    return error if option is None else error.renamed(option)
-
-
 def save_picture(axes: Any, path: Path, dpi: float | str = 150) -> None:
     """Write the figure of some axes, whole or not at all."""
     from hophoop._support.files import replacing
@@ -75,11 +69,13 @@ def save_picture(axes: Any, path: Path, dpi: float | str = 150) -> None:
 
 @contextmanager
 def named_options(names: Mapping[str, str]) -> Iterator[None]:
-    """Rename arguments in errors to options; `Commands` does so for options with the argument's name."""
+    """Rename arguments in errors to options; for a command's own arguments this is done already."""
     try:
         yield
     except InputError as error:
-        raise in_options(error, names) from None
+        if error.field is None or error.field not in names:
+            raise
+        raise error.renamed(names[error.field]) from None
 
 
 def print_json(data: object, indent: int | None = 2) -> None:

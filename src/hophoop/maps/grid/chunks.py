@@ -110,11 +110,11 @@ def _client(scheduler: str | Client) -> Iterator[Client]:
         with scheduler.as_current():
             yield scheduler
         return
-    try:
-        connected = client(scheduler, timeout=PATIENCE)
-    except ValueError as error:  # Dask's error for an invalid address
+    try:  # before a client exists, which would stay Dask's default scheduler
+        need("distributed.comm", "cluster").get_address_host_port(scheduler)
+    except ValueError as error:
         raise InputError.of_field("scheduler", scheduler, f"an address such as tcp://host:8786: {error}") from None
-    with connected:
+    with client(scheduler, timeout=PATIENCE) as connected:
         connected.wait_for_workers(1, timeout=6 * PATIENCE)
         yield connected
 
