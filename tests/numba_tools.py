@@ -10,4 +10,4 @@ from hophoop.kernel.build.lowering import copied
 @cache
 def jitted(kernel):
     """A dispatcher of a kernel, compiled at its first call."""
-    return numba.njit(nogil=True, error_model="numpy")(copied(kernel, jitted))  # noqa: TID251
+    return numba.njit(nogil=True, error_model="numpy")(copied(kernel, jitted))

@@ -128,7 +128,8 @@ def _digits(value: float, true: Decimal, unit: float) -> float:
         return float(MOST_DIGITS) if str(value) == str(float(true)) else 0.0
     size = max(abs(float(true)), unit)
     error = float(abs(Decimal(value) - true)) / size
-    return MOST_DIGITS if error == 0.0 else max(0.0, min(float(MOST_DIGITS), -math.log10(error)))
+    digits = -math.log10(error) if error else math.inf  # noqa: TID251 - how many to print
+    return max(0.0, min(float(MOST_DIGITS), digits))
 
 
 def _is_impulse(mine: Any, right: EventRecord[Decimal]) -> bool:

@@ -105,7 +105,7 @@ def _order(body: Body, state: State, exponent: int, bits: int) -> int:
     turned = float(abs(body.ctx.ldexp(state.om, exponent)))
     k, small = 3, 0.0
     while turned > 0.0 and small <= bits and k < 4000:
-        small -= math.log2(turned / k)
+        small -= math.log2(turned / k)  # noqa: TID251 - how long a step is
         k += 1
     return k + 1
 

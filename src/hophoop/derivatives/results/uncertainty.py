@@ -227,7 +227,7 @@ def uncertainty_of(
             raise InputError(f"correlations: {value!r} of {one} and {other} must be from -1 to 1.")
         i, k = paths.index(one), paths.index(other)
         matrix[i, k] = matrix[k, i] = value
-    if np.linalg.eigvalsh(matrix)[0] < -1e-12:
+    if np.linalg.eigvalsh(matrix)[0] < -1e-12:  # noqa: TID251 - decides only whether to refuse
         raise InputError("correlations: no parameters can be correlated like that; the matrix has a negative eigenvalue.")
     sizes = np.array([spread[path] for path in paths])
     propagate(motion, paths)  # refuses those that are not possible
