@@ -77,22 +77,11 @@ def test_only_an_ideal_hoop_has_the_inertia_of_one():
     assert [hh.Scenario(hoop=hoop).to_body().ideal for hoop in hoops] == [True, True, False, False]
 
 
-def test_an_ideal_hoop_without_numbers_is_the_usual_one():
-    assert hh.Hoop.ideal() == hh.Hoop()
-
-
 def test_a_part_may_reach_beyond_the_rim_by_what_rounding_does():
     reach = 1.0 + 1e-12
     hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.9, 1.0), hh.PointMass(1.0, reach)])
     beyond = [hh.Ring(1.0, 0.9, 1.0), hh.PointMass(1.0, math.nextafter(reach, 2.0))]
     assert "beyond the rim" in said(lambda: hh.Hoop.from_parts(1.0, beyond))
-
-
-def test_a_vertical_plane_is_none():
-    assert (
-        said(lambda: hh.Plane(slope=0.5 * math.pi))
-        == f"plane.slope = {0.5 * math.pi!r} must lie between -pi/2 and pi/2 (radians)."
-    )
 
 
 HOLDS = ""
