@@ -130,7 +130,7 @@ def _hoop(text: str) -> Any:
 
 
 def _show(found: Any, json: bool) -> None:
-    from hophoop.fitting.result import plain
+    from hophoop.tracking.table import plain
 
     if json:
         print_json(plain({key: value for key, value in found.to_dict().items() if key != "tracks"}), indent=1)

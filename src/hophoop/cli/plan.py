@@ -44,7 +44,7 @@ def plan(
     from dataclasses import asdict
 
     from hophoop.fitting import plan as make
-    from hophoop.fitting.result import plain
+    from hophoop.tracking.table import plain
 
     found = make(scenario, **(how | {"sigma_angle": None} if no_marker else how))
     if json:

@@ -21,6 +21,7 @@ from hophoop.fitting.result import HOPELESS, WORST, Fit
 from hophoop.fitting.solving import best_of, changed, free_of, parameters
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
+from hophoop.tracking.hints import require_above_0
 
 if TYPE_CHECKING:
     from lmfit import Parameters
@@ -145,9 +146,7 @@ def fit(
         robust,
         seed,
     )
-    for name, value in (("sigma", sigma), ("sigma_angle", sigma_angle), ("sigma_omega", sigma_omega)):
-        if value is not None and not (np.isfinite(value) and value > 0):
-            raise InputError.of_field(name, value, "a number above 0")
+    require_above_0(sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
     several = [data] if isinstance(data, Track | str | Path) else list(data)
     tracks = [one if isinstance(one, Track) else read_track(one) for one in several]
     if not tracks:

@@ -46,17 +46,9 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
     for k in range(len(t)):
         first = max(0, min(k - half, len(t) - 2 * half - 1))
         near = slice(first, first + 2 * half + 1)
-        rows.append(_parabola(t[near] - t[k], values[near], errors[near]))
+        (_, rate, value), covariance = np.polyfit(t[near] - t[k], values[near], 2, w=1.0 / errors[near], cov="unscaled")
+        rows.append((value, rate, np.sqrt(covariance[1, 1])))
     return Rates(t, *np.array(rows).T)
-
-
-def _parabola(t: Floats, values: Floats, errors: Floats) -> tuple[float, float, float]:
-    """Return value, rate and the rate's standard deviation at t = 0 of the parabola through data."""
-    weight = 1.0 / errors
-    design = np.column_stack([np.ones_like(t), t, t**2]) * weight[:, None]
-    inverse = np.linalg.pinv(design.T @ design)
-    found = inverse @ (design.T @ (values * weight))
-    return float(found[0]), float(found[1]), float(np.sqrt(max(inverse[1, 1], 0.0)))
 
 
 def rates_of(run: Run, name: str) -> Rates | None:

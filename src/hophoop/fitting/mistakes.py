@@ -44,7 +44,7 @@ def likely_mistakes(problem: Run, track: Track, sigma: Sigma) -> list[str]:
         return ["The centre jumps down and not up: does y count downwards, or is the film upside down? y is the height."]
     place = np.interp(angle.t, x.t, x.value)
     ratio = float(np.polyfit(angle.value, place, 1)[0]) / problem.radius if np.ptp(angle.value) else np.inf
-    return _of_units(ratio) or _of_the_angle(ratio) or _cured(problem, track, sigma)
+    return _of_units(ratio) or _cured(problem, track, sigma)
 
 
 def without_shutter(tracks: Sequence[Track]) -> list[str]:
@@ -68,7 +68,7 @@ def _hops_down(height: Floats, problem: Run) -> bool:
 
 
 def _of_units(ratio: float) -> list[str]:
-    """Ask about lengths and degrees; `ratio` is the way of the centre over radius and angle, about 1."""
+    """Ask about units, and the direction of the angle; `ratio` is the way of the centre over radius and angle, about 1."""
     if abs(ratio) > FAR_OFF:
         return [
             f"The centre goes {abs(ratio):.2g} times as far as radius and angle let it: are lengths in cm or pixels? "
@@ -79,11 +79,6 @@ def _of_units(ratio: float) -> list[str]:
             f"The angle goes {1.0 / max(abs(ratio), 1e-9):.2g} times as far as radius and x let it: is it in degrees "
             "(--angle-unit deg), or the radius in cm? The radius is in m."
         ]
-    return []
-
-
-def _of_the_angle(ratio: float) -> list[str]:
-    """Ask about the direction of the angle."""
     if ratio < 0:
         return ["x grows while the angle falls: the angle counts clockwise if x counts to the right. Does yours?"]
     return []

@@ -21,6 +21,7 @@ from hophoop.fitting.solving import Minimum, Solution, changed, free_of, insensi
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
 from hophoop.tracking import Track
+from hophoop.tracking.hints import require_above_0
 from hophoop.tracking.table import track_of
 
 MOST_FRAMES = 200_000
@@ -145,9 +146,7 @@ def plan(
     >>> hh.plan(scenario, rate=120.0).unseen
     ('mu_kinetic', 'mu_excess', 'restitution')
     """
-    for name, value in (("rate", rate), ("sigma", sigma), ("sigma_angle", sigma_angle), ("sigma_omega", sigma_omega)):
-        if value is not None and not (np.isfinite(value) and value > 0):
-            raise InputError.of_field(name, value, "a number above 0")
+    require_above_0(rate=rate, sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
     if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
         raise InputError.of_field("sigma_scale", sigma_scale, "a number of at least 0")
     motion = simulate(scenario)

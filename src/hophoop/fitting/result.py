@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -13,7 +12,6 @@ from numpy.typing import NDArray
 
 from hophoop._support import tables
 from hophoop._support.extras import need
-from hophoop._support.files import replacing
 from hophoop._version import __version__
 from hophoop.fitting.channels import Sigma
 from hophoop.fitting.covariance import autocorrelations
@@ -25,7 +23,7 @@ from hophoop.fitting.solving import parameters
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
-from hophoop.tracking.table import track_from_dict
+from hophoop.tracking.table import complete, parse_json, track_from_dict, write_json
 
 if TYPE_CHECKING:
     from lmfit import Parameters
@@ -366,12 +364,7 @@ class Fit:
         OSError
             If it cannot be written.
         """
-        file = Path(path)
-        if file.suffix.lower() != ".json":
-            raise InputError(f"{file} must end in .json.")
-        with replacing(file) as fresh:
-            text = json.dumps(plain(self.to_dict()), ensure_ascii=False, allow_nan=False)
-            fresh.write_text(text + "\n", encoding="utf-8")
+        write_json(path, self.to_dict())
 
     def _repr_html_(self) -> str:
         return tables.html(self.rows(), left=(0, 2), before=[" ".join(self.sentences())])
@@ -438,20 +431,13 @@ def load_fit(path: str | Path) -> Fit:
         If it cannot be read.
     """
     file = Path(path)
-    try:
-        data = json.loads(file.read_text(encoding="utf-8"))
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{file} is not valid JSON: {error}.") from None
+    data = parse_json(file.read_text(encoding="utf-8"), str(file))
     if not isinstance(data, dict) or data.get("schema") != SCHEMA:
         raise InputError(f"{file} is not a fit of hophoop ({SCHEMA}).")
-    try:
+    with complete(str(file)):
         tracks = [track_from_dict(one, str(file)) for one in data["tracks"]]
         alone = [_from_dict(one, [track]) for one, track in zip(data["alone"], tracks, strict=False)]
         return replace(_from_dict(data, tracks), alone=tuple(alone))
-    except InputError:
-        raise
-    except (KeyError, TypeError, IndexError, AttributeError, ValueError) as error:
-        raise InputError(f"{file} is incomplete: {error}.") from None
 
 
 def _from_dict(data: dict[str, Any], tracks: list[Track]) -> Fit:
@@ -466,12 +452,3 @@ def _from_dict(data: dict[str, Any], tracks: list[Track]) -> Fit:
         tracks=tuple(tracks),
         posterior=None if data["posterior"] is None else posterior_from_dict(data["posterior"]),
     )
-
-
-def plain(value: Any) -> Any:
-    """Replace nan and infinity, which JSON does not have, by None."""
-    if isinstance(value, dict):
-        return {key: plain(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(one) for one in value]
-    return None if isinstance(value, float) and not np.isfinite(value) else value

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -222,16 +223,13 @@ def _begin(
         limit = fit.limits.get(names[k], ("", np.nan))[1]
         if np.isfinite(limit):
             reach[k] = sorted((best[k], limit))
+
+    def drawn(share: float, number: int) -> Floats:
+        return rng.multivariate_normal(best, share * spread, number, check_valid="ignore", method="eigh")
+
     least = likelihood(np.clip(best, *ends.T)) - NEAR
-    found: list[Floats] = []
-    for _ in range(TRIES * count):
-        if len(found) == count:
-            break
-        place = rng.multivariate_normal(best, spread, check_valid="ignore", method="eigh")
-        place[unseen] = rng.uniform(*reach[unseen].T)
-        place = np.clip(place, *ends.T)
-        if likelihood(place) > least:
-            found.append(place)
-    while len(found) < count:
-        found.append(np.clip(rng.multivariate_normal(best, 1e-6 * spread, check_valid="ignore", method="eigh"), *ends.T))
-    return np.array(found)
+    places = drawn(1.0, TRIES * count)
+    low, high = reach[unseen].T
+    places[:, unseen] = rng.uniform(low, high, (len(places), len(unseen)))
+    good = list(islice((place for place in places.clip(*ends.T) if likelihood(place) > least), count))
+    return np.array([*good, *drawn(1e-6, count - len(good)).clip(*ends.T)])

@@ -14,7 +14,7 @@ from hophoop.tracking.camera import RADIUS_ERROR
 from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker, doubt_times, repeated, steps_of
 from hophoop.tracking.following import Follower, Frame
 from hophoop.tracking.ground import Ground, ground_line, line_through
-from hophoop.tracking.hints import Hints
+from hophoop.tracking.hints import Hints, require_above_0
 from hophoop.tracking.learning import FilmSetup, learn
 from hophoop.tracking.scatter import spread, third_differences
 from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, track_of
@@ -56,8 +56,7 @@ def track(
     ImportError
         If PyAV or SciPy is missing.
     """
-    if not (np.isfinite(radius) and radius > 0):
-        raise InputError.of_field("radius", radius, "a number above 0 (metres)")
+    require_above_0(radius=radius)
     hints = hints or Hints()
     source = Path(video).name
     total = count(video)

@@ -80,10 +80,10 @@ class Hints:
         if (self.centre is None) != (self.rim is None):
             missing, there = ("rim", "centre") if self.rim is None else ("centre", "rim")
             raise InputError(f"{missing} is missing: {there} alone does not locate the hoop.")
+        require_above_0(rim=self.rim, rate=self.rate, focal=self.focal)
         for name, good, allowed in (
             ("ring", self.ring in ("auto", "dark", "light"), "auto, dark or light"),
             *((name, _inside(getattr(self, name), count=n), f"{n} numbers") for name, n in NUMBERS.items()),
-            *((name, _inside(getattr(self, name), above=0.0), "a number above 0") for name in ("rim", "rate", "focal")),
             ("exposure", 0.0 <= self.exposure < 1.0, "from 0 to 1 s"),
             ("row_delay", abs(self.row_delay) <= 1e-3, "from -0.001 to 0.001 s"),
             ("tilt", _inside(self.tilt, -0.6, 0.6, 2), "from -0.6 to 0.6 (radians)"),
@@ -92,6 +92,13 @@ class Hints:
         ):
             if not good:
                 raise InputError.of_field(name, getattr(self, name), allowed)
+
+
+def require_above_0(**values: float | None) -> None:
+    """Refuse numbers that are not above 0, by the names of their fields; None is allowed."""
+    for name, value in values.items():
+        if value is not None and not (np.isfinite(value) and value > 0):
+            raise InputError.of_field(name, value, "a number above 0")
 
 
 def _inside(value: Any, above: float = -np.inf, below: float = np.inf, count: int = 1) -> bool:

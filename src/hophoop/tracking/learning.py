@@ -150,17 +150,13 @@ def _hoop_at_hint(pictures: list[Picture], camera: Camera, hints: Hints, sign: i
 
 def _most_alike(found: list[tuple[Picture, Hoop]]) -> list[tuple[Picture, Hoop]]:
     """Return the largest group of one size and one contrast, of equal ones the best."""
-    best: list[tuple[Picture, Hoop]] = []
-    for _, seed in found:
-        size = seed.rim.circle.radius
-        group = [
-            (picture, hoop)
-            for picture, hoop in found
-            if hoop.sign == seed.sign and abs(hoop.rim.circle.radius - size) < ALIKE * size
-        ]
-        if (len(group), sum(hoop.rim.share for _, hoop in group)) > (len(best), sum(hoop.rim.share for _, hoop in best)):
-            best = group
-    return best
+
+    def alike(one: Hoop, other: Hoop) -> bool:
+        size = other.rim.circle.radius
+        return one.sign == other.sign and abs(one.rim.circle.radius - size) < ALIKE * size
+
+    groups = ([pair for pair in found if alike(pair[1], seed)] for _, seed in found)
+    return max(groups, key=lambda group: (len(group), sum(hoop.rim.share for _, hoop in group)), default=[])
 
 
 def _marker(seen: list[tuple[Picture, Circle]], camera: Camera, hints: Hints) -> Marker | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import json
 import os
 import re
 from collections.abc import Mapping
@@ -14,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
-from hophoop.scenario.sentences import parse_reason
 from hophoop.tracking.columns import KINDS, Column, read_columns
-from hophoop.tracking.table import COLUMNS, Track, track_from_dict, track_of
+from hophoop.tracking.hints import require_above_0
+from hophoop.tracking.table import COLUMNS, Track, parse_json, track_from_dict, track_of
 
 Floats = NDArray[np.float64]
 
@@ -78,10 +77,7 @@ class Reading:
         for name in self.columns:
             if name not in CHANNELS:
                 raise InputError(f"columns cannot name {name!r}; it can name {', '.join(CHANNELS)}.", field="columns")
-        for name in ("radius", "rate"):
-            value = getattr(self, name)
-            if value is not None and not (np.isfinite(value) and value > 0):
-                raise InputError.of_field(name, value, "a number above 0")
+        require_above_0(radius=self.radius, rate=self.rate)
 
 
 def read_track(path: str | Path, reading: Reading | None = None) -> Track:
@@ -120,10 +116,7 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         raise InputError(f"{file} is a spreadsheet: save the sheet as CSV.")
     text = _text(file)
     if ending in OWN:
-        try:
-            data = json.loads(text)
-        except (ValueError, RecursionError) as error:
-            raise InputError(f"{file} is not valid JSON: {parse_reason(error)}.") from None
+        data = parse_json(text, str(file))
         if how.columns or how.rate:
             raise InputError(
                 f"{file} is a track of hophoop, with columns and times of its own: columns and rate are for tables."

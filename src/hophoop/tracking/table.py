@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Annotated, Any
@@ -15,7 +16,7 @@ from pydantic import Field, TypeAdapter, ValidationError
 
 from hophoop._support.files import replacing
 from hophoop.scenario import InputError
-from hophoop.scenario.sentences import findings_sentence
+from hophoop.scenario.sentences import findings_sentence, parse_reason
 from hophoop.tracking.camera import Camera
 
 Floats = NDArray[np.float64]
@@ -240,7 +241,7 @@ class Track:
         track : dict
             Ready for `json.dumps`; SI units and radians.
         """
-        columns = {name: _plain(self._column(name)) for name in COLUMNS if np.isfinite(self._column(name)).any()}
+        columns = {name: plain(self._column(name).tolist()) for name in COLUMNS if np.isfinite(self._column(name)).any()}
         head: dict[str, Any] = {"schema": SCHEMA, "source": self.source, "placed": self.placed, "notes": list(self.notes)}
         head |= {name: value for name in HEAD if np.isfinite(value := getattr(self, name))}
         if self.view is not None:
@@ -263,16 +264,11 @@ class Track:
         OSError
             If it cannot be written.
         """
-        file = Path(path)
-        ending = file.suffix.lower()
-        if ending not in (".json", ".csv"):
-            raise InputError(f"{file} must end in .json or .csv.")
-        with replacing(file) as fresh:
-            if ending == ".json":
-                fresh.write_text(json.dumps(self.to_dict(), ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
-            else:
-                with fresh.open("w", newline="", encoding="utf-8") as stream:
-                    csv.writer(stream).writerows(self.rows())
+        if Path(path).suffix.lower() != ".csv":
+            write_json(path, self.to_dict(), ".json or .csv")
+            return
+        with replacing(Path(path)) as fresh, fresh.open("w", newline="", encoding="utf-8") as stream:
+            csv.writer(stream).writerows(self.rows())
 
     def _column(self, name: str) -> Floats:
         attribute, index, _ = COLUMNS[name]
@@ -341,7 +337,7 @@ def track_from_dict(data: Any, name: str) -> Track:
     """
     if not isinstance(data, dict) or data.get("schema") != SCHEMA:
         raise InputError(f"{name} is not a track of hophoop ({SCHEMA}).")
-    try:
+    with complete(name):
         columns = {key: np.array(values, dtype=float) for key, values in data["columns"].items() if key in COLUMNS}
         view = None
         if "view" in data:
@@ -358,13 +354,45 @@ def track_from_dict(data: Any, name: str) -> Track:
             notes=tuple(str(note) for note in data["notes"]),
             **others,
         )
-    except ValidationError as error:
-        raise InputError(f"{name}: {findings_sentence(error.errors(), 'view')}") from None
+
+
+# --- JSON ------------------------------------------------------------------------------------------
+
+
+def write_json(path: str | Path, data: Any, endings: str = ".json") -> None:
+    """Write data as JSON, if the name ends so; endings: for the message."""
+    file = Path(path)
+    if file.suffix.lower() != ".json":
+        raise InputError(f"{file} must end in {endings}.")
+    with replacing(file) as fresh:
+        fresh.write_text(json.dumps(plain(data), ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def plain(value: Any) -> Any:
+    """Replace nan and infinity, which JSON does not have, by None."""
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(one) for one in value]
+    return None if isinstance(value, float) and not np.isfinite(value) else value
+
+
+def parse_json(text: str, name: str) -> Any:
+    """Return the data of a text; name: of its file, for messages."""
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{name} is not valid JSON: {parse_reason(error)}.") from None
+
+
+@contextmanager
+def complete(name: str) -> Iterator[None]:
+    """Refuse data in which something is missing or of another kind; name: of the file, for messages."""
+    try:
+        yield
     except InputError:
         raise
-    except (KeyError, TypeError, AttributeError, ValueError) as error:
+    except ValidationError as error:
+        raise InputError(f"{name}: {findings_sentence(error.errors(), 'view')}") from None
+    except (KeyError, TypeError, IndexError, AttributeError, ValueError) as error:
         raise InputError(f"{name} is incomplete: {error}.") from None
-
-
-def _plain(values: Floats) -> list[float | None]:
-    return [float(value) if np.isfinite(value) else None for value in values]
