@@ -1,4 +1,7 @@
-"""Motions of a known hoop, and tracks of them as films would give them."""
+"""Motions of a known hoop, tracks of them as films would give them, and what a page says of a fit."""
+
+import re
+from pathlib import Path
 
 import numpy as np
 
@@ -52,3 +55,18 @@ def differences(problem, values, name, step):
         else {-2: 1, -1: -8, 1: 8, 2: -1}
     )
     return sum(by * problem.residuals(values | {name: values[name] + k * step}) for k, by in weights.items()) / (12 * step)
+
+
+ROOT = Path(__file__).parents[1]
+ROW = re.compile(r"^\| `(\w+)` \| ([\d.]+) \| ([\d.]+) ± ([\d.]+)", re.MULTILINE)
+
+
+def is_told(fit, page, names):
+    """The table of a page has truth, values and errors of a fit."""
+    told = {name: map(float, numbers) for name, *numbers in ROW.findall((ROOT / page).read_text("utf-8"))}
+    assert set(told) == set(names)
+    for name, (truth, value, error) in told.items():
+        assert truth == TRUTH[name]
+        assert abs(fit.values[name] - value) < 0.3 * error
+        assert 0.7 * error < fit.error(name) < 1.3 * error
+        assert abs(value - truth) < 3 * error

@@ -1,13 +1,10 @@
 """A phone fixed to the hoop measures the angular velocity alone, with noise and an offset."""
 
-import re
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import hophoop as hh
-from fitting_tools import RADIUS, TRUTH, hopping
+from fitting_tools import RADIUS, ROOT, TRUTH, hopping, is_told
 from hophoop.fitting.channels import GYROSCOPE, scatter
 from hophoop.tracking import Reading, read_track
 from hophoop.tracking.table import track_of
@@ -26,13 +23,14 @@ def pulls(seed):
     assert fit.good
     # static friction is the least certain, and has a limit in some draws
     assert {*NAMES, "omega_offset"} - set(fit.free) <= {"mu_excess"}
-    truth = TRUTH | {"omega_offset": OFFSET}
-    names = (*NAMES, "omega_offset")
-    return [(fit.values[name] - truth[name]) / fit.error(name) if name in fit.free else np.nan for name in names]
+    truth = {name: TRUTH[name] for name in NAMES} | {"omega_offset": OFFSET}
+    return [(fit.values[name] - true) / fit.error(name) if name in fit.free else np.nan for name, true in truth.items()]
 
 
-def test_a_record_of_the_angular_velocity_gives_hoop_contact_and_start():
-    assert np.nanmax(np.abs(pulls(1))) < 3.5
+@pytest.mark.parametrize("seed", [1, 13, 16])
+def test_a_record_of_the_angular_velocity_gives_hoop_contact_and_start(seed):
+    """Where an impact passes a measured value the sum of squares has a step; 13 and 16 have small basins on both sides."""
+    assert np.nanmax(np.abs(pulls(seed))) < (3.5 if seed == 1 else 3.0)
 
 
 @pytest.mark.slow
@@ -69,34 +67,19 @@ def test_the_error_may_be_given():
         hh.fit(track, sigma_omega=-1.0)
 
 
-@pytest.mark.parametrize("seed", [13, 16])
-def test_the_lowest_basin_is_found(seed):
-    """Where an impact passes a measured value the sum of squares has a step, with small basins on both sides."""
-    assert np.nanmax(np.abs(pulls(seed))) < 3.0
+@pytest.fixture(scope="module")
+def sample():
+    return hh.fit(read_track(ROOT / "examples" / "phone" / "gyroscope.csv", Reading(radius=RADIUS)))
 
 
-ROOT = Path(__file__).parents[2]
-ROW = re.compile(r"^\| `(\w+)` \| ([\d.]+) \| ([\d.]+) ± ([\d.]+)", re.MULTILINE)
+def test_the_sample_record_gives_what_the_page_says(sample):
+    is_told(sample, "docs/teach/phone.md", ("gamma", "mu_kinetic", "restitution"))
 
 
-def test_the_sample_record_gives_what_the_page_says():
-    fit = hh.fit(read_track(ROOT / "examples" / "phone" / "gyroscope.csv", Reading(radius=RADIUS)))
-    told = {
-        name: list(map(float, numbers)) for name, *numbers in ROW.findall((ROOT / "docs/teach/phone.md").read_text("utf-8"))
-    }
-    assert set(told) == {"gamma", "mu_kinetic", "restitution"}
-    for name, (truth, value, error) in told.items():
-        assert truth == TRUTH[name]
-        assert fit.values[name] == pytest.approx(value, abs=0.3 * error)
-        assert fit.error(name) == pytest.approx(error, rel=0.3)
-        assert abs(value - truth) < 3 * error
-
-
-def test_a_plan_predicts_what_a_record_determines():
+def test_a_plan_predicts_what_a_record_determines(sample):
     plan = hh.plan(hopping().scenario, rate=200.0, sigma_omega=SIGMA)
-    fit = hh.fit(read_track(ROOT / "examples" / "phone" / "gyroscope.csv", Reading(radius=RADIUS)))
-    assert set(plan.errors) == set(fit.free)
-    assert all(plan.errors[name] == pytest.approx(fit.error(name), rel=0.5) for name in fit.free)
+    assert set(plan.errors) == set(sample.free)
+    assert all(plan.errors[name] == pytest.approx(sample.error(name), rel=0.5) for name in sample.free)
     assert "values of the sequence RKRSH+KR" in plan.sentences()[0]
     slow = hh.plan(hopping(start=hh.Start.rolling(1.0), duration=1.0).scenario, rate=200.0, sigma_omega=SIGMA)
     assert {"mu_kinetic", "restitution"} <= set(slow.unseen)

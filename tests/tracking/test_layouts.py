@@ -113,50 +113,36 @@ def test_signs_and_spaces_of_typesetters(tmp_path):
 # --- digits in groups ------------------------------------------------------------------------------
 
 
+TWICE = r"has the number 1[.,]00\d, which has two readings: save the table without signs"
+
+
 @pytest.mark.parametrize(
-    ("rows", "remark"),
+    ("head", "rows", "said"),
     [
-        (["0.50\t985\t300", "0.51\t1,002\t300", "0.52\t1,019\t300"], "1,002 is read as 1002."),
-        (["0\t985\t300", "10\t1,002\t300", "20\t1,019\t300"], "1,002 is read as 1002."),
-        (["0,50\t985\t300", "0,51\t1.002\t300", "0,52\t1.019\t300"], "1.002 is read as 1002."),
-        (["0.50\t985.0\t300", "0.51\t1,002.0\t300", "0.52\t1,019.0\t300"], "1,002.0 is read as 1002.0."),
-        (["0.50\t985\t300", "0.51\t1'002\t300", "0.52\t1 019\t300"], None),
+        ("t (ms)\tx (mm)\ty", ["0.50\t985\t300", "0.51\t1,002\t300", "0.52\t1,019\t300"], "1,002 is read as 1002."),
+        ("t (ms)\tx (mm)\ty", ["0\t985\t300", "10\t1,002\t300", "20\t1,019\t300"], "1,002 is read as 1002."),
+        ("t (ms)\tx (mm)\ty", ["0,50\t985\t300", "0,51\t1.002\t300", "0,52\t1.019\t300"], "1.002 is read as 1002."),
+        ("t (ms)\tx (mm)\ty", ["0.5\t985.0\t300", "0.6\t1,002.0\t300", "0.7\t1,019.0\t300"], "1,002.0 is read as 1002.0."),
+        ("t (ms)\tx (mm)\ty", ["0.50\t985\t300", "0.51\t1'002\t300", "0.52\t1 019\t300"], None),
+        # three decimals are no groups
+        ("t\tx\ty", ["0,008\t0,985\t0,3", "0,016\t1,002\t0,3", "0,024\t1,019\t0,3"], None),
+        ("t\tx\ty", ["1.008\t0.985\t1.3", "1.016\t1.002\t1.3", "1.024\t1.019\t1.3"], None),
+        # t = 1.000 or 1000
+        ("t\tx (mm)\ty", ["1,000\t1,002\t1,300", "1,010\t1,019\t1,300", "1,020\t1,036\t1,300"], TWICE),
+        ("t\tx (mm)\ty", ["0\t985\t300", "10\t1.002\t300", "20\t1.019\t300"], TWICE),
+        ("t\tx (mm)\ty", ["0.50\t985\t0,3", "0.51\t1.002\t0,3", "0.52\t1.019\t0,3"], TWICE),
     ],
 )
-def test_grouped_digits_are_recognized(tmp_path, rows, remark):
+def test_digits_in_groups_are_recognized_or_refused(tmp_path, head, rows, said):
     file = tmp_path / "ours.txt"
-    file.write_text("\n".join(["t (ms)\tx (mm)\ty (mm)", *rows]), encoding="utf-8")
+    file.write_text("\n".join([head, *rows]), encoding="utf-8")
+    if said == TWICE:
+        with pytest.raises(InputError, match=said):
+            read_track(file)
+        return
     track = read_track(file)
     assert track.centre[:, 0] == pytest.approx([0.985, 1.002, 1.019])
-    assert track.notes == (() if remark is None else (remark,))
-
-
-@pytest.mark.parametrize(
-    "rows",
-    [
-        ["1,000\t1,002\t1,300", "1,010\t1,019\t1,300", "1,020\t1,036\t1,300"],  # t = 1.000 or 1000
-        ["0\t985\t300", "10\t1.002\t300", "20\t1.019\t300"],
-        ["0.50\t985\t0,3", "0.51\t1.002\t0,3", "0.52\t1.019\t0,3"],
-    ],
-)
-def test_grouped_digits_are_refused_where_they_may_be_decimals(tmp_path, rows):
-    file = tmp_path / "ours.txt"
-    file.write_text("\n".join(["t\tx (mm)\ty (mm)", *rows]), encoding="utf-8")
-    with pytest.raises(InputError, match=r"has the number 1[.,]00\d, which has two readings: save the table without signs"):
-        read_track(file)
-
-
-@pytest.mark.parametrize(
-    "rows",
-    [
-        ["0,008\t1,002\t0,3", "0,016\t1,019\t0,3", "0,024\t1,036\t0,3"],
-        ["1.008\t1.002\t1.3", "1.016\t1.019\t1.3", "1.024\t1.036\t1.3"],
-    ],
-)
-def test_three_decimals_are_no_groups(tmp_path, rows):
-    file = tmp_path / "ours.txt"
-    file.write_text("\n".join(["t\tx\ty", *rows]), encoding="utf-8")
-    assert read_track(file).centre[:, 0] == pytest.approx([1.002, 1.019, 1.036])
+    assert track.notes == (() if said is None else (said,))
 
 
 # --- columns by name -------------------------------------------------------------------------------

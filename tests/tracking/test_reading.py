@@ -1,6 +1,7 @@
 """Tracks from files: Tracker's export, tables of spreadsheets, our own; and what a message says of them."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,6 @@ import hophoop as hh
 from hophoop.scenario import InputError
 from hophoop.tracking import Camera, Reading, View, read_track
 from hophoop.tracking.table import COLUMNS, track_of
-from tracking.tracker_files import text_export
 
 ROWS = "".join(f"{0.01 * k:.2f};0,1{k};0,3;0,1{k};0,5\n" for k in range(5))
 T = np.arange(24) / 240.0
@@ -27,12 +27,20 @@ def written(tmp_path, text, encoding="utf-8", name="ours.csv"):
 # --- Tracker ---------------------------------------------------------------------------------------
 
 
-def exported(tmp_path, names, *style, every=1):
-    """Tracker's text of two points, of which the second is hidden in some frames; of every n-th frame if stepped over."""
+def exported(tmp_path, names, delimiter="\t", comma=False, every=1):
+    """Tracker's text of two points, of which the second is hidden in some frames; of every n-th frame if stepped over.
+
+    One point beside the other, a delimiter behind each cell, numbers with Java's pattern 0.000000E0.
+    """
     seen = np.where(np.arange(24) % every, np.nan, 1.0)
     marked = np.where(np.isin(np.arange(24), HIDDEN), np.nan, seen)
-    points = dict(zip(names, ([X * seen, Y * seen], [(X + 0.25) * marked, (Y + 0.1) * marked]), strict=True))
-    return written(tmp_path, text_export(T, points, ["x", "y"], *style), "utf-8-sig", "two.txt")
+    columns = (T, X * seen, Y * seen, (X + 0.25) * marked, (Y + 0.1) * marked)
+    rows = [["", names[0], "", names[1], ""], ["t", "x", "y", "x", "y"]]
+    for row in zip(*columns, strict=True):
+        cells = ("" if np.isnan(value) else re.sub(r"E\+?(-?)0", r"E\1", f"{value:.6E}") for value in row)
+        rows.append([cell.replace(".", "," if comma else ".") for cell in cells])
+    text = "\n".join(["#multi:", *(delimiter.join([*row, ""]) for row in rows)])
+    return written(tmp_path, text, "utf-8-sig", "two.txt")
 
 
 @pytest.mark.parametrize("style", [("\t", False), ("\t", True), (";", True), (";", False), (",", False)])

@@ -1,18 +1,13 @@
 """The sample film that ships: its track is what the tracker finds, and the page says what its fit gives."""
 
-import re
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import hophoop as hh
+from fitting_tools import ROOT, is_told
 from hophoop.tracking import Hints, read_track
 
-ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "examples" / "film"
-TRUTH = {"gamma": 0.6, "mu_kinetic": 0.45, "mu_excess": 0.1, "restitution": 0.3}
-ROW = re.compile(r"^\| `(\w+)` \| ([\d.]+) \| ([\d.]+) ± ([\d.]+)", re.MULTILINE)
 
 
 def test_the_track_lies_on_the_motion():
@@ -32,13 +27,7 @@ def test_the_track_lies_on_the_motion():
 def test_a_fit_of_the_film_gives_what_the_page_says():
     track = hh.track(FOLDER / "hoop.mp4", radius=0.3, hints=Hints(exposure=0.0005, row_delay=8e-6))
     fit = hh.fit(track)
-    told = {name: tuple(map(float, numbers)) for name, *numbers in ROW.findall((ROOT / "docs/film.md").read_text("utf-8"))}
-    assert set(told) == set(TRUTH)
-    for name, (truth, value, error) in told.items():
-        assert truth == TRUTH[name]
-        assert fit.values[name] == pytest.approx(value, abs=0.3 * error)
-        assert fit.error(name) == pytest.approx(error, rel=0.3)
-        assert abs(value - truth) < 3 * error
+    is_told(fit, "docs/film.md", ("gamma", "mu_kinetic", "mu_excess", "restitution"))
 
 
 def test_a_film_on_its_side_is_doubted(tmp_path):
