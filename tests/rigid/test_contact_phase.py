@@ -199,7 +199,7 @@ def followed(body, sigma, way, state, duration):
 @pytest.mark.parametrize("sigma", [0, 1, -1])
 @pytest.mark.parametrize(
     ("kind", "th", "om"),
-    [(LINEAR, 2.0, 1.5), (LINEAR, 2.0, -1.5), (LEAVE, 2.0, 0.0), (ARRIVE, 1.0, -0.25), (ARRIVE, 5.0, 0.25)],
+    [(LINEAR, 2.0, 1.5), (LINEAR, 2.0, -1.5), (LEAVE, 2.0, 0.0), (LEAVE, -2.0, 0.0), (ARRIVE, 1.0, -0.25), (ARRIVE, 5.0, 0.25)],
 )
 def test_a_place_on_a_panel_is_where_the_hoop_comes_to(kind, th, om, sigma, resist):
     body = body_of(slope=0.125, mu=0.25, rolling_resistance=resist)

@@ -8,7 +8,7 @@ import pytest
 from scipy.optimize import brentq
 
 from hophoop.kernel.panels.anchor import SLIPPING
-from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, PanelStart, linear_panel
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, PanelStart, leaving_panel, linear_panel
 from hophoop.kernel.records.layout import PANELS, new_scratch
 from hophoop.kernel.rigid import panel_choice
 from newton_euler import accelerations
@@ -294,3 +294,47 @@ def test_a_panel_outlasts_the_motion():
     assert outlasts(128.1, 2.0)
     for time, left in ((63.9, 1.0), (63.9, 1e-9), (127.9, 2.0), (1e9, 0.0), (1e9, -1.0)):
         assert not outlasts(time, left)
+
+
+@pytest.mark.parametrize("sigma", [1, -1])
+def test_slip_that_begins_beside_p_sigma_of_zero_has_a_narrow_panel(sigma):
+    """Of the scale on which κ p_σ grows from what it is; narrower than the tables go."""
+    body = body_of(mu=1.3)
+
+    def firm(th):
+        return begin_of(body, sigma, state_of(sigma * th, 2.0 * sigma, sigma)).kappa_p_sigma
+
+    th = brentq(firm, -0.7, -0.1, xtol=1e-16)
+    while not firm(th) > 0.0:
+        th = math.nextafter(th, 0.0)
+    assert firm(th) < 1e-15
+    panel, totals, _, _ = chosen(body, sigma, state_of(sigma * th, 2.0 * sigma, sigma), 2)
+    assert totals.tail <= RESOLVED
+    assert panel.level > 96
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_panel_that_outlasts_the_motion_is_made_shorter(way):
+    """It then takes about 4 times what is left, at least; without gravity θ̇ stays, and from rest a ring hardly rolls."""
+
+    def shortened(body, state, panel, totals, left):
+        return panel_choice.narrow_to_time(body, panel, totals, state, left, new_scratch())
+
+    body = body_of(0.0, gravity=0.0)
+    for om, left in ((1e-5, 1.0), (1e-9, 0.25), (1e-9, 30.0), (1e-150, 1e-2), (2.0, 30.0)):
+        state = state_of(2.0, way * om)
+        short, totals = shortened(body, state, *linear(body, 0, state, 0, new_scratch()), left)
+        assert (short.kind, short.sigma, short.direction, short.ref, short.u) == (LINEAR, 0, way, 2.0, om**2)
+        assert totals.tail <= RESOLVED
+        assert totals.time == pytest.approx(short.extent / om, rel=1e-14)
+        assert 4.0 * left <= totals.time < 4.0 * math.sqrt(2.0) * left if om < 1.0 else short.level == 0
+    state = state_of(2.0, way * 1e-300)
+    assert shortened(body, state, *linear(body, 0, state, 0, new_scratch()), 1e-8)[0].level == 2000  # the narrowest there is
+    body, state = body_of(0.0, slope=way * 1e-8), state_of(0.0)
+    panel = leaving_panel(0, way, 0.4, begin_of(body, 0, state))
+    totals = panel_choice.solve(body, panel, new_scratch().work)
+    assert totals.time == pytest.approx(math.sqrt(2.0 * 0.4 / (0.5 * 1e-8)), rel=1e-13)
+    for left in (1.0, 0.25):
+        short, after = shortened(body, state, panel, totals, left)
+        assert (short.kind, short.direction, short.ref) == (LEAVE, way, 0.0)
+        assert after.time == pytest.approx(4.0 * left, rel=1e-13)

@@ -30,7 +30,7 @@ TIES = [
 @pytest.mark.parametrize(("speed", "given", "exact"), TIES)
 def test_a_tie_is_reported_and_its_digits_are_exact(speed, given, exact):
     """The motion goes on by the written order, and closes its ledger."""
-    case = scenario(speed, **{"mu": 1.0, **given})
+    case = scenario(speed, duration=1.0 if "gravity" in given else 3.0, **given)
     motion, truth = hh.simulate(case), hh.simulate(case, digits=20)
     assert truth.sequence.startswith(exact)
     assert motion.doubt < case.duration
