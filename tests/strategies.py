@@ -1,15 +1,13 @@
 """Hoops and scenarios for hypothesis, and the sentence of a refusal."""
 
-import math
-
 import pytest
+from hypothesis import reject
 from hypothesis import strategies as st
 
 import hophoop as hh
-from hophoop.kernel.physics.body import MOST_HEIGHT, MOST_SPEED
+from fuzz import draws
+from fuzz.draws import USUAL
 from hophoop.scenario import sentence
-from hophoop.vocabulary.names import LAW_CODES
-from hophoop.vocabulary.parameters import RANGES
 
 
 def said(build):
@@ -48,63 +46,31 @@ def bodies(draw):
     return radius, parts
 
 
-unit = st.floats(0.0, 1.0)
-fractions = st.floats(0.0, 0.999999) | st.just(1.0)  # a ring lighter than that has a range of its own
+class Drawn:
+    """A source of numbers for `fuzz.draws` that hypothesis chooses."""
 
+    kinds = USUAL
 
-def ranged(name):
-    """Any number that a scenario may have there, its single values included."""
-    allowed = RANGES[name]
-    return st.one_of(st.floats(allowed.least, allowed.most), *(st.just(value) for value in allowed.also))
+    def __init__(self, draw):
+        self._draw = draw
+
+    def between(self, least, most):
+        return float(self._draw(st.floats(least, most)))
+
+    def choice(self, values):
+        return values[self._draw(st.integers(0, len(values) - 1))]
 
 
 @st.composite
 def scenarios(draw):
-    radius, parts = draw(bodies())
-    hoop = draw(
-        st.sampled_from(
-            [
-                hh.Hoop.ideal(draw(fractions), draw(ranged("hoop.radius")), draw(ranged("hoop.mass"))),
-                hh.Hoop(radius=radius, mass=2.0, eccentricity=draw(unit), inertia_ratio=draw(st.floats(1e-12, 1e6))),
-                hh.Hoop.from_parts(radius, parts),
-            ]
-        )
-    )
-    friction = draw(ranged("plane.mu"))
-    ratio = draw(unit)
-    plane = draw(
-        st.sampled_from(
-            [
-                hh.Plane(mu=friction, gravity=draw(ranged("plane.gravity")), restitution=draw(unit)),
-                hh.Plane(mu_static=friction, mu_kinetic=min(ratio * 1e6, friction), painleve="impact"),
-                hh.Plane(impact_law=draw(st.sampled_from(list(LAW_CODES)))),
-            ]
-        )
-    )
-    fastest = min(0.9 * MOST_SPEED * math.sqrt(hoop.radius * (plane.gravity or 1.0)), RANGES["start.speed"].most)
-    speed = st.floats(-fastest, fastest)
-    start = draw(
-        st.sampled_from(
-            [
-                hh.Start.rolling(draw(speed), angle=draw(ranged("start.angle"))),
-                hh.Start(
-                    x=draw(ranged("start.x")),
-                    height=draw(st.floats(0.0, min(MOST_HEIGHT * hoop.radius, RANGES["start.height"].most))),
-                    vy=draw(speed),
-                    omega=draw(speed) / max(hoop.radius, 1.0),
-                ),
-                hh.Start(),
-            ]
-        )
-    )
-    contact = draw(st.sampled_from([hh.Rigid(), hh.Rigid(max_events=7), hh.Compliant(law="hunt-crossley", rtol=1e-6)]))
-    if hoop.massless or plane.mu_static == math.inf:
-        contact = hh.Rigid()
-    parts = {"hoop": hoop, "plane": plane, "start": start, "duration": draw(ranged("duration"))}
+    """Those that are allowed; some have a hoop of parts."""
     try:
-        return hh.Scenario(**parts, contact=contact)
-    except ValueError:  # a spring that sinks too deep at this speed
-        return hh.Scenario(**parts)
+        scenario = hh.Scenario.from_dict(draws.scenario(Drawn(draw)))
+        if draw(st.booleans()):
+            scenario = scenario.replace("hoop", hh.Hoop.from_parts(*draw(bodies())))
+    except ValueError:
+        reject()
+    return scenario
 
 
 # Ideal ones of any size, and other bodies.

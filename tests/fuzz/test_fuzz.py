@@ -13,7 +13,6 @@ import sys
 import time
 import tomllib
 import warnings
-from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -23,9 +22,10 @@ from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from fuzz.draws import EXTREME, USUAL, Seeded, scenario
+from fuzz.draws import EXTREME, Seeded, scenario
 from hophoop.kernel.native import forced
 from invariants import Finding, findings
+from strategies import Drawn
 from symmetries import mirror_finding, mirrored, scaled, units_finding
 
 TURNS = 200.0  # so short that thousands of them take half a minute
@@ -33,21 +33,6 @@ ONE_IN = 8  # is compliant
 PATIENCE = 20.0  # s of the processor that a motion may take, on any machine
 MANY = int(os.environ.get("HOPHOOP_FUZZ", "200"))
 ONCE_OPEN = sorted((Path(__file__).parents[1] / "data" / "once_open").glob("*.toml"))
-
-
-class Drawn:
-    """A source of numbers that hypothesis chooses."""
-
-    kinds = USUAL
-
-    def __init__(self, draw: Any) -> None:
-        self._draw = draw
-
-    def between(self, least: float, most: float) -> float:
-        return float(self._draw(st.floats(least, most)))
-
-    def choice(self, values: Sequence[Any]) -> Any:
-        return values[self._draw(st.integers(0, len(values) - 1))]
 
 
 @st.composite
