@@ -1,8 +1,6 @@
 """What a motion is read as: units, words, samples and the table of events."""
 
-import csv
 import dataclasses
-import json
 import math
 import pickle
 import re
@@ -100,6 +98,11 @@ def test_a_new_quantity_needs_two_files(tmp_path):
     assert shown == "N s"
 
 
+@pytest.fixture(scope="module")
+def hop():
+    return hh.simulate(hh.Scenario(duration=2.0))
+
+
 # Kinds, letters and statuses
 
 
@@ -119,22 +122,12 @@ def test_words_are_plain_strings(motion):
     assert motion.events[0].from_mode is None
 
 
-def test_files_have_plain_words(tmp_path):
-    motion = hh.simulate(hh.Scenario(duration=2.0))
-    hh.io.write_events_csv(motion, tmp_path / "events.csv")
-    with (tmp_path / "events.csv").open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert [row["kind"] for row in rows] == [event.kind for event in motion.events]
-    assert json.loads(json.dumps(motion.to_dict()))["status"] == "completed"
-
-
 # Samples
 
 
-def test_the_types_of_a_sample_are_those_of_its_fields():
-    motion = hh.simulate(hh.Scenario(duration=2.0))
+def test_the_types_of_a_sample_are_those_of_its_fields(hop):
     notes = typing.get_type_hints(Sample)
-    one, many = motion.at(1.0), motion.at(motion.times(5))
+    one, many = hop.at(1.0), hop.at(hop.times(5))
     assert set(notes) == {name for name in vars(one) if not name.startswith("_")}  # without the motion that it is of
     for name, note in notes.items():
         number, array = note.__constraints__
@@ -142,7 +135,7 @@ def test_the_types_of_a_sample_are_those_of_its_fields():
         assert isinstance(getattr(many, name), typing.get_origin(array))
         assert getattr(many, name).dtype.type is typing.get_args(array)[1].__args__[0]
     assert type(one.total) is type(one.friction_loss) is type(one.normal_loss) is float
-    assert type(one.utilization(motion.scenario.plane)) is float
+    assert type(one.utilization(hop.scenario.plane)) is float
 
 
 # The table of events
@@ -153,35 +146,33 @@ def words_in(line):
     return re.split(r"\s{2,}", line.strip())
 
 
-def test_events_are_printed_as_the_command_line_does():
-    motion = hh.simulate(hh.Scenario(duration=2.0))
-    head, _, *rows = repr(motion.events).splitlines()
+def test_events_are_printed_as_the_command_line_does(hop):
+    head, _, *rows = repr(hop.events).splitlines()
     told = run("run --duration 2").stdout.splitlines()
     first = next(number for number, line in enumerate(told) if "t (s)" in line)
     assert words_in(head) == words_in(told[first])
-    assert [words_in(row) for row in rows] == [words_in(line) for line in told[first + 2 : first + 2 + len(motion.events)]]
-    assert str(motion.events) == repr(motion.events)
-    assert str(motion).startswith(repr(motion.events))
-    assert str(motion).endswith("\n\nphases RKRSHR, completed after 2 s")
-    assert repr(motion).count("\n") == 0
+    assert [words_in(row) for row in rows] == [words_in(line) for line in told[first + 2 : first + 2 + len(hop.events)]]
+    assert str(hop.events) == repr(hop.events)
+    assert str(hop).startswith(repr(hop.events))
+    assert str(hop).endswith("\n\nphases RKRSHR, completed after 2 s")
+    assert repr(hop).count("\n") == 0
 
 
-def test_events_are_a_tuple_still():
-    motion = hh.simulate(hh.Scenario(duration=2.0))
-    events = motion.events
+def test_events_are_a_tuple_still(hop):
+    events = hop.events
     assert isinstance(events, tuple)
     assert events == tuple(events)
     assert hash(events) == hash(tuple(events))
     assert pickle.loads(pickle.dumps(events)) == events
-    found = motion.find("takeoff")
+    found = hop.find("takeoff")
     assert isinstance(found, tuple)
     assert "315.6372" in repr(found)
-    assert repr(motion.find("jam")) == "()"
+    assert repr(hop.find("jam")) == "()"
 
 
-def test_columns_are_straight():
+def test_columns_are_straight(hop):
     """θ̇ is two characters and takes one place."""
-    head, rule, *rows = event_table.text_table(hh.simulate(hh.Scenario(duration=2.0)).events).splitlines()
+    head, rule, *rows = event_table.text_table(hop.events).splitlines()
     assert head.replace("\u0307", "").index("θ (rad/s)") + len("θ (rad/s)") == rule.rindex("  ")
     ends = [match.end() for match in re.finditer("─+", rule)]
     for row in rows:
@@ -219,25 +210,24 @@ def test_a_long_table_has_its_first_and_last_rows():
 
 
 @pytest.fixture(scope="module")
-def printed() -> dict[str, object]:
-    motion = hh.simulate(hh.Scenario(duration=2.0))
-    uncertainty = motion.uncertainty({"plane.mu": 0.01})
+def printed(hop) -> dict[str, object]:
+    uncertainty = hop.uncertainty({"plane.mu": 0.01})
     short = hh.Scenario(duration=0.5)
     return {
-        "ledger": motion.ledger,
-        "sample": motion.at(1.9),
-        "samples": motion.at(motion.times(500)),
-        "no samples": motion.at([]),
-        "errors": motion.errors,
-        "phase": next(iter(hh.phases(motion.scenario))),
-        "margins": next(iter(hh.phases(motion.scenario))).begin,
-        "plan": hh.plan(motion.scenario),
-        "sensitivity": motion.sensitivity(["takeoff.angle", "hop.height"], ["start.speed", "plane.mu"]),
-        "deviations": uncertainty.at(motion.times(50)),
+        "ledger": hop.ledger,
+        "sample": hop.at(1.9),
+        "samples": hop.at(hop.times(500)),
+        "no samples": hop.at([]),
+        "errors": hop.errors,
+        "phase": next(iter(hh.phases(hop.scenario))),
+        "margins": next(iter(hh.phases(hop.scenario))).begin,
+        "plan": hh.plan(hop.scenario),
+        "sensitivity": hop.sensitivity(["takeoff.angle", "hop.height"], ["start.speed", "plane.mu"]),
+        "deviations": uncertainty.at(hop.times(50)),
         "proof": hh.prove.prove(short),
         "part of a proof": hh.prove.prove(hh.Scenario(duration=60.0, start=hh.Start.rolling(2.8)), seconds=1e-9),
-        "agreement": hh.precise.compare(motion, hh.simulate(motion.scenario, digits=20)),
-        "event": motion.events[1],
+        "agreement": hh.precise.compare(hop, hh.simulate(hop.scenario, digits=20)),
+        "event": hop.events[1],
     }
 
 
@@ -272,8 +262,8 @@ def test_the_two_losses_to_friction_have_two_names(printed):
     )
 
 
-def test_the_table_of_a_motion_in_notebooks_has_the_height():
-    page = hh.simulate(hh.Scenario(duration=2.0))._repr_html_()
+def test_the_table_of_a_motion_in_notebooks_has_the_height(hop):
+    page = hop._repr_html_()
     titles = re.findall(r"<th[^>]*>([^<]*)</th>", page)
     assert titles == list(event_table.TITLES)
     apex = next(row for row in page.split("<tr>") if ">apex<" in row)
