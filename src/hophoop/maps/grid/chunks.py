@@ -103,6 +103,14 @@ def compute_on_cluster(
             ) from error
 
 
+def check_address(scheduler: str) -> None:
+    """Refuse what is no address, before a client exists, which would stay Dask's default scheduler."""
+    try:
+        need("distributed.comm", "cluster").get_address_host_port(scheduler)
+    except ValueError as error:
+        raise InputError.of_field("scheduler", scheduler, f"an address such as tcp://host:8786: {error}") from None
+
+
 @contextmanager
 def _client(scheduler: str | Client) -> Iterator[Client]:
     client = need("distributed", "cluster").Client
@@ -110,10 +118,6 @@ def _client(scheduler: str | Client) -> Iterator[Client]:
         with scheduler.as_current():
             yield scheduler
         return
-    try:  # before a client exists, which would stay Dask's default scheduler
-        need("distributed.comm", "cluster").get_address_host_port(scheduler)
-    except ValueError as error:
-        raise InputError.of_field("scheduler", scheduler, f"an address such as tcp://host:8786: {error}") from None
     with client(scheduler, timeout=PATIENCE) as connected:
         connected.wait_for_workers(1, timeout=6 * PATIENCE)
         yield connected

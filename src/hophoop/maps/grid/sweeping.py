@@ -18,7 +18,7 @@ from hophoop._support.files import netcdf_errors, replacing
 from hophoop._support.progress import bar
 from hophoop._support.stopping import remove
 from hophoop.maps.grid import store
-from hophoop.maps.grid.chunks import compute_on_cluster, compute_on_threads
+from hophoop.maps.grid.chunks import check_address, compute_on_cluster, compute_on_threads
 from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, cores, make_plan
 from hophoop.maps.grid.memory import check_memory
 from hophoop.maps.grid.quantities import SEQUENCE, table_of
@@ -104,6 +104,8 @@ def sweep(
         raise InputError("axes must name at least two parameters.")
     if scheduler is not None and out is None:
         raise InputError("out must name a file for a sweep over a cluster: the workers write into it.")
+    if isinstance(scheduler, str):
+        check_address(scheduler)
     if resume and out is None:
         raise InputError("out must name the file to resume.")
     if threads is not None and not 1 <= threads <= cores():
