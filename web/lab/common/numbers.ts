@@ -28,7 +28,9 @@ function trimZeros(text: string) {
 
 export const withUnit = (text: string, unit: string) => (unit ? (unit === "°" ? `${text}°` : `${text} ${unit}`) : text);
 
-export const degrees = (angle: number) => local(`${((angle * 180) / Math.PI).toFixed(1)}°`.replace("-", "−"));
+export const DEGREE = Math.PI / 180;
+
+export const degrees = (angle: number) => local(`${(angle / DEGREE).toFixed(1)}°`.replace("-", "−"));
 
 /** A length in the unit in which it reads well. */
 export function length(metres: number) {

@@ -3,12 +3,11 @@
 import { h } from "../common/dom.ts";
 import { Entry } from "./entry.ts";
 import { clamp } from "../common/clamp.ts";
-import { show, withUnit } from "../common/numbers.ts";
+import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { Parts, partsLike } from "./parts.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
-const DEGREE = Math.PI / 180;
 const CONTACT = ["model", "law", "friction", "stiffness", "slip_speed", "restitution"];
 const ADVANCED = ["plane.painleve", "plane.impact_law", ...CONTACT.map((name) => `contact.${name}`)];
 
@@ -91,7 +90,7 @@ class Slider {
   }
 
   say(value: number) {
-    this.range.setAttribute("aria-valuetext", withUnit(show(value, 4), this.info.unit));
+    this.range.ariaValueText = withUnit(show(value, 4), this.info.unit);
   }
 
   /** `value`: "inf" for no limit; `automatic`: what is chosen where there is no value. */

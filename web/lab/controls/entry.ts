@@ -85,7 +85,7 @@ export class Entry {
   ) {}
 
   refused() {
-    return this.input.getAttribute("aria-invalid") === "true";
+    return this.input.ariaInvalid === "true";
   }
 
   typed() {
@@ -103,14 +103,14 @@ export class Entry {
   }
 
   refuse(sentence: Message) {
-    this.input.setAttribute("aria-invalid", "true");
+    this.input.ariaInvalid = "true";
     this.input.setAttribute("aria-describedby", this.error.id);
     say(this.error, sentence);
     this.error.hidden = false;
   }
 
   accept() {
-    this.input.removeAttribute("aria-invalid");
+    this.input.ariaInvalid = null;
     this.input.removeAttribute("aria-describedby");
     this.error.hidden = true;
   }

@@ -5,7 +5,7 @@ import { drawAxes } from "../common/axes.ts";
 import { faded, parsed } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
-import { niceStep, tickText, ticks } from "../common/numbers.ts";
+import { DEGREE, niceStep, tickText, ticks } from "../common/numbers.ts";
 import { LEFT, TOP } from "./diagram.ts";
 import { t } from "../words/words.ts";
 import type { PhasePlane } from "./phase.ts";
@@ -69,7 +69,7 @@ export function hatch(context: CanvasRenderingContext2D, plane: PhasePlane, para
 
 export function axes(context: CanvasRenderingContext2D, plane: PhasePlane) {
   const { look, box } = plane;
-  const [low, high] = plane.range.map((angle) => (angle * 180) / Math.PI);
+  const [low, high] = plane.range.map((angle) => angle / DEGREE);
   const step = high - low > 200 ? 45 : niceStep(high - low, 6);
   const angles = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9; k++) angles.push(k * step);
@@ -80,7 +80,7 @@ export function axes(context: CanvasRenderingContext2D, plane: PhasePlane) {
     { left: LEFT, top: TOP, box },
     {
       across: {
-        marks: angles.map((angle) => ({ at: plane.x((angle * Math.PI) / 180), text: tickText(angle, step) })),
+        marks: angles.map((angle) => ({ at: plane.x(angle * DEGREE), text: tickText(angle, step) })),
         name: t("phase.angle_axis"),
       },
       up: {

@@ -1,6 +1,6 @@
 // What can stand on the axes of diagrams and in the columns of the table: each quantity of a motion with its unit.
 
-const DEGREE = Math.PI / 180;
+import { DEGREE } from "../common/numbers.ts";
 
 export interface Quantity {
   name: string; // in English

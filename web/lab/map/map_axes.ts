@@ -2,7 +2,7 @@
 
 import { type Axis, drawAxes } from "../common/axes.ts";
 import { clamp, scaled, within } from "../common/clamp.ts";
-import { niceStep, show, tickText, ticks, withUnit } from "../common/numbers.ts";
+import { DEGREE, niceStep, show, tickText, ticks, withUnit } from "../common/numbers.ts";
 import { outlined, ring, stroke } from "../common/paint.ts";
 import { t } from "../words/words.ts";
 
@@ -13,7 +13,6 @@ const UP = 40; // pixels from number to number upwards
 const RIGHT = 12;
 const TOP = 10;
 const BOTTOM = 36;
-const DEGREE = Math.PI / 180;
 export const AXES: AxisName[] = ["x", "y"];
 
 export class MapAxes {

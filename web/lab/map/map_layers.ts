@@ -3,11 +3,10 @@
 import { parsed, SPEED_COLORS, SPEED_GRADIENT } from "../common/colors.ts";
 import { h, pen } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
-import { show, withUnit } from "../common/numbers.ts";
+import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { spoken, t } from "../words/words.ts";
 import type { MapAxes } from "./map_axes.ts";
 
-const DEGREE = Math.PI / 180;
 const MOST = 12; // layers that are kept
 // Quantities whose colours begin at zero.
 const FROM_ZERO = ["hop_height", "flight_time", "energy_lost", "greatest_utilization"];

@@ -6,7 +6,7 @@ import { h, once, say } from "../common/dom.ts";
 import { changesFor, keyed, Pull, taken, type Grip, type Held } from "./grab.ts";
 import { clearPlace } from "./clear.ts";
 import { clamp } from "../common/clamp.ts";
-import { degrees, length, show } from "../common/numbers.ts";
+import { DEGREE, degrees, length, show } from "../common/numbers.ts";
 import { follow, placeOn } from "../common/pointer.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
@@ -78,10 +78,9 @@ export class Grips {
     this.element.hidden = !seen;
     if (!seen) return;
     this.element.classList.toggle("running", lab.clock.playing);
-    const { pose, film, scale } = view;
+    const { film, scale } = view;
     const R = film.radius;
-    const center = view.point(pose.x, R + pose.height);
-    const load = view.point(pose.x + R * Math.sin(pose.angle), R + pose.height + R * Math.cos(pose.angle));
+    const [center, load] = [view.ray(0), view.ray(R)];
     const plane = this.onPlane(view);
     // the load must be free to be taken also where the hoop is small
     const wide = clamp(1.1 * R * scale, SMALL, 190);
@@ -135,14 +134,14 @@ export class Grips {
       hoop: t("hand.state", { height: length(held.height), speed: show(held.vx, 3) }),
       plane: degrees(held.slope),
     };
-    const values = { load: held.angle * (180 / Math.PI), hoop: held.height, plane: held.slope * (180 / Math.PI) };
+    const values = { load: held.angle / DEGREE, hoop: held.height, plane: held.slope / DEGREE };
     const limits = { load: [-180, 180], hoop: [0, 4 * film.radius], plane: [-45, 45] };
     for (const [grip, place] of this.places) {
-      if (place.getAttribute("aria-valuetext") === texts[grip]) continue;
-      place.setAttribute("aria-valuetext", texts[grip]);
-      place.setAttribute("aria-valuenow", String(Number(values[grip].toPrecision(4))));
-      place.setAttribute("aria-valuemin", String(limits[grip][0]));
-      place.setAttribute("aria-valuemax", String(Number(limits[grip][1].toPrecision(4))));
+      if (place.ariaValueText === texts[grip]) continue;
+      place.ariaValueText = texts[grip];
+      place.ariaValueNow = String(Number(values[grip].toPrecision(4)));
+      place.ariaValueMin = String(limits[grip][0]);
+      place.ariaValueMax = String(Number(limits[grip][1].toPrecision(4)));
     }
   }
 

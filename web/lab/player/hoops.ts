@@ -18,6 +18,6 @@ export class Hoops {
 
   show(count: number, active: number) {
     this.bar.hidden = count < 2;
-    for (const [i, tab] of this.tabs.entries()) tab.setAttribute("aria-pressed", String(i === active));
+    for (const [i, tab] of this.tabs.entries()) tab.ariaPressed = String(i === active);
   }
 }

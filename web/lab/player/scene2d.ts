@@ -76,6 +76,11 @@ export class Scene {
     ];
   }
 
+  /** The point at a distance from the centre, towards the load; `pose`: of the hoop. */
+  ray(distance: number, { x, height, angle }: Pick<Pose, "x" | "height" | "angle"> = this.pose) {
+    return this.point(x + distance * Math.sin(angle), this.film.radius + height + distance * Math.cos(angle));
+  }
+
   /** Pixels, from the top left of the hoop's part of the picture, to plane coordinates: the reverse of `point`. */
   unpoint(right: number, down: number) {
     const x = (right - this.place[0]) / this.scale;
@@ -160,8 +165,8 @@ export class Scene {
 
   /** Which of two hoops it is: a ring within the rim and a letter in its colour. */
   mark(letter: string, color: string) {
-    const { context, film, pose, scale } = this;
-    const [x, y] = this.point(pose.x, film.radius + pose.height);
+    const { context, film, scale } = this;
+    const [x, y] = this.ray(0);
     context.strokeStyle = color;
     context.lineWidth = 3;
     ring(context, [x, y], Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2));
@@ -175,13 +180,13 @@ export class Scene {
   ghost(pose: Pose) {
     const { context, film, look, width, scale } = this;
     const R = film.radius;
-    const [x, y] = this.point(pose.x, R + pose.height);
+    const [x, y] = this.ray(0, pose);
     const radius = R * scale;
     context.strokeStyle = context.fillStyle = look.ink;
     context.lineWidth = 1.5;
     context.beginPath();
     if (x > -0.5 * radius && x < width + 0.5 * radius) {
-      const load = this.point(pose.x + R * Math.sin(pose.angle), R + pose.height + R * Math.cos(pose.angle));
+      const load = this.ray(R, pose);
       context.setLineDash([6, 5]);
       context.arc(x, y, radius, 0, 2 * Math.PI);
       context.moveTo(x, y);
@@ -214,15 +219,14 @@ export class Scene {
     const R = film.radius;
     const width = clamp(0.07 * R * scale, 2, 14);
     const inner = R - (0.5 * width) / scale;
-    const center = [pose.x, R + pose.height];
-    const rim = (phi: number, radius = inner) =>
-      this.point(center[0] + radius * Math.sin(phi), center[1] + radius * Math.cos(phi));
+    const center = this.ray(0);
+    const rim = (angle: number) => this.ray(inner, { ...pose, angle });
     context.lineCap = "butt";
     if (look.dark) {
       // the slow end of the colours is dark as well
       context.strokeStyle = look.soft;
       context.lineWidth = width + 2;
-      ring(context, this.point(center[0], center[1]), inner * scale);
+      ring(context, center, inner * scale);
     }
     if (this.options.speed) {
       const most = this.common.speed;
@@ -240,11 +244,11 @@ export class Scene {
     } else {
       context.strokeStyle = colors.modes[pose.mode];
       context.lineWidth = width;
-      ring(context, this.point(center[0], center[1]), inner * scale);
+      ring(context, center, inner * scale);
     }
     context.strokeStyle = look.soft;
     context.lineWidth = 1;
-    stroke(context, this.point(center[0], center[1]), rim(pose.angle));
+    stroke(context, center, rim(pose.angle));
     const dot = (place: number[], radius: number, fill: string, edge: string) => {
       context.fillStyle = fill;
       disc(context, place, radius);
@@ -252,45 +256,40 @@ export class Scene {
       context.strokeStyle = edge;
       context.stroke();
     };
-    dot(this.point(center[0], center[1]), 2.5, look.soft, look.soft);
+    dot(center, 2.5, look.soft, look.soft);
     const parts = film.scenario.hoop.parts;
-    if (parts) this.parts(parts, center);
+    if (parts) this.parts(parts);
     else dot(rim(pose.angle), clamp(0.1 * R * scale, 4, 16), look.ink, look.paper);
-    const ecc = film.eccentricity * R;
-    const G = this.point(center[0] + ecc * Math.sin(pose.angle), center[1] + ecc * Math.cos(pose.angle));
+    const G = this.ray(film.eccentricity * R);
     dot(G, clamp(0.05 * R * scale, 3.5, 7), pose.mode === "H" ? colors.airborne : colors.gravity_center, look.paper);
   }
 
   /** A hoop of real parts: each where it sits on the line from C to the load. */
-  parts(parts: Part[], center: number[]) {
-    const { film, pose, context, look, scale } = this;
+  parts(parts: Part[]) {
+    const { film, context, look, scale } = this;
     const moment = parts.reduce((sum, part) => sum + part.mass * (part.at ?? 0), 0);
     const way = moment < 0 ? -1 : 1;
     context.strokeStyle = look.ink;
     for (const part of parts) {
       const at = way * (part.at ?? 0);
-      const place = this.point(center[0] + at * Math.sin(pose.angle), center[1] + at * Math.cos(pose.angle));
+      const place = this.ray(at);
       context.fillStyle = look.ink;
       context.lineWidth = 1;
       context.beginPath();
       if (part.shape === "ring") {
         context.globalAlpha = 0.22;
-        context.arc(...(place as [number, number]), part.outer_radius * scale, 0, 2 * Math.PI);
-        context.arc(...(place as [number, number]), part.inner_radius * scale, 0, 2 * Math.PI, true);
+        context.arc(...place, part.outer_radius * scale, 0, 2 * Math.PI);
+        context.arc(...place, part.inner_radius * scale, 0, 2 * Math.PI, true);
         context.fill();
         context.globalAlpha = 1;
       } else if (part.shape === "rod") {
         const half = 0.5 * part.length;
-        const along = (r: number) =>
-          this.point(center[0] + r * Math.sin(pose.angle), center[1] + r * Math.cos(pose.angle));
         context.lineWidth = 4;
-        context.moveTo(...along(at - half));
-        context.lineTo(...along(at + half));
-        context.stroke();
+        stroke(context, this.ray(at - half), this.ray(at + half));
       } else {
         const radius = part.shape === "disk" ? part.radius * scale : clamp(0.08 * film.radius * scale, 3, 12);
         context.globalAlpha = part.shape === "disk" ? 0.55 : 1;
-        context.arc(...(place as [number, number]), radius, 0, 2 * Math.PI);
+        context.arc(...place, radius, 0, 2 * Math.PI);
         context.fill();
         context.globalAlpha = 1;
       }
@@ -341,7 +340,7 @@ export class Scene {
     context.strokeStyle = below ? look.ground : look.paper;
     context.textAlign = "left";
     const high = clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale);
-    const rim = this.point(this.pose.x, this.film.radius + this.pose.height);
+    const rim = this.ray(0);
     const place = below
       ? [from[0] - 0.5 * size - 32 * look.px * this.sine, from[1] + 32 * look.px * this.cosine]
       : [besideRim(to[0], high - 4, size, rim, this.film.radius * this.scale, width), high];

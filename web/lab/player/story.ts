@@ -110,8 +110,6 @@ export class Story {
     let now = -1;
     for (let i = 0; i < story.length && story[i].t <= time + 1e-9; i++) now = i;
     if (now === this.current) return;
-    this.items[this.current]?.classList.remove("now");
-    this.items[now]?.classList.add("now");
     this.items[this.current]?.removeAttribute("aria-current");
     this.items[now]?.setAttribute("aria-current", "step");
     this.current = now;

@@ -6,7 +6,7 @@ import { scaledContext, h } from "../common/dom.ts";
 import { eventWord } from "./events.ts";
 import { placed, stretches } from "./marks.ts";
 import { clamp, scaled, within } from "../common/clamp.ts";
-import { niceStep, show, tickText, ticks } from "../common/numbers.ts";
+import { DEGREE, niceStep, show, tickText, ticks } from "../common/numbers.ts";
 import { follow, placeOn } from "../common/pointer.ts";
 import { zoomable } from "../common/zoom.ts";
 import { t } from "../words/words.ts";
@@ -93,7 +93,7 @@ export class Timeline {
     const time = this.timeAt(event);
     const near = this.nearest(time, 8);
     const said = near
-      ? `${t(eventWord(near.kind))} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
+      ? `${t(eventWord(near.kind))} · ${show(near.t, 5)} s · ${show(near.angle / DEGREE, 4)}°`
       : `${show(time, 4)} s`;
     this.tip.textContent = said;
     this.tip.hidden = false;
@@ -178,9 +178,9 @@ export class Timeline {
     const said = modes.join(", ");
     if (playing && said === this.said) return;
     this.said = said;
-    this.element.setAttribute("aria-valuemax", duration.toFixed(3));
-    this.element.setAttribute("aria-valuenow", time.toFixed(3));
-    this.element.setAttribute("aria-valuetext", t("player.time_value", { time: show(time, 4), what: said }));
+    this.element.ariaValueMax = duration.toFixed(3);
+    this.element.ariaValueNow = time.toFixed(3);
+    this.element.ariaValueText = t("player.time_value", { time: show(time, 4), what: said });
   }
 
   /** The word of a mode inside its stretch, where it fits. */

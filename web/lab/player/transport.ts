@@ -72,7 +72,7 @@ export class Transport {
   show() {
     const { clock, playButton } = this;
     const { options } = this.lab.stage;
-    for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
+    for (const [name, box] of this.switches) box.ariaPressed = String(options[name]);
     const title = clock.playing ? "player.pause" : "player.play";
     if (this.titled !== title) {
       this.titled = title;

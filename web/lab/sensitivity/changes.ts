@@ -2,7 +2,7 @@
 
 import { CHANGE, layout } from "../../kernel/layout.ts";
 import { eventWord } from "../player/events.ts";
-import { show, withUnit } from "../common/numbers.ts";
+import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { listed } from "../words/words.ts";
 
 const PASSING = new Set(layout.passing);
@@ -87,7 +87,7 @@ function apart(one: ChangedEvents | null, other: ChangedEvents | null) {
 /** An amount without its sign, in the unit in which it reads well. */
 function amount(value: number, unit: "s" | "m" | "m/s" | "°") {
   const size = Math.abs(value);
-  if (unit === "°") return withUnit(show((size * 180) / Math.PI, 3), "°");
+  if (unit === "°") return withUnit(show(size / DEGREE, 3), "°");
   const small = size < 0.0995;
   const tiny = size < 0.9995e-4;
   const [scale, prefix] = !small ? [1, ""] : tiny ? [1e6, "µ"] : [1e3, "m"];

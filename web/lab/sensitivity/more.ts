@@ -3,12 +3,11 @@
 import { Changes, sentences, signed } from "./changes.ts";
 import { h, headed, once, say } from "../common/dom.ts";
 import { eventWord } from "../player/events.ts";
-import { show, withUnit } from "../common/numbers.ts";
+import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
 import { messageOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
-const DEGREE = Math.PI / 180;
 const WAIT = 100; // milliseconds
 const FIRST = "plane.mu";
 const LEFT_OUT = /^(contact\.|duration$)/;
@@ -104,7 +103,7 @@ export class More {
     this.on = on;
     this.path = path;
     this.element.hidden = !on;
-    this.switch.setAttribute("aria-pressed", String(on));
+    this.switch.ariaPressed = String(on);
     this.known = "";
     if (on) this.changed(true);
     else this.forget();

@@ -109,7 +109,7 @@ export class Extras {
   }
 
   mark() {
-    for (const [button, on] of this.switches) button.setAttribute("aria-pressed", String(on()));
+    for (const [button, on] of this.switches) button.ariaPressed = String(on());
   }
 
   spoken() {

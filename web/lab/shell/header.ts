@@ -77,6 +77,6 @@ export class Header {
     this.undo.disabled = !motions.history.past.length;
     this.redo.disabled = !motions.history.future.length;
     this.reset.disabled = motions.film().query === this.lab.firstQuery();
-    this.compare.setAttribute("aria-pressed", String(motions.lanes.length > 1));
+    this.compare.ariaPressed = String(motions.lanes.length > 1);
   }
 }

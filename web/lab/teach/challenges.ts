@@ -63,7 +63,7 @@ export class Challenges {
 
   choose(goal: Goal) {
     this.goal = goal;
-    for (const [key, tab] of this.tabs) tab.setAttribute("aria-pressed", String(key === goal.key));
+    for (const [key, tab] of this.tabs) tab.ariaPressed = String(key === goal.key);
     say(this.text, goal.text);
     // what was done in the lab before may count already; a challenge begins with its own motion only when asked
     this.changed();

@@ -1,8 +1,6 @@
 // The challenges: what counts, and how a computed motion is scored. Pure functions of the motion; no hand is in them.
 
-import { degrees, length } from "../common/numbers.ts";
-
-const DEGREE = Math.PI / 180;
+import { DEGREE, degrees, length } from "../common/numbers.ts";
 
 export interface Score {
   points: number; // from 0 to 100

@@ -113,8 +113,8 @@ export function dial(label: string, onguess: () => void): Guess {
     if (truth !== null) return;
     angle = modulo(to, 360);
     made = true;
-    element.setAttribute("aria-valuenow", String(Math.round(angle)));
-    element.setAttribute("aria-valuetext", `${Math.round(angle)}°`);
+    element.ariaValueNow = String(Math.round(angle));
+    element.ariaValueText = `${Math.round(angle)}°`;
     draw();
     onguess();
   };
@@ -228,8 +228,8 @@ export function sketch(
   const put = (i: number, value: number) => {
     if (truth) return;
     values[i] = clamp(value, 0, most);
-    handles[i].setAttribute("aria-valuenow", values[i].toPrecision(3));
-    handles[i].setAttribute("aria-valuetext", `${values[i].toPrecision(2)} ${unit}`);
+    handles[i].ariaValueNow = values[i].toPrecision(3);
+    handles[i].ariaValueText = `${values[i].toPrecision(2)} ${unit}`;
     draw();
     onguess();
   };
@@ -253,7 +253,7 @@ export function sketch(
     pull(event);
     follow(element, event, pull);
   });
-  for (const [i, handle] of handles.entries()) handle.setAttribute("aria-valuenow", values[i].toPrecision(3));
+  for (const [i, handle] of handles.entries()) handle.ariaValueNow = values[i].toPrecision(3);
   requestAnimationFrame(draw);
   return {
     element,

@@ -1,7 +1,7 @@
 // The guided visit: what is asked, and what the computed motion answers. Nothing is known here before it is computed.
 
 import { modulo } from "../common/clamp.ts";
-import { degrees, show } from "../common/numbers.ts";
+import { DEGREE, degrees, show } from "../common/numbers.ts";
 import { choices, dial, sketch, type Guess } from "./predict.ts";
 
 export interface Answer {
@@ -98,7 +98,7 @@ export const STEPS: Step[] = [
       const slip = first(film, "slip_start") as MotionEvent;
       const force = film.at(slip.t).normal_force / film.weight;
       return {
-        truth: (slip.angle * 180) / Math.PI,
+        truth: slip.angle / DEGREE,
         text: "visit.answer_slip",
         values: { angle: inTurn(slip.angle), share: `${show(100 * force, 2)} %` },
       };
@@ -117,7 +117,7 @@ export const STEPS: Step[] = [
       const start = first(film, "takeoff") as MotionEvent;
       const pose = film.at(start.t - 1e-6);
       return {
-        truth: (start.angle * 180) / Math.PI,
+        truth: start.angle / DEGREE,
         text: "visit.answer_takeoff",
         values: { angle: inTurn(start.angle), slip: show(Math.abs(pose.slip), 3) },
       };
