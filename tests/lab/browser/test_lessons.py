@@ -57,7 +57,7 @@ def challenge(name, right):
         f"is {OWN} === before",
         "button Start again",
         f"until lab.film().mass === 1 && {SETTLED} && !{RESULT}.includes('not counted')",
-        "do lab.extras.challenges.lab.load(best)",  # neither does the way back make it one
+        "do lab.load(best)",  # neither does the way back make it one
         f"until {METER} === 100 && {RESULT}.includes('points, shown and not counted.')",
         "is Object.keys(localStorage).every((key) => localStorage[key] !== '100')",
     ])  # fmt: skip

@@ -46,16 +46,16 @@ EVERYTHING = """async () => {
   visit.leave();
   challenges.open();
   for (const tab of challenges.tabs.values()) { tab.click(); read(); }
-  await challenges.load("plane.slope=0.1");
+  await lab.load("plane.slope=0.1");
   read();
-  await challenges.load("plane.nothing=1");
+  await lab.load("plane.nothing=1");
   read();
-  await challenges.load("plane.mu=-1");
+  await lab.load("plane.mu=-1");
   read();
-  await challenges.load("contact.model=compliant&plane.mu=0.7");
+  await lab.load("contact.model=compliant&plane.mu=0.7");
   read();
-  for (const query of %s) { await challenges.load(query); await new Promise((done) => setTimeout(done, 60)); read(); }
-  await challenges.load("");
+  for (const query of %s) { await lab.load(query); await new Promise((done) => setTimeout(done, 60)); read(); }
+  await lab.load("");
   lab.motions.compare();
   lab.transport.jump(1, "takeoff");
   await new Promise((resolve) => setTimeout(resolve, 600));
