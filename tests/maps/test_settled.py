@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.kernels.cells import fastest_rolling
 from hophoop.vocabulary.colors import CODES
 from hophoop.vocabulary.names import Fate, identifier
 
@@ -61,18 +60,6 @@ def test_slip_that_falls_for_ever_loses_what_is_above_the_fastest_rolling(mass):
         left = mass * 0.5**2 * 2.0 * 0.25 * omega * (passages.omega[-1] - omega)
         assert final - lost == pytest.approx(left, rel=1e-2)
         assert 0.0 < left < 2e-3 * mass
-
-
-def test_the_fastest_rolling_is_that_of_theory():
-    """Of random hoops, of which some begin to slip ahead and some back."""
-    random = np.random.default_rng(35)
-    for _ in range(40):
-        hoop = hh.Hoop.ideal(float(random.uniform(0.1, 0.95)))
-        plane = hh.Plane(gravity=1.0, mu=float(random.uniform(0.1, 2.0)))
-        speed = float(hh.theory.first_slip_speed(hoop, plane))
-        if 0.0 < speed < math.inf:
-            body = hh.Scenario(hoop=hoop, plane=plane).to_body()
-            assert fastest_rolling(body) == pytest.approx(speed**2, rel=1e-12)
 
 
 def test_a_hoop_that_rests_at_once_loses_nothing():

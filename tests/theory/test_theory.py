@@ -249,6 +249,7 @@ CASES = [
     (GENERAL, hh.Plane(mu=0.7)),
     (hh.Hoop.ideal(0.4, radius=0.1, mass=3.0), hh.Plane(mu=0.3, gravity=1.6)),
     (LIGHT, hh.Plane(mu=0.9, slope=0.1)),
+    (hh.Hoop(eccentricity=0.03862, inertia_ratio=0.00104), hh.Plane(mu=0.07533)),  # slips at 0.8° from the top
 ]
 
 

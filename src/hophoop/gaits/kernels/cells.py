@@ -43,13 +43,11 @@ from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.rigid.phase import GOING
 from hophoop.kernel.rigid.run import BY_RULE
-from hophoop.theory.kernels.extrema import cone_margin_line
+from hophoop.theory.kernels.critical import slip_from_rolling
 from hophoop.vocabulary.names import FateCode
 
 BATCHES, BATCH = 20, 30  # of passages over which neighbours of an undecided motion are followed
 NEIGHBOUR = 1e-7  # relative distance of a neighbour
-ANGLES, HALVES = 96, 44  # of half a revolution at which rolling is looked at, and steps of golden section between two of them
-GOLDEN = 0.6180339887498949
 APART = 36.0  # logarithm of 2⁵²: what two doubles next to each other need to be apart
 SURE = 5.0  # standard errors by which the exponent of a chaotic motion is above 0
 
@@ -84,7 +82,7 @@ def judge_cells(cells, low, high, request, codes, numbers):
         numbers[k, REVOLUTIONS] = abs(buffers.memory[TURNED])
         write_numbers(buffers, fate, period, passages, scales, numbers, k)
         if fate == FateCode.SLIPS_EVER_LESS:
-            numbers[k, FINAL_LOSS] = loss_until_rolling(body, start) * scales.energy
+            numbers[k, FINAL_LOSS] = loss_until_rolling(body, start, scratch) * scales.energy
         if fate == FateCode.RESTS and status == Status.AT_REST:
             numbers[k, FINAL_LOSS] = buffers.memory[LOST] * scales.energy
         row = buffers.numbers[(passages - 1) % ROWS]
@@ -120,41 +118,12 @@ def write_numbers(buffers, fate, period, passages, scales, numbers, k):
 
 
 @noinline
-def loss_until_rolling(body, start):
+def loss_until_rolling(body, start, scratch):
     """Return the energy above that of the fastest rolling on the level: what a motion that slips ever less loses for ever."""
     energy = kinetic_energy(body, start.th, start.om, start.vt, start.vn, start.th_low) + potential_energy(
         body, 0.0, start.y, start.th
     )
-    return energy - 0.5 * inertia_at_height(body, 2.0) * fastest_rolling(body)
-
-
-@noinline
-def square_with_slip(body, th, side):
-    """Return v² at the load's top from which on rolling slips at θ; infinite if it never does."""
-    steady, rate = cone_margin_line(body, th, side)
-    return -steady / rate if rate < 0.0 else math.inf
-
-
-@noinline
-def fastest_rolling(body):
-    """Return v² at the load's top of the fastest rolling on the level that never slips.
-
-    To rounding as `theory.kernels.critical.first_slip`, which is certified and takes 20 times as long: four times a fate.
-    """
-    least, place, edge = math.inf, 0.0, 1.0
-    for side in (1.0, -1.0):
-        for k in range(1, ANGLES):
-            square = square_with_slip(body, PI * k / ANGLES, side)
-            if square < least:
-                least, place, edge = square, PI * k / ANGLES, side
-    low, high = place - PI / ANGLES, place + PI / ANGLES
-    for _ in range(HALVES):
-        part = GOLDEN * (high - low)
-        if square_with_slip(body, high - part, edge) < square_with_slip(body, low + part, edge):
-            high = low + part
-        else:
-            low = high - part
-    return min(least, square_with_slip(body, 0.5 * (low + high), edge))
+    return energy - 0.5 * inertia_at_height(body, 2.0) * slip_from_rolling(body, scratch)[0]
 
 
 @noinline

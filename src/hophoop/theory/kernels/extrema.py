@@ -3,9 +3,14 @@
 The function is an angle atan2(·, ·) between −π and π, which stays smooth where a ratio would have a pole.
 Each panel is halved until its Chebyshev series is resolved; its maxima are where the derivative's series
 falls through zero. An error δ there changes the value by δ² only, so the value is right to rounding.
+
+No motion is computed, so that speeds from which none rolls, and the limit of no speed at the top, have values too. The
+largest abs(F)/N of a motion is found on its own panels, in `derivatives.pieces.required_friction`.
 """
 
 from __future__ import annotations
+
+import math
 
 from hophoop.kernel.numerics.arcs import arctangent2
 from hophoop.kernel.numerics.circular import sine_and_cosine
@@ -18,7 +23,7 @@ from hophoop.theory.kernels.arcs import relative_tail
 # What is maximised; side = +1 for friction that pushes ahead (F > 0), −1 back.
 FORCE_ANGLE, SPEED_ANGLE = 0, 1
 
-PANELS = 16
+WIDTH = math.pi / 16.0  # of the first panel
 RESOLVED = 1e-11
 NARROWEST = 1e-14  # rad
 FLAT = 1e-14
@@ -76,7 +81,7 @@ def highest(what, body, w, begin, end, side, scratch):
         best = at_end
         place = end
     low = begin
-    width = (end - begin) / PANELS
+    width = WIDTH
     for _ in range(MOST):
         width = min(width, end - low)
         last = width == end - low
