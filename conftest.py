@@ -21,8 +21,7 @@ pytest_plugins = ["browser_tools"]
 def pytest_sessionstart(session):
     if hasattr(session.config, "workerinput") or session.config.option.collectonly:
         return
-    from hophoop.kernel.native.entry import mode
-    from hophoop.kernel.native.library import why_missing
+    from hophoop.kernel.native.library import mode, why_missing
 
     if mode() != "interpreted" and (why := why_missing()):
         raise pytest.UsageError(f"{why} The tests take hours without; HOPHOOP_KERNELS=interpreted asks for that.")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import os
-import pickle
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,6 +22,8 @@ from hophoop.kernel.rigid import run as kernel
 
 pytest.importorskip("numba")
 from hophoop.kernel.build import lowering
+from hophoop.kernel.build.kept import folder, keep, kept
+from hophoop.kernel.build.link import TARGETS, object_of, own_target
 from numba_tools import jitted
 
 
@@ -125,15 +127,37 @@ def test_a_change_of_a_callee_compiles_its_callers_only_if_it_gives_another_type
 
 @pytest.mark.parametrize("damaged", [b"", b"\x80\x05\x95", b"cnothing\nat all\n.", b"garbage"])
 def test_a_damaged_file_of_an_earlier_build_is_made_again(tmp_path, monkeypatch, damaged):
+    """Code of a kernel, and an object file, which the linker would refuse."""
     monkeypatch.setenv("HOPHOOP_BUILD_CACHE", str(tmp_path))
+
     monkeypatch.setattr(lowering, "_parts", {})
-    made = lowering.part_of(spread, (lowering.types.float64, lowering.types.float64))
-    (file,) = tmp_path.iterdir()
-    file.write_bytes(damaged)
+    target, kinds = own_target(), (lowering.types.float64, lowering.types.float64)
+
+    def linked(part):
+        return object_of(part.simple, [part.symbol], target, next(iter(TARGETS[target].levels)))
+
+    first = lowering.part_of(spread, kinds)
+    code, files = linked(first), list(tmp_path.iterdir())
+    assert len(files) == 2
+    for file in files:
+        file.write_bytes(damaged)
+        assert kept(file.name) is None
     lowering._parts.clear()
-    again = lowering.part_of(spread, (lowering.types.float64, lowering.types.float64))
-    assert (again.symbol, again.gives()) == (made.symbol, made.gives())
-    assert pickle.loads(file.read_bytes()) == again
+    again = lowering.part_of(spread, kinds)
+    assert (again.symbol, again.gives(), linked(first)) == (first.symbol, first.gives(), code)
+    assert all(kept(file.name) for file in files)
+
+
+def test_without_a_home_directory_nothing_is_kept(monkeypatch):
+    monkeypatch.delenv("HOPHOOP_BUILD_CACHE", raising=False)
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+
+    def no_home():
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr(Path, "home", no_home)
+    keep("a file", b"content")
+    assert (folder(), kept("a file")) == (None, None)
 
 
 def test_a_dispatcher_has_the_bits_of_the_interpreter():

@@ -105,8 +105,7 @@ def _place(name: str, targets: Sequence[str], out: Path | None) -> Path:
 
 
 def _build_libraries(pool: Executor, targets: Sequence[str], places: dict[str, Path], versions: dict[str, str]) -> None:
-    from hophoop.kernel.build.entry_code import entry
-    from hophoop.kernel.build.lowering import joined
+    from hophoop.kernel.build.lowering import entry, joined
     from hophoop.kernel.entries import ENTRIES, code_hash
 
     about = {"sources": stamp(), "code": code_hash(), "built_with": versions}  # before the sources are compiled

@@ -12,7 +12,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hophoop.kernel.build.kept import kept
+from hophoop.kernel.build.kept import keep, kept
 
 HERE = Path(__file__).parent
 # detection of the processor's level; the runtime that Numba's code needs
@@ -124,14 +124,13 @@ def object_of(code: bytes, names: Sequence[str], target: str, level: str) -> byt
     """Return the object file of functions for a kind of processor."""
     from hophoop.kernel.native.sources import TOOLS, hash_of  # not by pip's hook, which reads `TARGETS` without NumPy
 
-    key = hashlib.sha256(code + hash_of({}, TOOLS).encode()).hexdigest()[:32]
-
-    def made() -> bytes:
+    name = f"{target}-{level}.{hashlib.sha256(code + hash_of({}, TOOLS).encode()).hexdigest()[:32]}.o"
+    content = kept(name)
+    if content is None:
         machine, module = optimized(code, names, TARGETS[target].triple, TARGETS[target].levels[level])
-        content: bytes = machine.emit_object(module)
-        return content
-
-    return kept(f"{target}-{level}.{key}.o", made)
+        content = bytes(machine.emit_object(module))
+        keep(name, content)
+    return content
 
 
 def zig_command() -> list[str]:

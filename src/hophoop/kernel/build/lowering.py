@@ -1,4 +1,4 @@
-"""LLVM code of kernels, by Numba: each kernel once for its types of arguments, independent of the machine.
+"""LLVM code of kernels and of the library's entries, by Numba: each kernel once for its types of arguments, for any machine.
 
 The code of a kernel is kept. It is made again if the kernel itself has changed, or the type of what a callee gives. Callers and
 callees are joined later. So a change of one kernel compiles this one kernel.
@@ -11,7 +11,6 @@ import inspect
 import pickle
 import re
 from collections.abc import Callable, Iterable
-from pathlib import Path
 from types import FunctionType
 from typing import Any, NamedTuple
 
@@ -21,7 +20,8 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
-from hophoop.kernel.build.kept import folder, write
+from hophoop.kernel.build.kept import keep, kept
+from hophoop.kernel.entries import ENTRIES, Array, class_of, description, is_tuple, kernel_named, kinds_of
 from hophoop.kernel.native.marks import mark_of, source_of
 from hophoop.kernel.native.sources import TOOLS, called, hash_of, is_kernel, name_of, own_hash, used
 
@@ -81,16 +81,19 @@ def part_of(kernel: Any, kinds: tuple[Any, ...]) -> Part:
     symbol = f"{name_of(kernel)}.{hashlib.sha256(described.encode()).hexdigest()[:16]}"
     if symbol not in _parts:
         key = hashlib.sha256(f"{VERSIONS} {own_hash(kernel)}".encode()).hexdigest()[:16]
-        _parts[symbol] = _kept(kernel, folder() / f"{symbol}.{key}") or _compiled(kernel, kinds, symbol, key)
+        _parts[symbol] = _kept(kernel, f"{symbol}.{key}") or _compiled(kernel, kinds, symbol, key)
         llvm.add_symbol(symbol, 1)  # Numba's own machine code, which nobody runs, may call it
     return _parts[symbol]
 
 
-def _kept(kernel: Any, file: Path) -> Part | None:
+def _kept(kernel: Any, name: str) -> Part | None:
     """Return a kernel's part of an earlier build, unless a callee gives something else now."""
+    content = kept(name)
+    if content is None:
+        return None
     try:
-        part: Part = pickle.loads(file.read_bytes())
-    except Exception:  # there is none, a damaged one, or one with a type that has moved: pickle raises anything
+        part: Part = pickle.loads(content)
+    except Exception:  # one with a type that has moved: pickle raises anything
         return None
     callees = {name_of(callee): callee for callee in called(kernel)}  # a generated tangent is no attribute of its module
     current = all(part_of(callees[name], kinds).gives() == expected for name, kinds, expected in part.calls.values())
@@ -120,7 +123,7 @@ def _compiled(kernel: Any, kinds: tuple[Any, ...], symbol: str, key: str) -> Par
     code = module.as_bitcode()
     _simplify(module)
     part = Part(symbol, result, allocates, calls, code, module.as_bitcode())
-    write(folder() / f"{symbol}.{key}", pickle.dumps(part))
+    keep(f"{symbol}.{key}", pickle.dumps(part))
     return part
 
 
@@ -195,3 +198,69 @@ def joined(codes: Iterable[bytes]) -> bytes:
             first.link_in(second)
         modules = modules[::2]
     return modules[0].as_bitcode()  # type: ignore[no-any-return]
+
+
+# --- entries: functions of one address, at which their arguments are stored (`kernel.native.calls`)
+
+MEMORY = types.CPointer(types.float64), types.CPointer(types.int64), types.CPointer(types.voidptr)
+
+
+def numba_type(kind: Any) -> Any:
+    """Return Numba's type of an argument type."""
+    if isinstance(kind, Array):
+        return types.Array(numba.from_dtype(kind.dtype), kind.dimensions, "C")
+    if is_tuple(kind):
+        return types.BaseTuple.from_types([numba_type(each) for each in kinds_of(kind)], class_of(kind))
+    return {float: types.float64, int: types.int64, bool: types.boolean}[kind]
+
+
+class _Writer:
+    """Writer of the source of an entry, which reads its arguments from memory and writes its results after them."""
+
+    def __init__(self) -> None:
+        self.names: dict[str, Any] = {"carray": numba.carray}
+        self.place = 0
+
+    def read(self, kind: Any) -> str:
+        """Return the expression of an argument."""
+        at = self.place
+        if isinstance(kind, Array):
+            self.place += 1 + kind.dimensions
+            self.names[f"dtype{at}"] = kind.dtype
+            shape = "".join(f"wholes[{at + 1 + i}], " for i in range(kind.dimensions))
+            return f"carray(places[{at}], ({shape}), dtype{at})"
+        if is_tuple(kind):
+            items = ", ".join(self.read(each) for each in kinds_of(kind))
+            self.names[f"class{at}_{self.place}"] = class_of(kind)
+            return f"class{at}_{self.place}({items})"
+        self.place += 1
+        return {float: "reals[{}]", int: "wholes[{}]", bool: "wholes[{}] != 0"}[kind].format(at)
+
+    def write(self, kind: Any, value: str, lines: list[str]) -> Any:
+        """Append lines that write a result of Numba's type `kind`; return the description of its type."""
+        if isinstance(kind, types.BaseTuple):
+            items = [self.write(each, f"{value}[{i}]", lines) for i, each in enumerate(kind.types)]
+            made = getattr(kind, "instance_class", None)
+            return {"class": made and f"{made.__module__}.{made.__qualname__}", "items": items}
+        at = self.place
+        self.place += 1
+        if isinstance(kind, types.Float):
+            lines.append(f"    reals[{at}] = {value}\n")
+            return "float"
+        lines.append(f"    wholes[{at}] = {value}\n")
+        return "bool" if isinstance(kind, types.Boolean) else "int"
+
+
+def entry(name: str) -> tuple[dict[str, Any], bytes]:
+    """Compile an entry; return its description and its bitcode."""
+    kernel, kinds = kernel_named(name), ENTRIES[name]
+    symbol = "hophoop_" + name.removeprefix("hophoop.").replace(".", "_")
+    result = part_of(kernel, tuple(numba_type(kind) for kind in kinds)).result
+    writer = _Writer()
+    writer.names |= {"__name__": "hophoop.entries", "kernel": kernel}
+    arguments = ", ".join(writer.read(kind) for kind in kinds)
+    lines: list[str] = []
+    gives = None if isinstance(result, types.NoneType) else writer.write(result, "result", lines)
+    exec(f"def {symbol}(reals, wholes, places):\n    result = kernel({arguments})\n{''.join(lines)}", writer.names)
+    told = {"symbol": symbol, "takes": [description(kind) for kind in kinds], "gives": gives}
+    return told, exported(symbol, writer.names[symbol], MEMORY, simple=True)

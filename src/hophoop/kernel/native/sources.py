@@ -25,7 +25,7 @@ FILES = (
     "kernel/native/marks.py",
 )  # fmt: skip
 TOOLS = ("kernel/build/lowering.py", "kernel/build/link.py", "lab/wasm/nrt.c")
-LIBRARY_TOOLS = ("kernel/build/entry_code.py", "kernel/build/level.c")
+LIBRARY_TOOLS = ("kernel/build/level.c",)
 
 
 def files(others: Iterable[str] = LIBRARY_TOOLS) -> list[Path]:
