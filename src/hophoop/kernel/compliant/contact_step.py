@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from hophoop.kernel.compliant.motion import rates
 from hophoop.kernel.compliant.radau import FAILED, attempt, make_poly, poly_value, predict
 from hophoop.kernel.compliant.records import (
     DYNAMIC,
-    FLIGHT,
     OM,
     RESTING,
     SIZE,
@@ -32,7 +29,7 @@ from hophoop.kernel.compliant.records import (
 )
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.exponentials import power
-from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.body import AT_REST, FLIGHT, REST, SLIP_START, STICK, TAKEOFF, TURN, UNDETERMINED
 from hophoop.kernel.physics.closed_forms import rest_curvature
 from hophoop.kernel.physics.compliant import (
     BRISTLE,
@@ -227,10 +224,6 @@ def sign_change(poly, m):
 
 # --- the step
 
-SLIP_START, STICK, TAKEOFF, TURN, REST = (np.int64(Event[name]) for name in ("SLIP_START", "STICK", "TAKEOFF", "TURN", "REST"))
-AHEAD = np.int64(1)
-AT_REST, UNDETERMINED = int(Status.AT_REST), int(Status.UNDETERMINED)
-
 SAFETY, SLOWER, FASTER = 0.9, 0.1, 6.0
 ORDER_OF_ERROR = STAGES + 1
 # A shorter step means that the method has failed.
@@ -350,12 +343,12 @@ def change(comp, phase, which, armed, log, work):
             u[Y] = 0.0
         return begin_phase(phase, phase.t, FLIGHT, phase.regime)
     if phase.regime != 0:
-        regime = np.int64(0)
+        regime = 0
         meet_threshold(comp, phase.regime, work)
     elif comp.friction == BRISTLE:
-        regime = AHEAD if comp.k_t * u[Z] + comp.c_t * u[VT] > 0.0 else -AHEAD
+        regime = 1 if comp.k_t * u[Z] + comp.c_t * u[VT] > 0.0 else -1
     else:
-        regime = AHEAD if u[VT] > 0.0 else -AHEAD
+        regime = 1 if u[VT] > 0.0 else -1
     mode = mode_of(regime)
     write_plain_event(log, STICK if regime == 0 else SLIP_START, phase.mode, mode, phase.t, phase.revolutions, u)
     if comp.friction != TANH:

@@ -9,7 +9,7 @@ import numpy as np
 from hophoop.kernel.numerics.arithmetic import revolutions_and_rest
 from hophoop.kernel.numerics.collocation import DEPTH, ORDER
 from hophoop.kernel.numerics.tables import RADAU_LAMBDA, RADAU_NODES
-from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.body import IMPACT, ROLL, SKID, SPIN
 from hophoop.kernel.records.layout import EVENTS, SEGMENTS
 from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses
 from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
@@ -97,9 +97,6 @@ def new_work():
 
 # --- the phase
 
-# NumPy integers, because Numba would compile a function again for every Python integer that it is called with.
-ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
-IMPACT = np.int64(Event.IMPACT)
 GOING = -1  # status of a motion that has not ended
 
 
@@ -109,8 +106,8 @@ class Phase(NamedTuple):
     t: float
     revolutions: float  # whole revolutions; the state has θ within one, with all digits
     behind: float  # rounding error of `t` (Kahan sum): a step may be shorter than one ulp of `t`
-    mode: int | np.int64
-    regime: int | np.int64  # of friction
+    mode: int
+    regime: int  # of friction
     begins: bool  # True at the start of a contact or of a friction regime
     h: float  # length of the next step
     before: float  # length of the step whose dense output gives Newton's first guess, or 0

@@ -12,11 +12,9 @@ from hophoop.kernel.compliant.records import (
     DAMPING,
     DYNAMIC,
     FIRST,
-    FLIGHT,
     FLY,
     FRICTION,
     GOING,
-    IMPACT,
     KIND,
     LENGTH,
     MODE,
@@ -51,16 +49,13 @@ from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, 
 from hophoop.kernel.numerics.exponentials import exponential
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.landing import first_landing
-from hophoop.kernel.physics.body import Event, Status
+from hophoop.kernel.physics.body import APEX, COMPLETED, END, EVENT_LIMIT, FLIGHT, IMPACT, START
 from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap, kinetic_energy, potential_energy
 from hophoop.kernel.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force, spring_energy
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.records.layout import EVENTS, PANELS, SEGMENTS
 from hophoop.kernel.records.writing import Log, count_panel, find_segment, has_room
 
-START, APEX, END = np.int64(Event.START), np.int64(Event.APEX), np.int64(Event.END)
-NO_MODE = np.int64(-1)
-COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 MAX_STEPS = 300_000  # a few seconds, and about 140 MB
 MOST_PANELS = 20_000  # maximum per flight below the plane's level
 PHASE = 3.0  # rad of rotation per panel: the first omitted coefficient, J₁₆(1.5), is 5e-16
@@ -199,13 +194,13 @@ def set_tolerances(body, comp, work):
 def begin(comp, touching, log, work):
     """Start a motion and return its first phase."""
     u = work.state
-    regime = np.int64(0)
+    regime = 0
     mode = FLIGHT
     if touching:
         regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
         mode = mode_of(regime)
     revolutions, u[TH] = within_revolution(0.0, u[TH])
-    write_plain_event(log, START, NO_MODE if touching else FLIGHT, mode, 0.0, revolutions, u)
+    write_plain_event(log, START, -1 if touching else FLIGHT, mode, 0.0, revolutions, u)
     return Phase(0.0, revolutions, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
 
 
@@ -280,23 +275,10 @@ def sample(body, comp, rows, times, left, out):
             if normal < 0.0:  # rounding, where the contact ends
                 normal = 0.0
                 friction = 0.0
-        place = out[index]
-        place[0] = row[MODE]
-        place[1] = u[X]
-        place[2] = u[Y]
-        place[3] = revolutions * TWO_PI + (u[TH] + revolutions * TWO_PI_LOW)
-        place[4] = u[VT] + u[OM]
-        place[5] = u[VN]
-        place[6] = u[OM]
-        place[7] = u[VT]
-        place[8] = friction
-        place[9] = normal
-        place[10] = u[FRICTION]
-        place[11] = 0.0
-        place[12] = 0.0
-        place[13] = spring_energy(comp, u[Y], u[Z])
-        place[14] = u[DAMPING]
-        place[15] = u[ROLLING_LOSS]
-        place[16] = u[TH]
-        place[17] = kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0)
-        place[18] = potential_energy(body, u[X], u[Y], u[TH])
+        values = (
+            row[MODE], u[X], u[Y], revolutions * TWO_PI + (u[TH] + revolutions * TWO_PI_LOW), u[VT] + u[OM], u[VN], u[OM],
+            u[VT], friction, normal, u[FRICTION], 0.0, 0.0, spring_energy(comp, u[Y], u[Z]), u[DAMPING], u[ROLLING_LOSS], u[TH],
+            kinetic_energy(body, u[TH], u[OM], u[VT], u[VN], 0.0), potential_energy(body, u[X], u[Y], u[TH]),
+        )  # fmt: skip
+        for i in range(len(values)):
+            out[index, i] = values[i]

@@ -27,6 +27,9 @@ class Body(NamedTuple):
     resist: float = 0.0  # rolling resistance f
 
 
+# Kernels use the members of the three enums below as plain integers, by the names that follow each.
+
+
 class Mode(IntEnum):
     """Modes of contact between rim and plane."""
 
@@ -37,6 +40,7 @@ class Mode(IntEnum):
     SKIM = 4
 
 
+ROLL, SPIN, SKID, FLIGHT, SKIM = map(int, Mode)
 MODE_LETTERS = ("R", "S", "K", "H", "M")  # S: v_t < 0, K: v_t > 0
 
 
@@ -61,9 +65,13 @@ class Event(IntEnum):
     END = 15
 
 
+(
+    START, SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF, IMPACT, TURN, APEX, BOUNCE_LIMIT, PAINLEVE_INCONSISTENT,
+    PAINLEVE_INDETERMINATE, JAM, KANE_GAIN, SKIM_START, REST, END,
+) = map(int, Event)  # fmt: skip
 EVENT_NAMES = tuple(event.name.lower() for event in Event)
 # Events that do not end a phase: the mode stays.
-PASSING = (int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST))
+PASSING = (TURN, APEX, KANE_GAIN, REST)
 
 
 class Status(IntEnum):
@@ -77,6 +85,7 @@ class Status(IntEnum):
     BUFFER = 5
 
 
+COMPLETED, AT_REST, JAMMED, UNDETERMINED, EVENT_LIMIT, BUFFER = map(int, Status)
 STATUS_NAMES = tuple(status.name.lower() for status in Status if status != Status.BUFFER)
 
 

@@ -6,7 +6,7 @@ import math
 
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
-from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.body import FLIGHT, ROLL, SKID, SPIN
 from hophoop.kernel.physics.contact import (
     cone_weights,
     free_acceleration,
@@ -18,66 +18,43 @@ from hophoop.kernel.physics.contact import (
 )
 
 # --- time derivatives at an instant: truncated Taylor series along a candidate motion
-# They decide ties: if a quantity that selects the next mode is zero, its first nonzero derivative decides. A series is a tuple
-# of its first 5 coefficients.
+# They decide ties: if a quantity that selects the next mode is zero, its first or second derivative decides. A series is a
+# tuple of its first 3 coefficients.
 
-TERMS = 5
+TERMS = 3
 ZERO = 1e-11  # relative to the scale of the others; a smaller coefficient counts as zero
 
 
 def _times(a, b):
     """Return the series a b."""
-    a0, a1, a2, a3, a4 = a
-    b0, b1, b2, b3, b4 = b
-    return (
-        a0 * b0,
-        a0 * b1 + a1 * b0,
-        a0 * b2 + a1 * b1 + a2 * b0,
-        a0 * b3 + a1 * b2 + a2 * b1 + a3 * b0,
-        a0 * b4 + a1 * b3 + a2 * b2 + a3 * b1 + a4 * b0,
-    )
+    return a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + a[1] * b[1] + a[2] * b[0]
 
 
 def _over(a, b):
     """Return the series a / b."""
-    b0, b1, b2, b3, b4 = b
-    q0 = a[0] / b0
-    q1 = (a[1] - q0 * b1) / b0
-    q2 = (a[2] - q0 * b2 - q1 * b1) / b0
-    q3 = (a[3] - q0 * b3 - q1 * b2 - q2 * b1) / b0
-    q4 = (a[4] - q0 * b4 - q1 * b3 - q2 * b2 - q3 * b1) / b0
-    return q0, q1, q2, q3, q4
+    q0 = a[0] / b[0]
+    q1 = (a[1] - q0 * b[1]) / b[0]
+    return q0, q1, (a[2] - q0 * b[2] - q1 * b[1]) / b[0]
 
 
 def _sum(x, a, y, b):
     """Return the series x a + y b."""
-    return (
-        x * a[0] + y * b[0],
-        x * a[1] + y * b[1],
-        x * a[2] + y * b[2],
-        x * a[3] + y * b[3],
-        x * a[4] + y * b[4],
-    )
+    return x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]
 
 
 def _shifted(value, x, a):
     """Return the series value + x a."""
-    return x * a[0] + value, x * a[1], x * a[2], x * a[3], x * a[4]
+    return x * a[0] + value, x * a[1], x * a[2]
 
 
 def _sine_cosine(th, rate):
     """Return the series of sin θ and cos θ from that of θ̇: s′ = c θ′ and c′ = −s θ′, coefficient by coefficient."""
-    r0, r1, r2, r3, _ = rate
     s0, c0 = sine_and_cosine(th)
-    s1 = r0 * c0
-    c1 = -(r0 * s0)
-    s2 = r0 * c1 / 2 + r1 * c0 / 2
-    c2 = -(r0 * s1 / 2) - r1 * s0 / 2
-    s3 = r0 * c2 / 3 + r1 * c1 / 3 + r2 * c0 / 3
-    c3 = -(r0 * s2 / 3) - r1 * s1 / 3 - r2 * s0 / 3
-    s4 = r0 * c3 / 4 + r1 * c2 / 4 + r2 * c1 / 4 + r3 * c0 / 4
-    c4 = -(r0 * s3 / 4) - r1 * s2 / 4 - r2 * s1 / 4 - r3 * s0 / 4
-    return (s0, s1, s2, s3, s4), (c0, c1, c2, c3, c4)
+    s1 = rate[0] * c0
+    c1 = -(rate[0] * s0)
+    s2 = rate[0] * c1 / 2 + rate[1] * c0 / 2
+    c2 = -(rate[0] * s1 / 2) - rate[1] * s0 / 2
+    return (s0, s1, s2), (c0, c1, c2)
 
 
 @noinline
@@ -88,10 +65,10 @@ def candidate_series(body, th, om, sigma):
     sine, cosine = sine_and_cosine(th)
     rho = resistance_arm(body, sine, cosine, om, sigma)
     a, b = cone_weights(body.mu_s)
-    normal = (0.0, 0.0, 0.0, 0.0, 0.0)
+    normal = (0.0, 0.0, 0.0)
     friction = normal
     slip = normal
-    rate = (om, 0.0, 0.0, 0.0, 0.0)
+    rate = (om, 0.0, 0.0)
     for _ in range(TERMS):  # each pass determines one more coefficient of the angular velocity
         s, c = _sine_cosine(th, rate)
         u = _times(rate, rate)
@@ -114,7 +91,7 @@ def candidate_series(body, th, om, sigma):
             normal = _shifted(0.0, body.kap, load)
             part = _shifted(drag * body.kap, 1.0, _times(arm, q))
             slip = _shifted(body.gt, 1.0, _sum(1.0, centrifugal, -1.0, _times(load, part)))
-        rate = om, alpha[0], alpha[1] / 2, alpha[2] / 3, alpha[3] / 4
+        rate = om, alpha[0], alpha[1] / 2
     return normal, _sum(a, normal, -b, friction), _sum(a, normal, b, friction), slip
 
 
@@ -137,7 +114,6 @@ def leading_sign(series, scale):
 
 # --- the rule
 
-ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 # Results other than modes: rule 4 records them before the motion continues.
 INCONSISTENT, INDETERMINATE, UNDECIDED = 10, 11, 12
 

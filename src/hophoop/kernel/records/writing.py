@@ -10,11 +10,9 @@ import numpy as np
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.panels.panel import FLY, Panel, no_panel
-from hophoop.kernel.physics.body import Mode
+from hophoop.kernel.physics.body import FLIGHT
 from hophoop.kernel.records.layout import EVENTS, LETTERS_PER_INTEGER, MORE, PANEL_LIMIT, PANELS, SEGMENTS
 from hophoop.kernel.records.state import State, whole_angle
-
-FLIGHT = int(Mode.FLIGHT)
 
 
 class Log(NamedTuple):

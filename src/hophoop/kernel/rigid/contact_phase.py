@@ -33,7 +33,20 @@ from hophoop.kernel.panels.panel import (
     sine_versine_of_offset,
 )
 from hophoop.kernel.panels.solve import u_on_panel
-from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.body import (
+    AT_REST,
+    COMPLETED,
+    FLIGHT,
+    JAMMED,
+    REST,
+    ROLL,
+    SKIM,
+    SLIP_START,
+    STICK,
+    TAKEOFF,
+    TURN,
+    UNDETERMINED,
+)
 from hophoop.kernel.physics.closed_forms import rest_curvature, slip_displacement
 from hophoop.kernel.physics.contact import (
     acceleration_in_contact,
@@ -69,12 +82,6 @@ from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE, earliest_event
 from hophoop.kernel.rigid.phase import STOP_AT_TURN, Ending, at_span, begin_phase, continue_phase, end_motion
 from hophoop.kernel.rigid.transitions import leave_cone, resolve_mode, resolve_painleve_singularity
 
-ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
-STICK, TAKEOFF, TURN, REST = int(Event.STICK), int(Event.TAKEOFF), int(Event.TURN), int(Event.REST)
-SLIP_START = int(Event.SLIP_START)
-COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
-    int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED)
-)
 STILL_ACCELERATION = 1e-15
 LOST = 1e-9  # relative error of θ̇² near the unstable equilibrium above which v_t has lost digits too
 FINEST_PREDICTED = 24  # finest level for which the next one is predicted: beyond, near p_σ = 0, truncation errors are rounding

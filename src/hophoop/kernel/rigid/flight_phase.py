@@ -12,7 +12,7 @@ from hophoop.kernel.numerics.arithmetic import PI
 from hophoop.kernel.numerics.circular import sine, sine_and_cosine, sine_cosine
 from hophoop.kernel.panels.landing import first_landing
 from hophoop.kernel.panels.panel import FLY, SKIMMING, STRUCK, no_panel
-from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.body import APEX, COMPLETED, EVENT_LIMIT, FLIGHT, IMPACT, ROLL, SKIM, SKIM_START, UNDETERMINED
 from hophoop.kernel.physics.closed_forms import (
     flight_displacement,
     flight_gap,
@@ -28,10 +28,6 @@ from hophoop.kernel.records.state import at_time, flown, later, moved, time_left
 from hophoop.kernel.records.writing import PendingEvent, write_event, write_flight, write_plain_event, write_segment
 from hophoop.kernel.rigid.phase import ROUNDING, STOP_AT_TAKEOFF, Ending, angle_left, at_span, begin_phase, end_motion
 from hophoop.kernel.rigid.transitions import collide, end_bounces, resolve_mode
-
-ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
-IMPACT, APEX, SKIM_START = int(Event.IMPACT), int(Event.APEX), int(Event.SKIM)
-COMPLETED, EVENT_LIMIT, UNDETERMINED = int(Status.COMPLETED), int(Status.EVENT_LIMIT), int(Status.UNDETERMINED)
 
 # A sequence of bounces is closed when the bounces to come would take less than this fraction of the time so far.
 CLOSING = 1e-12

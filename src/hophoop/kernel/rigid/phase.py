@@ -8,11 +8,10 @@ from typing import NamedTuple
 
 from hophoop.kernel.native import inline
 from hophoop.kernel.numerics.arithmetic import PI, PI_LOW, TWO_PI, TWO_PI_LOW, add, plus, revolutions_and_rest
-from hophoop.kernel.physics.body import Status
+from hophoop.kernel.physics.body import UNDETERMINED
 from hophoop.kernel.physics.modes import UNDECIDED
 from hophoop.kernel.records.state import State, moved
 
-UNDETERMINED = int(Status.UNDETERMINED)
 GOING = -1  # status of a motion that has not ended
 START_LEVEL = 2  # level of the first panel of a phase
 

@@ -7,7 +7,20 @@ import math
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.circular import cosine, sine_cosine
 from hophoop.kernel.panels.panel import FLY, LINEAR, no_panel
-from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.physics.body import (
+    BUFFER,
+    COMPLETED,
+    END,
+    EVENT_LIMIT,
+    FLIGHT,
+    JAMMED,
+    ROLL,
+    SKID,
+    SKIM,
+    SPIN,
+    START,
+    UNDETERMINED,
+)
 from hophoop.kernel.physics.contact import free_acceleration, resistance_arm, slip_coefficients, slip_motion
 from hophoop.kernel.physics.modes import can_roll, opening_sign, slip_direction, slip_mode
 from hophoop.kernel.records.cells import Cell, body_of, mode_of, second_of, start_of
@@ -29,12 +42,6 @@ from hophoop.kernel.rigid.phase import (
     limits_until,
 )
 from hophoop.kernel.rigid.transitions import resolve_mode
-
-ROLL, SPIN, SKID, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT), int(Mode.SKIM)
-START, END = int(Event.START), int(Event.END)
-COMPLETED, JAMMED, UNDETERMINED, EVENT_LIMIT, BUFFER = (
-    int(end) for end in (Status.COMPLETED, Status.JAMMED, Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER)
-)
 
 LARGEST = 1e150  # maximum of all quantities of a motion in its own units: the squares of larger ones overflow
 BY_RULE = -1  # instead of a mode at the start: the rule of the modes selects it

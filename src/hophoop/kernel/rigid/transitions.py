@@ -7,7 +7,21 @@ import math
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.panels.anchor import NONE
-from hophoop.kernel.physics.body import Event, Mode
+from hophoop.kernel.physics.body import (
+    BOUNCE_LIMIT,
+    FLIGHT,
+    IMPACT,
+    JAM,
+    KANE_GAIN,
+    PAINLEVE_INCONSISTENT,
+    PAINLEVE_INDETERMINATE,
+    ROLL,
+    SKIM,
+    SLIP_REVERSAL,
+    SLIP_START,
+    STICK,
+    TAKEOFF,
+)
 from hophoop.kernel.physics.contact import (
     cone_weights,
     free_acceleration,
@@ -26,15 +40,6 @@ from hophoop.kernel.physics.modes import (
 from hophoop.kernel.records.state import with_anchor, with_losses, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, event_without_jump, record_doubt, write_event, write_plain_event
 from hophoop.kernel.rigid.panel_events import CLOSE, SMALLEST_SQUARE
-
-ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
-SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF = (
-    int(kind) for kind in (Event.SLIP_START, Event.STICK, Event.SLIP_REVERSAL, Event.TAKEOFF)
-)
-IMPACT, KANE_GAIN, JAM = int(Event.IMPACT), int(Event.KANE_GAIN), int(Event.JAM)
-BOUNCE_LIMIT = int(Event.BOUNCE_LIMIT)
-PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
-PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
 
 GAIN_FLOOR = 1e-14  # relative to the energy of the impact; a smaller gain is rounding
 
