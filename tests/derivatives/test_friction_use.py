@@ -1,4 +1,4 @@
-"""The derivative of the greatest share of friction that a motion uses, against differences of what maps find by other means."""
+"""The derivative of the greatest share of friction that a motion uses, against differences of what maps find."""
 
 import math
 
@@ -9,7 +9,9 @@ import hophoop as hh
 from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.results.sensitivity import SIDED
 from hophoop.kernel.native import forced
+from hophoop.kernel.records.layout import new_scratch
 from hophoop.maps.grid.friction_utilization import greatest_utilization
+from hophoop.maps.grid.kernel import ComputedMotion
 
 USE = "greatest_utilization"
 PATHS = ("start.speed", "start.angle", "plane.mu", "plane.gravity", "plane.slope", "duration")
@@ -22,10 +24,11 @@ def _interpreted():
 
 
 def use_of(scenario, path, value):
-    """As a cell of a map has it: samples, and golden section between them."""
+    """As a cell of a map has it."""
     changed = scenario.with_values({path: value})
-    events = hh.simulate(changed).tables["events"]
-    return float(greatest_utilization(changed.to_body(), events, len(events) - 1))
+    events, segments = (hh.simulate(changed).tables[name] for name in ("events", "segments"))
+    motion = ComputedMotion(changed.to_body(), 0, events, len(events), segments, len(segments), False, math.inf)
+    return float(greatest_utilization(motion, new_scratch()))
 
 
 @pytest.mark.parametrize(

@@ -4,64 +4,98 @@ from __future__ import annotations
 
 import math
 
-from hophoop.derivatives.layout import OM, STILL, TH, body_tangent
+from hophoop.derivatives.layout import OM, TH, body_tangent
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.panels.panel import fill_inside
+from hophoop.kernel.panels.panel import COSINE, SINE, U, fill_inside
 from hophoop.kernel.physics.contact import force_ratio, required_ratio, rolling_acceleration
 from hophoop.kernel.records.writing import panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import state_on_panel
 from hophoop.kernel.rigid.panel_choice import solve_noinline
 
-HALVINGS = 60
+MOST_STEPS = 60  # towards a maximum
+CONVERGED = 1e-14  # in ξ
 
 d_force_ratio = tangent_of(force_ratio, "body", "s", "c", "u", "rho")
 d_required_ratio = tangent_of(required_ratio, "body", "s", "c", "u", "rho")
+d_required_ratio_on_path = tangent_of(required_ratio, "s", "c", "u")
 
 
 @noinline
-def requirement(body, state, way):
-    """(abs(F)/N of a rolling state, True if it rises as the hoop turns on)."""
-    s, c = sine_cosine(state.th, state.th_low)
-    u = state.om * state.om
+def requirement(body, s, c, u, way):
+    """(abs(F)/N of rolling, its rate as the hoop turns on)."""
     rho = way * body.resist
     alpha = rolling_acceleration(body, s, c, u, rho)
-    ratio, slope = d_required_ratio(body, s, c, u, rho, STILL, c, -s, 2.0 * alpha, 0.0)
-    return abs(ratio), way * math.copysign(1.0, ratio) * slope > 0.0
+    ratio, slope = d_required_ratio_on_path(body, s, c, u, rho, c, -s, 2.0 * alpha)
+    return abs(ratio), way * math.copysign(1.0, ratio) * slope
+
+
+def requirement_at(body, state, way):
+    """The same of a state."""
+    s, c = sine_cosine(state.th, state.th_low)
+    return requirement(body, s, c, state.om * state.om, way)
+
+
+@noinline
+def peak_between(body, panel, totals, begin, low, high, slope_low, slope_high, scratch):
+    """(abs(F)/N, time) of the maximum between two places of a solved panel, by the Illinois method."""
+    need, state, slope = 0.0, begin, 0.0
+    xi = low
+    for _ in range(MOST_STEPS):
+        before = xi
+        xi = (low * slope_high - high * slope_low) / (slope_high - slope_low)
+        if not low < xi < high:
+            xi = 0.5 * (low + high)
+        state = state_on_panel(body, panel, totals, begin, xi, scratch)
+        last = slope
+        need, slope = requirement_at(body, state, panel.direction)
+        if abs(xi - before) <= CONVERGED or slope == 0.0:
+            break
+        if slope > 0.0:
+            low, slope_low = xi, slope
+            if last > 0.0:
+                slope_high *= 0.5
+        else:
+            high, slope_high = xi, slope
+            if last < 0.0:
+                slope_low *= 0.5
+    return need, state.t
 
 
 def fill_peaks(body, segments, first, last, scratch, peaks):
     """Fill in (abs(F)/N, time) of the maxima inside a rolling phase, segments `first` to before `last`; return how many."""
+    work = scratch.work
     count = 0
-    rises = False
+    before = 0.0  # rate of the last sample
     for index in range(first, last):
         row = segments[index]
+        way = row["direction"]
         panel = panel_of(row)
-        totals = solve_noinline(body, panel, scratch.work)
-        fill_inside(panel, scratch.work)
+        totals = solve_noinline(body, panel, work)
+        fill_inside(panel, work)
         begin = state_of(row)
+        if index == first:
+            before = requirement_at(body, begin, way)[1]
         low = -1.0
-        for i in range(ORDER + 2):
-            high = -1.0 if i == 0 else min(NODES[i - 1], row["xi"]) if i <= ORDER else row["xi"]
-            need, goes_on = requirement(body, state_on_panel(body, panel, totals, begin, high, scratch), row["direction"])
-            if rises and not goes_on and count < peaks.shape[0]:
-                end = high
-                state = begin
-                for _ in range(HALVINGS):
-                    middle = 0.5 * (low + end)
-                    state = state_on_panel(body, panel, totals, begin, middle, scratch)
-                    need, above = requirement(body, state, row["direction"])
-                    if above:
-                        low = middle
-                    else:
-                        end = middle
-                peaks[count, 0] = need
-                peaks[count, 1] = state.t
+        for i in range(ORDER + 1):
+            if i < ORDER and NODES[i] >= row["xi"]:
+                continue
+            if i < ORDER:
+                high = NODES[i]
+                slope = requirement(body, work[SINE, i], work[COSINE, i], work[U, i], way)[1]
+            else:
+                high = row["xi"]
+                known = index + 1 < last
+                end = state_of(segments[index + 1]) if known else state_on_panel(body, panel, totals, begin, high, scratch)
+                slope = requirement_at(body, end, way)[1]
+            if before > 0.0 and not slope > 0.0 and count < peaks.shape[0]:
+                found = peak_between(body, panel, totals, begin, low, high, before, slope, scratch)
+                peaks[count, 0], peaks[count, 1] = found
                 count += 1
-            rises = goes_on
+            before = slope
             low = high
     return count
 

@@ -42,7 +42,7 @@ INTEGERS = 4  # of a packed sequence, see records.layout
 FLIGHT_REQUESTED, UTILIZATION_REQUESTED = 1, 2
 
 BLOCK = 64  # cells that share one set of scratch arrays
-FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and the factor to the next
+FIRST_EVENTS, FIRST_SEGMENTS, LONGER = 64, 256, 4  # lengths of the first arrays, and the factor to the next
 # Time limit where none is requested, so that endless sliding ends too. In kernel units.
 FOREVER = 1e9
 
@@ -54,6 +54,8 @@ class ComputedMotion(NamedTuple):
     status: int
     events: Any  # of which `length` are its own
     length: int
+    segments: Any  # of which `pieces` are its own; none unless the utilization is requested
+    pieces: int
     cut: bool  # at its take-off at the very start, which the kernel does not look for
     t_end: float
 
@@ -196,13 +198,13 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
         lost += end["rolling_resistance"]
     numbers[k, ENERGY_LOST] = lost * scales.energy
     if request.quantities & UTILIZATION_REQUESTED:
-        numbers[k, GREATEST_UTILIZATION] = greatest_utilization(motion.body, events, last)
+        numbers[k, GREATEST_UTILIZATION] = greatest_utilization(motion, workspace.scratch)
     if hop >= 0 and request.quantities & FLIGHT_REQUESTED:
         reduce_flight(motion, hop, scales, workspace, numbers, k)
 
 
-def evaluate_cell(cells, k, request, events, workspace, results):
-    """Compute one cell; return False where `events` is too short for its motion.
+def evaluate_cell(cells, k, request, events, segments, workspace, results):
+    """Compute one cell; return False where `events` or `segments` is too short for its motion.
 
     `workspace.passing` takes 2 more events, and `workspace.segments` has length 0.
     """
@@ -223,7 +225,9 @@ def evaluate_cell(cells, k, request, events, workspace, results):
     if events.shape[0] > most:
         events = events[:most]
     mode = mode_of(cells[:, k])
-    status, count, _ = run(body, start, mode, t_end, angle_span, stop, events, workspace.segments, scratch)
+    status, count, pieces = run(body, start, mode, t_end, angle_span, stop, events, segments, scratch)
+    if status == Status.BUFFER:
+        return False
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
         count = beyond + 1
@@ -233,7 +237,7 @@ def evaluate_cell(cells, k, request, events, workspace, results):
     hop = first_hop(events, count)
     # the kernel looks for a take-off after the start only
     cut = hop >= 0 and stop & STOP_AT_TAKEOFF != 0 and events[hop]["t"] == 0.0
-    motion = ComputedMotion(body, status, events, hop + 1 if cut else count, cut, t_end)
+    motion = ComputedMotion(body, status, events, hop + 1 if cut else count, segments, pieces, cut, t_end)
     reduce_motion(motion, request, hop, scales, workspace, results, k)
     return True
 
@@ -241,8 +245,10 @@ def evaluate_cell(cells, k, request, events, workspace, results):
 def evaluate_block(cells, low, high, request, results):
     """Compute the cells from `low` to `high`."""
     usual = np.empty(FIRST_EVENTS, EVENT)
+    first = np.empty(FIRST_SEGMENTS if request.quantities & UTILIZATION_REQUESTED else 0, SEGMENT)
     workspace = Workspace(np.empty(2, EVENT), np.empty(0, SEGMENT), new_scratch())
     for k in range(low, high):
-        events = usual
-        while not evaluate_cell(cells, k, request, events, workspace, results):
-            events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[Cell.MAX_EVENTS, k])), EVENT)
+        events, segments = usual, first
+        while not evaluate_cell(cells, k, request, events, segments, workspace, results):
+            events = np.empty(min(LONGER * events.shape[0], int(cells[Cell.MAX_EVENTS, k])), EVENT)
+            segments = np.empty(LONGER * segments.shape[0], SEGMENT)
