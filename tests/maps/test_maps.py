@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.kernel.records.cells import CELL
+from hophoop.kernel.records.cells import CELL, Cell
 from hophoop.kernel.records.layout import LETTERS_PER_INTEGER, unpacked_sequence
 from hophoop.kernel.records.writing import add_letter
 from hophoop.maps.grid import kernel
@@ -106,7 +106,7 @@ def test_cells_are_the_scenarios_that_they_stand_for(base, values):
     except ValueError:
         # what is wrong with one value alone is found when the axes are made
         assume(all(_fits(base, {path: value}) for path, value in values.items()))
-        assert (cells[kernel.ALLOWED] == 0.0).all()
+        assert (cells[Cell.ALLOWED] == 0.0).all()
         return
     assert dict(zip(CELL, cells[:, 0], strict=True)) == cell_of(scenario)
     np.testing.assert_array_equal(cells[:, 1], cells[:, 0])
