@@ -15,7 +15,7 @@ PAGE = (ROOT / "docs" / "atlas.md").read_text(encoding="utf-8")
 
 @pytest.fixture(scope="module")
 def script():
-    spec = importlib.util.spec_from_file_location("atlas", ROOT / "examples" / "atlas.py")
+    spec = importlib.util.spec_from_file_location("atlas", ROOT / "examples" / "figures" / "atlas.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module

@@ -49,7 +49,7 @@ def test_contact_space_is_that_of_theory():
 
 def test_colours_of_classes_are_the_same_on_dark_pages():
     """In the field, which is a picture, and beside it, where they are drawn."""
-    text = (ROOT / "docs" / "figures" / "atlas-mu-v0-sequence.svg").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "figures" / "drawn" / "atlas-mu-v0-sequence.svg").read_text(encoding="utf-8")
     named = re.findall(r'<g id="on-color-legend-(\w+)">', text)
     assert named[:3] == ["R", "H", "RKRSR"]
     assert len(named) == 16

@@ -1,16 +1,14 @@
 """An atlas of motions: the phase plane with true motions, where the first hop is, and the best hops.
 
-    python examples/atlas.py [--out DIR] [--cells 200]
-
-Draws every figure of docs/atlas.md and prints its table of the highest and the longest hops of the first revolution.
+The rows of the table in docs/atlas.md are those of `row_of` for each of `OPTIMA`.
 """
 
 from __future__ import annotations
 
-import argparse
 import math
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
 import hophoop as hh
@@ -27,7 +25,7 @@ def phase_plane(folder: Path) -> None:
     save(ax, folder / "atlas-phase-plane.svg")
 
 
-def first_hops(folder: Path, cells: int) -> None:
+def first_hops(folder: Path, cells: int = 200) -> None:
     """Where a hop begins within the first revolution, over three pairs of parameters, and how high it is."""
     speed, mu, gamma = (
         np.linspace(0.01, 5.0, cells),
@@ -48,12 +46,8 @@ def first_hops(folder: Path, cells: int) -> None:
 
 
 def save(ax, path: Path) -> None:
-    import matplotlib.pyplot as plt
-
-    plt.rcParams["svg.hashsalt"] = "hophoop"  # the same picture is the same file
     ax.figure.savefig(path, dpi=160, metadata={"Date": None})
     plt.close(ax.figure)
-    print(path)
 
 
 def best_hop(
@@ -119,18 +113,7 @@ def row_of(quantity: str, most_friction: float) -> str:
     return f"| {WORDS[quantity]}, μ up to {most_friction:g} | {hop:.3f} m | {gamma:.3f} | {mu:g} | {part:.6f} |"
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", type=Path, default=Path("."))
-    parser.add_argument("--cells", type=int, default=200)
-    options = parser.parse_args()
-    options.out.mkdir(parents=True, exist_ok=True)
-    phase_plane(options.out)
-    first_hops(options.out, options.cells)
-    print("| | gap or distance | γ | μ | v0 over √(g R/γ) |\n| --- | --- | --- | --- | --- |")
-    for quantity, most_friction in OPTIMA:
-        print(row_of(quantity, most_friction))
-
-
-if __name__ == "__main__":
-    main()
+def draw(folder: Path) -> None:
+    """Draw all figures."""
+    phase_plane(folder)
+    first_hops(folder)
