@@ -66,6 +66,14 @@ def test_the_angle_that_is_left_is_the_span_less_what_is_turned(way, span):
     assert abs(float(angle_left(given, found, way))) < 1e-15
 
 
+def test_without_a_span_nothing_of_it_is_left():
+    start = state_of(0.25 + 3 * TURN, th_low=1e-18)
+    given = limits(start, stop=phases.STOP_AT_TURN)
+    assert (given.t_end, given.stop, given.span_turns, given.span_rest) == (9.0, phases.STOP_AT_TURN, 0.0, 0.0)
+    assert (given.revolutions, given.th, given.th_low) == (start.revolutions, start.th, start.th_low)
+    assert math.isnan(given.span)
+
+
 @BOTH_WAYS
 def test_of_a_small_span_the_low_parts_count(way):
     span, start = 2.0**-30, state_of(0.25, 1.0, th_low=2e-17)
