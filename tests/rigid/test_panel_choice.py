@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from mpmath import mp, mpf
 from scipy.optimize import brentq
 
 from hophoop.kernel.panels.anchor import SLIPPING
@@ -43,6 +44,22 @@ def test_slip_without_friction_keeps_what_it_conserves():
     assert state.anchor.excess == pytest.approx(4.0 - top, rel=1e-14)
     again = anchored(body, -1, state._replace(om=3.0))
     assert again.anchor == state.anchor
+
+
+@pytest.mark.parametrize("sigma", [1, -1])
+@pytest.mark.parametrize("psi", [1e-9, -1e-4, 0.03125])
+def test_slip_beside_its_hilltop_has_all_digits_of_its_torque(sigma, psi):
+    body, mu = body_of(0.5, 0.75, mu=0.25), sigma * mpf(0.25)
+    with mp.workdps(40):
+        th = -mp.atan(mu) - mp.asin(2 * mp.sin(mp.atan(mu))) + mpf(psi)
+        q = mp.sin(th) / 2 + mu * (1 + mp.cos(th) / 2)
+        firm = mpf(0.75) + mp.sin(th) / 2 * q
+        low = float(th - float(th))
+    state = anchored(body, sigma, state_of(float(th), 0.5, sigma * 1.0, th_low=low))
+    begin = begin_of(body, sigma, state)
+    assert state.anchor.kind == SLIPPING
+    assert begin.arm == pytest.approx(float(q), rel=1e-12)
+    assert begin.kappa_p_sigma == pytest.approx(float(firm), rel=1e-15)
 
 
 # how wide it is

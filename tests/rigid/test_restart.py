@@ -228,6 +228,17 @@ def test_files_and_links():
     assert set(hh.Start(vx=1.0).to_dict()) == {"x", "height", "angle", "vx", "vy", "omega"}
 
 
+def test_derivatives_of_a_motion_that_goes_on():
+    """They agree with those from the plain state."""
+    state = hh.simulate(HOPS).at(7.3)
+    exact = hh.simulate(HOPS.with_values({"start": hh.Start.of(state), "duration": 2.0}))
+    free = {name: getattr(state, name) for name in ("x", "height", "angle", "vx", "vy", "omega")}
+    plain = hh.simulate(exact.scenario.replace("start", hh.Start(**free)))
+    for of in ("end.angle", "impact.omega"):
+        wanted, found = (each.sensitivity(of, ["start.omega", "plane.mu"]).derivatives for each in (plain, exact))
+        np.testing.assert_allclose(found, wanted, rtol=1e-9)
+
+
 def test_bad_starts():
     """One sentence each."""
     motion = hh.simulate(HOPS)
