@@ -55,13 +55,6 @@ def test_chaos_and_standstill():
     assert any(one.fate in (Fate.CHAOTIC, Fate.GAIT) for one in found.attractors[2])
 
 
-@pytest.mark.parametrize(("slope", "goes_on"), [(15.02, False), (15.5, True)])
-def test_the_gaps_of_the_page(slope, goes_on):
-    """On some slopes every start rocks in the end, as docs/gaits.md has them, on others it goes on."""
-    fates = {one.fate for one in over([slope], starts=20).attractors[0]}
-    assert goes_on == (fates != {Fate.ROCKS})
-
-
 def test_the_last_attractor_is_followed():
     """With a single start that settles on the gait without a hop the other one is found, once it was met before."""
     slow = over([1.0], starts=[3.41]).attractors[0]

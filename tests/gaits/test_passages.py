@@ -152,15 +152,6 @@ def test_a_derivative_needs_the_section():
         found.derivative(2)
 
 
-def test_many_at_once_are_judged_as_one():
-    """The kernel's loop over cells gives the fates of single motions."""
-    scenarios = [on_slope(3.0, 0.5, 2.7), on_slope(0.0, 0.75, 0.5), on_slope(10.0, 0.75, 3.3)]
-    many = hh.gaits.fates(scenarios)
-    assert many.fates == tuple(hh.passages(scenario, 2000).decided for scenario in scenarios)
-    assert many.periods.tolist() == [1, 0, 0]
-    assert many.hops.tolist() == [1, 0, 0]
-
-
 def test_a_corner_in_slip_has_no_derivative():
     """More slip and less slip lead to different rates, so the column of the slip is nan, with the reason."""
     plane = hh.Plane(slope=math.radians(20), mu=0.02, gravity=1.0)

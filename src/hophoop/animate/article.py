@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import ExitStack, closing
+from contextlib import closing, nullcontext
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -20,7 +20,6 @@ from hophoop.animate.look import Look, Look3D
 from hophoop.animate.web import scene
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
-from hophoop.simulation.trajectory import Trajectory
 
 SIZE: Final = (960, 540)
 USUAL: Final = Timing()
@@ -120,25 +119,15 @@ def article_steps() -> list[tuple[ArticleFilm, str]]:
 
 
 def make_film(film: ArticleFilm, suffix: str, folder: Path) -> Path:
-    """Make one film of the article and its poster, or its page, in a folder; return its path."""
-    path = folder / f"{film.name}.{suffix}"
-    motion = simulate(film.scenario)
+    """Make one film of the article and its poster, for pages that do not play it, or its page, in a folder; return its path."""
+    path, motion = folder / f"{film.name}.{suffix}", simulate(film.scenario)
     if suffix == "html":
         return scene(motion, path, film.timing)
-    _make(film, motion, path)
-    return path
-
-
-def _make(film: ArticleFilm, motion: Trajectory, path: Path) -> None:
-    """Make a film and its poster, for pages that do not play it."""
-    with ExitStack() as open_ones:
-        pictures: Film2D | Film3D
-        if film.three_d:
-            timing = replace(film.timing, fps=film.share * FPS_3D)
-            pictures = open_ones.enter_context(closing(Film3D((motion,), timing, Look3D(size=SIZE))))
-        else:
-            timing = replace(film.timing, fps=film.share * FPS_2D)
-            pictures = Film2D((motion,), timing, Look(size=SIZE))
+    timing = replace(film.timing, fps=film.share * (FPS_3D if film.three_d else FPS_2D))
+    kind: Any = Film3D if film.three_d else Film2D
+    pictures = kind((motion,), timing, Look3D(size=SIZE) if film.three_d else Look(size=SIZE))
+    with closing(pictures) if film.three_d else nullcontext():
         write(pictures, path)
         k = int(np.searchsorted(pictures.clock.times[0], min(film.still, motion.duration)))
         save_png(pictures.draw(min(k, pictures.count - 1)), path.with_suffix(".png"))
+    return path
