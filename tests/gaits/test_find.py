@@ -136,6 +136,14 @@ def test_the_scenario_lasts_a_period():
     assert "".join(phase.mode for phase in gait.phases) == motion.sequence
 
 
+def test_compliant_contact_settles_on_the_same_gait(usual):
+    start = hh.Start.rolling(2.7, angle=math.pi)
+    stiff = usual.scenario.replace("contact", hh.Compliant(stiffness=1e4)).replace("start", start).replace("duration", 60.0)
+    heights = [event.height for event in hh.simulate(stiff).find("apex") if event.height > 0.05]
+    assert len(heights) >= 15
+    assert heights[-5:] == pytest.approx([usual.hop_height] * 5, rel=0.01)
+
+
 def test_bounces_that_take_no_time_are_no_gait():
     """They come back to the section within rounding, in 5e-15 s."""
     (gait,) = hh.gaits.find(on_slope(3, 0.5, mu=0.1), near=2.3267753)

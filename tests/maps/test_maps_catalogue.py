@@ -130,6 +130,10 @@ def test_where_rolling_alone_begins():
     assert speed == pytest.approx(HOOPS["0.75"]["speed_range"][0], rel=1e-5)
 
 
+def test_where_a_hop_meets_the_immediate_one():
+    assert meeting("H", "RKSH", "RKRSH")[1] == pytest.approx(math.sqrt(9.81 / 0.75), rel=1e-10)
+
+
 def test_classes_meet_where_the_catalogue_says():
     """Motions close to a meeting show all its classes."""
     inner = [one for one in HOOPS["0.75"]["meetings"] if len(one[2]) == 4]
