@@ -134,9 +134,10 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
 @noinline
 def keep_before(tangents, event_tangents):
     """The velocities just before an event, and no impulse."""
-    event_tangents[BEFORE_OM:P_N] = tangents[OM : VN + 1]
     for k in range(tangents.shape[1]):
-        event_tangents[P_N:, k] = 0.0 * tangents[OM, k]  # nan where there is no derivative
+        for i in range(BEFORE_OM, P_N):
+            event_tangents[i, k] = tangents[OM + i - BEFORE_OM, k]
+        event_tangents[P_N, k] = event_tangents[P_T, k] = 0.0 * tangents[OM, k]  # nan where there is no derivative
 
 
 class Past(NamedTuple):
@@ -166,7 +167,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
     rates = (0.0, 0.0, 0.0, 0.0)
     way = piece["direction"] if passed and is_panel(piece) else 0.0
     # the couple changes its sign where the hoop turns round, and with it the forces: what follows is decided anew
-    turned = body.resist > 0.0 and way != 0.0 and before.om == 0.0
+    turned = body.resist > 0.0 and before.om == 0.0 and (way != 0.0 or kind in (Event.SLIP_START, Event.TAKEOFF))
     if mode >= 0 and not (passed and piece["kind"] == HOLD and piece["sigma"] == 0):
         rates = accelerations(body, mode, before, way)
     if turned and kind != Event.END:
@@ -211,7 +212,8 @@ def keep_after(row, tangents, event_tangents):
     """Record the tangents just after an event; at the start those that were given."""
     for k in range(tangents.shape[1]):
         if row["kind"] != Event.START or math.isnan(tangents[TH, k]):
-            event_tangents[:STATE_ROWS, k] = tangents[:, k]
+            for i in range(STATE_ROWS):
+                event_tangents[i, k] = tangents[i, k]
 
 
 @noinline

@@ -43,6 +43,8 @@ def resisted_motion(body, sigma, state, way):
     rho = way * body.resist
     if state.om != 0.0 or way == 0.0:
         rho = resistance_arm(body, s, c, state.om, sigma)
+    if sigma == 0 and rho == 0.0:
+        return rolling_acceleration(body, s, c, u, 0.0), 0.0, 0.0, 0.0
     if sigma == 0:
         return rolling_acceleration(body, s, c, u, rho), 0.0, 0.0, rho * state.om * rolling_forces(body, s, c, u, rho)[1]
     turning, normal, along = slip_motion(body, s, c, u, sigma, rho)
