@@ -8,7 +8,6 @@ import pytest
 import hophoop as hh
 from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.results.sensitivity import SIDED
-from hophoop.kernel.native import forced
 from hophoop.kernel.records.layout import new_scratch
 from hophoop.maps.grid.friction_utilization import greatest_utilization
 from hophoop.maps.grid.kernel import ComputedMotion
@@ -17,10 +16,7 @@ USE = "greatest_utilization"
 PATHS = ("start.speed", "start.angle", "plane.mu", "plane.gravity", "plane.slope", "duration")
 
 
-@pytest.fixture(autouse=True)
-def _interpreted():
-    with forced("interpreted"):
-        yield
+pytestmark = pytest.mark.usefixtures("interpreted")
 
 
 def use_of(scenario, path, value):

@@ -10,11 +10,7 @@ import hophoop as hh
 from hophoop import plots
 from hophoop.kernel.native import forced
 
-
-@pytest.fixture(autouse=True)
-def _interpreted():
-    with forced("interpreted"):
-        yield
+pytestmark = pytest.mark.usefixtures("interpreted")
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,9 @@ from __future__ import annotations
 import json
 import math
 import sys
+from collections.abc import Sequence
 from decimal import Decimal
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -251,6 +253,22 @@ def differences(scenario: hh.Scenario, path: str) -> dict[str, dict[str, str]]:
                 if rate.is_finite():
                     found[key][field] = f"{rate:.17e}" if rate else "0"
     return found
+
+
+@cache
+def solved(scenario: hh.Scenario) -> Any:
+    """A motion in 30 digits; derivatives of several quantities are read from the same ones."""
+    return hh.simulate(scenario, digits=30)
+
+
+def one_sided(scenario: hh.Scenario, path: str, step: float, of: Sequence[str]) -> list[float]:
+    """Derivatives to one side, from five motions, of fields of the last events of a kind such as "turn.t"."""
+    weights = (Decimal(-25) / 12, Decimal(4), Decimal(-3), Decimal(4) / 3, Decimal(-1) / 4)
+    value = value_of(scenario, path)
+    motions = [solved(scenario.with_values({path: value + n * step})) for n in range(5)]
+    names = [name.split(".") for name in of]
+    columns = [[getattr(each.find(kind)[-1], field) for each in motions] for kind, field in names]
+    return [float(sum(w * one for w, one in zip(weights, column, strict=True)) / Decimal(step)) for column in columns]
 
 
 def number_of(event: Any, field: str) -> Any:

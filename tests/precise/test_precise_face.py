@@ -99,14 +99,3 @@ def test_run_check():
     data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--check", "--json").stdout)
     assert data["difference"] == ""
     assert all(event["digits"]["t"] > 13 for event in data["events"])
-
-
-def test_run_refuses_what_does_not_go_together():
-    for arguments, words in (
-        (("--digits", "3"), "digits = 3 must be a whole number from 15 to 1000."),
-        (("--digits", "30", "--csv", "x.csv"), "--csv cannot be given together with --digits."),
-        (("--check", "--plot", "x.png"), "--plot cannot be given together with --check."),
-    ):
-        done = run("run", *arguments)
-        assert done.exit_code == 2
-        assert words in done.output

@@ -1,0 +1,13 @@
+"""Kernels run interpreted where a test asks for it, so that mutants and coverage see them."""
+
+from __future__ import annotations
+
+import pytest
+
+from hophoop.kernel.native import forced
+
+
+@pytest.fixture
+def interpreted():
+    with forced("interpreted"):
+        yield
