@@ -8,9 +8,11 @@ const FEWEST = 240;
 const MOST = 6000;
 const [SPIN, SKID] = [1, 2]; // places of the words, and of the modes' letters
 
-/** Fields of a state, each the sum of columns of the module: its own and these. */
+/** Columns of the module that a film shows as they are, and those that it sums. */
+const PLAIN =
+  "x height angle vx vy omega slip friction_force normal_force kinetic potential rolling_resistance utilization";
 const SUMS = { friction_loss: ["friction", "impact_tangential"], normal_loss: ["impact_normal", "damping"] };
-const COLUMNS = Object.entries({ ...Object.fromEntries(layout.samples.map((name) => [name, [name]])), ...SUMS });
+const COLUMNS = Object.entries({ ...Object.fromEntries(PLAIN.split(" ").map((name) => [name, [name]])), ...SUMS });
 
 /** `module`: in which the motion was computed last; `window`: times from and to; the whole motion by default. */
 export function columnsOf(module: HoopModule, computed: Computed, window?: [number, number]) {
