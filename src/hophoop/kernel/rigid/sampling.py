@@ -27,13 +27,18 @@ from hophoop.kernel.physics.contact import (
     slip_motion,
 )
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.records.layout import new_scratch
+from hophoop.kernel.records.layout import COLUMNS, new_scratch
 from hophoop.kernel.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.kernel.records.writing import find_segment, panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
 from hophoop.kernel.rigid.flight_phase import time_to_strike
 from hophoop.kernel.rigid.panel_choice import solve
 
+(
+    MODE, X, HEIGHT, ANGLE, VX, VY, OMEGA, SLIP,
+    FRICTION_FORCE, NORMAL_FORCE, FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, THETA, THETA_LOW,
+    ROLLING_RESISTANCE, KINETIC, POTENTIAL,
+) = range(len(COLUMNS))  # fmt: skip
 # Margins of a mode, in kernel units; documented in `hophoop.simulation.phases.Margins`.
 MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleration", "slip", "height", "p_sigma")
 
@@ -100,7 +105,7 @@ def state_in_skim(body, direction, state, t, tau, strikes):
 
 
 def sample(body, segments, times, left, out):
-    """Fill `out`, shape (len(times), n), with the motion at these times (kernel units), in the order of `COLUMNS`."""
+    """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     scratch = new_scratch()
     solved = -1
     totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -141,13 +146,25 @@ def sample(body, segments, times, left, out):
             now = state
         if kind != SKIMMING:
             kinetic = kinetic_energy(body, now.th, now.om, now.vt, now.vn, now.th_low)
-        values = (
-            1.0 * segment["mode"], now.x, now.y, whole_angle(now), now.vt + now.om, now.vn, now.om, now.vt, friction, normal,
-            now.friction, now.impact_n, now.impact_t, now.th, now.th_low, now.rolling_loss, kinetic,
-            potential_energy(body, now.x, now.y, now.th),
-        )  # fmt: skip
-        for i in range(len(values)):
-            out[k, i] = values[i]
+        row = out[k]
+        row[MODE] = segment["mode"]
+        row[X] = now.x
+        row[HEIGHT] = now.y
+        row[ANGLE] = whole_angle(now)
+        row[VX] = now.vt + now.om
+        row[VY] = now.vn
+        row[OMEGA] = now.om
+        row[SLIP] = now.vt
+        row[FRICTION_FORCE] = friction
+        row[NORMAL_FORCE] = normal
+        row[FRICTION] = now.friction
+        row[IMPACT_NORMAL] = now.impact_n
+        row[IMPACT_TANGENTIAL] = now.impact_t
+        row[THETA] = now.th
+        row[THETA_LOW] = now.th_low
+        row[ROLLING_RESISTANCE] = now.rolling_loss
+        row[KINETIC] = kinetic
+        row[POTENTIAL] = potential_energy(body, now.x, now.y, now.th)
 
 
 def margins_of(body, mode, theta, theta_low, omega, slip, height):
