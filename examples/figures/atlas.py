@@ -25,7 +25,7 @@ def phase_plane(folder: Path) -> None:
     save(ax, folder / "atlas-phase-plane.svg")
 
 
-def first_hops(folder: Path, cells: int = 200) -> None:
+def first_hops(folder: Path, cells: int = 400) -> None:
     """Where a hop begins within the first revolution, over three pairs of parameters, and how high it is."""
     speed, mu, gamma = (
         np.linspace(0.01, 5.0, cells),
@@ -38,9 +38,8 @@ def first_hops(folder: Path, cells: int = 200) -> None:
         "mu-gamma": (hh.Scenario(), {"plane.mu": mu, "hoop.load_fraction": gamma}),
     }
     for name, (base, axes) in pairs.items():
-        quantities = ["sequence", "hop_height", "flight_distance", "painleve"]
-        dataset = maps.sweep(base, axes, quantities)
-        for quantity in quantities[:3]:
+        dataset = maps.sweep(base, axes, ["sequence", "hop_height", "flight_distance", "painleve"])
+        for quantity in ("sequence", "hop_height", *(["flight_distance"] if name == "v0-gamma" else [])):
             ax = plots.motion_map(dataset, quantity)
             save(ax, folder / f"atlas-{name}-{quantity.replace('_', '-')}.svg")
 
