@@ -130,14 +130,14 @@ def draw_marked_frame(path: Path) -> None:
     row, half, zoom = 118, np.array([240.0, 130.0]), 1.5  # half the size of the cutting [pixels]
     track = hh.read_track(FILM / "track.json")
     view, centre, angle = track.view, track.centre[row], float(track.angle[row])
-    image = np.ascontiguousarray(rgb(next(islice(pictures(FILM / "hoop.mp4", view.rate), row, None))))
-    drawing.draw(image, view, track.radius, centre, angle)
+    image = Image.fromarray(rgb(next(islice(pictures(FILM / "hoop.mp4", view.rate), row, None))))
+    drawing.draw(ImageDraw.Draw(image), view, track.radius, centre, angle)
     ways = np.array([[math.sin(turn), math.cos(turn)] for turn in (angle, angle + 2.4)])
     reach = track.radius * np.array([[view.marker_ratio], [1.0]])
     marker, rim, hub = view.to_picture(np.vstack([centre + reach * ways, centre]), track.radius)
     box = tuple(float(value) for value in (*(hub - half), *(hub + half)))
     size = tuple(int(value) for value in 2.0 * half * zoom)
-    shown = Image.fromarray(image).resize(size, Image.Resampling.LANCZOS, box=box)
+    shown = image.resize(size, Image.Resampling.LANCZOS, box=box)
     pen, font = ImageDraw.Draw(shown), ImageFont.load_default(20)
     for words, spot, off, color in (
         ("marker", marker, (-120.0, -50.0), drawing.MARK),
