@@ -23,7 +23,7 @@ import functools, signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background leaves it ignored
 from hophoop.cli import app
 from hophoop.maps.grid import sweeping
-sweeping.sweep = functools.partial(sweeping.sweep, chunk_cells=250)
+sweeping.sweep = functools.wraps(sweeping.sweep)(functools.partial(sweeping.sweep, chunk_cells=250))
 print("ready", flush=True)
 app()
 """
