@@ -29,7 +29,7 @@ def raising(error):
 def test_a_defect_ends_with_its_traceback(error, monkeypatch):
     monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
     found = run(HOP)
-    assert (found.exit_code, found.stdout) == (1, "")
+    assert (found.exit_code, found.stdout) == (70, "")
     first, *_, last = found.stderr.splitlines()
     assert first == "Traceback (most recent call last):"
     assert "in raised" in found.stderr

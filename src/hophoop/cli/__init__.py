@@ -24,8 +24,7 @@ from hophoop._support.stopping import stop_on_signals
 COMMANDS = ("run", "lab", "animate", "map", "track", "fit", "plan")
 RESEARCH = ("theory", "prove", "gait", "diagram", "reproduce")
 
-DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
-DEFECT = 1
+DONE, NO_ANSWER, BAD_INPUT, DEFECT, STOPPED = 0, 1, 2, 70, 130
 # in errors of Python and of the system where memory is short
 TOO_LITTLE = ("can't start new thread", "failed to map segment", "annot allocate memory")
 
