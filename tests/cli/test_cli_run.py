@@ -219,7 +219,7 @@ def test_program_exit_status_and_streams():
     assert json.loads(found.stdout)["status"] == "completed"
     bad = program("run", "--gravity", "-9.81")
     assert (bad.returncode, bad.stdout) == (2, "")
-    assert bad.stderr == "Error: plane.gravity = -9.81 must be 0 or from 1e-06 to 1e+06 m/s².\n"
+    assert bad.stderr == "Error: --gravity = -9.81 must be 0 or from 1e-06 to 1e+06 m/s².\n"
     assert program("--version").stdout == f"{hh.__version__}\n"
     assert run("").exit_code == 2
 

@@ -245,6 +245,7 @@ def _python_name(option: ScenarioOption) -> str:
 
 def scenario_of(file: str | None, given: dict[ScenarioOption, Any], settings: list[str]) -> Any:
     """Return the scenario of a file, or the reference case, changed by the options."""
+    from hophoop.cli._output import named_options
     from hophoop.scenario import Scenario
 
     base = Scenario() if file is None else Scenario.load(file)
@@ -264,7 +265,9 @@ def scenario_of(file: str | None, given: dict[ScenarioOption, Any], settings: li
         names[path] = f"--set {path}"
         values[path] = value_of(word)
     _check_redundancy(base, names)
-    return base.with_values(values)
+    shown = {option.path: option.flag for option, value in given.items() if value is not None and option.to_si is None}
+    with named_options(shown):
+        return base.with_values(values)
 
 
 def _check_redundancy(base: Any, names: dict[str, str]) -> None:
