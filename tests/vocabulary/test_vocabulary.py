@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 import hophoop as hh
 from hophoop import plots, theory
 from hophoop.derivatives.parameters import directions_of
+from hophoop.kernel.physics import body
 from hophoop.kernel.records.cells import CELL, Cell
 from hophoop.lab.site.presets import presets
 from hophoop.maps.grid.cells import make_cells
@@ -260,3 +261,10 @@ def test_a_cell_has_the_numbers_of_its_scenario():
         if row.column:
             section, _, name = row.path.rpartition(".")
             assert cell[row.column] == getattr(getattr(scenario, section) if section else scenario, name), row.path
+
+
+@pytest.mark.parametrize("codes", [body.Mode, body.Event, body.Status])
+def test_the_kernels_integers_are_their_enums(codes):
+    for member in codes:
+        name = "SKIM_START" if member is body.Event.SKIM else member.name
+        assert getattr(body, name) == member
