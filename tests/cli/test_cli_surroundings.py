@@ -97,3 +97,16 @@ def test_forty_columns_without_colours():
     assert not re.search(r"\x1b\[[0-9;]*(3|4|9|10)[0-7]m", said)
     said = in_terminal(40, "theory", TERM="xterm-256color", NO_COLOR="1", COLUMNS=None)
     assert not re.search(r"\d…", said)
+
+
+def test_without_docstrings_there_are_no_options():
+    """Python -OO leaves them out, and options with them."""
+    found = subprocess.run(
+        [sys.executable, "-OO", "-m", "hophoop", "run", "--v0", "1"],
+        capture_output=True,
+        text=True,
+        check=False,
+        encoding="utf-8",
+    )
+    assert (found.returncode, found.stdout) == (2, "")
+    assert found.stderr == "Error: Commands need their docstrings, which list the options: start Python without -OO.\n"

@@ -134,7 +134,9 @@ def summary(command: Callable[..., None]) -> str:
 
 def entries_of(docstring: str | None) -> dict[str, Entry]:
     """Return the entries under the headings of a docstring, by name."""
-    _, *parts = re.split(r"^(\S.*)\n-{3,}$", inspect.cleandoc(docstring or ""), flags=re.MULTILINE)
+    if docstring is None:
+        raise InputError("Commands need their docstrings, which list the options: start Python without -OO.")
+    _, *parts = re.split(r"^(\S.*)\n-{3,}$", inspect.cleandoc(docstring), flags=re.MULTILINE)
     found: dict[str, Entry] = {}
     for heading, body in zip(parts[::2], parts[1::2], strict=True):
         for entry in re.split(r"\n+(?=\S)", body.strip()):
