@@ -129,18 +129,6 @@ def options(name: str) -> set[str]:
     return {"--help", *(flag for parameter in parameters for flag in (*parameter.opts, *parameter.secondary_opts))}
 
 
-def toctree_pages(folder: Path) -> list[str]:
-    """Pages that stand in any toctree of a documentation, as often as they stand there."""
-    found = []
-    for page in sorted(folder.rglob("*.md")):
-        for block in re.findall(r"^```\{toctree\}\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL):
-            for line in block.splitlines():
-                if line.strip() and not line.startswith(":"):
-                    target = re.sub(r".*<(.+)>\s*$", r"\1", line.strip())
-                    found.append((page.parent / target).relative_to(folder).as_posix())
-    return found
-
-
 PAGE_WIDTH = 736  # pixels of text
 
 

@@ -17,7 +17,7 @@ from bits_tools import Bits, Kept, differing, kept_hashes, kept_scenarios, of_ki
 from hophoop.kernel.native import forced
 
 CHANGELOG = Path(__file__).parents[1] / "CHANGELOG.md"
-SAY = "bits have changed: python tests/data/bits/generate.py hashes, and a line in CHANGELOG.md"
+SAY = "bits have changed: python tests/data/bits/generate.py, and a line in CHANGELOG.md"
 
 
 def computed(kept: Iterable[Kept], mode: str) -> dict[int, Bits]:

@@ -54,10 +54,6 @@ def test_a_range_in_words(allowed, said):
     assert generated.spoken(allowed) == said
 
 
-def test_ranges_are_those_that_are_checked():
-    assert generated.spoken(RANGES["contact.stiffness"]) == "10⁻⁶ to 10¹⁸"
-
-
 def test_a_mark_that_nobody_makes_is_an_error():
     with pytest.raises(KeyError):
         generated.put_in(None, "page", ["% generated: nothing\n"])

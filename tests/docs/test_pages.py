@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import hophoop as hh
-from page_tools import COLUMNS, faults, toctree_pages, visible, wide_lines, wrong_installs
+from page_tools import COLUMNS, faults, visible, wide_lines, wrong_installs
 
 DOCS = Path(__file__).parents[2] / "docs"
 # They make films, or compile more kernels.
@@ -42,12 +42,6 @@ def test_a_page_runs_with_its_boxes_left_folded(name, tmp_path, monkeypatch):
     assert faults(visible(EVERY[name]), name) == []
 
 
-def test_a_name_of_a_folded_box_is_missed():
-    text = "```pycon\n>>> a = 1\n```\n\n:::{dropdown} Look\n\n```pycon\n>>> b = 2\n```\n:::\n\n```pycon\n>>> a + b\n3\n```\n"
-    assert faults(text) == []
-    assert "NameError" in "".join(faults(visible(text)))
-
-
 def test_live_motions_are_computed_to_their_end():
     """One in the first hop, and one in each box of 'Why does it hop?' that is opened after a prediction."""
     live = {name: re.findall(r"^:::\{motion\} (\S+)$", text, re.MULTILINE) for name, text in EVERY.items()}
@@ -70,23 +64,16 @@ def test_code_is_as_wide_as_its_page_and_what_it_installs_can_be_had():
         assert [line for line in code.splitlines() if len(line) > COLUMNS] == [], path
 
 
-def test_wide_lines_and_installs_that_fail_are_found():
-    assert wide_lines(f"```sh\n{'a' * COLUMNS}\n{'b' * (COLUMNS + 1)}\n```\n{'c' * 200}\n") == ["b" * (COLUMNS + 1)]
-    wrong = ["pip install 'hophoop[lab]'", "pip install -e '.[lab]'", 'pip install "hophoop[lab]"']
-    assert wrong_installs("\n".join([*wrong, 'pip install -e ".[lab]"', "`pip install -e .`, then hophoop"])) == wrong
-
-
 def test_the_architecture_names_what_there_is():
-    text = EVERY["docs/architecture.md"]
-    packages = {path.name for path in (DOCS.parent / "src" / "hophoop").iterdir() if path.is_dir()}
-    names = [name for name in re.findall(r"`(\w+\.[\w.]*\w)`", text) if name.partition(".")[0] in packages]
+    text, root = EVERY["docs/architecture.md"], DOCS.parent / "src" / "hophoop"
+    names = [name for name in re.findall(r"`(\w+\.[\w.]*\w)`", text) if (root / name.partition(".")[0]).is_dir()]
+    files = re.findall(r"`([\w/]+/[\w.]*)`", text)
     assert len(names) > 50
+    assert len(files) > 20
     for name in names:
         pkgutil.resolve_name(f"hophoop.{name}")
-    files = re.findall(r"`([\w/]+/[\w.]*)`", text)
-    assert len(files) > 20
     for file in files:
-        assert any((DOCS.parent / root / file).exists() for root in ("", "src/hophoop", "src/hophoop/kernel")), file
+        assert any((place / file).exists() for place in (DOCS.parent, root, root / "kernel")), file
 
 
 @pytest.mark.parametrize(
@@ -108,36 +95,10 @@ def test_a_wrong_page_is_found(text, fault, tmp_path, monkeypatch):
     assert fault in found[0]
 
 
-def test_a_right_page_has_no_fault():
-    text = "````{note}\n```pycon\n>>> a = 6\n>>> a * 7\n42\n```\n````\n\n% says: a / 5\n| ratio |\n| --- |\n| 1.2 |\n"
-    assert faults(text) == []
-
-
-def test_names_pass_from_block_to_block_only_downwards():
-    with pytest.raises(NameError):
-        faults("% says: a\n1\n\n```python\na = 1\n```\n")
-
-
-def test_every_page_stands_once_in_the_navigation():
-    stored = {page.relative_to(DOCS).with_suffix("").as_posix() for page in DOCS.rglob("*.md") if page.parent.name != "tables"}
-    assert sorted(toctree_pages(DOCS)) == sorted(stored - {"index"} | {"gallery/index"})
-
-
-def test_the_sidebar_is_short():
-    """Entries that show when no part is unfolded; the others are one click further."""
-    text = EVERY["docs/index.md"]
-    blocks = re.findall(r"^```\{toctree\}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
-    entries = [line for block in blocks for line in block.splitlines() if line and not line.startswith(":")]
-    assert 20 < len(entries) <= 30
-
-
 @pytest.mark.parametrize("page", ["README.md", "docs/index.md", "docs/learn/why.md"])
 def test_the_story_that_it_comes_from_is_linked(page):
-    text = EVERY[page]
-    assert "Stand-up Maths" in text
-    assert "https://www.youtube.com/watch?v=ETRpkp03stQ" in text
-    assert "The physics of a hopping hoop" in text
-    assert "https://www.comsol.com/blogs/the-physics-of-a-hopping-hoop" in text
+    for link in ("https://www.youtube.com/watch?v=ETRpkp03stQ", "https://www.comsol.com/blogs/the-physics-of-a-hopping-hoop"):
+        assert link in EVERY[page]
 
 
 def test_the_moving_picture_is_the_computed_motion(tmp_path, monkeypatch):
@@ -145,9 +106,8 @@ def test_the_moving_picture_is_the_computed_motion(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["front_page.py", str(tmp_path / "hop.svg")])
     runpy.run_path(str(DOCS.parent / "examples" / "front_page.py"))
     drawn, kept = (path.read_text(encoding="utf-8") for path in (tmp_path / "hop.svg", DOCS / "_static" / "hop.svg"))
-    assert number.sub("", drawn) == number.sub("", kept)
+    assert number.split(drawn) == number.split(kept)
     values = [[float(value) for value in number.findall(text)] for text in (drawn, kept)]
-    assert len(values[0]) > 500
     assert values[0] == pytest.approx(values[1], abs=0.011)  # the last digit written
 
 

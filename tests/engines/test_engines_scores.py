@@ -47,33 +47,15 @@ def test_the_exact_motion_scores_exact(name, spacing):
     assert found.place_error < 1e-5 if name != "bounces" else found.place_error < 1e-3
 
 
-def test_the_height_of_the_centre_is_not_the_gap():
-    """It would be scored as 1,000 mm too high, and everything else as right."""
-    states = exact("hop")
-    with pytest.raises(ValueError, match=r"y = .* m.*height of the centre.*must be the gap.*subtract the radius, 1 m"):
-        scores("hop", states._replace(y=states.y + 1.0))
-    scores("hop", states._replace(y=states.y - 0.02))  # an engine that lets the rim sink is scored
-
-
-def mass_center(s):
-    return s._replace(x=s.x + 0.75 * np.sin(s.angle), y=s.y + 0.75 * np.cos(s.angle))
-
-
 REFUSED = {
     "backwards": (lambda s: s._replace(angle=-s.angle, omega=-s.omega), r"omega = -3\.1, .* with 3\.1; .*rolls towards \+x"),
     "load below": (lambda s: s._replace(angle=s.angle + np.pi), r"starts with theta = 3\.14159, .* with 0; .*load at the top"),
-    "degrees": (lambda s: s._replace(omega=np.degrees(s.omega), angle=np.degrees(s.angle)), r"omega = 177.*in rad/s"),
-    "mm": (lambda s: s._replace(x=1e3 * s.x, vx=1e3 * s.vx), r"starts with vx = 3100, .*in m/s"),
-    "elsewhere": (lambda s: s._replace(x=s.x + 3.0), r"starts with x = 3, .* with 0"),
-    "centre of gravity": (mass_center, r"starts with y = 0\.75, .*gap between rim and plane"),
     "mirrored angle": (lambda s: s._replace(angle=-s.angle), "theta changes by -1 times the integral of omega"),
-    "angle in degrees": (lambda s: s._replace(angle=np.degrees(s.angle)), r"theta changes by 57\.3 times"),
     "ms": (lambda s: s._replace(t=1e3 * s.t), r"x changes by 0\.001 times the integral of vx over t"),
     "one turn": (lambda s: s._replace(angle=np.mod(s.angle, 2.0 * np.pi)), r"theta jumps by -6\.28 rad after t = 1\.\d+ s"),
     "short": (lambda s: States(*(column[s.t < 1.0] for column in s)), "the record ends at"),
     "nan": (lambda s: s._replace(vx=np.where(s.t > 1.0, np.nan, s.vx)), "vx must be finite"),
     "falling times": (lambda s: s._replace(t=s.t[::-1]), "t must start at 0 and increase"),
-    "two states": (lambda s: States(*(column[:2] for column in s)), "needs at least 3"),
 }
 
 
@@ -84,10 +66,11 @@ def test_a_record_that_is_none_of_the_motion_is_refused(name):
         score_file(change(exact("hop")), "hop")
 
 
-@pytest.mark.parametrize("spacing", [SPACING, 1e-3, 1.0 / 32.0])
-def test_right_files_are_scored(spacing):
+def test_coarse_files_are_scored():
     for name in truths():
-        score_file(exact(name, spacing), name)
+        score_file(exact(name, 1.0 / 32.0), name)
+    states = exact("hop")
+    score_file(states._replace(y=states.y - 0.02), "hop")  # an engine that lets the rim sink
 
 
 def test_columns_without_meaning_are_empty():
@@ -97,15 +80,11 @@ def test_columns_without_meaning_are_empty():
     assert scores("drop", exact("drop")).takeoff_angle is None
 
 
-def stuck(s):  # no slip behind the first
-    return s._replace(vx=np.where(s.t > 0.8, s.omega, s.vx))
-
-
-@pytest.mark.parametrize(("change", "begins"), [(stuck, "RKR"), (lambda s: s._replace(vx=2.0 * s.omega - s.vx), "RSRK")])
-def test_missing_and_wrong_phases_are_a_wrong_sequence(change, begins):
-    found, measures = score(Record(change(exact("slip"))), truths()["slip"])
+def test_wrong_phases_are_a_wrong_sequence():
+    states = exact("slip")
+    found, measures = score(Record(states._replace(vx=2.0 * states.omega - states.vx)), truths()["slip"])
     assert not found.sequence_right
-    assert measures.sequence.startswith(begins)
+    assert measures.sequence.startswith("RSRK")
 
 
 def later(s):
@@ -119,20 +98,23 @@ def scaled(s, factor):
 # Kinetic energy in `rolling` is 7 J at the top, and 12.445 J at the end, where it is 3 % too high.
 ROLLING = exact("rolling")
 DRIFT = float(np.max(0.01 * ROLLING.t * (7.0 + 0.75 * 9.81 * (1.0 - np.cos(ROLLING.angle)))))
+LOST = (-0.3734, 4e-3)
 DOCTORED = [
     ("hop", later, {"takeoff_time": (0.01, 2e-4), "landing_time": (0.01, 2e-4), "takeoff_angle": (0.0, 0.1)}),
     ("hop", lambda s: s._replace(y=0.9 * s.y), {"hop_height": (-0.0292, 1e-4), "place_error": (0.0292, 1e-3)}),
-    ("hop", lambda s: scaled(s, np.where(s.t > 1.8041, 0.9, 1.0)), {"slip_loss": (0.0, 1e-5)}),
-    ("rolling", lambda s: scaled(s, np.sqrt(1.0 + 0.01 * s.t)), {"energy_drift": (DRIFT, 1e-3), "total_loss": (-0.3734, 4e-3)}),
+    (
+        "rolling",
+        lambda s: scaled(s, np.sqrt(1.0 + 0.01 * s.t)),
+        {"energy_drift": (DRIFT, 1e-3), "total_loss": LOST, "slip_loss": LOST},
+    ),
     ("rolling", lambda s: s._replace(y=s.y - 0.004 * np.sin(s.t) ** 2), {"penetration": (0.004, 4e-6)}),
     ("rolling", lambda s: s._replace(x=s.x + 0.02 * s.t), {"place_error": (0.06, 1e-7)}),
     ("rolling", lambda s: s._replace(angle=s.angle - 0.01 * s.t), {"angle_error": (math.degrees(0.03), 1e-5)}),
 ]
 
 
-@pytest.mark.parametrize("case", range(len(DOCTORED)))
-def test_a_doctored_column_has_its_error(case):
-    name, change, expected = DOCTORED[case]
+@pytest.mark.parametrize(("name", "change", "expected"), DOCTORED)
+def test_a_doctored_column_has_its_error(name, change, expected):
     found = scores(name, change(exact(name)))
     for field, (value, tolerance) in expected.items():
         assert getattr(found, field) == pytest.approx(value, abs=tolerance), field
@@ -143,13 +125,12 @@ def test_a_motion_that_takes_off_at_another_angle():
     scenario = scenario_of(HOP.task)
     other = scenario.replace("start.speed", 3.11)
     found = scores("hop", sample_motion(other))
-    right, wrong = hh.simulate(scenario), hh.simulate(other)
-    for kind, column in (("takeoff", "takeoff"), ("impact", "landing")):
-        off = wrong.find(kind)[0].angle - right.find(kind)[0].angle
+    right, wrong = ({event.kind: event for event in reversed(hh.simulate(one).events)} for one in (scenario, other))
+    for kind, column in (("takeoff", found.takeoff_angle), ("impact", found.landing_angle)):
+        off = wrong[kind].angle - right[kind].angle
         assert abs(off) > 1e-3
-        assert getattr(found, f"{column}_angle") == pytest.approx(math.degrees(off), abs=1e-3)
-    higher = wrong.find("apex")[0].height - right.find("apex")[0].height
-    assert found.hop_height == pytest.approx(higher, abs=1e-6)
+        assert column == pytest.approx(math.degrees(off), abs=1e-3)
+    assert found.hop_height == pytest.approx(wrong["apex"].height - right["apex"].height, abs=1e-6)
 
 
 def test_no_hop_is_missing():
@@ -161,16 +142,9 @@ def test_no_hop_is_missing():
     assert found.to_dict()["landing_time"] == "missing"
 
 
-def test_energy_lost_in_slip_and_impact():
-    states, task = exact("hop"), HOP.task
-    found = scores("hop", scaled(states, np.where(states.t > 0.5, 1.01, 1.0)))
-    k = int(np.searchsorted(states.t, 1.0447))
-    sine, cosine = math.sin(states.angle[k]), math.cos(states.angle[k])
-    speed = (states.vx[k] + task.arm * states.omega[k] * cosine) ** 2 + (states.vy[k] - task.arm * states.omega[k] * sine) ** 2
-    kinetic = 0.5 * task.mass * speed + 0.5 * task.inertia * states.omega[k] ** 2
-    # N, read off the faster velocities, is zero a little earlier; of slower ones it would be positive in flight, too
-    assert found.slip_loss == pytest.approx((1 - 1.01**2) * kinetic, rel=0.03)
-    found = scores("hop", scaled(states, np.where(states.t > 1.8041, 0.9, 1.0)))
+def test_energy_lost_in_the_impact():
+    found = scores("hop", scaled(exact("hop"), np.where(exact("hop").t > 1.8041, 0.9, 1.0)))
+    assert found.slip_loss == pytest.approx(0.0, abs=1e-5)
     assert min(found.impact_loss, found.total_loss) > 0.5
 
 
@@ -227,7 +201,6 @@ def test_limit_and_order(order):
 def test_no_order_where_there_is_none():
     steps = np.array([1e-2, 1e-3, 1e-4, 1e-5])
     assert limit_of(steps, [0.3, 0.1, 0.4, 0.2]).order is None
-    same = limit_of(steps, [0.2] * 4)
-    assert (same.limit, same.order) == (0.2, None)
+    assert limit_of(steps, [0.2] * 4) == (0.2, None, 0.0)
     assert limit_of(steps[:3], [1.0, 2.0, 3.0]) is None
     assert limit_of(steps, [math.nan, 1.0, 2.0, 3.0]) is None

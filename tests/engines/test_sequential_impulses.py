@@ -13,22 +13,11 @@ TASK = truths()["hop"].task
 def test_the_sweeps_stop_settling_where_the_formula_says():
     # for the ideal hoop and μ = 1, r = 1 is γ (abs(sin θ) + cos θ) = 1
     edge = 2.0 * math.pi - (0.25 * math.pi + math.acos(1.0 / (0.75 * math.sqrt(2.0))))
-    assert math.degrees(edge) == pytest.approx(295.53, abs=0.01)
     assert impulses.settles(TASK, edge) == pytest.approx(1.0, abs=1e-12)
     assert impulses.settles(TASK, edge - 0.01) < 1.0 < impulses.settles(TASK, edge + 0.01)
 
 
-def test_parity_decides():
-    right = truths()["hop"].measures.hop_height
-    even, odd, finer = (
-        measure(TASK, impulses.run(TASK, dt, sweeps, impulses.together)) for dt, sweeps in ((2e-4, 10), (2e-4, 11), (1e-4, 11))
-    )
-    assert even.penetration > 2.5e-3  # it sinks
-    assert odd.penetration < 1.5e-3
-    assert (finer.hop_height - right) / (odd.hop_height - right) == pytest.approx(0.5, abs=0.05)
-
-
-@pytest.mark.parametrize("sweeps", [10, 11, 100, 101])
+@pytest.mark.parametrize("sweeps", [10, 11])
 def test_pymunk_is_this_iteration(sweeps):
     pytest.importorskip("pymunk")
     from adapters.pymunk import run

@@ -1,73 +1,112 @@
-"""Formulas of contact space, each against Newton's and Euler's equations solved as they stand."""
+"""Formulas of contact space, with rolling resistance, each against Newton's and Euler's equations solved as they stand."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
 from hophoop.kernel.physics import contact
-from hophoop.kernel.physics.contact import utilization, utilizations
-from newton_euler import BODIES, STATES, accelerations, responses
-
-CASES = [(body, *state) for body in BODIES for state in STATES]
-
-
-@pytest.fixture(params=CASES, ids=lambda case: f"ε={case[0].eps:g} θ={case[1]:g}")
-def case(request):
-    return request.param
+from newton_euler import BODIES, STATES, accelerations, case_of, responses
+from oracles import mechanics, series
+from random_scenarios import draw_beside_a_border, scenario_of
 
 
 def near(value):
     return pytest.approx(value, rel=1e-11, abs=1e-12)
 
 
-def test_delassus(case):
-    body, th, _ = case
-    along, normal = responses(body, th)
-    assert contact.delassus(body, math.sin(th), math.cos(th)) == near((along[0], normal[1], along[1]))
-    assert along[1] == near(normal[0])  # the operator is symmetric
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("f", [0.0, 0.03, 0.4, 1.0])
+@pytest.mark.parametrize(("th", "om"), STATES)
+def test_forces(body, f, th, om):
+    body = body._replace(resist=f)
+    s, c, u, rho = math.sin(th), math.cos(th), om * om, math.copysign(f, om)
+    along, up = responses(body, th)
+    assert contact.delassus(body, s, c) == near((along[0], up[1], along[1]))
+    ax, opening, alpha, _, _ = accelerations(body, th, om, "free")
+    assert contact.free_acceleration(body, s, c, u) == near((ax - alpha, opening))
+    _, _, alpha, *forces = accelerations(body, th, om, "roll", rho)
+    assert contact.rolling_forces(body, s, c, u, rho) == near(tuple(forces))
+    assert contact.acceleration_in_contact(body, s, c, om, 0) == near(alpha)
+    for sigma in (-1, 1):
+        ax, _, alpha, _, normal = accelerations(body, th, om, sigma, rho)
+        assert contact.slip_motion(body, s, c, u, sigma, rho) == near((alpha, normal, ax - alpha))
+        assert contact.acceleration_in_contact(body, s, c, om, sigma) == near(alpha)
+        # N = −f_n/p_σ
+        exact = contact.exact_slip_coefficients(body, th, 0.0, sigma, rho)[1]
+        for stiffness in (contact.kappa_p_sigma(body, s, c, sigma, rho), exact):
+            assert normal * stiffness == near(-opening * body.kap)
 
 
-def test_rolling(case):
-    body, th, om = case
-    _, _, alpha, friction, normal = accelerations(body, th, om, "roll")
-    s, c, u = math.sin(th), math.cos(th), om * om
-    assert contact.rolling_acceleration(body, s, c, u, 0.0) == near(alpha)
-    assert contact.rolling_forces(body, s, c, u, 0.0) == near((friction, normal))
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("f", [0.03, 0.4, 1.0])
+def test_at_rest_the_couple_holds_what_it_can(body, f):
+    body = body._replace(resist=f)
+    for th in np.linspace(-3.0, 3.0, 61):
+        s, c = math.sin(th), math.cos(th)
+        for sigma, mode, letter in ((0, "roll", mechanics.ROLL), (1, 1, mechanics.SKID), (-1, -1, mechanics.SPIN)):
+            *_, normal, couple = mechanics.solve_mode(case_of(body, f), letter, th, 0.0)
+            rho = contact.resistance_arm(body, s, c, 0.0, sigma)
+            assert rho == near(min(max(-couple / normal, -f), f))
+            alpha = accelerations(body, th, 0.0, mode, rho)[2]
+            assert contact.acceleration_in_contact(body, s, c, 0.0, sigma) == near(alpha)
+
+
+@pytest.mark.parametrize(("eps", "kap"), [(0.75, 0.4375), (0.99, 0.0199), (1.0, 1e-4)])
+def test_the_most_resistance_is_where_rolling_loses_its_inertia(eps, kap):
+    angles = np.linspace(0.0, 2.0 * math.pi, 200_001)
+    inertia = 1.0 + kap + eps * eps + 2.0 * eps * np.cos(angles)
+    most = contact.most_resistance(eps, kap)
+    least = [np.min(inertia - part * most * eps * np.sin(angles)) for part in (0.999, 1.001)]
+    assert least[0] > 0.0 > least[1]
 
 
 def test_utilization():
-    assert utilization(False, -0.3, 2.0, 0.5, 0.4) == near(0.3)
-    assert utilization(True, 0.8, 2.0, 0.5, 0.4) == near(1.0)
-    assert utilization(True, 0.0, 0.0, 0.5, 0.4) == 1.0
-    assert utilization(False, 0.1, 1.0, 0.0, 0.0) == math.inf
-    assert utilization(False, 0.0, 1.0, 0.0, 0.0) == 0.0
-    assert math.isnan(utilization(True, 0.0, 1.0, 0.5, 0.0))
-    assert math.isnan(utilization(False, 0.0, 0.0, 0.5, 0.4))
-
-
-def test_utilization_of_many():
-    slips = np.array([False, True, False])
-    friction, normal = np.array([-0.3, 0.8, 0.0]), np.array([2.0, 2.0, 0.0])
-    out = np.empty(3)
-    utilizations(slips, friction, normal, np.full(3, 0.5), np.full(3, 0.4), out)
-    np.testing.assert_allclose(out, [0.3, 1.0, math.nan])
+    """abs(F)/(μ N) with the μ of the phase, 1 in slip also where N vanishes, nan where nothing presses or rubs."""
+    rows = [
+        (False, -0.3, 2.0, 0.5, 0.4, 0.3),
+        (True, 0.8, 2.0, 0.5, 0.4, 1.0),
+        (True, 0.0, 0.0, 0.5, 0.4, 1.0),
+        (False, 0.1, 1.0, 0.0, 0.0, math.inf),
+        (False, 0.0, 1.0, 0.0, 0.0, 0.0),
+        (True, 0.0, 1.0, 0.5, 0.0, math.nan),
+        (False, 0.0, 0.0, 0.5, 0.4, math.nan),
+    ]
+    *columns, expected = map(np.array, zip(*rows, strict=True))
+    out = np.empty(len(rows))
+    contact.utilizations(*columns, out)
+    np.testing.assert_allclose(out, expected, rtol=1e-12)
 
 
 def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
-    """Newton and Euler's equations in 40 digits: 1 + ε cos θ has lost all of its own there."""
-    eps, kap, gt, mu, u = 1.0 - 2.0**-40, 4e-12, 0.3, 0.003, 1e11
-    body = BODIES[0]._replace(eps=eps, kap=kap, gt=gt, mu_s=mu, mu_k=mu)
+    """The same equations in 40 digits: 1 + ε cos θ has lost all of its own there."""
+    body = BODIES[0]._replace(eps=1.0 - 2.0**-40, kap=4e-12, gt=0.3, mu_s=0.003, mu_k=0.003)
     th = math.pi + 1e-6
     with mp.workdps(40):
-        s, c = mp.sin(th), mp.cos(th)
-        q = eps * s + mu * (1 + eps * c)
-        load = (body.gn - eps * c * u) / (kap + eps * s * q)
-        rate = gt + eps * s * u - load * (mu * mpf(kap) + (1 + eps * c) * q)
-        inertia = 1 + mpf(kap) + mpf(eps) ** 2 + 2 * eps * c
-        turning = {speed: (eps * s * (speed + body.gn) + gt * (1 + eps * c)) / inertia for speed in (u, 1e-9)}
-    sine, cosine = float(s), float(c)
-    assert contact.slip_motion(body, sine, cosine, u, 1.0, 0.0)[2] == pytest.approx(float(rate), rel=1e-12)
-    for speed, expected in turning.items():
-        assert contact.rolling_acceleration(body, sine, cosine, speed, 0.0) == pytest.approx(float(expected), rel=1e-12)
+        s, c = float(mp.sin(th)), float(mp.cos(th))
+        parameters = series.Parameters(case_of(body))
+        for u in (1e11, 1e-9):
+            state = tuple(map(mpf, (0.0, 0.0, th, 0.0, 0.0, mp.sqrt(u))))
+            roll, skid = (series.expand(parameters, mode, mpf(0), state, mpf(0), 5) for mode in "RK")
+            assert contact.rolling_acceleration(body, s, c, u, 0.0) == pytest.approx(float(roll.omega[1]), rel=1e-12)
+            rate = float(skid.vx[1] - skid.omega[1])
+            assert contact.slip_motion(body, s, c, u, 1.0, 0.0)[2] == pytest.approx(rate, rel=1e-12)
+
+
+@pytest.mark.parametrize("index", [4, 85, 107, 157, 288, 446])
+def test_stiffness_at_the_threshold_of_painleves_paradox(index):
+    """κ p_σ beside zero, where doubles have lost its sign: against 40 digits."""
+    scenario = scenario_of(draw_beside_a_border(2026, index)[1])
+    body, th = scenario.to_body(), scenario.start.angle
+    with mp.workdps(40):
+        kap = 1 - mpf(body.eps) ** 2 if body.ideal else mpf(body.kap)
+        parameters = series.Parameters(replace(case_of(body), inertia_ratio=kap))
+        _, stiffness, q = (float(kap * rate) for rate in parameters.response(mpf(th), -mpf(body.mu_k), mpf(1)))
+    assert abs(stiffness) < 1e-15
+    for found in (
+        contact.exact_slip_coefficients(body, th, 0.0, 1, 0.0),
+        contact.slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0),
+    ):
+        assert found == (pytest.approx(q, rel=1e-14), pytest.approx(stiffness, rel=1e-12, abs=0.0))

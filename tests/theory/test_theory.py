@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
-from scipy import integrate, optimize
+from scipy import integrate
 
 import hophoop as hh
 from hophoop import theory
 from hophoop.kernel.physics.closed_forms import rolling_u
 from hophoop.scenario import to_body
 from hophoop.theory.kernels import arcs
-from oracles import elliptic, mechanics
+from oracles import elliptic
 from oracles.cases import case_of
 from strategies import hoops
 
@@ -28,18 +29,10 @@ DOWNHILL = hh.Plane(slope=0.15, mu=0.9, gravity=3.7)
 BESIDE = 1e-9
 
 
-def first_turn(hoop, plane, speed):
-    """Events of the simulated motion within the first turn."""
+def modes_of_first_turn(hoop, plane, speed):
+    """Letters of the simulated motion within the first turn."""
     motion = hh.simulate(hoop, plane, hh.Start.rolling(speed), duration=20.0)
-    return [event for event in motion.events if event.angle <= TURN]
-
-
-def slips(hoop, plane, speed):
-    return any(event.to_mode in "SK" for event in first_turn(hoop, plane, speed))
-
-
-def hops(hoop, plane, speed):
-    return any(event.to_mode == "H" for event in first_turn(hoop, plane, speed))
+    return {event.to_mode for event in motion.events if event.angle <= TURN}
 
 
 # --- rolling ---------------------------------------------------------------------------------------
@@ -47,12 +40,11 @@ def hops(hoop, plane, speed):
 
 def test_the_articles_angular_velocity():
     gamma, speed, g = 0.75, 2.0, 9.81
-    theta = np.linspace(-10.0, 10.0, 201)
+    theta = np.append(np.linspace(-10.0, 10.0, 201), math.pi)
     expected = np.sqrt((gamma * g * (1 - np.cos(theta)) + speed**2 * (1 + gamma)) / (1 + gamma * np.cos(theta)))
-    np.testing.assert_allclose(theory.rolling_speed(theta, REFERENCE, speed), expected, rtol=1e-14)
-    np.testing.assert_allclose(theory.rolling_speed(theta, REFERENCE, -speed), -expected, rtol=1e-14)
-    highest = math.sqrt((2 * gamma * g + speed**2 * (1 + gamma)) / (1 - gamma))
-    assert theory.max_rolling_speed(REFERENCE, speed) == pytest.approx(highest, rel=1e-15)
+    for way in (1.0, -1.0):
+        np.testing.assert_allclose(theory.rolling_speed(theta, REFERENCE, way * speed), way * expected, rtol=1e-14)
+    assert theory.max_rolling_speed(REFERENCE, speed) == pytest.approx(expected[-1], rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -76,38 +68,21 @@ def test_rolling_is_the_simulated_motion(hoop, plane, speed):
     np.testing.assert_allclose(utilization, sample.utilization(plane), rtol=1e-9, atol=1e-12)
 
 
-@given(hoops, st.floats(-7.0, 7.0), st.floats(0.0, 5.0), st.floats(-1.0, 1.0))
-@settings(max_examples=60)
-def test_forces_are_those_of_the_lagrangian(hoop, theta, speed, slope):
-    plane = hh.Plane(slope=slope)
-    omega = theory.rolling_speed(theta, hoop, speed, plane)
-    forces = theory.rolling_forces(theta, hoop, speed, plane)
-    if math.isnan(omega):
-        assert math.isnan(forces.friction)
-        return
-    *_, friction, normal, _ = mechanics.solve_mode(case_of(hoop, plane), mechanics.ROLL, theta, omega)
-    scale = hoop.mass * (plane.gravity + hoop.radius * omega**2)
-    assert forces.friction == pytest.approx(friction, abs=1e-11 * scale)
-    assert forces.normal == pytest.approx(normal, abs=1e-11 * scale)
-
-
 def test_uphill_the_hoop_turns_back():
     plane = hh.Plane(slope=-0.2)
     motion = hh.simulate(REFERENCE, hh.Plane(slope=-0.2, mu=50.0), hh.Start.rolling(1.0), duration=5.0)
     farthest = motion.find("turn")[0]
-    beside = farthest.angle + np.array([-1e-9, 1e-9])
-    before, beyond = theory.rolling_speed(beside, REFERENCE, 1.0, plane)
-    assert before > 0
-    assert math.isnan(beyond)
-    assert math.isnan(theory.rolling_speed(farthest.angle + TURN, REFERENCE, 1.0, plane))
-    times = farthest.t - np.array([2.0, 1.0, 1e-2, 1e-4])
-    angles = motion.at(times).angle
-    np.testing.assert_allclose(theory.rolling_time(angles, REFERENCE, 1.0, plane), times, rtol=1e-10)
-    assert math.isnan(theory.rolling_time(beside[1], REFERENCE, 1.0, plane))
+    angles = farthest.angle + np.array([-1e-9, 1e-9, TURN])
+    found = theory.rolling_speed(angles, REFERENCE, 1.0, plane)
+    assert found[0] > 0
+    forces, times = (quantity(angles, REFERENCE, 1.0, plane) for quantity in (theory.rolling_forces, theory.rolling_time))
+    for missing in (found, times, forces.normal):
+        np.testing.assert_array_equal(np.isnan(missing), [False, True, True])
     assert math.isnan(theory.rolling_period(REFERENCE, 1.0, plane))
+    times = farthest.t - np.array([2.0, 1.0, 1e-2, 1e-4])
+    np.testing.assert_allclose(theory.rolling_time(motion.at(times).angle, REFERENCE, 1.0, plane), times, rtol=1e-10)
     # beyond a valley further downhill the same energy is enough again, but the hoop does not get there
-    steep = hh.Plane(slope=0.1)
-    assert math.isnan(theory.rolling_speed(-3.0 * TURN, REFERENCE, 0.5, steep))
+    assert math.isnan(theory.rolling_speed(-3.0 * TURN, REFERENCE, 0.5, hh.Plane(slope=0.1)))
 
 
 # --- friction that rolling needs -------------------------------------------------------------------
@@ -116,18 +91,16 @@ def test_uphill_the_hoop_turns_back():
 @pytest.mark.parametrize("way", [1.0, -1.0])
 def test_far_uphill_no_hilltop_is_looked_at_one_by_one(way):
     """Each hilltop is higher than the last: once the search took a step a turn, and 10¹⁸ rad had no end."""
-    hoop, gentle, speed = hh.Hoop.ideal(0.3), hh.Plane(slope=-way * 1e-12), 3.0
+    hoop, speed = hh.Hoop.ideal(0.3), 3.0
     reach = 1.3 * speed**2 / (9.81 * 1e-12)  # R = 1 m: so far on, all of v² (1 + γ) has become height
-    angles = way * np.array([0.9 * reach, 1.1 * reach, 1e6 * reach])
-    found = theory.rolling_speed(angles, hoop, way * speed, gentle)
+    found = theory.rolling_speed(way * reach * np.array([0.9, 1.1, 1e6]), hoop, way * speed, hh.Plane(slope=-way * 1e-12))
     np.testing.assert_array_equal(np.isnan(found), [False, True, True])
     # where they are few, one by one
     body, w = to_body(hoop, hh.Plane(slope=-way * 1e-3)), speed**2 / 9.81
     place = arcs.next_of(arcs.first_maximum(body), 0.0, way)
     while rolling_u(body, 0.0, w, place) >= 0.0:
         place += way * TURN
-    for end in (1e5, 1e9):
-        assert arcs.blocking(body, 0.0, w, way * end) == pytest.approx(place, rel=1e-12)
+    assert arcs.blocking(body, 0.0, w, way * 1e5) == pytest.approx(place, rel=1e-12)
     assert math.isnan(arcs.blocking(body, 0.0, w, place - way * TURN))
 
 
@@ -146,53 +119,37 @@ def test_needed_friction_is_the_largest_ratio(hoop, part, slope):
     plane = hh.Plane(slope=slope)
     speed = part * theory.immediate_hop_speed(hoop, plane)
     mu, angle = theory.needed_friction(hoop, speed, plane)
-    theta = np.linspace(0.0, TURN, 4001)
-    friction, normal = theory.rolling_forces(theta, hoop, speed, plane)
-    reached = ~np.isnan(normal) & (np.cumsum(np.isnan(normal)) == 0)
-    if (normal[reached] <= 0.0).any():
-        assert mu == math.inf
+    friction, normal = theory.rolling_forces(np.linspace(0.0, TURN, 4001), hoop, speed, plane)
+    reached = np.cumsum(np.isnan(normal)) == 0
+    friction, normal = friction[reached], normal[reached]
+    if mu == math.inf:  # N may be negative between two points of the grid
+        assert np.min(normal) < 1e-4 * np.max(normal)
         return
-    on_grid = np.max(np.abs(friction[reached]) / normal[reached])
-    if mu == math.inf:  # N is negative between two points of the grid
-        assert np.min(normal[reached]) < 1e-4 * np.max(normal[reached])
-        return
-    assert mu >= on_grid * (1 - 1e-12)
+    assert np.min(normal) > 0.0
+    assert mu >= np.max(np.abs(friction) / normal) * (1 - 1e-12)
     at = theory.rolling_forces(angle, hoop, speed, plane)
     assert abs(at.friction) / at.normal == pytest.approx(mu, rel=1e-12)
-
-    def ratio(angle):
-        forces = theory.rolling_forces(float(angle), hoop, speed, plane)
-        return -abs(forces.friction) / forces.normal if forces.normal > 0 else 0.0
-
-    place = theta[reached][np.argmax(np.abs(friction[reached]) / normal[reached])]
-    near = optimize.minimize_scalar(
-        ratio,
-        bounds=(max(place - 0.002, 0.0), min(place + 0.002, theta[reached][-1])),
-        options={"xatol": 1e-12},
-    )
-    assert mu >= -near.fun * (1 - 1e-12)
 
 
 # --- times -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("speed", [1e-12, 1e-6, 0.1, 2.0, 30.0])
-@pytest.mark.parametrize("hoop", [REFERENCE, GENERAL, hh.Hoop.ideal(0.999)])
+@pytest.mark.parametrize("speed", [1e-12, 1e-6, 2.0, 30.0])
+@pytest.mark.parametrize("hoop", [GENERAL, hh.Hoop.ideal(0.999)])
 def test_times_are_elliptic_integrals(hoop, speed):
-    case = case_of(hoop, hh.Plane(), vx=speed)
-    angles = [1e-9, 0.3, 2.0, math.pi, 4.0, TURN - 1e-3, TURN, 20.0]
+    angles = np.array([1e-9, 0.3, 2.0, math.pi, 4.0, TURN - 1e-3, TURN, 20.0])
     with mp.workdps(40):
-        expected = [float(elliptic.rolling_time(case, mpf(angle))) for angle in angles]
+        *expected, whole = (
+            float(elliptic.rolling_time(case_of(hoop, hh.Plane(), vx=speed), mpf(angle))) for angle in (*angles, 2 * mp.pi)
+        )
+    found = theory.rolling_time(angles, hoop, speed)
     # near 2π an angle has only 1e-15 to say how far the top is
-    close = 1e-13 if speed > 1e-3 else 2e-13
-    np.testing.assert_allclose(theory.rolling_time(angles[:5], hoop, speed), expected[:5], rtol=1e-13)
+    np.testing.assert_allclose(found[:5], expected[:5], rtol=1e-13)
     if speed >= 1e-6:
-        np.testing.assert_allclose(theory.rolling_time(angles, hoop, speed), expected, rtol=1e-9)
-    with mp.workdps(40):
-        whole = float(elliptic.rolling_time(case, 2 * mp.pi))
-    assert theory.rolling_period(hoop, speed) == pytest.approx(whole, rel=close)
+        np.testing.assert_allclose(found, expected, rtol=1e-9)
+    assert theory.rolling_period(hoop, speed) == pytest.approx(whole, rel=2e-13)
     assert theory.rolling_period(hoop, -speed) == theory.rolling_period(hoop, speed)
-    assert theory.rolling_time(-0.3, hoop, speed) == -theory.rolling_time(0.3, hoop, speed)
+    assert theory.rolling_time(-angles[1], hoop, speed) == -found[1]
 
 
 def test_time_on_a_slope_is_the_integral():
@@ -217,8 +174,7 @@ def test_rest_and_start_from_rest():
     ("hoop", "plane", "angle"),
     [
         (REFERENCE, hh.Plane(mu=50.0), 1.0),
-        (REFERENCE, hh.Plane(mu=50.0), math.pi - 1e-3),
-        (GENERAL, hh.Plane(mu=50.0), 0.01),
+        (GENERAL, hh.Plane(mu=50.0), math.pi - 1e-3),
         (GENERAL, hh.Plane(mu=50.0, slope=0.2), 4.5),
         (GENERAL, hh.Plane(mu=50.0, slope=0.2), 2.6),
     ],
@@ -244,9 +200,7 @@ def test_rocking_at_its_limits():
 
 CASES = [
     (REFERENCE, hh.Plane(mu=1.0)),
-    (REFERENCE, hh.Plane(mu=0.45)),
     (REFERENCE, hh.Plane(mu_static=0.8, mu_kinetic=0.5)),
-    (GENERAL, hh.Plane(mu=0.7)),
     (hh.Hoop.ideal(0.4, radius=0.1, mass=3.0), hh.Plane(mu=0.3, gravity=1.6)),
     (LIGHT, hh.Plane(mu=0.9, slope=0.1)),
     (hh.Hoop(eccentricity=0.03862, inertia_ratio=0.00104), hh.Plane(mu=0.07533)),  # slips at 0.8° from the top
@@ -258,28 +212,23 @@ def test_critical_speeds_from_both_sides(hoop, plane):
     slip, hop, immediate = theory.critical_speeds(hoop, plane)
     assert 0.0 < slip < hop <= immediate
     assert theory.needed_friction(hoop, slip, plane).mu == pytest.approx(plane.mu_static, rel=1e-11)
-    assert not slips(hoop, plane, slip * (1 - BESIDE))
-    assert slips(hoop, plane, slip * (1 + BESIDE))
-    assert not hops(hoop, plane, hop * (1 - BESIDE))
-    assert hops(hoop, plane, hop * (1 + BESIDE))
-    early = hh.simulate(hoop, plane, hh.Start.rolling(immediate * (1 - BESIDE)), duration=0.01)
-    late = hh.simulate(hoop, plane, hh.Start.rolling(immediate * (1 + BESIDE)), duration=0.01)
-    assert early.sequence[0] != "H"
-    assert late.sequence[0] == "H"
+    for side in (-1, 1):
+        assert bool(modes_of_first_turn(hoop, plane, slip * (1 + side * BESIDE)) & {"S", "K"}) == (side > 0)
+        assert ("H" in modes_of_first_turn(hoop, plane, hop * (1 + side * BESIDE))) == (side > 0)
+        motion = hh.simulate(hoop, plane, hh.Start.rolling(immediate * (1 + side * BESIDE)), duration=0.01)
+        assert (motion.sequence[0] == "H") == (side > 0)
 
 
 def test_critical_speeds_at_their_limits():
     assert theory.first_slip_speed(REFERENCE, hh.Plane(mu=0.37)) == 0.0  # any push: the article's μ ≥ 0.38
     assert theory.first_slip_speed(REFERENCE, hh.Plane(mu=math.inf)) == math.inf
-    level = hh.Hoop.ideal(0.0)
-    assert theory.critical_speeds(level) == (math.inf, math.inf, math.inf)
-    smooth = hh.Plane(mu=0.0)
-    assert theory.first_slip_speed(REFERENCE, smooth) == 0.0
+    assert theory.first_slip_speed(REFERENCE, hh.Plane(mu=0.0)) == 0.0
+    assert theory.critical_speeds(hh.Hoop.ideal(0.0)) == (math.inf, math.inf, math.inf)
     assert theory.first_hop_speed(REFERENCE, turns=4) <= theory.first_hop_speed(REFERENCE)
 
 
 @given(hoops, st.floats(0.05, 2.0), st.floats(0.3, 1.0))
-@settings(max_examples=25)
+@settings(max_examples=10)
 def test_hops_begin_at_one_speed(hoop, mu, ratio):
     """Below the critical speed there is no hop, above it always one, also at speeds not tried."""
     plane = hh.Plane(mu_static=mu, mu_kinetic=mu * ratio)
@@ -295,18 +244,12 @@ def test_hops_begin_at_one_speed(hoop, mu, ratio):
 
 
 def test_angles_are_where_the_forces_say():
-    speeds = np.array([2.0, 2.8, 3.1, 3.5])
-    angles = theory.slip_angle(REFERENCE, speeds)
-    assert math.isnan(angles[0])
-    used = theory.friction_utilization(angles[1:], REFERENCE, speeds[1:])
+    speeds = np.array([2.8, 3.1])
+    assert math.isnan(theory.slip_angle(REFERENCE, 2.0))
+    used = theory.friction_utilization(theory.slip_angle(REFERENCE, speeds), REFERENCE, speeds)
     np.testing.assert_allclose(used, 1.0, rtol=1e-12)
-    angles = theory.hop_angle(REFERENCE, speeds)
-    assert np.isnan(angles[:2]).all()
-    assert math.degrees(angles[2]) == pytest.approx(315.6, abs=0.05)
-    motion = hh.simulate(REFERENCE, hh.Plane(), hh.Start.rolling(3.5), duration=2.0)
-    hop = motion.find("takeoff")[0]
-    assert angles[3] == pytest.approx(hop.angle, rel=1e-14)
-    assert theory.lift_off_speed(hop.angle, REFERENCE) == pytest.approx(hop.omega, rel=1e-12)
+    hops = np.degrees(theory.hop_angle(REFERENCE, speeds))
+    assert hops == pytest.approx([math.nan, 315.6], abs=0.05, nan_ok=True)
 
 
 # --- arrays and errors -----------------------------------------------------------------------------
@@ -316,27 +259,13 @@ def test_numbers_broadcast():
     table = theory.rolling_speed(np.linspace(0, 6, 4)[:, None], REFERENCE, [1.0, 2.0, 3.0])
     assert table.shape == (4, 3)
     assert table[1, 2] == theory.rolling_speed(2.0, REFERENCE, 3.0)
-    assert theory.massless_loss([[0.1], [0.2]], [1.0, 2.0, 3.0]).angle.shape == (2, 3)
     assert isinstance(theory.rolling_speed(1.0, REFERENCE, 1.0), float)
-    assert theory.needed_friction(REFERENCE, [[0.1], [1.0]]).mu.shape == (2, 1)
-    assert theory.mode_of(np.zeros((2, 1)), np.ones(3), REFERENCE).shape == (2, 3)
+    assert theory.massless_loss([[0.1], [0.2]], [1.0, 2.0, 3.0]).angle.shape == (2, 3)
     assert theory.rolling_speed([], REFERENCE, 1.0).shape == (0,)
 
 
-@given(st.floats(0.01, 100.0), st.floats(0.01, 100.0), st.floats(0.01, 100.0))
-@settings(max_examples=20)
-def test_units_scale(radius, mass, gravity):
-    plane = hh.Plane(gravity=gravity)
-    hoop = hh.Hoop.ideal(0.75, radius=radius, mass=mass)
-    speed = math.sqrt(gravity * radius / 9.81)
-    for ours, theirs in zip(theory.critical_speeds(hoop, plane), theory.critical_speeds(REFERENCE), strict=True):
-        assert ours == pytest.approx(theirs * speed, rel=1e-14)
-    assert theory.rolling_period(hoop, 2.0 * speed, plane) == pytest.approx(
-        theory.rolling_period(REFERENCE, 2.0) * radius / speed, rel=1e-13
-    )
-    assert theory.rolling_forces(1.0, hoop, 2.0 * speed, plane).normal == pytest.approx(
-        theory.rolling_forces(1.0, REFERENCE, 2.0).normal * mass * gravity / 9.81, rel=1e-13
-    )
+def region(gamma, resistance):
+    return theory.painleve_region(0.7, 1.0, hh.Hoop.ideal(gamma), rolling_resistance=resistance, omega=1.0)
 
 
 @pytest.mark.parametrize(
@@ -355,25 +284,14 @@ def test_units_scale(radius, mass, gravity):
         (lambda: theory.first_hop_speed(REFERENCE, turns=0), "turns = 0 must be a whole number"),
         (lambda: theory.painleve_region(1.0, -0.5, REFERENCE), "mu = -0.5 must be at least 0."),
         (lambda: theory.painleve_region(0.7, 1.0, REFERENCE, rolling_resistance=0.1), "omega = None must be given"),
-        *(
-            (
-                lambda f=f, gamma=gamma: theory.painleve_region(
-                    0.7, 1.0, hh.Hoop.ideal(gamma), rolling_resistance=f, omega=1.0
-                ),
-                said,
-            )
-            for f, gamma, said in (
-                (-0.1, 0.75, "rolling_resistance = -0.1 must be from 0 to 1"),
-                (0.98, 0.9, "rolling_resistance = 0.98 must be below 0.968"),
-                (0.1, 1.0, "rolling_resistance = 0.1 must be 0 for the massless hoop"),
-            )
-        ),
+        (lambda: region(0.75, -0.1), "rolling_resistance = -0.1 must be from 0 to 1"),
+        (lambda: region(0.9, 0.98), "rolling_resistance = 0.98 must be below 0.968"),
+        (lambda: region(1.0, 0.1), "rolling_resistance = 0.1 must be 0 for the massless hoop"),
         (lambda: theory.jam_states(hh.Hoop.ideal(1.0)), "hoop.inertia_ratio = 0 must be above 0"),
         (lambda: theory.massless_loss(1.0, plane=DOWNHILL), "plane.slope must be 0"),
         (lambda: theory.massless_loss(1.0, radius=-1.0), "hoop.radius = -1.0 must be from 1e-06 to 1e+06 m."),
     ],
 )
 def test_bad_arguments_get_a_sentence(call, sentence):
-    with pytest.raises(ValueError) as refusal:
+    with pytest.raises(ValueError, match=re.escape(sentence)):
         call()
-    assert sentence in str(refusal.value)
