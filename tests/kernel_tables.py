@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from typing import Any
 
 from mpmath import mp
@@ -48,11 +47,6 @@ def rows(matrix: Matrix) -> list[list[Any]]:
     return [[matrix[i, j] for j in range(matrix.cols)] for i in range(matrix.rows)]
 
 
-def transposed(matrix: Matrix) -> list[list[Any]]:
-    """Return a matrix as a list of its columns."""
-    return rows(matrix.T)
-
-
 def tabulated(points: Sequence[Any], functions: Sequence[Callable[[Any], Any]]) -> Matrix:
     """Return the values of functions (columns) at points (rows)."""
     return mp.matrix([[function(point) for function in functions] for point in points])
@@ -65,10 +59,8 @@ def chebyshev(k: int) -> Callable[[Any], Any]:
 
 def chebyshev_integral(k: int) -> Callable[[Any], Any]:
     """Return the integral of T_k from −1."""
-    if k == 0:
-        return lambda x: x + 1
-    if k == 1:
-        return lambda x: (x * x - 1) / 2
+    if k < 2:
+        return lambda x: (x ** (k + 1) - (-1) ** (k + 1)) / (k + 1)
 
     def primitive(x: Any) -> Any:
         return (mp.chebyt(k + 1, x) / (k + 1) - mp.chebyt(k - 1, x) / (k - 1)) / 2
@@ -81,17 +73,11 @@ def legendre(x: Any) -> Any:
     return mp.legendre(ORDER, x)
 
 
-def legendre_slope(x: Any) -> Any:
-    """Return the derivative of the Legendre polynomial whose zeros are the nodes."""
-    return ORDER * (x * mp.legendre(ORDER, x) - mp.legendre(ORDER - 1, x)) / (x * x - 1)
-
-
 def collocation() -> dict[str, Table]:
     """Return nodes, weights, antiderivative and series of a panel, and the series of its halves."""
     guesses = [mp.cos(mp.pi * (k - mp.mpf(1) / 4) / (ORDER + mp.mpf(1) / 2)) for k in range(ORDER, 0, -1)]
-    nodes = [mp.findroot(legendre, guess, solver="newton", df=legendre_slope) for guess in guesses]
-    slopes = [legendre_slope(x) for x in nodes]
-    weights = [2 / ((1 - x * x) * slope * slope) for x, slope in zip(nodes, slopes, strict=True)]
+    nodes = [mp.findroot(legendre, guess, solver="newton") for guess in guesses]
+    weights = [2 / ((1 - x * x) * mp.diff(legendre, x) ** 2) for x in nodes]
     rounded = [mp.mpf(nearest(x)) for x in nodes]
     series = tabulated(rounded, [chebyshev(k) for k in range(ORDER)]) ** -1
     antiderivative = tabulated(rounded, [chebyshev_integral(k) for k in range(ORDER)]) * series
@@ -104,10 +90,10 @@ def collocation() -> dict[str, Table]:
     return {
         "NODES": nearest(nodes),
         "WEIGHTS": nearest(weights),
-        "ANTIDERIVATIVE_T": nearest(transposed(antiderivative)),
+        "ANTIDERIVATIVE_T": nearest(rows(antiderivative.T)),
         "SERIES": nearest(rows(series)),
-        "LEFT_T": nearest(transposed(half(-1))),
-        "RIGHT_T": nearest(transposed(half(1))),
+        "LEFT_T": nearest(rows(half(-1).T)),
+        "RIGHT_T": nearest(rows(half(1).T)),
     }
 
 
@@ -130,13 +116,12 @@ def panels(nodes: Sequence[float]) -> dict[str, Table]:
 
 
 def radau_nodes() -> list[Any]:
-    """Return the zeros of the (s−1)th derivative of x^(s−1) (x−1)^s."""
-    coefficients = [mp.mpf(0)] * (STAGES - 1)
-    coefficients += [mp.binomial(STAGES, k) * (-1) ** (STAGES - k) for k in range(STAGES + 1)]
-    for _ in range(STAGES - 1):
-        coefficients = [k * value for k, value in enumerate(coefficients)][1:]
-    roots = mp.polyroots(coefficients[::-1], maxsteps=500, extraprec=4 * mp.prec)
-    return [*sorted(mp.re(root) for root in roots)[:-1], mp.mpf(1)]
+    """Return the zeros of P_s − P_(s−1), from [−1, 1] to [0, 1]."""
+
+    def difference(x: Any) -> Any:
+        return mp.legendre(STAGES, x) - mp.legendre(STAGES - 1, x)
+
+    return [*((1 + mp.findroot(difference, guess, solver="newton")) / 2 for guess in (-0.886, -0.446, 0.167, 0.72)), mp.mpf(1)]
 
 
 def eigenvectors(matrix: Matrix) -> tuple[list[Any], Matrix]:
@@ -187,37 +172,18 @@ def radau() -> dict[str, Table]:
     }
 
 
-def _exact(value: Any) -> Fraction:
-    """Return an mpmath number as a fraction."""
-    sign, digits, exponent, _ = value._mpf_
-    return Fraction(-int(digits) if sign else int(digits)) * Fraction(2) ** exponent
-
-
-def short(value: Any, bits: int) -> float:
-    """Return the nearest double with this many bits."""
-    exact = _exact(value)
-    if exact == 0:
-        return 0.0
-    scale = Fraction(1)
-    while abs(exact) * scale < 2 ** (bits - 1):
-        scale *= 2
-    while abs(exact) * scale >= 2**bits:
-        scale /= 2
-    return float(round(exact * scale) / scale)
-
-
 def split(value: Any, *bits: int) -> list[float]:
     """Return the value as a sum of doubles with this many bits each, and a last one with all bits."""
     found = []
     for count in bits:
-        found.append(short(value, count))
+        found.append(float(mp.mpf(value, prec=count)))
         value -= mp.mpf(found[-1])
     return [*found, float(value)]
 
 
 def coarse(value: Any) -> list[float]:
     """Return the value as a multiple of 2⁻⁴², so that e ln 2 is exact for an exponent e, and the remainder."""
-    high = float(round(_exact(value) * 2**42) / Fraction(2**42))
+    high = float(mp.nint(value * 2**42) / 2**42)
     return [high, float(value - mp.mpf(high))]
 
 
@@ -230,7 +196,7 @@ def elementary() -> dict[str, Table]:
         bits = int(mp.floor(mp.ldexp(1 / (2 * mp.pi), CHUNK * 46)))
     logarithms = []
     for j in range(FIRST, LAST + 1):
-        inverse = short(mp.mpf(GRID) / j, 10)
+        inverse = float(mp.mpf(mp.mpf(GRID) / j, prec=10))
         logarithms.append([inverse, *coarse(-mp.log(mp.mpf(inverse)))])
     double_doubles = {"PI": +mp.pi, "LOG2_E": 1 / ln2}
     found: dict[str, Table] = {name: [float(x), float(x - mp.mpf(float(x)))] for name, x in double_doubles.items()}
