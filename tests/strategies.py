@@ -6,8 +6,9 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 from fuzz import draws
-from fuzz.draws import USUAL
 from hophoop.scenario import sentence
+
+RANDOMS = st.randoms(use_true_random=False)
 
 
 def said(build):
@@ -21,57 +22,24 @@ def said(build):
     return text
 
 
-@st.composite
-def bodies(draw):
+def body(random):
     """A radius and parts that lie within it."""
-    radius = draw(st.floats(0.01, 10.0))
-    share = st.floats(0.0, 1.0)
-    mass = st.floats(1e-3, 1e3)
-
-    def part():
-        kind = draw(st.sampled_from(["ring", "disk", "point_mass", "rod"]))
-        size, place, sign = draw(share), draw(share), draw(st.sampled_from([-1, 1]))
-        size = max(size, 1e-3)
-        at = sign * place * radius
-        if kind == "ring":
-            return hh.Ring(draw(mass), place * size * radius, size * radius)
-        if kind == "disk":
-            return hh.Disk(draw(mass), size * radius, at=at * (1 - size))
-        if kind == "rod":
-            return hh.Rod(draw(mass), 2 * size * radius, at=at * (1 - size))
-        return hh.PointMass(draw(mass), at=at)
-
-    # The ring keeps clear of the bodies of a single point inside the rim, which have no inertia.
-    parts = [hh.Ring(draw(mass), 0.9 * radius, radius), *(part() for _ in range(draw(st.integers(0, 4))))]
-    return radius, parts
+    radius = random.uniform(0.01, 10.0)
+    hoop = hh.Scenario.from_dict({"hoop": {"radius": radius, "parts": draws.parts(random, radius)}}).hoop
+    return radius, list(hoop.parts)
 
 
-class Drawn:
-    """A source of numbers for `fuzz.draws` that hypothesis chooses."""
-
-    kinds = USUAL
-
-    def __init__(self, draw):
-        self._draw = draw
-
-    def between(self, least, most):
-        return float(self._draw(st.floats(least, most)))
-
-    def choice(self, values):
-        return values[self._draw(st.integers(0, len(values) - 1))]
-
-
-@st.composite
-def scenarios(draw):
-    """Those that are allowed; some have a hoop of parts."""
+def allowed_scenario(random):
+    """One that is allowed; some have a hoop of parts."""
     try:
-        scenario = hh.Scenario.from_dict(draws.scenario(Drawn(draw)))
-        if draw(st.booleans()):
-            scenario = scenario.replace("hoop", hh.Hoop.from_parts(*draw(bodies())))
+        scenario = hh.Scenario.from_dict(draws.scenario(random))
+        return scenario.replace("hoop", hh.Hoop.from_parts(*body(random))) if random.choice([True, False]) else scenario
     except ValueError:
         reject()
-    return scenario
 
+
+bodies = RANDOMS.map(body)
+scenarios = RANDOMS.map(allowed_scenario)
 
 # Ideal ones of any size, and other bodies.
 hoops = st.builds(

@@ -103,20 +103,14 @@ def _in_other_units(keys: dict[str, Any], length: float, time: float, mass: floa
 def _alike(
     invariant: str, motion: Trajectory, other: Trajectory, factors: dict[str, float], letters: dict[int, int], allowed: float
 ) -> Finding:
-    mine, theirs = motion.events, other.events
-    for one, two in zip(mine, theirs, strict=False):
-        if (one.kind, one.to_mode.translate(letters)) != (two.kind, two.to_mode):
-            words = f"{two.kind} to {two.to_mode} instead of {one.kind} to {one.to_mode.translate(letters)}"
-            return Finding(invariant, 1.0, 0.0, one.t, words)
-    if (len(mine), motion.status) != (len(theirs), other.status):
-        words = f"{other.status} after {len(theirs)} events instead of {motion.status} after {len(mine)}"
-        return Finding(invariant, 1.0, 0.0, mine[-1].t, words)
+    mine = [(event.kind, event.to_mode.translate(letters)) for event in motion.events]
+    if (mine, motion.status) != ([(event.kind, event.to_mode) for event in other.events], other.status):
+        return Finding(invariant, 1.0, 0.0, motion.duration)
     found = []
-    t = [event.t for event in mine]
     for name, factor in factors.items():
-        expected, got = (np.array([getattr(event, name) for event in events]) for events in (mine, theirs))
-        expected *= factor
-        off = np.where((expected == got) | (np.abs(got) < TINY), 0.0, np.abs(expected - got))  # tiny numbers have fewer digits
+        expected, got = (np.array([getattr(event, name) for event in each.events]) for each in (motion, other))
+        off = np.abs(expected * factor - got)
+        off[(expected * factor == got) | (np.abs(got) < TINY)] = 0.0  # tiny numbers have fewer digits
         loose = allowed if name in ("angle", "x", "height") else 0.0
-        found.append(worst(invariant, f"{name} of an event differs", t, off, np.max(np.abs(got)), loose))
+        found.append(worst(invariant, [event.t for event in motion.events], off, np.max(np.abs(got)), loose))
     return max(found, key=lambda each: each.value - each.allowed)

@@ -3,29 +3,23 @@
 from __future__ import annotations
 
 import dataclasses
-import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import hophoop as hh
 from hophoop.simulation.trajectory import Trajectory
-from invariants import INVARIANTS, check, findings
+from invariants import check, findings
 from symmetries import mirror_finding, mirrored, scaled, units_finding
 
 
 class Changed(Trajectory):
-    """A motion some of whose events, samples or tables are changed."""
+    """A motion some of whose events, samples or properties are changed."""
 
-    def __init__(self, motion, events=None, sample=None, **values):
-        tables = motion.tables
-        super().__init__(
-            motion.scenario, motion._status, tables["events"], tables["segments"].copy(), motion.version, motion._doubt
-        )
-        self.events = motion.events if events is None else tuple(events)
+    def __init__(self, motion, sample=None, **values):
+        super().__init__(motion.scenario, motion._status, *motion.tables.values(), motion.version, motion._doubt)
         self.sample = sample
-        self.__dict__.update(values)
+        self.__dict__.update({"events": motion.events} | values)
 
     def at(self, t, side="right"):
         sample = super().at(t, side)
@@ -33,10 +27,7 @@ class Changed(Trajectory):
             return sample
         name, mode, value = self.sample
         column = np.array(getattr(sample, name))
-        index = np.flatnonzero(np.equal(sample.mode, mode))
-        if index.size:
-            which = index if name == "mode" else index[-1:]
-            column[which] = value(column[which])
+        column[np.flatnonzero(np.equal(sample.mode, mode))[-1:]] += value
         return dataclasses.replace(sample, **{name: column})
 
 
@@ -56,128 +47,74 @@ def with_event(motion, index, **values):
     """A motion with numbers of one event changed."""
     events = list(motion.events)
     events[index] = dataclasses.replace(events[index], **values)
-    return Changed(motion, events)
+    return Changed(motion, events=tuple(events))
 
 
-def test_a_good_motion_breaks_none(motion):
-    assert set("RSKH") <= set(motion.sequence) | {"S", "K"}
-    assert {each.invariant for each in findings(motion)} == set(INVARIANTS)
-    assert broken(motion) == set()
-    assert broken(Changed(motion)) == set()
-    check(motion)
-    with pytest.raises(AssertionError, match=r"invariant='sequence'.*duration="):
-        check(Changed(motion, sequence="R"))
-
-
-def test_time_that_runs_backward(motion):
-    assert broken(with_event(motion, -1, t=motion.events[-2].t * 0.9)) == {"time"}
-    assert broken(with_event(motion, -1, t=float("nan"))) == {"time"}
-    for index, end in ((3, 0.5 * motion.tables["segments"]["t_end"][3]), (-1, -3.0)):
-        other = Changed(motion)
-        other.tables["segments"]["t_end"][index] = end
-        assert broken(other) == {"time"}
-
-
-# mode, quantity, what it becomes in one sample → what is broken
+# quantity, mode, what is added to one sample → what is broken
 SAMPLES = [
-    ("R", "kinetic", lambda _: float("nan"), "finite numbers"),
-    ("R", "kinetic", lambda _: float("inf"), "finite numbers"),
-    ("R", "slip", lambda _: 1e-300, "rolling"),
-    ("S", "slip", lambda _: 1e-3, "direction of slip"),
-    ("K", "slip", lambda _: -1e-3, "direction of slip"),
-    ("R", "height", lambda _: 1e-200, "contact"),
-    ("R", "vy", lambda _: 1e-200, "contact"),
-    ("H", "height", lambda _: -1e-200, "contact"),
-    ("H", "normal_force", lambda _: 1e-9, "normal force"),
-    ("R", "friction_force", lambda force: force + 1e3, "friction cone"),
-    ("K", "friction_force", lambda force: -force, "sliding friction"),
-    ("K", "friction_force", lambda force: force * (1.0 + 1e-13), "sliding friction"),
-    *(
-        (mode, name, lambda energy: energy + 1e-9, "ledger")
-        for mode in "RH"
-        for name in ("kinetic", "potential", "friction", "rolling_resistance", "impact_normal")
-    ),
+    ("kinetic", "R", np.nan, "finite numbers"),
+    ("slip", "R", 1e-300, "rolling"),
+    ("slip", "S", 100.0, "direction of slip"),
+    ("slip", "K", -100.0, "direction of slip"),
+    ("height", "R", 1e-200, "contact"),
+    ("vy", "R", 1e-200, "contact"),
+    ("height", "H", -100.0, "contact"),
+    ("normal_force", "H", 1e-9, "normal force"),
+    ("friction_force", "R", 1e3, "friction cone"),
+    ("friction_force", "K", 1e-9, "sliding friction"),
+    ("potential", "R", 1e-8, "ledger"),
+    ("rolling_resistance", "H", 1e-8, "ledger"),
 ]
 
 
 def test_a_changed_sample_breaks_one_invariant(motion):
     assert {"R", "S", "K", "H"} <= set(motion.sequence)
-    for mode, name, change, invariant in SAMPLES:
-        assert broken(Changed(motion, sample=(name, mode, change))) == {invariant}, (mode, name)
-    assert "normal force" in broken(Changed(motion, sample=("normal_force", "R", lambda _: -1e-9)))
-    assert {"modes", "sequence"} <= broken(Changed(motion, sample=("mode", "H", lambda _: "K")))
+    check(motion)
+    for *sample, invariant in SAMPLES:
+        assert broken(Changed(motion, sample)) == {invariant}, sample
 
 
 def test_a_changed_event_or_sum_breaks_one_invariant(motion):
-    events = motion.events
-    takeoff = next(k for k, event in enumerate(events) if event.kind == "takeoff")
-    stick = next(k for k, event in enumerate(events) if event.to_mode == "R")
+    stick = next(k for k, event in enumerate(motion.events) if event.to_mode == "R")
     changes = [
+        (-1, {"t": motion.events[-2].t * 0.9}, "time"),
         (2, {"x": float("nan")}, "finite numbers"),
+        (2, {"from_mode": "H"}, "modes"),
         (stick, {"slip": 1e-9}, "rolling"),
-        (takeoff, {"vy": -1e-6}, "gap"),
-        (takeoff + 1, {"height": events[takeoff + 1].height - 1e-6}, "gap"),
-        *(
-            (-1, {name: getattr(events[-2], name) - 1e-9}, "losses")
-            for name in ("friction", "rolling_resistance", "impact_tangential")
-        ),
+        *((-1, {name: -1e-9}, "losses") for name in ("friction", "rolling_resistance", "impact_tangential")),
     ]
     for index, values, invariant in changes:
         assert broken(with_event(motion, index, **values)) == {invariant}, values
-    assert "modes" in broken(with_event(motion, takeoff, from_mode="R"))
-    for sequence in (motion.sequence[:-1], motion.sequence[1:]):
-        assert broken(Changed(motion, sequence=sequence)) == {"sequence"}
-    ledger = motion.ledger
-    assert broken(Changed(motion, ledger=dataclasses.replace(ledger, residual=ledger.residual + 1e-9))) == {"ledger"}
+    assert broken(Changed(motion, sequence=motion.sequence[:-1])) == {"sequence"}
+    with pytest.raises(AssertionError, match=r"invariant='ledger'.*duration="):
+        check(Changed(motion, ledger=dataclasses.replace(motion.ledger, residual=1e-8)))
 
 
 @pytest.mark.parametrize("friction", ["tanh", "linear", "bristle"])
 def test_a_compliant_contact(friction):
     scenario = hh.Scenario(start=hh.Start.rolling(3.1), duration=1.2, contact=hh.Compliant(stiffness=1e5, friction=friction))
     motion = hh.simulate(scenario)
-    assert set("RH") <= set(motion.sequence)
     assert broken(motion) == set()
     mode = next(letter for letter in motion.sequence if letter in "SK")
-    assert "sliding friction" in broken(Changed(motion, sample=("friction_force", mode, lambda force: -force)))
-    assert broken(Changed(motion, sample=("normal_force", "R", lambda force: 1e-3 * force))) >= {"friction cone"}
-    assert broken(Changed(motion, sample=("damping", "R", lambda energy: energy + 1e-3))) == {"ledger"}
-    assert broken(Changed(motion, sequence="R")) == {"sequence"}
+    against = {"S": -1e3, "K": 1e3}[mode]
+    assert "sliding friction" in broken(Changed(motion, ("friction_force", mode, against)))
+    assert "friction cone" in broken(Changed(motion, ("friction_force", "R", 1e3)))
+    assert broken(Changed(motion, ("damping", "R", 1e-3))) == {"ledger"}
 
 
 def test_symmetries_see_one_last_bit(motion):
-    image = hh.simulate(mirrored(motion.scenario))
-    assert not mirror_finding(motion, image).broken
-    other, factors = scaled(motion.scenario)
+    image, (other, factors) = hh.simulate(mirrored(motion.scenario)), scaled(motion.scenario)
     same = hh.simulate(other)
+    assert not mirror_finding(motion, image).broken
     assert not units_finding(motion, same, factors).broken
-    for name in ("t", "x", "angle", "vx", "omega", "friction", "impulse_normal"):
-        values = [getattr(event, name) for event in motion.events]
-        index = int(np.argmax(np.abs(values)))
-        changed = with_event(motion, index, **{name: float(np.nextafter(values[index], np.inf))})
+    index = int(np.argmax([event.x for event in motion.events]))
+    others = [with_event(motion, index, x=np.nextafter(motion.events[index].x, np.inf)), with_event(motion, 2, kind="turn")]
+    for changed in (*others, Changed(motion, events=motion.events[:-1])):
         assert mirror_finding(changed, image).broken
         assert units_finding(changed, same, factors).broken
-    less = Changed(motion, motion.events[:-1])
-    assert mirror_finding(less, image).broken
-    assert units_finding(less, same, factors).broken
-    assert mirror_finding(with_event(motion, 2, kind="turn"), image).broken
 
 
-def test_what_has_no_image():
-    assert mirrored(hh.Scenario(start=hh.Start(angle=np.pi))) is None
-    assert mirrored(hh.Scenario(contact=hh.Compliant())) is None
-    assert mirrored(hh.Scenario(plane=hh.Plane(mu_static=1.0, mu_kinetic=0.0))) is None
-    assert scaled(hh.Scenario(plane=hh.Plane(restitution=5e-324))) is None
-
-
-def test_units_of_parts_and_of_a_compliant_contact():
-    hoop = hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.9, 1.0), hh.PointMass(0.5, at=0.3)])
-    for law in ("kelvin-voigt", "hunt-crossley"):
-        contact = hh.Compliant(stiffness=1e4, damping=3.0, law=law, slip_speed=1e-3)
-        scenario = hh.Scenario(hoop=hoop, start=hh.Start.rolling(2.0), duration=0.3, contact=contact)
-        other, factors = scaled(scenario)
-        assert not units_finding(hh.simulate(scenario), hh.simulate(other), factors).broken
-
-
+# Each broke an invariant once, by a defect of the solver.
 KNOWN = {
     "sequence": hh.Scenario(
         hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=0.0, rolling_resistance=0.05), start=hh.Start(angle=2.0), duration=6.0
@@ -199,42 +136,5 @@ KNOWN = {
 }
 
 
-def kept(index, **changes):
-    """A scenario that the fuzzer has found."""
-    path = Path(__file__).parent / "data" / "once_open" / f"{index}.toml"
-    return hh.Scenario.from_dict(tomllib.loads(path.read_text(encoding="utf-8")) | changes)
-
-
 def test_what_the_checker_found():
-    """Each broke an invariant once, by a defect of the solver, or of rounding that was not allowed for."""
     assert {name: wrong for name, scenario in KNOWN.items() if (wrong := broken(hh.simulate(scenario)))} == {}
-
-
-def test_a_plane_that_pulls_beside_the_paradox():
-    """Just before it takes off p_σ is 7e-12, and N has four digits; elsewhere it has all."""
-    scenario = kept(98343, duration=5.0)
-    motion = hh.simulate(scenario)
-    takeoff = next(event.t for event in motion.events if event.kind == "takeoff")
-    force = scenario.hoop.mass * scenario.plane.gravity
-    assert motion.at(takeoff, side="left").mode == "K"
-
-    def pull(share):
-        found = findings(Changed(motion, sample=("normal_force", "K", lambda _: -share * force)))
-        return next(each for each in found if each.invariant == "normal force")
-
-    assert pull(1e-2).broken
-    assert pull(1e-9).broken
-    assert pull(1e-9).t != takeoff
-
-
-def test_friction_along_the_slip_of_a_stiff_contact():
-    """The sign of v_t is not known where a slip of 286 √(g R) ends, but where it begins."""
-    motion = hh.simulate(kept(41262))
-    assert broken(Changed(motion, sample=("friction_force", "S", lambda force: -force))) == {"sliding friction"}
-
-
-def test_energy_that_is_lost_where_velocities_nearly_cancel():
-    motion = hh.simulate(kept(10235))
-    for mode in set("SK") & set(motion.sequence):
-        changed = Changed(motion, sample=("kinetic", mode, lambda energy: energy + 1e-8 * motion.ledger.range))
-        assert broken(changed) == {"ledger"}

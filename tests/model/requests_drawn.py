@@ -1,58 +1,25 @@
-"""Requests of every kind drawn at random, allowed and not, as a page would send them: the seed alone tells which."""
+"""Requests drawn at random, allowed and not, as a page would send them: the seed alone tells which."""
 
 from __future__ import annotations
 
 import math
-import random
-import re
+from random import Random
 from typing import Any
 from urllib.parse import quote_plus
 
 import hophoop as hh
+from fuzz import draws
 from hophoop.lab.site.presets import presets
-from hophoop.scenario import paths
-from hophoop.vocabulary.names import LAW_CODES
-from hophoop.vocabulary.parameters import RANGES
 
-SECTIONS = {
-    "hoop": ["radius", "mass", "load_fraction", "eccentricity", "inertia_ratio", "parts"],
-    "plane": list(hh.Plane.model_fields),
-    "start": ["x", "height", "angle", "speed", "vx", "vy", "omega"],
-    "contact": [
-        "model", "stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol",
-        "max_events",
-    ],
-}  # fmt: skip
-WORDS = {
-    "impact_law": list(LAW_CODES),
-    "painleve": ["flight", "impact"],
-    "model": ["rigid", "compliant"],
-    "law": ["kelvin-voigt", "hunt-crossley"],
-    "friction": ["tanh", "linear", "bristle"],
-}
 ODD = [
     None, True, False, "high", "inf", "nan", "1.5", "", "it's", 'a "b"', "caf\u00e9 \u200b\n", [1, 2.5, "x"],
     {"a": 1.5, "b": None}, -1, 0, 0.5, 1e-300, 1e300, 123456789012345680000, 1e21, "x" * 80, 2.5, 1.0000000000000002, -0.0, [],
 ]  # fmt: skip
 ODD_KEYS = ["gama", "radious", "Radius", "speeds", "__proto__", "constructor", "mu static", "x" * 70, "h\u00f6he", "toString"]
+ODD_PATHS = ["foo", "foo.bar", "duration.x", "plane.", "hoop.radius.x", "hoop.parts.9.mass", "start.__proto__"]
 NUMBERS = [
-    "1",
-    "0.5",
-    "-0",
-    "1e3",
-    " 2 ",
-    "+3.25",
-    ".5",
-    "5.",
-    "Infinity",
-    "-inf",
-    "nan",
-    "0x10",
-    "1e",
-    "",
-    "abc",
-    "1e400",
-]
+    "1", "0.5", "-0", "1e3", " 2 ", "+3.25", ".5", "5.", "Infinity", "-inf", "nan", "0x10", "1e", "", "abc", "1e400",
+]  # fmt: skip
 
 
 def plain(value: Any) -> Any:
@@ -61,170 +28,93 @@ def plain(value: Any) -> Any:
         return {key: plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]
+    if isinstance(value, float) and math.isinf(value):
+        return "inf"
     if isinstance(value, float) and value.is_integer() and abs(value) < 1e21:
         return int(value)
     return value
 
 
-def number(draw: random.Random, name: str) -> float:
-    """A number of a field, mostly one that is allowed."""
-    path = next((path for path in RANGES if path.endswith(f".{name}") or path == name), None)
-    allowed = RANGES["plane.mu"] if name.startswith("mu") else RANGES[path] if path else RANGES["start.speed"]
-    if name in ("vx", "vy"):
-        allowed = RANGES["start.speed"]
-    kind = draw.random()
-    if kind < 0.55:
-        usual = {"load_fraction": 0.8, "eccentricity": 0.6, "inertia_ratio": 0.7, "duration": 4.0, "rolling_resistance": 0.01}
-        return round(draw.uniform(0.2, 1.4) * usual.get(name, 1.0), draw.choice([1, 2, 17]))
-    if kind < 0.8:
-        low, high = max(allowed.least, -1e3), min(allowed.most, 1e3)
-        return draw.uniform(low, high)
-    if kind < 0.93:
-        return draw.choice([allowed.least, allowed.most, *(value for value in allowed.also if math.isfinite(value))])
-    return draw.choice([-1.0, allowed.most * 1.5, allowed.least * 0.9 - 1e-9, 1e300, -3e-7])
+def some(random: Random, keys: dict[str, Any]) -> dict[str, Any]:
+    """Some of the keys, in any order."""
+    return {name: keys[name] for name in random.sample(list(keys), random.randint(0, len(keys)))}
 
 
-def value(draw: random.Random, section: str, name: str, odd: float) -> Any:
-    """A value of a field, with some chance one that has no business there."""
-    if draw.random() < odd:
-        return draw.choice(ODD)
-    if (section, name) == ("hoop", "parts"):
-        return [part(draw, odd) for _ in range(draw.choice([0, 1, 2, 2, 3]))]
-    if name in WORDS and (name, section) != ("friction", "plane"):
-        return draw.choice(WORDS[name])
-    if name == "max_events":
-        return draw.choice([1, 7, 100, 100_000, 10_000_000, 0, 2.5, 10_000_001])
-    if name.startswith("mu") and draw.random() < 0.1:
-        return "inf"
-    return number(draw, name)
-
-
-def part(draw: random.Random, odd: float) -> Any:
-    """A part of a hoop, mostly within a rim of a metre."""
-    if draw.random() < odd:
-        return draw.choice(ODD)
-    mass, size, at = draw.uniform(0.1, 2.0), draw.uniform(0.05, 1.0), draw.uniform(-0.5, 0.5)
-    kinds: dict[str, dict[str, Any]] = {
-        "ring": {"mass": mass, "inner_radius": size * draw.uniform(0.5, 1.01), "outer_radius": size},
-        "disk": {"mass": mass, "radius": 0.5 * size, "at": at},
-        "point_mass": {"mass": mass, "at": at},
-        "rod": {"mass": mass, "length": size, "at": at, "direction": draw.choice(["radial", "tangential"])},
-    }
-    shape = draw.choice(list(kinds))
-    keys = [("shape", shape), *kinds[shape].items()]
-    if draw.random() < 0.3:
-        keys.remove(draw.choice(keys))
-    if draw.random() < odd:
-        keys.append((draw.choice(ODD_KEYS), 1.0))
-    draw.shuffle(keys)
-    return dict(keys)
-
-
-def section(draw: random.Random, name: str, odd: float) -> Any:
-    """The keys of a section, in any order; mostly such as go together."""
-    if draw.random() < 0.3 * odd:
-        return draw.choice(ODD)
-    if draw.random() < 0.85:
-        ways: dict[str, list[list[str]]] = {
-            "hoop": [["radius", "mass", "load_fraction"], ["eccentricity", "inertia_ratio"], ["parts"], ["radius", "parts"]],
-            "plane": [["mu", "slope"], ["mu_static", "mu_kinetic", "gravity"], ["mu", "restitution", "impact_law"],
-                      ["painleve"], ["rolling_resistance", "mu"]],
-            "start": [["speed", "angle"], ["speed"], ["x", "height", "vx"], ["vx", "omega", "angle"],
-                      ["vy", "height", "omega"]],
-            "contact": [["model"], ["max_events"], ["model", "stiffness", "law"], ["model", "damping", "friction"]],
-        }  # fmt: skip
-        names = list(draw.choice(ways[name]))
-    else:
-        names = draw.sample(SECTIONS[name], draw.randint(0, min(4, len(SECTIONS[name]))))
-    keys = {one: value(draw, name, one, odd) for one in names}
-    if name == "contact" and len(names) > 1 and draw.random() < 0.9:
-        keys["model"] = "compliant"
-    if draw.random() < 0.5 * odd:
-        keys[draw.choice(ODD_KEYS)] = 1.0
-    shuffled = list(keys.items())
-    draw.shuffle(shuffled)
-    return dict(shuffled)
-
-
-def scenario(draw: random.Random, odd: float) -> Any:
-    """The keys of a scenario."""
-    names = draw.sample([*SECTIONS, "duration"], draw.randint(0, 5))
-    keys = {name: number(draw, "duration") if name == "duration" else section(draw, name, odd) for name in names}
-    if draw.random() < 0.3 * odd:
-        keys[draw.choice([*ODD_KEYS, "hop", "Plane"])] = {}
+def scenario(random: Random, odd: float) -> dict[str, Any]:
+    """The keys of a scenario, or of a part of one, with some chance of something that has no business there."""
+    keys = draws.scenario(random)
+    if random.random() < 0.3:
+        keys["hoop"] = {"radius": 1.0, "parts": draws.parts(random, 1.0)}
+    if random.random() < 0.5:
+        keys["plane"] = {"mu": keys["plane"]["mu_static"]} | some(random, {**keys["plane"], "mu_static": 0.0})
+    if random.random() < 0.3:
+        keys |= {name: some(random, keys[name]) for name in ("plane", "start", "contact")}
+    keys = some(random, keys)
+    while keys and random.random() < odd:
+        spoil(random, keys)
     return keys
+
+
+def spoil(random: Random, keys: Any) -> None:
+    """Put something odd, or a key that there is not, somewhere into keys; or leave one out."""
+    name = random.choice(list(keys) if isinstance(keys, dict) else range(len(keys)))
+    if isinstance(keys[name], dict | list) and keys[name] and random.random() < 0.8:
+        spoil(random, keys[name])
+    elif isinstance(keys, dict) and random.random() < 0.4:
+        keys[random.choice([*ODD_KEYS, "duration", "parts", "speed"])] = 1.0
+    elif random.random() < 0.2:
+        del keys[name]
+    else:
+        keys[name] = random.choice(ODD)
 
 
 def flat(keys: Any, path: str = "") -> list[tuple[str, Any]]:
     """The leaves of nested keys, as a link has them."""
-    if isinstance(keys, dict):
-        return [leaf for key, one in keys.items() for leaf in flat(one, f"{path}.{key}" if path else key)]
-    if isinstance(keys, list):
-        return [leaf for index, one in enumerate(keys) for leaf in flat(one, f"{path}.{index}")]
-    return [(path, keys)]
+    items = keys.items() if isinstance(keys, dict) else enumerate(keys) if isinstance(keys, list) else None
+    if items is None:
+        return [(path, keys)]
+    return [leaf for key, one in items for leaf in flat(one, f"{path}.{key}" if path else key)]
 
 
-def query(draw: random.Random, odd: float) -> str:
+def query(random: Random, odd: float) -> str:
     """A link, mostly one that can be read."""
-    leaves = flat(scenario(draw, odd))
-    # JavaScript puts keys that are whole numbers in their order
-    pairs = [(path, str(one)) for path, one in leaves if path and not re.search(r"\.\d", path.replace("hoop.parts.", ""))]
-    if draw.random() < 0.3:
-        draw.shuffle(pairs)
-    if draw.random() < 2.0 * odd:
-        pairs.append(
-            (draw.choice(["plane.mu", "start", "hoop.parts.0.at", "hoop.parts.x.mass", "a.b.c", ""]), draw.choice(NUMBERS))
-        )
-    if pairs and draw.random() < odd:
-        pairs.append(draw.choice(pairs))
-    if pairs and draw.random() < 0.2:
-        place = draw.randrange(len(pairs))
-        pairs[place] = (pairs[place][0], draw.choice(NUMBERS))
+    pairs = [(path, str(one)) for path, one in flat(scenario(random, odd))]
+    if random.random() < 0.2:
+        random.shuffle(pairs)
+    if random.random() < odd:
+        path = random.choice(["plane.mu", "start", "hoop.parts.0.at", "hoop.parts.x.mass", "a.b.c", "", *dict(pairs)])
+        pairs.append((path, random.choice(NUMBERS)))
+    if pairs and random.random() < 0.2:
+        place = random.randrange(len(pairs))
+        pairs[place] = (pairs[place][0], random.choice(NUMBERS))
     text = "&".join(f"{quote_plus(path)}={quote_plus(one)}" for path, one in pairs)
-    return draw.choice(["", "?", "?"]) + text + draw.choice(["", "", "&", "&plane.mu", "%ff=%zz"] if odd else [""])
+    return random.choice(["", "?"]) + text + random.choice(["", "", "&", "&plane.mu", "%ff=%zz"] if odd else [""])
 
 
-def changes(draw: random.Random, odd: float) -> Any:
-    """Changes to a scenario."""
-    known = [*paths(), "hoop.parts", "hoop.parts.0.mass", "hoop.parts.1.at", "hoop", "plane", "start"]
-    made = []
-    for _ in range(draw.choice([0, 1, 1, 2, 3])):
-        path = draw.choice(known)
-        if draw.random() < 0.3 * odd:
-            path = draw.choice(
-                ["foo", "foo.bar", "duration.x", "plane.", "hoop.radius.x", "hoop.parts.9.mass", "start.__proto__"]
-            )
-        name, _, rest = path.partition(".")
-        if not rest and name in SECTIONS:
-            made.append([path, section(draw, name, odd)])
-        else:
-            made.append([path, value(draw, name, path.rpartition(".")[2], odd)])
-    return made
+def changes(random: Random, odd: float) -> list[Any]:
+    """Changes to a scenario: of numbers, of whole sections, and of what there is not."""
+    keys = scenario(random, odd)
+    known = [*flat(keys), *((name, value) for name, value in keys.items() if isinstance(value, dict))]
+    made = random.sample(known, min(len(known), random.choice([1, 1, 2, 3])))
+    if random.random() < 0.3 * odd:
+        made.append((random.choice(ODD_PATHS), random.choice(ODD)))
+    return [list(change) for change in made]
 
 
 def request(seed: int) -> dict[str, Any]:
     """A request; of every three two are meant to be allowed."""
-    draw = random.Random(seed)
-    odd = draw.choice([0.0, 0.0, 0.25])
-    body: dict[str, Any] = {}
-    kind = draw.random()
-    if kind < 0.45:
-        body["scenario"] = scenario(draw, odd)
-    elif kind < 0.75:
-        body["query"] = query(draw, odd)
-    elif kind < 0.85:
-        body["query"] = draw.choice(presets()).scenario.to_query()
-    elif kind < 0.95:
-        body["scenario"] = draw.choice(presets()).scenario.to_dict()
-    if draw.random() < 0.5:
-        body["changes"] = changes(draw, odd)
-    return plain(body)
+    random = Random(seed)
+    odd = random.choice([0.0, 0.0, 0.5])
+    preset = random.choice(presets()).scenario
+    bodies = [{}, {"query": preset.to_query()}, {"scenario": preset.to_dict()}]
+    bodies += 3 * [{"scenario": scenario(random, odd)}, {"query": query(random, odd)}]
+    body: dict[str, Any] = random.choice(bodies)
+    return plain({**body, "changes": changes(random, odd)} if random.random() < 0.5 else body)
 
 
 def given_of(scenario: hh.Scenario) -> dict[str, Any]:
     """A scenario as the page hands it to the kernel (`Given` of web/types.d.ts)."""
     hoop, plane, start, contact = scenario.hoop, scenario.plane, scenario.start, scenario.contact
-    state = start.state(hoop)
     bound: dict[str, Any] | None = None
     if contact.model == "compliant":
         names = ("stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol")
@@ -232,8 +122,8 @@ def given_of(scenario: hh.Scenario) -> dict[str, Any]:
     numbers = {
         **{name: getattr(hoop, name) for name in ("radius", "mass", "eccentricity", "inertia_ratio")},
         "ideal": hoop.load_fraction is not None,
-        **{name: getattr(plane, name) for name in SECTIONS["plane"] if name != "mu"},
-        **state._asdict(),
+        **{name: getattr(plane, name) for name in hh.Plane.model_fields if name != "mu"},
+        **start.state(hoop)._asdict(),
         "mode": start.mode,
         "rolling": start.speed is not None,
         "duration": scenario.duration,

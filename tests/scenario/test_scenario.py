@@ -119,7 +119,7 @@ def test_the_load_is_no_hole():
     assert load_distance(hh.Hoop.from_parts(0.5, [ring, hole, hh.PointMass(0.1, at=0.3)])) == 0.3
 
 
-@given(bodies())
+@given(bodies)
 def test_bodies_of_parts_obey_the_bound(body):
     radius, parts = body
     hoop = hh.Hoop.from_parts(radius, parts)

@@ -18,7 +18,7 @@ from strategies import said, scenarios
 # Files and links
 
 
-@given(scenarios())
+@given(scenarios)
 def test_files_and_links_give_the_same_scenario(scenario):
     keys = scenario.to_dict()
     assert hh.Scenario.from_dict(keys) == scenario
