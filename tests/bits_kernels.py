@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 import base64
-import hashlib
 import json
 import math
-import os
 import shutil
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterable, Sequence
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
-from filelock import FileLock
 
 import hophoop as hh
 from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
@@ -30,7 +26,7 @@ from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
-from hophoop.lab.wasm.stamp import HERE, MODULE, sources
+from hophoop.lab.wasm.stamp import HERE, MODULE
 from module.host import Host
 from module.module_tools import cell_of, given_of
 
@@ -48,34 +44,14 @@ NATIVE = ("motion", "samples", "compliant_motion", "compliant_samples")
 
 
 def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
-    """LLVM's code of entries, made in a process of its own: it leaves Numba unoptimised. Kept until the sources change."""
-    user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
-    folder = Path(tempfile.gettempdir()) / f"hophoop-code-{user}"
-    folder.mkdir(exist_ok=True)
-    name, stamp = short_hash(table, *sorted(names)), short_hash(sources(), version("numba"), version("llvmlite"))
-    file = folder / f"{name}-{stamp}.ll"
-    with FileLock(folder / f"{name}.lock"):  # other tests wait for the same
-        if not file.exists():
-            for older in folder.glob(f"{name}-*.ll"):
-                older.unlink()
-            with tempfile.TemporaryDirectory(dir=folder) as fresh:
-                made = Path(fresh) / "code.ll"
-                script = (
-                    "import sys; from pathlib import Path; import llvmlite.binding as llvm; "
-                    "from hophoop.kernel.build.processes import begin; "
-                    "begin(); from hophoop.kernel.build.browser import module_code; "
-                    "from hophoop.lab.wasm import entries; "
-                    f"chosen = {{name: entries.{table}[name] for name in {tuple(names)!r}}}; "
-                    "Path(sys.argv[1]).write_text(str(llvm.parse_bitcode(module_code(chosen))), encoding='utf-8')"
-                )
-                subprocess.run([sys.executable, "-c", script, str(made)], check=True)
-                made.replace(file)
-    return file.read_text(encoding="utf-8")
-
-
-def short_hash(*words: str) -> str:
-    """A part of a file's name."""
-    return hashlib.sha256(" ".join(words).encode()).hexdigest()[:16]
+    """LLVM's code of entries, made in a process of its own: it leaves Numba unoptimised."""
+    script = (
+        "import llvmlite.binding as llvm; from hophoop.kernel.build.processes import begin; "
+        "begin(); from hophoop.kernel.build.browser import module_code; from hophoop.lab.wasm import entries; "
+        f"chosen = {{name: entries.{table}[name] for name in {tuple(names)!r}}}; "
+        "print(llvm.parse_bitcode(module_code(chosen)))"
+    )
+    return subprocess.run([sys.executable, "-c", script], check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
 
 
 # --- a program -------------------------------------------------------------------------------------------------------

@@ -21,7 +21,6 @@ from hophoop.lab.wasm.layout import SAMPLE_COLUMNS
 
 FOLDER = Path(__file__).parent / "data" / "bits"
 SCENARIOS, HASHES = FOLDER / "scenarios.json", FOLDER / "hashes.json"
-TABLES = ("events", "samples", "ledger")
 LEDGER = ("kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "spring", "damping")
 LEDGER_FIELDS = ("status", "duration", *LEDGER, "residual")
 SAMPLES = 9
@@ -107,18 +106,13 @@ def bits_of(motion: hh.Trajectory) -> Bits:
     return Bits(
         event_rows(motion.tables["events"]),
         canonical(rows),
-        canonical([float(status_number(motion.status)), duration, *energies]),
+        canonical([float(Status[motion.status.upper()]), duration, *energies]),
     )
 
 
 def bits_of_heads(heads: Mapping[str, float], events: np.ndarray, samples: np.ndarray) -> Bits:
     """The same from what the module's entries wrote: heads, the kernel's records of events, rows of samples."""
     return Bits(event_rows(events), canonical(samples), canonical([heads[name] for name in LEDGER_FIELDS]))
-
-
-def status_number(word: str) -> int:
-    """The kernel's number of a status."""
-    return int(Status[word.upper()])
 
 
 # --- hashes ----------------------------------------------------------------------------------------------------------
@@ -133,41 +127,20 @@ def hash_of(tables: Iterable[np.ndarray]) -> str:
 
 
 def own_hashes(bits: Bits) -> list[str]:
-    """The hashes of one motion, in the order of `TABLES`."""
+    """The hashes of the three tables of one motion."""
     return [hash_of([table])[:DIGITS] for table in bits]
 
 
-def hashes_of(found: Sequence[Bits], kept: Sequence[Kept]) -> dict[str, Any]:
-    """What the file of hashes holds, from the bits of all motions in order."""
-    kinds = sorted({each.kind for each in kept})
-    by_kind = {kind: [bits for bits, each in zip(found, kept, strict=True) if each.kind == kind] for kind in kinds}
-    return {
-        **{name: hash_of(bits[place] for bits in found) for place, name in enumerate(TABLES)},
-        "kinds": {
-            kind: {name: hash_of(bits[place] for bits in part)[:DIGITS] for place, name in enumerate(TABLES)}
-            for kind, part in by_kind.items()
-        },
-        "motions": [" ".join(own_hashes(bits)) for bits in found],
-    }
+def hashes_text(found: Sequence[Bits]) -> str:
+    """The text of the file of hashes, one motion a line, from the bits of all motions in order."""
+    lines = ",\n".join(json.dumps(" ".join(own_hashes(bits))) for bits in found)
+    return f'{{\n "events": "{hash_of(bits.events for bits in found)}",\n "motions": [\n{lines}\n]}}\n'
 
 
-def hashes_text(told: Mapping[str, Any]) -> str:
-    """The file's text, one motion a line."""
-    head = {name: value for name, value in told.items() if name != "motions"}
-    lines = ",\n".join(json.dumps(line) for line in told["motions"])
-    return json.dumps(head, indent=1)[:-2] + f',\n "motions": [\n{lines}\n]}}\n'
-
-
-def differing(found: Mapping[int, Bits], tables: Sequence[str] = TABLES) -> dict[str, list[int]]:
-    """Motions whose bits are not the kept ones, by table; those that agree are left out."""
-    lines = [line.split() for line in kept_hashes()["motions"]]
-    result = {
-        name: [
-            index for index, bits in found.items() if own_hashes(bits)[TABLES.index(name)] != lines[index][TABLES.index(name)]
-        ]
-        for name in tables
-    }
-    return {name: indices for name, indices in result.items() if indices}
+def differing(found: Mapping[int, Bits]) -> list[int]:
+    """Motions whose bits are not the kept ones."""
+    lines = kept_hashes()["motions"]
+    return [index for index, bits in found.items() if own_hashes(bits) != lines[index].split()]
 
 
 def of_kinds(kept: Iterable[Kept], *kinds: str) -> list[Kept]:

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import bits_tools
@@ -27,34 +26,20 @@ def computed(kept: Iterable[Kept], mode: str) -> dict[int, Bits]:
 
 @pytest.mark.compiled
 def test_all_bits_are_the_kept_ones() -> None:
-    kept = kept_scenarios()
-    found = computed(kept, "compiled")
-    assert differing(found) == {}, SAY
-    assert bits_tools.hashes_of([found[each.index] for each in kept], kept) == kept_hashes(), SAY
+    found = computed(kept_scenarios(), "compiled")
+    assert differing(found) == [], SAY
+    assert bits_tools.hashes_text(list(found.values())) == bits_tools.HASHES.read_text(encoding="utf-8"), SAY
 
 
 def test_interpreted_motions_have_the_kept_bits() -> None:
     kept = of_kinds(kept_scenarios(every=24), "rigid", "border", "paradox", "resisted", "massless")
     assert len(kept) > 35
-    assert differing(computed(kept, "interpreted")) == {}
+    assert differing(computed(kept, "interpreted")) == []
 
 
 @pytest.mark.long
 def test_interpreted_motions_of_every_kind_have_the_kept_bits() -> None:
-    kept = kept_scenarios(every=25)
-    assert {each.kind for each in kept} == set(kept_hashes()["kinds"])
-    assert differing(computed(kept, "interpreted")) == {}
-
-
-def test_hashes_see_every_number_but_not_the_sign_of_zero_or_nan() -> None:
-    bits = bits_tools.bits_of(hh.simulate(hh.Scenario(duration=1.0)))
-    own = bits_tools.own_hashes(bits)
-    for place, table in enumerate(bits):
-        other = table.copy()
-        other.flat[-1] = np.nextafter(other.flat[-1], np.inf)
-        assert bits_tools.hash_of([other])[: bits_tools.DIGITS] != own[place]
-    strange = np.array([-0.0, np.copysign(np.nan, -1.0)])
-    assert bits_tools.canonical(strange).tobytes() == np.array([0.0, np.nan]).tobytes()
+    assert differing(computed(kept_scenarios(every=25), "interpreted")) == []
 
 
 def test_the_changelog_names_the_kept_bits() -> None:

@@ -72,26 +72,16 @@ def test_the_targets_are_read_without_numpy():
     assert python(code).returncode == 0
 
 
-def test_every_target_has_the_tag_of_its_system(module):
-    from hophoop.kernel.build.link import TARGETS
-
-    assert set(module.PLATFORMS) == set(TARGETS)
-    systems = {"linux": "manylinux", "musllinux": "musllinux", "macos": "macosx", "windows": "win"}
-    for name, target in TARGETS.items():
-        system, _, machine = name.partition("-")
-        tag = module.PLATFORMS[name]
-        assert tag.startswith(f"{systems[system]}_")
-        assert tag.endswith(f"_{machine}")
-        if system in ("linux", "macos"):  # the oldest C library or system that zig links for
-            assert tag.removeprefix(f"{systems[system]}_").startswith(target.zig.split(".", 1)[1].replace(".", "_"))
-
-
-def test_a_wheel_for_another_machine_has_its_tag(hook, built, monkeypatch):
+def test_a_wheel_for_another_machine_has_its_tag_and_the_files_of_this_build(hook, built, monkeypatch):
     monkeypatch.setenv("HOPHOOP_TARGET", "windows-amd64")
     data = made_by(hook)
-    assert data["tag"] == "py3-none-win_amd64"
-    assert data["pure_python"] is False
+    assert (data["tag"], data["pure_python"]) == ("py3-none-win_amd64", False)
     assert "windows-amd64" in built[0]
+    names = {"kernels.json", "kernels-v2-new.so", "kernels-v3-new.so"}
+    assert set(data["force_include"].values()) == {f"hophoop/kernel/library/{name}" for name in names}
+    assert all(Path(file).is_file() for file in data["force_include"])
+    hook.finalize("standard", data, "")
+    assert not any(Path(file).exists() for file in data["force_include"])
 
 
 def test_an_unknown_target_ends_the_build_with_a_sentence(hook, built, monkeypatch, capsys):
@@ -100,16 +90,6 @@ def test_an_unknown_target_ends_the_build_with_a_sentence(hook, built, monkeypat
         made_by(hook)
     assert "HOPHOOP_TARGET = 'amiga' must be one of linux-x86_64" in capsys.readouterr().err
     assert not built
-
-
-def test_only_the_files_of_this_build_are_packed(hook, built, monkeypatch):
-    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
-    data = made_by(hook)
-    names = {"kernels.json", "kernels-v2-new.so", "kernels-v3-new.so"}
-    assert set(data["force_include"].values()) == {f"hophoop/kernel/library/{name}" for name in names}
-    assert all(Path(file).is_file() for file in data["force_include"])
-    hook.finalize("standard", data, "")
-    assert not any(Path(file).exists() for file in data["force_include"])
 
 
 def test_an_editable_install_has_the_library_in_the_sources(module, built, tmp_path, monkeypatch):
@@ -121,33 +101,28 @@ def test_an_editable_install_has_the_library_in_the_sources(module, built, tmp_p
     assert (library / "kernels.json").is_file()
 
 
-def test_without_a_library_the_wheel_is_for_any_machine_and_says_its_cost(hook, built, monkeypatch, capsys):
-    monkeypatch.setenv("HOPHOOP_BUILD", "0")
+@pytest.mark.parametrize(
+    ("why", "said"),
+    [
+        ("not wanted", ["HOPHOOP_BUILD=0", "python -m hophoop.kernel.build"]),
+        ("no tools", ["ziglang is not installed", "python -m hophoop.kernel.build"]),
+        ("an older system, or 32 bits", ["This Python takes no "]),
+    ],
+)
+def test_without_a_library_the_wheel_is_for_any_machine_and_says_its_cost(module, hook, built, monkeypatch, capsys, why, said):
+    if why == "not wanted":
+        monkeypatch.setenv("HOPHOOP_BUILD", "0")
+    elif why == "no tools":
+        monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
+        monkeypatch.setattr(module, "find_spec", lambda name: None if name == "ziglang" else name)
+        monkeypatch.setattr(module, "which", lambda name: None)
+    else:
+        monkeypatch.setattr(module, "sys_tags", lambda: iter(()))
     assert made_by(hook) == {"force_include": {}}
     assert not built
-    said = capsys.readouterr().err
-    assert "HOPHOOP_BUILD=0" in said
-    assert "milliseconds instead of 20 µs" in said
-    assert "python -m hophoop.kernel.build" in said
-    assert hook.dependencies() == []
-
-
-def test_a_machine_without_tools_gets_no_library(module, hook, built, monkeypatch, capsys):
-    monkeypatch.setenv("HOPHOOP_TARGET", "linux-x86_64")
-    monkeypatch.setattr(module, "find_spec", lambda name: None if name == "ziglang" else name)
-    monkeypatch.setattr(module, "which", lambda name: None)
-    assert made_by(hook) == {"force_include": {}}
-    assert "ziglang is not installed" in capsys.readouterr().err
-    assert not built
-
-
-def test_a_python_that_would_not_take_the_wheel_gets_no_library(module, hook, built, monkeypatch, capsys):
-    """As of an older system, or of 32 bits."""
-    monkeypatch.setattr(module, "sys_tags", lambda: iter(()))
-    assert made_by(hook) == {"force_include": {}}
-    assert "milliseconds instead of 20 µs" in capsys.readouterr().err
-    assert not built
-    assert hook.dependencies() == []
+    told = capsys.readouterr().err
+    assert [words for words in [*said, "milliseconds instead of 20 µs"] if words not in told] == []
+    assert why == "no tools" or hook.dependencies() == []
 
 
 def test_the_build_asks_for_its_tools_where_numba_has_wheels(module, hook, monkeypatch):

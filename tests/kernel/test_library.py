@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import platform
 import shutil
 import sys
 from pathlib import Path
@@ -27,63 +25,31 @@ def told(folder: Path) -> dict:
     return json.loads((folder / native.MANIFEST).read_text(encoding="utf-8"))
 
 
-def test_no_entry_is_unknown_to_python():
-    """Each names a kernel, with as many arguments as it takes."""
-    from hophoop.kernel.entries import ENTRIES, kernel_named
-
-    for name, kinds in ENTRIES.items():
-        assert kernel_named(name).__code__.co_argcount == len(kinds), name
-
-
-def test_sources_are_those_that_the_build_reads():
-    files = [file.relative_to(sources.PACKAGE).as_posix() for file in sources.files()]
-    some = {"kernel/rigid/run.py", "kernel/numerics/tables.json", "maps/grid/kernel.py", "kernel/native/marks.py"}
-    assert some <= set(files)
-    assert all((sources.PACKAGE / file).is_file() for file in files)
-
-
-def check_interpreted(folder: Path, said: str) -> None:
-    """Run a motion with a library; it is computed by the sources, with one sentence on stderr."""
-    done = python(SHORT, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="auto")
-    assert (done.returncode, done.stdout) == (0, "R\n"), done.stderr
-    assert done.stderr.count("\n") == 1
-    assert said in done.stderr
-    forced = python(SHORT, HOPHOOP_LIBRARY=str(folder), HOPHOOP_KERNELS="compiled")
-    assert forced.returncode == 1
-    assert forced.stderr.splitlines()[-1].startswith("hophoop._support.errors.InputError: HOPHOOP_KERNELS = 'compiled': The ")
-
-
 @pytest.fixture
 def copied(tmp_path: Path) -> Path:
     """A copy of the library."""
     return Path(shutil.copytree(native.HERE, tmp_path / "library"))
 
 
-OWN, OLD = [sys.platform, platform.machine().lower()], {"sources": "0" * 32, "code": "0" * 32}
+OLD = {"sources": "0" * 32, "code": "0" * 32}
 # content of the manifest → why the library is not used
 CONTENTS = {
-    **dict.fromkeys(
-        [b"", b"{}", b"5", b"[]", b"null", b'"machine"', b"no json", b'{"machine": [', b"\xff\xfe{}", b"[" * 100_000,
-         b"\xef\xbb\xbf5"],
-        native.DAMAGED,
-    ),
+    **dict.fromkeys([b"", b"5", b'{"machine": [', b"\xff\xfe{}", b"[" * 100_000], native.DAMAGED),
     json.dumps(OLD | {"files": {"v2": "a"}, "entries": {}, "machine": ["beos", "ppc"]}).encode(): "are for beos ppc",
-}  # fmt: skip
+}
 # what is changed in the manifest → the same
 CHANGES = [
-    *(
-        (change, native.DAMAGED)
-        for change in (
-            {"machine": 5}, {"machine": [1, 2]}, {"machine": None}, {"sources": ["a"]}, {"files": {}}, {"files": []},
-            {"files": 7}, {"files": {"v2": 5}}, {"files": {"new": "none.so"}}, {"files": {"": ""}}, {"entries": []},
-            {"entries": None}, {"entries": {}}, {"entries": {RUN: 3}},
-            {"entries": {RUN: {"symbol": "none", "takes": [], "gives": None}}},
-            {"entries": {RUN: {"symbol": "hophoop_kernel_rigid_run_run", "takes": [5], "gives": "("}}},
-        )
-    ),
-    *(({"files": {"v2": name}}, "cannot be loaded") for name in ("absent.so", "", ".", "nul\0.so")),
+    ({"machine": 5}, native.DAMAGED),
+    ({"files": {"v2": 5}}, native.DAMAGED),
+    ({"files": {"new": "none.so"}}, native.DAMAGED),
+    ({"entries": []}, native.DAMAGED),
+    ({"entries": {}}, native.DAMAGED),
+    ({"entries": {RUN: {"symbol": "none", "takes": [], "gives": None}}}, native.DAMAGED),
+    ({"entries": {RUN: {"symbol": "hophoop_kernel_rigid_run_run", "takes": [5], "gives": "("}}}, native.DAMAGED),
+    ({"files": {"v2": "absent.so"}}, "cannot be loaded"),
+    ({"files": {"v2": "nul\0.so"}}, "cannot be loaded"),
     (OLD, f"The compiled kernels are older than their sources. To rebuild them: {native.BUILD}."),
-]  # fmt: skip
+]
 
 
 def test_a_library_that_does_not_fit_is_told_of_and_not_used(copied, monkeypatch):
@@ -104,12 +70,6 @@ def test_a_library_that_does_not_fit_is_told_of_and_not_used(copied, monkeypatch
     manifest.unlink()
     manifest.mkdir()
     assert why() == native.DAMAGED
-
-
-@pytest.mark.parametrize("change", [{"files": 7}, {"entries": {}}], ids=str)
-def test_a_damaged_library_is_told_of_once_and_the_sources_serve(change, copied):
-    (copied / native.MANIFEST).write_text(json.dumps(told(copied) | change))
-    check_interpreted(copied, "is damaged")
 
 
 def test_without_a_tool_the_build_says_so_and_leaves_what_there_is(tmp_path):
@@ -178,14 +138,6 @@ def test_libraries_are_built_and_what_has_not_changed_is_not_compiled_again(tmp_
     before = {file: file.stat().st_mtime_ns for file in cache.iterdir()}
     assert told(build("again", own_target())) == told(both / own_target())
     assert {file: file.stat().st_mtime_ns for file in cache.iterdir()} == before
-
-
-@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_cannot_be_written_to(tmp_path):
-    tmp_path.chmod(0o500)
-    done = started("-m", "hophoop.kernel.build", "--out", str(tmp_path / "there"))
-    assert done.returncode == 1
-    assert "Permission denied" in done.stderr
 
 
 EVERYTHING = """
@@ -266,12 +218,14 @@ def test_it_names_no_folder_of_the_machine_that_built_it():
             assert str(place).encode() not in content
 
 
-def test_a_library_that_is_cut_short_is_not_loaded(copied):
+def test_a_library_that_is_cut_short_is_told_of_once_and_the_sources_serve(copied):
     """The system may load half a file, and end the process where it reads the other half."""
     for name in told(copied)["files"].values():
         file = copied / name
         file.write_bytes(file.read_bytes()[:-100])
-    check_interpreted(copied, "is damaged")
+    done = python(SHORT, HOPHOOP_LIBRARY=str(copied), HOPHOOP_KERNELS="auto")
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (0, "R\n", 1), done.stderr
+    assert "is damaged" in done.stderr
 
 
 def test_a_numba_that_is_too_old_is_refused_and_a_new_one_is_told_of(capsys):
@@ -343,10 +297,6 @@ def test_the_library_of_each_level_gives_the_same_motion():
     for level in levels:
         done = python(LEVEL, HOPHOOP_KERNELS="compiled", HOPHOOP_LEVEL=level)
         assert (done.returncode, done.stdout.split()) == (0, [usual[0], level]), done.stderr
-
-
-@pytest.mark.compiled
-def test_an_unknown_level_is_refused():
     done = python(LEVEL, HOPHOOP_KERNELS="compiled", HOPHOOP_LEVEL="v9")
     assert done.returncode == 1
     assert "HOPHOOP_LEVEL = 'v9' must be one of v" in done.stderr.splitlines()[-1]

@@ -1,6 +1,7 @@
-"""Compute all motions of scenarios.json and write the hashes of their bits.
+"""Compute the motions of all scenarios of this folder and write the hashes of their bits.
 
-python tests/data/bits/generate.py
+The scenarios were drawn once, of all kinds mixed, so that any part of them is a sample. Doubles do not decide those of the
+kind `doubt`.
 """
 
 from __future__ import annotations
@@ -13,8 +14,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import bits_tools
 import hophoop as hh
 
-if __name__ == "__main__":
-    kept = bits_tools.kept_scenarios()
-    told = bits_tools.hashes_of([bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept], kept)
-    bits_tools.HASHES.write_text(bits_tools.hashes_text(told), encoding="utf-8")
-    print("events", told["events"])
+text = bits_tools.hashes_text([bits_tools.bits_of(hh.simulate(each.scenario)) for each in bits_tools.kept_scenarios()])
+bits_tools.HASHES.write_text(text, encoding="utf-8")
+print(text.partition('\n "motions"')[0])
