@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,33 +14,25 @@ DATA = Path(__file__).resolve().parent / "data"
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
-def simulate(case: Case, duration: float | None = None) -> hh.Trajectory:
-    """The program's motion for a case."""
-    hoop = hh.Hoop(
-        radius=case.radius,
-        mass=case.mass,
-        eccentricity=case.eccentricity,
-        inertia_ratio=case.inertia_ratio,
-    )
-    plane = hh.Plane(
-        gravity=case.gravity,
-        slope=case.slope,
-        mu_static=case.mu_static,
-        mu_kinetic=case.mu_kinetic,
-        rolling_resistance=case.rolling_resistance,
-        restitution=case.restitution,
-        impact_law=case.impact_law,
-        painleve=case.painleve,
-    )
+def scenario_of(case: Case, **plane: Any) -> hh.Scenario:
+    """The scenario of a case."""
+    hoop = {name: getattr(case, name) for name in ("radius", "mass", "eccentricity", "inertia_ratio")}
+    surface = {name: getattr(case, name) for name in hh.Plane.model_fields if name != "mu"} | plane
     if case.rolling:
         start = hh.Start.rolling(speed=case.vx, angle=case.angle, x=case.x)
     else:
-        start = hh.Start(x=case.x, height=case.height, angle=case.angle, vx=case.vx, vy=case.vy, omega=case.omega)
-    return hh.simulate(hoop, plane, start, duration=duration or case.duration)
+        start = hh.Start(**{name: getattr(case, name) for name in STATE})
+    return hh.Scenario(hoop=hh.Hoop(**hoop), plane=hh.Plane(**surface), start=start, duration=case.duration)
 
 
-def reference(name: str) -> dict[str, Any]:
-    """A reference motion, its numbers as floats."""
+def simulate(case: Case, duration: float | None = None) -> hh.Trajectory:
+    """The program's motion for a case."""
+    scenario = scenario_of(case)
+    return hh.simulate(scenario.replace("duration", duration) if duration else scenario)
+
+
+def reference(name: str, number: Callable[[str], Any] = float) -> dict[str, Any]:
+    """A reference motion, its numbers as floats or as something with more digits."""
 
     def numbers(thing: Any) -> Any:
         if isinstance(thing, dict):
@@ -47,7 +40,7 @@ def reference(name: str) -> dict[str, Any]:
         if isinstance(thing, list):
             return [numbers(item) for item in thing]
         try:
-            return float(thing) if isinstance(thing, str) else thing
+            return number(thing) if isinstance(thing, str) else thing
         except ValueError:
             return thing
 
@@ -90,21 +83,15 @@ def essential(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 def program_events(motion: hh.Trajectory) -> list[dict[str, Any]]:
     """The program's events in the oracles' form."""
-    listed = []
-    for event in motion.events:
-        listed.append(
-            {
-                "t": event.t,
-                "kind": event.kind,
-                "from": event.from_mode,
-                "to": event.to_mode,
-                **{name: getattr(event, name) for name in STATE},
-                "before": {name: getattr(event.before, name) for name in ("vx", "vy", "omega")},
-                "impulse": {"normal": event.impulse_normal, "tangential": event.impulse_tangential},
-                "friction": event.friction,
-                "impact_normal": event.impact_normal,
-                "impact_tangential": event.impact_tangential,
-                "collision": event.collision,
-            }
-        )
-    return listed
+    velocities = ("vx", "vy", "omega")
+    names = ("t", *STATE, "kind", "friction", "impact_normal", "impact_tangential", "collision")
+    return [
+        {
+            **{name: getattr(event, name) for name in names},
+            "from": event.from_mode,
+            "to": event.to_mode,
+            "before": {name: getattr(event.before, name) for name in velocities},
+            "impulse": {"normal": event.impulse_normal, "tangential": event.impulse_tangential},
+        }
+        for event in motion.events
+    ]

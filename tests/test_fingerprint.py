@@ -61,29 +61,18 @@ def test_one_bit_of_any_number_and_the_kind_count():
     assert len(found) == 3 + 16
 
 
-def test_zeros_and_nans_have_one_form():
-    nans = [
-        struct.unpack("<d", bytes.fromhex(bits))[0] for bits in ("010000000000f87f", "000000000000f8ff", "000000000000f87f")
-    ]
-    found = {fingerprint(["end"], [[nan, zero] * 4]) for nan in nans for zero in (0.0, -0.0)}
-    assert found == {hashlib.sha256(b"end" + 4 * (QUIET_NAN + bytes(8))).hexdigest()[:16]}
-
-
-def test_what_it_is_given_stays_as_it_is():
-    states = np.array([[-0.0, math.nan, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]])
-    before = states.tobytes()
-    fingerprint(["end"], states)
-    assert states.tobytes() == before
+def test_zeros_and_nans_have_one_form_and_what_is_given_stays_as_it_is():
+    nans = np.frombuffer(bytes.fromhex("010000000000f87f" + "000000000000f8ff" + "000000000000f87f"), "<f8")
+    for nan in nans:
+        given = np.array([[nan, -0.0, nan, 0.0] * 2])
+        before = given.tobytes()
+        assert fingerprint(["end"], given) == hashlib.sha256(b"end" + 4 * (QUIET_NAN + bytes(8))).hexdigest()[:16]
+        assert given.tobytes() == before
 
 
 def test_each_event_has_eight_numbers():
     with pytest.raises(ValueError, match="argument"):
         fingerprint(["start", "end"], np.zeros((1, 8)))
-
-
-def test_other_scenarios_have_other_fingerprints():
-    speeds = np.linspace(1.0, 3.0, 40)
-    assert len({hh.simulate(hh.Scenario(start=hh.Start.rolling(v), duration=1.0)).fingerprint for v in speeds}) == 40
 
 
 def test_the_form_of_one():

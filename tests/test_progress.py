@@ -40,13 +40,6 @@ def test_a_compliant_motion_reports_its_share(monkeypatch):
     assert motion.tables["segments"].tobytes() == hh.simulate(SOFT).tables["segments"].tobytes()
 
 
-@pytest.mark.parametrize("more", [{}, {"digits": 15}])
-def test_a_rigid_motion_reports_its_end(more):
-    shares = []
-    hh.simulate(hh.Scenario(duration=0.5), progress=shares.append, **more)
-    assert shares == [1.0]
-
-
 def test_an_error_of_the_computation_is_raised():
     def breaks(share):
         raise ValueError("hoop.radius is wrong.")
@@ -72,17 +65,14 @@ def test_a_bar_counts(terminal, capsys):
     assert "4/40" in said
 
 
-def test_there_is_no_bar_without_a_terminal(monkeypatch, capsys):
+def test_there_is_no_bar_without_a_terminal_or_if_switched_off(monkeypatch, capsys):
     monkeypatch.setattr(Console, "is_terminal", False)
     with reporting.bar("frames") as report:
         assert report is None
-    assert "motion" not in run("run --set contact.model=compliant --duration 0.1").stderr
-    assert capsys.readouterr() == ("", "")
-
-
-def test_a_bar_can_be_switched_off(terminal):
+    monkeypatch.setattr(Console, "is_terminal", True)
     with reporting.bar("frames", quiet=True) as report:
         assert report is None
+    assert capsys.readouterr() == ("", "")
 
 
 def test_a_map_shows_its_cells_and_their_rate(terminal, capfd):
@@ -90,8 +80,3 @@ def test_a_map_shows_its_cells_and_their_rate(terminal, capfd):
     shown = capfd.readouterr().err
     assert "6/6" in shown
     assert "per second" in shown
-
-
-def test_without_a_terminal_a_map_shows_nothing(capfd):
-    hh.maps.sweep(None, {"start.speed": [1.0, 2.0], "plane.mu": [0.5, 1.0]}, progress=True)
-    assert capfd.readouterr().err == ""

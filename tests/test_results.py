@@ -4,8 +4,6 @@ import dataclasses
 import math
 import pickle
 import re
-import subprocess
-import sys
 import typing
 
 import pytest
@@ -35,12 +33,6 @@ def test_another_name_has_none(name):
         units.of(name)
 
 
-def test_all_numbers_of_events_and_ledgers_have_one():
-    units = Units(1.0, 1.0, 1.0)
-    names = {name.removeprefix("before_") for name in quantities.EVENT_UNITS} | set(Ledger.__dataclass_fields__)
-    assert {name: units.of(name) for name in names} == dict.fromkeys(names, 1.0)
-
-
 @pytest.mark.parametrize("result", [EventErrors, EventRecord, Ledger, Sample, Velocity])
 def test_the_table_of_quantities_has_the_numbers_of_each_result(result):
     words = {"kind", "from_mode", "to_mode", "before", "collision", "stable", "digits_right"}
@@ -56,46 +48,6 @@ def test_derivatives_have_the_units_of_the_table():
     for column, _, exponents in DIRECT.values():
         size = math.prod(unit**power for unit, power in zip((2.0, 3.0, 5.0), exponents, strict=True))
         assert size == pytest.approx(sizes[column.removeprefix("before_")], rel=1e-15)
-
-
-ADDED = """
-import sys, types
-from pathlib import Path
-from hophoop.kernel.physics.body import Scales
-
-# the two files that a new quantity of a sample is written into: the table, and the result that has it
-path = Path({path!r})
-row = 'TABLE: Final = (\\n    Quantity("momentum", "impulse", "Momentum of the centre", ("Sample",)),'
-source = path.read_text(encoding="utf-8").replace("TABLE: Final = (", row, 1)
-module = types.ModuleType("hophoop.vocabulary.quantities")
-sys.modules[module.__name__] = module
-exec(compile(source, str(path), "exec"), module.__dict__)
-from hophoop.results.records import Sample
-Sample.momentum = property(lambda sample: 2.0 * sample.vx)
-
-import hophoop as hh
-from hophoop.lab import tables
-from hophoop.results import save
-motion = hh.simulate(hh.Hoop(mass=2.0), duration=0.5)
-save.write_csv(motion, sys.argv[1], [0.1])
-print(Path(sys.argv[1]).read_text(encoding="utf-8").splitlines()[0])
-print(motion.units.of("momentum") == motion.units.scales.impulse)
-print(dict(save.to_xarray(motion, [0.1]).momentum.attrs))
-print(tables.tables()["table"]["variables"]["momentum"])
-"""
-
-
-def test_a_new_quantity_needs_two_files(tmp_path):
-    """A row of the table and an attribute of the result: files, units and the page's table follow."""
-    pytest.importorskip("xarray")
-    code = ADDED.format(path=quantities.__file__)
-    done = subprocess.run([sys.executable, "-c", code, str(tmp_path / "a.csv")], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    header, sized, described, shown = done.stdout.splitlines()
-    assert "momentum [N s]" in header
-    assert sized == "True"
-    assert described == "{'units': 'N s', 'long_name': 'Momentum of the centre'}"
-    assert shown == "N s"
 
 
 @pytest.fixture(scope="module")
@@ -161,23 +113,9 @@ def test_events_are_printed_as_the_command_line_does(hop):
 def test_events_are_a_tuple_still(hop):
     events = hop.events
     assert isinstance(events, tuple)
-    assert events == tuple(events)
-    assert hash(events) == hash(tuple(events))
-    assert pickle.loads(pickle.dumps(events)) == events
-    found = hop.find("takeoff")
-    assert isinstance(found, tuple)
-    assert "315.6372" in repr(found)
+    assert events == tuple(events) == pickle.loads(pickle.dumps(events))
+    assert "315.6372" in repr(hop.find("takeoff"))
     assert repr(hop.find("jam")) == "()"
-
-
-def test_columns_are_straight(hop):
-    """θ̇ is two characters and takes one place."""
-    head, rule, *rows = event_table.text_table(hop.events).splitlines()
-    assert head.replace("\u0307", "").index("θ (rad/s)") + len("θ (rad/s)") == rule.rindex("  ")
-    ends = [match.end() for match in re.finditer("─+", rule)]
-    for row in rows:
-        assert all(row[end : end + 2].strip() == "" for end in ends)
-        assert row[ends[-2] - 1].isdigit()
 
 
 def test_a_wide_table_leaves_columns_out():
@@ -188,11 +126,7 @@ def test_a_wide_table_leaves_columns_out():
     assert max(map(tables.length, lines)) <= 100
     assert "slip (m/s)" not in lines[0]
     assert lines[-1] == "Not shown for want of width: slip (m/s)."
-    every = event_table.text_table(motion.events, width=1000)
-    assert "slip (m/s)" in every
-    assert "Not shown" not in every
-    narrow = event_table.text_table(motion.events, width=40)
-    assert words_in(narrow.splitlines()[0])[:2] == ["t (s)", "event"]
+    assert "slip (m/s)" in event_table.text_table(motion.events, width=1000)
 
 
 def test_a_long_table_has_its_first_and_last_rows():
@@ -209,53 +143,42 @@ def test_a_long_table_has_its_first_and_last_rows():
 # What results print
 
 
-@pytest.fixture(scope="module")
-def printed(hop) -> dict[str, object]:
-    uncertainty = hop.uncertainty({"plane.mu": 0.01})
-    short = hh.Scenario(duration=0.5)
-    return {
-        "ledger": hop.ledger,
-        "sample": hop.at(1.9),
-        "samples": hop.at(hop.times(500)),
-        "no samples": hop.at([]),
-        "errors": hop.errors,
-        "phase": next(iter(hh.phases(hop.scenario))),
-        "margins": next(iter(hh.phases(hop.scenario))).begin,
-        "plan": hh.plan(hop.scenario),
-        "sensitivity": hop.sensitivity(["takeoff.angle", "hop.height"], ["start.speed", "plane.mu"]),
-        "deviations": uncertainty.at(hop.times(50)),
-        "proof": hh.prove.prove(short),
-        "part of a proof": hh.prove.prove(hh.Scenario(duration=60.0, start=hh.Start.rolling(2.8)), seconds=1e-9),
-        "agreement": hh.precise.compare(hop, hh.simulate(hop.scenario, digits=20)),
-        "event": hop.events[1],
-    }
+PRINTED = {
+    "ledger": lambda hop: hop.ledger,
+    "sample": lambda hop: hop.at(1.9),
+    "samples": lambda hop: hop.at(hop.times(500)),
+    "no samples": lambda hop: hop.at([]),
+    "errors": lambda hop: hop.errors,
+    "phase": lambda hop: next(iter(hh.phases(hop.scenario))),
+    "margins": lambda hop: next(iter(hh.phases(hop.scenario))).begin,
+    "plan": lambda hop: hh.plan(hop.scenario),
+    "sensitivity": lambda hop: hop.sensitivity(["takeoff.angle", "hop.height"], ["start.speed", "plane.mu"]),
+    "deviations": lambda hop: hop.uncertainty({"plane.mu": 0.01}).at(hop.times(50)),
+    "proof": lambda hop: hh.prove.prove(hh.Scenario(duration=0.5)),
+    "part of a proof": lambda hop: hh.prove.prove(hh.Scenario(duration=60.0, start=hh.Start.rolling(2.8)), seconds=1e-9),
+    "agreement": lambda hop: hh.precise.compare(hop, hh.simulate(hop.scenario, digits=20)),
+    "event": lambda hop: hop.events[1],
+}
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["ledger", "sample", "samples", "no samples", "errors", "phase", "margins", "plan", "sensitivity", "deviations", "proof",
-     "part of a proof", "agreement", "event"],
-)  # fmt: skip
-def test_a_result_prints_a_few_lines(printed, name):
-    text = repr(printed[name])
+@pytest.mark.parametrize("name", PRINTED)
+def test_a_result_prints_a_few_lines_and_is_a_table_in_notebooks(hop, name):
+    result = PRINTED[name](hop)
+    text = repr(result)
     assert text.startswith("<")
     assert len(text) < 1200
-    lines = text.splitlines()
-    assert len(lines) <= 15
-    assert max(map(len, lines)) <= 160
+    assert len(text.splitlines()) <= 15
+    assert max(map(len, text.splitlines())) <= 160
     assert not re.search(r"array|dtype|np\.|Decimal", text)
+    if name in ("ledger", "sample", "samples", "plan", "sensitivity", "proof"):
+        page = result._repr_html_()
+        assert page.count("<table>") == page.count("</table>") == 1
+        assert 2 <= page.count("<tr>") <= 25
+        assert len({row.count("<td") for row in page.split("<tr>")[2:]}) == 1
 
 
-@pytest.mark.parametrize("name", ["ledger", "sample", "samples", "plan", "sensitivity", "proof"])
-def test_a_result_is_a_table_in_notebooks(printed, name):
-    page = printed[name]._repr_html_()
-    assert page.count("<table>") == page.count("</table>") == 1
-    assert 2 <= page.count("<tr>") <= 25
-    assert len({row.count("<td") for row in page.split("<tr>")[2:]}) == 1
-
-
-def test_the_two_losses_to_friction_have_two_names(printed):
-    text = repr(printed["ledger"])
+def test_the_two_losses_to_friction_have_two_names(hop):
+    text = repr(hop.ledger)
     assert re.search(r"friction +1\.3938 J +Energy lost in slip so far\n", text)
     assert re.search(
         r"friction_loss +3\.75269 J +Energy lost to friction, in slip and in the tangential part of impacts\n", text

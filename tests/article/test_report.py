@@ -123,12 +123,6 @@ def test_formulas_of_the_report_hold_and_changed_ones_do_not(name):
         assert not holds(name, wrong), wrong
 
 
-def test_the_reader_of_formulas():
-    assert sides(r"x=\frac{1}{2}a(b+c)^2-\sin\theta", {"x": 3.0, "a": 2.0, "b": 1.0, "c": 1.0, "\\theta": 0.0}) == (3.0, 4.0)
-    with pytest.raises(AssertionError, match="is left"):
-        sides("x=a)", {"x": 1.0, "a": 1.0})
-
-
 def called(macro):
     """What the story calls a macro with."""
     return re.findall(rf'{{{{ {macro}\("(\w+)"\) }}}}', STORY)

@@ -44,8 +44,7 @@ def whole(tmp_path_factory):
 @pytest.mark.compiled
 def test_a_map_stopped_at_random_moments_is_the_same_in_the_end(tmp_path):
     finished(tmp_path / "whole.zarr")
-    came = kill_at_random(tmp_path / "whole.zarr", tmp_path / "map.zarr", 3)
-    assert came["SIGKILL"] == came["SIGTERM"] == came["SIGINT"] == 1
+    kill_at_random(tmp_path / "whole.zarr", tmp_path / "map.zarr")
 
 
 # --- two at once -----------------------------------------------------------------------------------

@@ -17,12 +17,12 @@ from hophoop.precise.contact import advance
 from hophoop.precise.jam import approach, ending
 from hophoop.precise.problem import Body, Problem
 from hophoop.precise.series import Judge
-from oracle_program import essential, highest_apexes
+from oracle_program import essential, highest_apexes, scenario_of
 from oracles import elliptic
 from oracles import precise as oracle
 from oracles.cases import CASES, JAM, by_name
 from oracles.cases import rolling as rolling_case
-from precise_tools import HOOP, STATE, events_of, precise, rolling, scenario_of, stored
+from precise_tools import HOOP, STATE, events_of, precise, rolling, stored
 
 COUNTED = [case.name for case in CASES if not case.rest_below]
 ENDLESS = [case.name for case in CASES if case.rest_below]

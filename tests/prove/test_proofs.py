@@ -11,7 +11,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.prove import check, prove
-from precise_tools import scenario_of
+from oracle_program import scenario_of
 from prove_tools import NUMBERS, contradiction
 from random_scenarios import draw
 from random_scenarios import scenario_of as random_scenario
