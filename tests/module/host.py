@@ -27,8 +27,7 @@ class Host:
         engine = wasmtime.Engine()
         self.store = wasmtime.Store(engine)
         module = wasmtime.Module.from_file(engine, str(path))
-        self.imports = [f"{item.module}.{item.name}" for item in module.imports]
-        self.exports: Any = wasmtime.Instance(self.store, module, []).exports(self.store)
+        self.exports: Any = wasmtime.Instance(self.store, module, []).exports(self.store)  # it imports nothing
         self.exports["_initialize"](self.store)
         self.events, self.segments = np.empty(0, EVENT), np.empty(0, SEGMENT)
 

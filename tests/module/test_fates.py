@@ -60,27 +60,7 @@ def assert_same(host: Host, scenario: hh.Scenario) -> str:
 
 
 def test_fates_of_random_motions_are_the_same(host: Host) -> None:
-    drawn = scenarios(60)
-    fates = Counter(assert_same(host, scenario) for scenario in drawn)
-    assert {Fate.ROCKS, Fate.RESTS, Fate.GAIT, Fate.RUNS_AWAY} <= fates.keys()
-    judgement = hh.gaits.fates(drawn, MOST)
-    assert Counter(judgement.fates) == fates
-
-
-def test_a_gait_in_the_module_has_the_state_that_repeats(host: Host) -> None:
-    """A start with the speed of rotation that the page takes comes back with it after each revolution."""
-    plane = hh.Plane(slope=math.radians(3.0))
-    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=plane, start=hh.Start.rolling(2.0))
-    found = host.fate(cell_of(scenario), 2000)
-    assert (FATE_CODES[int(found["fate"])], found["period"], found["hops"], found["turns"]) == (Fate.GAIT, 1.0, 1.0, 1.0)
-    begin = hh.Start.rolling(found["final_omega"] * scenario.hoop.radius, angle=math.pi)
-    again = hh.passages(scenario.replace("start", begin), 3)
-    assert again.omega == pytest.approx(found["final_omega"], rel=1e-9)
-    assert again.distance[-1] / np.diff(again.t)[-1] == pytest.approx(found["mean_speed"], rel=1e-9)
-
-
-def test_chaos_is_said_by_the_module(host: Host) -> None:
-    plane = hh.Plane(slope=math.radians(4.0))
-    found = host.fate(cell_of(hh.Scenario(plane=plane, start=hh.Start.rolling(2.0))), MOST)
-    assert FATE_CODES[int(found["fate"])] == Fate.CHAOTIC
-    assert 0.4 < found["lyapunov"] < 0.7
+    """And of one that is chaotic."""
+    chaotic = hh.Scenario(plane=hh.Plane(slope=math.radians(4.0)), start=hh.Start.rolling(2.0))
+    fates = Counter(assert_same(host, scenario) for scenario in [*scenarios(60), chaotic])
+    assert {Fate.ROCKS, Fate.RESTS, Fate.GAIT, Fate.RUNS_AWAY, Fate.CHAOTIC} <= fates.keys()

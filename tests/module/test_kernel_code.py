@@ -73,23 +73,6 @@ def test_code_asks_for_nothing_inexact(table: str) -> None:
     assert not strange({name for name in names if not INTRINSIC.match(name)})
 
 
-def test_fused_instructions_and_calls_are_seen() -> None:
-    lines = {
-        "\tvfmadd213sd\t%xmm0, %xmm1, %xmm2": "vfmadd213sd",
-        "\tvfnmsub231pd\t(%rax), %ymm1, %ymm2": "vfnmsub231pd",
-        "\tfmadd\td0, d1, d2, d3": "fmadd",
-        "\tfmla\tv0.2d, v1.2d, v2.2d": "fmla",
-    }
-    for line, name in lines.items():
-        assert fused(f"motion:\n{line}\n") == {name: 1}
-    assert not fused("motion:\n\tfmul\td0, d1, d2\n\tvmulsd\t%xmm0, %xmm1, %xmm2\n\tfmax\td0, d1, d2\n")
-    calls = (
-        "motion:\n\tcallq\tsin@PLT\n\tbl\t_exp\n\tcall\tpow@plt\n\ttail\tfma\n\tb\t.LBB0_1\n\tbl\tmotion\n\tcallq\tfloor@PLT\n"
-    )
-    assert strange(called(calls)) == {"sin", "exp", "pow", "fma"}
-    assert LOOSE.search("%4 = fmul contract double %2, %3")
-
-
 @pytest.mark.long
 @pytest.mark.timeout(900)
 def test_another_processor_gives_the_kept_bits(tmp_path: Path) -> None:

@@ -10,7 +10,6 @@ import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 from types import FunctionType
 
@@ -18,7 +17,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop._support.extras import install_command
 from hophoop.derivatives import transform
 from hophoop.kernel.build import __main__ as builder
 from hophoop.kernel.build import browser, link, lowering
@@ -29,7 +27,7 @@ from hophoop.kernel.records.cells import Cell, Contact
 from hophoop.kernel.records.layout import MOST_PANELS
 from hophoop.kernel.records.refusal import Refusal, refusal
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
-from hophoop.lab.wasm.layout import EVENT_COLUMNS, layout
+from hophoop.lab.wasm.layout import layout
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped
 from hophoop.scenario.scenario import contact_of
 
@@ -58,9 +56,9 @@ def source_file(kernel) -> Path:
     return Path(sys.modules[tangent[1]].__file__ if tangent else name)
 
 
-def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
-    entries = [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]
-    found, waiting = set(), [kernel for kernel, _ in entries]
+def test_the_stamp_holds_all_that_decides_the_bytes_and_entries_call_kernels_alone() -> None:
+    """What is called and is no kernel cannot be compiled, nor is it in the stamp."""
+    found, waiting = set(), [kernel for kernel, _ in [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]]
     while waiting:
         kernel = waiting.pop()
         if kernel not in found:
@@ -70,37 +68,11 @@ def test_the_stamp_holds_all_that_decides_the_bytes() -> None:
     assert len(files) > 50
     compiling = {Path(module.__file__) for module in (browser, link, lowering, marks, transform)} | {link.RUNTIME}
     assert (files | compiling) - set(stamped()) == set()
-
-
-def test_the_entries_call_nothing_but_kernels() -> None:
-    """What is called and is no kernel cannot be compiled, nor is it in the stamp."""
-    found, waiting = set(), [kernel for kernel, _ in [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]]
-    while waiting:
-        kernel = waiting.pop()
-        if kernel not in found:
-            found.add(kernel)
-            waiting += called(kernel)
     plain = set()
     for function in map(marks.source_of, found):
         values = [function.__globals__.get(name) for name in function.__code__.co_names]
         plain |= {value for value in values if isinstance(value, FunctionType) and value.__module__.startswith("hophoop")}
     assert {function.__qualname__ for function in plain if not is_kernel(function)} == set()
-
-
-@pytest.mark.parametrize("missing", ["numba", "ziglang"])
-def test_the_builder_asks_for_what_it_needs_before_it_compiles(missing, monkeypatch, tmp_path, capsys) -> None:
-    def found(name: str) -> str:
-        if name == missing:
-            raise PackageNotFoundError(name)
-        return "1"
-
-    monkeypatch.setattr(builder, "version", found)
-    monkeypatch.setattr(builder, "zig_version", lambda: found("ziglang"))
-    monkeypatch.setattr(builder, "workers", lambda: pytest.fail("it compiles"))
-    assert builder.main(["browser", "--out", str(tmp_path)]) == 1
-    said = capsys.readouterr().err
-    assert said == f"Error: building needs {missing}: {install_command('build')}. The previous build remains.\n"
-    assert not list(tmp_path.iterdir())
 
 
 def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path) -> None:
@@ -121,26 +93,12 @@ def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path) -> 
     assert {file.name for file in out.iterdir()} == {MODULE, DERIVATIVES, LAYOUT}
 
 
-def test_it_imports_nothing(host: Host) -> None:
-    assert host.imports == []
-
-
 def test_a_motion_ends_by_its_budget_whatever_is_asked(host: Host) -> None:
     heads, events = host.motion(cell_of(hh.Scenario(duration=1e6)))
     assert heads["status"] == Status.EVENT_LIMIT
     assert heads["panels"] <= MOST_PANELS + 100  # the last step counts itself, and each width that it tries
     assert 1e3 < heads["duration"] < 1e6  # what was computed is told
     assert events[-1, 0] == heads["duration"]
-
-
-def test_states_beside_events_are_on_their_side(host: Host) -> None:
-    scenario = hh.Scenario()
-    cell = cell_of(scenario)
-    _, events = host.motion(cell)
-    times = events[:, 0].copy()
-    after, before = host.samples(cell, times), host.samples(cell, times[1:], left=True)
-    assert np.array_equal(after[:-1, 0], events[:-1, EVENT_COLUMNS.index("to_mode")])
-    assert np.array_equal(before[:, 0], events[1:, EVENT_COLUMNS.index("from_mode")])
 
 
 def test_it_refuses_what_the_library_refuses(host: Host) -> None:
