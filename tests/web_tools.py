@@ -24,12 +24,6 @@ needs_node = pytest.mark.skipif(
 )
 
 
-def source(name: str) -> Path:
-    """The file of web/lab with this name, whichever folder it is in."""
-    (path,) = (WEB / "lab").rglob(name)
-    return path
-
-
 @functools.cache
 def bundled(path: Path) -> str:
     """A module and all that it imports, as one text that Node runs."""

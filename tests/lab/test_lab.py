@@ -9,6 +9,8 @@ import hophoop as hh
 from hophoop.lab.api import files, limits
 from hophoop.lab.site import controls, export
 from hophoop.scenario import InputError, paths
+from model.test_page_model import answers
+from web_tools import english, needs_node
 
 HOP = hh.Scenario()
 
@@ -99,3 +101,20 @@ def test_the_page_asks_for_nothing_from_elsewhere():
         text = export.static_text(name)
         text = text.replace("\\\n", "")  # long lines are broken, also within a string
         assert not re.findall(r"https?://(?!www\.w3\.org/(?:2000/(?:svg|xmlns)|1999/xlink)\b)[^\s\"'`]+", text)
+
+
+# What theory says
+
+
+@needs_node
+def test_theory_says_what_can_be_said_on_every_slope():
+    scenarios = [{"plane": {"slope": math.radians(23.0)}}, {"plane": {"slope": -0.1}}, {}]
+    asked = [{"scenario": keys} for keys in scenarios]
+    said = [answer["value"] for answer in answers("theory", asked)]
+    steep, uphill, level = ({row["key"]: english(row["text"]) for row in rows} for rows in said)
+    assert steep["first_slip"] == "would slip: any push is enough"
+    for text in steep.values():
+        assert "e-" not in text
+    assert "no single threshold uphill" in uphill["uphill"]
+    assert level["first_slip"] == "would slip above 2.043 m/s"
+    assert "uphill" not in level

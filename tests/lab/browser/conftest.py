@@ -2,6 +2,7 @@
 
 import functools
 import http.server
+import json
 import os
 import threading
 from importlib.util import find_spec
@@ -53,48 +54,70 @@ def site_address(site_folder):
     server.server_close()
 
 
+@pytest.fixture(scope="session")
+def windows(browser):
+    """Pages that stay open from test to test, as a new context costs more than most tests, by the kind of window."""
+    kept = {}
+    yield kept
+    for page in kept.values():
+        page.context.close()
+
+
 @pytest.fixture
-def visit(browser, address, request):
-    """Opens a page; at the end nothing may have gone wrong in any of them."""
-    contexts, troubles = [], []
+def visit(browser, windows, address, request):
+    """Opens a page, with empty storage; at the end nothing may have gone wrong in any of them.
+
+    A test that adds routes or scripts to its page asks for one of its `own`.
+    """
+    contexts, heard, troubles = [], [], []
     seed = getattr(request, "param", None) or DELAYS
 
-    def trouble(kind, text):
-        troubles.append(f"{kind}: {text}")
-
-    def open_page(query="", ready=True, expected=(), script="", simple=False, **options):
+    def open_page(query="", ready=True, expected=(), script="", simple=False, own=False, **options):
         options.setdefault("viewport", {"width": 1440, "height": 900})
-        context = browser.new_context(**options)
-        contexts.append(context)
-        page = context.new_page()
-        page.set_default_timeout(PATIENCE)
-        if seed:  # a slower processor, for this page alone
-            context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
-        if seed:
-            page.add_init_script(delaying(int(seed)))
-        if not simple:
-            page.add_init_script(EVERYTHING)
-        if script:
-            page.add_init_script(script)
-        page.on("pageerror", lambda error: trouble("page", error))
-        page.on(
-            "console",
-            lambda said: (
-                said.type == "error" and not any(part in said.text for part in expected) and trouble("console", said.text)
-            ),
-        )
-        page.on("request", lambda request: check(request.url))
+        kind = None if own or script or seed else json.dumps([simple, options], sort_keys=True)
+        page = windows.get(kind)
+        if page is None:
+            page = browser.new_context(**options).new_page()
+            page.set_default_timeout(PATIENCE)
+            if seed:  # a slower processor, for this page alone
+                page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
+                page.add_init_script(delaying(int(seed)))
+            if not simple:
+                page.add_init_script(EVERYTHING)
+            if script:
+                page.add_init_script(script)
+            if kind:
+                windows[kind] = page
+            else:
+                contexts.append(page.context)
+        page.set_viewport_size(options["viewport"])
+
+        def console(said):
+            if said.type == "error" and not any(part in said.text for part in expected):
+                troubles.append(f"console: {said.text}")
+
+        def asked(request):
+            parts = urlsplit(request.url)
+            if parts.scheme in ("http", "https", "ws", "wss") and parts.hostname != "127.0.0.1":
+                troubles.append(f"left loopback: {request.url}")
+
+        hears = {"pageerror": lambda error: troubles.append(f"page: {error}"), "console": console, "request": asked}
+        for name, hear in hears.items():
+            page.on(name, hear)
+        heard.append((page, hears))
         page.goto(address + query)
         if ready:
             page.wait_for_selector("[data-ready]")
         return page
 
-    def check(url):
-        parts = urlsplit(url)
-        if parts.scheme in ("http", "https", "ws", "wss") and parts.hostname != "127.0.0.1":
-            trouble("left loopback", url)
-
     yield open_page
+    for page, hears in heard:
+        page.evaluate("0")  # what was said before is heard
+        for name, hear in hears.items():
+            page.remove_listener(name, hear)
+    for page in {page for page, _ in heard} & set(windows.values()):
+        page.goto(f"{address}static/x")  # nothing, which writes no more
+        page.evaluate("localStorage.clear(); sessionStorage.clear()")
     for context in contexts:
         context.close()
     assert troubles == []

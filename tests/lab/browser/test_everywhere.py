@@ -2,7 +2,7 @@
 
 import pytest
 
-from lab_page_tools import PHONE, SHOWN, accessible, picture, wait_for
+from lab_page_tools import PHONE, SETTLED, SHOWN, accessible, picture, wait_for
 
 WHERE = {
     "desktop": {},
@@ -37,12 +37,6 @@ STATES = {
 }
 
 
-@pytest.fixture(scope="module")
-def address(site_address):
-    """The page that computes by itself."""
-    return site_address
-
-
 @pytest.mark.parametrize(
     ("where", "locale"),
     [place if place == ("phone", "en") else pytest.param(*place, marks=pytest.mark.long) for place in PLACES],
@@ -53,7 +47,7 @@ def test_everyone_can_use_it(visit, where, locale):
     assert page.evaluate("hophoopLab.root.dataset.theme") == ("dark" if where == "dark" else "light")
     for name, action in STATES.items():
         page.evaluate(f"async () => {{ const {{ extras }} = hophoopLab; await {action}; }}")
-        page.wait_for_timeout(300)
+        wait_for(page, f"{SETTLED} && (!lab.extras.more.on || lab.extras.more.changes)")
         wide = page.evaluate("[document.documentElement.scrollWidth, innerWidth]")
         assert wide[0] <= wide[1], name
         assert accessible(page) == [], name

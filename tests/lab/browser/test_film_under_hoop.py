@@ -19,65 +19,6 @@ RADIUS = 0.3
 pytestmark = pytest.mark.compiled
 
 
-@pytest.fixture(scope="module")
-def filmed(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("film")
-    video = make(folder / "hoop.mp4", article_like(), FILM)
-    track = hh.track(video, RADIUS, Hints(exposure=FILM.shutter, level=np.radians(-FILM.roll_deg)))
-    return video, hh.fit(track, fixed={"slope": 0.0}), folder
-
-
-def test_corners_lie_where_the_camera_saw_them(filmed):
-    video, fit, folder = filmed
-    under = backdrop(fit, video, folder / "under.mp4")
-    assert under.size == FILM.size
-    assert under.start == pytest.approx(fit.track.t[0] - 0.5 * FILM.shutter, abs=1e-3)
-    # the corners, seen through the camera that rendered the film, are those of its picture
-    places = np.array(under.corners)
-    seen = project(FILM, places[:, 0], places[:, 1])
-    wide, tall = FILM.size
-    expected = np.array([[0, 0], [wide, 0], [wide, tall], [0, tall]]) - 0.5
-    assert np.hypot(*(seen - expected).T).max() < 2.5
-    small = make(folder / "small.mp4", article_like(), dataclasses.replace(FILM, size=(320, 192), frames=4))
-    with pytest.raises(ValueError, match="is not the film of the track"):
-        backdrop(fit, small, folder / "no.mp4")
-    assert not (folder / "no.mp4").exists()
-    with pytest.raises(ValueError, match="not to a track of a film"):
-        backdrop(dataclasses.replace(fit, tracks=(dataclasses.replace(fit.track, view=None),)), video, folder / "no.mp4")
-
-
-@pytest.fixture(scope="module")
-def address(filmed):
-    video, fit, folder = filmed
-    with serving(backdrop=backdrop(fit, video, folder / "served.mp4")) as address:
-        yield address
-
-
-def test_the_film_lies_under_the_hoop(visit, filmed):
-    page = visit(f"?{filmed[1].scenario.to_query()}")
-    page.wait_for_selector("video.backdrop", state="attached")
-    # the words over it have a ground of their own, to be read on any film
-    for place in (".legend", ".readout"):
-        ground = page.evaluate(f"getComputedStyle(document.querySelector('{place}')).backgroundColor")
-        assert ground != "rgba(0, 0, 0, 0)", place
-    for moment in (0.1, 0.35):
-        page.evaluate(f"hophoopLab.clock.play(false); hophoopLab.clock.seek({moment})")
-        page.wait_for_function(
-            f"() => {{ const film = document.querySelector('video.backdrop'); return !film.seeking && film.readyState > 1"
-            f" && Math.abs(film.currentTime - {backdrop_start(filmed)} - hophoopLab.clock.time) < 0.003; }}"
-        )
-        page.wait_for_timeout(200)
-        place = page.evaluate(WHERE)
-        # the picture of the film under the hoop that is drawn is that of the hoop that was filmed
-        state = article_like().at(moment + filmed[1].track.t[0])
-        expected = project(FILM, state.x, state.height + RADIUS)
-        assert place == pytest.approx(expected, abs=3.0)
-
-
-def backdrop_start(filmed):
-    return filmed[1].track.t[0] - 0.5 * FILM.shutter
-
-
 # The pixel of the film on which the centre of the drawn hoop lies, by the browser's own transform.
 WHERE = """(() => {
   const scene = hophoopLab.stage.flat.views[0], film = document.querySelector('video.backdrop');
@@ -87,3 +28,55 @@ WHERE = """(() => {
   const scale = [film.videoWidth / film.offsetWidth, film.videoHeight / film.offsetHeight];
   return [point.x / point.w * scale[0] - 0.5, point.y / point.w * scale[1] - 0.5];
 })()"""
+
+
+@pytest.fixture(scope="module")
+def filmed(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("film")
+    video = make(folder / "hoop.mp4", article_like(), FILM)
+    track = hh.track(video, RADIUS, Hints(exposure=FILM.shutter, level=np.radians(-FILM.roll_deg)))
+    fit = hh.fit(track, fixed={"slope": 0.0})
+    return fit, backdrop(fit, video, folder / "under.mp4"), folder
+
+
+@pytest.fixture(scope="module")
+def address(filmed):
+    with serving(backdrop=filmed[1]) as address:
+        yield address
+
+
+def test_corners_lie_where_the_camera_saw_them(filmed):
+    fit, under, folder = filmed
+    assert under.size == FILM.size
+    assert under.start == pytest.approx(fit.track.t[0] - 0.5 * FILM.shutter, abs=1e-3)
+    # the corners, seen through the camera that rendered the film, are those of its picture
+    seen = project(FILM, *np.array(under.corners).T)
+    wide, tall = FILM.size
+    expected = np.array([[0, 0], [wide, 0], [wide, tall], [0, tall]]) - 0.5
+    assert np.hypot(*(seen - expected).T).max() < 2.5
+    small = make(folder / "small.mp4", article_like(), dataclasses.replace(FILM, size=(320, 192), frames=4))
+    with pytest.raises(ValueError, match="is not the film of the track"):
+        backdrop(fit, small, folder / "no.mp4")
+    assert not (folder / "no.mp4").exists()
+    with pytest.raises(ValueError, match="not to a track of a film"):
+        backdrop(dataclasses.replace(fit, tracks=(dataclasses.replace(fit.track, view=None),)), small, folder / "no.mp4")
+
+
+def test_the_film_lies_under_the_hoop(visit, filmed):
+    fit, under, _ = filmed
+    page = visit(f"?{fit.scenario.to_query()}")
+    page.wait_for_selector("video.backdrop", state="attached")
+    # the words over it have a ground of their own, to be read on any film
+    for place in (".legend", ".readout"):
+        ground = page.evaluate(f"getComputedStyle(document.querySelector('{place}')).backgroundColor")
+        assert ground != "rgba(0, 0, 0, 0)", place
+    for moment in (0.1, 0.35):
+        page.evaluate(f"hophoopLab.clock.play(false); hophoopLab.clock.seek({moment})")
+        page.wait_for_function(
+            f"() => {{ const film = document.querySelector('video.backdrop'); return !film.seeking && film.readyState > 1"
+            f" && Math.abs(film.currentTime - {under.start} - hophoopLab.clock.time) < 0.003; }}"
+        )
+        page.wait_for_timeout(200)
+        # the picture of the film under the hoop that is drawn is that of the hoop that was filmed
+        state = article_like().at(moment + fit.track.t[0])
+        assert page.evaluate(WHERE) == pytest.approx(project(FILM, state.x, state.height + RADIUS), abs=3.0)

@@ -13,12 +13,6 @@ Image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not instal
 TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
 
 
-@pytest.fixture(scope="module")
-def address(site_address):
-    """The page that computes by itself."""
-    return site_address
-
-
 def kept(page, name, path):
     """What an item of the menu saves."""
     page.locator(".menu summary", has_text="Share").click()
@@ -42,20 +36,6 @@ def difference(one, other):
 
 
 @pytest.mark.long
-def test_a_picture_has_more_pixels_than_the_screen(visit, tmp_path):
-    page = visit(TWO)
-    wait_for(page, "!lab.surrounding && lab.films().length === 2")
-    picture = Image.open(kept(page, "Save a picture (PNG)", tmp_path / "hoop.png"))
-    screen = on_screen(page)
-    assert picture.width == 3840
-    assert picture.height / picture.width == pytest.approx(screen.height / screen.width, abs=3e-3)
-    assert difference(picture, screen) < 3.0
-    # drawn at that size, not blown up: an edge of the ring is a few pixels wide
-    grey = np.asarray(picture.convert("L"), float)
-    assert np.abs(np.diff(grey, axis=1)).max() > 100
-
-
-@pytest.mark.long
 def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(visit, tmp_path):
     page = visit("?duration=1#t=0.5&show=tfc3&from=-0.5,0.31,6", viewport={"width": 1440, "height": 540})
     wait_for(page, "!lab.surrounding && lab.stage.options.three")
@@ -70,15 +50,21 @@ def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(vis
     page.wait_for_selector("text=SVG works in 2D only")
 
 
-def test_a_picture_of_lines_is_what_the_screen_shows(visit, browser, tmp_path):
+def test_pictures_are_what_the_screen_shows(visit, browser, tmp_path):
+    """Of more pixels than the screen has, and of lines."""
     page = visit(TWO)
     wait_for(page, "!lab.surrounding && lab.films().length === 2")
+    screen = on_screen(page)
+    large = Image.open(kept(page, "Save a picture (PNG)", tmp_path / "hoop.png"))
+    assert large.width == 3840
+    assert difference(large, screen) < 3.0
+    # drawn at that size, not blown up: an edge of the ring is a few pixels wide
+    assert np.abs(np.diff(np.asarray(large.convert("L"), float), axis=1)).max() > 100
     path = kept(page, "Save a picture (SVG)", tmp_path / "hoop.svg")
     root = ElementTree.parse(path).getroot()
     words = "".join(root.itertext())
     assert "A: " in words
     assert "t = 0.300 s" in words
-    screen = on_screen(page)
     reader = browser.new_page(viewport={"width": screen.width, "height": screen.height})
     reader.goto(path.as_uri())
     assert difference(Image.open(io.BytesIO(reader.screenshot())), screen) < 3.0

@@ -92,7 +92,6 @@ FLOWS = {
         "is lab.clock.time === 1.25 && !lab.stage.options.forces",
         "is lab.map.axes.windows.x[0] === 1 && lab.map.axes.windows.y[1] === 1",
     ]),
-    "a server that is gone is named": ("?start.speed=2", {}, [f"do {GONE}", "is said === 'backend.server_silent'"]),
     "a screen reader hears little and what matters": ("", {}, [
         f"until {SETTLED}",
         f"is {REGIONS}.length <= 4",
@@ -106,29 +105,17 @@ FLOWS = {
         "until first('.spoken').textContent === 'take-off at 315.6°, 1.045 s'",
         "until first('.timeline').getAttribute('aria-valuetext') === '1.045 seconds, flight'",
     ]),
-    "a map scrolls on until it is clicked": ("", {}, [
-        "do first('.map-body').scrollIntoView({ block: 'center' })",
-        "until lab.map.level === 4",
-        "do globalThis.before = scrollY",
-        "point .map-body 0.4 0.3",
-        "wheel -200",
-        "until scrollY < before",
-        "is lab.map.axes.windows.x.join() === '0,5'",
-    ]),
     "on a phone": on_a_phone(390, 844),
     "on a phone held across": on_a_phone(844, 390, "is first('.transport .play').getBoundingClientRect().y + 44 <= 390"),
-    "what is given up ends at once": ("?duration=1", {}, [
+    "what is given up or takes too long ends at once": ("?duration=1", {}, [
         f"until {SETTLED}",
         f"do const given = true; {ENDED}",
         "is said.includes('AbortError') && took < 5000 && after === 'completed'",
-    ]),
-    "what takes too long ends at once": ("?duration=1", {}, [
-        f"until {SETTLED}",
         f"do const given = false; {ENDED}",
         "is said.includes('Stopped after 0.15 s') && took < 5000 && after === 'completed'",
-    ]),
-    "a compliant motion is computed again only where it has many events": ("?duration=1", {}, [
-        f"do {COUNTED}",
+        f"do {GONE}",  # a server that is gone is named
+        "is said === 'backend.server_silent'",
+        f"do {COUNTED}",  # a compliant motion is computed again only where it has many events
         "do await lab.backend.film({ query: 'contact.model=compliant&duration=20' })",
         "is called === 1",
         "do await lab.backend.film({ query: 'contact.model=compliant&duration=120' })",
@@ -142,7 +129,6 @@ FLOWS = {
     "back goes one change at a time",
     "a link holds what is seen",
     "a screen reader hears little and what matters",
-    "a map scrolls on until it is clicked",
     "on a phone held across",
 )
 def test_in_use(visit, name):

@@ -7,7 +7,7 @@ from lab_page_tools import SETTLED, SHOWN, colors_on, each_of, follow, picture, 
 from slow_page import also_delayed
 
 
-def test_the_page_opens_with_the_hop(visit):
+def test_the_page_opens_with_the_hop_and_its_film_is_the_motion(visit):
     page = visit()
     wait_for(page, "lab.theory.list.children.length > 4")
     assert "hops at 315.6°" in summary(page)
@@ -16,6 +16,22 @@ def test_the_page_opens_with_the_hop(visit):
     for plot in ("velocities", "energies", "forces", "utilization"):
         assert colors_on(page, f"[data-plot={plot}] canvas") > 8
     picture(page, "desktop", full_page=True)
+    # also between frames
+    times = [0.1234, 0.7, 1.3337, 2.7182, 5.9]
+    poses = page.evaluate("times => times.map((t) => hophoopLab.film().at(t))", times)
+    sample = hh.simulate(hh.Scenario()).at(times)
+    for i, pose in enumerate(poses):
+        assert pose["mode"] == sample.mode[i]
+        for name, size in (("x", 1e-5), ("angle", 1e-5), ("height", 1e-6)):
+            assert pose[name] == pytest.approx(getattr(sample, name)[i], abs=size), (name, times[i])
+    # energies are booked as in every plot
+    drawn = page.evaluate(
+        "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
+    )
+    ledger = hh.simulate(hh.Scenario()).ledger
+    assert dict(drawn)["diagram.friction_loss"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
+    assert dict(drawn)["diagram.impact_loss"] == pytest.approx(ledger.impact_normal, rel=1e-6)
+    assert ledger.impact_tangential > 0.1  # what tells one convention from the other
 
 
 # name: (link, options, steps), as in test_flows.py
@@ -82,25 +98,6 @@ def test_a_page(visit, name):
     picture(page, f"page-{name.replace(' ', '-')}")
 
 
-def test_the_film_between_frames_is_the_motion_and_its_energies_are_booked_alike(visit):
-    page = visit()
-    times = [0.1234, 0.7, 1.3337, 2.7182, 5.9]
-    poses = page.evaluate("times => times.map((t) => hophoopLab.film().at(t))", times)
-    sample = hh.simulate(hh.Scenario()).at(times)
-    for i, pose in enumerate(poses):
-        assert pose["mode"] == sample.mode[i]
-        for name, size in (("x", 1e-5), ("angle", 1e-5), ("height", 1e-6)):
-            assert pose[name] == pytest.approx(getattr(sample, name)[i], abs=size), (name, times[i])
-    # energies are booked as in every plot
-    drawn = page.evaluate(
-        "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
-    )
-    ledger = hh.simulate(hh.Scenario()).ledger
-    assert dict(drawn)["diagram.friction_loss"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
-    assert dict(drawn)["diagram.impact_loss"] == pytest.approx(ledger.impact_normal, rel=1e-6)
-    assert ledger.impact_tangential > 0.1  # what tells one convention from the other
-
-
 @pytest.mark.long
 def test_every_preset_plays(visit):
     page = visit()
@@ -128,7 +125,7 @@ def test_the_picture_follows_the_hand(visit):
         """async () => {
           const slider = document.querySelector("input[data-path='start.speed']");
           let speed = 2;
-          for (let k = 0; k < 25 || (hophoopLab.latencies.length <= 5 && k < 300); k++) {
+          for (let k = 0; k < 8 || (hophoopLab.latencies.length <= 5 && k < 300); k++) {
             speed = (200 + 5 * (k % 25)) / 100;
             slider.value = String(speed);
             slider.dispatchEvent(new Event("input", { bubbles: true }));
@@ -139,3 +136,12 @@ def test_the_picture_follows_the_hand(visit):
     )
     wait_for(page, f"!lab.motions.lanes[0].busy && lab.film().values['start.speed'] === {last}")
     assert page.evaluate("hophoopLab.latencies.length") > 5
+
+
+def test_the_fingerprint_is_that_of_python(visit):
+    scenario = hh.Scenario.from_query("start.speed=2.8&plane.restitution=0.5&plane.slope=0.05")
+    page = visit(f"?{scenario.to_query()}")
+    assert page.locator(".fingerprint code").text_content() == hh.simulate(scenario).fingerprint
+    page.locator("input[data-path='start.speed']").fill("2")
+    changed = hh.simulate(scenario.replace("start.speed", 2.0)).fingerprint
+    page.locator(".fingerprint code", has_text=changed).wait_for(state="attached")

@@ -2,8 +2,6 @@
 
 from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow, picture
 
-FINGERS = {"has_touch": True, "is_mobile": True, "device_scale_factor": 1}
-
 # pairs of texts on the picture that lie over one another, and those that leave it
 CROSSING = """
   const stage = document.querySelector(".stage").getBoundingClientRect();
@@ -59,36 +57,35 @@ COVERED = """
   globalThis.covered = texts.filter(([, x, y, width]) => Math.hypot(Math.abs(x - 84) + width / 2, y - 4 - 84) >= 58 - 12)"""
 
 
-def window(width, height, **options):
+def window(width, height):
     """A window is no wider than it is, and no text covers another."""
-    return ("", {"viewport": {"width": width, "height": height}, **options}, [
-        f"until {SETTLED}",
+    return [
+        f"size {width} {height}",
+        f"until document.documentElement.clientHeight === {height} && {SETTLED}",
         f"is document.documentElement.scrollWidth === {width}",
         f"do {CROSSING}",
         "is crossing.length === 0",
         f"do {OUTSIDE}",
         "is outside.length === 0 && first('.transport select').offsetWidth >= 55",
-    ])  # fmt: skip
+    ]
 
 
 # name: (link, options, steps), as in test_flows.py
 FLOWS = {
-    "320 × 256": window(320, 256),
-    "360 × 320": window(360, 320),
-    "320 × 568": window(320, 568, **FINGERS),
-    "844 × 390": window(844, 390, **FINGERS),
-    "the player fits on a phone held across": ("", {"viewport": {"width": 844, "height": 390}, **FINGERS}, [
-        f"until {SETTLED}",
+    "a small window": ("", {"viewport": {"width": 320, "height": 256}}, [*window(320, 256), *window(360, 320)]),
+    "a small phone, and one held across, with all of its player": ("", PHONE, [
+        f"do {CUT}",
+        "is cut <= 0.5",  # the names of languages are whole
+        *window(320, 568),
+        *window(844, 390),
         "is first('.player').getBoundingClientRect().bottom <= 390",
     ]),
-    "the names of languages are whole": ("", PHONE, [f"do {CUT}", "is cut <= 0.5"]),
     "what theory says stays in its card": ("", {"locale": "fr"}, [
         "until lab.theory.list.children.length > 4",
         "is all('.theory dd').every((one) =>"
         " one.getBoundingClientRect().right < first('.theory').getBoundingClientRect().right)",
         "is all('.theory dd').every((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 110)",  # no word a line
     ]),
-    "usual letters": ("", {}, [f"is {SIZES} === '14,12,12,13' && lab.theme.look.px === 1"]),
     "larger letters of the browser are taken over also in pictures": ("", {"script": LARGE}, [
         f"is {SIZES} === '28,24,24,26' && lab.theme.look.px === 2 && document.documentElement.scrollWidth === 1440",
         f"until {SHOWN}",
@@ -109,16 +106,16 @@ FLOWS = {
         "do lab.extras.present.turn(false)",
         "until lab.theme.look.px === before",
     ]),
-    "pictures are drawn for the width of a sheet": ("#t=0.8", {}, [
+    "letters are usual, and pictures are drawn for the width of a sheet": ("#t=0.8", {}, [
         f"until {SHOWN}",
+        f"is {SIZES} === '14,12,12,13' && lab.theme.look.px === 1",
         f"do globalThis.before = {DRAWN}; dispatchEvent(new Event('beforeprint')); globalThis.printed = {DRAWN}",  # at once
         "is printed.length > 3 && printed.every(([across, down, width]) =>"
         " near(across / down, 1, 0.02) && near(width, 180 / 25.4 * 96, 1))",
         "do dispatchEvent(new Event('afterprint'))",
         f"until {SETTLED}",
         f"is JSON.stringify({DRAWN}) === JSON.stringify(before)",
-    ]),
-    "the mark of the dial covers no number": ("", {}, [
+        # the mark of the dial covers no number
         "do lab.extras.visit.go(2)",
         "until text('.visit-count').startsWith('Step 3 ')",
         "wait 100",

@@ -1,7 +1,5 @@
 """The visit, the challenges and what a class needs: every answer and score is that of the computed motion."""
 
-import pytest
-
 from lab_page_tools import SETTLED, each_of, follow
 
 CALM = {"reduced_motion": "reduce"}
@@ -74,8 +72,7 @@ FLOWS = {
         *ANSWERED,
         "is text('.visit-answer').startsWith('Not so.') && text('.visit-answer').includes(degrees(event('skim').angle))",
         "is text('.guess-choice.right').startsWith('The weight falls freely') && seen('.timeline')",
-    ]),
-    "a drawn curve is compared with the motion": ("", CALM, [
+        # a drawn curve is compared with the motion
         *step(1),
         "until first('.sketch-point').style.transform",
         f"drag .sketch-canvas: {SPEEDS}",
@@ -83,8 +80,7 @@ FLOWS = {
         *ANSWERED,
         "is parseInt(text('.visit-answer')) >= 97",
         "is text('.visit-answer').includes(`${digits(Math.max(...lab.film().columns.vx), 2)} m/s`)",
-    ]),
-    "a mark on the circle is compared with the take-off": ("", CALM, [
+        # a mark on the circle is compared with the take-off
         *step(3),
         "do first('.dial').focus()",
         "press PageDown",
@@ -92,16 +88,14 @@ FLOWS = {
         *ANSWERED,
         "is text('.visit-answer').startsWith('100 of 100 points')",
         "is text('.visit-answer').includes(degrees(event('takeoff').angle)) && lab.clock.time === event('takeoff').t",
-    ]),
-    "the landing is that of the motion": ("", CALM, [
+        # the landing is that of the motion
         *step(4),
         "click .guess-choice input",
         *ANSWERED,
         "is text('.visit-answer').includes(`${digits(event('impact').t - event('takeoff').t)} s`)",
         "is text('.visit-answer').includes(`${digits(100 * event('apex').height)} cm`)",
         "is first('.guess-choice.right input').value === { R: 'roll', S: 'spin', K: 'skid' }[event('impact').to]",
-    ]),
-    "the highest hop of three is that of the motions": ("", CALM, [
+        # the highest hop of three is that of the motions
         *step(5),
         "click .guess-choice:nth-child(2) input",
         *ANSWERED,
@@ -133,15 +127,13 @@ FLOWS = {
         f"until points > 0 && {METER} === 0 && {RESULT}.includes('The plane must be level.')",
         f"is {OWN} === `Your best: ${{points}} points.`",
     ]),
-    "the table holds the states of the motion": ("", {}, [
+    "the table holds the states of the motion, and any quantity stands on either axis": ("", {}, [
         "do lab.extras.table.open(true)",
         "choose .table-step>select 0.5",
         f"do {ROW}",
         "is lab.extras.table.body.rows.length === 13 && wrong.length === 0",
         "save Save as CSV",
         "is kept.startsWith('time [s],angle') && kept.split('\\r\\n').length === 15",
-    ]),
-    "any quantity stands on either axis": ("", {}, [
         "choose .plots-head>select x",
         "choose [data-plot=own]>header>select total",
         "until lab.plots.plots.at(-1).unit === 'W [J]'",
@@ -183,16 +175,8 @@ FLOWS = {
 }  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def address(site_address):
-    """The page that computes by itself."""
-    return site_address
-
-
 @each_of(
     FLOWS,
-    "a drawn curve is compared with the motion",
-    "a mark on the circle is compared with the take-off",
     "the highest hop is scored by its height",
     "an upright landing is scored by its angle",
     "a hop without skidding is scored by its first height",

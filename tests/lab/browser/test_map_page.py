@@ -1,55 +1,37 @@
-"""The map on the page: a click takes its motion, and it waits for its kernel."""
+"""The map on the page: its classes are the library's, a click takes its motion, and it waits for its kernel."""
 
 import numpy as np
+import pytest
 
 import hophoop as hh
-from lab_page_tools import each_of, follow, picture, wait_for
+from lab_page_tools import SHOWN, follow, picture
 
 SEEN = ["do first('.map-body').scrollIntoView({ block: 'center' })", "until lab.map.level === 4"]
-# name: (link, steps), as in test_flows.py
-FLOWS = {
-    "a click takes that motion": ("", [
-        *SEEN,
-        "point .map-body 0.57 0.38",
-        "drag .map-body: [[0, 0]]",
-        "drop",
-        "until lab.motions.history.past.length === 1",
-        "is near(lab.film().values['start.speed'], lab.map.pointed.x, 0.02)",
-        "is near(lab.film().values['plane.mu'], lab.map.pointed.y, 0.02)",
-        "is ['start.speed', 'plane.mu'].every((path) => String(lab.film().values[path]).length <= 5)",  # as the map resolves
-        "do globalThis.words = { R: 'roll', S: 'spin', K: 'skid', H: 'flight' }",
-        "is (([said]) => said && [...lab.film().sequence].map((one) => words[one]).join(' → ').startsWith(said))"
-        "([lab.map.said(lab.map.pointed).split(': ')[1]])",
-        *(6 * ["wheel -400"]),  # and deep into it
-        "until lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0] < 1",
-    ]),
-    "what is pointed at is said": ("", [
-        *SEEN,
-        "point .map-body 0.57 0.38",
-        "is /^Speed v₀ = [\\d.]+ m\\/s, Friction μ = [\\d.]+: roll/.test(text('.map-body .tip'))",
-    ]),
-    "the legend has the words of modes": ("", [
-        *SEEN,
-        "is text('.map-keys').includes('roll → skid → roll → spin → flight') && !text('.map-keys').includes('slip')",
-        "is text('.map-keys').includes('for backward rotation they change places')",
-    ]),
-    "the map of a compliant hoop is that of rigid contact": ("?contact.model=compliant&duration=0.5", [
-        *SEEN,
-        "is text('.map-head .hint') === '124416 motions with rigid contact'",
-    ]),
-}  # fmt: skip
-
-
-@each_of(FLOWS, "the map of a compliant hoop is that of rigid contact")
-def test_a_map(visit, name):
-    link, steps = FLOWS[name]
-    page = visit(link)
-    follow(page, steps)
-    picture(page, f"map-{name.replace(' ', '-')}")
-
-
+STEPS = [
+    # the wheel scrolls on until it is clicked
+    "do globalThis.before = scrollY",
+    "point .map-body 0.4 0.3",
+    "wheel -200",
+    "until scrollY < before",
+    "is lab.map.axes.windows.x.join() === '0,5'",
+    *SEEN,
+    "is text('.map-keys').includes('roll → skid → roll → spin → flight') && !text('.map-keys').includes('slip')",
+    "is text('.map-keys').includes('for backward rotation they change places')",
+    "point .map-body 0.57 0.38",
+    "is /^Speed v₀ = [\\d.]+ m\\/s, Friction μ = [\\d.]+: roll/.test(text('.map-body .tip'))",
+    "drag .map-body: [[0, 0]]",
+    "drop",
+    "until lab.motions.history.past.length === 1",
+    "is near(lab.film().values['start.speed'], lab.map.pointed.x, 0.02)",
+    "is near(lab.film().values['plane.mu'], lab.map.pointed.y, 0.02)",
+    "is ['start.speed', 'plane.mu'].every((path) => String(lab.film().values[path]).length <= 5)",  # as the map resolves
+    "do globalThis.words = { R: 'roll', S: 'spin', K: 'skid', H: 'flight' }",
+    "is (([said]) => said && [...lab.film().sequence].map((one) => words[one]).join(' → ').startsWith(said))"
+    "([lab.map.said(lab.map.pointed).split(': ')[1]])",
+    *(6 * ["wheel -400"]),  # and deep into it
+    "until lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0] < 1",
+]
 SIDES = 24  # that are compared
-
 CHANGES = """() => {
   const { header, values } = hophoopLab.map.layers.at(-1);
   const { cells } = header.x;
@@ -62,10 +44,9 @@ CHANGES = """() => {
 }"""
 
 
-def test_the_classes_of_the_map_change_where_those_of_the_library_do(visit):
+def test_a_map_is_that_of_the_library_and_a_click_takes_its_motion(visit):
     page = visit()
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "lab.map.level === 4")
+    follow(page, SEEN)
     header, changes = page.evaluate(CHANGES)
     x, y = header["x"], header["y"]
     size = (x["to"] - x["from"]) / x["cells"], (y["to"] - y["from"]) / y["cells"]
@@ -76,3 +57,21 @@ def test_the_classes_of_the_map_change_where_those_of_the_library_do(visit):
         one, other = ((across, y["from"] + (row + half) * size[1]) for half in (0.5, 1.5))
         found = hh.maps.boundary(None, ranges, one, other, most=1)
         assert np.any(np.abs(found.x - across) < 1e-12)
+    picture(page, "map")
+    follow(page, STEPS)
+
+
+@pytest.mark.long
+def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
+    page = visit("?contact.model=compliant&duration=0.5")
+    follow(page, [*SEEN, "is text('.map-head .hint') === '124416 motions with rigid contact'"])
+
+
+def test_buttons_zoom_about_the_mark_and_not_beyond_what_is_allowed(visit):
+    follow(visit("?start.speed=3.1&plane.mu=0.4"), [
+        f"until {SHOWN}",
+        *(6 * ["button Zoom into the map"]),
+        "is (({ x, y }) => x[0] < 3.1 && 3.1 < x[1] && y[0] < 0.4 && 0.4 < y[1] && x[1] - x[0] < 0.2)(lab.map.axes.windows)",
+        *(12 * ["button Zoom out of the map"]),
+        "is (({ x, y }) => x[0] < 3.1 && 3.1 < x[1] && y[0] === 0 && 1.5 < y[1] && y[1] <= 1e6)(lab.map.axes.windows)",
+    ])  # fmt: skip

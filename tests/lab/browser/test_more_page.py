@@ -69,64 +69,69 @@ def test_the_table_has_the_numbers_of_the_library(visit):
         assert mine == pytest.approx(hh.sensitivity(motion.scenario, of=of, wrt=path).larger[:, 0], rel=0, abs=0, nan_ok=True)
 
 
-def test_the_sentence_says_what_the_library_says(visit):
-    scenario = hh.Scenario.from_query("start.speed=3.1")
-    page = turned_on(visit, "start.speed=3.1")
+def test_sentence_arrows_and_step_are_those_of_the_library(visit):
+    query = "start.speed=3.1"
+    scenario = hh.Scenario.from_query(query)
+    page = turned_on(visit, query)
     wait_for(page, SHOWN)
-    result = hh.sensitivity(scenario, of=["hop.height", "hop.distance", "hop.duration", "hop.takeoff_time"], wrt="plane.mu")
+    of = ["hop.height", "hop.distance", "hop.duration", "hop.takeoff_time", "impact.x", "apex.height"]
+    changes = 0.01 * hh.sensitivity(scenario, of=of, wrt="plane.mu").derivatives[:, 0]
     assert page.locator(".more-step").inner_text() == "1 → 1.01"
     said = page.locator(".more-said li").first.inner_text()
     found = re.findall(r"([\d.]+) (µm|mm|m|µs|ms|s) (higher|lower|longer|shorter|more|less|later|earlier)", said)
     scale = {"µm": 1e-6, "mm": 1e-3, "m": 1.0, "µs": 1e-6, "ms": 1e-3, "s": 1.0}
-    told = [
-        float(size) * scale[unit] * (-1 if word in ("lower", "shorter", "less", "earlier") else 1) for size, unit, word in found
-    ]
-    assert told == pytest.approx(0.01 * result.derivatives[:, 0], rel=6e-3)
-
-
-def test_the_step_does_what_was_told(visit):
-    """The motion of the next value, computed as ever, to the second order of the step."""
-    page = turned_on(visit, "start.speed=3.1", "start.speed")
-    wait_for(page, SHOWN)
-    top = "lab => lab.film().events.find((event) => event.kind === 'apex').height"
-    before = page.evaluate(f"({top})(hophoopLab)")
-    told = page.evaluate("hophoopLab.extras.more.changes.hops()[0].height")
+    signs = dict.fromkeys(("lower", "shorter", "less", "earlier"), -1)
+    told = [float(size) * scale[unit] * signs.get(word, 1) for size, unit, word in found]
+    assert told == pytest.approx(changes[:4], rel=6e-3)
+    # arrows lead to where it would be
+    arrows = {arrow["kind"]: arrow for arrow in page.evaluate("hophoopLab.extras.more.arrows")}
+    assert [arrows["impact"]["dx"], arrows["apex"]["dy"]] == changes[4:].tolist()
+    assert arrows["impact"]["dy"] == pytest.approx(0.0, abs=1e-12)
+    factor = page.evaluate("hophoopLab.extras.more.factor")
+    assert f"{factor:g} times enlarged" in page.locator(".more > .hint").inner_text().replace(",", "")
+    # the motion of the next value, computed as ever, does what was told, to the second order of the step
+    page.locator(".more select").select_option("start.speed")
+    wait_for(page, f"{SHOWN} && lab.extras.more.known.startsWith('start.speed ')")
+    top = "hophoopLab.film().events.find((event) => event.kind === 'apex').height"
+    before, told = page.evaluate(f"[{top}, hophoopLab.extras.more.changes.hops()[0].height]")
     page.locator(".more").get_by_role("button", name="Apply").click()
     wait_for(page, f"lab.film().values['start.speed'] === 3.11 && {SHOWN}")
-    assert page.evaluate(f"({top})(hophoopLab)") - before == pytest.approx(told, rel=0.05)
+    assert page.evaluate(top) - before == pytest.approx(told, rel=0.05)
+    # the arrows are seen: the picture is another without them
+    shot = "document.querySelector('.stage-canvas').toDataURL()"
+    page.evaluate("hophoopLab.toggle('whole')")
+    wait_for(page, "lab.stage.options.whole && !lab.requested")
+    with_arrows = page.evaluate(shot)
+    page.keyboard.press("a")
+    wait_for(page, "!lab.extras.more.on && !lab.requested")
+    assert page.locator(".more").is_hidden()
+    assert page.evaluate(shot) != with_arrows
 
 
-@pytest.mark.parametrize(
-    ("query", "path", "words"),
-    [
-        ("", "plane.restitution", REASONS[Reason.PLASTIC]),
-        ("hoop.load_fraction=0.75&plane.restitution=1&duration=2", "plane.restitution", EDGE),
-        ("contact.model=compliant", "plane.mu", "rigid contact model"),
-        ("plane.mu=inf", "plane.mu", "infinite and cannot increase"),
-        ("", "plane.rolling_resistance", EDGE),
-    ],
-)
-def test_where_there_is_none_the_reason_is_said(visit, query, path, words):
-    page = turned_on(visit, query, path)
-    page.locator(".more-reason:visible").wait_for()
-    assert words in page.locator(".more-reason").inner_text()
+# link, parameter, what is said
+NONE = [
+    ("", "plane.restitution", REASONS[Reason.PLASTIC]),
+    ("hoop.load_fraction=0.75&plane.restitution=1&duration=2", "plane.restitution", EDGE),
+    ("contact.model=compliant", "plane.mu", "rigid contact model"),
+    ("plane.mu=inf", "plane.mu", "infinite and cannot increase"),
+    ("", "plane.rolling_resistance", EDGE),
+]
 
 
-def test_its_module_is_fetched_when_it_is_asked_for(visit):
-    page = visit(script="navigator.serviceWorker.register = () => Promise.reject(new Error('not here'));")
-    asked = []
-    page.on("request", lambda request: asked.append(request.url))
+def test_where_there_is_none_the_reason_is_said(visit):
+    page = turned_on(visit)
+    for query, path, words in NONE:
+        page.evaluate("query => hophoopLab.load(query)", query)
+        page.evaluate("path => hophoopLab.extras.more.turn(true, path)", path)
+        page.locator(".more-reason:visible", has_text=words).wait_for()
+
+
+def test_its_module_is_fetched_when_it_is_asked_for_and_asked_for_again(visit):
+    page = visit(service_workers="block", expected=["Failed to load resource"])
     wait_for(page, "lab.theory.list.children.length > 4")
     loaded = page.evaluate("performance.getEntriesByType('resource').map((entry) => entry.name)")
     assert any("hophoop.wasm" in url for url in loaded)
     assert not any(MODULE in url for url in loaded)
-    page.keyboard.press("a")
-    wait_for(page, SHOWN)
-    assert any(MODULE in url for url in asked)
-
-
-def test_without_its_module_the_page_says_so_and_tries_again(visit):
-    page = visit(service_workers="block", expected=["Failed to load resource"])
     page.route(f"**/{MODULE}*", lambda route: route.abort())
     page.keyboard.press("a")
     page.locator(".more-reason:visible").wait_for()
@@ -136,26 +141,3 @@ def test_without_its_module_the_page_says_so_and_tries_again(visit):
     page.locator(".more select").select_option("start.speed")
     wait_for(page, SHOWN)
     assert page.locator(".more-reason").is_hidden()
-
-
-def test_arrows_lead_to_where_it_would_be(visit):
-    page = turned_on(visit, "start.speed=3.1")
-    wait_for(page, SHOWN)
-    scenario = hh.Scenario.from_query("start.speed=3.1")
-    result = hh.sensitivity(scenario, of=["impact.x", "apex.height"], wrt="plane.mu")
-    arrows = page.evaluate("hophoopLab.extras.more.arrows")
-    landing = next(arrow for arrow in arrows if arrow["kind"] == "impact")
-    apex = next(arrow for arrow in arrows if arrow["kind"] == "apex")
-    assert [landing["dx"], apex["dy"]] == (0.01 * result.derivatives[:, 0]).tolist()
-    assert landing["dy"] == pytest.approx(0.0, abs=1e-12)
-    factor = page.evaluate("hophoopLab.extras.more.factor")
-    assert f"{factor:g} times enlarged" in page.locator(".more > .hint").inner_text().replace(",", "")
-    # they are seen: the picture is another without them
-    shot = "() => document.querySelector('.stage-canvas').toDataURL()"
-    page.evaluate("hophoopLab.toggle('whole')")
-    page.wait_for_timeout(200)
-    with_arrows = page.evaluate(shot)
-    page.keyboard.press("a")
-    page.wait_for_timeout(200)
-    assert page.locator(".more").is_hidden()
-    assert page.evaluate(shot) != with_arrows

@@ -1,5 +1,6 @@
 """The player in a running Jupyter and a running marimo; left out where they are not installed."""
 
+import contextlib
 import json
 import os
 import signal
@@ -38,52 +39,32 @@ def _(mo, player, view):
 """
 
 
-def serve(command, folder, address):
-    """The server, as soon as it answers."""
-    with open(folder / "server.log", "wb") as log:
-        server = subprocess.Popen([sys.executable, "-m", *command], cwd=folder, stdout=log, stderr=log, start_new_session=True)
-    for _ in range(300):
-        if server.poll() is not None:
-            break
-        try:
-            with urlopen(address, timeout=5):
-                return server
-        except OSError:
-            time.sleep(0.2)
-    stop(server)
-    raise AssertionError((folder / "server.log").read_text())
-
-
-def stop(server):
-    if server.poll() is None:
-        os.killpg(server.pid, signal.SIGTERM)
-    server.wait(20)
-
-
-@pytest.fixture
-def port():
+@contextlib.contextmanager
+def opened(browser, folder, command, place=""):
+    """A page of a server of notebooks in a folder, as soon as it answers; `command` has a place for the port."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-@pytest.fixture
-def open_page(browser):
-    troubles, contexts = [], []
-
-    def opened(address):
-        context = browser.new_context(viewport={"width": 1440, "height": 1000})
-        contexts.append(context)
-        page = context.new_page()
+        port = probe.getsockname()[1]
+    words = [sys.executable, "-m", *command.format(port=port).split()]
+    with open(folder / "server.log", "wb") as log:
+        server = subprocess.Popen(words, cwd=folder, stdout=log, stderr=log, start_new_session=True)
+    page, troubles = browser.new_page(viewport={"width": 1440, "height": 1000}), []
+    try:
+        for _ in range(300):
+            assert server.poll() is None, (folder / "server.log").read_text()
+            with contextlib.suppress(OSError), urlopen(f"http://127.0.0.1:{port}/", timeout=5):
+                break
+            time.sleep(0.2)
         page.set_default_timeout(90_000)
         page.on("pageerror", lambda error: troubles.append(str(error)))
         page.on("console", lambda said: said.type == "error" and "hophoop" in said.text and troubles.append(said.text))
-        page.goto(address)
-        return page
-
-    yield opened
-    for context in contexts:
-        context.close()
+        page.goto(f"http://127.0.0.1:{port}/{place}")
+        yield page
+    finally:
+        page.close()
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(server.pid, signal.SIGTERM)
+        server.wait(20)
     assert troubles == []
 
 
@@ -91,10 +72,11 @@ def slide_to(page, speed):
     slider = page.locator("input[data-path='start.speed']")
     slider.scroll_into_view_if_needed()
     slider.fill(speed)
+    page.wait_for_function("() => document.querySelector('.summary').textContent === 'Rolls.'")
 
 
 @pytest.mark.skipif(find_spec("jupyterlab") is None, reason="JupyterLab is not installed")
-def test_jupyter_plays_and_its_slider_changes_the_motion(open_page, port, tmp_path):
+def test_jupyter_plays_and_its_slider_changes_the_motion(browser, tmp_path):
     cells = [
         {"cell_type": "code", "execution_count": None, "metadata": {}, "outputs": [], "source": source}
         for source in (SHOW + "player", f"print({TOLD})")
@@ -102,14 +84,11 @@ def test_jupyter_plays_and_its_slider_changes_the_motion(open_page, port, tmp_pa
     kernel = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
     book = {"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 4}
     (tmp_path / "hoop.ipynb").write_text(json.dumps(book))
-    command = [
-        "jupyterlab", "--no-browser", "--ip=127.0.0.1", f"--port={port}", "--ServerApp.port_retries=0", "--allow-root",
-        "--IdentityProvider.token=", "--ServerApp.password=", f"--ServerApp.root_dir={tmp_path}",
-    ]  # fmt: skip
-    address = f"http://127.0.0.1:{port}/lab"
-    server = serve(command, tmp_path, address)
-    try:
-        page = open_page(f"{address}/tree/hoop.ipynb?reset")
+    command = (
+        "jupyterlab --no-browser --ip=127.0.0.1 --port={port} --ServerApp.port_retries=0 --allow-root"
+        f" --IdentityProvider.token= --ServerApp.password= --ServerApp.root_dir={tmp_path}"
+    )
+    with opened(browser, tmp_path, command, "lab/tree/hoop.ipynb?reset") as page:
         cell = page.locator(".jp-Notebook .jp-CodeCell")
         cell.first.click()
         page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]").wait_for()
@@ -126,27 +105,17 @@ def test_jupyter_plays_and_its_slider_changes_the_motion(open_page, port, tmp_pa
         assert cell.count() == 2
         assert page.locator(".jp-Dialog").count() == 0
         slide_to(page, "2")
-        page.wait_for_function("() => document.querySelector('.summary').textContent === 'Rolls.'")
         cell.nth(1).click()
         page.keyboard.press("Shift+Enter")
         cell.nth(1).locator(".jp-OutputArea-output", has_text="at 2.0 R").wait_for()
-    finally:
-        stop(server)
 
 
 @pytest.mark.skipif(find_spec("marimo") is None, reason="marimo is not installed")
-def test_marimo_plays_and_other_cells_follow(open_page, port, tmp_path):
+def test_marimo_plays_and_other_cells_follow(browser, tmp_path):
     (tmp_path / "hoop.py").write_text(MARIMO)
-    command = ["marimo", "run", "hoop.py", "--headless", "--host", "127.0.0.1", "--port", str(port), "--no-token"]
-    address = f"http://127.0.0.1:{port}/"
-    server = serve(command, tmp_path, address)
-    try:
-        page = open_page(address)
+    with opened(browser, tmp_path, "marimo run hoop.py --headless --host 127.0.0.1 --port {port} --no-token") as page:
         page.locator(".hophoop[data-ready]").wait_for()
         assert "hops at 315.6°" in page.locator(".summary").inner_text()
         page.get_by_text("at 3.1 RKRSH").wait_for()
         slide_to(page, "2")
         page.get_by_text("at 2.0 R", exact=True).wait_for()
-        assert page.locator(".summary").inner_text() == "Rolls."
-    finally:
-        stop(server)

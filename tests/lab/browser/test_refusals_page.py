@@ -19,7 +19,7 @@ REFUSALS = {
 
 
 def test_refusals_of_the_server_are_said_in_the_language_of_the_page(visit):
-    page = visit(locale="de-DE", expected=["Failed to load resource"])
+    page = visit(own=True, locale="de-DE", expected=["Failed to load resource"])
     status = 0
 
     def refuse(route):

@@ -1,11 +1,9 @@
 """The exported lab, served by Python's plain web server: everything is computed in the browser, also without a network."""
 
-import hashlib
-
 import pytest
 
 from hophoop.lab.site import export as site
-from lab_page_tools import PATIENCE, wait_for
+from lab_page_tools import PATIENCE
 
 TAG = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Blog</title><link rel="icon" href="data:,"><h1>Blog</h1>
 %s<hophoop-motion %s></hophoop-motion><script type="module" src="static/hophoop-motion.js"></script>"""
@@ -29,7 +27,7 @@ def tagged(visit, site_folder):
 
 
 def test_it_opens_without_a_network_after_the_first_visit(visit, address):
-    page = visit()
+    page = visit(own=True)
     page.evaluate("navigator.serviceWorker.ready.then(() => true)")
     page.wait_for_function("() => navigator.serviceWorker.controller !== null")
     page.context.set_offline(True)
@@ -103,19 +101,6 @@ def test_a_host_that_forbids_webassembly_is_named(browser, address):
     page.close()
 
 
-def test_the_whole_path_holds_what_is_still_to_come(visit):
-    page = visit("?duration=2#t=0.3&show=t")
-    ink = """() => {
-      const canvas = document.querySelector(".stage-canvas");
-      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-      // of the flight's trace
-      return data.some((red, k) => k % 4 === 0 && red > 200 && data[k + 1] < 150 && data[k + 2] < 190 && data[k + 3]);
-    }"""
-    page.evaluate("hophoopLab.toggle('whole')")
-    wait_for(page, "lab.stage.options.whole && !lab.requested")
-    assert page.evaluate(ink)  # it has not flown yet
-
-
 def test_the_folder_may_stand_anywhere_and_leads_to_the_documentation_beside_it(visit, site_folder):
     site.export(site_folder / "courses" / "play", docs="../")
     (site_folder / "courses" / "teach").mkdir()
@@ -129,41 +114,12 @@ def test_the_folder_may_stand_anywhere_and_leads_to_the_documentation_beside_it(
     assert page.title() == "Worksheet"
 
 
-def test_chromium_gives_the_same_bits_as_wasmtime(visit):
-    pytest.importorskip("wasmtime")
-    from hophoop.lab.wasm.stamp import HERE, MODULE
-    from module.host import Host
-    from module.module_tools import cell_of, given_of
-    from module.test_page_kernel import scenarios
-
-    host = Host(HERE / MODULE)
-    digest = hashlib.sha256()
-    for scenario in scenarios():
-        digest.update(host.motion(cell_of(scenario))[1].tobytes())
-    page = visit()
-    found = page.evaluate(
-        """async (asked) => {
-          const { HoopModule } = await import(new URL("static/kernel.js", document.baseURI).href);
-          const binary = await (await fetch("static/hophoop.wasm")).arrayBuffer();
-          const module = new HoopModule(await WebAssembly.compile(binary));
-          const rows = asked.map((given) => {
-            for (const name in given) if (given[name] === "inf") given[name] = Infinity;
-            return new Uint8Array(module.compute(given).rows.buffer);
-          });
-          const all = new Uint8Array(await new Blob(rows).arrayBuffer());
-          const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", all));
-          return [...hash].map((byte) => byte.toString(16).padStart(2, "0")).join("");
-        }""",
-        [given_of(scenario) for scenario in scenarios()],
-    )
-    assert found == digest.hexdigest()
-
-
 def test_a_page_opened_as_a_file_says_what_to_do(site_folder, browser):
     page = browser.new_page()
     page.goto((site_folder / "index.html").resolve().as_uri())
     words = page.get_by_text("python -m http.server")
     words.wait_for(state="attached")
     assert not words.is_visible()  # most pages are there before it is
-    words.wait_for(state="visible", timeout=PATIENCE)
+    page.evaluate("for (const one of document.getAnimations()) one.finish()")
+    assert words.is_visible()
     page.close()

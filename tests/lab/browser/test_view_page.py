@@ -13,6 +13,10 @@ POINTED = [
     f"is {PAINTED}.every((one, k) => one !== before[k]) && lab.clock.time === 0",  # nothing else moves
 ]
 LEFT = [f"until lab.clock.pointed === null && {SETTLED}", f"is {PAINTED}.every((one, k) => one === before[k])"]
+# whether the colour of the flight's trace is in the picture
+FLIGHT = """(({ data }) => data.some((red, k) =>
+    k % 4 === 0 && red > 200 && data[k + 1] < 150 && data[k + 2] < 190 && data[k + 3]))
+    (first('.stage-canvas').getContext('2d').getImageData(0, 0, 2000, 2000))"""
 SMALL = """all('button, select, summary, input').filter((one) => one.checkVisibility())
     .filter((one) => Math.min(one.getBoundingClientRect().width, one.getBoundingClientRect().height) < 43.5)"""
 IN_WINDOW = """(({ left, right, top, bottom }) => left >= 0 && right <= 390 && top >= 0 && bottom <= 844)"""
@@ -26,26 +30,38 @@ def opened(link, simple):
     ])  # fmt: skip
 
 
-def on_a_phone(locale):
+def phone_in(language):
     """Hoop, play and three sliders without scrolling, and menus on the screen."""
     shown = [".stage", ".transport .play"]
     shown += [f"input[data-path='{path}']" for path in ("start.speed", "hoop.load_fraction", "plane.mu")]
-    steps = [f'is {IN_WINDOW}(first("{one}").getBoundingClientRect())' for one in shown]
-    for menu in (".menu", ".learn"):
-        steps += [f"click {menu} summary", f"is {IN_WINDOW}(first('{menu} .menu-body').getBoundingClientRect())"]
-        steps += [f"click {menu} summary"]
-    start = [f"until {SETTLED}", "is document.documentElement.scrollWidth === 390", f"is {SMALL}.length === 0"]
-    return "", {"simple": True, "locale": locale, **CALM, **PHONE}, start + steps
+    return [
+        f"choose .language {language}",
+        f"until document.documentElement.lang === '{language}' && {SETTLED}",
+        "is document.documentElement.scrollWidth === 390",
+        f"is {SMALL}.length === 0",
+        *(f'is {IN_WINDOW}(first("{one}").getBoundingClientRect())' for one in shown),
+        *(
+            step
+            for menu in (".menu", ".learn")
+            for step in (
+                f"click {menu} summary",
+                f"is {IN_WINDOW}(first('{menu} .menu-body').getBoundingClientRect())",
+                f"click {menu} summary",
+            )
+        ),
+    ]
 
 
 # name: (link, options, steps), as in test_flows.py
 FLOWS = {
-    "a link without a view is simple": opened("?plane.slope=0.1#zoom=2&show=tf3&fingerprint=0123456789abcdef", "true"),
-    "a comparison without a view is simple": opened(
-        "#with=start.speed%3D2&map=sequence,start.speed,1,2,plane.mu,0.5,1", "true",
+    "a link without a view is simple": opened(
+        "?plane.slope=0.1#with=start.speed%3D2&zoom=2&show=tf3&fingerprint=0123456789abcdef&map=sequence,start.speed,1,2,plane.mu,0.5,1",
+        "true",
     ),
     "a link to everything opens everything": opened("#view=everything", "false"),
-    **{f"a phone shows the hoop and its sliders in {locale}": on_a_phone(locale) for locale in ("en", "de", "fr", "es")},
+    "a phone shows the hoop and its sliders": ("", {"simple": True, **CALM, **PHONE}, [
+        step for language in ("en", "de", "fr", "es") for step in phone_in(language)
+    ]),
     "about has version, licence and documentation": ("#t=0.5", {"simple": True}, [
         "click .learn summary",
         "button About hophoop",
@@ -73,6 +89,11 @@ FLOWS = {
         "do lab.show()",  # the motion is the same: the list keeps the focus
         f"until {SETTLED}",
         "is document.activeElement === all('.story-list button').at(-1)",
+    ]),
+    "the whole path holds what is still to come": ("?duration=2#t=0.3&show=t", {}, [
+        "do return lab.toggle('whole')",
+        "until lab.stage.options.whole && !lab.requested",
+        f"is {FLIGHT}",  # it has not flown yet
     ]),
     "the load is dragged in the simple view": ("#t=0.001", {"simple": True, **CALM}, [
         f"until {SETTLED}",

@@ -12,7 +12,7 @@ from lab_page_tools import picture, summary, until
 def opened(visit, module=None):
     """A page with the widget, as a notebook shows it; and the widget."""
     pytest.importorskip("anywidget")
-    page = visit(bypass_csp=True)  # notebooks allow scripts from blobs
+    page = visit(own=True, bypass_csp=True)  # notebooks allow scripts from blobs
     widget = hh.show(hh.simulate(hh.Scenario(duration=2.0)), panels=("controls", "plots"))
     sent = []
     widget.send = lambda content, buffers=None: sent.append((content, buffers))
