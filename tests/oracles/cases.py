@@ -35,9 +35,6 @@ class Case:
     rolling_resistance: float = 0.0  # lever arm of N over R
     max_events: int = 40  # state changes, impacts, turns and apexes together
 
-    def is_ideal(self) -> bool:
-        return self.inertia_ratio == 1.0 - self.eccentricity**2
-
 
 def rolling(name: str, speed: float, mu: float, **others: float | str) -> Case:
     """A start in pure rolling with the given speed of the centre."""

@@ -30,21 +30,15 @@ def constants(case: Case) -> tuple[mpf, mpf, mpf]:
 
 def rolling_time(case: Case, angle: mpf) -> mpf:
     """Time [s] of rolling from the top, passed with speed vx ≠ 0, through `angle` ≥ 0 [rad], β = 0."""
-    if case.slope != 0 or case.angle != 0:
-        raise ValueError("the elliptic time starts from the top, on the level")
     k, n, factor = constants(case)
-    turns = mp.floor(angle / (2 * mp.pi))
-    rest = (angle - 2 * mp.pi * turns) / 2  # 0 <= φ < π
-    half = mp.elliprf(0, 1 - k, 1 + n) - k / 3 * mp.elliprj(0, 1 - k, 1 + n, 1)
+    turns = mp.nint(angle / (2 * mp.pi))
+    rest = angle / 2 - mp.pi * turns
 
     def arc(phi: mpf) -> mpf:
-        if phi == 0:
-            return mpf(0)
         w = 1 / mp.sin(phi) ** 2
         return mp.elliprf(w - 1, w - k, w + n) - k / 3 * mp.elliprj(w - 1, w - k, w + n, w)
 
-    part = arc(rest) if rest <= mp.pi / 2 else 2 * half - arc(mp.pi - rest)
-    return factor * (2 * half * turns + part)
+    return factor * (2 * turns * arc(mp.pi / 2) + (mp.sign(rest) * arc(abs(rest)) if rest else 0))
 
 
 def rolling_rate(case: Case, angle: mpf) -> mpf:

@@ -2,9 +2,10 @@
 
 The equations are those of :mod:`oracles.mechanics`. Steps are so short that the dense output is as good as they are, and
 SciPy finds the events on it. After an event every mode that the velocities allow is tried, and the first whose signs come out
-right is taken; a sign that is zero is that of a thousandth of √(R/g) later. Impacts are integrated over the normal impulse.
+right is taken; a sign that is zero is that of a thousandth of √(R/g) later. Impacts are those of
+:mod:`oracles.rational`, in doubles.
 
-It repeats the laws of impact on purpose and shares no code with hophoop.
+It shares no code with hophoop.
 """
 
 from __future__ import annotations
@@ -12,12 +13,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 from .cases import Case
+from .events import STATE, Mode, settle
 from .mechanics import (
     DIRECTION,
     FLIGHT,
@@ -25,24 +29,20 @@ from .mechanics import (
     SKID,
     SPIN,
     Vector,
-    applied_forces,
     contact_jacobian,
     free_normal_acceleration,
-    kinetic_energy,
     mass_matrix,
     normal_response,
-    potential_energy,
     solve_mode,
 )
+from .rational import collide
 
-STATE = ("x", "height", "angle", "vx", "vy", "omega")
 EXACT = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-15}
-Mode = tuple[str, int]  # what the rim does, and which way the hoop turns against rolling resistance
 
 
 @dataclass
 class Motion:
-    """Pieces, events and losses of one motion; the state is (x, y, θ, ẋ, ẏ, θ̇, friction work, rolling work)."""
+    """Pieces and events of one motion; the state is (x, y, θ, ẋ, ẏ, θ̇, friction work, rolling work)."""
 
     case: Case
     pieces: list[tuple[float, Any, str]] = field(default_factory=list)
@@ -50,9 +50,6 @@ class Motion:
     sequence: str = ""
     status: str = "completed"
     end: float = 0.0
-    loss_normal: float = 0.0
-    loss_tangential: float = 0.0
-    residual: float = 0.0
 
     def at(self, t: float) -> dict[str, Any]:
         """State and mode at t (right limit at an event)."""
@@ -136,78 +133,14 @@ def holds(case: Case, mode: Mode, state: Vector) -> bool:
 
 
 def impact(case: Case, state: Vector) -> tuple[Vector, dict[str, Any]]:
-    """State after an impact, integrated over the normal impulse p; what it took and what was lost."""
-    jacobian, mass = contact_jacobian(case), mass_matrix(case, state[2])
-    e, approach = case.restitution, float(state[4])
-    # per unit normal impulse at a ratio r of tangential to normal impulse
-    response = np.linalg.solve(mass, jacobian.T)
-    delassus = jacobian @ response
-    hold = -delassus[0, 1] / delassus[0, 0]
-    horizon = 1e3 * case.mass * (abs(approach) + abs(slip_velocity(case, state)) + 1e-300)
+    """State after an impact, what it took and what was lost."""
 
-    def right(_: float, s: Vector, ratio: float) -> Vector:
-        velocity = s[:3]
-        slip, separation = jacobian @ velocity
-        return np.array([*(response @ np.array([ratio, 1.0])), separation, -ratio * slip, ratio])
+    def answer(tangential: float, normal: float) -> Vector:
+        return np.linalg.solve(mass_matrix(case, state[2]), contact_jacobian(case).T @ [tangential, normal])
 
-    # s = (ẋ, ẏ, θ̇, ∫v_n dp, tangential loss, ∫ratio dp)
-    s, p = np.array([*state[3:6], 0.0, 0.0, 0.0]), 0.0
-    vt = slip_velocity(case, state)
-    sliding = vt != 0.0
-    direction = math.copysign(1.0, vt) if sliding else math.copysign(1.0, delassus[0, 1])
-    stuck = False
-    if not sliding:
-        stuck = abs(hold) <= case.mu_static
-    compression_impulse = compression_work = math.nan
-    while True:
-        ratio = hold if stuck else -direction * case.mu_kinetic
-
-        def slip_stops(_: float, s: Vector, ratio: float) -> float:
-            return float(jacobian[0] @ s[:3])
-
-        if math.isnan(compression_impulse):
-
-            def done(p: float, s: Vector, ratio: float) -> float:
-                return float(s[1])
-
-            done.direction = 1.0  # type: ignore[attr-defined]
-        elif case.impact_law == "newton":
-
-            def done(p: float, s: Vector, ratio: float) -> float:
-                return float(s[1] + e * approach)
-        elif case.impact_law == "poisson":
-
-            def done(p: float, s: Vector, ratio: float, until: float = (1 + e) * compression_impulse) -> float:
-                return p - until
-        else:
-
-            def done(p: float, s: Vector, ratio: float, gain: float = (1 - e**2) * compression_work) -> float:
-                return float(s[3] - gain)
-
-        done.terminal = slip_stops.terminal = True  # type: ignore[attr-defined]
-        events = [done, slip_stops] if sliding else [done]
-        run = solve_ivp(right, (p, p + horizon), s, "DOP853", events=events, args=(ratio,), rtol=1e-13, atol=1e-15)
-        if run.status != 1:
-            raise RuntimeError("the impact never ends")
-        p, s = float(run.t[-1]), run.y[:, -1]
-        if sliding and len(run.t_events[1]):
-            s[0] = case.radius * s[2]
-            sliding, stuck = False, abs(hold) <= case.mu_static
-            direction = math.copysign(1.0, delassus[0, 1])
-            continue
-        if not math.isnan(compression_impulse):
-            break
-        s[1], compression_impulse, compression_work = 0.0, p, float(s[3])
-        if e == 0.0 or (case.impact_law == "newton" and approach == 0.0):
-            break
-    if stuck:
-        s[0] = case.radius * s[2]
-    after = np.array([*state[:3], *s[:3], *state[6:]])
-    return after, {
-        "impulse": {"normal": p, "tangential": float(s[5])},
-        "loss_normal": -float(s[3]),
-        "loss_tangential": float(s[4]),
-    }
+    contact = SimpleNamespace(radius=case.radius, mu_static=case.mu_static, mu_kinetic=case.mu_kinetic, answer=answer)
+    result = collide(contact, tuple(map(float, state[3:6])), case.restitution, case.impact_law, math.sqrt)
+    return np.array([*state[:3], *result.pop("velocity"), *state[6:]]), result
 
 
 def guards(case: Case, mode: Mode) -> Iterator[tuple[str, Callable[[float, Vector], float]]]:
@@ -253,12 +186,15 @@ def solve(case: Case) -> Motion:
     omega = case.vx / case.radius if case.rolling else case.omega
     vx = case.radius * omega if case.rolling else case.vx
     state = np.array([case.x, case.height, case.angle, vx, case.vy, omega, 0.0, 0.0])
-    origin = state.copy()
     t, mode = 0.0, (FLIGHT, 0)
+
+    def follow(before: str) -> tuple[Mode, Vector]:
+        return settle(motion.events, {"t": t, "from": before}, state, partial(choose, case), partial(impact, case))
+
     if case.height > 0:
         motion.events.append({"t": t, "kind": "start", "from": "start", "to": FLIGHT, **named(state)})
     else:
-        mode, state = settle(motion, t, state, "start")
+        mode, state = follow("start")
     motion.sequence = mode[0]
     while t < case.duration and len(motion.events) <= case.max_events:
         if mode == (ROLL, 0) and case.rolling_resistance:
@@ -304,90 +240,11 @@ def solve(case: Case) -> Motion:
             )
             mode = forced, 0 if forced == FLIGHT else mode[1]
         else:
-            mode, state = settle(motion, t, state, before)
+            mode, state = follow(before)
         if name != "turn" or mode[0] != before:
             motion.sequence += mode[0]
     if t < case.duration and motion.status == "completed":
         motion.status = "event_limit"
     motion.end = t
     motion.events.append({"t": t, "kind": "end", "from": mode[0], "to": mode[0], **named(state)})
-    energies = [kinetic_energy(case, s[2], s[3:6]) + potential_energy(case, s[0], s[1], s[2]) for s in (origin, state)]
-    motion.residual = energies[1] + float(state[6] + state[7]) + motion.loss_normal + motion.loss_tangential - energies[0]
     return motion
-
-
-def settle(motion: Motion, t: float, state: Vector, mode: str) -> tuple[Mode, Vector]:
-    """Impact where the state moves into the plane, then the mode rule, with the events of both."""
-    case = motion.case
-    pending: list[dict[str, Any]] = []
-
-    def record(kind: str, **more: Any) -> None:
-        pending.append({"t": t, "kind": kind, "from": mode, **named(state), **more})
-
-    def collide(collision: bool) -> None:
-        nonlocal state
-        before = {"vx": float(state[3]), "vy": float(state[4]), "omega": float(state[5])}
-        state, more = impact(case, state)
-        motion.loss_normal += more["loss_normal"]
-        motion.loss_tangential += more["loss_tangential"]
-        record("impact", before=before, collision=collision, **more)
-
-    if state[4] < 0:
-        collide(True)
-    following: Mode = (FLIGHT, 0)
-    if state[4] == 0:
-        following, painleve = choose(case, state)
-        if painleve:
-            record(painleve)
-        if following[0] == "impact":
-            collide(False)
-            following = (FLIGHT, 0) if state[4] > 0 else choose(case, state)[0]
-    if not pending:
-        kind = {ROLL: "stick", FLIGHT: "takeoff"}.get(following[0], "slip_reversal")
-        record("start" if mode == "start" else kind)
-    motion.events += [event | {"to": following[0]} for event in pending]
-    return following, state
-
-
-def slip_over_impulse(case: Case, mode: str, t: float, state: Vector) -> tuple[float, Vector]:
-    """Time and state where slip from `state` stops or the rotation turns, integrated over the normal impulse.
-
-    With dp = N dt the rates are finite however large N becomes: 1/N, the time per unit impulse, goes to zero
-    together with the response off the plane. So this passes where an integration over time cannot.
-    """
-    jacobian, sigma = contact_jacobian(case), DIRECTION[mode]
-
-    def right(_: float, s: Vector) -> Vector:
-        angle, omega = s[2], s[5]
-        mass = mass_matrix(case, angle)
-        push = np.linalg.solve(mass, jacobian[1] - sigma * case.mu_kinetic * jacobian[0])
-        free = np.linalg.solve(mass, applied_forces(case, angle, omega))
-        time = -push[1] / free[1]
-        rate = push + time * free
-        rate[1] = 0.0
-        loss = sigma * case.mu_kinetic * slip_velocity(case, s)
-        return np.array([s[3] * time, 0.0, omega * time, *rate, loss, time])
-
-    def stops(_: float, s: Vector) -> float:
-        return slip_velocity(case, s)
-
-    def turns(_: float, s: Vector) -> float:
-        return float(s[5])
-
-    stops.terminal = turns.terminal = True  # type: ignore[attr-defined]
-    start = np.array([*state[:7], t])
-    # a bound on the impulse: what would stop the whole body many times over
-    horizon = 1e3 * case.mass * (abs(slip_velocity(case, state)) + case.radius * abs(state[5]))
-    run = solve_ivp(
-        right,
-        (0.0, horizon),
-        start,
-        "DOP853",
-        events=[stops, turns],
-        max_step=horizon,
-        rtol=3e-14,
-        atol=1e-15,
-    )
-    if run.status != 1:
-        raise RuntimeError("the slip neither stops nor turns")
-    return float(run.y[7, -1]), run.y[:7, -1]

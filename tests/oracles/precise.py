@@ -6,7 +6,7 @@ after lift-off) have their leading zero coefficients divided out before roots ar
 decides each tie of the mode rule: the first non-zero coefficient of the candidate motion is the first
 non-zero time derivative.
 
-It repeats the laws of impact on purpose and shares no code with hophoop.
+It shares no code with hophoop.
 """
 
 from __future__ import annotations
@@ -20,11 +20,10 @@ import numpy as np
 from mpmath import mp, mpf
 
 from .cases import Case
+from .events import STATE, Mode, settle
 from .mechanics import DIRECTION, FLIGHT, ROLL, SKID, SPIN
 from .rational import collide
 from .series import Parameters, Piece, Series, derivative, expand, leading, value
-
-STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
 @dataclass
@@ -65,7 +64,7 @@ def slip_velocity(p: Parameters, state: tuple[mpf, ...]) -> mpf:
     return state[3] - p.radius * state[5]
 
 
-def choose(p: Parameters, state: tuple[mpf, ...], order: int = 12) -> tuple[str, str]:
+def choose(p: Parameters, state: tuple[mpf, ...], order: int = 12) -> tuple[Mode, str]:
     """Mode that follows from contact at rest off the plane, and the Painlevé event if there is one."""
     unit, weight, speed = p.time_scale, p.force_scale, p.speed_scale
 
@@ -75,28 +74,20 @@ def choose(p: Parameters, state: tuple[mpf, ...], order: int = 12) -> tuple[str,
     vt = slip_velocity(p, state)
     if vt == 0:
         piece = expand(p, ROLL, mpf(0), state, mpf(0), order)
-        upper = [p.mu_static * n - f for n, f in zip(piece.normal, piece.friction, strict=True)]
-        lower = [p.mu_static * n + f for n, f in zip(piece.normal, piece.friction, strict=True)]
-        if sign(piece.normal, weight) > 0 and sign(upper, weight) >= 0 and sign(lower, weight) >= 0:
-            return ROLL, ""
-        for mode in (SKID, SPIN):
-            if normal_response(p, state[2], mode) <= 0:
-                continue
+        functions = event_functions(p, piece)
+        if sign(piece.normal, weight) > 0 and all(sign(*functions[name][:2]) >= 0 for name in ("slip+", "slip-")):
+            return (ROLL, 0), ""
+    elif normal_response(p, state[2], SKID if vt > 0 else SPIN) <= 0:
+        if p.free_normal_acceleration(state[2], state[5]) < 0:
+            return ("impact", 0), "painleve_inconsistent"
+        return ("impact" if p.case.painleve == "impact" else FLIGHT, 0), "painleve_indeterminate"
+    for mode in (SKID, SPIN):
+        if vt * DIRECTION[mode] >= 0 and normal_response(p, state[2], mode) > 0:
             piece = expand(p, mode, mpf(0), state, mpf(0), order)
             slip = [u - p.radius * w for u, w in zip(piece.vx, piece.omega, strict=True)]
-            if sign(piece.normal, weight) > 0 and sign(slip, speed) == DIRECTION[mode]:
-                return mode, ""
-        return FLIGHT, ""
-    mode = SKID if vt > 0 else SPIN
-    response = normal_response(p, state[2], mode)
-    if response > 0:
-        piece = expand(p, mode, mpf(0), state, mpf(0), order)
-        return (mode if sign(piece.normal, weight) > 0 else FLIGHT), ""
-    if p.free_normal_acceleration(state[2], state[5]) < 0:
-        return "impact", "painleve_inconsistent"
-    if p.case.painleve == "impact":
-        return "impact", "painleve_indeterminate"
-    return FLIGHT, "painleve_indeterminate"
+            if sign(piece.normal, weight) > 0 and (vt != 0 or sign(slip, speed) == DIRECTION[mode]):
+                return (mode, 0), ""
+    return (FLIGHT, 0), ""
 
 
 def normal_response(p: Parameters, angle: mpf, mode: str) -> mpf:
@@ -104,13 +95,14 @@ def normal_response(p: Parameters, angle: mpf, mode: str) -> mpf:
     return p.response(angle, -DIRECTION[mode] * p.mu_kinetic, mpf(1))[1]
 
 
-def impact(p: Parameters, state: tuple[mpf, ...]) -> dict[str, Any]:
-    """Velocities after an impact: the straight pieces of the velocity over the growing normal impulse."""
+def impact(p: Parameters, state: tuple[mpf, ...]) -> tuple[tuple[mpf, ...], dict[str, Any]]:
+    """State after an impact, what it took and what was lost: straight pieces of the velocity over the normal impulse."""
     restitution = mpf(0) if -state[4] < p.case.rest_below else p.restitution
     contact = SimpleNamespace(
         radius=p.radius, mu_static=p.mu_static, mu_kinetic=p.mu_kinetic, answer=partial(p.response, state[2])
     )  # fmt: skip
-    return collide(contact, state[3:], restitution, p.case.impact_law, mp.sqrt)
+    result = collide(contact, state[3:], restitution, p.case.impact_law, mp.sqrt)
+    return (*state[:3], *result.pop("velocity")), result
 
 
 def event_functions(p: Parameters, piece: Piece) -> dict[str, tuple[Series, mpf, bool]]:
@@ -184,60 +176,6 @@ def initial_state(p: Parameters) -> tuple[mpf, ...]:
     return mpf(case.x), mpf(case.height), mpf(case.angle), vx, mpf(case.vy), omega
 
 
-def settle(
-    p: Parameters, solution: Solution, t: mpf, state: tuple[mpf, ...], mode: str, forced: str = ""
-) -> tuple[str, tuple[mpf, ...]]:
-    """Impact if the state moves into the plane, then the mode rule; the mode and state that follow."""
-
-    def record(kind: str, old: str, new: str, **more: Any) -> None:
-        solution.events.append({"t": t, "kind": kind, "from": old, "to": new, **as_state(state), **more})
-
-    def collide(collision: bool) -> None:
-        nonlocal state
-        before = {"vx": state[3], "vy": state[4], "omega": state[5]}
-        result = impact(p, state)
-        state = (*state[:3], *result["velocity"])
-        solution.losses_normal += result["loss_normal"]
-        solution.losses_tangential += result["loss_tangential"]
-        more = {key: result[key] for key in ("impulse", "loss_normal", "loss_tangential")}
-        record("impact", mode, "?", before=before, collision=collision, **more)
-
-    def follow() -> str:
-        return FLIGHT if state[4] > 0 else choose(p, state)[0]
-
-    if forced:
-        record("slip_start" if forced in DIRECTION else "takeoff", mode, forced)
-        return forced, state
-    if state[4] < 0:
-        collide(True)
-    elif state[4] > 0:
-        if mode == "start":
-            record("start", mode, FLIGHT)
-        return FLIGHT, state
-    following, painleve = choose(p, state) if state[4] == 0 else (FLIGHT, "")
-    if painleve:
-        record(painleve, mode, following)
-        if following == "impact":
-            collide(False)
-            following = follow()
-    pending = [event for event in solution.events if event["to"] in ("?", "impact")]
-    for event in pending:
-        event["to"] = following
-    if pending:
-        return following, state
-    kind = {ROLL: "stick", FLIGHT: "takeoff"}.get(following, "slip_reversal")
-    if mode == "start":
-        kind = "start"
-    if not painleve:
-        record(kind, mode, following)
-    return following, state
-
-
-def as_state(state: tuple[mpf, ...]) -> dict[str, mpf]:
-    """Names for the six numbers of a state."""
-    return dict(zip(STATE, state, strict=True))
-
-
 def solve(case: Case, digits: int = 40, order: int | None = None) -> Solution:
     """Solve a case to about `digits` − 8 digits, until its duration or its number of events is reached."""
     with mp.workdps(digits + 10):
@@ -247,13 +185,27 @@ def solve(case: Case, digits: int = 40, order: int | None = None) -> Solution:
 
 def _solve(case: Case, p: Parameters, order: int) -> Solution:
     solution = Solution(case, p)
-    t, work, state = mpf(0), mpf(0), initial_state(p)
+    t, work, state, mode = mpf(0), mpf(0), initial_state(p), "start"
     duration = mpf(case.duration)
+
+    def note(kind: str, to: str) -> None:
+        solution.events.append({"t": t, "kind": kind, "from": mode, "to": to, **dict(zip(STATE, state, strict=True))})
+
+    def strike(before: tuple[mpf, ...]) -> tuple[tuple[mpf, ...], dict[str, Any]]:
+        after, more = impact(p, before)
+        solution.losses_normal += more["loss_normal"]
+        solution.losses_tangential += more["loss_tangential"]
+        return after, more
+
+    def follow() -> tuple[str, tuple[mpf, ...]]:
+        (following, _), after = settle(solution.events, {"t": t, "from": mode}, state, partial(choose, p), strike)
+        return following, after
+
     if state[1] > 0:
+        note("start", FLIGHT)
         mode = FLIGHT
-        solution.events.append({"t": t, "kind": "start", "from": "start", "to": mode, **as_state(state)})
     else:
-        mode, state = settle(p, solution, t, state, "start")
+        mode, state = follow()
     solution.sequence = mode
     fresh = True
     while t < duration:
@@ -275,40 +227,35 @@ def _solve(case: Case, p: Parameters, order: int) -> Solution:
             fresh = False
             continue
         tau, name = min(candidates)
-        t, work = t + tau, value(piece.work, tau)
+        t, work, fresh = t + tau, value(piece.work, tau), True
         x, y, angle, vx, vy, omega = piece.state(tau)
-        if mode != FLIGHT:
-            y, vy = mpf(0), mpf(0)
-        if mode == ROLL:
-            vx = p.radius * omega
-        fresh = True
+        if mode != FLIGHT or name == "impact":
+            y = mpf(0)
+        if mode != FLIGHT or name == "apex":
+            vy = mpf(0)
         if name == "turn":
-            omega, vx = mpf(0), (mpf(0) if mode == ROLL else vx)
-            state = (x, y, angle, vx, vy, omega)
-            solution.events.append({"t": t, "kind": "turn", "from": mode, "to": mode, **as_state(state)})
-        elif name == "apex":
-            state = (x, y, angle, vx, mpf(0), omega)
-            solution.events.append({"t": t, "kind": "apex", "from": mode, "to": mode, **as_state(state)})
-        else:
-            forced = ""
-            if name == "rest":
-                vx = p.radius * omega
-            elif name == "impact":
-                y = mpf(0)
-            elif name == "takeoff":
-                forced = FLIGHT
-            else:  # the edge of the friction cone: F > 0 at "slip+" drives the slip backwards
-                forced = SPIN if name == "slip+" else SKID
-                if p.free_normal_acceleration(angle, omega) >= 0:
-                    forced = FLIGHT
-            mode, state = settle(p, solution, t, (x, y, angle, vx, vy, omega), mode, forced)
+            omega = mpf(0)
+        if mode == ROLL or name == "rest":
+            vx = p.radius * omega
+        state = (x, y, angle, vx, vy, omega)
+        if name in ("turn", "apex"):
+            note(name, mode)
+        elif name in ("rest", "impact"):
+            mode, state = follow()
+            solution.sequence += mode
+        else:  # the edge of the friction cone: F > 0 at "slip+" drives the slip backwards
+            to = SPIN if name == "slip+" else SKID
+            if name == "takeoff" or p.free_normal_acceleration(angle, omega) >= 0:
+                to = FLIGHT
+            note("takeoff" if to == FLIGHT else "slip_start", to)
+            mode = to
             solution.sequence += mode
         if len(solution.events) > case.max_events:
             solution.status = "event_limit"
             break
     solution.end = t
-    last = solution.at(t) if solution.status == "completed" else {"mode": mode, **as_state(state), "work": work}
-    solution.events.append({**last, "t": t, "kind": "end", "from": mode, "to": mode})
+    last = solution.at(t) if solution.status == "completed" else dict(zip(STATE, state, strict=True)) | {"work": work}
+    solution.events.append({"mode": mode, **last, "t": t, "kind": "end", "from": mode, "to": mode})
     return solution
 
 

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from mpmath import mp, mpf
 from scipy.optimize import brentq
 
 from hophoop.kernel.panels import landing
@@ -35,12 +34,8 @@ class Case(NamedTuple):
     def opening(self):
         return self.eps * self.om**2 * math.cos(self.th) - self.gn
 
-    def mirrored(self):
-        return self._replace(th=-self.th, om=-self.om)
-
     def found(self, order, limit=1e9):
-        gn = self.gn
-        body = Body(self.eps, 0.3, 1.0, 1.0, gn, 0.0, 0.0, 0, False, 0.0)
+        body = Body(self.eps, 0.3, 1.0, 1.0, self.gn, 0.0, 0.0, 0, False, 0.0)
         return landing.first_landing(body, self.th, self.om, self.y, self.vn, self.opening, order, limit)
 
 
@@ -54,40 +49,28 @@ def first_fall(function, times):
 def check(case, order, begin=1e-9):
     times = np.linspace(begin, 40.0, 400_001)
     expected = first_fall(case.gap, times)
-    found, apex, seen = case.found(order)
-    assert seen == 1e9
+    found, apex, _ = case.found(order)
     if math.isnan(expected):
         assert found == -1.0 or found > times[-1]
         return
-    slowness = 1.0 / abs(case.rate(expected))  # of a landing beside a touch, whose place rounding moves
-    assert found == pytest.approx(expected, rel=1e-12, abs=1e-12 + 1e-14 * slowness)
-    before = np.linspace(0.0, expected, 20_001)[1:-1]
-    height = max(np.max(case.gap(before), initial=0.0), case.y)
-    if apex >= 0.0:
-        assert 0.0 < apex < found
-        assert abs(case.rate(apex)) < 1e-11
-        assert case.gap(apex) == pytest.approx(height, rel=1e-6)
-    else:
-        assert height == pytest.approx(max(case.y, case.gap(before[0])), rel=1e-6)
-    assert case.mirrored().found(order) == (found, apex, seen)
+    # rounding moves a landing beside a touch
+    assert found == pytest.approx(expected, rel=1e-12, abs=1e-12 + 1e-14 / abs(case.rate(expected)))
+    height = np.max(case.gap(np.linspace(0.0, expected, 20_001)))
+    assert case.gap(max(apex, 0.0)) == pytest.approx(height, rel=1e-6)
+    assert apex < 0.0 or (apex < found and abs(case.rate(apex)) < 1e-11)
+    assert case._replace(th=-case.th, om=-case.om).found(order)[:2] == (found, apex)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.parametrize("seed", range(40))
 def test_random_flights(seed):
-    """From above the plane, where the gap bends up and down once, many times or never."""
+    """From above the plane, where the gap bends up and down once, many times or never; and from it, with any speed."""
     random = np.random.default_rng(seed)
-    eps = random.uniform(0.0, 1.0)
+    eps, th = random.uniform(0.0, 1.0), random.uniform(-math.pi, math.pi)
     om = random.choice([-1.0, 1.0]) * 10.0 ** random.uniform(-2.0, 1.2)
-    y, vn = random.uniform(0.01, 3.0), random.uniform(-3.0, 3.0)
-    check(Case(eps, float(random.choice([1.0, 0.6])), random.uniform(-math.pi, math.pi), om, y, vn), 0)
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_bounces(seed):
-    """From the plane, with any speed away from it."""
-    random = np.random.default_rng(100 + seed)
-    om, vn = random.uniform(-4.0, 4.0), 10.0 ** random.uniform(-4.0, 0.5)
-    check(Case(random.uniform(0.0, 1.0), 1.0, random.uniform(-math.pi, math.pi), om, 0.0, vn), 1, begin=1e-7)
+    case = Case(eps, float(random.choice([1.0, 0.6])), th, om, random.uniform(0.01, 3.0), random.uniform(-3.0, 3.0))
+    check(case, 0)
+    if seed < 15:
+        check(case._replace(y=0.0, vn=10.0 ** random.uniform(-4.0, 0.5)), 1, begin=1e-7)
 
 
 @pytest.mark.parametrize("om", [1.2, 2.0, 5.0, 30.0])
@@ -99,49 +82,24 @@ def test_lift_off(om, part):
     check(Case(eps, 1.0, -part * half, om, 0.0, 0.0), 3 if part == 1.0 else 2, begin=1e-3)
 
 
-def test_a_lift_off_of_which_rounding_leaves_nothing():
-    """g_n = ε θ̇² at the top, where the gap would have to bend up: it is at the plane again at once."""
-    assert Case(0.5, 1.0, 0.0, math.nextafter(math.sqrt(2.0), 0.0), 0.0, 0.0).found(3)[0] == 0.0
-
-
 def test_without_gravity():
     """G goes on evenly: the rim lands only where G comes down, or where a turn brings it down."""
-    assert Case(0.5, 0.0, 0.3, 0.0, 1.0, -0.25).found(0)[0] == pytest.approx(4.0, rel=1e-15)
-    assert Case(0.5, 0.0, 0.3, 0.0, 1.0, 0.25).found(0)[0] == -1.0
-    assert Case(0.5, 0.0, 0.3, 0.0, 1.0, 0.0).found(0)[0] == -1.0
+    for vn, found in ((-0.25, 4.0), (0.25, -1.0), (0.0, -1.0)):
+        assert Case(0.5, 0.0, 0.3, 0.0, 1.0, vn).found(0)[0] == pytest.approx(found, rel=1e-15)
     assert Case(0.0, 0.0, 0.3, 2.0, 0.0, 0.0).found(3)[0] == -1.0  # a balanced hoop stays where it is
-    # the rim is lowest with the load on top, 1.5 below where it is with the load at the bottom
-    check(Case(0.75, 0.0, math.pi, 2.0, 1.4, 0.0), 0)
-    assert Case(0.75, 0.0, math.pi, 2.0, 1.6, 0.0).found(0)[0] == -1.0
+    check(Case(0.75, 0.0, math.pi, 2.0, 1.4, 0.0), 0)  # the rim comes 1.5 down as the load goes from the bottom to the top
 
 
-@pytest.mark.parametrize(("above", "lands"), [(1e-12, False), (0.0, False), (-1e-12, True)])
-def test_a_touch_is_no_landing(above, lands):
-    """The rim comes down to the plane and up again, once a turn, without gravity."""
+@pytest.mark.parametrize(("above", "low", "high"), [(1e-12, -1.0, -1.0), (0.0, -1.0, -1.0), (-1e-12, 1e-6, 3e-6)])
+def test_a_touch_is_no_landing(above, low, high):
+    """The rim comes down to the plane and up again, once a turn, without gravity; the gap is (π − τ)²/4 and 10⁻¹² there."""
     found = Case(0.5, 0.0, math.pi, 1.0, 1.0 + above, 0.0).found(0, 20.0)[0]
-    assert (found > 0.0) is lands
-    if lands:
-        # The gap is (π − τ)²/4 − 1e-12 there and falls with 1e-6: the time has the condition 1e6, the gap itself is known.
-        assert 1e-6 < math.pi - found < 3e-6
-        with mp.workdps(30):
-            th = mpf(math.pi)
-            rise = -mp.mpf("0.5") * mp.sin(th)
-            gap = mpf(1.0 + above) + rise * mpf(found) - (mp.cos(th + mpf(found)) - mp.cos(th)) / 2
-        assert abs(gap) < 8.0 * np.spacing(1.0)
+    assert low <= (math.pi - found if found > 0.0 else found) <= high
 
 
-@pytest.mark.parametrize("vn", [1e-3, 1e-8, 1e-30, 1e-90])
+@pytest.mark.parametrize("vn", [1e-3, 1e-8, 1e-90])
 def test_tiny_bounces(vn):
     """A parabola over so short a time: 2 v_n over the acceleration."""
     case = Case(0.75, 1.0, 1.0, 1.3, 0.0, vn)
-    found, apex, _ = case.found(1)
-    fall = -case.opening
-    assert found == pytest.approx(2.0 * vn / fall, rel=20.0 * vn + 1e-14)
-    assert apex == pytest.approx(vn / fall, rel=20.0 * vn + 1e-14)
-
-
-def test_the_limit_of_time_changes_no_bit():
-    case = Case(0.75, 1.0, 2.0, 7.0, 0.5, 1.0)
-    found = case.found(0)
-    assert case.found(0, found[0])[:2] == found[:2]
-    assert case.found(0, 100.0)[:2] == found[:2]
+    half = -vn / case.opening
+    assert case.found(1)[:2] == pytest.approx((2.0 * half, half), rel=20.0 * vn + 1e-14)

@@ -56,55 +56,45 @@ AWAY = [
 
 @pytest.mark.parametrize("away", AWAY)
 def test_time_goes_on(away):
-    motion = hh.simulate(hh.Scenario.model_validate(away | {"contact": {"max_events": 2000}}))
+    """The same bits with compiled and interpreted kernels."""
+    scenario = hh.Scenario.model_validate(away | {"contact": {"max_events": 2000}})
+    motion = hh.simulate(scenario)
     assert motion.status == "event_limit"
     assert max(abs(event.angle) for event in motion.events) > 1e8
     assert all(a.t <= b.t for a, b in pairwise(motion.events))
-    samples = motion.at(motion.times(200))
-    assert np.all(np.isfinite(samples.omega))
-    ledger = motion.ledger
-    assert abs(ledger.residual) < 1e-9 * (ledger.kinetic + abs(ledger.potential))
-
-
-@pytest.mark.parametrize("away", AWAY)
-def test_compiled_and_interpreted_agree(away):
-    scenario = hh.Scenario.model_validate(away | {"contact": {"max_events": 2000}})
-    compiled = event_rows(hh.simulate(scenario).tables["events"])
+    assert np.isfinite(motion.at(motion.times(200)).omega).all()
+    assert abs(motion.ledger.residual) < 1e-9 * (motion.ledger.kinetic + abs(motion.ledger.potential))
     with forced("interpreted"):
         found = event_rows(hh.simulate(scenario).tables["events"])
-    assert found.tobytes() == compiled.tobytes()
+    assert found.tobytes() == event_rows(motion.tables["events"]).tobytes()
 
 
 def test_whole_turns_of_any_angle():
     random = np.random.default_rng(10)
-    for exponent in (10, 15, 17, 18, 19, 20, 25, 30, 40, 80, 140):
+    for exponent in (10, 17, 19, 25, 40, 140):
         for angle in (random.uniform(-1.0, 1.0, 20) * 10.0**exponent).tolist():
-            whole, (turns, high, low) = nearest_whole(angle), revolutions_and_rest(angle)
+            turns, high, low = revolutions_and_rest(angle)
             assert turns == nearest_whole(turns)
-            assert whole == mpmath.nint(mpmath.mpf(angle)) or abs(whole - angle) == 0.5
             assert abs(high) <= PI * (1.0 + 1e-12)
-            if exponent <= 25:
-                with mpmath.workdps(60):
-                    turned = 2 * mpmath.pi * mpmath.nint(mpmath.mpf(angle) / (2 * mpmath.pi))
-                    apart = abs(mpmath.mpf(angle) - turned - high - low)
-                    assert min(apart, abs(apart - 2 * mpmath.pi)) < 10.0 ** (exponent - 30)
-
-
-def test_an_angle_that_is_no_number():
+            assert nearest_whole(angle) == mpmath.nint(mpmath.mpf(angle)) or abs(nearest_whole(angle) - angle) == 0.5
+            with mpmath.workdps(60):
+                apart = abs(mpmath.mpf(angle) - high - low) / (2 * mpmath.pi)
+                assert exponent > 25 or abs(apart - mpmath.nint(apart)) < 10.0 ** (exponent - 30)
     assert math.isnan(revolutions_and_rest(math.nan)[1])
     assert math.isnan(revolutions_and_rest(math.inf)[1])
 
 
 def test_numbers_whose_squares_overflow_end_the_motion():
     """At the last state that can be reckoned with, not at infinity or before its start."""
-    before = start_state(0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-    follows = kernel.can_follow
-    assert follows(before, before._replace(t=1.0), 5.0)
-    assert follows(before, before, 5.0)
-    assert not follows(before._replace(t=1.0), before._replace(t=math.nextafter(1.0, 0.0)), 5.0)
-    assert follows(before._replace(t=math.nextafter(5.0, 6.0)), before._replace(t=5.0), 5.0)  # the end of time
+    before = start_state(0.0, 1.0, 0.0, 0.0, 0.0, 1.0)._replace(t=1.0)
+
+    def follows(**values):
+        return kernel.can_follow(before, before._replace(**values), 5.0)
+
+    assert follows()
+    assert follows(t=2.0)
+    assert not follows(t=math.nextafter(1.0, 0.0))
+    assert kernel.can_follow(before._replace(t=math.nextafter(5.0, 6.0)), before._replace(t=5.0), 5.0)  # the end of time
     for name in ("t", "x", "y", "revolutions", "vt", "vn", "om", "friction", "impact_n", "impact_t", "rolling_loss"):
-        assert not follows(before, before._replace(**{name: math.nan}), 5.0)
-        if name != "t":
-            assert not follows(before, before._replace(**{name: math.inf}), 5.0)
-            assert not follows(before, before._replace(**{name: 1e301}), 5.0)
+        assert not follows(**{name: math.nan})
+        assert name == "t" or not (follows(**{name: math.inf}) or follows(**{name: 1e301}))

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
 
 import hophoop as hh
@@ -34,140 +33,73 @@ def free_lift(hoop, angle, omega, gravity=9.81):
     return -gravity + hoop.eccentricity * hoop.radius * omega**2 * math.cos(angle)
 
 
-def start_of(mu, painleve="flight", restitution=0.0, law="stronge", duration=0.5, **state):
-    plane = hh.Plane(mu=mu, painleve=painleve, restitution=restitution, impact_law=law)
-    return hh.simulate(HOOP, plane, hh.Start(**state), duration=duration)
+def start_of(mu, painleve="flight", way=1, restitution=0.0, **state):
+    plane = hh.Plane(mu=mu, painleve=painleve, restitution=restitution)
+    return hh.simulate(HOOP, plane, hh.Start(**{name: way * value for name, value in state.items()}), duration=0.5)
 
 
-def mirror(state):
-    return {name: -value for name, value in state.items()}
-
-
-@pytest.mark.parametrize("state", [SKID, mirror(SKID)])
-@pytest.mark.parametrize("law", ["newton", "poisson", "stronge"])
-def test_inconsistent_slip_is_an_impact_without_collision(state, law):
+@pytest.mark.parametrize("way", [1, -1])
+def test_inconsistent_slip_is_an_impact_without_collision(way):
     """No force can carry this slip: it is recorded, and an impact at t = 0 stops the slip."""
-    sigma = 1 if state["vx"] > 0 else -1
-    assert lift_of_a_push(HOOP, state["angle"], 1.2, sigma) < 0 > free_lift(HOOP, state["angle"], state["omega"])
-    motion = start_of(1.2, restitution=0.5, law=law, **state)
-    kinds = [event.kind for event in motion.events[:3]]
-    assert kinds == ["start", "painleve_inconsistent", "impact"]
+    assert lift_of_a_push(HOOP, SKID["angle"], 1.2, 1) < 0 > free_lift(HOOP, SKID["angle"], SKID["omega"])
+    motion = start_of(1.2, way=way, restitution=0.5, **SKID)
+    assert [event.kind for event in motion.events[:3]] == ["start", "painleve_inconsistent", "impact"]
     impact = motion.events[2]
-    assert impact.t == 0.0
-    assert impact.collision is False
-    assert impact.slip == 0.0
-    assert impact.impulse_normal > 0.0
+    assert (impact.t, impact.collision, impact.slip, impact.to_mode) == (0.0, False, 0.0, "H")
     assert impact.impact_tangential > 0.0
-    if law == "newton":
-        assert impact.vy == 0.0
-    else:
-        assert impact.vy > 0.0
-        assert impact.to_mode == "H"
     assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
 
 
-@pytest.mark.parametrize("state", [FAST, mirror(FAST)])
-def test_indeterminate_slip_follows_the_planes_choice(state):
+@pytest.mark.parametrize("way", [1, -1])
+def test_indeterminate_slip_follows_the_planes_choice(way):
     """Flight or impact are both solutions: the plane says which, and either is recorded."""
-    sigma = 1 if state["vx"] > 0 else -1
-    assert lift_of_a_push(HOOP, state["angle"], 1.2, sigma) < 0 < free_lift(HOOP, state["angle"], state["omega"])
-    flies = start_of(1.2, "flight", **state)
+    assert lift_of_a_push(HOOP, FAST["angle"], 1.2, 1) < 0 < free_lift(HOOP, FAST["angle"], FAST["omega"])
+    flies = start_of(1.2, "flight", way, **FAST)
     assert [event.kind for event in flies.events[:2]] == ["start", "painleve_indeterminate"]
-    assert flies.events[1].to_mode == "H"
-    assert flies.sequence.startswith("H")
-    strikes = start_of(1.2, "impact", **state)
+    assert flies.events[1].to_mode == flies.sequence[0] == "H"
+    strikes = start_of(1.2, "impact", way, **FAST)
     assert [event.kind for event in strikes.events[:3]] == ["start", "painleve_indeterminate", "impact"]
-    impact = strikes.events[2]
-    assert impact.collision is False
-    assert impact.slip == 0.0
-    for motion in (flies, strikes):
-        assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
+    assert (strikes.events[2].collision, strikes.events[2].slip) == (False, 0.0)
+    assert all(abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range for motion in (flies, strikes))
 
 
 def test_the_impact_is_the_limit_of_ordinary_slip():
-    """As μ comes up to the threshold the slip stops in less and less time, with the impact's impulse at last.
-
-    An impact at fixed position: κ θ̇ grows by the torque of (−μ, 1) per unit impulse until v_t = 0.
-    """
+    """As μ comes up to the threshold the slip stops in less and less time, with the impact's impulse at last."""
     mu = float(hh.theory.painleve_threshold(-0.7, HOOP))
-    results = []
-    for step in (1e-3, 1e-5, 1e-7):
-        motion = start_of(mu * (1 - step), **SKID)
-        stick = motion.events[1]
-        results.append((stick.t, stick.omega))
-        assert stick.kind in ("stick", "slip_reversal", "takeoff")
+    sticks = [start_of(mu * (1 - step), **SKID).events[1] for step in (1e-3, 1e-5, 1e-7)]
     impact = start_of(mu * (1 + 1e-9), **SKID).find("impact")[0]
-    errors = [abs(omega - impact.omega) for _, omega in results]
-    assert results[0][0] > results[1][0] > results[2][0]
-    assert errors[2] < 0.2 * errors[0] + 1e-9
-
-
-@pytest.mark.parametrize("omega", [20.0, 30.0, 37.0, 45.0])
-@pytest.mark.parametrize("speed", [10.0, 30.0, 39.0])
-def test_the_impact_closes_the_ledger_where_the_moment_of_inertia_is_small(omega, speed):
-    """The impulse has no normal work; from q/κ it would have, as the last panel ends 1e-14 rad before p = 0."""
-    hoop = hh.Hoop(eccentricity=0.9128464310036214, inertia_ratio=0.00013391426767761817)
-    start = hh.Start(angle=-3.32, vx=speed, omega=omega)
-    motion = hh.simulate(hoop, hh.Plane(mu=0.9864259833341639), start, duration=6.0)
-    assert motion.find("painleve_inconsistent")
-    assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range
+    assert sticks[0].t > sticks[1].t > sticks[2].t
+    assert abs(sticks[2].omega - impact.omega) < 0.2 * abs(sticks[0].omega - impact.omega) + 1e-9
 
 
 def test_jam():
     """p and f_n go to zero together: recorded with the angle, and the run ends with a status that says so."""
     plane = hh.Plane(mu=1.219)
     motion = hh.simulate(HOOP, plane, hh.Start(angle=-2.312, vx=30.37, omega=5.654), duration=1.0)
-    assert motion.status == "jammed"
-    assert not motion.ok
+    assert (motion.status, motion.ok) == ("jammed", False)
     (jam,) = motion.find("jam")
     assert jam.t == motion.duration
+    assert jam.slip > 0.0
     assert lift_of_a_push(HOOP, jam.angle, 1.219, 1) == pytest.approx(0.0, abs=1e-5)
     assert free_lift(HOOP, jam.angle, jam.omega) == pytest.approx(0.0, abs=1e-3)
     states = [state for state in hh.theory.jam_states(HOOP, plane) if state.mode == "K"]
     assert min(abs(math.remainder(jam.angle - state.angle, 2 * math.pi)) for state in states) < 1e-5
-    assert jam.slip > 0.0
     # up to there the motion is as good as any
-    half = motion.at(0.5 * motion.duration)
-    begin = motion.at(0.0)
+    half, begin = motion.at(0.5 * motion.duration), motion.at(0.0)
     assert half.total + half.friction == pytest.approx(begin.total, abs=1e-12 * motion.ledger.range)
-    document = motion.to_dict()
-    assert document["status"] == "jammed"
-    assert document["events"][-2]["kind"] == "jam"
 
 
-def test_without_the_paradox_nothing_is_recorded():
-    """Below the hoop's least friction no start meets it."""
-    random = np.random.default_rng(8)
-    for _ in range(60):
-        motion = start_of(
-            0.88,
-            duration=1.0,
-            angle=float(random.uniform(-4, 4)),
-            vx=float(random.normal() * 8),
-            omega=float(random.normal() * 8),
-        )
-        for kind in ("painleve_inconsistent", "painleve_indeterminate", "jam"):
-            assert not motion.find(kind)
-
-
-def test_energy_keeps_rolling_hoops_from_the_jam():
-    """The bound by hand for γ = 3/4, μ = 1; above the speed of the immediate hop for all bodies; below every jam found."""
-    upper = max(state.angle for state in hh.theory.jam_states(HOOP) if state.mode == "S")
-    c = math.cos(upper)
-    by_hand = math.sqrt(9.81 * ((1 + 0.75 * c) / (0.75 * c) - 0.75 * (1 - c)) / 1.75)
-    assert hh.theory.least_jam_speed(HOOP) == pytest.approx(by_hand, rel=1e-12)
-    random = np.random.default_rng(2)
-    finite = 0
-    for _ in range(200):
-        eccentricity = float(random.uniform(0.2, 0.999))
-        share = float(random.uniform(0.01, 1.0))
-        hoop = hh.Hoop(radius=0.7, mass=1.0, eccentricity=eccentricity, inertia_ratio=share * (1 - eccentricity**2))
-        speed = hh.theory.least_jam_speed(hoop, hh.Plane(mu=float(random.uniform(0.05, 3.0))))
-        assert speed > hh.theory.immediate_hop_speed(hoop)
-        finite += math.isfinite(speed)
-    assert finite > 20
+@pytest.mark.parametrize(("hoop", "mu"), [(HOOP, 1.0), (hh.Hoop(radius=0.7, eccentricity=0.9, inertia_ratio=0.1), 0.7)])
+def test_energy_keeps_rolling_hoops_from_the_jam(hoop, mu):
+    """The bound is the energy of rolling where f_n = 0, above the speed of the immediate hop."""
+    plane, e, kap = hh.Plane(mu=mu), hoop.eccentricity, hoop.inertia_ratio
+    c = math.cos(max(state.angle for state in hh.theory.jam_states(hoop, plane) if state.mode == "S"))
+    rolling = (1 + kap + e**2 + 2 * e * c) / (2 * e * c) - e * (1 - c)
+    by_hand = math.sqrt(2 * 9.81 * hoop.radius * rolling / ((1 + e) ** 2 + kap))
+    assert hh.theory.least_jam_speed(hoop, plane) == pytest.approx(by_hand, rel=1e-12)
+    assert by_hand > hh.theory.immediate_hop_speed(hoop)
     with pytest.raises(ValueError, match=r"plane\.slope"):
-        hh.theory.least_jam_speed(HOOP, hh.Plane(slope=0.1))
+        hh.theory.least_jam_speed(hoop, hh.Plane(slope=0.1))
 
 
 def test_force_at_the_threshold():

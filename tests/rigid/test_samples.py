@@ -25,27 +25,25 @@ def test_a_time_at_a_border_is_in_the_segment_before_or_after():
         assert find_segment(begins, t, False) == after
 
 
-@pytest.mark.parametrize("end", [1.0, 0.5])
-def test_the_place_of_a_time_on_a_panel(end):
+def test_the_place_of_a_time_on_a_panel():
     """On one that takes 2 and is left at its end or inside; beside the ends the rounding of the series is not asked."""
-    segment, scratch = np.zeros(1, SEGMENT)[0], new_scratch()
-    segment["xi"] = end
-    for tau, place in ((0.0, -1.0), (1e-20, -1.0), (-1e-9, -1.0), (0.25, -0.75), (1.25, 0.25), (2.0, end), (2.5, end)):
-        assert xi_at_time(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
+    for end in (1.0, 0.5):
+        segment, scratch = np.zeros(1, SEGMENT)[0], new_scratch()
+        segment["xi"] = end
+        for tau, place in ((1e-20, -1.0), (-1e-9, -1.0), (0.25, -0.75), (1.25, 0.25), (2.0, end), (2.5, end)):
+            assert xi_at_time(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
 
 
 def body_of(eps, kap, **plane):
     return hh.Scenario(hoop=hh.Hoop(eccentricity=eps, inertia_ratio=kap), plane=hh.Plane(**plane)).to_body()
 
 
-@pytest.mark.parametrize("rho", [0.5, 1.0, -1.0, 0.0])
-def test_the_force_in_rolling_is_newton_s(rho):
+def test_the_force_in_rolling_is_newton_s():
     """With the couple ρ N against the rotation."""
-    body = body_of(0.5, 2.0, slope=0.25)
-    th, om = 0.75, 2.0
-    _, _, _, friction, normal = accelerations(body, th, om, "roll", rho)
-    found = contact_force(body, 0, th, 0.0, om, rho)
-    assert found == (pytest.approx(friction, rel=1e-13), pytest.approx(normal, rel=1e-13))
+    body, th, om = body_of(0.5, 2.0, slope=0.25), 0.75, 2.0
+    for rho in (0.5, -1.0, 0.0):
+        force = accelerations(body, th, om, "roll", rho)[3:]
+        assert contact_force(body, 0, th, 0.0, om, rho) == pytest.approx(tuple(force), rel=1e-13)
 
 
 BEGIN, BEFORE = 2.0**52, 0.25  # a time at which doubles are 1 apart; the segment begins a quarter before it
@@ -90,29 +88,17 @@ def test_a_sample_of_a_hoop_that_does_not_turn(mode, sigma, slip):
     assert energies == pytest.approx((0.5 * (slip + rate * tau) ** 2, fallen), rel=1e-13)
 
 
-def massless_hoops():
-    """That roll, skim, and are struck; by either way round, on hoops of several sizes."""
-    for radius in (1.0, 0.3, 2.7):
-        for speed in (0.3, -0.3, 1.1, -1.7, 2.3, 3.1, -3.1):
-            yield hh.simulate(hh.Hoop.ideal(1.0, radius), hh.Plane(restitution=0.0), hh.Start.rolling(speed), duration=9.0)
-
-
-def test_just_before_the_load_strikes_the_rim_turns_without_bound():
+@pytest.mark.parametrize("speed", [0.3, -1.7, 3.1])
+@pytest.mark.parametrize("radius", [1.0, 0.3])
+def test_just_before_the_load_strikes_the_rim_turns_without_bound(radius, speed):
     """The limit, whatever rounding makes of the time: the load is down and has all its energy, the rim has none."""
-    struck = 0
-    for motion in massless_hoops():
-        for impact in motion.find("impact"):
-            before = motion.at(impact.t, side="left")
-            way = 1.0 if motion.find("skim")[0].omega > 0.0 else -1.0
-            assert before.omega == before.vx == way * math.inf
-            assert (before.mode, before.x, before.angle) == ("M", impact.x, impact.angle)
-            assert before.slip == impact.before.slip
-            mass = motion.scenario.hoop.mass
-            assert before.kinetic == pytest.approx(0.5 * mass * (impact.before.slip**2 + impact.before.vy**2), rel=1e-14)
-            after = motion.at(impact.t)
-            assert (after.omega, after.vx) == (impact.omega, impact.vx)
-            struck += 1
-    assert struck > 15
+    motion = hh.simulate(hh.Hoop.ideal(1.0, radius), start=hh.Start.rolling(speed), duration=9.0)
+    impact = motion.find("impact")[0]
+    before, after = motion.at(impact.t, side="left"), motion.at(impact.t)
+    assert before.omega == before.vx == math.copysign(math.inf, speed)
+    assert (before.mode, before.x, before.angle, before.slip) == ("M", impact.x, impact.angle, impact.before.slip)
+    assert before.kinetic == pytest.approx(0.5 * (impact.before.slip**2 + impact.before.vy**2), rel=1e-14)
+    assert (after.omega, after.vx) == (impact.omega, impact.vx)
 
 
 def test_at_an_event_a_sample_is_the_state_just_after_it():
@@ -120,25 +106,22 @@ def test_at_an_event_a_sample_is_the_state_just_after_it():
     seen = set()
     for index in range(40):
         motion = hh.simulate(scenario_of(draw(31, index)[1], 200))
-        begins = set(motion.tables["segments"]["t"].tolist())
-        rows = motion.tables["events"]
+        begins, rows = set(motion.tables["segments"]["t"].tolist()), motion.tables["events"]
         for event, row, following in zip(motion.events, rows, rows[1:], strict=False):
-            if not row["t"] < following["t"] or row["t"] not in begins:
-                continue
-            sample = motion.at(event.t)
-            state = {name: getattr(event, name) for name in ("x", "height", "vy", "slip", "omega", "friction", "impact_normal")}
-            assert {name: getattr(sample, name) for name in state} == state, (motion, event.t)
-            assert sample.mode == event.to_mode
-            seen.add(event.kind)
+            if row["t"] < following["t"] and row["t"] in begins:
+                sample = motion.at(event.t)
+                for name in ("x", "height", "vy", "slip", "omega", "friction", "impact_normal"):
+                    assert getattr(sample, name) == getattr(event, name), (motion, event.t, name)
+                assert sample.mode == event.to_mode
+                seen.add(event.kind)
     assert seen >= {"start", "takeoff", "impact", "stick", "slip_start"}
 
 
 def test_the_end_is_the_end_in_seconds_too():
     """Of a motion that ends before its time, there and back between the units."""
-    ended = [hh.simulate(scenario_of(draw(31, index)[1], 7)) for index in range(120)]
-    ended = [motion for motion in ended if not motion.ok]
-    assert len(ended) > 10
+    ended = [motion for index in range(60) if not (motion := hh.simulate(scenario_of(draw(31, index)[1], 7))).ok]
+    assert len(ended) > 5
     for motion in ended:
-        found = motion.units.kernel_times(motion.tables["segments"], np.array([motion.duration]))
+        (found,) = motion.units.kernel_times(motion.tables["segments"], np.array([motion.duration]))
         last = motion.tables["events"]["t"][-1]
-        assert found[0] == last or (motion.status == "event_limit" and abs(found[0] - last) <= 2.3e-16 * last)
+        assert found == last or (motion.status == "event_limit" and abs(found - last) <= 2.3e-16 * last)
