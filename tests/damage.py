@@ -16,6 +16,11 @@ from hophoop import io
 from hophoop._support.checksum import checksum
 
 
+def contents(folder: Path) -> dict[str, bytes]:
+    """Every file of a folder with its bytes."""
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
 def damaged(whole: Path, copy: Path, count: int, seed: int = 2026) -> Iterator[str]:
     """Put a damaged copy of a file, or of a folder of files, in place again and again; says what was done to it.
 

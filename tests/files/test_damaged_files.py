@@ -20,10 +20,9 @@ import xarray as xr
 import zarr
 
 import hophoop as hh
-from damage import REFUSED, SAME, sign, tally, unseal
+from damage import REFUSED, SAME, contents, sign, tally, unseal
 from hophoop import io
 from hophoop.cli import app
-from map_tools import contents
 
 FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 

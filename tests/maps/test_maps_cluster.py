@@ -12,16 +12,19 @@ import time
 import numpy as np
 import pytest
 
+from damage import contents
 from hophoop import maps
 from hophoop.maps.grid.chunks import compute_chunk
 from hophoop.maps.grid.evaluate import make_plan
-from map_tools import contents
 
 distributed = pytest.importorskip("distributed")
 
-AXES = {"plane.mu": np.linspace(0.05, 1.95, 150), "start.speed": np.linspace(0.05, 5.0, 150)}
+AXES = {"plane.mu": np.linspace(0.05, 1.95, 50), "start.speed": np.linspace(0.05, 5.0, 50)}
 QUANTITIES = ["sequence", "hop_height"]
-CHUNK = 500
+
+
+def make(path, **options):
+    return maps.sweep(None, AXES, QUANTITIES, out=path, chunk_cells=50, **options)
 
 
 def start(*arguments):
@@ -67,76 +70,51 @@ def cluster(tmp_path):
             process.stderr.close()
 
 
-@pytest.mark.long
-def test_a_cluster_that_loses_a_worker_makes_the_same_bytes(tmp_path):
-    local = tmp_path / "local.zarr"
-    maps.sweep(None, AXES, QUANTITIES, out=local, chunk_cells=CHUNK)
-    path = tmp_path / "cluster.zarr"
-    deaths = []
-    with cluster(tmp_path) as (address, workers, _):
+@pytest.mark.parametrize(
+    "lost", [pytest.param("worker", marks=pytest.mark.long), pytest.param("scheduler", marks=pytest.mark.slow)]
+)
+def test_a_cluster_that_loses_a_process_makes_the_same_bytes(tmp_path, lost):
+    """Without a worker at once, without its scheduler when the map is resumed elsewhere."""
+    local, path, deaths = tmp_path / "local.zarr", tmp_path / "cluster.zarr", []
+    make(local)
+    with cluster(tmp_path) as (address, workers, scheduler):
 
         def watch(done, total):
             if done > 0.2 * total and not deaths:
-                workers[0].send_signal(signal.SIGKILL if sys.platform != "win32" else signal.SIGTERM)
+                (workers[0] if lost == "worker" else scheduler).kill()
                 deaths.append(done)
 
-        maps.sweep(None, AXES, QUANTITIES, out=path, chunk_cells=CHUNK, scheduler=address, progress=watch)
-        assert workers[0].wait(10) != 0
-        assert workers[1].poll() is None
+        gone = r"The scheduler at tcp://127\.0\.0\.1:\d+ is gone; finished chunks are kept, and resume continues\."
+        with pytest.raises(OSError, match=gone) if lost == "scheduler" else contextlib.nullcontext():
+            make(path, scheduler=address, progress=watch)
     assert len(deaths) == 1
-    assert deaths[0] < 150 * 150
+    make(path, resume=True)
     assert contents(path) == contents(local)
 
 
 @pytest.mark.long
 def test_a_client_takes_up_a_stopped_map(tmp_path):
     """Any `distributed.Client` will do, here one with threads of this process."""
-    local = tmp_path / "local.zarr"
-    axes = {name: values[::5] for name, values in AXES.items()}
-    maps.sweep(None, axes, QUANTITIES, out=local, chunk_cells=100)
-    path = tmp_path / "cluster.zarr"
 
     def stop(done, total):
         if done > total / 2:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=100, progress=stop)
+        make(tmp_path / "cluster.zarr", progress=stop)
     with distributed.Client(processes=False, n_workers=1, dashboard_address=None) as client:
-        maps.sweep(None, axes, QUANTITIES, out=path, resume=True, scheduler=client)
+        make(tmp_path / "cluster.zarr", resume=True, scheduler=client)
         assert client.status == "running"
-    assert contents(path) == contents(local)
+    make(tmp_path / "local.zarr")
+    assert contents(tmp_path / "cluster.zarr") == contents(tmp_path / "local.zarr")
 
 
 def test_a_scheduler_that_is_not_there(tmp_path, monkeypatch):
     monkeypatch.setattr("hophoop.maps.grid.chunks.PATIENCE", 1.0)
     began = time.monotonic()
     with pytest.raises(OSError, match=r"127.0.0.1:9"):
-        maps.sweep(None, AXES, QUANTITIES, out=tmp_path / "map.zarr", scheduler="tcp://127.0.0.1:9")
+        make(tmp_path / "map.zarr", scheduler="tcp://127.0.0.1:9")
     assert time.monotonic() - began < 20
-
-
-@pytest.mark.slow
-def test_a_cluster_that_loses_its_scheduler_says_so_and_the_map_goes_on(tmp_path):
-    path = tmp_path / "cluster.zarr"
-    axes = {name: values[::3] for name, values in AXES.items()}
-    local = tmp_path / "local.zarr"
-    maps.sweep(None, axes, QUANTITIES, out=local, chunk_cells=50)
-    deaths = []
-    with cluster(tmp_path) as (address, _, scheduler):
-
-        def watch(done, total):
-            if done > 0.2 * total and not deaths:
-                scheduler.kill()
-                deaths.append(done)
-
-        with pytest.raises(
-            OSError, match=r"The scheduler at tcp://127\.0\.0\.1:\d+ is gone; finished chunks are kept, and resume continues\."
-        ):
-            maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=50, scheduler=address, progress=watch)
-    assert len(deaths) == 1
-    maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=50, resume=True)
-    assert contents(path) == contents(local)
 
 
 def test_a_worker_with_other_kernels_is_refused():

@@ -1,4 +1,4 @@
-"""Maps in files: equal to those in memory, and equal bytes after any stop."""
+"""Maps in files: as in memory, the same bytes after any stop, and one sentence where they are damaged or of others."""
 
 import json
 import os
@@ -6,24 +6,40 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
+from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import xarray as xr
+import zarr
 
 import hophoop as hh
+from damage import REFUSED, SAME, contents, tally
 from hophoop import maps
 from hophoop.maps.grid import chunks, store
-from map_tools import contents
 
-AXES = {"plane.mu": np.linspace(0.05, 1.95, 60), "start.speed": np.linspace(0.05, 5.0, 50)}
+AXES = {"plane.mu": np.linspace(0.05, 1.95, 24), "start.speed": np.linspace(0.05, 5.0, 20)}
 QUANTITIES = ["sequence", "hop_height", "status"]
-CHUNK = 200
+CHANGED = "is damaged: its checksum is not that of its content."
 
 
 def make(out, **options):
-    return maps.sweep(None, AXES, QUANTITIES, out=out, chunk_cells=CHUNK, **options)
+    return maps.sweep(None, AXES, QUANTITIES, out=out, chunk_cells=60, **options)
+
+
+def stopped(path, calls=2):
+    """The path of a map that is stopped at the given call of its progress; the first one says what is there already."""
+    shares = []
+
+    def stop(done, total):
+        shares.append(done / total)
+        if len(shares) == calls:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        make(path, progress=stop)
+    return path
 
 
 @pytest.fixture(scope="module")
@@ -33,119 +49,95 @@ def whole(tmp_path_factory):
     return path
 
 
+@pytest.fixture
+def copy(whole, tmp_path):
+    return shutil.copytree(whole, tmp_path / "map.zarr")
+
+
+# What is in them
+
+
 def test_in_memory_and_in_files_are_identical(whole, tmp_path):
     memory = maps.sweep(None, AXES, QUANTITIES)
     assert maps.open_map(whole).load().identical(memory)
     file = tmp_path / "map.nc"
-    written = maps.sweep(None, AXES, QUANTITIES, out=file, chunk_cells=CHUNK).load()
-    for name in QUANTITIES:
-        np.testing.assert_array_equal(written[name].values, memory[name].values)
-        assert written[name].attrs["long_name"] == memory[name].attrs["long_name"]
-    assert maps.words_of(written["sequence"]) == maps.words_of(memory["sequence"])
+    written = make(file).load()
     assert [path.name for path in tmp_path.iterdir()] == ["map.nc"]
+    maps.open_map(whole).to_netcdf(tmp_path / "copy.nc")  # as xarray writes it
+    for one in (written, maps.open_map(tmp_path / "copy.nc")):
+        xr.testing.assert_equal(one, memory)
+        assert maps.words_of(one["sequence"]) == maps.words_of(memory["sequence"])
 
 
 @pytest.mark.filterwarnings("error")
-def test_what_a_file_browser_leaves_in_a_folder_is_not_spoken_of(whole, tmp_path):
-    shutil.copytree(whole, tmp_path / "map.zarr")
-    (tmp_path / "map.zarr" / "Thumbs.db").write_bytes(b"")
-    assert maps.open_map(tmp_path / "map.zarr").load().identical(maps.open_map(whole).load())
+def test_what_a_file_browser_leaves_in_a_folder_is_not_spoken_of(whole, copy):
+    (copy / "Thumbs.db").write_bytes(b"")
+    assert maps.open_map(copy).load().identical(maps.open_map(whole).load())
 
 
 def test_every_variable_and_coordinate_says_what_it_is(whole):
     dataset = maps.open_map(whole)
     assert list(dataset) == QUANTITIES
-    for name in [*dataset.data_vars, *dataset.coords]:
-        assert dataset[name].attrs["long_name"]
-        assert dataset[name].attrs["units"]
-    assert dataset["start.speed"].attrs["units"] == "m/s"
-    assert dataset["hop_height"].attrs["units"] == "m"
+    assert all(array.attrs["long_name"] and array.attrs["units"] for array in dataset.variables.values())
+    assert (dataset["start.speed"].attrs["units"], dataset["hop_height"].attrs["units"]) == ("m/s", "m")
     assert json.loads(dataset.attrs["scenario"]) == hh.Scenario().to_dict()
     assert dataset.attrs["source"] == f"hophoop {hh.__version__}"
-    assert dataset.attrs["tolerance"] > 0
     table = maps.words_of(dataset["sequence"])
     assert table == sorted(table, key=lambda text: (len(text), text))
     assert set(np.unique(dataset["sequence"])) == set(range(len(table)))
 
 
-def test_it_opens_without_us(whole):
-    import xarray
-
-    with xarray.open_zarr(str(whole), consolidated=False, chunks=None) as dataset:
-        assert dataset["sequence"].dims == ("plane.mu", "start.speed")
-
-
 def test_words_along_an_axis(tmp_path):
     axes = {"plane.impact_law": ["newton", "stronge"], "plane.restitution": [0.0, 0.5]}
     dataset = maps.sweep(None, axes, ["landing_loss"], out=tmp_path / "map.zarr")
-    assert dataset["plane.impact_law"].values.tolist() == ["newton", "stronge"]
-    memory = maps.sweep(None, axes, ["landing_loss"])
-    np.testing.assert_array_equal(dataset["landing_loss"], memory["landing_loss"])
+    xr.testing.assert_equal(dataset, maps.sweep(None, axes, ["landing_loss"]))
 
 
-class Stopped(BaseException):
-    pass
+@pytest.mark.parametrize(("room", "kind"), [(0, np.int16), (-1, np.int32)])
+def test_more_sequences_than_short_codes_get_long_ones(whole, tmp_path, monkeypatch, room, kind):
+    assert np.iinfo(np.int16).max == store.MOST_SHORT_CODES
+    monkeypatch.setattr(store, "MOST_SHORT_CODES", len(maps.words_of(maps.open_map(whole)["sequence"])) + room)
+    made = make(tmp_path / "map.zarr")
+    assert made["sequence"].dtype == kind
+    xr.testing.assert_equal(made, maps.open_map(whole))
 
 
-@pytest.mark.parametrize("interrupt", [KeyboardInterrupt, Stopped])
-@pytest.mark.parametrize("after", [1, 7, 16])
-def test_a_stopped_map_goes_on_to_the_same_bytes(whole, tmp_path, interrupt, after):
-    path = tmp_path / "map.zarr"
-    shares = []
+# Stopped, and made by two at once
 
-    def stop(done, total):
-        shares.append(done / total)
-        if len(shares) == after + 1:  # the first call says what is there already
-            raise interrupt
 
-    with pytest.raises(interrupt):
-        make(path, progress=stop)
+@pytest.mark.parametrize("calls", [2, 6])
+def test_a_stopped_map_goes_on_to_the_same_bytes(whole, tmp_path, calls):
+    path = stopped(tmp_path / "map.zarr", calls)
     with pytest.raises(ValueError, match="not complete"):
         maps.open_map(path)
     with pytest.raises(ValueError, match="exists already"):
         make(path)
     again = []
     make(path, resume=True, threads=1, progress=lambda done, total: again.append(done))
-    assert round(shares[-1] * 3000) <= again[0] < 3000  # chunks that were being computed are kept, too
+    assert 0 < again[0] < 480  # what is there is not computed again
     assert contents(path) == contents(whole)
 
 
 KILLED = """
-import numpy as np, sys
+import os, signal, sys
+import numpy as np
 from hophoop import maps
-axes = {{"plane.mu": np.linspace(0.05, 1.95, 60), "start.speed": np.linspace(0.05, 5.0, 50)}}
-print("ready", flush=True)
-maps.sweep(None, axes, {quantities!r}, out=sys.argv[1], chunk_cells={chunk}, resume=True)
+axes = {"plane.mu": np.linspace(0.05, 1.95, 24), "start.speed": np.linspace(0.05, 5.0, 20)}
+def die(done, total):
+    if done > 100:
+        os.kill(os.getpid(), signal.SIGKILL)
+maps.sweep(None, axes, ["sequence", "hop_height", "status"], out=sys.argv[1], chunk_cells=60, progress=die)
 """
 
 
-def pieces_done(path):
-    """How many pieces of a map are kept: files of its last quantity, each of which is written at once."""
-    return len(list(path.glob("status/c/*/*")))
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="no signals to one process there")
-@pytest.mark.parametrize("number", ["SIGKILL", "SIGINT"])
-def test_a_stopped_process_leaves_a_map_that_goes_on_to_the_same_bytes(whole, tmp_path, number):
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signal there")
+def test_a_killed_process_leaves_a_map_that_goes_on_to_the_same_bytes(whole, tmp_path):
     path = tmp_path / "map.zarr"
-    code = KILLED.format(quantities=QUANTITIES, chunk=CHUNK)
-    process = subprocess.Popen([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    assert process.stdout.readline().strip() == b"ready"
-    deadline = time.monotonic() + 120
-    while process.poll() is None and time.monotonic() < deadline:
-        if pieces_done(path) >= 3:
-            process.send_signal(getattr(signal, number))
-            break
-        time.sleep(0.002)
-    _, said = process.communicate(timeout=60)
-    assert pieces_done(path) >= 3
-    if number == "SIGKILL":
-        assert (path / "unfinished" / "lock").exists()  # which is free again
-        # leftovers of a writer that died in the middle
-        (path / "hop_height" / "c" / "0").mkdir(parents=True, exist_ok=True)
-        (path / "hop_height" / "c" / "0" / "0.1234.partial").write_bytes(b"half a chunk")
-    elif process.returncode != 0:  # else it was faster than we
-        assert b"KeyboardInterrupt" in said
+    assert subprocess.run([sys.executable, "-c", KILLED, path], check=False).returncode == -signal.SIGKILL
+    assert (path / "unfinished" / "lock").exists()  # which is free again
+    # leftovers of a writer that died in the middle: half a chunk, and a chunk of one quantity alone
+    (path / "hop_height" / "c" / "0" / "0.1234.partial").write_bytes(b"half a chunk")
+    next(file for file in (path / "status" / "c").rglob("*") if file.is_file()).unlink()
     make(path, resume=True)
     assert contents(path) == contents(whole)
 
@@ -157,9 +149,8 @@ def test_a_stop_while_finishing_changes_nothing(whole, tmp_path, monkeypatch, st
     def stop(*arguments, **options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(
-        store, "shutil" if step == "rmtree" else step, SimpleNamespace(rmtree=stop) if step == "rmtree" else stop
-    )
+    name, value = ("shutil", SimpleNamespace(rmtree=stop)) if step == "rmtree" else (step, stop)
+    monkeypatch.setattr(store, name, value)
     with pytest.raises(KeyboardInterrupt):
         make(path)
     monkeypatch.undo()
@@ -172,29 +163,117 @@ def test_a_stop_while_finishing_changes_nothing(whole, tmp_path, monkeypatch, st
     assert contents(path) == contents(whole)
 
 
-def test_a_complete_map_is_not_computed_again(whole, tmp_path, monkeypatch):
-    path = tmp_path / "map.zarr"
-    shutil.copytree(whole, path)
+def test_a_complete_map_is_not_computed_again(whole, copy, monkeypatch):
     monkeypatch.setattr(chunks, "compute_chunk", None)
     monkeypatch.setattr(store, "finish", None)
-    assert make(path, resume=True).identical(maps.open_map(path))
+    assert make(copy, resume=True).identical(maps.open_map(whole))
+
+
+def test_a_map_that_is_being_made_is_refused(tmp_path):
+    path = tmp_path / "map.zarr"
+    refusals = []
+
+    def another(done, total):
+        with pytest.raises(ValueError, match=r"map\.zarr is being written by another process: wait for it") as caught:
+            make(path, resume=True)
+        refusals.append(caught)
+
+    make(path, progress=another)
+    assert len(refusals) > 1
+
+
+@pytest.mark.parametrize("moment", ["_provenance", "_locked"])
+def test_another_process_comes_first(whole, tmp_path, monkeypatch, moment):
+    """It begins the map just as this one is about to create it, or completes it as this one is about to lock it."""
+    path, usual = tmp_path / "map.zarr", getattr(store, moment)
+    if moment == "_locked":
+        stopped(path)
+
+    def late(argument):
+        monkeypatch.undo()
+        make(path, resume=True) if moment == "_locked" else stopped(path)
+        return usual(argument)
+
+    monkeypatch.setattr(store, moment, late)
+    make(path, resume=moment == "_locked")
+    assert contents(path) == contents(whole)
+    assert [file.name for file in tmp_path.iterdir()] == ["map.zarr"]
+
+
+def test_two_threads_make_maps_at_once():
+    with ThreadPoolExecutor(2) as pool:
+        one, other = pool.map(lambda _: maps.sweep(None, AXES, QUANTITIES, threads=2), range(2))
+    assert one.identical(other)
+
+
+# Damaged, and of others
+
+
+@pytest.mark.parametrize("ending", ["zarr", "nc"])
+def test_a_damaged_map_is_the_same_map_or_one_sentence(whole, tmp_path, ending):
+    if ending == "nc":
+        whole = tmp_path / "whole.nc"
+        make(whole)
+    values = maps.open_map(whole).load()
+    came = tally(lambda file: maps.open_map(file).load(), values.identical, whole, tmp_path / f"damaged.{ending}", 30)
+    assert set(came) <= {SAME, REFUSED}
+    assert came[REFUSED] > 5
+
+
+@pytest.mark.parametrize(("name", "value"), [("units", "days since nowhere"), ("missing_value", 9.5), (None, 0.8)])
+def test_a_changed_axis_is_noticed_before_it_is_decoded(copy, name, value):
+    """Decoding would stumble over one attribute, and take the other away."""
+    axis = zarr.open_group(copy, mode="a")["plane.mu"]
+    if name is None:
+        axis[1] = value
+    else:
+        axis.attrs[name] = value
+    with pytest.raises(ValueError, match=rf"map\.zarr {CHANGED}$"):
+        maps.open_map(copy)
+
+
+def test_a_part_that_is_missing_is_noticed(copy):
+    next(file for file in (copy / "hop_height" / "c").rglob("*") if file.is_file()).unlink()
+    with pytest.raises(ValueError, match=r"map\.zarr is damaged: a part of it is missing\.$"):
+        maps.open_map(copy)
+
+
+def test_other_files_are_refused(tmp_path):
+    future = xr.Dataset(attrs={"schema": "hophoop-map/4", "plan": "in other words"})
+    future.to_netcdf(tmp_path / "future.nc")
+    future.to_zarr(tmp_path / "future.zarr", consolidated=False)
+    xr.Dataset({"x": ("time", [1.0])}).to_netcdf(tmp_path / "other.nc")
+    (tmp_path / "noise.nc").write_bytes(b"no file of ours" * 99)
+    (tmp_path / "folder.zarr").mkdir()
+    for name, said in (
+        *(
+            (f"future.{ending}", "has the schema 'hophoop-map/4', but .* reads 'hophoop-map/1' only")
+            for ending in ("nc", "zarr")
+        ),
+        ("other.nc", "is not a map of hophoop"),
+        ("noise.nc", r"cannot be read as a map of hophoop: [^\n]*[^.: ]"),
+        ("folder.zarr", "cannot be read as a map of hophoop: .*"),
+        ("nothing.zarr", "is not there"),
+    ):
+        with pytest.raises(ValueError, match=rf"{name} {said}\.$"):
+            maps.open_map(tmp_path / name)
 
 
 @pytest.mark.parametrize(
-    ("change", "word"),
+    ("changed", "said"),
     [
-        ({"base": hh.Scenario(duration=9.0)}, "scenario"),
-        ({"axes": {"plane.mu": AXES["plane.mu"][:50], "start.speed": AXES["start.speed"]}}, "axes"),
-        ({"quantities": ["sequence"]}, "quantities"),
-        ({"span": "takeoff"}, "span"),
+        ({"hophoop": "0.0.9"}, r"a map of hophoop 0\.0\.9, which this version .* cannot resume\.$"),
+        ({"weather": "fine"}, "a map with another weather"),
+        ({"scenario": {}}, "a map with another scenario"),
+        ({"axes": {}}, "a map with another axes"),
+        *((damaged, "a damaged plan") for damaged in ("{", "[]", "\xff", 7)),
     ],
 )
-def test_another_map_is_not_taken_up(whole, tmp_path, change, word):
-    path = tmp_path / "map.zarr"
-    shutil.copytree(whole, path)
-    arguments = {"base": None, "axes": AXES, "quantities": QUANTITIES} | change
-    with pytest.raises(ValueError, match=f"another {word}"):
-        maps.sweep(**arguments, out=path, resume=True)
+def test_another_plan_is_not_taken_up(copy, changed, said):
+    attributes = zarr.open_group(copy).attrs
+    attributes["plan"] = json.dumps(json.loads(attributes["plan"]) | changed) if isinstance(changed, dict) else changed
+    with pytest.raises(ValueError, match=rf"map\.zarr holds {said}"):
+        make(copy, resume=True)
 
 
 def test_a_strange_folder_is_left_alone(tmp_path):
@@ -204,8 +283,8 @@ def test_a_strange_folder_is_left_alone(tmp_path):
     with pytest.raises(ValueError, match="is not a map"):
         make(path, resume=True)
     assert (path / "letter.txt").read_text() == "mine"
-    with pytest.raises(ValueError, match="is not there"):
-        maps.open_map(tmp_path / "nothing.zarr")
+    with pytest.raises(OSError, match=r"letter\.txt"):  # a folder that cannot be made
+        make(path / "letter.txt" / "map.zarr")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
@@ -214,9 +293,6 @@ def test_a_link_to_nothing_gets_its_map(tmp_path, ending):
     (tmp_path / "data").mkdir()
     link = tmp_path / f"link.{ending}"
     link.symlink_to(f"data/map.{ending}")
-    axes = {"plane.mu": [0.2, 0.4], "start.speed": [1.0, 2.0]}
-    dataset = maps.sweep(None, axes, ["landing_loss"], out=link)
-    assert dataset.sizes == {"plane.mu": 2, "start.speed": 2}
-    dataset.close()
+    make(link).close()
     assert os.readlink(link) == f"data/map.{ending}"
     assert os.listdir(tmp_path / "data") == [f"map.{ending}"]

@@ -6,17 +6,12 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.vocabulary.colors import CODES
 from hophoop.vocabulary.names import Fate, identifier
 
 pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
 
 LEVEL = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(gravity=1.0))
 SLOPE = LEVEL.replace("start", hh.Start.rolling(3.0, angle=math.pi))
-
-
-def swept(base, axes, quantities, **options):
-    return hh.maps.sweep(base, axes, quantities, span="settled", **options)
 
 
 def lost_in(scenario):
@@ -28,6 +23,7 @@ def test_the_fate_of_a_cell_is_that_of_its_motion():
     rng = np.random.default_rng(3)
     mu, speed = rng.uniform(0.05, 2.0, 60), rng.uniform(0.05, 4.0, 60)
     found = hh.maps.points(LEVEL, {"plane.mu": mu, "start.speed": speed}, ["fate", "final_loss"], span="settled")
+    assert hh.maps.points(LEVEL, {"start.speed": [0.0]}, ["final_loss"], span="settled")["final_loss"] == [0.0]  # it rests
     for k in range(60):
         scenario = LEVEL.replace("plane.mu", float(mu[k])).replace("start", hh.Start.rolling(float(speed[k])))
         fate = hh.gaits.fates([scenario]).fates[0]
@@ -42,29 +38,19 @@ def test_the_fate_of_a_cell_is_that_of_its_motion():
             assert lost == pytest.approx(lost_in(scenario), rel=1e-9, abs=1e-12)
 
 
-@pytest.mark.parametrize("mass", [1.0, 3.0])
-def test_slip_that_falls_for_ever_loses_what_is_above_the_fastest_rolling(mass):
+def test_slip_that_falls_for_ever_loses_what_is_above_the_fastest_rolling():
     """A revolution n loses as 1/n², so that the sum is finite: the start's energy above that of the first slip."""
+    mass, speeds = 3.0, [0.55, 0.7, 1.65]
     base = LEVEL.replace("hoop", hh.Hoop.ideal(0.75, radius=0.5, mass=mass))
-    speeds = [0.55, 0.7, 1.65]
     found = hh.maps.points(base, {"start.speed": speeds}, ["fate", "final_loss"], span="settled")
     first = float(hh.theory.first_slip_speed(base.hoop, base.plane))
-    for k, speed in enumerate(speeds):
-        assert found["fate"][k] == "slips_ever_less"
-        passages = hh.passages(base.replace("start", hh.Start.rolling(speed)), 4000)
-        lost = sum(passages.loss(name).sum() for name in ("friction", "impact_normal", "impact_tangential"))
-        final = found["final_loss"][k]
+    for speed, fate, final in zip(speeds, found["fate"], found["final_loss"], strict=True):
+        assert fate == "slips_ever_less"
         assert final == pytest.approx(mass * (1.0 + 0.75) * (speed**2 - first**2), rel=1e-9)
-        # what is left is the excess x of θ̇, with m R² D θ̇ x to come
-        omega = math.sqrt((1.75 * first**2 + 2 * 0.75 * 0.5) / 0.25) / 0.5
-        left = mass * 0.5**2 * 2.0 * 0.25 * omega * (passages.omega[-1] - omega)
-        assert final - lost == pytest.approx(left, rel=1e-2)
-        assert 0.0 < left < 2e-3 * mass
-
-
-def test_a_hoop_that_rests_at_once_loses_nothing():
-    found = hh.maps.points(LEVEL, {"start.speed": [0.0]}, ["fate", "final_loss"], span="settled")
-    assert (found["fate"][0], found["final_loss"][0]) == ("rests", 0.0)
+        # what is left after 1,000 revolutions is a thousandth
+        passages = hh.passages(base.replace("start", hh.Start.rolling(speed)), 1000)
+        lost = sum(passages.loss(name).sum() for name in ("friction", "impact_normal", "impact_tangential"))
+        assert 0.0 < final - lost < 0.01 * mass
 
 
 def test_numbers_of_gaits_and_chaos():
@@ -92,15 +78,13 @@ def test_units():
     assert found["final_hop_height"][0] == pytest.approx(0.3 * 0.1230255, rel=1e-6)
 
 
-def test_a_map_is_the_same_in_memory_in_a_file_and_resumed(tmp_path):
-    axes = {"plane.mu": np.linspace(0.1, 1.5, 12), "start.speed": np.linspace(0.1, 4.0, 15)}
-    names = ["fate", "revolutions", "mean_speed"]
-    alone = swept(LEVEL, axes, names, threads=1)
-    kept = swept(LEVEL, axes, names, out=tmp_path / "map.zarr", chunk_cells=40)
-    again = swept(LEVEL, axes, names, out=tmp_path / "map.zarr", resume=True, chunk_cells=40)
-    for name in names:
-        assert np.array_equal(alone[name], kept[name], equal_nan=True)
-        assert np.array_equal(alone[name], again[name], equal_nan=True)
+def test_a_map_is_the_same_in_memory_and_in_a_file(tmp_path):
+    axes = {"plane.mu": np.linspace(0.1, 1.5, 6), "start.speed": np.linspace(0.1, 4.0, 8)}
+    alone, kept = (
+        hh.maps.sweep(LEVEL, axes, ["fate", "revolutions"], span="settled", chunk_cells=20, **options)
+        for options in ({"threads": 1}, {"out": tmp_path / "map.zarr"})
+    )
+    assert kept.equals(alone)
     assert hh.maps.words_of(kept["fate"])[0] == "rolls_ahead"
 
 
@@ -112,38 +96,11 @@ def test_landings():
     assert found["mean_speed"] == pytest.approx([3.34154, 5.65743], rel=2e-6)
 
 
-def test_sections_do_not_contradict_each_other():
-    """On slopes many motions turn back in rolling; what then goes on at the bottom does at landings."""
-    slopes, loads = np.meshgrid(np.radians(np.linspace(0.2, 20.0, 14)), np.linspace(0.3, 0.95, 14))
-    axes = {"plane.slope": slopes.ravel(), "hoop.load_fraction": loads.ravel()}
-    base = SLOPE.replace("start", hh.Start.rolling(3.0))
-    names = ["fate", "mean_speed"]
-    bottom, landing = (hh.maps.points(base, axes, names, span=span) for span in ("settled", "settled:landing"))
-    lasts, rocks = ({"gait", "chaotic", "runs_away"}, {"rocks"})
-    pairs = set(zip(bottom["fate"], landing["fate"], strict=True))
-    assert not any((one in lasts and other in rocks) or (one in rocks and other in lasts) for one, other in pairs)
-    both = (bottom["fate"] == "gait") & (landing["fate"] == "gait")
-    assert both.sum() > 40
-    assert bottom["mean_speed"][both] == pytest.approx(landing["mean_speed"][both], rel=1e-6)
-    assert ("rocks", "rocks") in pairs
-
-
-def test_colours_of_all_fates():
-    assert set(CODES["fate"]) == {identifier(fate) for fate in Fate}
-    assert len(set(CODES["fate"].values())) == len(Fate)
-
-
 @pytest.mark.parametrize(
     ("base", "names", "span", "message"),
     [
-        (
-            LEVEL,
-            ["fate"],
-            "first_revolution",
-            "span = 'first_revolution' must be settled or settled:landing with quantity fate",
-        ),
+        (LEVEL, ["fate"], "first_revolution", "span = 'first_revolution' must be settled or .* with quantity fate"),
         (LEVEL, ["hop"], "settled", "span = 'settled' must be first_revolution, .* with quantity hop"),
-        (LEVEL, ["fate", "hop"], "settled", "with quantity hop"),
         (LEVEL.replace("plane.gravity", 0.0), ["fate"], "settled", "plane.gravity = 0.0 must be above 0"),
         (LEVEL.replace("contact", hh.Compliant()), ["fate"], "settled", "contact.model"),
         (LEVEL, ["fates"], "settled", "quantity = 'fates' must be one of"),
@@ -155,8 +112,3 @@ def test_refusals(base, names, span, message):
     if "contact" not in message:
         with pytest.raises(ValueError, match=message):
             hh.maps.points(base, {"plane.mu": [0.1, 0.2]}, names, span=span)
-
-
-def test_boundaries_refuse_the_span():
-    with pytest.raises(ValueError, match="span = 'settled' must be one of"):
-        hh.maps.boundary(LEVEL, {"plane.mu": (0.1, 1.0), "start.speed": (1.0, 2.0)}, (0.5, 1.5), (0.5, 1.9), span="settled")
