@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from typing import Any
 
 import hophoop as hh
@@ -13,22 +14,9 @@ BOUNCING = hh.Scenario(plane=hh.Plane(restitution=0.3), start=hh.Start(height=0.
 KERNEL = 1e-8  # of the number, or of 0.001 of its SI unit
 
 
-def contradiction(scenario: hh.Scenario, most: int, seconds: float) -> str:
-    """How a proof and the kernel contradict each other, '' where they do not, 'undecided' without a proof.
-
-    Parameters
-    ----------
-    scenario : Scenario
-    most : int
-        Events of the proof.
-    seconds : float
-        Limit of its time.
-
-    Returns
-    -------
-    said : str
-    """
-    proof, motion = prove(scenario, 10, max_events=most, seconds=seconds), hh.simulate(scenario)
+def contradiction(scenario: hh.Scenario, most: int) -> str:
+    """How a proof of `most` events at most and the kernel contradict each other, '' where they do not."""
+    proof, motion = prove(scenario, 10, max_events=most), hh.simulate(scenario)
     # the top of a flight changes no mode, and the kernel does not name one where the end of the time cuts the flight off
     events = [event for event in motion.events if event.kind != "apex"]
     facts = [event for event in proof.events if event.kind != "apex"]
@@ -41,7 +29,19 @@ def contradiction(scenario: hh.Scenario, most: int, seconds: float) -> str:
                 return f"{name} of {event.kind} at {event.t} is off"
     if proof.proved and proof.status != "event_limit" and len(facts) != len(events):
         return f"{len(facts)} events are proved, {len(events)} computed"
-    return "" if proof.proved else "undecided"
+    return "" if proof.proved else proof.why
+
+
+def are_enclosed(proof: Any, true: Any) -> None:
+    """Events of another computation, as dicts, lie in the enclosures of a proof."""
+    assert proof.proved, proof.why
+    found = [event for event in proof.events if event.kind not in ("apex", "rest")]
+    expected = [event for event in true if event["kind"] not in ("apex", "rest")]
+    for event, one in zip(found, expected, strict=False):
+        modes = (event.from_mode if event.kind != "start" else one["from"], event.to_mode)
+        assert (event.kind, *modes) == (one["kind"], one["from"], one["to"])
+        for name in NUMBERS:
+            assert getattr(event, name).holds(Fraction(one[name])), (event.kind, name)
 
 
 def read_again(certificate: Any) -> dict[str, Any]:

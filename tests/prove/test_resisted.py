@@ -5,24 +5,17 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.physics.contact import most_resistance
 from hophoop.prove import prove, thresholds
 from hophoop.prove.checker.equations import Equations
+from oracle_program import scenario_of
 from oracles.cases import Case
 from oracles.mechanics import solve_mode
-from prove_tools import NUMBERS, contradiction
-from random_scenarios import draw
-from random_scenarios import scenario_of as random_scenario
+from prove_tools import NUMBERS, are_enclosed
 
 flint = pytest.importorskip("flint")
-
-SEED, EVENTS = 2027, 40
-PATIENCE = 600.0  # s, for one motion
-QUICK = [3, 4, 5, 7, 10, 12, 21, 23, 26, 35, 39]
 
 
 def scenario(f, mu=1.0, gamma=0.75, start=None, duration=3.0, **plane):
@@ -38,16 +31,10 @@ def scenario(f, mu=1.0, gamma=0.75, start=None, duration=3.0, **plane):
 CASE = Case("resisted", eccentricity=0.6, inertia_ratio=0.3, mu_static=0.5, mu_kinetic=0.4, slope=0.3, rolling_resistance=0.15)
 
 
-def balls():
-    hoop = hh.Hoop(radius=1.0, mass=1.0, eccentricity=0.6, inertia_ratio=0.3)
-    plane = hh.Plane(mu_static=0.5, mu_kinetic=0.4, slope=0.3, gravity=9.81, rolling_resistance=CASE.rolling_resistance)
-    return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start(angle=1.0, vx=1.0, omega=1.0), duration=1.0)
-
-
 @pytest.mark.parametrize("way", [1, -1])
 @pytest.mark.parametrize(("letter", "sigma"), [("R", 0), ("K", 1), ("S", -1)])
 def test_the_equations_of_the_checker(letter, sigma, way):
-    equations = Equations(balls().to_dict()).turning(way)
+    equations = Equations(scenario_of(CASE).to_dict()).turning(way)
     unit = 9.81
     for th, om in ((0.4, 1.3), (1.9, 0.8), (3.6, 2.1), (5.3, 1.7), (-2.0, 0.0)):
         acceleration = solve_mode(CASE, letter, th, way * om, way)
@@ -109,58 +96,14 @@ def test_rest_is_proved():
         assert (proof.verdict, proof.status) == ("proved", status), proof.why
 
 
-SHOWN = {
-    "a hop": {"f": 0.001, "duration": 1.2},
-    "rocking, sliding and turning": {"f": 0.05, "mu": 0.1, "start": hh.Start(vx=-1.0, omega=1.5, angle=2.0), "duration": 1.5},
-    "down a slope": {"f": 0.02, "mu": 0.3, "slope": 0.2, "start": hh.Start.rolling(-1.0), "duration": 1.5},
-    "static above kinetic": {"f": 0.01, "mu": None, "mu_static": 0.5, "mu_kinetic": 0.3, "duration": 1.5},
-}
-
-
-FAST = ("a hop",)
-
-
-@pytest.mark.parametrize("name", [name if name in FAST else pytest.param(name, marks=pytest.mark.slow) for name in SHOWN])
-def test_many_digits_lie_in_the_enclosures(name):
+def test_many_digits_lie_in_the_enclosures():
     """The computation in many digits is a Taylor series in time: nothing of a proof is in it."""
-    case = scenario(**SHOWN[name])
-    proof = prove(case, 15)
-    assert proof.proved, proof.why
-    events = [event for event in proof.events if event.kind not in ("apex", "rest")]
-    true = [event for event in hh.simulate(case, digits=22).events if event.kind not in ("apex", "rest")]
-    assert [(e.kind, e.from_mode, e.to_mode) for e in events] == [(e.kind, e.from_mode, e.to_mode) for e in true]
-    assert len(events) > 2
-    for event, one in zip(events, true, strict=True):
-        for number in NUMBERS:
-            assert getattr(event, number).holds(Fraction(getattr(one, number))), (event.kind, number)
-
-
-def resisted(index):
-    """A random motion with a rolling resistance from 3·10⁻⁴ to 0.5, within what the hoop allows."""
-    _, sections = draw(SEED, index)
-    random = np.random.default_rng([SEED, index, 2])
-    hoop = hh.Hoop(**sections["hoop"])
-    most = min(0.9 * most_resistance(hoop.eccentricity, hoop.inertia_ratio), 1.0)
-    sections["plane"]["rolling_resistance"] = float(min(10 ** random.uniform(-3.5, -0.3), most))
-    return random_scenario(sections, max_events=EVENTS)
-
-
-def contradicted(index):
-    """What `contradiction` says of a random motion."""
-    return contradiction(resisted(index), EVENTS, PATIENCE)
-
-
-@pytest.mark.parametrize("index", QUICK)
-def test_random_motion(index):
-    assert contradicted(index) == ""
-
-
-@pytest.mark.slow
-def test_forty_random_motions():
-    """No proof contradicts the kernel, and at least 95 % are proved."""
-    found = {index: contradicted(index) for index in range(40)}
-    assert {index: said for index, said in found.items() if said not in ("", "undecided")} == {}
-    assert list(found.values()).count("undecided") <= 2
+    case = scenario(0.001, duration=1.2)
+    true = [
+        {"kind": event.kind, "from": event.from_mode, "to": event.to_mode, **{name: getattr(event, name) for name in NUMBERS}}
+        for event in hh.simulate(case, digits=22).events
+    ]
+    are_enclosed(prove(case, 15), true)
 
 
 def test_thresholds_say_what_they_do_not_prove():

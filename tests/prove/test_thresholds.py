@@ -41,17 +41,6 @@ def test_the_kernel_agrees(numbers):
         assert numbers[key].radius < Fraction(1, 10**28)
 
 
-def test_motions_beside_the_first_slip(numbers):
-    """A proved motion on each side of a proved threshold."""
-    speed = float(numbers["first_slip_speed"].middle)
-    found = [
-        hh.prove.prove(hh.Scenario(start=hh.Start.rolling(speed * (1 + way * 1e-3))), 3, until="revolution").sequence
-        for way in (-1, 1)
-    ]
-    assert found[0] == "R"
-    assert found[1] != "R"
-
-
 @pytest.mark.slow
 def test_the_border_of_the_hop():
     found = {one.key: one.enclosure for one in thresholds(hh.Scenario(), 20, ("first_hop_speed",))}
