@@ -7,9 +7,8 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS, Reason
-from hophoop.derivatives.results.propagation import propagate
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from oracles.derivatives import RESISTANCE, one_sided, scenario_of
+from oracles.derivatives import RESISTANCE, one_sided
 
 pytestmark = pytest.mark.usefixtures("interpreted")
 
@@ -52,32 +51,6 @@ def test_the_hop_loses_height_at_the_rate_of_small_resistances():
     assert none[1] == pytest.approx((0.2706 - 0.2919) / 0.001, rel=0.02)
 
 
-def test_rolling_loses_nothing_else():
-    """With the couple alone, what the energy loses is f R ∫ N abs(dθ), which its derivative is taken of apart."""
-    plane = hh.Plane(mu=math.inf, rolling_resistance=0.05)
-    motion = hh.simulate(hh.Scenario(plane=plane, start=hh.Start.rolling(1.5), duration=1.2))
-    assert motion.sequence == "R"
-    paths = ["start.speed", "start.angle", "hoop.load_fraction", RESISTANCE, "plane.gravity"]
-    rates = propagate(motion, paths).at_times(np.array([0.2, 0.5, 0.9, 1.2]), ["friction", "rolling_resistance", "total"])
-    assert np.abs(rates["friction"][1]).max() < 1e-10
-    assert np.abs(rates["rolling_resistance"][1][:, 3]).min() > 1.0
-    assert (rates["rolling_resistance"][0] == motion.at([0.2, 0.5, 0.9, 1.2]).rolling_resistance).all()
-
-
-def test_a_mirrored_motion_has_mirrored_derivatives():
-    scenario = hh.Scenario(
-        plane=hh.Plane(slope=0.05, mu=0.7, rolling_resistance=0.01), start=hh.Start.rolling(2.9, angle=0.4), duration=1.6
-    )  # fmt: skip
-    turned = {"start.speed": -2.9, "start.angle": -0.4, "plane.slope": -0.05}
-    of = ["stick.t", "end.x", "end.angle", "end.rolling_resistance"]
-    paths = [*turned, "plane.mu", RESISTANCE]
-    one = hh.sensitivity(scenario, of, paths).derivatives
-    other = hh.sensitivity(scenario.with_values(turned), of, paths).derivatives
-    signs = np.outer([1, -1, -1, 1], [-1, -1, -1, 1, 1])
-    assert other == pytest.approx(signs * one, rel=1e-11)
-    assert np.abs(one).min() > 1e-3
-
-
 def test_the_edge_of_rest():
     """Where the couple is just enough to hold the hoop, or just not, the least change decides which."""
     angle = math.pi - math.asin(0.05 / 0.75)
@@ -92,13 +65,3 @@ def test_the_edge_of_rest():
     assert hh.simulate(inside).status == "at_rest"
     result = hh.sensitivity(inside, "end.angle", ["start.angle", RESISTANCE, "hoop.load_fraction", "start.speed"])
     assert result.derivatives[0].tolist() == [1.0, 0.0, 0.0, 0.0]  # a small push is stopped at once
-
-
-def test_spread_goes_along():
-    motion = hh.simulate(scenario_of("resisted_hop").with_values({"duration": 1.2}))
-    uncertainty = motion.uncertainty({RESISTANCE: 0.001, "plane.mu": 0.02})
-    of = ["takeoff.angle", "at(1.1).x"]
-    slopes = motion.sensitivity(of, [RESISTANCE, "plane.mu"]).derivatives
-    assert uncertainty.deviation(of) == pytest.approx(np.hypot(*(slopes * [0.001, 0.02]).T), rel=1e-12)
-    assert uncertainty.at(1.1).x[0] == pytest.approx(uncertainty.deviation(of)[1], rel=1e-12)
-    assert uncertainty.at(1.1).rolling_resistance[0] > 0.0

@@ -8,6 +8,7 @@ import pytest
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.results.sensitivity import EDGE
+from hophoop.kernel.native import forced
 from hophoop.vocabulary.names import LAW_CODES
 from oracles.derivatives import one_sided
 
@@ -126,17 +127,37 @@ def halved(low, high, is_low, turns=54):
     return low, high
 
 
-def test_a_graze_of_the_friction_cone():
-    """The friction that is just enough to roll on: its margin touches zero in passing."""
+@pytest.fixture(scope="module")
+def grazes():
+    """Motions with the friction that is just enough to roll on, to the last digit, and just not."""
     scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.4), start=hh.Start.rolling(0.5), duration=1.6)
 
-    def slips(mu):
-        return bool(hh.simulate(scenario.with_values({"plane.mu": mu})).find("slip_start"))
+    def with_friction(mu):
+        return hh.simulate(scenario.with_values({"plane.mu": mu}))
 
-    low, high = halved(0.05, 1.0, slips)
-    for mu in (low, high):
-        assert reason_of(scenario.with_values({"plane.mu": mu}), "end.angle", "plane.mu") in GRAZES
-    assert hh.sensitivity(scenario.with_values({"plane.mu": 1.01 * high}), "end.angle", "plane.mu").derivatives[0, 0] == 0.0
+    with forced("interpreted"):
+        return [with_friction(mu) for mu in halved(0.05, 1.0, lambda mu: bool(with_friction(mu).find("slip_start")))]
+
+
+def test_a_graze_of_the_friction_cone(grazes):
+    """Its margin touches zero in passing."""
+    for motion in grazes:
+        assert reason_of(motion.scenario, "end.angle", "plane.mu") in GRAZES
+    more = grazes[1].scenario.with_values({"plane.mu": 1.01 * grazes[1].scenario.plane.mu_static})
+    assert hh.sensitivity(more, "end.angle", "plane.mu").derivatives[0, 0] == 0.0
+
+
+def test_a_motion_keeps_from_when_on_it_is_in_doubt(grazes, tmp_path):
+    """From the panel in which rolling needs all the friction that there is; a loaded motion finds it by a second run."""
+    motion = grazes[1]
+    times = motion.times(2001)
+    tangency = times[np.argmax(motion.at(times).utilization(motion.scenario.plane))]
+    assert tangency - 0.2 < motion.doubt <= tangency < motion.kernel_doubt
+    assert motion.doubt == motion.kernel_doubt * motion.units.time
+    assert np.isinf(motion.errors.t).tolist() == [event.t > motion.doubt for event in motion.events]
+    assert hh.simulate(hh.Scenario(duration=2.0)).doubt == math.inf
+    motion.save(tmp_path / "graze.nc")
+    assert hh.load(tmp_path / "graze.nc").doubt == motion.doubt
 
 
 @pytest.mark.parametrize("step", [-1, 0, 1])
