@@ -20,11 +20,6 @@ FRACTIONS = {"math": SimpleNamespace(inf=math.inf, isinf=lambda value: abs(value
 exact_impact = Kernels(Fraction, FRACTIONS)(impact)
 
 
-def body_of(eps, kap, mu_s, mu_k, law):
-    """A body on a level plane, of which an impact reads these numbers."""
-    return Body(eps, kap, mu_s, mu_k, Fraction(1), Fraction(0), Fraction(0), LAW_CODES[law], False, Fraction(0))
-
-
 shares = st.fractions(0, 1, max_denominator=12)
 speeds = st.fractions(-3, 3, max_denominator=8)
 
@@ -41,25 +36,10 @@ def test_it_is_the_impact_of_the_exact_oracle(law, eps, kap, slope, mu_s, ratio,
     # from v_t and v_n to the velocities of the centre, with θ̇ = 0
     expected = rational.collide(body, (slip, approach, Fraction(0)), rest, law)
     vx, vy, om = expected["velocity"]
-    found = exact_impact(body_of(eps, kap, mu_s, mu_k, law), rest, s, c, slip, approach)
+    level = Body(eps, kap, mu_s, mu_k, Fraction(1), Fraction(0), Fraction(0), LAW_CODES[law], False, Fraction(0))
+    found = exact_impact(level, rest, s, c, slip, approach)
     impulse = expected["impulse"]
     wanted = (vx - om, vy, om, impulse["normal"], impulse["tangential"], expected["loss_normal"], expected["loss_tangential"])
     # the roots of the energetic law are not rational
     room = Fraction(1, 10**30) if law == "stronge" else 0
     assert all(abs(one - other) <= room for one, other in zip(found, wanted, strict=True))
-
-
-def test_infinite_friction_stops_the_slip_at_once_and_keeps_it():
-    """The tangential impulse alone, then compression in stick; the momentum about the contact point is kept."""
-    eps, kap, s, c = Fraction(3, 4), Fraction(7, 16), Fraction(-3, 5), Fraction(4, 5)
-    body = body_of(eps, kap, math.inf, math.inf, "poisson")
-    vt, vn, spin, p_n, p_t, loss_n, loss_t = exact_impact(body, Fraction(0), s, c, Fraction(2), Fraction(-1))
-    assert vt == vn == 0
-    arm, lever = 1 + eps * c, eps * s
-    # κ Δθ̇ = ε s P_n − (1 + ε c) P_t, and v_t = 0 from Δẋ_G = P_t
-    assert kap * spin == lever * p_n - arm * p_t
-    assert Fraction(2) + p_t - arm * spin == 0
-    # the loss of energy is the work of both impulses
-    before = Fraction(2) ** 2 + Fraction(-1) ** 2
-    after = (arm * spin) ** 2 + (lever * spin) ** 2 + kap * spin**2
-    assert before - after == 2 * (loss_n + loss_t)

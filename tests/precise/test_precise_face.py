@@ -52,13 +52,10 @@ def test_a_solution_that_stops():
     scenario = hh.Scenario(start=hh.Start.rolling(3.1))
     solution = solve(scenario, 20, max_events=3)
     assert [record.kind.name for record in solution.records] == ["START", "SLIP_START", "STICK"]
-    kernel = hh.simulate(scenario).events[2]
-    state = solution.records[2].state
-    assert float(state.t * solution.body.time) == pytest.approx(kernel.t, rel=1e-13)
-    assert float(state.th) == pytest.approx(kernel.angle, rel=1e-13)
-    assert state.vt == 0
-    short = solve(scenario, 20, until=0.5)
-    assert float(short.records[-1].state.t) == 0.5
+    assert float(solution.records[2].state.t * solution.body.time) == pytest.approx(
+        hh.simulate(scenario).events[2].t, rel=1e-13
+    )
+    assert float(solve(scenario, 20, until=0.5).records[-1].state.t) == 0.5
 
 
 def run(*arguments):
