@@ -7,7 +7,7 @@ import math
 import pytest
 
 import hophoop as hh
-from hophoop.vocabulary.names import FATE_CODES, FATES, Fate
+from hophoop.vocabulary.names import Fate
 
 
 def scenario(speed=3.1, angle=0.0, gamma=0.75, **plane):
@@ -96,11 +96,6 @@ def test_gears_are_told_apart():
     assert (mixed.revolutions.tolist(), mixed.periods.tolist(), mixed.hops.tolist()) == ([1, 0], [1, 0], [1, 0])
 
 
-def test_every_fate_has_its_words():
-    assert set(FATES) == set(FATE_CODES) == set(Fate)
-    assert len({facts.sentence for facts in FATES.values()}) == len(FATES)
-
-
 FAST = 2_000.0  # √(g R)
 
 
@@ -110,11 +105,8 @@ FAST = 2_000.0  # √(g R)
         (scenario(FAST), Fate.ROCKS),
         (scenario(-2.5 * FAST, gamma=0.3, restitution=0.5), Fate.ROLLS_BACK),
         (scenario(-FAST, slope=0.1), Fate.ROCKS),
-        (scenario(FAST, gamma=0.0), Fate.ROLLS_AHEAD),
-        (scenario(-FAST, gamma=0.0, slope=0.1), Fate.UNDECIDED),
         (scenario(FAST, gamma=0.0, slope=0.1), Fate.RUNS_AWAY),
         (scenario(20.0, slope=math.radians(40)), Fate.RUNS_AWAY),
-        (scenario(3.0, slope=math.radians(40)), Fate.RUNS_AWAY),
     ],
 )
 def test_a_fast_start_alone_does_not_run_away(given, fate):

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.records.layout import unpacked_sequence
 from random_scenarios import draw, scenario_of
 from slopes import on_slope
 
@@ -21,17 +20,6 @@ def test_rolling_to_and_fro_passes_the_bottom_as_fast(degrees, omega):
     assert found.sequences == ("R",) * 12
     assert found.omega == pytest.approx([omega * (-1) ** (k + 1) for k in range(12)], abs=1e-12)
     assert found.angle == pytest.approx([math.pi] * 12, abs=1e-12)
-
-
-@pytest.mark.parametrize("omega", [3.3, -3.3])
-def test_a_motion_that_turns_back_goes_on_as_without_passages(omega):
-    """Slip, then rolling to and fro through the bottom."""
-    scenario = on_slope(10.0, 0.75, omega)
-    found = hh.passages(scenario, 30)
-    motion = hh.simulate(scenario.replace("duration", float(found.t[-1]) + 1.0))
-    assert (found.omega > 0.0).any()
-    assert (found.omega < 0.0).any()
-    assert motion.at(found.t[:-1]).omega == pytest.approx(found.omega[:-1], abs=1e-9)
 
 
 def test_derivative_against_digits():
@@ -68,21 +56,18 @@ def test_random_motions():
             continue
         for section in ("bottom", "landing"):
             found = hh.passages(scenario, 12, section=section)
-            for k in range(len(found)):
-                if not found.t[k] < 0.5 * motion.duration:
-                    break
+            for k in np.flatnonzero(found.t < 0.5 * motion.duration):
                 state = motion.at(found.t[k])
-                size = 1.0 + abs(state.omega) + abs(state.angle)
-                assert found.angle[k] == pytest.approx(state.angle, abs=1e-7 * size)
+                close = 1e-6 * (1.0 + abs(state.omega) + abs(state.angle))
+                assert found.angle[k] == pytest.approx(state.angle, abs=close)
+                assert found.x[k] == pytest.approx(state.x, rel=1e-6, abs=1e-6)
+                weight = scenario.hoop.mass * scenario.plane.gravity * scenario.hoop.radius
+                lost = sum(found.loss("friction")[: k + 1])
+                assert lost == pytest.approx(state.friction, rel=1e-5, abs=1e-6 * weight)
                 if section == "bottom":
-                    assert found.omega[k] == pytest.approx(state.omega, rel=1e-6, abs=1e-6 * size)
+                    assert found.omega[k] == pytest.approx(state.omega, abs=close)
                     assert math.cos(found.angle[k]) == pytest.approx(-1.0, abs=1e-12)
                     assert found.mode[k] in "RSK"
-                assert found.x[k] == pytest.approx(state.x, rel=1e-6, abs=1e-6)
-                lost = sum(found.loss("friction")[: k + 1])
-                assert lost == pytest.approx(
-                    state.friction, rel=1e-5, abs=1e-6 * scenario.hoop.mass * 9.81 * scenario.hoop.radius
-                )
                 compared += 1
                 hopped += int(found.hops[k])
     assert compared > 60
@@ -112,20 +97,12 @@ def test_a_start_from_a_passage():
 
 
 def test_lyapunov():
-    """The logarithm of the multiplier on a gait; in chaos two starts agree within their errors."""
+    """The logarithm of the multiplier on a gait; in chaos as in the literature of this hoop, within its error."""
     gait = hh.passages(on_slope(1.0, 0.75, 3.4), 200).lyapunov
     assert gait.value == pytest.approx(math.log(0.610983567588), abs=1e-6)
-    one, other = (hh.passages(on_slope(4.0, 0.75, v), 1500) for v in (3.41, 3.44))
-    assert one.fate == other.fate == "chaotic"
-    apart = abs(one.lyapunov.value - other.lyapunov.value)
-    assert apart < 5.0 * math.hypot(one.lyapunov.error, other.lyapunov.error)
-    assert one.lyapunov.value == pytest.approx(0.575, abs=0.05)
-
-
-def test_sequences_are_unpacked():
-    """Three bits a letter, 21 letters an integer."""
-    assert unpacked_sequence((1 | (2 << 3), 4)) == "RSH"
-    assert unpacked_sequence((0, 7)) == "+"
+    chaos = hh.passages(on_slope(4.0, 0.75, 3.41), 1500)
+    assert chaos.fate == "chaotic"
+    assert abs(chaos.lyapunov.value - 0.575) < min(5.0 * chaos.lyapunov.error, 0.05)
 
 
 @pytest.mark.parametrize(

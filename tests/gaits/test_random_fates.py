@@ -30,28 +30,24 @@ def scenario_of(seed: int, index: int) -> hh.Scenario:
     return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start.rolling(float(random.uniform(-4.0, 4.0)), angle=angle))
 
 
-def problem_of(given: hh.Scenario, fate: str, period: int, decided_at: int) -> str | None:
-    """What a much longer motion does that its fate does not allow, or None."""
+def holds(given: hh.Scenario, fate: str, period: int, decided_at: int) -> bool:
+    """Whether a much longer motion does what its fate says."""
     if fate == "rests":
-        motion = hh.simulate(given.replace("duration", AGES))
-        return None if motion.status == "at_rest" else f"rests, but is {motion.status} after {AGES:g}"
-    more = PERIODS * max(period, 1)
-    found = hh.passages(given, decided_at + more)
+        return hh.simulate(given.replace("duration", AGES)).status == "at_rest"
+    found = hh.passages(given, decided_at + PERIODS * max(period, 1))
     if fate == "gait":
-        if len(found) < decided_at + more:
-            return f"a gait that ends after {len(found)} passages: {found.status}"
         apart = np.abs(found.omega[-period:] - found.omega[-2 * period : -period]) / (1.0 + np.abs(found.omega[-period:]))
-        return None if apart.max() <= REPEATS else f"a gait that differs by {apart.max():.1e} a period later"
+        return len(found) == decided_at + PERIODS * period and apart.max() <= REPEATS
     last = given.replace("start", found.start(-1)) if len(found) else given
     motion = hh.simulate(last.replace("duration", LATE))
     late = motion.at(np.linspace(0.5 * motion.duration, motion.duration, 400))
-    if fate == "rocks" and np.ptp(late.angle) >= 2.0 * math.pi:
-        return f"rocks, but turns by {np.ptp(late.angle):.2f} rad late"
-    if fate in ("rolls ahead", "rolls back") and (late.omega * (1.0 if fate == "rolls ahead" else -1.0)).min() <= 0.0:
-        return f"{fate}, but does not"
-    if fate == "slips ever less" and not (np.ptp(np.sign(late.omega)) == 0.0 and {"S", "K"} & set(late.mode)):
-        return "slips ever less, but does not"
-    return None
+    does = {
+        "rocks": np.ptp(late.angle) < 2.0 * math.pi,
+        "rolls ahead": late.omega.min() > 0.0,
+        "rolls back": late.omega.max() < 0.0,
+        "slips ever less": np.ptp(np.sign(late.omega)) == 0.0 and bool({"S", "K"} & set(late.mode)),
+    }
+    return bool(does[fate])
 
 
 @pytest.mark.parametrize("index", range(60))
@@ -63,8 +59,8 @@ def test_a_random_fate(index):
     assert fate in set(Fate)
     landing = str(hh.gaits.fates([scenario], 500, section="landing").fates[0])
     assert landing == fate or "undecided" in (landing, fate)
-    if fate in ("rocks", "rests", "gait", "rolls ahead", "rolls back", "slips ever less"):
-        assert problem_of(scenario, fate, int(judged.periods[0]), int(judged.passages[0])) is None
+    if fate not in ("runs away", "slides away", "chaotic", "undecided"):
+        assert holds(scenario, fate, int(judged.periods[0]), int(judged.passages[0]))
 
 
 @pytest.mark.parametrize(
@@ -76,11 +72,3 @@ def test_bounces_at_landings_are_not_taken_for_a_fate(index, fate):
     scenario = scenario_of(35, index)
     for section in ("bottom", "landing"):
         assert hh.gaits.fates([scenario], section=section).fates == (fate,)
-
-
-def test_a_wrong_fate_is_found():
-    """A hoop that rolls ahead for ever neither rocks nor rests, and has no gait of one passage that ends."""
-    scenario = hh.Scenario(plane=hh.Plane(gravity=1.0), start=hh.Start.rolling(0.3))
-    assert hh.gaits.fates([scenario]).fates == ("rolls ahead",)
-    for fate in ("rocks", "rests", "rolls back"):
-        assert problem_of(scenario, fate, 0, 2) is not None
