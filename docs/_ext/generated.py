@@ -20,6 +20,7 @@ from pydantic_core import PydanticUndefined
 from sphinx.application import Sphinx
 
 import hophoop.cli
+from hophoop import maps
 from hophoop.cli._options import OPTIONS
 from hophoop.kernel.physics.body import MOST_DEPTH
 from hophoop.maps.grid.axes import SECTIONS
@@ -288,6 +289,22 @@ def claims() -> str:
     return table(["work", "read", "what it says", "our number", "verdict"], rows)
 
 
+# The catalogue
+
+
+def catalogue() -> str:
+    """The classes of γ = 3/4 with at least 2 % of the window."""
+    head = ("sequence", "ending", "share of the window", "width", "example μ", "example $v_0$ (m/s)")
+    return table(
+        head,
+        (
+            (one.sequence, one.ending, f"{100 * one.area:.3g} %", f"{one.width:.2g}", f"{one.mu:.10g}", f"{one.speed:.10g}")
+            for one in maps.catalogue()
+            if one.area >= 0.02
+        ),
+    )
+
+
 # Addresses
 
 ADDRESSES = Path(__file__).parents[2] / "addresses.toml"
@@ -319,6 +336,7 @@ MAKERS: dict[str, Callable[[], str]] = {
     "engines-short": lambda: engines(engine_tables.short),
     "engines-full": lambda: engines(engine_tables.full),
     "claims": claims,
+    "catalogue": catalogue,
     "addresses": addresses,
 }
 

@@ -1,15 +1,12 @@
-"""Where fast motion begins to grow, by examples/in_the_end.py, which leaves out the flights, against motions with them."""
+"""Where fast motion begins to grow, by examples/runaway.py, which leaves out the flights, against motions with them."""
 
 import math
 import runpy
 from pathlib import Path
 
-import pytest
-
 import hophoop as hh
 
-pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
-EXAMPLE = runpy.run_path(str(Path(__file__).parents[2] / "examples" / "in_the_end.py"))
+EXAMPLE = runpy.run_path(str(Path(__file__).parents[2] / "examples" / "runaway.py"))
 
 
 @pytest.mark.parametrize(("degrees", "least", "most"), [(33.3, -math.inf, -2.0), (34.31, -3.0, 3.0), (35.3, 2.0, math.inf)])

@@ -13,7 +13,7 @@ from PIL import Image
 import hophoop as hh
 
 ROOT = Path(__file__).parents[2]
-MODEL, PAGES = (runpy.run_path(str(ROOT / "examples" / f"{name}_figures.py")) for name in ("model", "page"))
+MODEL, PAGES = (runpy.run_path(str(ROOT / "examples" / "figures" / f"{name}.py")) for name in ("model", "pages"))
 pytestmark = pytest.mark.usefixtures("site")
 
 

@@ -1,11 +1,7 @@
-"""Figures of the model's page: the body with its forces, contact space, and the push that Painlevé's paradox comes from.
-
-Usage: python examples/model_figures.py [FOLDER]   (default: docs/figures)
-"""
+"""Figures of the model's page: the body with its forces, contact space, and the push that Painlevé's paradox comes from."""
 
 from __future__ import annotations
 
-import argparse
 import math
 from pathlib import Path
 from typing import Any
@@ -84,7 +80,7 @@ def draw_contact_space(path: Path) -> None:
     axes[0].set_ylabel("Normal force $N$ (N)")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncol=3, frameon=False, fontsize=9)
-    figure.savefig(path)
+    figure.savefig(path, metadata={"Date": None})
     plt.close(figure)
 
 
@@ -113,28 +109,19 @@ def draw_push(path: Path) -> None:
     ax.text(0.47, -0.28, "so this point goes down", fontsize=11, va="center", color=colors.PURPLE)
     ax.set(xlim=(-2.3, 3.0), ylim=(-0.55, 2.15), aspect="equal")
     ax.axis("off")
-    figure.savefig(path)
+    figure.savefig(path, metadata={"Date": None})
     plt.close(figure)
 
 
 def draw_body(path: Path) -> None:
     """Lengths, angle, velocities and forces."""
     ax = hh.plots.geometry(HOOP, angle=0.9)
-    ax.figure.savefig(path)
+    ax.figure.savefig(path, metadata={"Date": None})
     plt.close(ax.figure)
 
 
-def main() -> None:
-    """Draw all of them."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", nargs="?", type=Path, default=Path("docs/figures"))
-    folder = parser.parse_args().folder
-    folder.mkdir(parents=True, exist_ok=True)
-    plt.rcParams["svg.hashsalt"] = "hophoop"  # the same picture is the same file
+def draw(folder: Path) -> None:
+    """All of them."""
     draw_body(folder / "model-body.svg")
     draw_contact_space(folder / "contact-space.svg")
     draw_push(folder / "painleve-push.svg")
-
-
-if __name__ == "__main__":
-    main()

@@ -1,26 +1,26 @@
-"""Draw the figures of docs/catalogue.md and print its table, from the catalogue that hophoop ships.
-
-python examples/catalogue_figures.py [docs/figures]    # figures
-python examples/catalogue_figures.py --tables          # the table
-"""
+"""The classes of the catalogue that hophoop ships: over the load fraction, over their width, and in the window of γ = 3/4."""
 
 from __future__ import annotations
 
-import argparse
 import json
 from importlib.resources import files
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import to_rgb
+from matplotlib.patheffects import withStroke
 
 from hophoop import maps
+from hophoop.plots import class_color
+from hophoop.plots.style import ON_COLOR
 from hophoop.vocabulary import colors
+from hophoop.vocabulary.parameters import FIGURE_LABELS
+from hophoop.vocabulary.quantities import with_unit
 
-ROOT = Path(__file__).resolve().parents[1]
 REFERENCE = 0.75  # γ of the article's hoop, whose window is drawn
-LEAST_SHARE = 2e-2  # of the window: classes that the table lists
 NARROWEST = 1e-14  # width down to which the catalogue goes
-CELLS = 1000  # along each side of the drawn window
+CELLS = 700  # along each side of the drawn window
 MOST_LINEAR = 0.45  # friction up to which the left panel goes
 NAMED_AT = 0.4  # friction at which the names of classes with wider examples are written
 NAMED = 0.0135  # width of the classes whose names are written
@@ -32,31 +32,8 @@ def counts(gamma: float, width: float) -> tuple[int, int]:
     return len({entry.sequence for entry in entries}), len(entries)
 
 
-def print_tables() -> None:
-    """The table of docs/catalogue.md."""
-    print("| sequence | ending | share of the window | width | example μ | example $v_0$ (m/s) |")
-    print("| --- | --- | --- | --- | --- | --- |")
-    for entry in maps.catalogue():
-        if entry.area < LEAST_SHARE:
-            continue
-        print(
-            f"| {entry.sequence} | {entry.ending} | {100 * entry.area:.3g} % | {entry.width:.2g} "
-            f"| {entry.mu:.10g} | {entry.speed:.10g} |"
-        )
-
-
-def union(width: float) -> tuple[int, int]:
-    """Sequences, and with their endings, that one hoop or another shows at this width."""
-    pairs = {(entry.sequence, entry.ending) for gamma in maps.catalogued() for entry in maps.catalogue(gamma, width)}
-    return len({sequence for sequence, _ in pairs}), len(pairs)
-
-
 def draw(folder: Path) -> None:
     """All figures of the page."""
-    import matplotlib.pyplot as plt
-
-    plt.rcParams["svg.hashsalt"] = "hophoop"  # the same picture is the same file
-    folder.mkdir(parents=True, exist_ok=True)
     draw_over_gamma(folder / "catalogue-load-fraction.svg")
     draw_counts(folder / "catalogue-counts.svg")
     draw_plane(folder / "catalogue-plane.svg")
@@ -64,11 +41,6 @@ def draw(folder: Path) -> None:
 
 def draw_over_gamma(path: Path) -> None:
     """Which sequences a hoop shows, over γ, and how much of the window each fills."""
-    import matplotlib.pyplot as plt
-
-    from hophoop.plots import class_color
-    from hophoop.plots.style import ON_COLOR
-
     hoops = maps.catalogued()
     areas: dict[str, dict[float, float]] = {}
     for gamma in hoops:
@@ -101,13 +73,10 @@ def draw_over_gamma(path: Path) -> None:
     count.legend(frameon=False, ncols=2, loc="lower center")
     fig.savefig(path, metadata={"Date": None})
     plt.close(fig)
-    print(path)
 
 
 def draw_counts(path: Path) -> None:
     """How many classes there are, over the width from which on they count."""
-    import matplotlib.pyplot as plt
-
     widths = np.geomspace(NARROWEST, 1.0, 561)
     fig, ax = plt.subplots(figsize=(8.2, 4.6), layout="constrained")
     for gamma, color in zip((0.75, 0.48, 0.2, 0.9), colors.SERIES, strict=False):
@@ -124,18 +93,10 @@ def draw_counts(path: Path) -> None:
     ax.legend(frameon=False, loc="lower right")
     fig.savefig(path, metadata={"Date": None})
     plt.close(fig)
-    print(path)
 
 
 def draw_plane(path: Path) -> None:
     """The window of γ = 3/4, linear up to μ = 0.45 and by ratio, with the places where classes meet."""
-    import matplotlib.pyplot as plt
-    from matplotlib.patheffects import withStroke
-
-    from hophoop.plots.style import ON_COLOR
-    from hophoop.vocabulary.parameters import FIGURE_LABELS
-    from hophoop.vocabulary.quantities import with_unit
-
     hoop = json.loads(files("hophoop.maps").joinpath("catalogue.json").read_text(encoding="utf-8"))["hoops"][repr(REFERENCE)]
     (least, most), (slowest, fastest) = hoop["mu_range"], hoop["speed_range"]
     fig, axes = plt.subplots(1, 2, figsize=(11.0, 5.6), layout="constrained")
@@ -159,15 +120,10 @@ def draw_plane(path: Path) -> None:
         )
     fig.savefig(path, dpi=160, metadata={"Date": None})
     plt.close(fig)
-    print(path)
 
 
 def draw_classes(ax, mu: np.ndarray, speed: np.ndarray) -> None:
     """Each class in its colour, and black where a neighbour has another sequence or ending."""
-    from matplotlib.colors import to_rgb
-
-    from hophoop.plots import class_color
-
     found = maps.sweep(None, {"start.speed": speed, "plane.mu": mu}, ["sequence", "ending"])
     sequence, ending = found["sequence"].values.astype(int), found["ending"].values.astype(int)
     paint = np.array([to_rgb(class_color(word)) for word in maps.words_of(found["sequence"])])
@@ -192,18 +148,3 @@ def names_in_the_plane(speeds: np.ndarray) -> list[tuple[str, str, float, float]
             inside = [speed for speed, pair in zip(speeds, pairs, strict=True) if pair == (entry.sequence, entry.ending)]
             named.append((entry.sequence, entry.ending, NAMED_AT, float(np.mean(inside))))
     return named
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "docs" / "figures")
-    parser.add_argument("--tables", action="store_true", help="only print the table of the page")
-    options = parser.parse_args()
-    if options.tables:
-        print_tables()
-    else:
-        draw(options.folder)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,11 +1,7 @@
-"""Figures of the pages on formulas, method, proofs, films, the reference article, filming a hoop, a phone in it, and the code.
-
-Usage: python examples/page_figures.py [FOLDER]   (default: docs/figures)
-"""
+"""Figures of the pages on formulas, method, proofs, films, the article, filming a hoop, a phone in it, and the code."""
 
 from __future__ import annotations
 
-import argparse
 import math
 from itertools import islice
 from pathlib import Path
@@ -21,7 +17,7 @@ from hophoop.plots import colors
 from hophoop.tracking import Reading, drawing
 from hophoop.tracking.video import pictures, rgb
 
-FILM, PHONE = Path(__file__).parent / "film", Path(__file__).parent / "phone"
+FILM, PHONE = (Path(__file__).parents[1] / name for name in ("film", "phone"))
 SIZE = (7.6, 2.9)
 WIDE = {"frameon": False, "fontsize": 10}
 
@@ -289,16 +285,7 @@ FIGURES = {
 }
 
 
-def main() -> None:
-    """Draw all of them."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", nargs="?", type=Path, default=Path("docs/figures"))
-    folder = parser.parse_args().folder
-    folder.mkdir(parents=True, exist_ok=True)
-    plt.rcParams["svg.hashsalt"] = "hophoop"  # the same picture is the same file
-    for name, draw in FIGURES.items():
-        draw(folder / name)
-
-
-if __name__ == "__main__":
-    main()
+def draw(folder: Path) -> None:
+    """All of them."""
+    for name, draw_one in FIGURES.items():
+        draw_one(folder / name)
