@@ -4,6 +4,8 @@ import math
 import runpy
 from pathlib import Path
 
+import pytest
+
 import hophoop as hh
 
 EXAMPLE = runpy.run_path(str(Path(__file__).parents[2] / "examples" / "runaway.py"))
