@@ -5,13 +5,6 @@ import math
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.native import forced
-
-
-@pytest.fixture(autouse=True)
-def _interpreted():
-    with forced("interpreted"):
-        yield
 
 
 @pytest.mark.parametrize("speed", [-1e-5, 1e-3, 0.3, 20.0])
@@ -21,50 +14,37 @@ def test_a_balanced_body_rolls_after_a_brief_slip(ratio, mu, speed):
     body = hh.Hoop(eccentricity=0.0, inertia_ratio=ratio)
     motion = hh.simulate(body, hh.Plane(mu=mu, gravity=5.0), hh.Start(vx=speed, omega=0.0), duration=20.0)
     stick = motion.find("stick")[0]
-    assert stick.t == pytest.approx(abs(speed) / (mu * 5.0 * (1.0 + 1.0 / ratio)), rel=1e-12)
-    assert stick.omega == pytest.approx(speed / (1.0 + ratio), rel=1e-12)
-    lost = 0.5 * speed**2 * ratio / (1.0 + ratio)
-    assert motion.ledger.friction == pytest.approx(lost, rel=1e-12)
-    middle = motion.at(0.5 * stick.t)
-    assert middle.slip == pytest.approx(0.5 * speed, rel=1e-9)
-    assert motion.at(0.5 * stick.t).friction_force * speed < 0.0
+    found = (stick.t, stick.omega, motion.ledger.friction)
+    expected = (abs(speed) / (mu * 5.0 * (1.0 + 1.0 / ratio)), speed / (1.0 + ratio), 0.5 * speed**2 * ratio / (1.0 + ratio))
+    assert found == pytest.approx(expected, rel=1e-12)
+    assert motion.at(0.5 * stick.t).slip == pytest.approx(0.5 * speed, rel=1e-9)
 
 
-@pytest.mark.parametrize("speed", [1e-4, 1e-9, -1e-12, 1e-20, 1e-60, -1e-140])
+@pytest.mark.parametrize("speed", [1e-4, -1e-12, 1e-20, -1e-140, 1e-180, -5.6957134631529205e-247])
 def test_an_unbalanced_hoop_sticks_after_a_brief_slip(speed):
-    """As by 20 digits, which see no rounding; the slip in between is that of a constant rate."""
+    """As by 20 digits, which see no rounding; slip that no double can follow, as its square underflows, is over at once."""
     scenario = hh.Scenario(plane=hh.Plane(mu=0.5), start=hh.Start(angle=1.0, vx=speed, omega=0.0), duration=0.1)
     motion = hh.simulate(scenario)
     stick = motion.find("stick")[0]
+    if abs(speed) < 1e-150:
+        assert (stick.t, stick.slip) == (0.0, 0.0)
+        assert motion.sequence == hh.simulate(scenario.replace("start.vx", 0.0)).sequence
+        return
     middle = motion.at(0.5 * stick.t)
     assert middle.slip == pytest.approx(0.5 * speed, rel=1e-3)
     assert middle.friction_force * speed < 0.0
     if abs(speed) > 1e-30:
         exact = hh.simulate(scenario, digits=20).find("stick")[0]
-        assert stick.t == pytest.approx(float(exact.t), rel=1e-9)
-        assert stick.omega == pytest.approx(float(exact.omega), rel=1e-9)
-
-
-@pytest.mark.parametrize("speed", [1e-180, -5.6957134631529205e-247, 1e-300])
-def test_slip_that_no_double_can_follow_is_over_at_once(speed):
-    """Its square underflows, and with it the angle turned until it ends."""
-    scenario = hh.Scenario(plane=hh.Plane(mu=0.5), start=hh.Start(angle=1.0, vx=speed, omega=0.0), duration=0.1)
-    motion = hh.simulate(scenario)
-    stick = motion.find("stick")[0]
-    assert stick.t == 0.0
-    assert stick.slip == 0.0
-    assert motion.sequence == hh.simulate(scenario.replace("start.vx", 0.0)).sequence
-    assert math.isclose(motion.at(0.1).omega, hh.simulate(scenario.replace("start.vx", 0.0)).at(0.1).omega, rel_tol=1e-14)
+        assert (stick.t, stick.omega) == pytest.approx((float(exact.t), float(exact.omega)), rel=1e-9)
 
 
 @pytest.mark.parametrize("slope", [-0.046564564329822256, 0.3])
+@pytest.mark.parametrize("ratio", [1e-12, 0.5])
 @pytest.mark.parametrize("share", [1e-15, 0.5, 2.0])
-def test_a_ring_of_hardly_any_inertia_rolls_where_its_friction_is_enough(slope, share):
-    """Rolling down a slope needs μ = κ tan β/(1 + κ); less than that is no tie because both are small."""
-    ratio = 1e-12
-    enough = ratio * abs(math.tan(slope)) / (1.0 + ratio)
+def test_a_ring_or_disk_rolls_where_its_friction_is_enough(slope, ratio, share):
+    """Rolling down a slope needs μ = κ tan β/(1 + κ); of hardly any inertia, less than that is no tie as both are small."""
+    plane = hh.Plane(mu=share * ratio * abs(math.tan(slope)) / (1.0 + ratio), slope=slope)
     hoop = hh.Hoop(eccentricity=0.0, inertia_ratio=ratio)
-    plane = hh.Plane(mu=share * enough, slope=slope)
     motion = hh.simulate(hoop, plane, hh.Start.rolling(0.0), duration=2.0)
     assert motion.sequence == ("R" if share > 1.0 else "K" if slope > 0.0 else "S")
     assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
@@ -79,7 +59,5 @@ def test_a_couple_does_not_turn_with_a_speed_that_is_none(speed, way):
     hoop = hh.Hoop.ideal(0.1101725026406969)
     plane = hh.Plane(mu=0.3155, slope=0.31688841823092484 * way, rolling_resistance=1.0)
     motion = hh.simulate(hoop, plane, hh.Start.rolling(speed, angle=-0.7740592584851411 * way), duration=2.0)
-    sample = motion.at(1.0)
-    assert sample.slip * way > 0.0
-    assert sample.friction_force * sample.slip < 0.0
+    assert motion.at(1.0).friction_force * way < 0.0
     assert motion.sequence == ("K" if way > 0.0 else "S")

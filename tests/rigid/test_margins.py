@@ -7,77 +7,43 @@ import math
 import numpy as np
 import pytest
 
-import hophoop as hh
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.rigid.sampling import MARGINS, margins_of
 from newton_euler import BODIES, STATES, accelerations, responses
+from rigid.tools import body_of
 
 
-def margins(body, mode, th, om, slip=0.0, height=0.0):
-    return dict(zip(MARGINS, margins_of(body, int(mode), th, 0.0, om, slip, height), strict=True))
+def margins(body, mode, th, om):
+    return margins_of(body, int(mode), th, 0.0, om, 0.25, 0.5)
 
 
-def free_opening(body, th, om):
-    """ÿ of the lowest point of the rim, without contact."""
-    return accelerations(body, th, om, "free")[1]
-
-
-@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("body", [*BODIES, BODIES[0]._replace(kap=1.75)])  # κ > 1: with mass on arms outside of the rim
 @pytest.mark.parametrize(("th", "om"), STATES)
-def test_rolling_has_its_forces_and_its_cone(body, th, om):
-    found = margins(body, Mode.ROLL, th, om, 0.25, 0.5)
-    friction, normal = accelerations(body, th, om, "roll")[3:]
-    expected = [normal, friction, body.mu_s * normal, free_opening(body, th, om), 0.25, 0.5, math.nan]
-    np.testing.assert_allclose(list(found.values()), expected, rtol=1e-12, atol=1e-12)
-
-
-@pytest.mark.parametrize("body", BODIES)
-@pytest.mark.parametrize(("mode", "sigma"), [(Mode.SKID, 1), (Mode.SPIN, -1)])
-@pytest.mark.parametrize(("th", "om"), STATES)
-def test_slip_has_the_friction_against_it_and_its_stiffness(body, mode, sigma, th, om):
-    found = margins(body, mode, th, om, 0.25 * sigma)
-    friction, normal = accelerations(body, th, om, sigma)[3:]
+def test_each_mode_has_its_forces_and_their_limit(body, th, om):
+    """In slip also p_σ, ÿ of the rim for a unit of N with its friction; without contact no forces."""
     tangential, plain = responses(body, th)
-    p_sigma = plain[1] - sigma * body.mu_k * tangential[1]  # ÿ of the rim for a unit of N with its friction
-    expected = [normal, friction, body.mu_k * normal, free_opening(body, th, om), 0.25 * sigma, 0.0, p_sigma]
-    np.testing.assert_allclose(list(found.values()), expected, rtol=1e-11, atol=1e-12)
+    free = accelerations(body, th, om, "free")[1]
+    for mode, law, mu in ((Mode.ROLL, "roll", body.mu_s), (Mode.SKID, 1, body.mu_k), (Mode.SPIN, -1, body.mu_k)):
+        friction, normal = accelerations(body, th, om, law)[3:]
+        p_sigma = math.nan if law == "roll" else plain[1] - law * mu * tangential[1]
+        expected = [normal, friction, mu * normal, free, 0.25, 0.5, p_sigma]
+        np.testing.assert_allclose(margins(body, mode, th, om), expected, rtol=1e-11, atol=1e-12)
+    for mode in (Mode.FLIGHT, Mode.SKIM):
+        for mu in (0.5, math.inf):
+            found = margins(body._replace(mu_s=mu, mu_k=mu), mode, th, om)
+            np.testing.assert_allclose(found, [0.0, 0.0, 0.0, free, 0.25, 0.5, math.nan], rtol=1e-14, atol=1e-15)
 
 
-@pytest.mark.parametrize("mode", [Mode.FLIGHT, Mode.SKIM])
-@pytest.mark.parametrize("mu", [0.5, math.inf])
-def test_without_contact_there_are_no_forces(mode, mu):
-    body = BODIES[0]._replace(mu_s=mu, mu_k=mu)
-    found = margins(body, mode, 0.4, 1.3, 0.25, 0.5)
-    expected = [0.0, 0.0, 0.0, free_opening(body, 0.4, 1.3), 0.25, 0.5, math.nan]
-    np.testing.assert_allclose(list(found.values()), expected, rtol=1e-14)
-
-
-@pytest.mark.parametrize("mode", [Mode.SKID, Mode.SPIN])
-@pytest.mark.parametrize(("gamma", "mu"), [(1.0, 0.5), (0.75, math.inf)])
-def test_slip_without_a_mass_in_the_rim_or_a_limit_of_friction_is_not_described(mode, gamma, mu):
-    body = hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu)).to_body()
-    found = margins(body, mode, 0.4, 0.5)
-    assert all(math.isnan(found[name]) for name in ("normal_force", "friction_force", "friction_limit", "p_sigma"))
-    assert found["free_acceleration"] == pytest.approx(free_opening(body._replace(kap=1.0), 0.4, 0.5), rel=1e-14)
-
-
-def test_a_massive_rim_is_described_too():
-    """κ above 1, as where the mass is on arms outside of the rim."""
-    body = BODIES[0]._replace(kap=1.75)
-    found = margins(body, Mode.SKID, 0.4, 1.3)
-    assert found["normal_force"] == pytest.approx(accelerations(body, 0.4, 1.3, 1)[4], rel=1e-12)
-
-
-@pytest.mark.parametrize("mu", [0.5, math.inf])
-def test_a_load_of_zero_holds_nothing(mu):
-    """Without weight N is zero exactly, and so is μ N, whatever μ."""
-    body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=mu, gravity=0.0)).to_body()
-    found = margins(body, Mode.ROLL, 0.4, 1.0)
-    assert (found["normal_force"], found["friction_limit"]) == (0.0, 0.0)
-
-
-def test_a_plane_without_slip_has_no_limit_where_it_presses():
-    body = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=math.inf)).to_body()
-    for omega, pulls, limit in ((0.0, False, math.inf), (1.5, True, -math.inf), (3.0, True, -math.inf)):
-        found = margins(body, Mode.ROLL, 0.0, omega)
-        assert (found["normal_force"] < 0.0, found["friction_limit"]) == (pulls, limit)
+def test_where_a_margin_is_not_described_or_has_no_limit():
+    """Slip without a mass in the rim or a limit of friction has no forces; μ N of an N of zero is zero, whatever μ."""
+    for body in (body_of(1.0), body_of(mu=math.inf)):
+        for mode in (Mode.SKID, Mode.SPIN):
+            found = dict(zip(MARGINS, margins(body, mode, 0.4, 0.5), strict=True))
+            assert all(math.isnan(found[name]) for name in ("normal_force", "friction_force", "friction_limit", "p_sigma"))
+            assert found["free_acceleration"] == pytest.approx(body.eps * 0.25 * math.cos(0.4) - 1.0, rel=1e-14)
+    for mu in (0.5, math.inf):
+        weightless = body_of(0.0, mu=mu, gravity=0.0)
+        assert margins(weightless, Mode.ROLL, 0.4, 1.0)[::2][:2] == (0.0, 0.0)
+    for om, limit in ((0.0, math.inf), (1.5, -math.inf)):
+        normal, _, found, *_ = margins(body_of(mu=math.inf), Mode.ROLL, 0.0, om)
+        assert (normal > 0.0, found) == (limit > 0.0, limit)

@@ -13,11 +13,9 @@ from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
 from hophoop.kernel.records.state import start_state
 from hophoop.kernel.records.writing import new_log
-from hophoop.kernel.rigid.phase import Ending, Phase, limits_of
+from hophoop.kernel.rigid.phase import limits_of
 from hophoop.kernel.rigid.run import BY_RULE, run
 
-STARTED = {"t": 3.0, "t_low": 1e-17, "x": 2.0, "x_low": -1e-17, "revolutions": 2.0, "friction": 0.125, "impact_n": 0.25}
-STARTED |= {"impact_t": 0.375, "rolling_loss": 0.5}
 ROLL, SPIN, SKID, FLIGHT = (int(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
 NOWHERE = -1  # the mode before a start on the plane
 
@@ -68,12 +66,3 @@ def motion_of(body, state, t_end=1e9, span=math.nan, stop=0, scratch=None, rooms
             body, state, BY_RULE, t_end, span, stop, events, segments, scratch or new_scratch()
         )
     return status, events[:count], segments[:pieces]
-
-
-def phase_at(mode, state, level=5):
-    return Phase(mode, state, False, level, Ending.CONTINUES, -1)
-
-
-def sliding(sigma, th=math.pi):
-    """Slip over the load, which does not turn at θ = π without friction on the load's arm."""
-    return phase_at(SKID if sigma > 0 else SPIN, state_of(th, 0.0, 1.5 * sigma, **STARTED))
