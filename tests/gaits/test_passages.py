@@ -48,7 +48,7 @@ def test_random_motions():
     """Each row is a state of the motion that `simulate` gives, at the time and with the losses of the row."""
     compared = hopped = 0
     for index in range(60):
-        scenario = scenario_of(draw(37, index)[1], 2000)
+        scenario = scenario_of(draw(37, index), 2000)
         if scenario.plane.gravity == 0.0 or scenario.hoop.inertia_ratio < 1e-6:  # nearly massless: θ̇ is unbounded at the bottom
             continue
         motion = hh.simulate(scenario)

@@ -77,7 +77,7 @@ def drawn(count: int, first: int = 0) -> list[hh.Scenario]:
     found = []
     for index in range(first, first + count):
         try:
-            found.append(scenario_of(draw(SEED, index)[1], max_events=500))
+            found.append(scenario_of(draw(SEED, index), max_events=500))
         except ValueError:
             continue
     return found

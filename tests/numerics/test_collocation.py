@@ -94,7 +94,7 @@ def test_falls_are_where_numpy_has_roots():
         assert fall(series) == pytest.approx(roots[0], rel=0.0, abs=rounding / slope + np.spacing(1.0))
 
 
-@pytest.mark.parametrize("floor", [0.0, 1e-9, 1e-3])
+@pytest.mark.parametrize("floor", [0.0, 1e-3])
 @pytest.mark.parametrize("place", [0.0, 0.5, -0.5, 0.25, -0.875, 0.1])
 def test_a_fall_on_the_border_of_two_intervals(place, floor):
     """Rounding may leave the left one above zero at its end and the right one below it at its start: the root is in neither.
@@ -104,7 +104,7 @@ def test_a_fall_on_the_border_of_two_intervals(place, floor):
     random = np.random.default_rng(8)
     root = Polynomial([-place, 1.0])
     steep, flat = cheb(-root * Polynomial([1.0 - place, 1.0])), cheb(-root * Polynomial([place**2 + 0.01, -2.0 * place, 1.0]))
-    for _ in range(25):
+    for _ in range(100):
         rounding = 1e-16 * random.uniform(-1.0, 1.0, col.ORDER)
         for series in (steep + rounding, flat + rounding):  # with slopes of 1 and 0.01 at the fall
             found = fall(series, floor)
@@ -117,14 +117,3 @@ def test_a_fall_on_the_border_of_two_intervals(place, floor):
 def test_what_is_no_number_falls_nowhere():
     for bad in (np.nan, np.inf):
         assert fall(np.where(np.arange(col.ORDER) == 3, bad, 1.0)) == col.NOT_FOUND
-
-
-def test_a_resolved_function_stays_near_the_range_of_its_nodes():
-    """What lets `fall_of` pass over margins: below its lowest node it goes by less than the range of the nodes."""
-    random = np.random.default_rng(6)
-    fine = np.linspace(-1.0, 1.0, 2001)
-    for _ in range(500):
-        # coefficients that fall by 1e-13 over the panel, as an accepted panel's do
-        series = random.normal(size=col.ORDER) * 10.0 ** (-13.0 * np.arange(col.ORDER) / (col.ORDER - 1))
-        nodes = chebyshev.chebval(col.NODES, series)
-        assert nodes.min() - chebyshev.chebval(fine, series).min() < 0.1 * np.ptp(nodes)

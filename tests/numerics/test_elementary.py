@@ -171,14 +171,6 @@ def test_interpreted_and_compiled_and_arrays_have_the_same_bits(function):
         assert same_bits(expected, [values(sine, *given), values(cosine, *given)])
 
 
-def test_odd_functions_are_odd_and_even_ones_even():
-    (x,) = arguments_anywhere(sine)
-    for function in (sine, tangent, arcsine, arctangent, hyperbolic_tangent, hyperbolic_sine):
-        assert same_bits(values(function, -x), -values(function, x)), function.__name__
-    for function in (cosine, hyperbolic_cosine):
-        assert same_bits(values(function, -x), values(function, x)), function.__name__
-
-
 def test_logarithms_and_powers_that_are_exact():
     exponents = np.arange(-1074, 1024)
     np.testing.assert_array_equal(values(binary_logarithm, np.ldexp(1.0, exponents)), exponents)

@@ -10,7 +10,7 @@ from mpmath import mp, mpf
 from hophoop.kernel.physics import contact
 from newton_euler import BODIES, STATES, accelerations, case_of, responses
 from oracles import mechanics, series
-from random_scenarios import draw_beside_a_border, scenario_of
+from random_scenarios import at_painleve
 
 
 def near(value):
@@ -98,7 +98,7 @@ def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
 @pytest.mark.parametrize("index", [4, 85, 107, 157, 288, 446])
 def test_stiffness_at_the_threshold_of_painleves_paradox(index):
     """κ p_σ beside zero, where doubles have lost its sign: against 40 digits."""
-    scenario = scenario_of(draw_beside_a_border(2026, index)[1])
+    scenario = at_painleve(index)
     body, th = scenario.to_body(), scenario.start.angle
     with mp.workdps(40):
         kap = 1 - mpf(body.eps) ** 2 if body.ideal else mpf(body.kap)

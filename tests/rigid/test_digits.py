@@ -11,7 +11,7 @@ import hophoop as hh
 from hophoop.precise import compare
 from oracle_program import simulate
 from oracles.cases import JAM
-from random_scenarios import draw_beside_a_border, scenario_of
+from random_scenarios import at_painleve
 
 
 class Asked(NamedTuple):
@@ -100,7 +100,7 @@ def test_digits(name):
 @pytest.mark.parametrize(("index", "least"), [(4, 11.0), (85, 13.0), (107, 14.0), (157, 14.0), (288, 14.0), (446, 12.0)])
 def test_slip_from_painleves_threshold_itself(index, least):
     """Within 4 units in the last place of it: the sign of κ p_σ decides whether it jams, turns, or is thrown up by 1e-9."""
-    agree(scenario_of(draw_beside_a_border(2026, index)[1]), 20, least)
+    agree(at_painleve(index), 20, least)
 
 
 def test_a_jam_with_resistance():

@@ -13,7 +13,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.native import forced
-from random_scenarios import draw_beside_a_border, scenario_of
+from random_scenarios import at_painleve
 
 HOOP = hh.Hoop.ideal(0.75)
 SKID = {"angle": -0.7, "vx": 3.0, "omega": 1.0}  # f_n < 0: pressed down
@@ -104,7 +104,7 @@ def test_energy_keeps_rolling_hoops_from_the_jam(hoop, mu):
 
 def test_force_at_the_threshold():
     """As doubles compute κ p_σ it is negative there, and so would be N."""
-    scenario = scenario_of(draw_beside_a_border(2026, 111379)[1])
+    scenario = at_painleve(111379)
     forces = hh.simulate(scenario).at(0.0)
     assert forces.mode in ("S", "K")
     assert forces.normal_force > 0.0
@@ -131,7 +131,7 @@ def test_slip_that_begins_at_the_singular_angle_is_at_its_end():
 def test_slip_that_begins_at_the_threshold_is_followed_to_its_end(index):
     """Panels whose tails are rounding were foreseen to be ever narrower: half a million of them came to 10⁻¹⁴ s."""
     with forced("compiled"):
-        motion = hh.simulate(scenario_of(draw_beside_a_border(2026, index)[1]))
+        motion = hh.simulate(at_painleve(index))
     assert motion.status == "completed"
     assert len(motion.tables["segments"]) < 20_000
     assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range

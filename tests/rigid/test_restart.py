@@ -38,7 +38,7 @@ def test_random_cuts():
     """150 cuts, at a random time or event, from the left or the right: the next event is that of the whole motion."""
     compared = 0
     for index in range(150):
-        motion = hh.simulate(scenario_of(draw(36, index)[1], 400))
+        motion = hh.simulate(scenario_of(draw(36, index), 400))
         random = np.random.default_rng([36, index])
         event = motion.events[int(random.integers(len(motion.events)))]
         t, side = (event.t, "left") if index % 2 else (float(random.random()) * motion.duration, "right")

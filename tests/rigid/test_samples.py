@@ -105,7 +105,7 @@ def test_at_an_event_a_sample_is_the_state_just_after_it():
     """To the last bit, where the event begins a phase."""
     seen = set()
     for index in range(40):
-        motion = hh.simulate(scenario_of(draw(31, index)[1], 200))
+        motion = hh.simulate(scenario_of(draw(31, index), 200))
         begins, rows = set(motion.tables["segments"]["t"].tolist()), motion.tables["events"]
         for event, row, following in zip(motion.events, rows, rows[1:], strict=False):
             if row["t"] < following["t"] and row["t"] in begins:
@@ -119,7 +119,7 @@ def test_at_an_event_a_sample_is_the_state_just_after_it():
 
 def test_the_end_is_the_end_in_seconds_too():
     """Of a motion that ends before its time, there and back between the units."""
-    ended = [motion for index in range(60) if not (motion := hh.simulate(scenario_of(draw(31, index)[1], 7))).ok]
+    ended = [motion for index in range(60) if not (motion := hh.simulate(scenario_of(draw(31, index), 7))).ok]
     assert len(ended) > 5
     for motion in ended:
         (found,) = motion.units.kernel_times(motion.tables["segments"], np.array([motion.duration]))

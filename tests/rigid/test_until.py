@@ -46,7 +46,7 @@ def test_first_part_of_random_motions(until):
     word, _, number = until.partition(":")
     ended = 0
     for index in range(60):
-        scenario = scenario_of(draw(35, index)[1], 300)
+        scenario = scenario_of(draw(35, index), 300)
         long, brief = hh.simulate(scenario), hh.simulate(scenario, until=until)
         same_events(brief, long)
         end, met = brief.events[-1], brief.ending == until
