@@ -99,6 +99,10 @@ def test_jam_states_have_neither_p_nor_f(hoop, mu, slope):
         assert lift == pytest.approx(0.0, abs=1e-12 * (plane.gravity + hoop.radius * state.omega**2))
 
 
+def test_jams_come_in_pairs_for_each_direction_of_slip():
+    assert [state.mode for state in theory.jam_states(REFERENCE, hh.Plane(mu=1.1))] == ["S", "S", "K", "K"]
+
+
 # --- rest, and no mass -----------------------------------------------------------------------------
 
 
