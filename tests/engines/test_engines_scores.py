@@ -49,6 +49,7 @@ def test_the_exact_motion_scores_exact(name, spacing):
 
 REFUSED = {
     "backwards": (lambda s: s._replace(angle=-s.angle, omega=-s.omega), r"omega = -3\.1, .* with 3\.1; .*rolls towards \+x"),
+    "height of the centre": (lambda s: s._replace(y=s.y + 1.0), r"y must be the gap.*subtract the radius, 1 m"),
     "load below": (lambda s: s._replace(angle=s.angle + np.pi), r"starts with theta = 3\.14159, .* with 0; .*load at the top"),
     "mirrored angle": (lambda s: s._replace(angle=-s.angle), "theta changes by -1 times the integral of omega"),
     "ms": (lambda s: s._replace(t=1e3 * s.t), r"x changes by 0\.001 times the integral of vx over t"),
