@@ -33,6 +33,7 @@ SPEEDS = 0.5 + 2.5 + 1.0  # of the throw: θ̇, v_t and v_n
         (ROLLING, 3.0, -1, "t", [1.0 + 3.0]),
         (ROLLING, 3.0, -1, "x", [1.0 + 6.0, 2.0 * 3.0]),
         (ROLLING, 3.0, -1, "omega", [1.0 + 2.0, 2.0]),
+        (ROLLING, 3.0, -1, "vx", [1.0 + 2.0, 2.0]),
         (ROLLING, 3.0, -1, "angle", [1.0 + 6.0, 2.0 * 3.0, 1.0]),
         # t = √(2 h), changed by h/√(2 h) where the height is by h; the hoop stays there
         (hh.Start(height=2.0), 3.0, 1, "t", [1.0 + 2.0, 2.0 / 2.0]),
