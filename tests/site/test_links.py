@@ -26,11 +26,10 @@ def broken_links(site):
         links, loaded, _ = read(page)
         for link in links + loaded:
             parts = urlsplit(link)
-            target = (page.parent / unquote(parts.path)).resolve() if parts.path else page.resolve()
-            target = target / "index.html" if target.is_dir() else target
-            if parts.scheme or parts.netloc:
-                wrong = link in loaded and parts.scheme in ("http", "https", "")
-            else:
+            wrong = link in loaded and (parts.scheme in ("http", "https") or link.startswith("//"))
+            if not parts.scheme and not parts.netloc:
+                target = (page.parent / unquote(parts.path)).resolve() if parts.path else page.resolve()
+                target = target / "index.html" if target.is_dir() else target
                 lacks = parts.fragment and target.suffix == ".html" and unquote(parts.fragment) not in read(target)[2]
                 wrong = not target.is_file() or lacks
             if wrong:
