@@ -39,7 +39,7 @@ def client():
 def test_its_own_names_are_answered_and_foreign_ones_refused(client):
     for host in ("localhost:8765", "127.0.0.1", "[::1]:8765", "192.168.1.7:80", "hoop.example.org", "a.localhost"):
         assert client.get("/", headers={"Host": host}).status_code == 200, host
-    for host in ("evil.example:8765", "127.0.0.1.evil.example", "localhost.evil.example", "", "a:b:c"):
+    for host in ("evil.example:8765", "127.0.0.1.evil.example", "localhost.evil.example", "", "localhost:b:c"):
         reply = client.get("/", headers={"Host": host})
         assert reply.status_code == 403, host
         assert "is not a name of this lab" in reply.json()["detail"]

@@ -30,6 +30,15 @@ test("a map stays where its parameters are allowed", () => {
   }
 });
 
+test("a map is dragged with the hand", () => {
+  const map = axes();
+  map.fit(600, 400);
+  map.windows = { x: [1, 2], y: [0.4, 0.6] };
+  map.drag(map.windows, 0.25 * map.box.width, 0.25 * map.box.height);
+  assert.deepEqual(map.windows.x, [0.75, 1.75]);
+  assert.ok(Math.abs(map.windows.y[0] - 0.45) < 1e-12); // what is higher comes down
+});
+
 test("a range is moved into its bounds, and cut if it must be", () => {
   assert.deepEqual(within([-1, 2], [0, 10]), [0, 3]);
   assert.deepEqual(within([8, 12], [0, 10]), [6, 10]);

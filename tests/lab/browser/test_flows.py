@@ -487,8 +487,8 @@ FLOWS = {
     ]),
     **{
         f"a link that is copied in the {view} view opens it": ("?plane.slope=0.1", {"simple": simple, **CLIPBOARD, **CALM}, [
-            UNTIL_SETTLED,
             "is !lab.clock.playing && lab.clock.time === 0",  # for those who want no motion
+            UNTIL_SETTLED,
             *copied("Copy a link to this motion"),
             "do localStorage.clear()",
             "goto navigator.clipboard.readText()",
@@ -522,8 +522,8 @@ FLOWS = {
           f"(lab.backend.readable('{link}'))" for link, rest, said in WRONG),
     ]),
     "the simple view has three sliders, one diagram and one row of buttons": ("#t=0.5", {"simple": True}, [
-        UNTIL_SETTLED,
         "is !lab.clock.playing && lab.clock.time === 0.5",  # nothing moves where a link names a time
+        UNTIL_SETTLED,
         "is all('.controls .slider').filter(shown).sort((a, b) => a.getBoundingClientRect().y - b.getBoundingClientRect().y)"
         ".map((one) => one.dataset.path).join() === 'start.speed,hoop.load_fraction,plane.mu'",
         "is all('.plot').filter(shown).length === 1",

@@ -71,6 +71,8 @@ def test_clicks_are_hints(browser, tmp_path):
     assert send.is_disabled()
     for _ in range(3):
         page.click("#undo")
+    click((middle[0] + RIM, middle[1]), (20, 20))
+    page.click("#undo")  # the last one
     click(*(middle + RIM * np.array([np.cos(around), np.sin(around)]) for around in np.linspace(0.3, 5.5, 6)))
     assert send.is_enabled()
     # what is drawn lies where the hoop is
