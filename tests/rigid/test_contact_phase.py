@@ -72,6 +72,7 @@ def test_on_a_hilltop_only_what_is_there_exactly_stays(base, largest):
         (body_of(), 0, math.pi, True),
         (body_of(), 0, -math.pi, True),
         (body_of(), 0, math.pi + 1e-14, False),
+        (body_of(), 0, 1e-14, False),
         (body_of(), 0, 2.0, False),
         (body_of(), 1, 1.0, False),
         # without gravity, and a ring that the couple holds
@@ -158,6 +159,7 @@ def test_slip_without_rotation_is_that_of_a_block(side, gravity):
         assert motion.sequence == ("K" if side > 0 else "S") + "R" * stops
         end, slid = motion.events[1], 1.5 * side * min(t, until) + 0.5 * rate * min(t, until) ** 2
         assert (end.t, end.x) == pytest.approx((min(t, until), slid), rel=1e-13)
+        assert stops or motion.tables["events"]["t_low"][1] == 0.0
         assert end.slip == pytest.approx(0.0 if stops else 0.75 * side, rel=1e-13)
         assert motion.ledger.friction == pytest.approx(0.5 * gravity * math.cos(0.25) * abs(slid), rel=1e-13)
 

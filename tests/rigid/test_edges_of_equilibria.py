@@ -48,6 +48,10 @@ def begins(angle, omega, slip=0.0, gamma=0.75, events=3, **plane):
             0.0,
         ),
         (begins(0.9459432474646534, 1e-8, mu=3.0, slope=-0.4), "reversal", 13.999903593095212, 4.1605675572787106, 0.0),
+        (begins(2.5, 0.0, slope=-0.2), "reversal", 0.94769234459470939, 3.6172860987408049, 0.0),  # about the valley
+        # in slip with friction, 1e-9 and 1e-4 rad beside its hilltop
+        (begins(-0.6846398414750028, 0.0, 90.0, mu=0.3), "angle:0.3153", 5.3145934617802821, 0.3153, 3.0798372604970526),
+        (begins(0.6845398424750028, -1e-3, -9.0, mu=0.3), "angle:-0.3153", 2.2267892852048598, -0.3153, -1.8993467827942395),
     ],
 )
 def test_slow_motions_have_all_their_digits(scenario, until, t, angle, omega):

@@ -30,6 +30,7 @@ def scenario(start, duration=2.0, **plane):
 # motions by an event that each is for
 MOTIONS = {
     "takeoff": scenario(hh.Start.rolling(3.1)),
+    "apex": scenario(hh.Start(height=0.2, angle=0.5, omega=2.0), restitution=0.6, mu=0.4),
     "bounce_limit": scenario(hh.Start(height=0.3, angle=1.0, omega=2.0, vx=1.0), mu=math.inf, restitution=0.4),
     "kane_gain": scenario(
         hh.Start(height=0.25, angle=1.2, omega=1.5, vx=3.0), mu=0.8, restitution=0.9, impact_law="newton", duration=1.0
