@@ -72,6 +72,19 @@ def test_the_targets_are_read_without_numpy():
     assert python(code).returncode == 0
 
 
+def test_every_target_has_the_tag_of_its_system(module):
+    """Of the oldest C library or system that zig links for."""
+    from hophoop.kernel.build.link import TARGETS
+
+    assert set(module.PLATFORMS) == set(TARGETS)
+    systems = {"linux": "manylinux", "musllinux": "musllinux", "macos": "macosx", "windows": "win"}
+    for name, target in TARGETS.items():
+        system, _, machine = name.partition("-")
+        oldest = target.zig.split(".", 1)[1].replace(".", "_") if system in ("linux", "macos") else ""
+        assert module.PLATFORMS[name].startswith(f"{systems[system]}_{oldest}")
+        assert module.PLATFORMS[name].endswith(f"_{machine}")
+
+
 def test_a_wheel_for_another_machine_has_its_tag_and_the_files_of_this_build(hook, built, monkeypatch):
     monkeypatch.setenv("HOPHOOP_TARGET", "windows-amd64")
     data = made_by(hook)
