@@ -40,6 +40,8 @@ CONTENTS = {
 # what is changed in the manifest → the same
 CHANGES = [
     ({"machine": 5}, native.DAMAGED),
+    ({"machine": [1, 2]}, native.DAMAGED),
+    ({"files": {}}, native.DAMAGED),
     ({"files": {"v2": 5}}, native.DAMAGED),
     ({"files": {"new": "none.so"}}, native.DAMAGED),
     ({"entries": []}, native.DAMAGED),

@@ -44,7 +44,9 @@ def scenario(random: Random, odd: float) -> dict[str, Any]:
     """The keys of a scenario, or of a part of one, with some chance of something that has no business there."""
     keys = draws.scenario(random)
     if random.random() < 0.3:
-        keys["hoop"] = {"radius": 1.0, "parts": draws.parts(random, 1.0)}
+        keys["hoop"] = {"radius": random.choice([1.0, 1.0, 0.9]), "parts": draws.parts(random, 1.0)}
+    if keys["contact"]["model"] == "compliant" and random.random() < 0.1:
+        keys["contact"] |= {"damping": 3.0, "restitution": 0.5}
     if random.random() < 0.5:
         keys["plane"] = {"mu": keys["plane"]["mu_static"]} | some(random, {**keys["plane"], "mu_static": 0.0})
     if random.random() < 0.3:
@@ -92,9 +94,9 @@ def query(random: Random, odd: float) -> str:
 
 
 def changes(random: Random, odd: float) -> list[Any]:
-    """Changes to a scenario: of numbers, of whole sections, and of what there is not."""
+    """Changes to a scenario: of numbers or of whole sections, and of what there is not."""
     keys = scenario(random, odd)
-    known = [*flat(keys), *((name, value) for name, value in keys.items() if isinstance(value, dict))]
+    known = flat(keys) if random.random() < 0.8 else [item for item in keys.items() if isinstance(item[1], dict)]
     made = random.sample(known, min(len(known), random.choice([1, 1, 2, 3])))
     if random.random() < 0.3 * odd:
         made.append((random.choice(ODD_PATHS), random.choice(ODD)))

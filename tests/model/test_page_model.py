@@ -57,7 +57,13 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
         timeout=120,
     )
     assert done.returncode == 0, done.stderr[-2000:]
-    return [json.loads(line) for line in done.stdout.split("\n") if line]
+    # JavaScript writes doubles up to 1e21 without a point
+    return [json.loads(line, parse_int=whole_number) for line in done.stdout.split("\n") if line]
+
+
+def whole_number(digits: str) -> float:
+    """An integer, or a double that is not all of its digits."""
+    return int(digits) if len(digits) < 16 else float(digits)
 
 
 def finite(value: float) -> float | None:
