@@ -37,11 +37,6 @@ def test_interpreted_motions_have_the_kept_bits() -> None:
     assert differing(computed(kept, "interpreted")) == []
 
 
-@pytest.mark.long
-def test_interpreted_motions_of_every_kind_have_the_kept_bits() -> None:
-    assert differing(computed(kept_scenarios(every=25), "interpreted")) == []
-
-
 def test_the_changelog_names_the_kept_bits() -> None:
     """Bits do not change without a line that says so."""
     assert f"`{kept_hashes()['events'][:12]}`" in CHANGELOG.read_text(encoding="utf-8")

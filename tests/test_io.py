@@ -137,29 +137,6 @@ def test_a_missing_file_or_folder_is_told_with_the_name_that_was_given(motion, t
         assert refusal.value.filename == str(missing)
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("name", FORMATS)
-def test_a_write_that_fails_leaves_the_old_file(motion, tmp_path, name, monkeypatch):
-    motion.save(tmp_path / name)
-    for method in ("to_netcdf", "to_zarr"):
-        whole = getattr(xr.Dataset, method)
-
-        def broken(self, *arguments, _whole=whole, **options):
-            if options.get("group") == "segments":
-                raise OSError(28, "No space left on device")
-            return _whole(self, *arguments, **options)
-
-        monkeypatch.setattr(xr.Dataset, method, broken)
-    shorter = hh.simulate(motion.scenario.replace("duration", 0.5))
-    with pytest.raises(OSError, match="No space left"):
-        shorter.save(tmp_path / name)
-    monkeypatch.undo()
-    assert os.listdir(tmp_path) == [name]
-    assert_same_bits(motion, hh.load(tmp_path / name))
-    shorter.save(tmp_path / name)
-    assert hh.load(tmp_path / name).duration == 0.5
-
-
 # --- fingerprints ----------------------------------------------------------------------------------
 
 

@@ -18,7 +18,6 @@ from typing import Any
 import pytest
 
 import hophoop as hh
-from bits_tools import kept_scenarios
 from hophoop._support import errors
 from hophoop.lab import tables
 from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
@@ -163,14 +162,6 @@ def test_numbers_are_written_with_all_their_bits_or_rounded():
         for found, digits in zip(rounded, ("g", ".3g", ".2e", ".1f"), strict=True):
             step = 0.1 if digits == ".1f" else abs(value) * 10.0 ** -{"g": 5, ".3g": 2, ".2e": 2}[digits]
             assert abs(found - value) <= max(0.5001 * step, 1e-323), (text, digits)
-
-
-def test_links_of_earlier_versions_open_with_the_same_numbers():
-    """With the digits that Python writes, as the page did."""
-    queries = [f"start.x={value!r}".replace("e+", "e") for value in doubles() if abs(value) < 1e9]
-    queries += [each.scenario.to_query() for each in kept_scenarios(every=5)]
-    for query, answer in zip(queries, answers("scenario", [{"query": query} for query in queries]), strict=True):
-        assert answer["value"]["given"] == given_of(hh.Scenario.from_query(query)), query
 
 
 def test_texts_are_made_safe_and_read_as_numbers_as_python_does():

