@@ -26,38 +26,26 @@ def decoded(path):
 
 def darkest_spot(picture, radius, below=0):
     """Centre of the blackest disc of a radius in pixels: column, row; rows above `below` do not count."""
-    dark = (picture[..., :3].max(axis=-1) < 60).astype(float)
-    dark[:below] = 0.0
-    size = 2 * round(radius) + 1
-    row, column = np.unravel_index(np.argmax(ndimage.uniform_filter(dark, size)), dark.shape)
-    reach = size
-    top, left = max(row - reach, 0), max(column - reach, 0)
-    part = dark[top : row + reach + 1, left : column + reach + 1]
+    dark = picture[..., :3].max(axis=-1) < 60
+    dark[:below] = False
     # thin lines, such as text and the plane's, go; the disc stays
-    part = ndimage.binary_opening(part > 0.0, iterations=max(1, round(radius) // 3))
-    y, x = ndimage.center_of_mass(part)
-    return np.array([left + x, top + y])
+    spots, _ = ndimage.label(ndimage.binary_opening(dark, iterations=max(1, round(radius) // 3)))
+    largest = 1 + np.argmax(np.bincount(spots.ravel())[1:])
+    return np.array(ndimage.center_of_mass(spots == largest))[::-1]
 
 
 def places(motion, times):
     """Load in the world, X level and Y up, from the symbols of the model alone."""
-    sample = motion.at(np.asarray(times))
-    hoop, slope = motion.scenario.hoop, motion.scenario.plane.slope
-    along = sample.x + hoop.radius * np.sin(sample.angle)
-    above = hoop.radius + sample.height + hoop.radius * np.cos(sample.angle)
-    return np.stack(
-        [
-            along * np.cos(slope) + above * np.sin(slope),
-            above * np.cos(slope) - along * np.sin(slope),
-        ],
-        axis=-1,
-    )
+    sample, radius = motion.at(np.asarray(times)), motion.scenario.hoop.radius
+    along = sample.x + radius * np.sin(sample.angle)
+    above = radius + sample.height + radius * np.cos(sample.angle)
+    world = (along + 1j * above) * np.exp(-1j * motion.scenario.plane.slope)
+    return np.stack([world.real, world.imag], axis=-1)
 
 
 def near(drawn, color, tolerance=40):
     """Whether each pixel has nearly a colour, given as #RRGGBB."""
-    wanted = np.array([int(color[i : i + 2], 16) for i in (1, 3, 5)])
-    return np.abs(drawn[..., :3].astype(int) - wanted).max(axis=-1) <= tolerance
+    return np.abs(drawn[..., :3].astype(int) - list(bytes.fromhex(color[1:]))).max(axis=-1) <= tolerance
 
 
 def window(drawn, spot, rows=(0, 1), half=0):

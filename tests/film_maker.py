@@ -6,10 +6,10 @@ how much of the pixel it covers. So tilt, rolling shutter and shutter blur come 
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NamedTuple
 
 import av
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 import hophoop as hh
 
@@ -62,45 +62,26 @@ def frame_times(film):
 TICKS = 90_000
 
 
-def rotation(film):
-    """Axes of the plane of motion in those of the camera: right, up, towards the scene."""
-    a, b = np.radians(film.tilt_deg)
-    roll = np.radians(film.roll_deg)
-    about_x = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
-    about_y = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
-    about_z = np.array([[np.cos(roll), np.sin(roll), 0], [-np.sin(roll), np.cos(roll), 0], [0, 0, 1]])
-    return about_x @ about_y @ about_z
-
-
-def _centre(film):
-    return np.array([0.5 * (film.size[0] - 1), 0.5 * (film.size[1] - 1)])
-
-
-def _axis_point(film):
-    """The point of the plane of motion that the optical axis meets [m]."""
-    middle = _centre(film)
-    return np.array([(middle[0] - film.origin[0]) / film.scale, (film.origin[1] - middle[1]) / film.scale])
+def camera(film):
+    """Matrix from a point of the plane of motion, x, y, 1 [m], to its pixel and 1, times its distance from the lens."""
+    middle = 0.5 * (np.array(film.size) - 1)
+    axis = (middle - film.origin) / film.scale * [1, -1]  # the point of the plane of motion that the optical axis meets
+    turn = Rotation.from_euler("XYZ", [*film.tilt_deg, -film.roll_deg], degrees=True).as_matrix()[:, :2]
+    place = np.column_stack([turn, [0, 0, film.focal / film.scale] - turn @ axis])
+    return np.array([[film.focal, 0, middle[0]], [0, -film.focal, middle[1]], [0, 0, 1]]) @ place
 
 
 def project(film, x, y):
     """Pixel of a point of the plane of motion, y its height above the ground [m]."""
-    axis, turn = _axis_point(film), rotation(film)
-    flat = np.stack([np.asarray(x) - axis[0], np.asarray(y) - axis[1], np.zeros_like(np.asarray(x, dtype=float))], axis=-1)
-    seen = flat @ turn.T + np.array([0, 0, film.focal / film.scale])
-    middle = _centre(film)
-    return np.stack(
-        [middle[0] + film.focal * seen[..., 0] / seen[..., 2], middle[1] - film.focal * seen[..., 1] / seen[..., 2]], axis=-1
-    )
+    seen = np.stack(np.broadcast_arrays(x, y, 1.0), axis=-1) @ camera(film).T
+    return seen[..., :2] / seen[..., 2:]
 
 
-def unproject(film, u, v):
-    """Point of the plane of motion that a pixel looks at, and pixels a metre there."""
-    middle, turn, axis = _centre(film), rotation(film), _axis_point(film)
-    ray = np.stack([(u - middle[0]) / film.focal, (middle[1] - v) / film.focal, np.ones_like(u)], axis=-1)
-    normal, away = turn[:, 2], film.focal / film.scale
-    reach = away * normal[2] / (ray @ normal)
-    flat = (ray * reach[..., None] - np.array([0, 0, away])) @ turn
-    return flat[..., 0] + axis[0], flat[..., 1] + axis[1], film.focal / (reach * ray[..., 2])
+def unproject(film):
+    """For each pixel the point of the plane of motion that it looks at, x and y [m], and pixels a metre there."""
+    v, u = np.mgrid[: film.size[1], : film.size[0]].astype(float)
+    x, y, near = np.tensordot(np.linalg.inv(camera(film)), [u, v, np.ones_like(u)], 1)
+    return x / near, y / near, film.focal * near
 
 
 def background(film):
@@ -116,104 +97,92 @@ def background(film):
             x, y = rng.integers(0, wide), rng.integers(0, tall)
             tone = base + rng.uniform(-55, 45) + rng.uniform(-25, 25, 3)
             picture[y : y + h, x : x + w] = 0.4 * picture[y : y + h, x : x + w] + 0.6 * tone
+        v, u = np.mgrid[0:tall, 0:wide]
         for _ in range(12):  # rings and discs, to mislead
             x, y, r = rng.uniform(0, wide), rng.uniform(0, tall), rng.uniform(6, 30)
-            v, u = np.mgrid[0:tall, 0:wide]
-            there = np.abs(np.hypot(u - x, v - y) - r) < 2.0
-            picture[there] = base + rng.uniform(-60, 50)
-    u, v = np.meshgrid(np.arange(wide, dtype=float), np.arange(tall, dtype=float))
-    _, height, _ = unproject(film, u, v)
-    return np.where((height < 0)[..., None], picture * 0.75, picture).clip(5, 250)
+            picture[np.abs(np.hypot(u - x, v - y) - r) < 2.0] = base + rng.uniform(-60, 50)
+    picture[unproject(film)[1] < 0] *= 0.75
+    return picture.clip(5, 250)
 
 
 def frames(motion, film):
     """The frames, one after the other, as floating-point RGB."""
-    rng = np.random.default_rng(film.seed + 2)
-    back = background(film)
-    wide, tall = film.size
-    u, v = np.meshgrid(np.arange(wide, dtype=float), np.arange(tall, dtype=float))
-    x, y, scale = unproject(film, u, v)
-    radius = motion.scenario.hoop.radius
+    rng, back, places = np.random.default_rng(film.seed + 2), background(film), unproject(film)
     for k, begin in enumerate(frame_times(film)):
+        away, bare = (any(a <= k < b for a, b in spans) for spans in (film.without, film.hidden))
         picture = back.copy()
-        if not any(a <= k < b for a, b in film.without):
-            marked = not any(a <= k < b for a, b in film.hidden)
-            _draw(picture, motion, film, film.first + begin, (x, y, scale, radius), marked)
-        yield (picture + rng.normal(0, film.noise, (tall, wide, 1))).clip(0, 255)
+        if not away:
+            _draw(picture, motion, film, film.first + begin, places, not bare)
+        yield (picture + rng.normal(0, film.noise, (*back.shape[:2], 1))).clip(0, 255)
 
 
-class Between(NamedTuple):
-    """Where the hoop is at many times."""
-
-    x: np.ndarray
-    height: np.ndarray
-    angle: np.ndarray
+def _covered(depth):
+    """Share of a pixel on the inner side of an edge; depth: behind the edge [pixel]."""
+    return np.clip(0.5 + depth, 0, 1)[..., None]
 
 
-def _between(motion, times):
-    """The motion at many times close together, on straight lines between a few: to 1e-7 m over a frame."""
-    few = np.unique(np.linspace(times.min(), times.max(), 24)) if np.ptp(times[:, 0]) else times[0]
-    known = motion.at(np.clip(few, 0.0, motion.duration))
-    return Between(*(np.interp(times, few, getattr(known, name)) for name in Between._fields))
-
-
-def _draw(picture, motion, film, begin, place, marked):
-    x, y, scale, radius = place
-    rows = np.arange(film.size[1])
+def _draw(picture, motion, film, begin, places, marked):
+    """Draw the hoop: the mean over the shutter, each row at its own time."""
+    radius = motion.scenario.hoop.radius
     share = (np.arange(film.samples) + 0.5) / film.samples
-    times = begin + film.row_delay * rows[:, None] + film.shutter * share
-    state = _between(motion, times)
-    middle = np.stack([state.x.mean(), state.height.mean() + radius])
-    near = np.hypot(x - middle[0], y - middle[1]) < 1.25 * radius + np.ptp(state.x)
-    if not near.any():
+    times = begin + film.row_delay * np.arange(film.size[1])[:, None] + film.shutter * share
+    # on straight lines between a few times: to 1e-7 m over a frame
+    few = np.linspace(times.min(), times.max(), 24)
+    known = motion.at(np.clip(few, 0.0, motion.duration))
+    states = np.array([np.interp(times, few, values) for values in (known.x, known.height + radius, known.angle)])
+    x, y, _ = places
+    near = np.hypot(x - states[0].mean(), y - states[1].mean()) < 1.25 * radius + np.ptp(states[0])
+    rows, columns = np.flatnonzero(near.any(axis=1)), np.flatnonzero(near.any(axis=0))
+    if not rows.size:
         return
-    top, bottom = np.flatnonzero(near.any(axis=1))[[0, -1]]
-    left, right = np.flatnonzero(near.any(axis=0))[[0, -1]]
-    box = np.s_[top : bottom + 1, left : right + 1]
-    back = picture[box].copy()
-    total = np.zeros_like(back)
-    tone = 225.0 if film.light else 40.0
-    size = scale[box]
-    for k in range(film.samples):
-        cx, cy = state.x[top : bottom + 1, k, None], state.height[top : bottom + 1, k, None] + radius
-        angle = state.angle[top : bottom + 1, k, None]
-        away = np.hypot(x[box] - cx, y[box] - cy)
-        ring = np.clip(0.5 + (radius - away) * size, 0, 1) * np.clip(0.5 + (away - radius + film.stroke) * size, 0, 1)
-        one = back + ring[..., None] * (tone - back)
+    box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    (x, y, size), back, seen = (each[box] for each in places), picture[box], []
+    for sample in np.moveaxis(states[:, box[0]], -1, 0):
+        center_x, center_y, angle = sample[..., None]
+        away = np.hypot(x - center_x, y - center_y)
+        ring = _covered((radius - away) * size) * _covered((away - radius + film.stroke) * size)
+        one = back + ring * ((225.0 if film.light else 40.0) - back)
         if marked:
-            mx, my = cx + film.marker * radius * np.sin(angle), cy + film.marker * radius * np.cos(angle)
-            dot = np.clip(0.5 + (film.marker_size - np.hypot(x[box] - mx, y[box] - my)) * size, 0, 1)
-            one += dot[..., None] * (np.array(film.colour, dtype=float) - one)
-        total += one
-    picture[box] = total / film.samples
+            out = film.marker * radius
+            off = np.hypot(x - center_x - out * np.sin(angle), y - center_y - out * np.cos(angle))
+            one += _covered((film.marker_size - off) * size) * (np.array(film.colour) - one)
+        seen.append(one)
+    picture[box] = np.mean(seen, axis=0)
+
+
+# Luma, blue and red of BT.601, of R, G, B from 0 to 255.
+BT601 = np.array([[65.481, 128.553, 24.966], [-37.797, -74.203, 112.0], [112.0, -93.786, -18.214]]) / 255
 
 
 def planes(picture):
-    """Luma and chroma of 4:2:0 after BT.601, chroma on the even columns and between the rows, as H.264 has it."""
-    r, g, b = picture[..., 0], picture[..., 1], picture[..., 2]
-    luma = 16 + (65.481 * r + 128.553 * g + 24.966 * b) / 255
-    wide = []
-    for weights in ((-37.797, -74.203, 112.0), (112.0, -93.786, -18.214)):
-        chroma = 128 + (weights[0] * r + weights[1] * g + weights[2] * b) / 255
-        padded = np.pad(chroma, ((0, 0), (1, 1)), mode="edge")
-        smooth = 0.25 * padded[:, :-2] + 0.5 * padded[:, 1:-1] + 0.25 * padded[:, 2:]
-        wide.append(0.5 * (smooth[0::2, 0::2] + smooth[1::2, 0::2]))
-    tall, across = luma.shape
-    flat = [luma, *(c.reshape(tall // 4, across) if tall % 4 == 0 else c.reshape(-1, across) for c in wide)]
+    """Luma and chroma of 4:2:0, chroma on the even columns and between the rows, as H.264 has it."""
+    luma, *colours = np.moveaxis(picture @ BT601.T + [16, 128, 128], -1, 0)
+    flat = [luma]
+    for chroma in colours:
+        wide = np.pad(chroma, ((0, 0), (1, 1)), mode="edge")
+        smooth = 0.25 * wide[:, :-2:2] + 0.5 * wide[:, 1:-1:2] + 0.25 * wide[:, 2::2]
+        flat.append((0.5 * (smooth[0::2] + smooth[1::2])).reshape(-1, luma.shape[1]))
     return np.concatenate(flat).round().clip(0, 255).astype(np.uint8)
+
+
+def encode(path, size, pictures, ticks, rate=60, crf=18, aspect=None):
+    """Write a film of planes at given times in ticks, with the pixel's aspect ratio."""
+    with av.open(str(path), "w") as box:
+        stream = box.add_stream("libx264", rate=Fraction(rate).limit_denominator(1000))
+        stream.width, stream.height = size
+        stream.pix_fmt, stream.options = "yuv420p", {"crf": str(crf), "preset": "veryfast"}
+        stream.time_base = stream.codec_context.time_base = Fraction(1, TICKS)
+        if aspect is not None:
+            stream.codec_context.sample_aspect_ratio = aspect
+        for picture, tick in zip(pictures, ticks, strict=True):
+            frame = av.VideoFrame.from_ndarray(picture, format="yuv420p")
+            frame.pts, frame.time_base = round(tick), Fraction(1, TICKS)
+            box.mux(stream.encode(frame))
+        box.mux(stream.encode())
+    return path
 
 
 def make(path, motion, film):
     """Write the film; its frames carry their times."""
-    with av.open(str(path), "w") as box:
-        stream = box.add_stream("libx264", rate=Fraction(film.rate).limit_denominator(1000))
-        stream.width, stream.height = film.size
-        stream.pix_fmt = "yuv420p"
-        stream.time_base = stream.codec_context.time_base = Fraction(1, TICKS)
-        stream.options = {"crf": str(film.crf), "preset": "veryfast"}
-        for begin, picture in zip(frame_times(film), frames(motion, film), strict=True):
-            frame = av.VideoFrame.from_ndarray(planes(picture), format="yuv420p")
-            frame.pts, frame.time_base = round(begin * TICKS), Fraction(1, TICKS)
-            box.mux(stream.encode(frame))
-        box.mux(stream.encode())
-    return path
+    ticks = frame_times(film) * TICKS
+    return encode(path, film.size, map(planes, frames(motion, film)), ticks, film.rate, film.crf)

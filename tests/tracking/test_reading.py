@@ -1,4 +1,4 @@
-"""Tracks from files: Tracker's export, tables of spreadsheets, our own; and what a message says of them."""
+"""Tracks from tables as programs and people write them: each is read right, or refused in one sentence that says what to do."""
 
 import json
 import re
@@ -12,133 +12,227 @@ from hophoop.scenario import InputError
 from hophoop.tracking import Camera, Reading, View, read_track
 from hophoop.tracking.table import COLUMNS, track_of
 
-ROWS = "".join(f"{0.01 * k:.2f};0,1{k};0,3;0,1{k};0,5\n" for k in range(5))
-T = np.arange(24) / 240.0
-X, Y = 0.03 * np.arange(24) + 0.01, 0.3 + 0.001 * (np.arange(24) % 3)
-HIDDEN = range(10, 14)
+T = np.arange(8) / 100.0
+X = 0.95 + 1.7 * T
+Y = np.full(8, 0.3)
+ANGLE = 6.0 * T + 0.1
+DEGREES = np.degrees(ANGLE)
+LOAD_X, LOAD_Y = X + 0.27 * np.sin(ANGLE), Y + 0.27 * np.cos(ANGLE)
+TWO_POINTS = (T, X, Y, LOAD_X, LOAD_Y)
 
 
-def written(tmp_path, text, encoding="utf-8", name="ours.csv"):
+def saved(tmp_path, text, encoding="utf-8", name="ours.csv"):
     file = tmp_path / name
     file.write_bytes(text.encode(encoding))
     return file
 
 
-# --- Tracker ---------------------------------------------------------------------------------------
+def written(tmp_path, head, columns, separator=",", form="{:.5f}", decimal="."):
+    """A file of a head, which may have several lines, and of rows of numbers."""
+    rows = [separator.join(form.format(value).replace(".", decimal) for value in row) for row in zip(*columns, strict=True)]
+    return saved(tmp_path, "\n".join([head, *rows]))
 
 
-def exported(tmp_path, names, delimiter="\t", comma=False, every=1):
-    """Tracker's text of two points, of which the second is hidden in some frames; of every n-th frame if stepped over.
-
-    One point beside the other, a delimiter behind each cell, numbers with Java's pattern 0.000000E0.
-    """
-    seen = np.where(np.arange(24) % every, np.nan, 1.0)
-    marked = np.where(np.isin(np.arange(24), HIDDEN), np.nan, seen)
-    columns = (T, X * seen, Y * seen, (X + 0.25) * marked, (Y + 0.1) * marked)
-    rows = [["", names[0], "", names[1], ""], ["t", "x", "y", "x", "y"]]
-    for row in zip(*columns, strict=True):
-        cells = ("" if np.isnan(value) else re.sub(r"E\+?(-?)0", r"E\1", f"{value:.6E}") for value in row)
-        rows.append([cell.replace(".", "," if comma else ".") for cell in cells])
-    text = "\n".join(["#multi:", *(delimiter.join([*row, ""]) for row in rows)])
-    return written(tmp_path, text, "utf-8-sig", "two.txt")
+# --- layouts, units, numbers -----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("style", [("\t", False), ("\t", True), (";", True), (";", False), (",", False)])
-def test_an_export_is_read_in_each_format(tmp_path, style):
-    track = read_track(exported(tmp_path, ["hub", "load"], *style), Reading(radius=0.3))
-    assert track.t == pytest.approx(T, abs=1e-6)
-    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), rel=1e-6)
-    assert track.marker[0] == pytest.approx([X[0] + 0.25, Y[0] + 0.1], rel=1e-6)
-    assert [k for k, word in enumerate(track.state) if word == "no marker"] == list(HIDDEN)
-    assert np.isnan(track.marker[HIDDEN]).all()
-    assert track.angle[0] == pytest.approx(np.arctan2(0.25, 0.1))
+@pytest.mark.parametrize(
+    ("head", "separator", "form", "decimal"),
+    [
+        ('"Latest: Time (s)","Latest: X (m)","Latest: Y (m)","Latest: X 2 (m)","Latest: Y 2 (m)"', ",", "{:.5f}", "."),
+        ("Data Set 1:Time(s),Data Set 1:X(m),Data Set 1:Y(m),Data Set 1:X 2(m),Data Set 1:Y 2(m)", ",", "{:.5f}", "."),
+        ("Time (s) Run #1;x (m) Run #1;y (m) Run #1;load x (m) Run #1;load y (m) Run #1", ";", "{:.5f}", ","),
+        ('"Time";"hub/0/X";"hub/0/Y";"load/0/X";"load/0/Y"', ";", '"{:.5f}"', ","),
+        ("Zeit (s);Mitte_x (m);Mitte_y (m);Gewicht_x (m);Gewicht_y (m)", ";", "{:.5f}", ","),
+        ("Temps (s);X moyeu (m);Y moyeu (m);X charge (m);Y charge (m)", ";", "{:.5f}", ","),
+        ("Tiempo (s)\tcentro x (m)\tcentro y (m)\tcarga x (m)\tcarga y (m)", "\t", "{:.5f}", ","),
+        ("t x y marker_x marker_y", "   ", "{:.5f}", "."),
+        ("# t x y marker_x marker_y", " ", "{:.18e}", "."),
+        ("t,x1,y1,x2,y2", ",", "{:.5f}", "."),
+        ("t / s; x / m; y / m; load x in m; load_y_m", ";", " {:.5f}", ","),
+        ("t;x;y;load x;load y\n(sec);(Meters);(meter);(M);(m)", ";", "{:.5f}", ","),
+        # Tracker: one point beside the other, a delimiter behind each cell
+        ("#multi:\n\thub\t\tload\t\nt\tx\ty\tx\ty\t", "\t", "{:.6E}", "."),
+        ("#multi:\n;hub;;load;\nt;x;y;x;y;", ";", "{:.6E}", ","),
+        ("Our hoop with its load;;;;\nt;x;y;load_x;load_y", ";", "{:.5f}", ","),
+    ],
+)  # fmt: skip
+def test_the_layouts_of_programs(tmp_path, head, separator, form, decimal):
+    track = read_track(written(tmp_path, head, TWO_POINTS, separator, form, decimal), Reading(radius=0.3))
+    assert track.t == pytest.approx(T)
+    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-5)
+    assert track.marker == pytest.approx(np.stack([LOAD_X, LOAD_Y], axis=-1), abs=1e-5)
+    assert track.angle == pytest.approx(ANGLE, abs=1e-4)
     assert (track.placed, track.radius) == (False, 0.3)
 
 
-def test_frames_that_were_stepped_over_are_not_lost(tmp_path):
-    """With a step size of 2 Tracker still writes a row for every frame, in which every second has a time and nothing else."""
-    track = read_track(exported(tmp_path, ["hub", "load"], every=2))
-    assert track.t == pytest.approx(T[::2], abs=1e-6)
-    assert "lost" not in track.state
+@pytest.mark.parametrize(
+    ("encoding", "head", "columns"),
+    [
+        ("utf-8-sig", "t,x,y,angle\ns,m,m,deg", (T, X, Y, DEGREES)),
+        ("utf-16", "t (ms),x (mm),y (mm),Winkel (Grad)", (1000 * T, 1000 * X, 1000 * Y, DEGREES)),
+        ("utf-8", "time (Sec),x (CM),y (cm),theta (Deg)", (T, 100 * X, 100 * Y, DEGREES)),
+        ("cp1252", "t,x,y,ángulo (rad)", (T, X, Y, ANGLE)),
+    ],
+)
+def test_units_in_any_case_and_the_encodings_of_spreadsheets(tmp_path, encoding, head, columns):
+    text = written(tmp_path, head, columns).read_text(encoding="utf-8")
+    track = read_track(saved(tmp_path, text, encoding))
+    assert track.t == pytest.approx(T)
+    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
+    assert track.angle == pytest.approx(ANGLE, abs=1e-5)
 
 
-def test_names_that_say_nothing_are_asked_for(tmp_path):
-    file = exported(tmp_path, ["A", "B"])
-    with pytest.raises(ValueError, match="points 'A', 'B': name the one at the centre and the one at the marker by --centre"):
-        read_track(file)
-    assert read_track(file, Reading(centre="B", marker="A")).marker[:, 0] == pytest.approx(X, rel=1e-6)
-    with pytest.raises(ValueError, match="no point 'C'; its points are 'A', 'B'"):
-        read_track(file, Reading(centre="C"))
+@pytest.mark.parametrize(
+    ("head", "rows", "said"),
+    [
+        ("t (ms)\tx (mm)\ty", ["0.50\t985\t300", "0.51\t1,002\t300", "0.52\t1,019\t300"], ("1,002 is read as 1002.",)),
+        ("t (ms)\tx (mm)\ty", ["0\t985\t300", "10\t1,002\t300", "20\t1,019\t300"], ("1,002 is read as 1002.",)),
+        ("t (ms)\tx (mm)\ty", ["0,50\t985\t300", "0,51\t1.002\t300", "0,52\t1.019\t300"], ("1.002 is read as 1002.",)),
+        ("t (ms)\tx (mm)\ty", ["0.5\t985.0\t300", "0.6\t1,002.0\t300", "0.7\t1,019.0\t300"], ("1,002.0 is read as 1002.0.",)),
+        ("t (ms)\tx (mm)\ty", ["0.50\t985\t300", "0.51\t1'002\t300", "0.52\t1 019\t300"], ()),
+        # three decimals are no groups
+        ("t\tx\ty", ["0,008\t0,985\t0,3", "0,016\t1,002\t0,3", "0,024\t1,019\t0,3"], ()),
+        ("t\tx\ty", ["1.008\t0.985\t1.3", "1.016\t1.002\t1.3", "1.024\t1.019\t1.3"], ()),
+        # signs and spaces of typesetters, and cells without a number
+        ("t\tx (mm)\ty", ["0,00\t985\t\u2212300", "0,01\t1\u00a0002\t#N/A", "0,02\t 1019 \t300"], ()),
+        ("t;x (mm);y", ["0:01:00,00;985;3", "0:01:00,01;1002;3", "0:01:00,02;1019;3"], ()),
+        ("t,x (mm),y", ["1:00.00,985,3", "1:00.01,1002,3", "1:00.02,1019,3"], ()),
+        ("t,x (cm),y,remark", ['1,98.5,0.3,"dark, blurred"', '"1,1","100,2","0,3",', "1.2,101.9,0.3,"],
+         ("Columns of ours.csv that are not used: remark.",)),
+    ],
+)  # fmt: skip
+def test_numbers_as_people_write_them(tmp_path, head, rows, said):
+    track = read_track(saved(tmp_path, "\n".join([head, *rows])))
+    places = [0.985, np.nan if "#N/A" in rows[1] else 1.002, 1.019]
+    assert track.centre[:, 0] == pytest.approx(places, nan_ok=True)
+    assert track.notes == said
+    assert (":" in rows[0]) == (track.t[0] == 60.0)
 
 
-# --- spreadsheets ----------------------------------------------------------------------------------
+# --- columns and points ----------------------------------------------------------------------------
 
 
-def test_a_comma_between_quotes_divides_nothing(tmp_path):
-    table = 't,x,y,remark\n0.00,0.1,0.3,"dark, blurred"\n"0,01","0,2","0,3",\n0.02,0.3,0.3,\n'
-    track = read_track(written(tmp_path, table))
-    assert track.t == pytest.approx([0.0, 0.01, 0.02])
-    assert track.centre[:, 0] == pytest.approx([0.1, 0.2, 0.3])
-    assert track.notes == ("Columns of ours.csv that are not used: remark.",)
+def test_the_second_point_may_be_the_centre(tmp_path):
+    file = written(tmp_path, "t,x,y,x 2,y 2", (T, LOAD_X, LOAD_Y, X, Y))
+    track = read_track(file)
+    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
+    assert "x 2 is taken for the centre and x, which rises and falls more, for the marker" in track.notes[0]
+    assert read_track(file, Reading(marker="x 2")).marker[:, 0] == pytest.approx(X, abs=1e-5)
 
 
-def test_columns_that_are_not_used_are_named(tmp_path):
-    track = read_track(written(tmp_path, "t;x;y;sticker_x;sticker_y\n" + ROWS))
+def test_numbers_of_frames_need_the_rate(tmp_path):
+    for head, columns in (("frame,x,y", (np.arange(8), X, Y)), ("x,y", (X, Y))):
+        assert read_track(written(tmp_path, head, columns), Reading(rate=100.0)).t == pytest.approx(T)
+
+
+def test_any_column_by_name(tmp_path):
+    head = "Video: clock (s),Video: across (cm),Video: up (cm),Video: turned (deg)"
+    file = written(tmp_path, head, (T, 100 * X, 100 * Y, DEGREES))
+    track = read_track(file, Reading(columns=dict(zip(("t", "x", "y", "angle"), head.split(","), strict=True))))
+    assert track.t == pytest.approx(T)
+    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-6)
+    assert track.angle == pytest.approx(ANGLE, abs=1e-6)
+
+
+def test_velocities_are_no_positions(tmp_path):
+    head = "t (s),X (m),Y (m),X Velocity (m/s),Y Velocity (m/s),Beschleunigung x (m/s²),sticker_x"
+    track = read_track(written(tmp_path, head, (T, X, Y, X, Y, X, X)))
+    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
     assert np.isnan(track.marker).all()
-    assert track.notes == ("Columns of ours.csv that are not used: sticker_x, sticker_y.",)
+    assert "sticker_x" in track.notes[0]
 
 
-def test_a_title_above_the_names_is_no_point(tmp_path):
-    track = read_track(written(tmp_path, "Our hoop with its load;;;;\nt;x;y;load_x;load_y\n" + ROWS))
-    assert track.centre[:, 0] == pytest.approx([0.10, 0.11, 0.12, 0.13, 0.14])
-    assert track.marker[:, 1] == pytest.approx([0.5] * 5)
+def test_hidden_marks_and_frames_that_were_stepped_over(tmp_path):
+    """With a step size of 2 Tracker still writes a row for every frame, in which every second has a time and nothing else."""
+    rows = ["0\t0\t1\t0.5\t1", "1\t\t\t\t", "2\t1\t1\t\t", "3\t\t\t\t", "4\t2\t1\t2.5\t1"]
+    track = read_track(saved(tmp_path, "\n".join(["\thub\t\tload\t", "t\tx\ty\tx\ty", *rows])))
+    assert list(track.t) == [0, 2, 4]
+    assert track.state == ("found", "no marker", "found")
+    assert track.angle == pytest.approx([np.pi / 2, np.nan, np.pi / 2], nan_ok=True)
 
 
-@pytest.mark.parametrize("encoding", ["cp1252", "utf-16", "utf-8-sig"])
-def test_the_encodings_of_spreadsheets(tmp_path, encoding):
-    table = "Größe;;;;\nt (s);x (m);y (m);angle (°);rotation (°)\n" + ROWS
-    track = read_track(written(tmp_path, table, encoding))
-    assert track.angle == pytest.approx(np.radians([0.10, 0.11, 0.12, 0.13, 0.14]))
+# --- angles, and the phone in the hoop -------------------------------------------------------------
+
+
+def test_a_direction_seen_from_the_axes_is_no_rotation(tmp_path):
+    head = "\thub\t\t\tload\t\t\nt\tx\ty\tθr\tx\ty\tθr"
+    columns = (T, X, Y, np.degrees(np.arctan2(Y, X)), LOAD_X, LOAD_Y, np.degrees(np.arctan2(LOAD_Y, LOAD_X)))
+    track = read_track(written(tmp_path, head, columns, "\t"))
+    assert track.angle == pytest.approx(ANGLE, abs=1e-4)
+    assert track.notes == ("hub θr is the direction as seen from the axes, not the rotation of the hoop: it is not used.",)
+
+
+@pytest.mark.parametrize("factor", [-1.0, np.pi / 180, 2.0])
+def test_an_angle_that_contradicts_the_marker_is_noticed(tmp_path, factor):
+    t = np.arange(100) / 100.0
+    x, angle, head = 1.8 * t, 0.1 + 6.0 * t, "t,x,y,load_x,load_y,angle (deg)"
+    columns = (t, x, np.full(100, 0.3), x + 0.27 * np.sin(angle), 0.3 + 0.27 * np.cos(angle))
+    track = read_track(written(tmp_path, head, (*columns, factor * np.degrees(angle))))
+    assert track.angle == pytest.approx(angle, abs=1e-3)
+    assert track.notes == ("angle (deg) contradicts the line from the centre to the marker: the marker is used.",)
+    right = read_track(written(tmp_path, head, (*columns, np.degrees(angle + 0.4))))  # a marker beside the load's line
+    assert right.angle == pytest.approx(angle + 0.4, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("head", "separator", "decimal"),
+    [
+        ('"Time (s)","Gyroscope x (rad/s)","Gyroscope y (rad/s)","Gyroscope z (rad/s)","Absolute (rad/s)"', ",", "."),
+        ('"Zeit (s)";"Gyroskop x (rad/s)";"Gyroskop y (rad/s)";"Gyroskop z (rad/s)";"Absolut (rad/s)"', ";", ","),
+        ("time,wx (rad/s),wy (rad/s),wz (rad/s),all", ",", "."),
+    ],
+)
+def test_a_phone_gives_its_angular_velocity(tmp_path, head, separator, decimal):
+    omega = -6.0 - 10.0 * T
+    file = written(tmp_path, head, (T, 0.01 * omega, 0.1 + 0 * T, omega, np.abs(omega)), separator, "{:.9E}", decimal)
+    track = read_track(file)
+    assert track.omega == pytest.approx(-omega)
+    assert np.isnan([*track.angle, *track.centre[:, 0]]).all()
+    assert set(track.state) == {"found"}
+    names = [name.strip('"') for name in head.split(separator)]
+    assert track.notes[0].startswith(f"The angular velocity is that of {names[3]}, the axis with the most rotation;")
+    assert track.notes[1] == f"The sign of {names[3]} is reversed, for a hoop that rolls to the right."
+    assert read_track(file, Reading(columns={"omega": names[2]})).omega == pytest.approx([0.1] * 8)
+
+
+def test_a_unit_of_angles_may_be_given(tmp_path):
+    """A jump of a whole turn is none."""
+    file = written(tmp_path, "t,angle", (T, 4000 * T % 360))
+    assert np.diff(read_track(file, Reading(angle_unit="deg")).angle) == pytest.approx(np.radians(40.0), rel=1e-6)
+    file = written(tmp_path, "t,omega", (T, DEGREES))
+    assert read_track(file, Reading(angle_unit="deg")).omega == pytest.approx(ANGLE)
+
+
+def test_a_window_of_time(tmp_path):
+    track = read_track(written(tmp_path, "t,x,y", (T, X, Y)), Reading(since=0.02, until=0.05))
+    assert track.t == pytest.approx([0.02, 0.03, 0.04, 0.05])
+    assert track.centre[:, 0] == pytest.approx(X[2:6], abs=1e-5)
+    assert track.state == ("no marker",) * 4
 
 
 def test_the_table_of_the_docs_is_read(tmp_path):
     text = (Path(__file__).parents[2] / "docs" / "film.md").read_text(encoding="utf-8")
     table = text.partition("```text\nt (s);")[2].partition("```")[0]
-    track = read_track(written(tmp_path, "t (s);" + table), Reading(radius=0.3))
+    track = read_track(saved(tmp_path, "t (s);" + table))
     assert track.t == pytest.approx([0.0, 0.008, 0.025])  # a row without a mark is left out
     assert track.centre == pytest.approx(np.array([[0.001, 0.3], [0.017, 0.3], [0.05, 0.3]]))
     assert track.angle == pytest.approx(np.radians([0.0, 3.0, 9.0]))
 
 
-def test_a_missing_unit_of_angles_is_explained(tmp_path):
-    file = written(tmp_path, "t,angle\n" + "\n".join(f"{t},{4000 * t % 360}" for t in T))
-    with pytest.raises(ValueError, match=r"has no unit of angle: write it behind .* --angle-unit deg, or angle_unit="):
-        read_track(file)
-    # a jump of a whole turn is none
-    steps = np.diff(read_track(file, Reading(angle_unit="deg")).angle)
-    assert steps == pytest.approx(np.radians(4000 / 240), rel=1e-9)
-
-
-# --- our own ---------------------------------------------------------------------------------------
-
-
-def own():
+def test_a_saved_track_is_the_same(tmp_path):
     rng = np.random.default_rng(5)
     columns = {name: rng.normal(size=8) for name in COLUMNS if name != "t"}
     columns["x"][3] = columns["y"][3] = np.nan
     view = View(Camera(640, 360, 500.0, 0.01, -0.02), 200.0, -100.0, 3.0, 0.01, (-20.0, 90.0), 0.86, 1e-3, 1e-5, None)
     others = {"radius": 0.3, "slope": 0.02, "placed": True, "view": view, "source": "film.mp4", "notes": ("A note.",)}
-    return track_of(np.arange(8) / 240.0, columns, **others)
-
-
-def test_a_saved_track_is_the_same(tmp_path):
-    track = own()
+    track = track_of(np.arange(8) / 240.0, columns, **others)
     track.save(tmp_path / "track.json")
     back = read_track(tmp_path / "track.json")
     for name in dict.fromkeys(attribute for attribute, _, _ in COLUMNS.values()):
         np.testing.assert_array_equal(getattr(back, name), getattr(track, name))
-    for name in ("state", "radius", "slope", "placed", "view", "source", "notes"):
-        assert getattr(back, name) == getattr(track, name)
+    assert {name: getattr(back, name) for name in others} == others
+    assert back.state == track.state
     track.save(tmp_path / "track.csv")
     table = read_track(tmp_path / "track.csv")
     np.testing.assert_array_equal(table.centre, track.centre)
@@ -151,58 +245,81 @@ def test_a_saved_track_is_the_same(tmp_path):
 # --- what goes wrong is one sentence ---------------------------------------------------------------
 
 
+def rows(count, cells=3):
+    """Some rows of numbers, in which only the first column grows."""
+    return "".join(f"{k}{',1' * (cells - 1)}\n" for k in range(count))
+
+
+TWICE = "which has two readings: save the table without signs"
+RUNS = "t,x Run #1,y Run #1,x Run #2,y Run #2\n"
+
+
 @pytest.mark.parametrize(
-    ("name", "text", "message"),
+    ("name", "text", "message", "options"),
     [
-        ("a.csv", "", "is empty"),
-        ("a.csv", "1,2\n3,4\n", "has no row of column names"),
-        ("a.csv", "t,x,y\n", "has no table"),
-        ("a.csv", "t,x,y\na,b,c\n", "has no row of numbers"),
-        ("a.csv", "x,y\n1,2\n3,4\n5,6\n", "has no column of times: its columns are x, y; --column t=HEAD names one"),
-        ("a.csv", "t;right;up;left\n0;0,1;0,3;0\n1;0,2;0,3;0\n", "its columns are t, right, up, left; --column x=HEAD"),
-        ("a.csv", "t,x,y\n0,00,0,1,0,3\n0,01,0,2,0,3\n0,02,0,3,0,3\n", "a row of 6 cells under 3 names: a comma can divide"),
-        ("a.xlsx", "PK", "save the sheet as CSV"),
-        ("a.ods", "PK", "save the sheet as CSV"),
-        ("hoop.TRZ", "<object/>", "is a project of Tracker: open it there and save its points with File, Export, Data"),
-        ("a.csv", "t,x\n0,1\n1,1\n2,1\n", "has a column x, but none for y: its columns are t, x; --column y=HEAD"),
-        ("a.csv", "t,speed\n0,1\n1,1\n2,1\n", "has neither x and y, nor marker_x and marker_y, nor angle"),
-        ("a.csv", "t,x,y\n0,1,1\n1,1,1\n", "has 2 rows; at least 3 are needed"),
-        ("a.csv", "t,x,y\n0,1,1\n2,1,1\n1,1,1\n", "must have times that increase, which they do not in row 3"),
-        ("a.csv", "t,x,y\n0,1,1\n1,fast,1\n2,1,1\n", "has 'fast' in column x, row 2 below"),
-        ("a.csv", "t,x,y\n0,1,inf\n1,1,1\n2,1,1\n", "has 'inf' in column y, row 1 below"),
-        ("a.csv", "t,x,y\n0,nan,nan\n1,nan,nan\n2,,\n", "has the hoop in no row"),
-        ("a.csv", "t [h],x,y\n0,1,1\n1,1,1\n2,1,1\n", "gives t [h] in an unknown unit; known units are s, ms and min"),
-        ("a.md", "t,x,y\n0,1,1\n", "must end in .json, .csv"),
-        ("a.json", "{", "is not valid JSON"),
-        ("a.json", "[1]", "is not a track of hophoop"),
-        ("a.json", json.dumps({"schema": "hophoop-track/1"}), "is incomplete: 'columns'"),
+        ("a.csv", "", "is empty", {}),
+        ("a.csv", "1,2\n3,4\n", "has no row of column names", {}),
+        ("a.csv", "t,x,y\n", "has no table", {}),
+        ("a.csv", "t,x,y\na,b,c\n", "has no row of numbers", {}),
+        ("a.csv", "x,y\n" + rows(3, 2), "has no column of times: its columns are x, y; --column t=HEAD names one", {}),
+        ("a.csv", "frame,x,y\n" + rows(3), "numbers of frames instead of times: its columns are frame, x, y; --column t=", {}),
+        ("a.csv", "t,x,y\n0.1,1,1\n0.2,1,1\n0.3,1,1", "has times, no numbers of frames: leave out --rate", {"rate": 100.0}),
+        ("a.csv", "t,right,up\n" + rows(3), "its columns are t, right, up; --column x=HEAD", {}),
+        ("a.csv", "t,x,y\n0,00,0,1,0,3\n0,01,0,2,0,3\n", "a row of 6 cells under 3 names: a comma can divide", {}),
+        ("a.csv", "t,x\n" + rows(3, 2), "has a column x, but none for y: its columns are t, x; --column y=HEAD", {}),
+        ("a.csv", "t,speed\n" + rows(3, 2), "has neither x and y, nor marker_x and marker_y, nor angle", {}),
+        ("a.csv", "t,x,y\n" + rows(3), "has no column 'up': its columns are t, x, y", {"columns": {"y": "up"}}),
+        ("a.csv", RUNS + rows(3, 5), "has the columns x Run #1 and x Run #2 for x: name one by --column 'x=x", {}),
+        ("a.txt", ",A,,B,\nt,x,y,x,y\n" + rows(3, 5), "points 'A', 'B': name the one at the centre and the one at the", {}),
+        ("a.txt", ",A,,B,\nt,x,y,x,y\n" + rows(3, 5), "no point 'C'; its points are 'A', 'B'", {"centre": "C"}),
+        ("a.csv", "t,x,y,hub x,hub y\n" + rows(3, 5), "its points are one without a name, 'hub'", {"centre": "axle"}),
+        ("a.csv", "t,angle\n" + rows(3, 2), "has no unit of angle: write it behind", {}),
+        ("a.csv", "t,omega\n" + rows(3, 2), "--angle-unit deg, or angle_unit=", {}),
+        ("a.csv", "t [h],x,y\n" + rows(3), "gives t [h] in an unknown unit; known units are s, ms and min", {}),
+        ("a.csv", "t,x,y\n" + rows(2), "has 2 rows; at least 3 are needed", {}),
+        ("a.csv", "t,x,y\n" + rows(4), "has times from 0 to 3 s, of which 2 are in the window; at least 3", {"since": 1.5}),
+        ("a.csv", "t,x,y\n0,1,1\n2,1,1\n1,1,1\n", "must have times that increase, which they do not in row 3", {}),
+        ("a.csv", "t,x,y\n0,1,1\n1,fast,1\n2,1,1\n", "has 'fast' in column x, row 2 below", {}),
+        ("a.csv", "t,x,y\n0,1,inf\n1,1,1\n2,1,1\n", "has 'inf' in column y, row 1 below", {}),
+        ("a.csv", "t,x,y\n0,nan,nan\n1,nan,nan\n2,,\n", "has the hoop in no row", {}),
+        # t = 1.000 or 1000
+        ("a.csv", "t\tx\ty\n1,000\t1,002\t1,300\n1,010\t1,019\t1,300\n", TWICE, {}),
+        ("a.csv", "t\tx\ty\n0\t985\t300\n10\t1.002\t300\n", TWICE, {}),
+        ("a.csv", "t\tx\ty\n0.50\t985\t0,3\n0.51\t1.002\t0,3\n", TWICE, {}),
+        ("a.md", "t,x,y\n0,1,1\n", "must end in .json, .csv", {}),
+        ("a.csv", "\x89PNG\r\n\x1a\n\x00\x00", "is not text", {}),
+        ("a.xlsx", "PK", "save the sheet as CSV", {}),
+        ("hoop.TRZ", "<object/>", "is a project of Tracker: open it there and save its points with File, Export, Data", {}),
+        ("a.json", "{", "is not valid JSON", {}),
+        ("a.json", "[1]", "is not a track of hophoop", {}),
+        ("a.json", json.dumps({"schema": "hophoop-track/1"}), "is incomplete: 'columns'", {}),
     ],
 )
-def test_bad_files(tmp_path, name, text, message):
-    with pytest.raises(InputError) as caught:
-        hh.read_track(written(tmp_path, text, name=name))
-    assert message in str(caught.value)
+def test_bad_files(tmp_path, name, text, message, options):
+    with pytest.raises(InputError, match=re.escape(message)) as caught:
+        hh.read_track(saved(tmp_path, text, name=name), Reading(**options))
     assert str(caught.value).endswith(".")
 
 
-def test_gigabytes_are_refused_unread(tmp_path):
+def test_gigabytes_are_refused_unread_and_what_is_absent(tmp_path):
     file = tmp_path / "a.csv"
     with file.open("wb") as stream:
         stream.truncate(3_000_000_000)  # sparse: no byte of it is on the disk
     with pytest.raises(ValueError, match="is larger than 500 MB"):
         read_track(file)
-
-
-def test_files_that_are_no_text(tmp_path):
-    file = tmp_path / "a.csv"
-    file.write_bytes(b"\x89PNG\r\n\x1a\n\x00\x00")
-    with pytest.raises(ValueError, match="is not text"):
-        read_track(file)
     with pytest.raises(FileNotFoundError):
         read_track(tmp_path / "absent.csv")
 
 
-@pytest.mark.parametrize("values", [{"angle_unit": "turn"}, {"radius": -1.0}, {"rate": 0.0}])
-def test_bad_readings(values):
-    with pytest.raises(ValueError, match=f"{next(iter(values))} = "):
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"angle_unit": "turn"}, "angle_unit = "),
+        ({"radius": -1.0}, "radius = "),
+        ({"rate": 0.0}, "rate = "),
+        ({"columns": {"speed": "up"}}, "columns cannot name 'speed'; it can name frame, t, x, y"),
+    ],
+)
+def test_bad_readings(values, message):
+    with pytest.raises(ValueError, match=message):
         Reading(**values)
