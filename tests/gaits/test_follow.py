@@ -89,7 +89,7 @@ def test_border_collisions_are_named(branch):
     ]
     hop, corner = found[0], found[-1]
     assert hop.multipliers[0] == pytest.approx(hop.multipliers[1], rel=1e-5)  # a hop opens with τ³: no corner
-    assert math.degrees(corner.parameter) == pytest.approx(1.027551, abs=5e-7)
+    assert math.degrees(corner.parameter) == pytest.approx(1.0275511980, abs=1e-10)  # by the line to its margin of 0
     assert corner.multipliers == (pytest.approx(-0.31478, abs=1e-5), pytest.approx(-1.35050, abs=1e-5))
 
 
