@@ -4,7 +4,6 @@ import dataclasses
 import math
 import pickle
 import re
-import typing
 
 import pytest
 
@@ -78,16 +77,12 @@ def test_words_are_plain_strings(motion):
 
 
 def test_the_types_of_a_sample_are_those_of_its_fields(hop):
-    notes = typing.get_type_hints(Sample)
     one, many = hop.at(1.0), hop.at(hop.times(5))
-    assert set(notes) == {name for name in vars(one) if not name.startswith("_")}  # without the motion that it is of
-    for name, note in notes.items():
-        number, array = note.__constraints__
-        assert type(getattr(one, name)) is number
-        assert isinstance(getattr(many, name), typing.get_origin(array))
-        assert getattr(many, name).dtype.type is typing.get_args(array)[1].__args__[0]
-    assert type(one.total) is type(one.friction_loss) is type(one.normal_loss) is float
-    assert type(one.utilization(hop.scenario.plane)) is float
+    for field in dataclasses.fields(Sample):
+        kind = str if field.name == "mode" else float
+        assert type(getattr(one, field.name)) is kind, field.name
+        assert issubclass(getattr(many, field.name).dtype.type, kind), field.name
+    assert type(one.total) is type(one.friction_loss) is type(one.utilization(hop.scenario.plane)) is float
 
 
 # The table of events
