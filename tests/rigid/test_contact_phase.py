@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
+from hophoop.kernel.numerics.collocation import lagrange
+from hophoop.kernel.numerics.tables import NODES
+from hophoop.kernel.panels.anchor import FREE, ROLLING, SLIPPING, Anchor, frictionless_value
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, Totals, no_panel
 from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.physics.contact import torque_at_rest
 from hophoop.kernel.rigid import contact_phase
 from hophoop.kernel.rigid.phase import STOP_AT_TURN, Ending, begin_phase
-from rigid.tools import FLIGHT, ROLL, SKID, SPIN, body_of, limits, motion_of, moves, state_of, written
+from rigid.tools import FLIGHT, ROLL, SKID, SPIN, body_of, limits, log_of, motion_of, moves, state_of, written
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
 SIDES = pytest.mark.parametrize("side", [1, -1])
@@ -127,7 +131,43 @@ def test_a_swing_within_the_rounding_of_the_angle_turns_before_it_rests():
     assert (status, events["stable"][1], segments["t_end"].tolist()) == (Status.AT_REST, 0, [20.0])
 
 
+@pytest.mark.parametrize(("kind", "factor"), [(LINEAR, 4.0), (ARRIVE, 0.25)])
+def test_the_excess_of_slip_grows_by_the_panels_factor_at_its_end_only(kind, factor):
+    """A panel up to a turning point is solved from there back."""
+    panel, totals = no_panel(kind, 1, 1.0), Totals(*[0.0] * 7)._replace(growth=4.0)
+    state = state_of(0.5, anchor=Anchor(SLIPPING, 0.5, 0.25, 1e-18, 0.75))
+    after = contact_phase.propagate_anchor(body_of(), panel, totals, 1.0, state)
+    assert after.anchor == state.anchor._replace(excess=0.5 * factor)
+    assert contact_phase.propagate_anchor(body_of(), panel, totals, math.nextafter(1.0, 0.0), state).anchor.kind == FREE
+
+
+@SIDES
+@pytest.mark.parametrize(("off", "regains"), [(1e-8, True), (1e-10, False), (-1e-8, True)])
+def test_slip_that_comes_back_to_its_hilltop_regains_the_digits_of_its_rate_of_turning(off, regains, side):
+    """Where θ̇ is not that of its anchor by some part of it; G keeps its velocity along the plane."""
+    body = body_of(mu=0.0)
+    right = math.sqrt(1e-3 + frictionless_value(body, 0.05, 0.0))
+    lost = right * (1.0 + off)
+    state = state_of(0.05, lost, 3.0 * side, anchor=Anchor(SLIPPING, 1e-3, 0.0, 0.0, 0.75))
+    phase = begin_phase(SKID if side > 0 else SPIN, state, Ending.CONTINUES)._replace(begins=False)
+    log, scratch = log_of()
+    _, after, _ = contact_phase.advance_contact(body, phase, limits(state, 0.125), log, scratch)
+    assert log.segments[0]["omega"] == (pytest.approx(right, rel=1e-15) if regains else lost)
+    along = [at.vt + at.om * (1.0 + 0.75 * math.cos(at.th)) for at in (state, after)]
+    assert along[1] == pytest.approx(along[0], abs=1e-14 if regains else 1e-10)
+
+
 # motion
+
+
+@pytest.mark.parametrize(("kind", "end"), [(LINEAR, 3.0), (ARRIVE, 1.0), (LEAVE, -1.0)])
+def test_a_small_square_of_the_speed_has_its_digits_beside_a_turning_point(kind, end):
+    """θ̇² = s² (1 + ξ/4), where s vanishes at the turning point."""
+    weights, panel = np.empty(16), no_panel(kind, 0, 1.0)
+    for xi in (-0.75, 0.3, -1.0 + 1e-7, 1.0 - 1e-7):
+        lagrange(xi, weights)
+        found = contact_phase.square_rate_inside(panel, xi, weights, (end - NODES) ** 2 * (1.0 + 0.25 * NODES))
+        assert found == pytest.approx((end - xi) ** 2 * (1.0 + 0.25 * xi), rel=1e-13, abs=0.0)
 
 
 def test_what_hardly_moves_is_followed_in_panels_of_the_time_that_there_is():
@@ -162,6 +202,21 @@ def test_slip_without_rotation_is_that_of_a_block(side, gravity):
         assert stops or motion.tables["events"]["t_low"][1] == 0.0
         assert end.slip == pytest.approx(0.0 if stops else 0.75 * side, rel=1e-13)
         assert motion.ledger.friction == pytest.approx(0.5 * gravity * math.cos(0.25) * abs(slid), rel=1e-13)
+
+
+@SIDES
+def test_after_slip_without_rotation_comes_what_the_mode_rule_says(side):
+    """Rolling, as there is no torque; without friction it slides back down the slope."""
+    mode, other = (SKID, SPIN) if side > 0 else (SPIN, SKID)
+    for body, th, after, kind in (
+        (body_of(), math.pi, ROLL, Event.STICK),
+        (body_of(1.0), 2.5, ROLL, Event.STICK),
+        (body_of(mu=0.0, slope=-0.25 * side), math.pi, other, Event.SLIP_REVERSAL),
+    ):
+        state = state_of(th, 0.0, 1.5 * side)
+        phase = begin_phase(mode, state, Ending.CONTINUES)
+        found, events, _, _ = written(contact_phase.still_step, body, phase, state, limits(state, 50.0))
+        assert (found.mode, moves(events)) == (after, [(kind, mode, after)])
 
 
 @pytest.mark.parametrize(("ending", "slips"), [(Ending.CONE_FORWARD, SPIN), (Ending.CONE_BACKWARD, SKID)])

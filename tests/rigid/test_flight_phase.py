@@ -126,6 +126,8 @@ def test_after_the_blow_of_the_load_it_slides_rolls_or_is_thrown(side, mu, resti
     v_n = math.sqrt(2.0 * (1.0 + math.cos(2.0)))
     phase = begin_phase(SKIM, state, Ending.LOAD_STRIKE)
     after, events, _, _ = written(flight_phase.skim_step, body, phase, limits(state))
+    at_the_blow = limits(state, after.state.t)
+    assert written(flight_phase.skim, body, state, at_the_blow)[0][0] == Ending.LOAD_STRIKE
     left = 0.0 if sticks else side * (0.5 - mu * v_n)
     mode = FLIGHT if restitution else ROLL if sticks else SKID if side > 0.0 else SPIN
     assert moves(events) == [(Event.IMPACT, SKIM, mode)]
