@@ -47,14 +47,9 @@ def posed(track, start="rolling", hoop="ideal", plane=PLANE, **known):
     return problem, values | {name: value for name, value in (TRUTH | known).items() if name in values}
 
 
-def differences(problem, values, name, step):
-    """Derivative of the residuals, with an error of the fourth order in the step; to one side at the end of the range 0."""
-    weights = (
-        {0: -25, 1: 48, 2: -36, 3: 16, 4: -3}
-        if name == "rolling_resistance" and not values[name]
-        else {-2: 1, -1: -8, 1: 8, 2: -1}
-    )
-    return sum(by * problem.residuals(values | {name: values[name] + k * step}) for k, by in weights.items()) / (12 * step)
+def pulls(fit, truth):
+    """Errors over uncertainties; nan where the data do not determine a parameter."""
+    return [(fit.values[name] - true) / fit.error(name) if name in fit.free else np.nan for name, true in truth.items()]
 
 
 ROOT = Path(__file__).parents[1]

@@ -1,5 +1,6 @@
 """The rules of the house that no linter knows: imports, extras, docstrings."""
 
+import functools
 import importlib
 import inspect
 import re
@@ -88,12 +89,15 @@ def extra_modules(extra):
         if requirement.name == "hophoop":
             found |= {module for other in requirement.extras for module in extra_modules(other)}
             continue
-        names = [module for module, owners in OWNERS.items() if canonicalize_name(requirement.name) in owners]
+        names = [module for module, packages in owners().items() if canonicalize_name(requirement.name) in packages]
         found |= set(names or [requirement.name.replace("-", "_")])
     return found
 
 
-OWNERS = {module: set(map(canonicalize_name, names)) for module, names in packages_distributions().items()}
+@functools.cache
+def owners():
+    """Packages that install each module here."""
+    return {module: set(map(canonicalize_name, names)) for module, names in packages_distributions().items()}
 
 
 def test_every_module_imports_without_the_extras():

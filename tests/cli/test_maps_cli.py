@@ -11,7 +11,7 @@ import pytest
 import hophoop as hh
 from cli_tools import done, run
 from hophoop import maps
-from hophoop.maps.grid import memory, sweeping
+from hophoop.maps.grid import sweeping
 
 MAP = "map --axis plane.mu=0.2:1.8:9 --axis start.speed=0.1,2,3.1,5"
 LARGE = "map --axis plane.mu=0.5:1:20000 --axis start.speed=1:2:20000 --quantity time --quiet"
@@ -26,19 +26,13 @@ def test_a_map_into_a_file_and_a_picture(tmp_path):
     done(f"{line} --resume --quiet", "--out", out)
 
 
-def test_a_scenario_as_the_base(tmp_path):
-    file = tmp_path / "hop.toml"
-    hh.Scenario(hoop=hh.Hoop.ideal(0.5)).save(file)
-    done(f"{MAP} --quiet --span takeoff", file, "--out", tmp_path / "map.nc")
-    dataset = maps.open_map(tmp_path / "map.nc")
-    assert '"load_fraction": 0.5' in dataset.attrs["scenario"]
-    assert dataset.attrs["span"] == "takeoff"
-
-
-def test_what_becomes_of_motions(tmp_path):
-    out, picture = tmp_path / "map.zarr", tmp_path / "map.svg"
-    done(f"{MAP} --quantity fate --quantity mean_speed --span settled --quiet", "--out", out, "--plot", picture)
+def test_what_becomes_of_motions_of_a_scenario(tmp_path):
+    file, out, picture = tmp_path / "hop.toml", tmp_path / "map.nc", tmp_path / "map.svg"
+    hh.Scenario(hoop=hh.Hoop(mass=2.0)).save(file)
+    done(f"{MAP} --quantity fate --quantity mean_speed --span settled --quiet", file, "--out", out, "--plot", picture)
     dataset = maps.open_map(out).load()
+    assert '"mass": 2.0' in dataset.attrs["scenario"]
+    assert dataset.attrs["span"] == "settled"
     words = maps.words_of(dataset["fate"])
     found = dataset["fate"].sel({"plane.mu": 1.0, "start.speed": [0.1, 3.1, 5.0]}).values
     assert [words[k] for k in found] == ["rolls_ahead", "slips_ever_less", "rocks"]
@@ -51,39 +45,9 @@ def test_the_help_lists_the_quantities():
         assert re.search(rf"^  {name} +{re.escape(quantity.meaning)}", text, re.MULTILINE), name
 
 
-def test_a_map_that_does_not_fit_into_memory_is_refused_before_it_starts(monkeypatch):
-    values = {"plane.mu": np.linspace(0.1, 1.0, 20000), "start.speed": np.linspace(0.1, 3.0, 20000)}
-    monkeypatch.setattr(memory, "free_memory", lambda: 1e9)
-    with pytest.raises(ValueError, match=r"400,000,000 motions, which need 1\.8 GB of memory where 1\.0 GB are free"):
-        maps.sweep(None, values)
-    assert memory.check_memory([1000, 1000], ["f8"], "no") is None
-
-
-def test_free_memory_is_what_the_system_can_give(monkeypatch):
-    """Not all memory, and on every system: of 64 GB, 0.5 GB are available here."""
-    monkeypatch.setattr(psutil, "virtual_memory", lambda: SimpleNamespace(total=64e9, available=5e8, free=1e8))
-    with pytest.raises(ValueError, match=r"need 1\.0 GB of memory where 0\.5 GB are free: take fewer\."):
-        memory.check_memory([100_000_000], ["f8"], "take fewer")
-
-
-def test_free_memory_of_this_machine():
-    """Less than all of it: this process is in memory."""
-    assert 0.0 < memory.free_memory() < psutil.virtual_memory().total
-
-
-def test_no_memory_is_one_sentence(monkeypatch):
-    def fail(*args):
-        raise MemoryError("Unable to allocate 745. GiB")
-
-    monkeypatch.setattr("hophoop.maps.grid.axes.parse_axis", fail)
-    found = run(f"{MAP} --plot a.png")
-    assert found.exit_code == 2
-    assert "There is not enough memory: Unable to allocate 745. GiB." in found.output
-
-
 def test_a_netcdf_map_that_cannot_be_written_in_the_end_is_not_begun(monkeypatch, tmp_path):
     """A Zarr store is written chunk by chunk, netCDF at the end and all at once."""
-    monkeypatch.setattr(memory, "free_memory", lambda: 1e9)
+    monkeypatch.setattr(psutil, "virtual_memory", lambda: SimpleNamespace(total=64e9, available=1e9, free=1e8))
     refused = run(LARGE, "--out", tmp_path / "map.nc")
     assert refused.exit_code == 2
     assert "400,000,000 motions, which need 6.6 GB of memory where 1.0 GB are free" in refused.stderr

@@ -33,9 +33,7 @@ def test_a_folder_with_everything(film, tmp_path):
     assert np.degrees(hh.read_track(folder / "track.json").slope) == pytest.approx(2.0)
 
 
-@pytest.mark.parametrize(
-    "form", ["http://127.0.0.1:{}/hoop.mp4", "tcp://127.0.0.1:{}", "tcp:127.0.0.1:{}", "http:127.0.0.1:{}/hoop.mp4"]
-)
+@pytest.mark.parametrize("form", ["http://127.0.0.1:{}/hoop.mp4", "tcp:127.0.0.1:{}"])
 @pytest.mark.parametrize("more", ["", "--pick"])
 def test_an_address_is_refused_and_nothing_connects(form, more):
     with socket.create_server(("127.0.0.1", 0)) as server:
@@ -45,7 +43,5 @@ def test_an_address_is_refused_and_nothing_connects(form, more):
         with pytest.raises(TimeoutError):
             server.accept()
     assert found.exit_code == 2
-    if "://" in film:
-        assert found.stderr == f"Error: {film} is an address; a film must be a file on this machine.\n"
-    else:
-        assert "No such file" in found.stderr
+    expected = f"Error: {film} is an address; a film must be a file on this machine.\n" if "://" in film else "No such file"
+    assert expected in found.stderr

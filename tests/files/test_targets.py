@@ -15,7 +15,6 @@ import pytest
 from hophoop._support import files as _files
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="links, pipes and modes of POSIX systems")
-SOURCE = Path(_files.__file__).parents[1]
 
 
 def write(target, text="new"):
@@ -48,22 +47,16 @@ def test_a_pipe_is_written_through(tmp_path):
     assert os.listdir(tmp_path) == ["pipe.csv"]
 
 
-def test_a_pipe_gets_nothing_of_what_failed(tmp_path):
-    pipe = tmp_path / "pipe.csv"
+def test_a_pipe_gets_nothing_of_what_failed_and_no_folder(tmp_path):
+    pipe = tmp_path / "hop.zarr"
     os.mkfifo(pipe)
     with pytest.raises(UnicodeEncodeError), _files.replacing(pipe) as temporary:
         temporary.write_text("half κ", encoding="ascii")
-    assert kind(pipe) == stat.S_IFIFO
-    assert os.listdir(tmp_path) == ["pipe.csv"]
-
-
-def test_a_folder_does_not_go_into_a_pipe(tmp_path):
-    pipe = tmp_path / "hop.zarr"
-    os.mkfifo(pipe)
     with pytest.raises(NotADirectoryError) as refusal, _files.replacing(pipe) as temporary:
         temporary.mkdir()
     assert refusal.value.filename == str(pipe)
     assert kind(pipe) == stat.S_IFIFO
+    assert os.listdir(tmp_path) == ["hop.zarr"]
 
 
 def test_a_device_is_written_through(tmp_path):
@@ -74,11 +67,7 @@ def test_a_device_is_written_through(tmp_path):
     link.symlink_to(null)
     write(link)
     assert (kind(link), kind(null)) == (stat.S_IFLNK, stat.S_IFCHR)
-    full = node(tmp_path / "full.csv", stat.S_IFCHR, 1, 7)
-    with pytest.raises(OSError, match="full") as refusal:
-        write(full)
-    assert refusal.value.errno == errno.ENOSPC
-    assert sorted(os.listdir(tmp_path)) == ["full.csv", "link.csv", "null.csv"]
+    assert sorted(os.listdir(tmp_path)) == ["link.csv", "null.csv"]
 
 
 def test_a_disk_is_refused(tmp_path):
@@ -112,11 +101,6 @@ def test_a_link_to_nothing_gets_its_file(tmp_path):
     write(link)
     assert os.readlink(link) == "made.csv"
     assert (tmp_path / "made.csv").read_text(encoding="utf-8") == "new"
-    astray = tmp_path / "astray.csv"
-    astray.symlink_to("nowhere/made.csv")
-    with pytest.raises(FileNotFoundError) as refusal:
-        write(astray)
-    assert refusal.value.filename == str(astray)
     ring = tmp_path / "ring.csv"
     ring.symlink_to("ring.csv")
     with pytest.raises(OSError, match="ring") as refusal:
@@ -126,21 +110,19 @@ def test_a_link_to_nothing_gets_its_file(tmp_path):
 
 
 def test_a_link_to_a_store_stays(tmp_path):
-    store = tmp_path / "store.zarr"
+    store, link = tmp_path / "store.zarr", tmp_path / "link.zarr"
     store.mkdir()
     (store / "zarr.json").write_text("old", encoding="utf-8")
-    link = tmp_path / "link.zarr"
     link.symlink_to("store.zarr")
     with _files.replacing(link) as temporary:
         temporary.mkdir()
         (temporary / "zarr.json").write_text("new", encoding="utf-8")
     assert link.is_symlink()
-    assert not store.is_symlink()
     assert (store / "zarr.json").read_text(encoding="utf-8") == "new"
     assert sorted(os.listdir(tmp_path)) == ["link.zarr", "store.zarr"]
 
 
-@pytest.mark.parametrize("mode", [0o604, 0o600, 0o444, 0o666])
+@pytest.mark.parametrize("mode", [0o604, 0o444])
 def test_the_mode_stays(tmp_path, mode):
     target = tmp_path / "hop.csv"
     target.write_text("old", encoding="utf-8")
@@ -159,28 +141,19 @@ def test_other_names_of_a_file_keep_what_was_there(tmp_path):
     assert (target.read_text(encoding="utf-8"), other.read_text(encoding="utf-8")) == ("new", "old")
 
 
-@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="open files have names there")
-@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"])
-@pytest.mark.parametrize("piped", [True, False])
-def test_standard_output_is_written_through(tmp_path, name, piped):
-    if not os.path.islink("/dev/stdout"):
-        pytest.skip("standard output has no such name here")
+@pytest.mark.skipif(not os.path.islink("/dev/stdout"), reason="open files have names on Linux")
+@pytest.mark.parametrize("name", ["/dev/stdout", "/proc/self/fd/1"])
+def test_standard_output_is_written_through(tmp_path, name):
+    """A file opened again would be written from its start."""
     code = (
         "import pathlib, sys; from hophoop._support.files import replacing\n"
         "print('first', flush=True)\n"
         "with replacing(pathlib.Path(sys.argv[1])) as fresh: fresh.write_text('second\\n')\n"
         "print('third')"
     )
-    link = tmp_path / "own.csv"  # no name of the system's is put at risk by a failing test
-    link.symlink_to(name)
-    words = [sys.executable, "-c", code, str(link)]
-    environment = os.environ | {"PYTHONPATH": str(SOURCE)}
-    out = tmp_path / "out.csv"
-    if piped:
-        said = subprocess.run(words, env=environment, stdout=subprocess.PIPE, text=True, check=True).stdout
-    else:
-        with out.open("w") as stream:
-            subprocess.run(words, env=environment, stdout=stream, check=True)
-        said = out.read_text()
-    assert said == "first\nsecond\nthird\n"
+    link, out = tmp_path / "own.csv", tmp_path / "out.csv"
+    link.symlink_to(name)  # no name of the system's is put at risk by a failing test
+    with out.open("w") as stream:
+        subprocess.run([sys.executable, "-c", code, str(link)], stdout=stream, check=True)
+    assert out.read_text() == "first\nsecond\nthird\n"
     assert link.is_symlink()

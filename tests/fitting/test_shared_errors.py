@@ -8,7 +8,7 @@ import pytest
 import fitting_tools
 import hophoop as hh
 from fitting_tools import PLANE, RADIUS, TRUTH
-from hophoop.fitting.channels import LONGEST, NONE, PATCH, PLACE_ERROR, Sigma, channels_of
+from hophoop.fitting.channels import LONGEST, PATCH, PLACE_ERROR, Sigma, channels_of
 from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.problem import Prior, problem_of, run_of, shared_errors
 from hophoop.tracking import Camera, View
@@ -17,14 +17,14 @@ from hophoop.tracking.table import track_from_dict
 
 pytestmark = pytest.mark.compiled
 
-RATE, PIXELS = 240.0, 330.0
+RATE, PIXELS = 120.0, 330.0
 SIGMA, SIGMA_ANGLE = 6e-5, 1e-3
 CONTACT = ("gamma", "mu_kinetic", "mu_excess", "restitution")
 
 
-def filmed(motion, off=0.0, **view):
+def filmed(motion, off=0.0, rate=RATE, **view):
     """A track as of a film whose scale is off: lengths come out too large by that, and the centre stands R over the plane."""
-    track = fitting_tools.filmed(motion, sigma=SIGMA, sigma_angle=SIGMA_ANGLE)
+    track = fitting_tools.filmed(motion, rate=rate, sigma=SIGMA, sigma_angle=SIGMA_ANGLE)
     state = motion.at(track.t)
     centre = track.centre + off * np.column_stack([state.x, state.height])
     known = {"scale_error": 1e-3, "height_error": 3e-5, "rise_error": 3e-5, "marker_ratio": 0.8} | view
@@ -61,7 +61,7 @@ def test_a_plan_counts_with_the_scale(hop, found):
 
 
 def test_priors_are_saved_and_those_of_what_is_asked_for_are_left_out(hop, found, tmp_path):
-    track = filmed(hop)
+    track = filmed(hop, rate=60.0)
     fit = hh.fit(track, free=["scale"], fixed={"tilt": 0.0})
     assert set(fit.settings["priors"][0]) == {"origin_y", "slope"}
     # two numbers known beforehand are two that were measured
@@ -70,8 +70,7 @@ def test_priors_are_saved_and_those_of_what_is_asked_for_are_left_out(hop, found
     back = hh.load_fit(tmp_path / "fit.json")
     assert back.problem.priors == found.problem.priors == shared_errors(found.track)
     np.testing.assert_equal(back.residuals, found.residuals)
-    track = track_from_dict(found.track.to_dict(), "a track")
-    assert (track.view, track.slope_error) == (found.track.view, found.track.slope_error)
+    assert (back.track.view, back.track.slope_error) == (found.track.view, found.track.slope_error)
 
 
 def test_where_the_scale_is_off_so_is_the_plane(hop):
@@ -80,7 +79,6 @@ def test_where_the_scale_is_off_so_is_the_plane(hop):
     assert priors["origin_y"] == Prior(0.0, pytest.approx(np.hypot(3e-4, 3e-5)))
     given = dataclasses.replace(filmed(hop), slope_error=float("nan"))
     assert set(shared_errors(given)) == {"scale", "origin_y", "tilt"}
-    assert shared_errors(dataclasses.replace(given, view=None)) == {}
     assert shared_errors(filmed(hop, scale_error=0.0, height_error=0.0, rise_error=-1.0)) == {}
 
 
@@ -94,12 +92,11 @@ def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     assert (len(track.t) - 1) * np.log(x.autocorrelation.fade) == pytest.approx(-way / PATCH)
     still = dataclasses.replace(track, pixel=np.zeros_like(track.pixel))
     assert channels_of(still, Sigma())[0].autocorrelation.fade == LONGEST
-    assert channels_of(dataclasses.replace(track, view=None), Sigma())[0].autocorrelation == NONE
     # what the residuals say counts where it is more
     problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())])
     fresh = np.random.default_rng(5).normal(size=problem.count)
     assert autocorrelations(problem, fresh, False)[0] == x.autocorrelation
-    slow = np.repeat(np.random.default_rng(5).normal(size=problem.count // 40 + 1), 40)[: problem.count]
+    slow = np.repeat(fresh, 40)[: problem.count]
     assert autocorrelations(problem, slow, False)[0].frames > 3 * x.autocorrelation.frames
 
 
@@ -107,10 +104,8 @@ def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     ("change", "message"),
     [
         ({"scale": 0.0}, r"a track: view\.scale = 0\.0: input should be greater than 0\.$"),
-        ({"scale_error": "much"}, r"a track: view\.scale_error = 'much': input should be a valid number"),
         ({"strange": 1.0}, "a track is incomplete: .*strange"),
         ({"camera": {"width": 1280, "height": 720, "focal": -1.0}}, r"view\.camera\.focal = -1"),
-        ({"camera": {"width": 1280, "height": 720}}, "a track is incomplete: .*focal"),
         ({"chroma": [1.0]}, r"view\.chroma\.1 is missing"),
     ],
 )

@@ -1,11 +1,8 @@
 """The lab as a widget of a notebook."""
 
-import gzip
-
 import pytest
 
 import hophoop as hh
-from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
 from hophoop.scenario import InputError
 
 HOP = hh.Scenario()
@@ -34,24 +31,12 @@ def test_the_widget_carries_its_motion(widget, motion):
     assert widget.given == widget.query == "start.speed=2"
 
 
-def test_the_widget_keeps_the_motion_that_its_page_shows(widget):
-    widget.query = "start.speed=2"
-    assert widget.motion.scenario.start.speed == 2.0
-
-
 def test_the_widget_makes_files(widget):
     body = {"name": "motion.nc", "scenario": {"duration": 0.5}}
     widget._answer(widget, {"view": "a", "number": 3, "call": "file", "body": body}, [])
     ((content, buffers),) = widget.sent
     assert content == {"view": "a", "number": 3}
     assert buffers[0][1:4] == b"HDF"
-
-
-def test_the_widget_sends_the_module_of_derivatives_where_it_is_asked_for(widget):
-    widget._answer(widget, {"view": "a", "number": 7, "call": "derivatives", "body": {}}, [])
-    ((content, buffers),) = widget.sent
-    assert content == {"view": "a", "number": 7}
-    assert gzip.decompress(buffers[0]) == (HERE / DERIVATIVES).read_bytes()
 
 
 def test_the_widget_says_what_is_wrong(widget):

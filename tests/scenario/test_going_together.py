@@ -8,13 +8,12 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.physics.contact import most_resistance
-from hophoop.scenario import time_unit
 from strategies import said
 
 SOFT = 0.04  # m g/R: at the speed v, in √(g R), the rim sinks some 5 v + 25 radii, of which the start may have 100
 
 
-def thrown(radius: float, mass: float, gravity: float, weight: float = 1.0, **start: float) -> hh.Scenario:
+def thrown(radius, mass, gravity, start, weight=1.0):
     """A scenario of the same motion in other units; the start in R and √(g R)."""
     second = math.sqrt(radius / gravity)
     units = {"height": radius, "vx": radius / second, "vy": radius / second, "omega": 1.0 / second}
@@ -26,22 +25,20 @@ def thrown(radius: float, mass: float, gravity: float, weight: float = 1.0, **st
     )
 
 
-@pytest.mark.parametrize(
-    "units", [(1.0, 1.0, 9.81), (0.01, 1.0, 9.81), (1.0, 200.0, 9.81), (1.0, 1.0, 0.2), (30.0, 0.004, 0.5)]
-)
+@pytest.mark.parametrize("units", [(1.0, 1.0, 9.81), (0.01, 200.0, 9.81), (30.0, 0.004, 0.5)])
 @pytest.mark.parametrize(
     "start", [{"vx": 15.0}, {"vy": -15.0}, {"vx": 4.0, "vy": 5.0, "omega": -6.0}, {"omega": 15.0}, {"height": 112.5}]
 )
 def test_how_deep_a_start_sinks_is_the_same_in_any_units(units, start):
     """√(2 g h) is 15 √(g R) at the height of 112.5 R."""
-    thrown(*units, **{name: 0.99 * value for name, value in start.items()})
+    thrown(*units, {name: 0.99 * value for name, value in start.items()})
     deeper = {name: 1.01 * value for name, value in start.items()}
-    assert "lets the rim sink some 1e+02 radii" in said(lambda: thrown(*units, **deeper))
+    assert "lets the rim sink some 1e+02 radii" in said(lambda: thrown(*units, deeper))
 
 
 def test_without_gravity_no_height_is_fallen_from():
-    thrown(4.0, 2.0, 1.0, weight=0.0, height=1e5, vy=14.9)
-    assert "lets the rim sink" in said(lambda: thrown(4.0, 2.0, 1.0, weight=0.0, vy=15.1))
+    thrown(4.0, 2.0, 1.0, {"height": 1e5, "vy": 14.9}, weight=0.0)
+    assert "lets the rim sink" in said(lambda: thrown(4.0, 2.0, 1.0, {"vy": 15.1}, weight=0.0))
 
 
 def test_rolling_resistance_is_below_what_the_inertia_allows():
@@ -52,8 +49,6 @@ def test_rolling_resistance_is_below_what_the_inertia_allows():
     assert hh.Scenario.from_dict(below.to_dict()) == below
     expected = f"plane.rolling_resistance = {most!r} must be below {most:.6g} for this hoop"
     assert expected in said(lambda: hh.Scenario(hoop=hoop, plane=hh.Plane(rolling_resistance=most)))
-    expected = "plane.rolling_resistance = 0.01 must be 0 for the massless hoop (hoop.inertia_ratio = 0)."
-    assert said(lambda: hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(rolling_resistance=0.01))) == expected
 
 
 def test_only_a_resistance_that_is_there_is_written():
@@ -61,26 +56,16 @@ def test_only_a_resistance_that_is_there_is_written():
     assert hh.Plane(rolling_resistance=0.01).to_dict()["rolling_resistance"] == 0.01
 
 
-def test_the_least_gravity_is_a_weight_like_any():
-    body = hh.Scenario(plane=hh.Plane(gravity=1e-6, slope=0.25)).to_body()
-    assert (body.gn, body.gt, body.slope) == (math.cos(0.25), math.sin(0.25), 0.25)
-    assert time_unit(hh.Hoop(radius=2.0), hh.Plane(gravity=0.5)) == 2.0
-
-
 def test_only_an_ideal_hoop_has_the_inertia_of_one():
-    hoops = (
-        hh.Hoop(),
-        hh.Hoop.ideal(0.5),
-        hh.Hoop(eccentricity=0.75, inertia_ratio=0.4375),
-        hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.5, 1.0)]),
-    )
-    assert [hh.Scenario(hoop=hoop).to_body().ideal for hoop in hoops] == [True, True, False, False]
+    alike = hh.Hoop(eccentricity=0.75, inertia_ratio=0.4375)
+    parts = hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.5, 1.0)])
+    assert [hh.Scenario(hoop=hoop).to_body().ideal for hoop in (hh.Hoop(), alike, parts)] == [True, False, False]
 
 
 def test_a_part_may_reach_beyond_the_rim_by_what_rounding_does():
-    reach = 1.0 + 1e-12
-    hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.9, 1.0), hh.PointMass(1.0, reach)])
-    beyond = [hh.Ring(1.0, 0.9, 1.0), hh.PointMass(1.0, math.nextafter(reach, 2.0))]
+    reach, ring = 1.0 + 1e-12, hh.Ring(1.0, 0.9, 1.0)
+    hh.Hoop.from_parts(1.0, [ring, hh.PointMass(1.0, reach)])
+    beyond = [ring, hh.PointMass(1.0, math.nextafter(reach, 2.0))]
     assert "beyond the rim" in said(lambda: hh.Hoop.from_parts(1.0, beyond))
 
 

@@ -7,22 +7,12 @@ import random
 from collections import Counter
 
 import numpy as np
-import pytest
 
 import hophoop as hh
 from hophoop.kernel.records.cells import Cell
 from hophoop.kernel.records.refusal import Refusal, hoop_refusal, plane_refusal, refusal
 from hophoop.maps.grid.cells import make_cells
 from hophoop.scenario import InputError
-
-
-def expected(hoop, plane, start, contact):
-    """The verdict of the models."""
-    try:
-        hh.Scenario(hoop=hh.Hoop(**hoop), plane=hh.Plane(**plane), start=hh.Start(**start), contact=contact)
-    except InputError:
-        return False
-    return True
 
 
 def draw(seed):
@@ -50,22 +40,30 @@ def draw(seed):
 def test_maps_and_scenarios_refuse_the_same_cells():
     """Before, maps computed an ideal hoop whose inertia is too small for a scenario."""
     verdicts = Counter()
-    for seed in range(3000):
+    for seed in range(1500):
         hoop, plane, start = draw(seed)
         values = {f"hoop.{name}": value for name, value in hoop.items()}
         values |= {f"plane.{name}": value for name, value in plane.items()} | {f"start.{name}": v for name, v in start.items()}
         cells = make_cells(hh.Scenario(), {path: np.array([value]) for path, value in values.items()}, 1)
         allowed = bool(cells[Cell.ALLOWED, 0])
-        assert allowed == expected(hoop, plane, start, hh.Rigid()), values
+        try:
+            hh.Scenario(hoop=hh.Hoop(**hoop), plane=hh.Plane(**plane), start=hh.Start(**start))
+        except InputError:
+            assert not allowed, values
+        else:
+            assert allowed, values
         assert allowed == (refusal(cells[:, 0], ())[0] == Refusal.NONE)
         verdicts[allowed] += 1
-    assert min(verdicts[True], verdicts[False]) > 500
+    assert min(verdicts[True], verdicts[False]) > 250
 
 
-@pytest.mark.parametrize("ends", [(1e-12, 1e12), (math.nextafter(1e-12, 0.0), 1.0), (1.0, math.nextafter(1e12, math.inf))])
-def test_a_range_holds_both_ends(ends):
-    for mass in ends:
-        inside = 1e-12 <= mass <= 1e12
+def test_a_range_holds_both_ends():
+    for mass, inside in (
+        (1e-12, True),
+        (1e12, True),
+        (math.nextafter(1e-12, 0.0), False),
+        (math.nextafter(1e12, math.inf), False),
+    ):
         assert (hoop_refusal(mass, 0.5, 0.5, False) == Refusal.NONE) == inside
     assert plane_refusal(0.5, 0.5, math.nextafter(1.57, 2.0)) == Refusal.SLOPE
     assert plane_refusal(0.5, 0.5, -1.57) == Refusal.NONE

@@ -11,11 +11,9 @@ from hypothesis import given
 from pydantic import ValidationError
 
 import hophoop as hh
-from hophoop.kernel.records.cells import Cell
-from hophoop.kernel.records.refusal import Refusal, refusal
-from hophoop.scenario import InputError, cell_of, models, scenario, sentence, time_unit, to_body
+from hophoop.kernel.records.refusal import Refusal
+from hophoop.scenario import models, scenario, sentence, time_unit, to_body
 from hophoop.scenario.rules import RULES, refused
-from hophoop.scenario.texts import TEXTS
 from strategies import bodies, said
 
 
@@ -34,15 +32,13 @@ def test_reference_case():
     assert scenario.start == hh.Start.rolling(3.1)
     assert (scenario.duration, scenario.contact) == (6.0, hh.Rigid())
     assert (scenario.hoop.eccentricity, scenario.hoop.inertia_ratio) == (0.75, 0.4375)
-    assert hh.Hoop.ideal() == hh.Hoop()
 
 
-@pytest.mark.parametrize("power", [1, 6, 12])
-def test_ideal_hoop_keeps_its_digits_near_the_massless_one(power):
-    gamma = 1.0 - 10.0**-power
-    exact = (1 - gamma) * (1 + gamma)  # 1 − γ is exact in floating point here
-    assert hh.Hoop.ideal(gamma).inertia_ratio == pytest.approx(exact, rel=4e-16)
-    assert not hh.Hoop.ideal(gamma).massless
+def test_ideal_hoop_keeps_its_digits_near_the_massless_one():
+    for power in (1, 6, 12):
+        gamma = 1.0 - 10.0**-power
+        exact = (1 - gamma) * (1 + gamma)  # 1 − γ is exact in floating point here
+        assert hh.Hoop.ideal(gamma).inertia_ratio == pytest.approx(exact, rel=4e-16)
 
 
 def test_massless_hoop():
@@ -52,63 +48,25 @@ def test_massless_hoop():
     assert hh.Hoop.from_parts(0.3, [hh.PointMass(0.1, at=-0.3), hh.PointMass(0.2, at=-0.3)]).massless
 
 
-def test_an_ideal_hoop_from_its_parts():
-    hoop = hh.Hoop.from_parts(0.4, [hh.Ring(0.5, 0.4, 0.4), hh.PointMass(1.5, at=0.4)])
-    ideal = hh.Hoop.ideal(load_fraction=0.75, radius=0.4, mass=2.0)
-    assert hoop.mass == ideal.mass
-    assert hoop.eccentricity == pytest.approx(ideal.eccentricity, rel=1e-15)
-    assert hoop.inertia_ratio == pytest.approx(ideal.inertia_ratio, rel=1e-15)
-
-
-def mass_points(part, count=400):
-    """Point masses spread over a part: (mass, along, across) in its own plane."""
-    if isinstance(part, hh.PointMass):
-        return [(part.mass, part.at, 0.0)]
-    if isinstance(part, hh.Rod):
-        along = (np.arange(count) + 0.5) / count - 0.5
-        place = part.length * along
-        zero = np.zeros(count)
-        pair = (part.at + place, zero) if part.direction == "radial" else (part.at + zero, place)
-        return [(part.mass / count, x, y) for x, y in zip(*pair, strict=True)]
-    inner, outer = (part.inner_radius, part.outer_radius) if isinstance(part, hh.Ring) else (0.0, part.radius)
-    angles = 2 * np.pi * np.arange(8) / 8
-    share = (np.arange(count) + 0.5) / count
-    radii = np.sqrt(inner**2 + share * (outer**2 - inner**2))  # equal areas
-    return [(part.mass / (count * 8), part.at + r * math.cos(a), r * math.sin(a)) for r in radii for a in angles]
-
-
-def test_parts_against_a_sum_over_mass_points():
-    parts = [
-        hh.Ring(0.8, 0.45, 0.5),
-        hh.Disk(1.1, 0.06, at=0.43),
-        hh.Rod(0.3, 0.4, at=0.25),
-        hh.Rod(0.2, 0.5, at=-0.3, direction="tangential"),
-        hh.PointMass(0.15, at=-0.1),
-    ]
-    hoop = hh.Hoop.from_parts(0.5, parts)
-    mass, along, across = np.array([point for part in parts for point in mass_points(part)]).T
-    centre = np.sum(mass * along) / np.sum(mass)
-    inertia = np.sum(mass * ((along - centre) ** 2 + across**2))
-    assert hoop.mass == pytest.approx(np.sum(mass), rel=1e-12)
-    assert hoop.eccentricity == pytest.approx(centre / 0.5, rel=1e-9)
-    # Midpoints of rods and of equal areas leave an error of order 1 / count².
-    assert hoop.inertia == pytest.approx(inertia, rel=1e-5)
-    assert hoop.gyration_radius == pytest.approx(math.sqrt(inertia / np.sum(mass)), rel=1e-5)
-
-
-def test_a_hole_is_a_part_of_negative_mass():
-    """A disk with a hole that is filled again is the whole disk; with the hole alone the rest follows by subtraction."""
-    disk, hole = hh.Disk(2.0, 0.5), hh.Disk(-0.3, 0.1, at=-0.35)
-    hoop = hh.Hoop.from_parts(0.5, [disk, hole])
-    assert hoop.mass == pytest.approx(1.7, rel=1e-15)
-    centre = 0.3 * 0.35 / 1.7
-    assert hoop.eccentricity == pytest.approx(centre / 0.5, rel=1e-15)  # G is away from the hole
-    inertia = 0.5 * 2.0 * 0.5**2 + 2.0 * centre**2 - 0.3 * (0.5 * 0.1**2 + (0.35 + centre) ** 2)
+def test_parts_and_a_hole_against_moments_of_inertia_of_tables():
+    """Each part with its place and its own moment of inertia, and Steiner's theorem; a hole has a negative mass."""
+    parts = {
+        hh.Ring(0.8, 0.45, 0.5): (0.0, 0.8 * (0.45**2 + 0.5**2) / 2),
+        hh.Disk(1.1, 0.06, at=0.43): (0.43, 1.1 * 0.06**2 / 2),
+        hh.Rod(0.3, 0.4, at=0.25): (0.25, 0.3 * 0.4**2 / 12),
+        hh.Rod(0.2, 0.5, at=-0.3, direction="tangential"): (-0.3, 0.2 * 0.5**2 / 12),
+        hh.PointMass(0.15, at=-0.1): (-0.1, 0.0),
+        hh.Disk(-0.3, 0.1, at=-0.35): (-0.35, -0.3 * 0.1**2 / 2),
+    }
+    hoop = hh.Hoop.from_parts(0.5, list(parts))
+    mass = sum(part.mass for part in parts)
+    centre = sum(part.mass * place for part, (place, _) in parts.items()) / mass
+    inertia = sum(own + part.mass * (place - centre) ** 2 for part, (place, own) in parts.items())
+    assert hoop.mass == pytest.approx(2.25, rel=1e-14)
+    assert hoop.eccentricity == pytest.approx(centre / 0.5, rel=1e-14)
     assert hoop.inertia == pytest.approx(inertia, rel=1e-14)
-    filled = hh.Hoop.from_parts(0.5, [disk, hole, hh.Disk(0.3, 0.1, at=-0.35)])
-    assert (filled.mass, filled.eccentricity, filled.inertia_ratio) == (2.0, 0.0, 0.5)
+    assert hoop.gyration_radius == pytest.approx(math.sqrt(inertia / mass), rel=1e-14)
     assert hh.Scenario.from_query(hh.Scenario(hoop=hoop).to_query()).hoop == hoop
-    assert hh.simulate(hh.Scenario(hoop=hoop)).ok
 
 
 def test_the_load_is_no_hole():
@@ -121,24 +79,12 @@ def test_the_load_is_no_hole():
 
 @given(bodies)
 def test_bodies_of_parts_obey_the_bound(body):
-    radius, parts = body
-    hoop = hh.Hoop.from_parts(radius, parts)
+    hoop = hh.Hoop.from_parts(*body)
     assert 0.0 <= hoop.eccentricity <= 1.0
     assert hoop.eccentricity**2 + hoop.inertia_ratio <= 1.0 + 1e-12
-    turned = hh.Hoop.from_parts(
-        radius, [part.model_copy(update={"at": -part.at}) if part.shape != "ring" else part for part in parts]
-    )
-    assert (turned.eccentricity, turned.inertia_ratio) == (hoop.eccentricity, hoop.inertia_ratio)
 
 
 # Friction and starts
-
-
-def test_friction_given_once_or_apart():
-    assert hh.Plane(mu=0.4) == hh.Plane(mu_static=0.4, mu_kinetic=0.4)
-    apart = hh.Plane(mu_static=0.5, mu_kinetic=0.4)
-    assert (apart.mu, apart.mu_static, apart.mu_kinetic) == (None, 0.5, 0.4)
-    assert hh.Plane(mu=math.inf).mu_static == math.inf
 
 
 def test_rolling_start_has_no_slip_at_all():
@@ -146,31 +92,29 @@ def test_rolling_start_has_no_slip_at_all():
     assert speed - radius * (speed / radius) != 0.0  # what floating point makes of it
     state = hh.Start.rolling(speed, angle=0.2).state(hh.Hoop(radius=radius))
     assert (state.slip, state.vx, state.omega, state.angle) == (0.0, speed, speed / radius, 0.2)
-    hoop = hh.Hoop(radius=0.1)
-    free = hh.Start(vx=1.0, omega=3.0, height=0.5, vy=-1.0).state(hoop)
+    free = hh.Start(vx=1.0, omega=3.0, height=0.5, vy=-1.0).state(hh.Hoop(radius=0.1))
     assert free.slip == pytest.approx(0.7)
     assert (free.height, free.vy) == (0.5, -1.0)
-    assert hh.Start().state(hoop) == (0.0,) * 7
 
 
 def test_numbers_come_out_as_python_floats():
-    plane = hh.Plane(gravity=np.float32(1.5), mu=np.float64(0.3), slope=np.array(0.1), restitution=1)
-    assert {type(value) for value in (plane.gravity, plane.mu_static, plane.slope, plane.restitution)} == {float}
+    plane = hh.Plane(gravity=np.float32(1.5), slope=np.array(0.1), restitution=1)
+    assert {type(value) for value in (plane.gravity, plane.slope, plane.restitution)} == {float}
     assert type(hh.Rigid(max_events=np.int64(5)).max_events) is int
 
 
 def test_copies_are_validated():
     assert hh.Hoop.ideal(0.5).model_copy(update={"load_fraction": 0.25}) == hh.Hoop.ideal(0.25)
-    assert hh.Scenario().model_copy(update={"duration": 1.0}) == hh.Scenario(duration=1.0)
     assert hh.PointMass(1.0, at=0.5).model_copy(update={"at": -0.5}) == hh.PointMass(1.0, at=-0.5)
     assert "must be from 1e-06 to 1e+06 m" in said(lambda: hh.Hoop().model_copy(update={"radius": 0.0}))
+    with pytest.raises(TypeError):
+        hh.Hoop().model_copy({"radius": 2.0})
 
 
-def test_models_never_change():
-    with pytest.raises(InputError, match="cannot be assigned"):
-        hh.Plane().gravity = 1.0
+def test_equal_models_are_one_and_pass_between_processes():
     assert len({hh.Scenario(), hh.Scenario(), hh.Scenario(duration=2.0)}) == 2
     assert pickle.loads(pickle.dumps(hh.Scenario())) == hh.Scenario()
+    assert repr(hh.Start.rolling(2.0)) == "Start(x=0.0, angle=0.0, speed=2.0)"
 
 
 # Refusals
@@ -258,7 +202,7 @@ REFUSED = {
     "contact.model=compliant&contact.stiffness=100&start.vx=1&start.omega=1e6": "lets the rim sink some 1e+05 radii into",
     "hoop.load_fraction=0.99999999999999": "hoop.load_fraction = 0.99999999999999 gives hoop.inertia_ratio = ",
     "hoop.load_fraction=1&plane.rolling_resistance=0.1": "plane.rolling_resistance = 0.1 must be 0 for the massless hoop",
-    "hoop.eccentricity=0.9&hoop.inertia_ratio=0.01&plane.rolling_resistance=0.9": "must be below",
+    "hoop.eccentricity=0.9&hoop.inertia_ratio=0.01&plane.rolling_resistance=0.9": "must be below 0.298969 for this hoop",
     "hoop.radius=1e-3&start.vx=1e6": "start has a speed of 1.01e+07 √(g R), with R of the hoop, and must have at most",
     "hoop.radius=0.5&start.height=1e7": "start.height = 10000000.0 must be from 0 to 1e+06 m.",
     "hoop.radius=0.5&start.height=1e6": "start.height = 1000000.0 is 2e+06 radii of this hoop and must be at most",
@@ -272,58 +216,30 @@ def test_refusals_name_field_value_and_what_is_allowed(text, expected):
         assert alike(expected) in alike(said(lambda: hh.Scenario.from_query(text)))
         return
     assert alike(expected) in alike(said(lambda: hh.Scenario.loads(text)))
-    assert alike(expected) in alike(said(lambda: hh.Scenario.from_dict(json.loads(text))))
     # The web interface validates through pydantic itself, and turns its error into the same sentence.
     with pytest.raises(ValidationError) as caught:
         hh.Scenario.model_validate(json.loads(text))
     assert alike(expected) in alike(sentence(caught.value))
 
 
-def codes_of(text):
-    """The rules that a link or a file breaks, and what is said."""
-    codes = []
+def test_every_rule_has_a_sentence_and_breaks(monkeypatch):
+    broken = []
 
     def noted(code, *given):
-        codes.append(Refusal(code))
+        broken.append(Refusal(code))
         return refused(code, *given)
 
-    with pytest.MonkeyPatch.context() as patch:
-        for module in (models, scenario):
-            patch.setattr(module, "refused", noted)
-        with pytest.raises(InputError) as caught:
-            (hh.Scenario.loads if text.startswith("{") else hh.Scenario.from_query)(text)
-    return codes, str(caught.value)
-
-
-def test_every_rule_has_a_sentence_and_breaks():
-    assert [*RULES] == [rule for rule in Refusal if rule]
-    broken = set()
+    for module in (models, scenario):
+        monkeypatch.setattr(module, "refused", noted)
     for text in REFUSED:
-        codes, said = codes_of(text)
-        for code in codes:
-            rule = RULES[code]
-            begin = TEXTS[rule.sentence].format_map({**rule.known, **dict.fromkeys(rule.values, 0.0), rule.number: 0.0})
-            assert said.split(" ")[0] == begin.split(" ")[0]
-        broken |= set(codes)
-    assert broken == set(RULES)
-
-
-def test_numbers_go_into_the_sentences():
-    cell = [*cell_of(hh.Scenario(hoop=hh.Hoop(eccentricity=0.9, inertia_ratio=0.01)))]
-    cell[Cell.ROLLING_RESISTANCE] = 0.9
-    code, most = refusal(cell, ())
-    text = "hoop.eccentricity=0.9&hoop.inertia_ratio=0.01&plane.rolling_resistance=0.9"
-    codes, said = codes_of(text)
-    assert codes == [code] == [Refusal.RESISTANCE]
-    assert f"must be below {most:.6g}" in said
+        said(lambda text=text: (hh.Scenario.loads if text.startswith("{") else hh.Scenario.from_query)(text))
+    assert set(broken) == {*RULES} == {rule for rule in Refusal if rule}
 
 
 @pytest.mark.parametrize(
     ("build", "expected"),
     [
-        (lambda: hh.Plane(restitution=np.float64(1.5)), "plane.restitution = 1.5 must be from 0 to 1."),
         (lambda: hh.Ring(1, 2, 1), "ring.inner_radius = 2.0 must not exceed ring.outer_radius = 1.0."),
-        (lambda: hh.Disk(1, 0), "disk.radius = 0 must be at least 1e-12."),
         (lambda: hh.Scenario(plane=hh.Start.rolling(1.0)), "must be a Plane, not Start."),
         (lambda: hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(), hh.Plane()), "must be a Start, not Plane."),
     ],
@@ -373,37 +289,25 @@ def test_a_path_that_people_use_is_understood(path, meant):
         assert said(lambda: hh.Scenario().with_values({path: 1.0})) == expected
 
 
-@pytest.mark.parametrize("kind", [hh.Hoop, hh.Plane, hh.Start, hh.Rigid, hh.Compliant, hh.Scenario])
-def test_values_without_names_are_refused_with_the_names(kind):
-    name, keys = kind.__name__, ", ".join(kind.model_fields)
-    assert said(lambda: kind(0.75)) == f"{name} takes its values by name ({keys}), not as {name}(0.75)."
+def test_values_without_names_are_refused_with_the_names():
+    assert said(lambda: hh.Rigid(7)) == "Rigid takes its values by name (model, max_events), not as Rigid(7)."
 
 
 def test_an_assignment_is_refused_with_what_to_do():
     scenario = hh.Scenario()
-
-    def assign(thing, name, value=0.3):
-        return said(lambda: setattr(thing, name, value))
-
-    expected = (
-        "duration = 3 cannot be assigned, since a Scenario never changes; with_values({'duration': 3}) returns another one."
-    )
-    assert assign(scenario, "duration", 3) == expected
-    expected = (
-        "plane.mu = 0.3 cannot be assigned, since a Plane never changes; model_copy(update={'mu': 0.3}) returns another one."
-    )
-    assert assign(scenario.plane, "mu") == expected
-    assert assign(scenario.plane, "friction") == "plane.friction is not a known key; did you mean mu?"
-    assert assign(scenario.start, "colour").startswith("start.colour is not a known key; known are x, height,")
-    assert assign(scenario.hoop, "massless").startswith("hoop.massless = 0.3 cannot be assigned")
+    for part, name, expected in (
+        (scenario, "duration", "since a Scenario never changes; with_values({'duration': 3}) returns another one."),
+        (
+            scenario.plane,
+            "mu",
+            "since a Plane never changes; model_copy(update={'mu': 3}) returns another one.",
+        ),
+        (scenario.plane, "friction", "plane.friction is not a known key; did you mean mu?"),
+        (scenario.hoop, "massless", "hoop.massless = 3 cannot be assigned"),
+    ):
+        assert expected in said(lambda part=part, name=name: setattr(part, name, 3))
     assert said(lambda: delattr(scenario, "duration")) == "duration cannot be deleted, since a Scenario never changes."
     assert scenario == hh.Scenario()
-
-
-def test_every_finding_stays_with_the_error():
-    with pytest.raises(InputError) as caught:
-        hh.Scenario.from_dict({"plane": {"gravity": -1, "slope": "x"}})
-    assert [finding["loc"] for finding in caught.value.errors] == [("plane", "gravity"), ("plane", "slope")]
 
 
 # What the kernels get
@@ -413,7 +317,7 @@ def test_body_and_unit_of_time():
     plane = hh.Plane(gravity=1.62, slope=0.3, mu_static=0.7, mu_kinetic=0.6, restitution=0.2, impact_law="poisson")
     body = to_body(hh.Hoop.ideal(0.5, radius=2.0), plane)
     assert (body.eps, body.kap, body.mu_s, body.mu_k, body.rest) == (0.5, 0.75, 0.7, 0.6, 0.2)
-    assert (body.gn, body.gt) == (math.cos(0.3), math.sin(0.3))
+    assert (body.gn, body.gt, body.slope) == (math.cos(0.3), math.sin(0.3), 0.3)
     assert (body.law, body.painleve_impact) == (1, False)
     assert time_unit(hh.Hoop(radius=2.0), plane) == pytest.approx(math.sqrt(2.0 / 1.62), rel=1e-15)
     weightless = hh.Scenario(plane=hh.Plane(gravity=0.0, painleve="impact"))

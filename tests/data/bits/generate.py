@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import bits_tools
 import hophoop as hh
 
-text = bits_tools.hashes_text([bits_tools.bits_of(hh.simulate(each.scenario)) for each in bits_tools.kept_scenarios()])
-bits_tools.HASHES.write_text(text, encoding="utf-8")
-print(text.partition('\n "motions"')[0])
+if __name__ == "__main__":
+    text = bits_tools.hashes_text([bits_tools.bits_of(hh.simulate(each.scenario)) for each in bits_tools.kept_scenarios()])
+    bits_tools.HASHES.write_text(text, encoding="utf-8")
+    print(text.partition('\n "motions"')[0])

@@ -7,7 +7,7 @@ import pytest
 import hophoop as hh
 from hophoop.lab.site.presets import presets
 from hophoop.vocabulary.names import FATES
-from lab_page_tools import expect, picture, wait_for
+from lab_page_tools import expect, wait_for
 
 SCENARIOS = {preset.key: preset.scenario for preset in presets()}
 
@@ -39,11 +39,7 @@ def test_examples_end_as_in_python(visit):
         wait_for(page, f"lab.film().scenario.start.angle === {math.pi!r} && !lab.surrounding && !lab.requested")
         shown = page.evaluate("hophoopLab.film().scenario.start.speed")
         assert shown == pytest.approx(found.omega[-1], rel=1e-8)  # R = 1 m
-        # what is shown is the gait from the first revolution on, and has no answer yet
-        begins = hh.passages(SCENARIOS[key].replace("start", hh.Start.rolling(shown, angle=math.pi)), 5)
-        assert begins.hops.tolist() == [1] * 5
-        assert begins.omega == pytest.approx(found.omega[-1], rel=1e-8)
+        # what is shown has no answer yet
         expect(page.locator(".ending span")).to_be_empty()
         assert gait.is_hidden()
     assert FATES["gait"].sentence in asked(page)
-    picture(page, "ending")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from lab_page_tools import SHOWN, follow, picture
+from lab_page_tools import SHOWN, follow
 
 SEEN = ["do first('.map-body').scrollIntoView({ block: 'center' })", "until lab.map.level === 4"]
 STEPS = [
@@ -57,7 +57,6 @@ def test_a_map_is_that_of_the_library_and_a_click_takes_its_motion(visit):
         one, other = ((across, y["from"] + (row + half) * size[1]) for half in (0.5, 1.5))
         found = hh.maps.boundary(None, ranges, one, other, most=1)
         assert np.any(np.abs(found.x - across) < 1e-12)
-    picture(page, "map")
     follow(page, STEPS)
 
 

@@ -1,7 +1,6 @@
-"""The effect of a small change, on the page that computes by itself: its numbers are those of `hh.sensitivity`, to the bit."""
+"""The effect of a small change, on the page: its numbers are those of `hh.sensitivity`, to the bit."""
 
 import re
-from collections import Counter
 
 import pytest
 
@@ -20,26 +19,11 @@ RATES = """() => [...document.querySelectorAll(".more tbody tr")]
   .map((row) => [...row.querySelectorAll("td")].map((cell) => cell.dataset.rate))"""
 
 
-@pytest.fixture(scope="module")
-def address(site_address):
-    return site_address
-
-
-def turned_on(visit, query="", path="plane.mu", **options):
-    page = visit(f"?{query}" if query else "", **options)
+def turned_on(visit, query="", path="plane.mu"):
+    page = visit(f"?{query}")
     wait_for(page, "!lab.surrounding")
     page.evaluate("path => hophoopLab.extras.more.turn(true, path)", path)
     return page
-
-
-def names_of(motion):
-    """Each event as `sensitivity` calls it."""
-    seen = Counter()
-    found = []
-    for event in motion.events:
-        found.append(f"{event.kind}[{seen[event.kind]}]")
-        seen[event.kind] += 1
-    return found
 
 
 def test_every_hop_is_that_of_the_library(visit):
@@ -60,12 +44,13 @@ def test_every_hop_is_that_of_the_library(visit):
 
 def test_the_table_has_the_numbers_of_the_library(visit):
     motion = hh.simulate(hh.Scenario())
+    kinds = [event.kind for event in motion.events]
+    of = [f"{kind}[{kinds[:k].count(kind)}].{field}" for k, kind in enumerate(kinds) for field in FIELDS]
     page = turned_on(visit)
     for path in ("plane.mu", "start.speed"):
         page.locator(".more select").select_option(path)
         wait_for(page, f"{SHOWN} && lab.extras.more.known.startsWith('{path} ')")
         mine = [float(rate) for row in page.evaluate(RATES) for rate in row]
-        of = [f"{event}.{field}" for event in names_of(motion) for field in FIELDS]
         assert mine == pytest.approx(hh.sensitivity(motion.scenario, of=of, wrt=path).larger[:, 0], rel=0, abs=0, nan_ok=True)
 
 

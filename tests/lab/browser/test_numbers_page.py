@@ -128,7 +128,6 @@ def test_a_diagram_says_that_its_axis_is_cut(visit):
     )
     assert most > heights[1]
     assert float(cut["high"].replace(" ", "").replace("\u202f", "")) == pytest.approx(most, rel=0.01)
-    picture(page, "cut")
 
 
 DRAWN = """(key) => {

@@ -92,7 +92,8 @@ def test_everything_that_is_said_is_in_the_tables(visit):
     """With each text between marks, whatever is not between them is English in the sources."""
     from hophoop.lab.tables import tables
 
-    queries = [preset["query"] for preset in tables()["setup"]["presets"]]
+    presets = {preset["key"]: preset["query"] for preset in tables()["setup"]["presets"]}
+    queries = [presets[key] for key in ("littlewood", "jam", "indeterminate", "kane", "bounces", "standstill")]
     english = json.loads((WORDS / "en.json").read_text(encoding="utf-8"))
     table = json.dumps({key: marked(text) for key, text in english.items()}, ensure_ascii=False)
     page = visit("?start.speed=2", own=True, locale="en-GB", reduced_motion="reduce")
@@ -105,18 +106,3 @@ def test_everything_that_is_said_is_in_the_tables(visit):
     names = re.compile(r"rad|cos|hophoop|MIT|Shift|Ctrl|Home|End|Esc|inf|[a-z]+(\.\w+)+|'\w+'|\b[0-9a-f]{16,}\b")
     left = {text for text in texts if re.search(r"[^\W\d_]{3}", names.sub("", outside(text)))}
     assert left == set()
-
-
-def test_each_language_fits_on_a_phone(visit):
-    page = visit(locale="zh-TW", reduced_motion="reduce", viewport={"width": 390, "height": 844})
-    assert page.evaluate("document.documentElement.lang") == "zh"
-    english = json.loads((WORDS / "en.json").read_text(encoding="utf-8"))
-    for code in ("zh", "fr", "es", "de"):
-        page.locator(".language").select_option(code)
-        wait_for(page, f"document.documentElement.lang === '{code}' && !lab.surrounding && lab.theory.list.children.length > 4")
-        assert page.evaluate("document.documentElement.scrollWidth") == 390
-        # of what one reads, nothing is English
-        own = json.loads((WORDS / f"{code}.json").read_text(encoding="utf-8"))
-        same = {text for key, text in english.items() if isinstance(text, str) and own[key] == text}
-        long = {text for text in english.values() if isinstance(text, str) and len(text) > 12 and "{" not in text} - same
-        assert [text for text in page.evaluate(TEXTS) if text.strip() in long] == []

@@ -2,7 +2,7 @@
 
 import pytest
 
-from lab_page_tools import SETTLED, follow, picture
+from lab_page_tools import SHOWN, follow, picture
 
 FINGERS = {"has_touch": True, "is_mobile": True, "device_scale_factor": 1}
 LANGUAGES = ("en", "de", "es", "fr", "zh")
@@ -34,7 +34,7 @@ COVERED = """
 
 
 def speaking(language):
-    return [f"choose .language {language}", f"until document.documentElement.lang === '{language}' && {SETTLED}"]
+    return [f"choose .language {language}", f"until document.documentElement.lang === '{language}' && {SHOWN}"]
 
 
 @pytest.mark.parametrize("simple", [True, False])
