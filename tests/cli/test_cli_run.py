@@ -79,6 +79,12 @@ def test_options_change_a_file(scenario, words, changed):
     assert data["duration"] == 2.0
 
 
+def test_a_free_start_is_changed_one_number_at_a_time():
+    text = '{"start": {"vx": 1.0, "height": 0.1}, "duration": 0.1}'
+    start = json.loads(run("run - --vx 2 --json", text=text).stdout)["scenario"]["start"]
+    assert [start[name] for name in ("vx", "height", "omega")] == [2.0, 0.1, 0.0]
+
+
 def test_an_option_is_declared_where_its_value_is_used():
     """Type, default and text are those of the dataclass; the command names the option and its place in the help."""
     options = {option.name: option for option in command_of("track").params}

@@ -34,7 +34,9 @@ def test_a_diagram_is_written_and_drawn(tmp_path):
 def test_a_branch_is_followed_and_drawn_and_in_the_json(tmp_path):
     pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
     picture = tmp_path / "branch.png"
-    branch = json.loads(done(f"{FOLLOW} --json", "--plot", picture).stdout)["branch"]
+    said = done(FOLLOW, "--plot", picture).stdout.splitlines()
+    assert [line.split()[4] for line in said if "limit of the range" in line] == ["0.017", "0.0175"]
+    branch = json.loads(done(f"{FOLLOW} --json").stdout)["branch"]
     assert branch["path"] == "plane.slope"
     assert [one["kind"] for one in branch["special"]] == 2 * ["limit of the range"]
     assert picture.stat().st_size > 5_000

@@ -69,7 +69,9 @@ def test_thresholds_to_thirty_digits():
 def test_a_threshold_that_cannot_be_shown():
     for words, sentence in (
         ("--mu inf --thresholds first_slip_speed", "first_slip_speed: friction is infinite."),
+        ("--v0 3.1 --thresholds needed_friction", "needed_friction: no friction is enough, for the hoop would leave"),
         ("--angle 1 --thresholds needed_friction", "needed_friction: the start is not a rolling one with the load up."),
     ):
         found = run(f"prove {words}")
-        assert (found.exit_code, found.stderr) == (1, f"Undecided: {sentence}\n")
+        assert found.exit_code == 1
+        assert found.stderr.startswith(f"Undecided: {sentence}")

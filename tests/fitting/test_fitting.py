@@ -242,8 +242,6 @@ def test_a_limit_is_where_the_sum_of_squares_has_risen(track, limited, held, par
 
 def test_what_the_model_lacks_is_told(hop):
     """A brake, seen through a shutter that was not given."""
-    # 3 runs of 10 and 10: expected 11 ± √(10·9/19)
-    assert runs_deviation(np.repeat([1.0, -1.0, 1.0], [5, 10, 5])) == pytest.approx((3 - 11) / np.sqrt(10 * 9 / 19))
     track = filmed(hop, rate=60.0)
     braked = track.centre - 0.05 * np.outer(track.t**2, [1.0, 0.0])
     view = View(Camera(1280, 720, 1150.0), 330.0, 0.0, 0.0, 0.0)
@@ -258,6 +256,11 @@ def test_what_the_model_lacks_is_told(hop):
 
 
 # --- pieces ----------------------------------------------------------------------------------------
+
+
+def test_deviation_of_runs():
+    # 3 runs of 10 and 10: expected 11 ± √(10·9/19)
+    assert runs_deviation(np.repeat([1.0, -1.0, 1.0], [5, 10, 5])) == pytest.approx((3 - 11) / np.sqrt(10 * 9 / 19))
 
 
 def test_scatter_from_third_differences():
