@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from fitting_tools import PLANE, RADIUS, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping, posed
+from fitting_tools import PLANE, RADIUS, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping, lasting, posed
 from hophoop.fitting import report
-from hophoop.fitting.channels import scatter
-from hophoop.fitting.covariance import autocorrelations
+from hophoop.fitting.channels import NONE, scatter
+from hophoop.fitting.covariance import _autocorrelation_of, autocorrelations
 from hophoop.fitting.judging import least_static_friction, runs_deviation
 from hophoop.fitting.mistakes import without_shutter
 from hophoop.fitting.reporting import energies, places_in_film
@@ -150,6 +150,15 @@ def test_a_plan_has_limits_of_what_may_be_at_an_end_of_its_range(restitution, li
 
 
 # --- how uncertain ---------------------------------------------------------------------------------
+
+
+def test_a_share_of_the_errors_that_lasts_is_found():
+    """Under errors that are new in each frame a slow one hides, whose neighbours correlate by little, and for long."""
+    rng = np.random.default_rng(6)
+    found = _autocorrelation_of(np.sqrt(0.3) * lasting(rng.normal(size=1000), 0.9) + np.sqrt(0.7) * rng.normal(size=1000))
+    assert found.frames == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
+    assert found.share < 0.6
+    assert _autocorrelation_of(rng.normal(size=1000)) == NONE
 
 
 def test_errors_that_last_over_frames_count_less(hop, found):
