@@ -102,7 +102,7 @@ def test_half_a_film_is_not_left(tmp_path, name):
 
 
 def test_pictures_stream_to_the_encoder(tmp_path):
-    """Many pictures need no more memory than few: 250 of 1 MB each, in a process that may grow by 60 MB."""
+    """Many pictures need no more memory than few: 120 of 1 MB each, in a process that may grow by 60 MB."""
     code = """
 import resource, sys
 import numpy as np
@@ -113,13 +113,13 @@ class Many:
     def draw(self, k): return np.full((512, 512, 4), k % 256, np.uint8)
 write(Many(10), sys.argv[1] + '/a.mp4')
 before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-write(Many(250), sys.argv[1] + '/b.mp4')
+write(Many(120), sys.argv[1] + '/b.mp4')
 print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
 """
     if sys.platform != "linux":
         pytest.skip("ru_maxrss has another unit elsewhere")
     done = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
-    assert int(done.stdout) < 60_000  # kB, where all pictures are 262 MB
+    assert int(done.stdout) < 60_000  # kB, where all pictures are 126 MB
 
 
 COLOURS = [(255, 255, 255, 255), (0, 0, 0, 255), (200, 30, 40, 255), (20, 160, 60, 0), (30, 50, 220, 255), (90, 90, 90, 9)]
