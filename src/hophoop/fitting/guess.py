@@ -42,13 +42,13 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
     t, values, errors: shape (n,), times [s], data and their standard deviations [1].
     """
     half = max(LEAST // 2, round(0.5 * WIDTH / float(np.median(np.diff(t)))))
-    rows = []
-    for k in range(len(t)):
-        first = max(0, min(k - half, len(t) - 2 * half - 1))
-        near = slice(first, first + 2 * half + 1)
-        (_, rate, value), covariance = np.polyfit(t[near] - t[k], values[near], 2, w=1.0 / errors[near], cov="unscaled")
-        rows.append((value, rate, np.sqrt(covariance[1, 1])))
-    return Rates(t, *np.array(rows).T)
+    width = min(2 * half + 1, len(t))
+    first = np.clip(np.arange(len(t)) - half, 0, len(t) - width)
+    near = first[:, None] + np.arange(width)
+    powers = (t[near] - t[:, None])[..., None] ** np.arange(3)
+    inverse = np.linalg.pinv(powers / errors[near][..., None])  # shape (n, 3, width)
+    value, rate, _ = np.einsum("kij,kj->ik", inverse, values[near] / errors[near])
+    return Rates(t, value, rate, np.linalg.norm(inverse[:, 1], axis=-1))
 
 
 def rates_of(run: Run, name: str) -> Rates | None:
