@@ -197,6 +197,7 @@ def run_limited(limit, *words):
     code = (
         "import resource, signal, sys; from hophoop.cli import app\n"
         "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        "sys.dont_write_bytecode = True\n"  # Python would cut it off, and keep it
         f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
         "app(['run', '--duration', '0.5', '--quiet', *sys.argv[1:]])"
     )

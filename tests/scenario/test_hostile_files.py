@@ -17,6 +17,12 @@ JSON = b'{"duration": 3.0,\n"plane": {"mu": 0.5, "impact_law": "newton"}}\n'
 ONE = hh.Scenario(duration=3.0, plane=hh.Plane(mu=0.5, impact_law="newton"))
 
 
+@pytest.fixture(autouse=True)
+def limit_of_digits():
+    """Python's own limit; mpmath 1.4 lifts it for good where it is given what is no number."""
+    sys.set_int_max_str_digits(sys.int_info.default_max_str_digits)
+
+
 def refusal(path):
     began = time.monotonic()
     text = said(lambda: hh.Scenario.load(path))

@@ -39,10 +39,9 @@ class Approach:
 
     def square(self, z: Number) -> Number:
         """θ̇² where the part z of the angle is still missing."""
-        ctx = self.body.ctx
         if z == 0:
             return self.regular[0]
-        return ctx.polyval(self.regular[::-1], z) + z**self.power * ctx.polyval(self.factor[::-1], z)
+        return _value(self.regular, z) + z**self.power * _value(self.factor, z)
 
     def duration(self, z: Number) -> Number:
         """Time from the state until the part z is missing."""
@@ -133,6 +132,14 @@ def approach(body: Body, state: State, sigma: int) -> Approach | None:
         return None
     found = Approach(body, state, sigma, way, singular, extent, power, regular, [scale * number for number in factor])
     return found if found.square(body.one / 2) > 0 else None
+
+
+def _value(series: Series, z: Number) -> Number:
+    """A power series at z, by Horner's rule."""
+    total: Number = 0
+    for coefficient in reversed(series):
+        total = total * z + coefficient
+    return total
 
 
 def _series(body: Body, sigma: int, way: int, singular: Number, extent: Number, power: Number) -> tuple[Series, Series] | None:
