@@ -17,6 +17,13 @@ os.environ.setdefault("MPLBACKEND", "agg")
 pytest_plugins = ["browser_tools"]
 
 
+@pytest.hookimpl(optionalhook=True)  # of pytest-xdist
+def pytest_xdist_auto_num_workers(config):
+    """Half as many workers again as processors, as browsers and stopped commands are waited for."""
+    processors = os.cpu_count() or 1
+    return processors + processors // 2
+
+
 @pytest.hookimpl(tryfirst=True)  # workers start after this
 def pytest_sessionstart(session):
     if hasattr(session.config, "workerinput") or session.config.option.collectonly:

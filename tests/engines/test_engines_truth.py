@@ -36,9 +36,10 @@ def test_a_changed_file_is_noticed(monkeypatch):
         truth.read_document()
 
 
-@pytest.mark.parametrize(
-    "name", [name if name == "painleve" else pytest.param(name, marks=pytest.mark.long) for name in truths()]
-)
+SOON = {"painleve": (), "hop": pytest.mark.long, "border": pytest.mark.long, "drop": pytest.mark.long}
+
+
+@pytest.mark.parametrize("name", [pytest.param(name, marks=SOON.get(name, pytest.mark.slow)) for name in truths()])
 def test_the_truth_is_that_of_the_oracle(document, name):
     """Solved once more by the oracle, which shares no formula with hophoop."""
     assert min(digits_of_oracle(document["scenarios"][name])) >= 29
