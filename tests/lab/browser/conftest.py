@@ -17,7 +17,7 @@ from slow_page import delaying
 collect_ignore_glob = [] if find_spec("uvicorn") else ["test_*.py"]
 
 DELAYS = os.environ.get("HOPHOOP_PAGE_DELAYS", "")  # a seed: every page of these tests is delayed at random
-SLOWER = 8
+SLOWER = 2  # more costs the processor as much, and the delays already change the order
 # As for those who have asked for everything before: the simple view, and what opens it, have tests of their own.
 EVERYTHING = "try { localStorage['hophoop-view'] ??= 'everything'; } catch { /* no storage */ }"
 
