@@ -16,6 +16,7 @@ Floats = NDArray[np.float64]
 
 WIDTH = 0.05  # of the pieces for velocities [s]
 LEAST = 5  # minimum frames of such a piece
+BLOCK = 10_000  # frames whose pieces are in memory at a time
 ROLLING, FLYING = 8, 16  # minimum frames of rolling, or of flight, for the share of the load
 LEAST_GAP = 0.01  # height of the rim above the plane, over the radius, that is flight
 SPANS: Sequence[float] = (0.25, 0.4, 0.6, 0.8, 1.0)  # of the data from their start
@@ -43,12 +44,14 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
     """
     half = max(LEAST // 2, round(0.5 * WIDTH / float(np.median(np.diff(t)))))
     width = min(2 * half + 1, len(t))
-    first = np.clip(np.arange(len(t)) - half, 0, len(t) - width)
-    near = first[:, None] + np.arange(width)
-    powers = (t[near] - t[:, None])[..., None] ** np.arange(3)
-    inverse = np.linalg.pinv(powers / errors[near][..., None])  # shape (n, 3, width)
-    value, rate, _ = np.einsum("kij,kj->ik", inverse, values[near] / errors[near])
-    return Rates(t, value, rate, np.linalg.norm(inverse[:, 1], axis=-1))
+    found = []
+    for rows in np.array_split(np.arange(len(t)), 1 + len(t) // BLOCK):
+        near = np.clip(rows - half, 0, len(t) - width)[:, None] + np.arange(width)
+        powers = (t[near] - t[rows, None])[..., None] ** np.arange(3)
+        inverse = np.linalg.pinv(powers / errors[near][..., None])  # shape (rows, 3, width)
+        value, rate, _ = np.einsum("kij,kj->ik", inverse, values[near] / errors[near])
+        found.append((value, rate, np.linalg.norm(inverse[:, 1], axis=-1)))
+    return Rates(t, *np.concatenate(found, axis=1))
 
 
 def rates_of(run: Run, name: str) -> Rates | None:
