@@ -27,6 +27,10 @@ FILMS = {
     "tilted": (Film(frames=40, first=0.15, tilt_deg=(6.0, -8.0), row_delay=1.5e-5, rate=120.0, shutter=1 / 500), 4e-3),
     # light on dark; the rim is cut by the edge of the picture at first; the picture is not level
     "light": (Film(frames=36, light=True, origin=(25.0, 225.0), roll_deg=2.0, marker_size=0.04), 5e-3),
+    # lost frames at the start, in the middle and at the end of uneven times, with a rolling shutter
+    "lost": (
+        Film(frames=30, rate=300.0, row_delay=1.2e-5, uneven=0.5, without=((0, 2), (12, 13), (18, 21), (29, 30))), 5e-3,
+    ),
     # as a phone takes them
     "phone": (
         Film(size=(1280, 720), scale=330.0, origin=(120.0, 600.0), focal=1150.0, frames=60, marker_size=0.04, busy=True,
@@ -90,6 +94,15 @@ def test_errors_are_as_large_as_said_and_times_and_scale_those_of_the_film(films
     assert 0.2 < np.nanstd(errors(track, film)[1] / track.angle_error) < 2.5
     assert track.t == pytest.approx(frame_times(film) + 0.5 * film.shutter, abs=1e-12)
     assert track.view.scale == pytest.approx(film.scale, rel=2e-3)
+
+
+def test_a_lost_frame_has_the_time_of_a_row_between_those_of_its_neighbours(films):
+    film, _ = FILMS["lost"]
+    track = tracked(film, films("lost"))
+    delay = track.t - frame_times(film) - 0.5 * film.shutter
+    lost = np.isnan(track.pixel[:, 1])
+    assert delay[~lost] == pytest.approx(film.row_delay * track.pixel[~lost, 1], abs=1e-12)
+    assert delay[lost] == pytest.approx(np.interp(frame_times(film)[lost], frame_times(film)[~lost], delay[~lost]), abs=1e-12)
 
 
 @pytest.mark.long

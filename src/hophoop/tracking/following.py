@@ -56,8 +56,13 @@ class Follower:
 
     @property
     def rows(self) -> Frame:
-        """Arrays of all frames."""
-        return Frame(*map(np.array, zip(*self.frames, strict=True)))
+        """Arrays of all frames; a lost hoop's row is interpolated, so that times increase."""
+        rows = Frame(*map(np.array, zip(*self.frames, strict=True)))
+        lost = np.isnan(rows.circle[:, 0])
+        if self.row_delay and not lost.all():
+            delay = self.row_delay * self.search.camera.to_picture(rows.circle[~lost, :2])[:, 1]
+            rows.t[lost] += np.interp(rows.t[lost], rows.t[~lost] - delay, delay)
+        return rows
 
     def add(self, picture: Picture) -> None:
         """Look for the hoop in the next frame."""
