@@ -4,6 +4,7 @@
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { Backend } from "../../web/lab/backend/backend.ts";
+import { classColor } from "../../web/model/classes.ts";
 import * as model from "../../web/model/index.ts";
 import { numberOf, plain, shortened, written } from "../../web/model/text.ts";
 import { spoken } from "../../web/words/texts.ts";
@@ -37,6 +38,7 @@ const CALLS = {
         .map((template) => written(template, { value }).value)
         .join(" "),
     ),
+  colors: (classes) => classes.map(([name, quantity]) => classColor(name, quantity)),
   texts: (texts) => texts.map((text) => [plain(text), shortened(text), numberOf(text) ?? null]),
   rates({ scenario, path }) {
     const found = model.ratesOf(model.fromDict(scenario, mechanics), path);

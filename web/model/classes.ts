@@ -1,4 +1,4 @@
-// Colours and names of the classes of motions in maps: the page's side of vocabulary/classes.py.
+// Colours and names of the classes of motions in maps: the page's side of vocabulary/colors.py, to the same digits.
 
 import { tables } from "./tables.ts";
 

@@ -5,7 +5,7 @@ Plain strings and numbers, without Matplotlib, so that any front end can use the
 
 from __future__ import annotations
 
-import zlib
+from functools import reduce
 from typing import Final
 
 from hophoop._support.errors import InputError
@@ -182,7 +182,7 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     Examples
     --------
     >>> class_color("R"), class_color("RKRSH") == class_color("RKRSR")
-    ('#c6ebeb', False)
+    ('#c5ebeb', False)
     >>> class_color("yes", "hop")
     '#D55E00'
     """
@@ -195,13 +195,11 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     else:
         ink = HOPS if name.endswith("H") else FAMILIES.get(first + name[-1:], ROLLS)
     base = [part / 255.0 for part in rgb(ink)]
-    middle = sum(base) / 3.0
+    middle = (base[0] + base[1] + base[2]) / 3.0  # `sum` rounds otherwise from Python 3.12 on
     depth = min(len(name) - 1, 9) / 9.0
     # classes of equal length and family differ slightly, by their names
-    drift = (zlib.crc32(name.encode()) % 1000) / 1000.0
+    drift = 0.2 * (reduce(lambda total, letter: (131 * total + ord(letter)) % 997, name, 0) / 997)
     light, dark = 0.62 - 0.62 * min(2.0 * depth, 1.0), max(2.0 * depth - 1.0, 0.0) * 0.5
-    shades = []
-    for part in base:
-        mixed = (1.0 - 0.2 * drift) * part + 0.2 * drift * middle
-        shades.append(min(max((mixed + (1.0 - mixed) * light) * (1.0 - dark), 0.0), 1.0))
-    return "#" + "".join(f"{round(255 * shade):02x}" for shade in shades)
+    mixed = [(1.0 - drift) * part + drift * middle for part in base]
+    shades = [255 * (part + (1.0 - part) * light) * (1.0 - dark) for part in mixed]
+    return "#" + "".join(f"{int(shade + 0.5):02x}" for shade in shades)  # halves up, as on the page
