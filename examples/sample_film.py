@@ -23,7 +23,7 @@ FILM = Film(
     size=(960, 400), scale=290.0, origin=(130.0, 350.0), frames=264, shutter=SHUTTER, focal=1100.0,
     row_delay=8e-6, noise=2.5, busy=True, crf=24,
 )  # fmt: skip
-HINTS = Hints(exposure=SHUTTER, row_delay=FILM.row_delay)
+HINTS = Hints(exposure=SHUTTER, row_delay=FILM.row_delay, slope=0.0)
 
 
 def main(folder: Path) -> None:

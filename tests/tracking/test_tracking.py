@@ -15,7 +15,7 @@ from hophoop.tracking import Camera, Hints, overlay
 from hophoop.tracking.circle import Circle, robust_circle
 from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker, doubt_times
 from hophoop.tracking.ground import ground_line
-from hophoop.tracking.video import pictures, sample_pictures
+from hophoop.tracking.video import even_step, pictures, sample_pictures
 
 RADIUS = 0.3
 MOTION = article_like()
@@ -339,7 +339,7 @@ def test_repeated_pictures_are_doubted_and_left_out(tmp_path, shorts):
     [
         (np.arange(30) / 60, 1.0, None),
         (np.append(np.arange(15) / 60, 0.25 + np.arange(15) / 15), 1.0, "the film plays at two speeds, 60 and 15 .* 0.250 s"),
-        (np.arange(30) / 60, 2.0, "the hoop leaps ahead at 0.233 s.* --from or --to"),
+        (np.arange(30) / 60, 2.0, "between 0.233 s and 0.250 s the hoop goes 10.0 pixels, 2.0 times as fast .* --from or --to"),
         (
             np.append(np.arange(15) / 60, np.arange(16, 31) / 60),
             2.0,
@@ -355,6 +355,52 @@ def test_times_that_are_wrong_are_doubted(t, steps, said):
     found = doubt_times(t, ways, np.zeros(30, dtype=bool))
     assert len(found) == (said is not None)
     assert said is None or re.search(said, found[0])
+
+
+def test_times_in_whole_milliseconds_are_those_of_the_even_grid(tmp_path, shorts):
+    """As in Matroska and films of screen recorders; a picture is missing in it."""
+    kept = np.delete(np.arange(24), 9)
+    film = encode(tmp_path / "film.mkv", SHORT.size, [shorts[k] for k in kept], kept * STEP)
+    assert hh.track(film, RADIUS).t == pytest.approx(kept / 60, abs=2e-7)
+
+
+@pytest.mark.parametrize(
+    ("ticks", "usual", "step"),
+    [
+        (np.round(np.arange(300) * 1000 / 240), 1000 / 240, 1000 / 240),
+        # the rate in the header is only the mean
+        (np.round(np.delete(np.arange(300), [3, 50, 51]) * 1000 / 59.94), 17.1, 1000 / 59.94),
+        (np.floor(np.arange(100) * 600 / 29.97), 0.0, 600 / 29.97),
+        (np.arange(50) * 375.0, 375.0, 375.0),
+        # times that are uneven for another reason
+        (np.round(np.arange(300) * 1000 / 240 + 0.7 * (np.arange(300) % 2)), 1000 / 240, 0.0),
+        (np.cumsum(np.arange(20) + 90.0), 100.0, 0.0),
+    ],
+)
+def test_an_even_grid_is_what_all_times_round_to(ticks, usual, step):
+    assert even_step(ticks, usual) == pytest.approx(step, abs=1.0 / len(ticks))  # rounding leaves as much open
+
+
+def test_a_film_of_minutes_asks_for_a_window_at_once(tmp_path, shorts):
+    film = encode(tmp_path / "film.mp4", SHORT.size, shorts[:4], np.arange(4) * 200 * TICKS)
+    with pytest.raises(ValueError, match=r"film.mp4 lasts 600 s, .* --from 12.5 --to 15"):
+        hh.track(film, RADIUS)
+    with pytest.raises(ValueError, match="has 1 frame from 150 s on up to 250 s"):
+        hh.track(film, RADIUS, Hints(since=150.0, until=250.0))
+
+
+def test_what_a_track_assumes_of_camera_and_scale(plain):
+    """Nobody levels a camera better than to 2 degrees without saying so, and an edge is where it is to half a pixel."""
+    found, level, slope = (hh.track(plain, RADIUS, Hints(**one)) for one in ({}, {"level": 0.0}, {"slope": 0.1}))
+    assert np.degrees(found.slope_error) == pytest.approx(2.0, abs=0.01)
+    assert "It falls by 0.0" in found.notes[1]
+    assert "level to 2°" in found.notes[1]
+    assert level.slope == found.slope
+    assert 0.05 < np.degrees(level.slope_error) < 0.3
+    assert (slope.slope, np.isnan(slope.slope_error)) == (0.1, True)
+    assert "level" not in " ".join(slope.notes + level.notes)
+    assert found.view.scale_error == pytest.approx(0.5 / 39.0, rel=0.02)
+    assert "radius of only 39 pixels in the picture, so the scale is uncertain by 1 %" in found.notes[-1]
 
 
 def test_a_window_of_a_film(plain):

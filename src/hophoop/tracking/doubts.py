@@ -119,10 +119,11 @@ def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
     beside = np.maximum(speeds[:-2], speeds[2:])
     leaps = (speeds[1:-1] > CHANGED * beside) & (np.minimum(steps[:-2], steps[2:]) > MOVES) & ~again[1:-2] & ~gaps[1:-1]
     if leaps.any():
-        at = t[int(leaps.argmax()) + 1]
+        k = int(leaps.argmax()) + 1
         said.append(
-            f"{DOUBT}the hoop leaps ahead at {at:.3f} s: pictures were cut out of the film, and its times lack them. "
-            "Keep to one side by --from or --to."
+            f"{DOUBT}between {t[k]:.3f} s and {t[k + 1]:.3f} s the hoop goes {steps[k]:.1f} pixels, "
+            f"{speeds[k] / beside[k - 1]:.1f} times as fast as before and after. Look at the overlay there: if pictures are "
+            "missing, keep to one side by --from or --to."
         )
     return said
 

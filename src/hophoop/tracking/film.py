@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
-from hophoop.tracking.camera import RADIUS_ERROR
 from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker, doubt_times, repeated, steps_of
 from hophoop.tracking.following import Follower, Frame
 from hophoop.tracking.ground import Ground, ground_line, line_through
@@ -18,12 +17,16 @@ from hophoop.tracking.hints import Hints, require_above_0
 from hophoop.tracking.learning import FilmSetup, learn
 from hophoop.tracking.scatter import spread, third_differences
 from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, track_of
-from hophoop.tracking.video import count, pictures, sample_pictures
+from hophoop.tracking.video import picture_times, pictures, sample_pictures
 
 Floats = NDArray[np.float64]
 
 SIDEWAYS = 2.0  # rise or fall of a hoop in a film that lies on its side, over the radius
 LEAST_ERROR = 0.02  # minimum error of a centre, from lens and sensor [pixel]
+SCALE_ERROR = 0.5  # error of the rim's radius that all pictures have alike: blur, coding, the width of a drawn line [pixel]
+LONGEST = 120.0  # film without a window that is tracked [s]
+SMALL = 40.0  # radius of a rim that deserves a word [pixel]
+LEVEL_ERRORS = float(np.radians(2.0)), float(np.radians(0.1))  # of a camera that nobody levelled, and of a given level [rad]
 
 
 def track(
@@ -59,8 +62,13 @@ def track(
     require_above_0(radius=radius)
     hints = hints or Hints()
     source = Path(video).name
-    total = count(video)
     window = (hints.rate, hints.since, hints.until)
+    span = picture_times(video, *window)
+    if len(span) and span[-1] - span[0] > LONGEST:
+        raise InputError(
+            f"{source} lasts {span[-1] - span[0]:.0f} s, and a hoop moves freely for seconds: say from when until when, "
+            "such as by --from 12.5 --to 15 (since and until in Hints)."
+        )
     known = learn(sample_pictures(video, *window), hints, source)
     follower = Follower(known.search, known.marker, hints.exposure, hints.row_delay)
     first, times, changes, before = 0, [], [], None
@@ -74,7 +82,7 @@ def track(
         changes.append(np.nan if before is None else float(np.abs(small - before).mean()))
         before = small
         if progress is not None:
-            progress(k + 1, total)
+            progress(k + 1, len(span))
     rows, notes = _correct_times(follower.rows, np.array(times), np.array(changes), hints.rate)
     return _track_from_rows(rows, known, hints, radius, source, first, notes)
 
@@ -135,20 +143,26 @@ def _track_from_rows(
     view = View(
         camera, scale, float(origin[0]), float(origin[1]), line.angle,
         None if known.marker is None else (known.marker.blue, known.marker.red), ratio,
-        hints.exposure, hints.row_delay, hints.rate, RADIUS_ERROR / size, line.height_error / scale, line.angle_error,
+        hints.exposure, hints.row_delay, hints.rate, SCALE_ERROR / size, line.height_error / scale, line.angle_error,
         first,
     )  # fmt: skip
-    given = hints.slope is not None
+    slope, slope_error = _slope(line, hints)
     others: dict[str, Any] = {
-        "radius": radius, "placed": True, "view": view, "source": source,
-        "slope": hints.slope if given else hints.level - line.angle,
-        "slope_error": float("nan") if given else line.angle_error,
+        "radius": radius, "placed": True, "view": view, "source": source, "slope": slope, "slope_error": slope_error,
     }  # fmt: skip
     tilt = (camera.tilt_x, camera.tilt_y) if known.tilted else (0.0, 0.0)
     doubts = doubt_hoop(circle, rows.agreement, float(np.median(np.diff(t))), radius, tilt) or notes
     if known.marker is not None:
         doubts += doubt_marker(columns["x"] / radius, columns["angle"])
     return track_of(t, columns, state, notes=(*doubts, *_notes(rows, state, known, line, hints)), **others)
+
+
+def _slope(line: Ground, hints: Hints) -> tuple[float, float]:
+    """Slope of the plane, downhill to the right, and its error, which is nan for a given slope [rad]."""
+    if hints.slope is not None:
+        return hints.slope, float("nan")
+    error = LEVEL_ERRORS[hints.level is not None]
+    return (hints.level or 0.0) - line.angle, float(np.hypot(line.angle_error, error))
 
 
 def _at_one_time(rows: Frame) -> tuple[Floats, Floats]:
@@ -206,9 +220,27 @@ def _notes(rows: Frame, state: list[str], known: FilmSetup, line: Ground, hints:
         notes.append(f"{DOUBT}the hoop moves up or down the picture. Is the film sideways? Turn it, and track it again.")
     elif not line.directed:
         notes.append("The hoop stays in one place, so the slope is unknown; the picture's rows are taken as level.")
-    elif hints.ground is None:
-        notes.append(f"The plane is the line under the hoop in {line.frames} frames.")
+    else:
+        notes += _of_plane(line, hints)
+    size = float(np.nanmedian(circle[:, 2]))
+    if size < SMALL:
+        notes.append(
+            f"The rim has a radius of only {size:.0f} pixels in the picture, so the scale is uncertain by "
+            f"{100 * SCALE_ERROR / size:.1g} %: film from nearer or zoom in, up to 100 pixels or more."
+        )
     if known.tilted:
         a, b = np.degrees([known.search.camera.tilt_x, known.search.camera.tilt_y])
         notes.append(f"The plane of motion is tilted by {a:.1f}° and {b:.1f}° about the picture's axes.")
     return tuple(notes)
+
+
+def _of_plane(line: Ground, hints: Hints) -> list[str]:
+    """Say where the plane is, and what is assumed about the camera's level."""
+    said = [f"The plane is the line under the hoop in {line.frames} frames."] if hints.ground is None else []
+    if hints.slope is None and hints.level is None:
+        falls, error = -np.degrees(line.angle), np.degrees(LEVEL_ERRORS[0])
+        said.append(
+            f"It falls by {falls:.2f}° to the right in the picture, by the plane's slope and the camera's roll. "
+            f"The camera is taken as level to {error:.0f}°: give what you measured (--level-deg, --slope-deg)."
+        )
+    return said

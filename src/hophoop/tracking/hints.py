@@ -30,8 +30,8 @@ class Hints:
         Time of that frame [s].
     ground : tuple of float, optional
         Two points of the ground line below the rim [pixels]: column, row, column, row.
-    level : float, default 0
-        Rise of a level line to the right in the picture [rad].
+    level : float, optional
+        Rise of a level line to the right in the picture [rad]. By default the picture's rows are level to 2°.
     slope : float, optional
         Slope of the plane, downhill to the right [rad].
     exposure : float, default 0
@@ -62,7 +62,7 @@ class Hints:
     rim: float | None = None
     at: float = 0.0
     ground: tuple[float, float, float, float] | None = None
-    level: float = 0.0
+    level: float | None = None
     slope: float | None = None
     exposure: float = 0.0
     row_delay: float = 0.0

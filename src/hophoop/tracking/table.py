@@ -163,9 +163,10 @@ class Track:
     radius : float
         Radius of the rim [m]; nan if unknown.
     slope : float
-        Slope of the plane, downhill to the right, if the camera was level [rad]; nan if unknown.
+        Slope of the plane, downhill to the right [rad]; nan if unknown. The slope in the picture is -view.rise; the rest is the
+        camera's roll.
     slope_error : float
-        Its standard deviation, if the camera was level [rad]; nan if the slope was given or is unknown.
+        Its standard deviation, with that of the camera's level [rad]; nan if the slope was given or is unknown.
     placed : bool
         Whether x runs along the plane and y is the height above it; otherwise the fit determines the axes.
     view : View or None

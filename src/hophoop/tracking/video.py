@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +25,7 @@ Floats = NDArray[np.float64]
 # JPEG.
 CENTRED_CHROMA = ("mjpeg",)
 TICKS = 90_000  # of a written film, per second
+ROUNDED = 1.05  # range of the differences from a grid of ticks that are rounded from it, with the error of its step [ticks]
 SMALLEST, LARGEST = 32, 16384  # side of a picture [pixel]
 
 
@@ -54,12 +54,9 @@ def pictures(
     rate: frames per second as taken, if the file's own times are wrong, such as in slow motion [Hz]; since, until: times of
     the first and the last frame to yield, from the first frame of the film [s].
     """
-    av = need("av", "track")
     file = Path(path)
-    with _refusals(file, av), av.open(_local(file)) as box:
-        if not box.streams.video:
-            raise InputError(f"{file} has no video.")
-        stream = box.streams.video[0]
+    step = 0.0 if rate is not None else _stamps(file).step
+    with _opened(file) as (box, stream):
         stream.thread_type = "AUTO"
         aspect = float(stream.sample_aspect_ratio or 1.0)
         row, first, last = 0, None, -1.0
@@ -67,7 +64,7 @@ def pictures(
             if rate is None and frame.pts is None:
                 raise InputError(f"{file} has no times of its frames: give the rate, in frames per second.")
             first = frame.pts if first is None else first
-            t = float((frame.pts - first) * frame.time_base) if rate is None else row / rate
+            t = row / rate if rate is not None else float(on_grid(frame.pts - first, step) * frame.time_base)
             if not t > last:
                 continue  # a repeated frame
             if until is not None and t > until:
@@ -77,6 +74,60 @@ def pictures(
             row, last = row + 1, t
 
 
+def picture_times(
+    path: str | Path, rate: float | None = None, since: float | None = None, until: float | None = None
+) -> Floats:
+    """Return the times of the pictures of a video by its packets, without decoding them.
+
+    rate, since, until: as in `pictures`; times: shape (n,) [s].
+    """
+    stamps = _stamps(Path(path))
+    t = np.arange(len(stamps.ticks)) / rate if rate is not None else on_grid(stamps.ticks, stamps.step) * stamps.tick
+    inside = (t >= (-np.inf if since is None else since)) & (t <= (np.inf if until is None else until))
+    return np.asarray(t[inside], dtype=float)
+
+
+class _Stamps(NamedTuple):
+    """When a video shows its pictures, by its packets."""
+
+    ticks: Floats  # from the first picture, in their order
+    tick: float  # [s]
+    step: float  # of an even grid that the ticks round to [ticks]; 0 if there is none
+
+
+def _stamps(file: Path) -> _Stamps:
+    with _opened(file) as (box, stream):
+        found = [packet.pts for packet in box.demux(stream) if packet.size]
+        tick, rate = stream.time_base or Fraction(1, TICKS), stream.average_rate
+    usual = float(1 / (rate * tick)) if rate else 0.0
+    known = [stamp for stamp in found if stamp is not None]
+    if len(known) < len(found):  # a format without times
+        return _Stamps(usual * np.arange(len(found)), float(tick), 0.0)
+    ticks = np.unique(np.array(known, dtype=np.int64))
+    ticks = (ticks - ticks[:1]).astype(float)
+    return _Stamps(ticks, float(tick), even_step(ticks, usual))
+
+
+def even_step(ticks: Floats, usual: float) -> float:
+    """Step of an even grid with gaps that all ticks are rounded from, as in containers that count milliseconds; 0 without one.
+
+    ticks: shape (n,), increasing; usual: step by the header of the video [ticks].
+    """
+    if len(ticks) < 3:
+        return 0.0
+    waits = np.diff(ticks)
+    number = np.concatenate([[0.0], np.cumsum(np.round(waits / np.median(waits)))])
+    for step in (usual, float(np.polyfit(number, ticks, 1)[0])):
+        if step > 1.0 and np.ptp(ticks - on_grid(ticks, step)) <= ROUNDED:
+            return step
+    return 0.0
+
+
+def on_grid(ticks: Any, step: float) -> Any:
+    """Return the nearest places of an even grid; a step of 0 is no grid."""
+    return step * np.round(ticks / step) if step else ticks
+
+
 def _local(file: Path) -> str:
     """Return a name that FFmpeg opens as a local file; otherwise it reads 'http:' or 'tcp:' as a protocol."""
     address = re.match(r"([A-Za-z][A-Za-z0-9+.-]+):[/\\]+", str(file))
@@ -84,6 +135,16 @@ def _local(file: Path) -> str:
         shown = f"{address[1]}://{str(file)[address.end() :]}"
         raise InputError(f"{shown} is an address; a film must be a file on this machine.")
     return f"file:{file}"
+
+
+@contextmanager
+def _opened(file: Path) -> Iterator[tuple[Any, Any]]:
+    """Open a video: its container and its stream of pictures."""
+    av = need("av", "track")
+    with _refusals(file, av), av.open(_local(file)) as box:
+        if not box.streams.video:
+            raise InputError(f"{file} has no video.")
+        yield box, box.streams.video[0]
 
 
 @contextmanager
@@ -120,24 +181,6 @@ def _picture(frame: Any, row: int, t: float, aspect: float, centred: bool, file:
 def _plane(plane: Any) -> Bytes:
     values = np.frombuffer(plane, dtype=np.uint8).reshape(-1, plane.line_size)
     return np.ascontiguousarray(values[: plane.height, : plane.width])
-
-
-def count(path: str | Path) -> int | None:
-    """Number of frames by the header of a video.
-
-    frames: None if the header has none [1].
-    """
-    av = need("av", "track")
-    file = Path(path)
-    with _refusals(file, av), av.open(_local(file)) as box:
-        if not box.streams.video:
-            raise InputError(f"{file} has no video.")
-        stream = box.streams.video[0]
-        if stream.frames:
-            return int(stream.frames)
-        if stream.duration and stream.average_rate:
-            return math.ceil(float(stream.duration * stream.time_base * stream.average_rate))
-    return None
 
 
 def sample_pictures(
