@@ -136,6 +136,13 @@ def shown(value: Any) -> str:
     return repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)
 
 
+def check_type(field: str, value: object, kind: type) -> None:
+    """Refuse a value of another type."""
+    if not isinstance(value, kind):
+        named = f"the class {value.__name__}" if isinstance(value, type) else type(value).__name__
+        raise InputError(f"{field} must be a {kind.__name__}, not {named}.", field=field, value=value)
+
+
 def check_whole(field: str, value: object, least: int, most: int, where: str = "") -> None:
     """Refuse a value that is no integer within bounds.
 

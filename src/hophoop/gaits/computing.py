@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._support.errors import check_whole
+from hophoop._support.errors import check_type, check_whole
 from hophoop.gaits.kernels.cells import judge_cells
 from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, NUMBERS, SECTIONS, Buffers, Request
 from hophoop.gaits.kernels.passages import SIZE, follow_passages, lands_no_more
@@ -119,7 +119,7 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
     scenarios : sequence of Scenario
         With rigid contact.
     count : int, default 2000
-        The most passages of each [1].
+        The most passages of each, from 1 to 10 million [1].
     section : {'bottom', 'landing'}, default 'bottom'
         As in `passages`.
 
@@ -130,7 +130,7 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
     Raises
     ------
     ValueError
-        As `passages`.
+        As `passages`, or if there are no scenarios.
 
     Examples
     --------
@@ -138,6 +138,10 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
     >>> fates([hh.Scenario(start=hh.Start.rolling(v)) for v in (0.5, 1.0, 3.1)]).fates
     ('rolls ahead', 'rolls ahead', 'slips ever less')
     """
+    check_whole("count", count, 1, MOST)
+    check_type("scenarios", scenarios, Sequence)
+    if not scenarios:
+        raise InputError.of_field("scenarios", scenarios, "at least one scenario")
     for scenario in scenarios:
         check(scenario, section)
     cells = np.array([cell_of(scenario) for scenario in scenarios], float).reshape(len(scenarios), -1).T
@@ -160,6 +164,7 @@ def judged(cells: NDArray[np.float64], request: Request) -> tuple[NDArray[np.int
 
 def check(scenario: Scenario, section: str) -> None:
     """Refuse a scenario or section that has no passages."""
+    check_type("scenario", scenario, Scenario)
     if section not in SECTIONS:
         raise InputError.of_field("section", section, f"one of {', '.join(SECTIONS)}")
     if scenario.contact.model != "rigid":

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import IO, Any
 
-from hophoop._support.errors import InputError, shortened
+from hophoop._support.errors import InputError, check_type, shortened
 from hophoop.scenario.sentences import parse_reason
 from hophoop.scenario.texts import say
 
@@ -44,6 +44,7 @@ def _decoded(stream: IO[bytes], name: str, kind: str) -> str:
 
 def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
     """Parse TOML or JSON; without a format, a text that starts with a brace is JSON."""
+    check_type("text", text, str)
     if form is None:
         form = "json" if text.lstrip().startswith("{") else "toml"
     if form not in ("toml", "json"):
@@ -136,6 +137,7 @@ def read_query(query: str) -> dict[str, Any]:
     """Return the nested keys of a query from `query_text`."""
     from urllib.parse import parse_qsl
 
+    check_type("query", query, str)
     try:
         pairs = parse_qsl(query.removeprefix("?"), keep_blank_values=True, max_num_fields=1000)
     except ValueError as error:

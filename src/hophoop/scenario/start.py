@@ -160,7 +160,7 @@ class Start(Frozen):
         Raises
         ------
         ValueError
-            If the state is that of many times, of a massless hoop that skims the plane, or not finite.
+            If it is no state, that of many times, of a massless hoop that skims the plane, or not finite.
 
         Examples
         --------
@@ -171,6 +171,10 @@ class Start(Frozen):
         >>> abs(onward.events[-1].angle - motion.events[-1].angle) < 1e-12
         True
         """
+        if not all(hasattr(state, name) for name in ("t", "x", "angle", *_FREE, "slip")):
+            raise InputError(
+                f"state must be a Sample or an EventRecord, not {type(state).__name__}.", field="state", value=state
+            )
         if getattr(state.t, "ndim", 0):
             raise InputError("A start is the state at one time: take motion.at(t) with a single t.", field="start")
         mode = str(getattr(state, "mode", getattr(state, "to_mode", None)))

@@ -178,7 +178,10 @@ class Trajectory:
         """
         if side not in ("left", "right"):
             raise InputError.of_field("side", side, "'left' or 'right'")
-        times = np.asarray(t, dtype=float)
+        try:
+            times = np.asarray(t, dtype=float)
+        except (TypeError, ValueError, OverflowError):
+            raise InputError("t must be a time in seconds, or an array of times.", field="t", value=t) from None
         end = self.duration
         bad = ~((times >= 0.0) & (times <= end * (1 + 1e-15)))
         if bad.any():
@@ -444,8 +447,9 @@ class Trajectory:
 
     # --- internal ----------------------------------------------------------------------------------
 
-    @cached_property
+    @property
     def _model(self) -> Any:
+        """The module of the contact model; not kept, since modules cannot be pickled."""
         if self.scenario.contact.model == "rigid":
             from hophoop.simulation import rigid
 

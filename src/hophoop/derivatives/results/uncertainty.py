@@ -225,6 +225,8 @@ def uncertainty_of(
             raise InputError(f"correlations: {one!r} and {other!r} must be two of {', '.join(paths)}.")
         if not -1.0 <= value <= 1.0:
             raise InputError(f"correlations: {value!r} of {one} and {other} must be from -1 to 1.")
+        if correlations and correlations.get((other, one), value) != value:
+            raise InputError(f"correlations: {one} and {other} must have one correlation, in whichever order they are named.")
         i, k = paths.index(one), paths.index(other)
         matrix[i, k] = matrix[k, i] = value
     if np.linalg.eigvalsh(matrix)[0] < -1e-12:  # noqa: TID251 - decides only whether to refuse

@@ -1,0 +1,104 @@
+"""Objects of the public API in Python's own ways: copies, pickles, other processes; arguments of wrong types."""
+
+import copy
+import pickle
+import warnings
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+
+import pytest
+
+import hophoop as hh
+from hophoop.scenario import InputError
+
+SLOPE = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=0.05), duration=1.0)
+STATE = ("x", "height", "angle", "omega", "slip")
+
+
+def sampled(**parts):
+    """A motion of which everything that it keeps has been asked."""
+    motion = hh.simulate(hh.Scenario(duration=1.0, **parts))
+    motion.at(0.5)
+    for name in ("sequence", "events", "fingerprint", "ledger", "units", "doubt"):
+        getattr(motion, name)
+    return motion
+
+
+def uncertain():
+    found = sampled().uncertainty({"plane.mu": 0.02, "start.speed": 0.01}, {("plane.mu", "start.speed"): 0.5})
+    found.deviation("end.x")
+    return found
+
+
+OBJECTS = {
+    "scenario": lambda: SLOPE,
+    "start": lambda: hh.Start.of(sampled().at(0.5)),
+    "hoop of parts": lambda: hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)]),
+    "motion": sampled,
+    "compliant motion": lambda: sampled(contact=hh.Compliant(stiffness=1e5)),
+    "errors": lambda: sampled().errors,
+    "sample": lambda: sampled().at([0.1, 0.5]),
+    "events": lambda: sampled().events,
+    "sensitivity": lambda: sampled().sensitivity("end.x", ["plane.mu", "start.speed"]),
+    "uncertainty": uncertain,
+    "deviations": lambda: uncertain().at(0.5),
+    "phases": lambda: tuple(hh.phases(sampled().scenario)),
+    "precise motion": lambda: hh.simulate(hh.Scenario(duration=0.5), digits=15),
+    "passages": lambda: hh.passages(SLOPE, 5),
+    "fates": lambda: hh.gaits.fates([SLOPE]),
+}
+
+
+def shown(thing):
+    """What a copy has to keep."""
+    if isinstance(thing, hh.Trajectory):
+        return thing.fingerprint, [getattr(thing.at([0.1, 0.5]), name).tolist() for name in STATE]
+    return str(thing)
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+def test_public_objects_are_copied_and_pickled(name):
+    thing = OBJECTS[name]()
+    for other in (pickle.loads(pickle.dumps(thing)), copy.copy(thing), copy.deepcopy(thing)):
+        assert type(other) is type(thing)
+        assert shown(other) == shown(thing)
+
+
+def test_a_process_pool_takes_and_returns_motions():
+    motion = sampled()
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        assert pool.submit(shown, motion).result() == shown(motion)
+        assert shown(pool.submit(hh.simulate, motion.scenario).result()) == shown(motion)
+
+
+WRONG = {
+    "at(10**400)": lambda: sampled().at(10**400),
+    "at('now')": lambda: sampled().at("now"),
+    "at(None)": lambda: sampled().at({}),
+    "Start.of(5)": lambda: hh.Start.of(5),
+    "Start.of(None)": lambda: hh.Start.of(None),
+    "from_query(None)": lambda: hh.Scenario.from_query(None),
+    "from_query(5)": lambda: hh.Scenario.from_query(5),
+    "loads(None)": lambda: hh.Scenario.loads(None),
+    "from_dict(5)": lambda: hh.Scenario.from_dict(5),
+    "simulate(5)": lambda: hh.simulate(5),
+    "simulate(Hoop)": lambda: hh.simulate(hh.Hoop),
+    "fates([])": lambda: hh.gaits.fates([]),
+    "fates(5)": lambda: hh.gaits.fates(5),
+    "fates(count=-5)": lambda: hh.gaits.fates([SLOPE], count=-5),
+    "fates([Hoop])": lambda: hh.gaits.fates([hh.Hoop]),
+    "passages(None)": lambda: hh.passages(None),
+    "two correlations of a pair": lambda: sampled().uncertainty(
+        {"plane.mu": 0.1, "start.speed": 0.1},
+        {("plane.mu", "start.speed"): 0.5, ("start.speed", "plane.mu"): -0.5},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_arguments_are_one_sentence(name):
+    warnings.simplefilter("error")  # which pytest undoes
+    with pytest.raises(InputError) as refused:
+        WRONG[name]()
+    assert str(refused.value).endswith(".")
+    assert "\n" not in str(refused.value)
