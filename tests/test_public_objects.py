@@ -6,6 +6,7 @@ import warnings
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
+import numpy as np
 import pytest
 
 import hophoop as hh
@@ -46,6 +47,13 @@ OBJECTS = {
     "precise motion": lambda: hh.simulate(hh.Scenario(duration=0.5), digits=15),
     "passages": lambda: hh.passages(SLOPE, 5),
     "fates": lambda: hh.gaits.fates([SLOPE]),
+    "theory": lambda: hh.theory.summary(SLOPE),
+    "references": lambda: hh.cite.cite(sampled()),
+    "axis quantities": lambda: dict(hh.maps.QUANTITIES),
+    "entry of the catalogue": lambda: hh.maps.catalogue()[0],
+    "article": lambda: hh.article.scenarios(),
+    "look": lambda: hh.animate.Look(),
+    "bad input": lambda: InputError.of_field("threads", 0, "at least 1"),
 }
 
 
@@ -83,11 +91,21 @@ WRONG = {
     "from_dict(5)": lambda: hh.Scenario.from_dict(5),
     "simulate(5)": lambda: hh.simulate(5),
     "simulate(Hoop)": lambda: hh.simulate(hh.Hoop),
+    "sweep(base=Hoop)": lambda: hh.maps.sweep(hh.Hoop, {"plane.mu": [1.0]}),
+    "sweep(base=Hoop())": lambda: hh.maps.sweep(hh.Hoop(), {"plane.mu": [1.0]}),
+    "sweep(axes=5)": lambda: hh.maps.sweep(None, 5),
+    "sweep(axes=[])": lambda: hh.maps.sweep(None, []),
+    "points(base=5)": lambda: hh.maps.points(5, {"plane.mu": [1.0]}),
+    "points(values=5)": lambda: hh.maps.points(None, 5),
     "fates([])": lambda: hh.gaits.fates([]),
     "fates(5)": lambda: hh.gaits.fates(5),
     "fates(count=-5)": lambda: hh.gaits.fates([SLOPE], count=-5),
     "fates([Hoop])": lambda: hh.gaits.fates([hh.Hoop]),
     "passages(None)": lambda: hh.passages(None),
+    "find(Hoop())": lambda: hh.gaits.find(hh.Hoop()),
+    "find(near=5e-324)": lambda: hh.gaits.find(SLOPE, near=5e-324),
+    "find(near=1e308)": lambda: hh.gaits.find(SLOPE, near=1e308),
+    "find(near=nan)": lambda: hh.gaits.find(SLOPE, near=np.nan),
     "two correlations of a pair": lambda: sampled().uncertainty(
         {"plane.mu": 0.1, "start.speed": 0.1},
         {("plane.mu", "start.speed"): 0.5, ("start.speed", "plane.mu"): -0.5},

@@ -23,7 +23,7 @@ Progress = Callable[[float], object]
 
 LONGEST = 64  # passages of a period
 FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits are looked for
-MOST_FAST = 100.0
+SLOWEST, MOST_FAST = 1e-3, 100.0  # √(g/R)
 GRID, MOST_GRID = 2_000, 10_000  # values of θ̇ per passage of a period, and in all
 NEARBY = 0.1  # of `near`, to either side
 STARTS, PATIENCE = 96, 3_000  # motions that are left to settle, and their passages
@@ -116,8 +116,11 @@ def _check(scenario: Scenario, period: int, near: float | None, section: str) ->
         allowed = "other than 0: on the level nothing makes up for what is lost, and rolling for ever is a fate, not a gait"
         raise InputError.of_field("plane.slope", 0.0, allowed)
     ahead = math.copysign(1.0, scenario.plane.slope)
-    if near is not None and not (math.isfinite(near) and near * ahead > 0.0):
-        raise InputError.of_field("near", near, "a θ̇ downhill, " + ("above 0" if ahead > 0.0 else "below 0"))
+    if near is not None:
+        unit = Units.of_scenario(scenario).of("omega")
+        least, most = sorted((ahead * SLOWEST * unit, ahead * MOST_FAST * unit))
+        if not least <= near <= most:
+            raise InputError.of_field("near", near, f"a θ̇ downhill, from {least:.4g} to {most:.4g} rad/s")
 
 
 def slowest_over_top(scenario: Scenario) -> float:

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._support.errors import check_type
 from hophoop._version import __version__
 from hophoop.kernel.native import compiled
 from hophoop.kernel.panels.panel import RESOLVED
@@ -92,15 +93,23 @@ def make_plan(
     chunk_cells: int = CHUNK_CELLS,
 ) -> Plan:
     """Check the arguments of a map and return its plan; chunks have about `chunk_cells` cells."""
-    base = Scenario() if base is None else base
+    base = _base_of(base)
     if chunk_cells < 1:
         raise InputError.of_field("chunk_cells", chunk_cells, "at least 1")
+    check_type("axes", axes, Mapping)
     made = make_axes(base, axes)
     shape = tuple(axis.values.size for axis in made)
     chunk = chunk_shape(shape, chunk_cells)
     chosen, part = choose_quantities(quantities), make_span(span, in_the_end=True)
     _check_span(base, chosen, part)
     return Plan(base, made, chosen, part, chunk)
+
+
+def _base_of(base: Scenario | None) -> Scenario:
+    """Return the scenario to vary, by default the reference hoop."""
+    if base is not None:
+        check_type("base", base, Scenario)
+    return base or Scenario()
 
 
 def _check_span(base: Scenario, quantities: Sequence[Quantity], span: Span) -> None:
@@ -186,7 +195,8 @@ def points(
     >>> points(None, {"start.speed": [0.1, 2.8, 3.1, 5.0]})["sequence"].tolist()
     ['R', 'RKRSR', 'RKRSH', 'H']
     """
-    base = Scenario() if base is None else base
+    base = _base_of(base)
+    check_type("values", values, Mapping)
     chosen = choose_quantities(quantities)
     arrays = {}
     for path, array in values.items():
