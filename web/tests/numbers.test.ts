@@ -51,9 +51,13 @@ test("what is typed is read as it is meant", () => {
     ["2×10^6", 2e6],
     ["1 000", 1000],
     ["3.1 m/s", 3.1],
+    ["３．１", 3.1],
+    ["－３，１ｅ－２", -0.031],
+    ["3。1", 3.1],
+    ["２×１０^６", 2e6],
   ];
   for (const [text, value] of meant) assert.equal(readNumber(text, "m/s"), value, text);
-  for (const text of ["1,234.5", "1.2.3", "abc", "", "--1", "1e", "0x10"])
+  for (const text of ["1,234.5", "1.2.3", "abc", "", "--1", "1e", "0x10", "3²", "３．１．２"])
     assert.ok(Number.isNaN(readNumber(text, "m/s")), text);
 });
 

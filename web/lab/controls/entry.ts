@@ -5,20 +5,21 @@ import { show, withUnit } from "../common/numbers.ts";
 import { local } from "../words/words.ts";
 
 /**
- * A number as people type it: a decimal comma or point, a real minus sign, powers of ten, ∞. NaN where it is none.
- * `unit`: which may stand behind it.
+ * A number as people type it: full-width digits, a decimal comma or point, a real minus sign, powers of ten, ∞. NaN
+ * where it is none. `unit`: which may stand behind it.
  */
 export function readNumber(text: string, unit = "") {
   let plain = text.trim();
   if (unit && plain.endsWith(unit)) plain = plain.slice(0, -unit.length);
   plain = plain
-    .replace(/[\s\u00a0\u202f]/g, "")
+    .replace(/[！-～]/g, (letter) => letter.normalize("NFKC"))
+    .replace(/\s/g, "")
     .replace(/[−–]/g, "-")
+    .replace(/[,。]/g, ".")
     .replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/, (_, sign, power) => `e${sign && "-"}${power.normalize("NFKD")}`);
   const endless = /^([+-]?)(inf|infinity|∞)$/i.exec(plain);
   if (endless) return endless[1] === "-" ? -Infinity : Infinity;
-  if (!/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.test(plain)) return Number.NaN;
-  return Number(plain.replace(",", "."));
+  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : Number.NaN;
 }
 
 /**
