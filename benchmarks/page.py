@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 import hophoop as hh
-from hophoop.lab.site import export as site
+from hophoop.lab import export as site
 from hophoop.lab.wasm.stamp import HERE, MODULE
 
 ROUNDS = 20

@@ -180,7 +180,7 @@ def _python(code: str, kernels: str) -> str:
 
 
 def lab() -> Rows:
-    """The server of the page: until it answers, and until a motion of 6 s is there as netCDF."""
+    """The server of the page: until it answers."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = int(probe.getsockname()[1])
@@ -191,12 +191,6 @@ def lab() -> Rows:
         while not _answers(port):
             time.sleep(0.05)
         yield "until it answers", time.perf_counter() - began, "s"
-        connection = http.client.HTTPConnection("127.0.0.1", port)
-        began = time.perf_counter()
-        connection.request("POST", "/files/motion.nc", "{}", {"Content-Type": "application/json"})
-        answer = connection.getresponse()
-        assert (answer.status, answer.read(4)[1:]) == (200, b"HDF")
-        yield "a motion as netCDF", time.perf_counter() - began, "s"
     finally:
         server.terminate()
         server.wait(10)

@@ -11,14 +11,12 @@ import argparse
 import io
 import shutil
 import threading
-import time
 from pathlib import Path
 
-import uvicorn
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
-from hophoop.lab.server.site import create_app
+from hophoop.lab.server import server_of
 
 SIZE = {"width": 1280, "height": 800}
 MOMENT = 1.3  # in the air [s]
@@ -26,21 +24,14 @@ CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 VIEWS = {"lab": "", "lab-everything": "localStorage['hophoop-view'] = 'everything';"}  # what a visitor has chosen before
 
 
-def serve() -> tuple[uvicorn.Server, str]:
-    """The lab on loopback, and its address."""
-    server = uvicorn.Server(uvicorn.Config(create_app(), host="127.0.0.1", port=0, log_level="error"))
-    threading.Thread(target=server.run, daemon=True).start()
-    while not server.started:
-        time.sleep(0.02)
-    return server, f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}/"
-
-
 def take(folder: Path) -> list[Path]:
     """Take all pictures; none where there is no Chromium."""
     chromium = next((found for name in CHROMIUM if (found := shutil.which(name))), None)
     if chromium is None:
         return []
-    server, address = serve()
+    server = server_of()
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    address = f"http://127.0.0.1:{server.server_address[1]}/"
     taken = []
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--enable-unsafe-swiftshader"])
@@ -57,7 +48,7 @@ def take(folder: Path) -> list[Path]:
                 taken.append(folder / f"{name}-{scheme}.png")
                 picture.quantize(192, dither=Image.Dither.NONE).save(taken[-1], optimize=True)
         browser.close()
-    server.should_exit = True
+    server.shutdown()
     return taken
 
 

@@ -22,20 +22,13 @@ PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobil
 
 @contextlib.contextmanager
 def serving(**options):
-    """The address of the lab's server on loopback; options of `create_app`."""
-    import uvicorn
+    """The address of the lab's server on loopback; options of `server_of`."""
+    from hophoop.lab.server import server_of
 
-    from hophoop.lab.server.site import create_app
-
-    server = uvicorn.Server(uvicorn.Config(create_app(**options), host="127.0.0.1", port=0, log_level="error"))
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    end = time.monotonic() + 30
-    while not server.started and time.monotonic() < end:
-        time.sleep(0.02)
-    yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}/"
-    server.should_exit = True
-    thread.join(10)
+    with server_of(**options) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_address[1]}/"
+        server.shutdown()
 
 
 def accessible(page):

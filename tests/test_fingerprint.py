@@ -11,7 +11,7 @@ import pytest
 import hophoop as hh
 from hophoop._support.fingerprint import fingerprint, is_fingerprint
 from hophoop.lab import tables
-from hophoop.lab.site.presets import presets
+from hophoop.lab.presets import presets
 
 QUIET_NAN = bytes.fromhex("000000000000f87f")
 

@@ -46,10 +46,12 @@ const page = (outdir) => [
   {
     ...common,
     outdir,
-    entryPoints: ["pages/lab.css", "pages/embed.css", "site/service-worker.ts", "site/widget.ts"],
+    entryPoints: ["pages/lab.css", "pages/embed.css", "site/service-worker.ts", "site/widget.ts", "site/file.ts"],
     entryNames: "[name]",
     format: "esm",
   },
+  // for notebooks and for a page that is one file: browsers start no module from a disk
+  { ...common, outdir, entryPoints: { worker: "kernel/worker.ts" }, format: "iife" },
 ];
 /** The program of the films that turn. */
 const film = (outdir) => ({ ...common, outdir, entryPoints: { scene: "scene/main.ts" }, format: "iife" });

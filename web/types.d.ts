@@ -88,11 +88,6 @@ type Change = [path: string, value: unknown];
 
 type Backend = import("./lab/backend/backend.ts").Backend;
 
-// What makes files that need Python: a server, or the kernel of a notebook.
-interface Python {
-  file(name: string, scenario: Scenario): Promise<Blob>;
-}
-
 // What is drawn of the hoop.
 interface StageOptions {
   traces: boolean;

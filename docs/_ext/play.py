@@ -17,7 +17,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 import hophoop as hh
-from hophoop.lab.site import export as site
+from hophoop.lab import export as site
 
 FOLDER = "play"
 ELEMENT = f"{FOLDER}/static/hophoop-motion.js"

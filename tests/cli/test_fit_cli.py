@@ -55,8 +55,7 @@ def test_a_chain_that_is_stopped_says_no_more_than_that(table, monkeypatch):
 
 
 def test_the_lab_opens_a_fit_with_values_to_their_error_and_a_slope_within_its_error_as_level(table, tmp_path, monkeypatch):
-    pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-    from hophoop.lab.server import app as server
+    from hophoop.lab import server
 
     opened = []
     monkeypatch.setattr(server, "serve", wraps(server.serve)(lambda **given: opened.append(given)))

@@ -3,31 +3,19 @@
 import math
 import re
 
-import pytest
-
 import hophoop as hh
-from hophoop.lab.api import files, limits
-from hophoop.lab.site import controls, export
-from hophoop.scenario import InputError, paths
+from hophoop.lab import export, limits, tables
+from hophoop.scenario import paths
 from model.test_page_model import answers
 from web_tools import english, needs_node
 
 HOP = hh.Scenario()
 
 
-@pytest.fixture(scope="module")
-def motion():
-    return hh.simulate(HOP)
-
-
 # Limits
 
 
-def test_limits_bound_a_motion():
-    with pytest.raises(limits.TooMuch, match="duration = 601 must be at most 600 s"):
-        limits.within(hh.Scenario(duration=601))
-    with pytest.raises(limits.TooMuch, match="65 parts"):
-        limits.within(hh.Scenario(hoop=hh.Hoop.from_parts(1, [hh.PointMass(1, at=1)] + 64 * [hh.Ring(1, 0.9, 1)])))
+def test_limits_bound_the_events_of_a_motion():
     assert limits.within(HOP).contact.max_events == limits.EVENTS
     own = hh.Scenario(contact=hh.Rigid(max_events=7))
     assert limits.within(own) is own
@@ -37,7 +25,7 @@ def test_limits_bound_a_motion():
 
 
 def test_controls_are_parameters_with_valid_ends():
-    offered = controls.controls()
+    offered = tables._controls()
     sliders = [slider for group in offered["groups"].values() for slider in group]
     assert {info["path"] for info in (*sliders, *offered["choices"], *offered["map_axes"])} <= set(paths())
     for slider in sliders:
@@ -49,24 +37,6 @@ def test_controls_are_parameters_with_valid_ends():
         base = HOP.replace("contact.model", "compliant") if choice["path"].startswith("contact.") else HOP
         for option, _ in choice["options"]:
             base.replace(choice["path"], option)
-
-
-# Files
-
-
-def test_a_file_holds_the_motion(tmp_path, motion):
-    (tmp_path / "motion.nc").write_bytes(files.make("motion.nc", HOP))
-    loaded = hh.load(tmp_path / "motion.nc")
-    assert loaded.at(1.3).x == motion.at(1.3).x
-    with pytest.raises(InputError, match="must be one of motion"):
-        files.make("../motion.nc", HOP)
-
-
-def test_a_film_is_made_and_has_its_limit():
-    pytest.importorskip("av")
-    assert files.make("motion.gif", hh.Scenario(duration=0.2))[:4] == b"GIF8"
-    with pytest.raises(limits.TooMuch, match="at most 20 s for a film"):
-        files.make("motion.mp4", hh.Scenario(duration=21))
 
 
 # The script

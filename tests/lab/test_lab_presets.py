@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.lab.site import presets
-from hophoop.lab.site.setup import setup
+from hophoop.lab import presets
+from hophoop.lab.tables import tables
 
 PRESETS = {preset.key: preset for preset in presets.presets()}
 
 
 def test_eight_come_first_and_the_article_is_among_them():
-    first = [offered["query"] for offered in setup()["presets"] if not offered["more"]]
+    first = [offered["query"] for offered in tables()["setup"]["presets"] if not offered["more"]]
     assert len(first) == 8
     assert {scenario.to_query() for scenario in hh.article.scenarios().values()} < set(first)
 

@@ -1,5 +1,7 @@
 """The lab as a widget of a notebook."""
 
+import gzip
+
 import pytest
 
 import hophoop as hh
@@ -31,21 +33,11 @@ def test_the_widget_carries_its_motion(widget, motion):
     assert widget.given == widget.query == "start.speed=2"
 
 
-def test_the_widget_makes_files(widget):
-    body = {"name": "motion.nc", "scenario": {"duration": 0.5}}
-    widget._answer(widget, {"view": "a", "number": 3, "call": "file", "body": body}, [])
+def test_the_widget_sends_the_module_of_derivatives_when_it_is_asked_for(widget):
+    widget._answer(widget, {"number": 0.5}, [])
     ((content, buffers),) = widget.sent
-    assert content == {"view": "a", "number": 3}
-    assert buffers[0][1:4] == b"HDF"
-
-
-def test_the_widget_says_what_is_wrong(widget):
-    before = widget.motion
-    body = {"name": "motion.nc", "scenario": {"hoop": {"mass": -1}}}
-    widget._answer(widget, {"view": "a", "number": 4, "call": "file", "body": body}, [])
-    refused = {"status": 422, "detail": "hoop.mass = -1.0 must be from 1e-12 to 1e+12 kg."}
-    assert widget.sent[0][0] == {"view": "a", "number": 4, **refused}
-    assert widget.motion is before
+    assert content == {"number": 0.5}
+    assert gzip.decompress(buffers[0])[:4] == b"\0asm"
 
 
 def test_show_refuses_what_is_no_motion():
@@ -53,13 +45,3 @@ def test_show_refuses_what_is_no_motion():
         hh.show(3)
     with pytest.raises(InputError, match="panels holds 'chart'"):
         hh.show(HOP, panels=["chart"])
-
-
-def test_the_widget_shows_a_defect_in_the_notebook(widget, monkeypatch):
-    def broken(*_):
-        raise ValueError("operands could not be broadcast together")
-
-    monkeypatch.setattr("hophoop.lab.api.files.make", broken)
-    with pytest.raises(ValueError, match="broadcast"):
-        widget._answer(widget, {"view": "a", "number": 5, "call": "file", "body": {"name": "motion.nc", "scenario": {}}}, [])
-    assert widget.sent == [({"view": "a", "number": 5, "status": 500}, None)]

@@ -1,5 +1,7 @@
 """The lab as a folder of files: whole, relative, and nothing of others written over."""
 
+import base64
+import gzip
 import json
 import re
 from pathlib import Path
@@ -8,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from hophoop.cli import app
-from hophoop.lab.site import export as site
+from hophoop.lab import export as site
 
 
 @pytest.fixture(scope="module")
@@ -61,6 +63,42 @@ def test_other_files_are_left_alone(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.tex"]
     done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path / "thesis.tex")])
     assert done.exit_code == 2
+
+
+PACKED = re.compile(r'(?<=<script type="application/gzip" id="packed-)(\w+)">(.*?)(?=</script>)')
+
+
+def unpacked(page):
+    """A page with what it holds compressed, which depends on the version of zlib, as it is."""
+    return PACKED.sub(lambda found: f"{found[1]} {gzip.decompress(base64.b64decode(found[2])).hex()}", page)
+
+
+def test_the_kept_file_is_that_of_the_package():
+    kept = Path(__file__).parents[2] / "play.html"
+    same = unpacked(kept.read_text(encoding="utf-8")) == unpacked(site.page_file())
+    assert same, "remove play.html and run `hophoop lab --export play.html`"
+
+
+def test_the_file_is_small_and_names_no_other(tmp_path):
+    page = site.page_file()
+    assert len(page.encode()) < 1_300_000
+    assert [name for name, _ in PACKED.findall(page)] == ["scripts", "words", "module", "derivatives"]
+    bare = PACKED.sub("", page)
+    assert "default-src 'none'" in bare
+    assert re.findall(r'(?:src|href)="(?!data:)([^"]*)"', bare) == []
+    assert "hophoop-url" not in bare
+
+
+def test_a_file_takes_no_other_ones_place_and_knows_its_address(tmp_path):
+    path = tmp_path / "play.HTML"
+    where = "https://school.example/hoop?id=1&x=2"
+    for status, said in ((0, "A double click opens it"), (2, "exists already: remove it, or give another name.")):
+        done = CliRunner().invoke(app, ["lab", "--export", str(path), "--url", where, "--docs", "https://school.example/docs"])
+        assert done.exit_code == status, done.output
+        assert said in " ".join(done.output.split())
+    page = path.read_text(encoding="utf-8")
+    assert '<meta name="hophoop-url" content="https://school.example/hoop?id=1&amp;x=2">' in page
+    assert '<meta name="hophoop-docs" content="https://school.example/docs/">' in page
 
 
 def test_it_knows_where_the_documentation_is_if_told(tmp_path):

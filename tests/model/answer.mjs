@@ -56,15 +56,6 @@ CALLS.film = async (body) => packed(await local.film(body, undefined, body.bound
 CALLS.map = async (body) => packed(await local.map(body));
 CALLS.samples = async ({ scenario, window }) => listed(await local.samples(scenario, window));
 CALLS.theory = ({ scenario }) => local.theory(scenario);
-// a Python that says what it is asked for
-CALLS.served = async (asked) => {
-  const said = [];
-  const python = { file: async (name, scenario) => (said.push({ name, scenario }), new Blob(["of Python"])) };
-  const served = new Backend(kernel, mechanics, { python });
-  const found = [];
-  for (const [name, query] of asked) found.push(await (await served.file(name, query)).text());
-  return { said, found };
-};
 CALLS.changes = async ({ scenario, path }) => {
   const found = await local.changes(scenario, path);
   const side = (one) => one && bits(one.rates);

@@ -9,7 +9,7 @@ from urllib.parse import quote_plus
 
 import hophoop as hh
 from fuzz import draws
-from hophoop.lab.site.presets import presets
+from hophoop.lab.presets import presets
 
 ODD = [
     None, True, False, "high", "inf", "nan", "1.5", "", "it's", 'a "b"', "caf\u00e9 \u200b\n", [1, 2.5, "x"],

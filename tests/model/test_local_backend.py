@@ -12,8 +12,8 @@ import pytest
 
 import hophoop as hh
 from hophoop._support.fingerprint import is_fingerprint
-from hophoop.lab.api.limits import within
-from hophoop.lab.site import presets
+from hophoop.lab import presets
+from hophoop.lab.limits import within
 from hophoop.maps import QUANTITIES
 from hophoop.vocabulary.colors import class_color
 from hophoop.vocabulary.names import class_text
@@ -77,17 +77,13 @@ def test_a_long_motion_is_sampled_where_its_speed_is_extreme():
 UNDECIDED = "start.speed=3.616628264005025"
 
 
-def test_a_motion_that_doubles_do_not_decide_is_said_and_python_makes_its_files():
+def test_a_motion_that_doubles_do_not_decide_is_said():
     (here,) = answers("film", [{"query": UNDECIDED}])
     assert here["value"]["header"]["fingerprint"] == hh.simulate(hh.Scenario.from_query(UNDECIDED)).fingerprint
     assert english(here["value"]["header"]["doubt"]).endswith("Run it with `--digits 30` for the exact answer.")
     (decided,) = answers("film", [{}])
     assert "doubt" not in decided["value"]["header"]
     assert is_fingerprint(decided["value"]["header"]["fingerprint"])
-    (served,) = answers("served", [[["motion.json", UNDECIDED], ["motion.nc", UNDECIDED], ["motion.nc", ""]]])
-    scenarios = [json.loads(json.dumps(hh.Scenario.from_query(query).to_dict())) for query in (UNDECIDED, "")]
-    assert served["value"]["said"] == [{"name": "motion.nc", "scenario": scenario} for scenario in scenarios]
-    assert [text == "of Python" for text in served["value"]["found"]] == [False, True, True]
 
 
 def test_a_part_of_a_film_is_finer():
@@ -195,7 +191,6 @@ MAP = {"x": {"path": "start.speed", "from": 0, "to": 5, "cells": 4}, "y": {"path
        "what": "sequence"}  # fmt: skip
 LARGE = {axis: {**MAP[axis], "cells": 4096} for axis in "xy"}
 REFUSALS = [
-    ("file", {"name": "motion.mp4", "query": ""}, "motion.mp4 needs Python: run hophoop lab."),
     (
         "film",
         {"query": "duration=1e4"},

@@ -15,7 +15,7 @@ from hophoop import plots
 from hophoop.derivatives.parameters import directions_of
 from hophoop.kernel.physics import body
 from hophoop.kernel.records.cells import CELL, Cell
-from hophoop.lab.site.presets import presets
+from hophoop.lab.presets import presets
 from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.precise.problem import Problem

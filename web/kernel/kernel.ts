@@ -1,6 +1,7 @@
 // The kernel of a page without a server: the module in workers, and in the page itself what checking a scenario needs.
 
 import { Refused } from "../words/texts.ts";
+import { unpacked, type Packed } from "./packed.ts";
 import { WorkerPool } from "./worker_pool.ts";
 import { layout } from "./layout.ts";
 import { HoopModule } from "./module.ts";
@@ -11,8 +12,8 @@ const UNLOADED = "kernel.derivatives_not_loaded";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
 /** Starts workers; the first one at once, so that its scripts load while the module does. */
-function startOf(address: string | URL) {
-  const start = () => new Worker(address, { type: "module" });
+function startOf(address: string | URL, type: WorkerType) {
+  const start = () => new Worker(address, { type });
   let first: Worker | null = start();
   first.onerror = () => {
     first = null; // the next one reports what is wrong
@@ -36,10 +37,7 @@ async function fetched(address: URL): Promise<WebAssembly.Module> {
   return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-async function unpacked(packed: ArrayBufferView<ArrayBuffer>): Promise<WebAssembly.Module> {
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
-}
+const compiledOf = async (packed: Packed) => WebAssembly.compile(await unpacked(packed).arrayBuffer());
 
 export class WorkerKernel implements Kernel {
   limit = LIMIT;
@@ -64,23 +62,19 @@ export class WorkerKernel implements Kernel {
   static async load(base: URL | string) {
     const script = new URL(`kernel.js?${layout.module}`, base);
     const own = script.origin === globalThis.location?.origin;
-    const start = startOf(own ? script : importing(script));
+    const start = startOf(own ? script : importing(script), "module");
     const compiled = await fetched(new URL(`hophoop.wasm?${layout.module}`, base));
     const derivatives = () => fetched(new URL(`hophoop-derivatives.wasm?${layout.derivatives}`, base));
     return new WorkerKernel(compiled, start, derivatives);
   }
 
   /**
-   * From what travels with a notebook. `packed`: the module, compressed by gzip; `script`: address of the worker's;
-   * `derivatives`: asks for their module, compressed as well.
+   * From what travels in a notebook or a page. `packed`: the module; `script`: address of the worker's, which is no
+   * module; `derivatives`: asks for their module.
    */
-  static async unpack(
-    packed: ArrayBufferView<ArrayBuffer>,
-    script: string,
-    derivatives: () => Promise<ArrayBufferView<ArrayBuffer>>,
-  ) {
-    const start = startOf(script);
-    return new WorkerKernel(await unpacked(packed), start, async () => unpacked(await derivatives()));
+  static async unpack(packed: Packed, script: string, derivatives: () => Promise<Packed>) {
+    const start = startOf(script, "classic");
+    return new WorkerKernel(await compiledOf(packed), start, async () => compiledOf(await derivatives()));
   }
 
   async ask<Call extends keyof Calls>(call: Call, values: Parameters<Calls[Call]>, signal?: AbortSignal): Promise<any> {

@@ -1,4 +1,4 @@
-// What one answer of the page may cost, as lab/api/limits.py has it; what takes longer than 10 s is stopped by the worker.
+// What one answer of the page may cost, as lab/limits.py has it; what takes longer than 10 s is stopped by the worker.
 
 import { InputError, TooMuch } from "./check.ts";
 import { contradiction } from "./paths.ts";
@@ -26,11 +26,6 @@ export function within(checked: Checked, events = limits.events): Checked {
   if (parts > limits.parts) throw new TooMuch(labText("too_many_parts", { parts, most: limits.parts }));
   if (contact.max_events <= events) return checked;
   return { ...checked, contact: { ...contact, max_events: events } };
-}
-
-/** Refuse a film that Python would not draw. */
-export function withinFilm({ duration }: Checked) {
-  if (duration > limits.film) throw new TooMuch(labText("film_too_long", { duration, most: limits.film }));
 }
 
 /** The scenario of a map, whose events are bounded. */

@@ -20,7 +20,7 @@ const place: { size: Corner; start: number; corners: Corner[] } = await (await f
 const [width, height] = place.size;
 const film = document.createElement("video");
 Object.assign(film, {
-  src: "film.mp4",
+  src: URL.createObjectURL(await (await fetch("film.mp4")).blob()), // whole, so that every moment can be sought
   muted: true,
   playsInline: true,
   preload: "auto",

@@ -1,7 +1,7 @@
 // Keeps the page's files on the device, so that the lab opens without a network after the first visit.
 
 const worker: any = self;
-const VERSION = "hophoop-{version}"; // Python writes the version and the files, see hophoop/lab/site.py
+const VERSION = "hophoop-{version}"; // Python writes the version and the files, see hophoop/lab/export.py
 const FILES = ["{files}"];
 
 worker.addEventListener("install", (event: any) => {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { readShown, type Shown, written } from "../lab/shell/address.ts";
+import { readShown, type Shown, shownIn, written } from "../lab/shell/address.ts";
 
 const SHOWN: Shown = {
   time: 1.25,
@@ -20,6 +20,14 @@ test("a link holds time, view and map", () => {
     "t=1.25&show=tc3&zoom=2&pan=0.125,-0.3&from=0.5,0.31,7&map=hop_height,start.speed,1,2.5,plane.mu,0,1",
   );
   assert.deepEqual(readShown(`#with=x&${text}`), SHOWN);
+});
+
+test("a file holds its query behind the #, and opens the links of a folder", () => {
+  const parts = { query: "start.speed=2", view: "#t=1&with=a%3Db" };
+  assert.deepEqual(shownIn({ search: "", hash: "#?start.speed=2#t=1&with=a%3Db" }), parts);
+  assert.deepEqual(shownIn({ search: "?start.speed=2", hash: "#t=1&with=a%3Db" }), parts);
+  assert.deepEqual(shownIn({ search: "", hash: "#t=1" }), { query: "", view: "#t=1" });
+  assert.deepEqual(shownIn({ search: "", hash: "#?duration=2" }), { query: "duration=2", view: "" });
 });
 
 test("the usual view needs no words", () => {

@@ -10,7 +10,7 @@ import typer
 
 
 def lab(
-    server: Annotated[Any, "hophoop.lab.server.app:serve"],
+    server: Annotated[Any, "hophoop.lab.server:serve"],
     file: str | None = None,
     browser: bool = True,
     film: Path | None = None,
@@ -37,15 +37,15 @@ def lab(
         Open the page in a browser.
     film : VIDEO
         With a fit: the tracked film, as the background.
-    export : DIR
-        Write the lab as a folder of files for any web host instead of serving it.
+    export : PATH
+        Write the lab instead of serving it: as NAME.html one file that opens by a double click, else a folder for any web host.
     docs : URL
         With --export: address of this documentation, for teachers; a URL or a path like ../.
     url : URL
-        With --export: address at which the folder will be, for pictures in previews of links.
+        With --export: address at which it will be, for pictures in previews of links, and for the links that a file copies.
     """
     if export is not None:
-        from hophoop.lab.site import export as site
+        from hophoop.lab import export as site
 
         typer.echo(site.summary(export, site.export(export, docs or "", url or "")))
         return
@@ -59,7 +59,7 @@ def lab(
     if found is None:
         if film is not None:
             raise InputError("--film needs a fit to a track of that film, such as fitted/fit.json.")
-        from hophoop.lab.server.app import serve
+        from hophoop.lab.server import serve
 
         query = "" if file is None else Scenario.load(file).to_query()
         serve(browser=browser, query=query, **server)
@@ -81,10 +81,10 @@ def fit_of_file(file: str | None) -> Any:
 
 
 def open_fit(found: Any, film: Path | None, **server: Any) -> None:
-    """Serve the lab with a fit's scenario and its film under the hoop; `server` goes to `hophoop.lab.server.app.serve`."""
+    """Serve the lab with a fit's scenario and its film under the hoop; `server` goes to `hophoop.lab.server.serve`."""
     from hophoop._support.progress import bar
     from hophoop._support.stopping import temporary_folder
-    from hophoop.lab.server.app import serve
+    from hophoop.lab.server import serve
 
     with temporary_folder() as folder:
         backdrop = None

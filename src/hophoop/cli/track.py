@@ -75,7 +75,7 @@ def track(
     check_outputs(outputs, video, "the film")
     known = Hints(**hints)
     if pick:
-        from hophoop.lab.server.pick import pick as picked
+        from hophoop.lab.pick import pick as picked
 
         known = picked(video, known)
     with bar("tracking", quiet=quiet) as progress:

@@ -12,7 +12,7 @@ def __getattr__(name: str) -> Any:
 
         return show
     if name == "serve":
-        from hophoop.lab.server.app import serve
+        from hophoop.lab.server import serve
 
         return serve
     raise AttributeError(f"module 'hophoop.lab' has no attribute {name!r}")

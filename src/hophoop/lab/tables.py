@@ -17,15 +17,14 @@ from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
 from pydantic import BeforeValidator
 from pydantic.fields import FieldInfo
 
+from hophoop._version import __version__
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.kernel.records.refusal import Refusal
-from hophoop.lab.api import limits
-from hophoop.lab.api.limits import LAB
-from hophoop.lab.site.controls import GRAVITIES, MAP_QUANTITIES
-from hophoop.lab.site.presets import presets
-from hophoop.lab.site.setup import setup
+from hophoop.lab import limits
+from hophoop.lab.limits import LAB
+from hophoop.lab.presets import FIRST, presets
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base
@@ -38,7 +37,7 @@ from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import colors, names
 from hophoop.vocabulary.names import EVENTS, FATES, SIGNS, STATUSES, identifier, plain
-from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, TABLE, Range, section_of
+from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, TABLE, Parameter, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
@@ -50,8 +49,34 @@ _LIMITS = {"ge": "greater_than_equal", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
 LEAST_SPEED: Final = 1e-9  # critical speeds below this are not shown as speeds [m/s]
 SAMPLES_PER_SECOND: Final = 200  # of the table of states that the page saves [1/s]
+GRAVITIES = [
+    ("Earth", 9.81),
+    ("Moon", 1.62),
+    ("Mars", 3.71),
+    ("Jupiter", 24.79),
+    ("Weightless", 0.0),
+]
+
+# name, words, span of the quantities that a map in the lab can show
+MAP_QUANTITIES: dict[str, tuple[str, str]] = {
+    "sequence": ("what happens in the first turn", "first_revolution"),
+    "hop_height": ("height of the first hop", "takeoff"),
+    "takeoff_angle": ("angle of take-off", "takeoff"),
+    "flight_time": ("duration of the first hop", "takeoff"),
+    "greatest_utilization": ("greatest friction utilization", "first_revolution"),
+    "energy_lost": ("energy lost", "duration"),
+    "end_angle": ("angle at the end", "duration"),
+    "painleve": ("Painlevé’s paradox or jam met", "duration"),
+    "ending": ("how it ends", "duration"),
+}
+
+GROUPS = ("hoop", "plane", "start", "contact", "motion")
+COLORS = (
+    "GRAVITY_CENTER", "CENTER_SPEED", "ROTATION_SPEED", "KINETIC", "POTENTIAL", "FRICTION_LOSS", "IMPACT_LOSS", "NORMAL_FORCE",
+    "FRICTION_FORCE", "LIMIT",
+)  # fmt: skip
 # Bounds that the page keeps as well.
-LIMITS = ("DURATION", "EVENTS", "PARTS", "SAMPLES", "CELLS", "CELL_EVENTS", "CHANGES", "FILM")
+LIMITS = ("DURATION", "EVENTS", "PARTS", "SAMPLES", "CELLS", "CELL_EVENTS", "CHANGES")
 
 
 def tables() -> dict[str, Any]:
@@ -63,7 +88,7 @@ def tables() -> dict[str, Any]:
         Infinity is the word "inf", as in a scenario file.
     """
     return {
-        "setup": setup(),
+        "setup": _setup(),
         # of each preset, to compare with those of the page
         "fingerprints": {preset.key: simulate(preset.scenario).fingerprint for preset in presets()},
         "schema": SCHEMA,
@@ -238,6 +263,99 @@ def _written(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [_written(item) for item in value]
     return "inf" if value == math.inf else value
+
+
+# --- controls ---------------------------------------------------------------------------------------
+
+
+def _setup() -> dict[str, Any]:
+    """Return what the page is built from: version, controls, presets, colours."""
+    return {
+        "version": __version__,
+        "controls": _controls(),
+        "map_quantities": [(name, f"quantity.{name}") for name in MAP_QUANTITIES],
+        "presets": [
+            {
+                "key": p.key,
+                "title": f"example.{p.key}",
+                "text": f"example.{p.key}.text",
+                "query": p.scenario.to_query(),
+                "more": k >= FIRST,
+            }
+            for k, p in enumerate(presets())
+        ],
+        "colors": {
+            # by the letters of a hoop that rolls forward; each mode is shown with the letter of its word
+            "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
+            "mode_names": {letter: f"mode.{word}" for letter, word in zip(MODE_LETTERS, colors.MODES, strict=True)},
+            "airborne": colors.GRAVITY_CENTER_AIRBORNE,
+            **{name.lower(): getattr(colors, name) for name in COLORS},
+        },
+    }
+
+
+def _controls() -> dict[str, Any]:
+    """Return sliders with their ranges, choices and axes of maps; their words are keys of `english`."""
+    return {
+        "groups": {group: [_slider(row) for row in TABLE if section_of(row) == group and row.slider] for group in GROUPS},
+        "choices": [
+            {
+                "path": row.path,
+                "label": f"parameter.{row.path}",
+                "options": tuple((value, f"choice.{row.path}.{value}") for value, _ in row.choices),
+                "help": f"help.{row.path}",
+            }
+            for row in TABLE
+            if row.choices
+        ],
+        "gravities": [(f"gravity.{name.lower()}", value) for name, value in GRAVITIES],
+        "map_axes": [_axis(row) for row in sorted((row for row in TABLE if row.axis), key=_rank)],
+    }
+
+
+def _slider(row: Parameter) -> dict[str, Any]:
+    assert row.slider is not None
+    assert row.range is not None
+    low, high, step = row.slider
+    return {
+        "path": row.path,
+        "label": f"parameter.{row.path}",
+        "symbol": row.symbol,
+        "unit": _unit(row),
+        "help": f"help.{row.path}",
+        "least": low,
+        "most": high,
+        "step": step,
+        "logarithmic": step == 0.0,
+        "degrees": row.degrees,
+        "allowed": {"also": (), **_range(row.range)},
+    }
+
+
+def _rank(row: Parameter) -> tuple[int, int]:
+    # a map varies the start most often
+    return ("start", "hoop", "plane").index(section_of(row)), row.axis.rank if row.axis else 0
+
+
+def _axis(row: Parameter) -> dict[str, Any]:
+    assert row.axis is not None
+    assert row.range is not None
+    least = min(row.range.least, 0.0) if 0.0 in row.range.also else row.range.least
+    return {
+        "path": row.path,
+        "label": f"axis.{row.path}",
+        "unit": _unit(row),
+        "degrees": row.degrees,
+        "range": (row.axis.low, row.axis.high),
+        "allowed": (least, row.range.most),
+    }
+
+
+def _unit(row: Parameter) -> str:
+    return "°" if row.degrees else "" if row.unit == "1" else row.unit
+
+
+# --- files ------------------------------------------------------------------------------------------
 
 
 def text() -> str:

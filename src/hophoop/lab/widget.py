@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from hophoop._support.extras import MissingExtra, need
+from hophoop._support.extras import need
 from hophoop.lab.wasm.stamp import DERIVATIVES
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
@@ -58,10 +58,8 @@ def _widget_class() -> Any:
         return _made[0]
     anywidget = need("anywidget", "notebook")
     traitlets = need("traitlets", "notebook")
-    from hophoop.lab.api import files
-    from hophoop.lab.api.limits import within
-    from hophoop.lab.api.refusals import refusal
-    from hophoop.lab.site import export
+    from hophoop.lab import export
+    from hophoop.lab.limits import within
 
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
         """A motion with its player and its sliders."""
@@ -115,21 +113,8 @@ def _widget_class() -> Any:
             self._shown = scenario.to_query()
 
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
-            reply = {"view": message.get("view"), "number": message.get("number")}
-            if message.get("call") == "derivatives":  # larger than most notebooks, so only sent on request
-                self.send(reply, [export.packed_module(DERIVATIVES)])
-                return
-            try:
-                body = message.get("body")
-                made = files.make(body["name"], Scenario.from_dict(body["scenario"]))
-            except (InputError, MissingExtra) as error:
-                status, body = refusal(error)
-                self.send({**reply, "status": status, **body})
-                return
-            except Exception:
-                self.send({**reply, "status": 500})
-                raise
-            self.send(reply, [made])
+            """Send the module of derivatives, which is larger than most notebooks."""
+            self.send({"number": message.get("number")}, [export.packed_module(DERIVATIVES)])
 
     _made.append(MotionWidget)
     return MotionWidget

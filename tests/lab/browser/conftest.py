@@ -5,16 +5,12 @@ import http.server
 import json
 import os
 import threading
-from importlib.util import find_spec
 from urllib.parse import urlsplit
 
 import pytest
 
 from lab_page_tools import PATIENCE, serving
 from slow_page import delaying
-
-# The server of the page needs the extra "lab".
-collect_ignore_glob = [] if find_spec("uvicorn") else ["test_*.py"]
 
 DELAYS = os.environ.get("HOPHOOP_PAGE_DELAYS", "")  # a seed: every page of these tests is delayed at random
 SLOWER = 2  # more costs the processor as much, and the delays already change the order
@@ -32,7 +28,7 @@ def address():
 @pytest.fixture(scope="session")
 def site_folder(tmp_path_factory):
     """The lab as a folder of files."""
-    from hophoop.lab.site import export as site
+    from hophoop.lab import export as site
 
     made = tmp_path_factory.mktemp("site")
     site.export(made)

@@ -5,7 +5,7 @@ import math
 import pytest
 
 import hophoop as hh
-from hophoop.lab.site.presets import presets
+from hophoop.lab.presets import presets
 from hophoop.vocabulary.names import FATES
 from lab_page_tools import expect, wait_for
 

@@ -13,9 +13,6 @@ def test_it_is_kept(visit):
         "click .menu summary",
         "save Save the states (CSV)",
         "is kept.startsWith('t [s],')",
-        "click .menu summary",
-        "save Save the motion (netCDF)",  # which Python makes
-        "is kept.startsWith('\\x89HDF')",
         "press p",
         "until text('.code-dialog[open] pre').includes('hh.Start.rolling(speed=2.5)')",
         "press Escape",

@@ -36,9 +36,6 @@ COUNTED = """
     return call(name, ...values);
   };
   kernel.ask = async (name, values) => mechanics[name](...values)"""
-GONE = """
-  globalThis.fetch = async () => { throw new TypeError("Failed to fetch"); };
-  globalThis.said = await lab.backend.python.file("motion.nc", {}).catch((error) => error.message)"""
 
 
 def on_a_phone(width, height, *more):
@@ -113,8 +110,6 @@ FLOWS = {
         "is said.includes('AbortError') && took < 5000 && after === 'completed'",
         f"do const given = false; {ENDED}",
         "is said.includes('Stopped after 0.15 s') && took < 5000 && after === 'completed'",
-        f"do {GONE}",  # a server that is gone is named
-        "is said === 'backend.server_silent'",
         f"do {COUNTED}",  # a compliant motion is computed again only where it has many events
         "do await lab.backend.film({ query: 'contact.model=compliant&duration=20' })",
         "is called === 1",

@@ -8,7 +8,7 @@ import pytest
 pytest.importorskip("av", reason="the extra 'track' is not installed")
 
 from film_maker import Film, article_like, make
-from hophoop.lab.server.pick import pick
+from hophoop.lab.pick import pick
 from hophoop.tracking import Hints
 from lab_page_tools import PATIENCE
 

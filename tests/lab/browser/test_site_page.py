@@ -2,7 +2,7 @@
 
 import pytest
 
-from hophoop.lab.site import export as site
+from hophoop.lab import export as site
 from lab_page_tools import PATIENCE
 
 TAG = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Blog</title><link rel="icon" href="data:,"><h1>Blog</h1>

@@ -1,4 +1,4 @@
-// Where answers come from: numbers from the kernel in the page, everything else from the model beside it.
+// Where answers come from: numbers from the kernel, everything else from the model beside it.
 
 import * as model from "../../model/index.ts";
 
@@ -6,34 +6,23 @@ const REGION_COLUMNS = 360;
 const REGION_ROWS = 240;
 const PASSAGES = 2000; // of the bottom, after which a fate is not decided
 
-/** Files that need no Python. */
-const OWN_FILES: Record<string, string> = {
+/** Files and their types. */
+const FILES: Record<string, string> = {
   "motion.toml": "application/toml",
   "motion.csv": "text/csv; charset=utf-8",
   "motion.json": "application/json",
 };
-const PYTHON_FILES = ["motion.nc", "motion.mp4", "motion.gif"];
 
 /** A scenario, or its link, and changes to it. */
 export type Asked = { scenario?: any; query?: string; changes?: Change[] };
 
 export class Backend {
-  base: URL | null;
-  python: Python | null;
-  shares: boolean;
-  files: string[];
-
-  /** `beside`: the page's address, where there is one to share, and what answers where Python is needed. */
+  /** `base`: what links begin with, where there are any to share. */
   constructor(
     readonly kernel: Kernel,
     public mechanics: Mechanics,
-    { base = null, python = null }: { base?: URL | null; python?: Python | null } = {},
-  ) {
-    this.base = base;
-    this.python = python;
-    this.shares = base !== null;
-    this.files = [...Object.keys(OWN_FILES), ...(python ? PYTHON_FILES : [])];
-  }
+    readonly base: string | null = null,
+  ) {}
 
   /** The motion of a scenario for the player. `bounded`: whether it must be one that a page computes. */
   async film(asked: Asked, signal?: AbortSignal, bounded = true): Promise<FilmReply> {
@@ -121,10 +110,7 @@ export class Backend {
 
   async file(name: string, query: string) {
     const asked = model.asked({ query }, this.mechanics);
-    if (name in OWN_FILES) return new Blob([await this.fileText(name, asked)], { type: OWN_FILES[name] });
-    if (!this.python) throw new model.InputError({ key: "save.needs_python", values: { name } });
-    if (name !== "motion.nc") model.withinFilm(asked);
-    return this.python.file(name, model.toDict(asked));
+    return new Blob([await this.fileText(name, asked)], { type: FILES[name] });
   }
 
   async fileText(name: string, asked: Checked) {
@@ -137,7 +123,8 @@ export class Backend {
     return model.tableText(times, await this.kernel.ask("samples", [given, times]));
   }
 
+  /** What a link says behind its base. */
   link(query: string, hash: string) {
-    return this.base && `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
+    return `${query && `?${query}`}${hash}`;
   }
 }

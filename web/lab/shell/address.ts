@@ -81,10 +81,17 @@ function numbers(text: string | null, count: number) {
   return text && found.length === count && found.every(Number.isFinite) ? found : null;
 }
 
-// The two links that an address holds.
+/** The parts of an address. A page that is one file has its query behind the #, as all else there may be refused. */
+export function shownIn({ search, hash }: Pick<Location, "search" | "hash">) {
+  const [, query, view] = hash.match(/^#\?([^#]*)(.*)$/) ?? [];
+  return query === undefined ? { query: search.slice(1), view: hash } : { query, view };
+}
+
+/** The two links that an address holds. */
 export const queries = () => {
-  const other = new URLSearchParams(location.hash.slice(1)).get("with");
-  return [location.search.slice(1), ...(other === null ? [] : [other])];
+  const { query, view } = shownIn(location);
+  const other = new URLSearchParams(view.slice(1)).get("with");
+  return [query, ...(other === null ? [] : [other])];
 };
 
 // Writes what is shown into the address of the page, and follows the browser's own way back.
@@ -94,7 +101,11 @@ export class Address {
   soon = once(() => this.write("same"), WAIT);
   listen: () => Promise<void> = () => this.arrived();
 
-  constructor(readonly lab: Pick<Lab, "backend" | "link" | "motions" | "notice">) {
+  /** `own`: what the address begins with. */
+  constructor(
+    readonly lab: Pick<Lab, "backend" | "link" | "motions" | "notice">,
+    readonly own: string,
+  ) {
     addEventListener("popstate", this.listen);
   }
 
@@ -108,7 +119,7 @@ export class Address {
     // a motion that is still in the hand is no step, and must not take the place of the one before
     if (!motions.history.holds(motions.queries())) return;
     if (this.held && (step === "same" || step === "travelled")) return;
-    const link = this.lab.link();
+    const link = `${this.own}${this.lab.link()}`;
     if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", link);
     else history.replaceState({ number: this.number }, "", link);
     this.held = false;

@@ -44,12 +44,18 @@ const table = (title: string, rows: string[][], mark: (letter: string) => HTMLEl
 /** Where the documentation is, if the page was told. */
 export const docs = () => document.querySelector<HTMLMetaElement>("meta[name=hophoop-docs]")?.content;
 
-/** `hosted`: whether the lab owns the page, with its files beside the script. */
+function licencesOf(link: (href: string, words: string) => HTMLElement) {
+  const held = document.getElementById("packed-licences")?.textContent;
+  if (!held) return link(new URL("licences.txt", import.meta.url).href, "about.licences");
+  return h("details", {}, h("summary", {}, "about.licences"), h("pre", {}, document.createTextNode(held)));
+}
+
+/** `hosted`: whether the lab owns the page, with its files beside the script or in itself. */
 export function aboutDialog(version: string, hosted: boolean) {
   const base = docs();
   const link = (href: string, words: string) => h("a", { href, target: "_blank", rel: "noopener" }, words);
   const row = (name: string, ...words: (Node | string)[]) => [h("dt", {}, name), h("dd", {}, words)];
-  const licences = hosted && link(new URL("licences.txt", import.meta.url).href, "about.licences");
+  const licences = hosted && licencesOf(link);
   const dialog = h(
     "dialog",
     { class: "about", "aria-label": "menu.about" },

@@ -30,7 +30,7 @@ import { Transport } from "../player/transport.ts";
 import { messageOf } from "../words/words.ts";
 
 export interface Options {
-  hosted?: boolean; // whether the lab owns the page, with its address and its keyboard
+  own?: string | null; // where the lab owns the page and its keyboard: what the page's address begins with
   panels?: string[] | null; // what stands beside the player; everything by default
   onmotion?: (query: string) => void; // called when another motion is a step that can be undone
 }
@@ -94,13 +94,14 @@ export class Lab {
     readonly root: HTMLElement,
     readonly backend: Backend,
     readonly setup: Setup,
-    { hosted = false, panels = null, onmotion = () => {} }: Options = {},
+    { own = null, panels = null, onmotion = () => {} }: Options = {},
   ) {
+    const hosted = own !== null;
     this.hosted = hosted;
     this.onmotion = onmotion;
     prepareRoot(root, hosted);
     const { colors } = setup;
-    this.address = hosted ? new Address(this) : null;
+    this.address = hosted ? new Address(this, own) : null;
     this.theme = new Theme(root, colors, hosted, () => this.show());
     this.singleKeys = new SingleKeys(hosted);
     this.about = aboutDialog(setup.version, hosted);
@@ -202,8 +203,8 @@ export class Lab {
   }
 
   /**
-   * The link to what is shown: the motions, the time, the view, the map. `fingerprints`: of the motions, to be
-   * compared where the link is opened.
+   * What a link to what is shown says behind its base: the motions, the time, the view, the map. `fingerprints`: of
+   * the motions, to be compared where the link is opened.
    */
   link(fingerprints: string[] = this.sameness.expected(this.films())) {
     const { clock, stage, map, extras, view } = this;

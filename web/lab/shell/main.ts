@@ -1,14 +1,16 @@
-// Two ways in: the page of the lab, and the notebook widget. One source for both.
+// Four ways in: the page of the lab, from a folder or as one file, a hoop in another page, and a notebook's widget.
 
+import { WorkerKernel } from "../../kernel/kernel.ts";
+import { unpacked, type Packed } from "../../kernel/packed.ts";
 import { tables } from "../../model/index.ts";
-import { queries, readShown, type Address } from "./address.ts";
+import { queries, readShown, shownIn, type Address } from "./address.ts";
 import { say } from "../common/dom.ts";
 import { Lab } from "./lab.ts";
-import { NotebookKernel, type Model } from "../backend/python.ts";
-import { backendOf, keepOffline, widgetBackend } from "../backend/start.ts";
+import { NotebookKernel, type Model } from "../backend/notebook.ts";
+import { backendOf, keepOffline } from "../backend/start.ts";
 import { preferred, messageOf, speak, wordsFrom } from "../words/words.ts";
 
-/** The folder of the script; a notebook has none. */
+/** The folder of the script, where it lies in one. */
 const here = () => new URL("./", import.meta.url);
 
 /** The visitor's language, from the files beside the script; English where it is not to be had. */
@@ -21,15 +23,11 @@ function speakFrom(folder: URL) {
   return speak(preferred()).catch(() => {});
 }
 
-/** Of a notebook, with which the words of all languages travel. */
-function speakPacked(packed: DataView<ArrayBuffer>) {
-  const unpacked = async () => {
-    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return new Response(stream).json();
-  };
+/** Of a notebook or a file, with which the words of all languages travel. */
+function speakPacked(packed: Packed) {
   let tables: Promise<Record<string, Words>> | undefined;
   wordsFrom(async (code) => {
-    tables ??= unpacked();
+    tables ??= unpacked(packed).json();
     return (await tables)[code];
   });
   return speak(preferred()).catch(() => {});
@@ -47,15 +45,34 @@ async function started<T>(root: HTMLElement, words: Promise<void>, starting: Pro
   return found;
 }
 
+/** What the page is told at its head, by name. */
+const told = (name: string) => document.querySelector<HTMLMetaElement>(`meta[name=hophoop-${name}]`)?.content;
+
+/** The address of the page without what it shows. */
+const ownAddress = () => document.baseURI.split(/[?#]/)[0];
+
+/** From a folder, whose files lie beside the script. */
 async function startPage(root: HTMLElement) {
-  const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
-  const site = document.querySelector("meta[name=hophoop-site]");
-  const backend = await started(root, speakFrom(here()), backendOf(here(), site ? null : base, base));
+  const base = new URL("./", ownAddress()).href;
+  const backend = await started(root, speakFrom(here()), backendOf(WorkerKernel.load(here()), base));
+  const site = told("site");
+  if (backend && site) keepOffline(site);
+  await open(root, backend, base);
+}
+
+/** From what the page itself holds, compressed, by name. `worker`: address of the worker's script. */
+async function startFile(root: HTMLElement, held: (name: string) => Packed, worker: string) {
+  const kernel = WorkerKernel.unpack(held("module"), worker, async () => held("derivatives"));
+  const base = told("url") ?? (location.protocol === "file:" ? "" : ownAddress());
+  await open(root, await started(root, speakPacked(held("words")), backendOf(kernel, base)), "#");
+}
+
+/** `own`: what the address of the page begins with. */
+async function open(root: HTMLElement, backend: Backend | null, own: string) {
   if (!backend) return;
-  if (site) keepOffline(site.getAttribute("content") ?? "");
-  const lab = new Lab(root, backend, tables.setup, { hosted: true });
+  const lab = new Lab(root, backend, tables.setup, { own });
   Object.assign(globalThis, { hophoopLab: lab });
-  const shown = readShown(location.hash);
+  const shown = readShown(shownIn(location).view);
   const address = lab.address as Address;
   const { links, said } = address.read(queries());
   try {
@@ -74,7 +91,8 @@ async function startPage(root: HTMLElement) {
  * the script and the module.
  */
 export async function mount(root: HTMLElement, folder: URL, query: string, panels: string[]) {
-  const backend = await started(root, speakFrom(folder), backendOf(folder, null, new URL("../", folder)));
+  const kernel = WorkerKernel.load(folder);
+  const backend = await started(root, speakFrom(folder), backendOf(kernel, new URL("../", folder).href));
   if (!backend) return null;
   const lab = new Lab(root, backend, tables.setup, { panels });
   try {
@@ -94,13 +112,14 @@ export async function mount(root: HTMLElement, folder: URL, query: string, panel
 async function render({ model, el }: { model: Model; el: HTMLElement }, worker: string) {
   const root = document.createElement("div");
   el.append(root);
-  const python = new NotebookKernel(model);
   const words = speakPacked(model.get("words"));
-  const backend = await started(root, words, widgetBackend(model, python, worker));
+  const python = new NotebookKernel(model);
+  const kernel = WorkerKernel.unpack(model.get("module"), worker, () => python.derivatives());
+  const backend = await started(root, words, backendOf(kernel, null));
   // the motion that Python shows, however long
   const given = () => (backend as Backend).film({ query: model.get("given") }, undefined, false);
   const first = backend && (await started(root, words, given()));
-  if (!backend || !first) return () => python.close();
+  if (!backend || !first) return () => {};
   const lab = new Lab(root, backend, tables.setup, {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
@@ -116,7 +135,6 @@ async function render({ model, el }: { model: Model; el: HTMLElement }, worker: 
   model.on("change:given", replaced);
   return () => {
     model.off("change:given", replaced);
-    python.close();
     lab.close();
   };
 }
@@ -124,7 +142,7 @@ async function render({ model, el }: { model: Model; el: HTMLElement }, worker: 
 const page = document.getElementById("hophoop-lab");
 if (page) startPage(page);
 
-export default { render };
+export default { open: startFile, render };
 
 // for the page that makes tags
 export { say } from "../common/dom.ts";

@@ -12,9 +12,7 @@ type Kept = Parameters<typeof record>[0] & Pick<Lab, "backend" | "film" | "link"
 const FILES = [
   ["motion.toml", "save.scenario"],
   ["motion.csv", "save.states"],
-  ["motion.nc", "save.motion"],
   ["motion.json", "save.events"],
-  ["motion.mp4", "save.film"],
 ];
 
 export class Share {
@@ -30,17 +28,16 @@ export class Share {
     h(
       "div",
       { class: "menu-body" },
-      this.lab.backend.shares && [
+      this.lab.backend.base !== null && [
         this.item("save.copy_link", () => this.copyLink([])),
         this.item("save.copy_link_fingerprint", () => this.copyLink(this.fingerprints()), "full"),
       ],
-      FILES.filter(([name]) => this.lab.backend.files.includes(name)).map(([name, label]) =>
-        this.item(label, () => this.download(name)),
-      ),
+      FILES.map(([name, label]) => this.item(label, () => this.download(name))),
       this.item("save.picture_png", () => this.picture("png", png)),
       this.item("save.picture_svg", () => this.picture("svg", svg)),
       this.item("save.record", () => this.record()),
       this.item("save.code", () => this.code()),
+      h("p", { class: "full" }, "save.netcdf"),
     ),
   );
   dialog = h("dialog", { class: "code-dialog", "aria-label": "save.code_title" });
@@ -57,7 +54,7 @@ export class Share {
   }
 
   async copyLink(fingerprints: string[]) {
-    const link = this.lab.link(fingerprints) ?? "";
+    const link = `${this.lab.backend.base}${this.lab.link(fingerprints)}`;
     try {
       await navigator.clipboard.writeText(link);
       this.lab.notice.say("save.link_copied");
@@ -68,7 +65,6 @@ export class Share {
 
   async download(name: string) {
     const film = this.lab.film();
-    this.lab.notice.say(name.endsWith("mp4") ? "save.making_film" : { key: "save.fetching", values: { name } });
     saveBlob(await this.lab.backend.file(name, film.query), `hophoop-${name}`);
     this.lab.notice.say({ key: "save.ready", values: { name } });
   }
@@ -78,7 +74,8 @@ export class Share {
   }
 
   async record() {
-    saveBlob(await record(this.lab), "hophoop.webm");
+    const film = await record(this.lab);
+    saveBlob(film, film.type.startsWith("video/mp4") ? "hophoop.mp4" : "hophoop.webm");
     this.lab.notice.say("save.film_ready");
   }
 

@@ -1,11 +1,11 @@
-"""Bounds of what the lab computes at once: of a motion, a map and a film."""
+"""Bounds of what the lab computes at once: of a motion and a map."""
 
 from __future__ import annotations
 
 from typing import Final
 
 from hophoop.maps.grid.axes import TWO_AXES
-from hophoop.scenario import InputError, Scenario
+from hophoop.scenario import Scenario
 
 DURATION: Final = 600.0  # of a motion [s]
 EVENTS: Final = 20_000  # of a motion [1]
@@ -14,7 +14,6 @@ SAMPLES: Final = 20_001  # rows of a table of states [1]
 CELLS: Final = 131_072  # of a map [1]
 CELL_EVENTS: Final = 2000  # of a motion in a map [1]
 CHANGES: Final = 200  # of a scenario in one request [1]
-FILM: Final = 20.0  # duration of a film [s]
 
 LAB: Final[dict[str, str]] = {
     "too_long": "duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",
@@ -26,28 +25,12 @@ LAB: Final[dict[str, str]] = {
     "rigid_maps": "contact.model = 'compliant' must be 'rigid' for a map.",
     "doubt": "After {time} s doubles cannot decide what happens next. Run it with `--digits 30` for the exact answer.",
     "compliant_changes": "With a compliant contact no derivatives are computed: choose the rigid contact model.",
-    "film_too_long": "duration = {duration:g} must be at most {most:g} s for a film from the lab.",
 }
 """Refusals of the lab, filled by Python and by the page as by `str.format`. What the page says of a motion is in lab/words."""
 
 
-class TooMuch(InputError):
-    """The request is valid but exceeds the lab's limits (HTTP 413)."""
-
-
 def within(scenario: Scenario) -> Scenario:
-    """Return the scenario with its number of events bounded.
-
-    Raises
-    ------
-    TooMuch
-        If the motion is longer, or its hoop made of more parts, than the bounds allow.
-    """
-    if scenario.duration > DURATION:
-        raise TooMuch(LAB["too_long"].format(duration=scenario.duration, most=DURATION))
-    parts = len(scenario.hoop.parts or ())
-    if parts > PARTS:
-        raise TooMuch(LAB["too_many_parts"].format(parts=parts, most=PARTS))
+    """Return the scenario with its number of events bounded, as the page does; the page refuses what is too long."""
     if scenario.contact.max_events > EVENTS:
         return scenario.replace("contact.max_events", EVENTS)
     return scenario

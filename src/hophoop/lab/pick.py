@@ -8,7 +8,7 @@ import webbrowser
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import ThreadingHTTPServer
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -16,12 +16,12 @@ from urllib.parse import parse_qs, urlparse
 
 import numpy as np
 
+from hophoop.lab.server import LOOPBACK, Answer
 from hophoop.scenario import InputError
 from hophoop.tracking.circle import fit_circle
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.video import Bytes, Picture, jpeg, rgb, sample_pictures
 
-LOOPBACK = "127.0.0.1"
 MOST_BYTES = 10_000  # of a request
 
 
@@ -165,7 +165,7 @@ def _read(body: bytes) -> Any:
         raise InputError("The clicks cannot be read.") from None
 
 
-class _Answer(BaseHTTPRequestHandler):
+class _Answer(Answer):
     def __init__(self, page: Page, *args: Any) -> None:
         self.page = page
         super().__init__(*args)
@@ -174,14 +174,14 @@ class _Answer(BaseHTTPRequestHandler):
         """Answer with the page or a still."""
         address = urlparse(self.path)
         if address.path == "/":
-            self._send("text/html; charset=utf-8", self.page.html().encode())
+            self.send("text/html; charset=utf-8", self.page.html().encode())
         elif address.path == "/still":
             try:
                 image = self.page.still(int(parse_qs(address.query)["k"][0]))
             except (KeyError, ValueError, IndexError):
                 self.send_error(404)
                 return
-            self._send("image/jpeg", image)
+            self.send("image/jpeg", image)
         else:
             self.send_error(404)
 
@@ -193,16 +193,6 @@ class _Answer(BaseHTTPRequestHandler):
                 raise InputError("The clicks cannot be read.")
             self.page.take(_read(self.rfile.read(length)))
         except InputError as error:
-            self._send("application/json", json.dumps({"error": str(error)}).encode(), 422)
+            self.send("application/json", json.dumps({"error": str(error)}).encode(), 422)
             return
-        self._send("application/json", b"{}")
-
-    def _send(self, kind: str, body: bytes, status: int = 200) -> None:
-        self.send_response(status)
-        self.send_header("Content-Type", kind)
-        self.send_header("Content-Length", str(len(body)))
-        self.end_headers()
-        self.wfile.write(body)
-
-    def log_message(self, *args: Any) -> None:
-        """Log nothing."""
+        self.send("application/json", b"{}")

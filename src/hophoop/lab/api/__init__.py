@@ -1,1 +1,0 @@
-"""Answers to programs: requests, limits and results, independent of HTTP."""

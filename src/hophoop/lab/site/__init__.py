@@ -1,1 +1,0 @@
-"""The page: its files, its controls and the motions to start from."""
