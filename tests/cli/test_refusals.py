@@ -130,7 +130,6 @@ REFUSED = {
         "--fix restitution=much": "--fix restitution = 'much' must be a number",
         "--bound gamma=1": "--bound gamma = '1' must be two numbers",
         "--free t0": "t0 is no parameter of a fit: the time of the start is redundant with its position",
-        "--sample 3": "steps = 3 must be from 10",
         "--film film.mp4": "--film needs --out",
         "--save fit.txt": "--save = fit.txt must end in .json",
         "--hoop absent.toml": "absent.toml",

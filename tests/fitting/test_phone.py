@@ -37,8 +37,8 @@ def test_a_rounded_record_without_noise_is_explained():
 
 def test_rounding_is_the_least_error():
     t = np.arange(40) / 100.0
-    assert scatter(t, np.round(t**2, 1)) >= 0.1 / np.sqrt(12.0)
-    assert scatter(t, np.exp(t), GYROSCOPE) == GYROSCOPE
+    assert scatter([(t, np.round(t**2, 1))], "x") >= 0.1 / np.sqrt(12.0)
+    assert scatter([(t, np.exp(t))], "omega") == GYROSCOPE
 
 
 def test_the_error_may_be_given():

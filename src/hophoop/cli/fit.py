@@ -24,7 +24,6 @@ def fit(
     hoop: str = "ideal",
     gravity: float = 9.81,
     law: str = "stronge",
-    sample: int | None = None,
     squares: bool = False,
 ) -> None:
     """Fit the exact motion to a track; status 1 if the fit is not good.
@@ -80,8 +79,6 @@ def fit(
         A parameter as an expression of others.
     gravity
     law
-    sample : STEPS
-        Sample the posterior with emcee, about 1000 steps.
     squares
         Least squares without a robust loss for outliers.
     """
@@ -100,8 +97,6 @@ def fit(
     with waiting("fitting", quiet=quiet or json):
         plane = Plane(gravity=gravity, impact_law=law)
         found = find(tracks, hoop=_hoop(hoop), plane=plane, robust=not squares, **how)
-    if sample is not None:
-        found = _sample(found, sample, quiet)
     _show(found, json)
     if save is not None:
         found.save(save)
@@ -113,14 +108,6 @@ def fit(
         open_fit(found, film, browser=True)
     if not found.good:
         raise typer.Exit(NO_ANSWER)
-
-
-def _sample(found: Any, steps: int, quiet: bool) -> Any:
-    from hophoop._support.progress import bar
-    from hophoop.fitting import sample
-
-    with bar("sampling", quiet=quiet) as progress:
-        return sample(found, steps, progress=progress)
 
 
 def _hoop(text: str) -> Any:
@@ -135,10 +122,12 @@ def _show(found: Any, json: bool) -> None:
     if json:
         print_json(plain({key: value for key, value in found.to_dict().items() if key != "tracks"}), indent=1)
         return
+    for sentence in found.sentences():
+        typer.echo(sentence)
     print_parameters(found.rows())
     if found.alone:
         print_comparison(found.comparison())
-    for sentence in (*found.sentences(), "", "Details", *found.details()):
+    for sentence in ("Details", *found.details()):
         typer.echo(sentence)
 
 

@@ -1,10 +1,9 @@
-"""Parameters of a filmed hoop, with what the film does not tell; and what a film would tell before it is taken."""
+"""Parameters of a filmed hoop, with what a film does not determine; and what a planned film would."""
 
 from hophoop.fitting.backdrop import Backdrop, backdrop
 from hophoop.fitting.fitting import fit
 from hophoop.fitting.planning import Plan, plan
 from hophoop.fitting.reporting import report
 from hophoop.fitting.result import Fit, load_fit
-from hophoop.fitting.sampling import Posterior, sample
 
-__all__ = ["fit", "Fit", "load_fit", "report", "sample", "Posterior", "plan", "Plan", "backdrop", "Backdrop"]
+__all__ = ["fit", "Fit", "load_fit", "report", "plan", "Plan", "backdrop", "Backdrop"]

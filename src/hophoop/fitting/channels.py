@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +19,14 @@ FEWEST = 12  # measured numbers
 LONGEST = 0.98  # maximum correlation of errors from one frame to the next
 PLACE_ERROR = 0.01  # error that depends on the position in the picture: coding, background, sensor, lens [pixel]
 GYROSCOPE = 0.005  # minimum error of an angular velocity whose error is unknown: the usual noise in a phone [rad/s]
+ROUNDED = 0.75  # maximum distance of rounded times from an even grid, over their last decimal
 PATCH = 40.0  # length over which that error changes [pixel]
+# Errors that are estimated together: their channels, and the fields of a track.
+KINDS = {
+    "places": (("x", "y", "marker_x", "marker_y"), ("centre_error", "marker_error")),
+    "angles": (("angle",), ("angle_error",)),
+    "omegas": (("omega",), ("omega_error",)),
+}
 
 
 class Autocorrelation(NamedTuple):
@@ -50,6 +59,7 @@ class Channel(NamedTuple):
     rows: NDArray[np.int64]  # of the track
     values: Floats
     errors: Floats
+    known: bool = True  # whether the data have errors; otherwise they are estimated from the scatter
     autocorrelation: Autocorrelation = NONE  # known of its errors in advance
 
 
@@ -80,8 +90,9 @@ def channels_of(track: Track, sigma: Sigma) -> tuple[Channel, ...]:
         own = errors[rows] if given is None else np.full(len(rows), given)
         known = np.isfinite(own) & (own > 0)
         if not known.all():
-            own = np.where(known, own, scatter(track.t[rows], values[rows], GYROSCOPE if name == "omega" else 0.0))
-        result.append(Channel(name, rows, values[rows], own, _by_place(track, name, float(np.median(own)))))
+            own = np.where(known, own, scatter([(track.t[rows], values[rows])], name))
+        memory = _by_place(track, name, float(np.median(own)))
+        result.append(Channel(name, rows, values[rows], own, bool(known.all()), memory))
     if sum(len(channel.rows) for channel in result) < FEWEST:
         raise InputError("The track has the hoop in too few frames to fit anything.")
     return tuple(result)
@@ -99,17 +110,69 @@ def _by_place(track: Track, name: str, error: float) -> Autocorrelation:
     return Autocorrelation(min((size / error) ** 2, 1.0), min(float(np.exp(-np.nanmean(steps) / PATCH)), LONGEST))
 
 
-def scatter(t: Floats, values: Floats, least: float = 0.0) -> float:
+def evened(track: Track) -> tuple[Track, dict[str, float]]:
+    """Return the track with the times of the even grid that its times round to, and its rate [Hz]; nothing without rounding."""
+    steps = np.diff(track.t)
+    frames = np.concatenate([[0.0], np.cumsum(np.round(steps / np.median(steps)))])
+    step, begin = np.polyfit(frames, track.t, 1)
+    even = begin + step * frames
+    off = float(np.abs(track.t - even).max())
+    if not 1e-3 * step < off < ROUNDED * _rounding(track.t):
+        return track, {}
+    return replace(track, t=even), {"rate": float(1.0 / step)}
+
+
+def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple[Track, dict[str, float]]:
+    """Return the track with its scatter as errors where it has none, and the scatter of each kind.
+
+    It is that of the deviations from a motion, also from a wrong one, in which the rest of the motion is smooth. In the data
+    third differences take the motion for scatter below about 240 frames per second.
+
+    off: data minus motion, by name of the channel [m, rad or rad/s]; scatter: by key of KINDS [m, rad or rad/s].
+    """
+    found: dict[str, float] = {}
+    for kind, (names, fields) in KINDS.items():
+        # with the errors of its ends, the line from the centre to the marker has one, too
+        group = [one for one in channels_of(track, sigma) if one.name in names and not one.known]
+        if group:
+            usual = scatter([(track.t[one.rows], one.values) for one in group], group[0].name)
+            rest = _roughness([(track.t[one.rows], off[one.name]) for one in group])
+            found[kind] = min(usual, max(rest, *(_least_error(one.values, one.name) for one in group)))
+            errors = {field: getattr(track, field) for field in fields}
+            track = replace(track, **{field: np.where(own > 0, own, found[kind]) for field, own in errors.items()})
+    return track, found
+
+
+Pieces = Sequence[tuple[Floats, Floats]]
+
+
+def scatter(pieces: Pieces, name: str) -> float:
     """Standard deviation of one value, from third differences, which are small for a smooth motion.
 
     It is at least that of rounding to the digits of the data.
 
-    t, values: shape (n,), times [s] and measured values [1]; least: minimum; sigma: in the values' own unit [1].
+    pieces: times [s] and measured values, each of shape (n,); name: of their channel; sigma: in the values' own unit [1].
     """
-    if len(t) < 8:
-        raise InputError(f"The uncertainty of the data is missing, and {len(t)} frames are too few to estimate it: give sigma.")
-    rounding = np.diff(np.unique(np.round(values, 12))).min(initial=np.inf) / np.sqrt(12.0)
-    usual = max(spread(third_differences(t, values)), rounding if np.isfinite(rounding) else 0.0, least)
-    if not usual > 1e-12 * max(1.0, float(np.abs(values).max())):
+    count = min(len(t) for t, _ in pieces)
+    if count < 8:
+        raise InputError(f"The uncertainty of the data is missing, and {count} frames are too few to estimate it: give sigma.")
+    usual = max(_roughness(pieces), *(_least_error(values, name) for _, values in pieces))
+    if not usual > 1e-12 * max(1.0, *(float(np.abs(values).max()) for _, values in pieces)):
         raise InputError("The uncertainty of the data is missing, and they do not scatter: give sigma.")
     return usual
+
+
+def _roughness(pieces: Pieces) -> float:
+    """Standard deviation of one value, from the third differences of all pieces."""
+    return spread(np.concatenate([third_differences(t, values) for t, values in pieces]))
+
+
+def _least_error(values: Floats, name: str) -> float:
+    """Standard deviation of rounding to the digits of the data; for an angular velocity at least the usual noise."""
+    return max(_rounding(values) / np.sqrt(12.0), GYROSCOPE if name == "omega" else 0.0)
+
+
+def _rounding(values: Floats) -> float:
+    """Unit of the last decimal of numbers; 0 if they are not rounded, or all the same."""
+    rounded = (10.0**-k for k in range(10) if np.allclose(values, np.round(values, k), rtol=0.0, atol=1e-12))
+    return next(rounded, 0.0) if np.ptp(values) else 0.0

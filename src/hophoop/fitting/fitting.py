@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.channels import Sigma
+from hophoop.fitting.channels import Sigma, evened, with_scatter
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
 from hophoop.fitting.judging import correlations, least_static_friction, misfits, sequence_of, shares
 from hophoop.fitting.limits import least_friction, unobserved, with_limits
-from hophoop.fitting.mistakes import likely_mistakes, without_shutter
+from hophoop.fitting.mistakes import likely_mistakes, shutter
 from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
 from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.result import HOPELESS, WORST, Fit
@@ -27,7 +27,8 @@ if TYPE_CHECKING:
     from lmfit import Parameters
 
 Floats = NDArray[np.float64]
-NO_MISTAKE = "No usual mistake of units, axes or times explains that: look at the residuals (--out, or report in Python)."
+LONGEST = 120.0  # record that is fitted [s]
+NO_MISTAKE = "None of the usual mistakes explains that (tried: {}): look at the residuals (--out, or report in Python)."
 
 
 @dataclass(frozen=True)
@@ -157,8 +158,28 @@ def fit(
 
 
 def fit_alone(track: Track, how: Settings) -> Fit:
-    """Fit one run."""
+    """Fit one run; if the data have no errors, a second time, with the scatter of the residuals."""
+    track, derived = evened(track)
+    problem, params, starts = _posed(track, how)
+    (run,) = problem.runs
+    if not all(channel.known for channel in run.channels):
+        values = best_of(problem, params, starts, how.robust)[0].minimum.values
+        places = run.places(run.motion(values), values)
+        off = {one.name: one.values - places[one.name][one.rows] for one in run.channels}
+        track, scatter = with_scatter(track, how.sigma, off)
+        problem, params, starts = _posed(track, how)
+        derived |= scatter
+    return _fit_of(problem, params, starts, (track,), how, [derived])
+
+
+def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters, list[Candidate]]:
+    """Return the problem of one run, its parameters, and starts of a fit."""
     run = run_of(track, how.hoop, "rolling" if how.start == "auto" else how.start, how.plane, how.sigma)
+    if run.t[-1] > LONGEST:
+        raise InputError(
+            f"{track.source or 'The record'} lasts {run.t[-1]:.4g} s, and the free motion of a hoop some seconds: give its "
+            "part by --from and --to (since= and until= in a Reading). Or are its times in ms?"
+        )
     if how.start == "auto" and (kind := start_kind(run)) != run.start:
         run = replace(run, start=kind)
     values, usual = defaults(run, track)
@@ -174,7 +195,7 @@ def fit_alone(track: Track, how: Settings) -> Fit:
     starts = candidates(run, first, set(free_of(params)), how.seed)
     if not starts:
         raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
-    return _fit_of(problem, params, starts, (track,), how)
+    return problem, params, starts
 
 
 def _fit_together(alone: list[Fit], how: Settings) -> Fit:
@@ -196,7 +217,8 @@ def _fit_together(alone: list[Fit], how: Settings) -> Fit:
         cost = float(np.log1p(problem.residuals(first) ** 2).sum())
         starts.append(Candidate(first, sequence_of(problem, first), cost))
     tracks = tuple(one.track for one in alone)
-    return replace(_fit_of(problem, params, starts, tracks, how), alone=tuple(alone))
+    derived = [own for one in alone for own in one.settings["derived"]]
+    return replace(_fit_of(problem, params, starts, tracks, how, derived), alone=tuple(alone))
 
 
 def _parameters(problem: Problem, values: dict[str, float], usual: set[str], how: Settings) -> Parameters:
@@ -230,8 +252,18 @@ def _parameters(problem: Problem, values: dict[str, float], usual: set[str], how
     return parameters(values | {name: float(value) for name, value in fixed.items()}, chosen, bounds, tied)
 
 
-def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], tracks: tuple[Track, ...], how: Settings) -> Fit:
-    """Return the fit, with limits of parameters that may be at an end of their range or have no effect."""
+def _fit_of(
+    problem: Problem,
+    params: Parameters,
+    starts: Sequence[Candidate],
+    tracks: tuple[Track, ...],
+    how: Settings,
+    derived: list[dict[str, float]],
+) -> Fit:
+    """Return the fit, with limits of parameters that may be at an end of their range or have no effect.
+
+    derived: of the data of each run, what they lack: the scatter, and the rate of rounded times.
+    """
     robust, wanted = how.robust, free_of(params)
     solution, blind = best_of(problem, params, starts, robust)
     solution, limits, motions = with_limits(problem, solution, wanted, blind, robust)
@@ -251,8 +283,11 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
     degrees_of_freedom = problem.count - len(solution.free)
     worse = chi_square / max(degrees_of_freedom, 1)
     if worse > WORST:
-        causes = likely_mistakes(problem.runs[0], tracks[0], how.sigma) or without_shutter(tracks)
-        notes = causes + notes if worse <= HOPELESS else causes or [NO_MISTAKE]
+        run = problem.runs[0]
+        free = [name for name in run.names if run.named(name) in solution.free]
+        causes, tried = likely_mistakes(run, run.own(values), free, worse, tracks[0], how.sigma)
+        causes = causes or shutter(problem, solution, tracks, robust)
+        notes = causes + notes if worse <= HOPELESS else causes or [NO_MISTAKE.format(", ".join(tried))]
     return Fit(
         values,
         solution.free,
@@ -272,6 +307,7 @@ def _fit_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], t
             "law": how.plane.impact_law,
             "robust": robust,
             "sigma": list(how.sigma),
+            "derived": derived,
             "free": list(wanted),
             "bounds": {name: list(limits) for name, limits in how.bounds.items()},
             "tied": tied,

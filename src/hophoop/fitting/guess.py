@@ -187,18 +187,18 @@ def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0,
     candidates: the best first.
     """
     rng = np.random.default_rng(seed)
-    measured = {channel.name for channel in run.channels}
     found: list[Candidate] = []
     for k in range(draws):
         values = dict(first)
         if k:
             drawn = {name: float(rng.uniform(*ends)) for name, ends in SPREADS.items() if name in free}
             drawn |= {name: values[name] * float(1.0 + NEAR * rng.uniform(-1, 1)) for name in SPEEDS if name in free}
-            if "gamma" in free and rng.random() < 0.5:
-                drawn["gamma"] = float(np.clip(first["gamma"] + 0.1 * rng.uniform(-1, 1), 0.05, 0.95))
-            if "omega" in measured and rng.random() < 0.5:
+            # a hoop that hops at once does not roll for long enough to guess the load
+            if "gamma" in free and (width := rng.choice([0.0, 0.1, 0.9])):
+                drawn["gamma"] = float(np.clip(first["gamma"] + width * rng.uniform(-1, 1), 0.05, 0.95))
+            if "omega" in run.measured and rng.random() < 0.5:
                 drawn["angle0"] = first["angle0"] + float(rng.normal(0.0, 0.3))
-            elif not measured & {"angle", "omega"}:
+            elif not run.measured & {"angle", "omega"}:
                 drawn |= {"angle0": float(rng.uniform(-np.pi, np.pi)), "gamma": float(rng.uniform(0.2, 0.9))}
             values |= {name: value for name, value in drawn.items() if name in free}
         try:

@@ -62,21 +62,16 @@ def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) ->
     """
     values = solution.minimum.values
     covariance = solution.covariance * scale**2
-    drawn = [values]
+    drawn: list[dict[str, float]] = []
     if solution.free and np.isfinite(covariance).all():
         place = np.array([values[name] for name in solution.free])
         rng = np.random.default_rng(seed)
         places = rng.multivariate_normal(place, covariance, DRAWS, check_valid="ignore", method="eigh")
         drawn = [values | dict(zip(solution.free, place.tolist(), strict=True)) for place in places]
-    return count_sequences(problem, drawn) or count_sequences(problem, [values])
-
-
-def count_sequences(problem: Problem, drawn: Collection[Mapping[str, float]]) -> dict[str, float]:
-    """Return the sequences of some motions with their shares [1], the largest first."""
     found: dict[str, int] = {}
-    for values in drawn:
+    for one in (*drawn, values):
         try:
-            sequence = sequence_of(problem, values)
+            sequence = sequence_of(problem, one)
         except InputError:
             continue
         found[sequence] = found.get(sequence, 0) + 1

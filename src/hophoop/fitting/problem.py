@@ -56,8 +56,13 @@ class Run:
         return (
             *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", "rolling_resistance", *STARTS[self.start],
             "scale", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
-            *(["omega_offset"] if any(channel.name == "omega" for channel in self.channels) else []),
+            *(["omega_offset"] if "omega" in self.measured else []),
         )  # fmt: skip
+
+    @property
+    def measured(self) -> set[str]:
+        """Names of the channels."""
+        return {channel.name for channel in self.channels}
 
     def named(self, name: str) -> str:
         """Return the name of a parameter of this run in the problem."""
@@ -239,7 +244,6 @@ def shared_errors(track: Track) -> dict[str, Prior]:
 
 def defaults(run: Run, track: Track) -> tuple[Values, set[str]]:
     """Return default values of a run's parameters, and those that are free by default."""
-    measured = {channel.name for channel in run.channels}
     values: dict[str, Any] = dict.fromkeys(run.names, 0.0) | {
         "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,
         "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
@@ -252,8 +256,8 @@ def defaults(run: Run, track: Track) -> tuple[Values, set[str]]:
     free |= {"omega_offset", *shared_errors(track)}
     if not track.placed:
         free |= {"tilt", "origin_y"}
-    if not measured & {"x", "marker_x"}:
+    if not run.measured & {"x", "marker_x"}:
         free -= {"x0", "tilt", "origin_y"}
-    if "marker_x" in measured:
+    if "marker_x" in run.measured:
         free |= {"marker_ratio"}
     return {name: values[name] for name in run.names}, free & set(run.names)

@@ -1,9 +1,8 @@
-"""The page of a fit: parameters, residuals, energies, and the film with the fitted hoop."""
+"""The page of a fit: parameters, residuals, and the film with the fitted hoop."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,7 +13,6 @@ from hophoop._support.extras import need
 from hophoop._support.files import replacing
 from hophoop._support.pages import render
 from hophoop._version import __version__
-from hophoop.fitting.guess import rates_of
 from hophoop.fitting.problem import Run
 from hophoop.fitting.result import GIVEN, Fit
 from hophoop.simulation.trajectory import Trajectory
@@ -26,7 +24,7 @@ from hophoop.vocabulary.names import mode_words
 Floats = NDArray[np.float64]
 
 UNITS = {"angle": "mrad", "omega": "mrad/s"}  # of residuals; those of places are in mm
-MEASURED, COMPUTED = "#0a6", "currentColor"
+MEASURED = "#0a6"
 
 
 def report(
@@ -101,43 +99,8 @@ def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> t
     return cos * x + sin * (y - ground), -sin * x + cos * (y - ground)
 
 
-def energies(fit: Fit, k: int = 0) -> dict[str, tuple[Floats, Floats, Floats]]:
-    """Return energies per kilogram of a run, from the data and from the motion in their place.
-
-    Velocities of both are those of parabolas through pieces of `guess.WIDTH`, so that sharp peaks are lower in both alike.
-
-    energies: 'kinetic' and 'potential', each with times [s], measured and computed values [J/kg]; empty where the centre or the
-    angle was not measured.
-    """
-    run = fit.problem.runs[k]
-    values = run.own(fit.values)
-    places = run.places(fit.motions[k], values)
-    exact = replace(run, channels=tuple(one._replace(values=places[one.name][one.rows]) for one in run.channels))
-    measured, computed = _energies_of(run, values), _energies_of(exact, values)
-    return {name: (t, own, computed[name][1]) for name, (t, own) in measured.items()}
-
-
-def _energies_of(run: Run, values: dict[str, float]) -> dict[str, tuple[Floats, Floats]]:
-    x, y, angle = (rates_of(run, name) for name in ("x", "y", "angle"))
-    if x is None or y is None or angle is None:
-        return {}
-    scenario = run.scenario(values)
-    hoop, plane, t = scenario.hoop, scenario.plane, angle.t
-    theta, omega = angle.value + values["tilt"] - values["marker_angle"], angle.rate
-    flat = [np.interp(t, one.t, getattr(one, part)) for part in ("value", "rate") for one in (x, y)]
-    place_x, place_y = on_plane(values, flat[0], flat[1], values["origin_y"])
-    speed_x, speed_y = on_plane(values, flat[2], flat[3], 0.0)
-    arm = hoop.eccentricity * hoop.radius
-    vx, vy = speed_x + arm * omega * np.cos(theta), speed_y - arm * omega * np.sin(theta)
-    kinetic = 0.5 * (vx**2 + vy**2 + hoop.inertia_ratio * (hoop.radius * omega) ** 2)
-    rise = place_y - hoop.radius + arm * (np.cos(theta) - 1.0)
-    along = place_x + arm * np.sin(theta)
-    potential = plane.gravity * (np.cos(plane.slope) * rise - np.sin(plane.slope) * along)
-    return {"kinetic": (t, kinetic), "potential": (t, potential)}
-
-
 def _page(fit: Fit, film: str | None) -> str:
-    residuals, both = [], []
+    residuals = []
     words: dict[str, None] = {}
     for k, (run, motion) in enumerate(zip(fit.problem.runs, fit.motions, strict=True)):
         ribbon, of_run = _ribbon(run, motion), f", run {k + 1}" if fit.alone else ""
@@ -146,9 +109,6 @@ def _page(fit: Fit, film: str | None) -> str:
             off = fit.residuals[channel.name + run.suffix] * errors
             label = f"{channel.name} ({unit}){of_run}, one standard deviation {float(np.median(errors)):.2g}"
             residuals.append(plot([Curve(run.t[channel.rows], off, MEASURED)], label, ribbon=ribbon, zero=True))
-        for name, (times, measured, computed) in energies(fit, k).items():
-            curves = [Curve(times, measured, MEASURED), Curve(times, computed, COMPUTED, line=True)]
-            both.append(plot(curves, f"{name} energy (J/kg){of_run}", ribbon=ribbon))
         state = motion.at(motion.times(600))
         words |= dict.fromkeys(mode_words(state.mode, state.omega).tolist())
     return render(
@@ -165,7 +125,6 @@ def _page(fit: Fit, film: str | None) -> str:
         film=film,
         modes=[(word, colors.mode_color(word)) for word in words],
         residuals=residuals,
-        energies=both,
     )
 
 

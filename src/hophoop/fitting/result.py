@@ -18,11 +18,11 @@ from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.judging import WORDS, sequence_of
 from hophoop.fitting.parameters import SHARED, parts_of, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
-from hophoop.fitting.sampling import Posterior, posterior_from_dict
 from hophoop.fitting.solving import parameters
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
+from hophoop.tracking.doubts import DOUBT
 from hophoop.tracking.table import complete, parse_json, track_from_dict, write_json
 
 if TYPE_CHECKING:
@@ -33,8 +33,16 @@ Floats = NDArray[np.float64]
 SCHEMA = "hophoop-fit/1"
 GIVEN = " (given)"  # suffix of values that were not fitted
 WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
+CERTAIN = 3.0  # standard deviations of a turned camera
 UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
+# What the fit derives from the data, with the factor to its unit.
+DERIVED = {
+    "rate": (1.0, "Times{} are rounded: those of an even grid of {:.4g} per second are used."),
+    "places": (1e3, "Marks{} scatter by {:.2g} mm, found from the residuals."),
+    "angles": (1e3, "Angles{} scatter by {:.2g} mrad, found from the residuals."),
+    "omegas": (1e3, "Angular velocities{} scatter by {:.2g} mrad/s, found from the residuals."),
+}
 # Relative errors, and what they are enough for.
 ACCURACIES = {
     0.01: "Known to 1 %, enough to test the theory",
@@ -70,11 +78,9 @@ class Fit:
     notes : tuple of str
         Remarks, one sentence each.
     tracks : tuple of Track
-        The data of each run.
+        The data of each run; errors that they lack are their scatter.
     settings : dict
-        Settings of the fit: starts, hoop, gravity, law, robust, sigma, free, bounds, tied, priors.
-    posterior : Posterior or None
-        From a chain of `hophoop.fitting.sample`.
+        Settings of the fit: starts, hoop, gravity, law, robust, sigma, derived, free, bounds, tied, priors.
     alone : tuple of Fit
         With several runs, the fit of each alone.
     """
@@ -91,7 +97,6 @@ class Fit:
     notes: tuple[str, ...]
     tracks: tuple[Track, ...]
     settings: dict[str, Any]
-    posterior: Posterior | None = None
     alone: tuple[Fit, ...] = ()
 
     @property
@@ -182,6 +187,11 @@ class Fit:
         problem, off = self.problem, self.problem.residuals(self.values)
         return {channel.name + problem.runs[k].suffix: off[part] for k, channel, part in problem.pieces}
 
+    @property
+    def von_neumann(self) -> float:
+        """Mean square of the differences of neighbouring residuals over that of the residuals: 2 for scatter alone [1]."""
+        return float(np.mean([np.mean(np.diff(off) ** 2) / np.mean(off**2) for off in self.residuals.values()]))
+
     def rows(self) -> list[tuple[str, str, str]]:
         """Parameters for people: name, value with uncertainty or limit, unit and meaning.
 
@@ -197,8 +207,6 @@ class Fit:
     def _row(self, name: str) -> tuple[str, str, str]:
         if not self._determined(name):
             return row_of(name, f"{self.values.get(name, np.nan):.6g}", self.limits.get(name), GIVEN)
-        if self.posterior is not None:
-            return row_of(name, format_range(*self.posterior.quantiles(name)))
         return row_of(name, format_value(self._value(name), self.error(name)))
 
     def _determined(self, name: str) -> bool:
@@ -277,11 +285,10 @@ class Fit:
         else:
             said = [f"Wrong: no motion fits. The data are {self.inflation:.0f} times as far from the best one as their errors."]
         if self.usable:
-            said += self._accuracies()
-        if self.posterior is not None:
-            said.append(_about(self.posterior))
-        of_the_tables = [note for track in self.tracks if track.view is None for note in track.notes]
-        return [*said, *self._of_runs(), *self.notes, *of_the_tables]
+            said += [*self._accuracies(), *self._turned()]
+        # of a film, what its track is doubted for; of a table, how it was read
+        of_the_tracks = [note for track in self.tracks for note in track.notes if track.view is None or note.startswith(DOUBT)]
+        return [*said, *self._of_runs(), *self.notes, *of_the_tracks]
 
     def _accuracies(self) -> list[str]:
         """Group the parameters of hoop and contact by their accuracy, and say what it is good for."""
@@ -294,6 +301,21 @@ class Fit:
                 found.setdefault(word, []).append(f"{name} (to {error:.1g})")
         return [f"{text}: {', '.join(found[text])}." for text in ACCURACIES.values() if text in found]
 
+    def _turned(self) -> list[str]:
+        """Report the slope of the plane and the roll of the camera, which a film shows together, if both are fitted."""
+        said = []
+        for run, track in zip(self.problem.runs, self.tracks, strict=True):
+            name = run.named("slope")
+            if track.view is not None and name in self.free:
+                slope, roll = np.degrees([self.values[name], self.values[name] + track.view.rise])
+                error = float(np.degrees(self.error(name)))
+                if abs(roll) > CERTAIN * error:
+                    said.append(
+                        f"The camera is turned by {format_value(float(roll), error)}°, and the plane falls by "
+                        f"{format_value(float(slope), error)}° to the right: gravity along the plane tells them apart."
+                    )
+        return said
+
     def details(self) -> list[str]:
         """Describe the statistics of the fit; nothing where no motion fits.
 
@@ -301,14 +323,20 @@ class Fit:
         -------
         sentences : list of str
         """
-        said = [f"χ² = {self.chi_square:.1f} for {self.degrees_of_freedom} degrees of freedom ({self.reduced:.2f} each)."]
+        said = [
+            f"χ² = {self.chi_square:.1f} for {self.degrees_of_freedom} degrees of freedom ({self.reduced:.2f} each); "
+            f"von Neumann ratio of the residuals {self.von_neumann:.2f} (2 for scatter alone)."
+        ]
+        for run, derived in zip(self.problem.runs, self.settings["derived"], strict=True):
+            of_run = f" of run {run.suffix[1:]}" if run.suffix else ""
+            said += [DERIVED[kind][1].format(of_run, DERIVED[kind][0] * size) for kind, size in derived.items()]
         if not self.usable:
             return said
         if self.inflation > 1.05:
             said.append(f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than those of the data.")
         sequence = sequence_of(self.problem, self.values)
-        of = "the motions within the uncertainties have" if self.posterior is None else "the posterior has"
-        said.append(f"Sequence {sequence}: {100 * self.shares.get(sequence, 0.0):.0f} % of {of} it.")
+        share = 100 * self.shares.get(sequence, 0.0)
+        said.append(f"Sequence {sequence}: {share:.0f} % of the motions within the uncertainties have it.")
         if len(self.shares) > 1:
             others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(self.shares.items())[:4])
             said[-1] = said[-1].rstrip(".") + f" ({others})."
@@ -343,7 +371,6 @@ class Fit:
             **{name: getattr(self, name) for name in (*kept, "notes", "settings")},
             "errors": {name: self.error(name) for name in self.free},
             "covariance": self.covariance.tolist(),
-            "posterior": None if self.posterior is None else self.posterior.to_dict(),
             "scenario": self.scenario.to_dict(),
             "tracks": [track.to_dict() for track in self.tracks],
             "alone": [{name: part for name, part in one.to_dict().items() if name != "tracks"} for one in self.alone],
@@ -396,22 +423,6 @@ def format_value(value: float, error: float) -> str:
     return f"{need('uncertainties', 'fit').ufloat(value, error):.2ufP}".replace("±", " ± ")
 
 
-def format_range(low: float, middle: float, high: float) -> str:
-    """Format the median of a posterior and its central two thirds, such as '0.102 +0.011 −0.013'."""
-    size = min(high - middle, middle - low)
-    if not (np.isfinite(size) and size > 0):
-        return f"{middle:.6g}"
-    digits = max(0, min(12, 1 - int(np.floor(np.log10(size)))))
-    return f"{middle:.{digits}f} +{high - middle:.{digits}f} −{middle - low:.{digits}f}"
-
-
-def _about(posterior: Posterior) -> str:
-    text = f"Values and shares are from a chain of {posterior.walkers} walkers and {posterior.steps} steps"
-    if posterior.long_enough:
-        return f"{text}: the median, and the range of the central two thirds."
-    return f"{text}, which is short: the autocorrelation time is {posterior.memory:.0f} steps, and 50 times as many are needed."
-
-
 def load_fit(path: str | Path) -> Fit:
     """Read a saved fit.
 
@@ -450,5 +461,4 @@ def _from_dict(data: dict[str, Any], tracks: list[Track]) -> Fit:
         correlated=[(first, second, float(size)) for first, second, size in data["correlated"]],
         notes=tuple(data["notes"]),
         tracks=tuple(tracks),
-        posterior=None if data["posterior"] is None else posterior_from_dict(data["posterior"]),
     )

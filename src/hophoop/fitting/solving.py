@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.fitting.covariance import covariance_of
-from hophoop.fitting.guess import SPREADS, Candidate
+from hophoop.fitting.guess import SPREADS, Candidate, candidates
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, loss
 from hophoop.fitting.parameters import spec
@@ -236,9 +236,9 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
         tried.add(start.sequence)
         explained = explained or found[-1][0].cost < EXPLAINED * problem.count
     best, blind = min(found, key=lambda pair: pair[0].cost)
-    for _ in range(ROUNDS):
+    for k in range(1, ROUNDS + 1):
         cost = best.cost
-        for values in _walks(problem, params, best, robust):
+        for values in (*_walks(problem, params, best, robust), *_drawn_again(problem, params, best, k)):
             other = approach(problem, changed(params, values), robust)
             if other[0].cost < best.cost - 1e-6:
                 best, blind = other
@@ -253,6 +253,13 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
                 break
             last, blind = _settled(problem, params, aside, seen, robust)
     return last, blind
+
+
+def _drawn_again(problem: Problem, params: Parameters, best: Minimum, seed: int) -> list[dict[str, float]]:
+    """Return other starts, drawn around a minimum that does not explain one run; seed: of the draws [1]."""
+    if best.cost < EXPLAINED * problem.count or len(problem.runs) > 1:
+        return []
+    return [one.values for one in candidates(problem.runs[0], best.values, set(free_of(params)), seed)]
 
 
 def _settled(problem: Problem, params: Parameters, best: Minimum, blind: list[str], robust: bool) -> tuple[Solution, list[str]]:

@@ -1,0 +1,66 @@
+"""Records without errors of their own: their scatter is found from the residuals, so that the uncertainties are true."""
+
+import numpy as np
+import pytest
+from fits import KINDS, TRUTH, drawn, measure, spoiled, within
+
+import hophoop as hh
+from hophoop.fitting.channels import GYROSCOPE, Sigma, with_scatter
+
+pytestmark = pytest.mark.compiled
+
+
+@pytest.fixture(scope="module")
+def marked():
+    """A film of 30 pictures a second, marked by hand to 1 mm."""
+    return hh.fit(drawn("table30", 3))
+
+
+def test_marks_of_a_slow_film_scatter_by_as_much_as_they_do(marked):
+    """The motion between pictures is not taken for scatter: 12 mm and 61 mrad before."""
+    assert marked.good
+    assert marked.settings["derived"] == [{"places": pytest.approx(1e-3, rel=0.4)}]
+    assert 5e-4 < marked.error("gamma") < 2e-3
+    for name, truth in TRUTH.items():
+        assert abs(marked.values[name] - truth) < 3 * marked.error(name), name
+    assert any(sentence.startswith("Marks scatter by ") for sentence in marked.details())
+    # the line from the centre to the marker has the errors of both
+    angle = next(one for one in marked.problem.runs[0].channels if one.name == "angle")
+    assert np.median(angle.errors) == pytest.approx(np.sqrt(2.0) * marked.settings["derived"][0]["places"] / 0.27, rel=0.02)
+
+
+def test_the_scatter_is_saved_with_the_fit(marked, tmp_path):
+    marked.save(tmp_path / "fit.json")
+    back = hh.load_fit(tmp_path / "fit.json")
+    np.testing.assert_equal(back.residuals, marked.residuals)
+    assert back.details() == marked.details()
+
+
+@pytest.mark.parametrize(("kind", "mistake", "sign"), [("table30", "radius", -1), ("phone100", "radius", 1)])
+def test_a_wrong_radius_is_not_taken_for_scatter(kind, mistake, sign):
+    found = hh.fit(spoiled(drawn(kind, 3), mistake, sign))
+    assert not found.good
+    assert found.von_neumann < 1.2
+
+
+def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
+    track = drawn("phone400", 1)
+    rough = {"omega": np.random.default_rng(1).normal(0.0, 5.0, len(track.t))}
+    found, scatter = with_scatter(track, Sigma(), rough)
+    assert 0.015 < scatter["omegas"] < 0.03
+    assert (found.omega_error == scatter["omegas"]).all()
+    assert with_scatter(track, Sigma(), {"omega": 0.0 * track.t})[1] == {"omegas": GYROSCOPE}
+    assert with_scatter(track, Sigma(omegas=0.1), rough) == (track, {})
+
+
+@pytest.mark.slow
+@pytest.mark.random
+@pytest.mark.timeout(1200)
+@pytest.mark.parametrize("kind", KINDS)
+def test_errors_of_drawn_records_are_as_large_as_they_say(kind):
+    """Ten of each; `benchmarks/fits.py` measures a hundred."""
+    rows = list(measure(kind, 10, 100))
+    right = [row for row in rows if not row["mistake"]]
+    assert sum(row["good"] for row in right) >= 9
+    assert sum(all(within(row, name) for name in TRUTH) for row in right) >= 9
+    assert not any(row["good"] for row in rows if row["mistake"])
