@@ -125,3 +125,17 @@ def test_the_line_of_the_ground_knows_how_well_it_is_known():
     assert np.std(pulls, axis=0) == pytest.approx([1.0, 1.0], abs=0.35)
     clicked = line_through(np.array([0.0, 10.0]), np.array([400.0, 10.0]), 50.0)
     assert (clicked.height_error, clicked.angle_error) == pytest.approx((1.0, np.sqrt(2) / 400))
+
+
+def test_a_turned_camera_is_told_from_a_slope_by_gravity(hop):
+    """In the picture both look the same: the plane falls by 2°, and the camera may be off by as much."""
+    turn = np.radians(2.0)
+    track = filmed(hop)
+    turned = dataclasses.replace(track, slope=-turn, slope_error=turn, view=dataclasses.replace(track.view, rise=turn))
+    fit = hh.fit(turned)
+    assert fit.good
+    assert abs(fit.values["slope"]) < 3 * fit.error("slope")
+    assert abs(fit.values["gamma"] - TRUTH["gamma"]) < 3 * fit.error("gamma")
+    (said,) = (sentence for sentence in fit.sentences() if "The camera is turned by " in sentence)
+    assert said.startswith(("The camera is turned by 1.9", "The camera is turned by 2.0"))
+    assert "the plane falls by" in said

@@ -137,7 +137,7 @@ def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple
         if group:
             usual = scatter([(track.t[one.rows], one.values) for one in group], group[0].name)
             rest = _roughness([(track.t[one.rows], off[one.name]) for one in group])
-            found[kind] = min(usual, max(rest, *(_least_error(one.values, one.name) for one in group)))
+            found[kind] = float(min(usual, max(rest, *(_least_error(one.values, one.name) for one in group))))
             errors = {field: getattr(track, field) for field in fields}
             track = replace(track, **{field: np.where(own > 0, own, found[kind]) for field, own in errors.items()})
     return track, found

@@ -69,6 +69,8 @@ def likely_mistakes(
         alike = {one.kind: one for at, one in reversed(costs) if at <= ALIKE * best}
         first, *others = sorted(alike.values(), key=[one for _, one in costs].index)
         return [f"A motion fits {' or '.join(one.words for one in (first, *others))}: {first.advice}"], tried
+    if cost < WORSE:
+        return [], tried
     return _window(run, track, sigma, min(GOOD, cost / WORSE)), [*tried, "the window"]
 
 

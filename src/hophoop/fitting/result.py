@@ -189,8 +189,9 @@ class Fit:
 
     @property
     def von_neumann(self) -> float:
-        """Mean square of the differences of neighbouring residuals over that of the residuals: 2 for scatter alone [1]."""
-        return float(np.mean([np.mean(np.diff(off) ** 2) / np.mean(off**2) for off in self.residuals.values()]))
+        """Squares of the differences of neighbouring residuals over those of the residuals: 2 for scatter alone [1]."""
+        ratios = [(np.diff(off) ** 2).sum() / max((off**2).sum(), 1e-300) for off in self.residuals.values()]
+        return float(np.mean(ratios))
 
     def rows(self) -> list[tuple[str, str, str]]:
         """Parameters for people: name, value with uncertainty or limit, unit and meaning.
