@@ -29,6 +29,7 @@ FEW_STEPS, CLOSE = 12, 1e-3  # of the search for this factor, and its accuracy
 DRAWS = 24  # motions of a trial
 POLISHED, STARTED, CALLS = 4, 2, 40  # trials that are minimized, starts of each, and calls of the motion
 GOOD = 4.0  # cost over the number of data of a motion that fits after so few calls
+WELL = 1.5  # of one that fits so well that no other times or radius are searched
 ALIKE = 3.0  # times the cost of the best, of others that are named as well
 WORSE = 20.0  # times the cost of a window, of the whole record
 SHORTEST, LONGEST = 0.05, 30.0  # motion that is tried [s]
@@ -60,7 +61,7 @@ def likely_mistakes(
         return [shown], []
     trials = _trials(run)
     costs = _costs(trials, track)
-    if not costs or costs[0][0] > GOOD:
+    if not costs or costs[0][0] > WELL:
         costs = sorted([*costs, *(_nearby(run, values, free, kind) for kind in ("times", "radius"))], key=lambda pair: pair[0])
     tried = list(dict.fromkeys([*(["axes"] if run.measured & {"x", "y"} else []), *(one.kind for one in trials)]))
     best = costs[0][0]
