@@ -7,8 +7,10 @@ import math
 import numpy as np
 import pytest
 
+import hophoop as hh
 from hophoop.derivatives.events.impact import CLOSE, JUMP, Blow, distance, impact_change, is_between_courses, tangent_from
 from hophoop.derivatives.layout import STILL, Reason
+from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.pieces.flight_and_rest import perturbed_rest
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.contact import contact_arms
@@ -62,6 +64,32 @@ def test_a_derivative_that_jumps_is_found(th):
     assert is_between_courses(body, blow) == (distance(below, above) > JUMP)
     for side in (-1.0, 1.0):
         assert not is_between_courses(body, blow._replace(vt=vt * (1.0 + side * 20.0 * CLOSE)))
+
+
+ROLLS_OFF = [(slope, gamma, None, 0.0) for slope, gamma in ((0.2, 0.75), (-0.1, 0.5), (0.3, 0.7))]
+SLIPS_OFF = [(0.0, gamma, mu, vx) for gamma, mu, vx in ((0.75, 0.3, 6.0), (0.6, 0.2, -6.0))]
+
+
+@pytest.mark.parametrize(("slope", "gamma", "mu", "vx"), [*ROLLS_OFF, *SLIPS_OFF])
+@pytest.mark.parametrize("duration", [0.3, 1.0])
+def test_a_start_at_an_unstable_equilibrium_to_rounding(slope, gamma, mu, vx, duration):
+    """There θ̈ is the rounding of θ; differences of motions a little beside it have all digits."""
+    if mu is None:
+        angle, plane = -math.asin(math.sin(slope) / gamma) - slope, hh.Plane(slope=slope, mu=2.0)
+    else:
+        angle, plane = -math.copysign(math.atan(mu) + math.asin(mu / math.hypot(1.0, mu) / gamma), vx), hh.Plane(mu=mu)
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=plane, start=hh.Start(angle=angle, vx=vx), duration=duration)
+    if mu is None:
+        scenario = scenario.replace("start.speed", 0.0)
+    motion = hh.simulate(scenario)
+    assert abs(motion.events[-1].omega) < 1e-13
+    paths = ["start.angle", "start.speed" if mu is None else "start.omega"]
+    found = motion.sensitivity(["end.omega", f"at({duration}).angle"], paths).derivatives
+    for k, path in enumerate(paths):
+        value, step = value_of(scenario, path), 1e-6
+        low, high = (hh.simulate(scenario.with_values({path: value + side * step})).events[-1] for side in (-1.0, 1.0))
+        true = [(high.omega - low.omega) / (2.0 * step), (high.angle - low.angle) / (2.0 * step)]
+        assert found[:, k] == pytest.approx(true, rel=1e-6)
 
 
 @pytest.mark.parametrize("stiffness", [2.0, -2.0, 1e-9, -1e-9])

@@ -7,7 +7,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS, Reason
-from hophoop.derivatives.results.sensitivity import EDGE
+from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.native import forced
 from hophoop.vocabulary.names import LAW_CODES
 from oracles.derivatives import one_sided
@@ -56,6 +56,19 @@ def test_a_hoop_dropped_without_rotation_lands_without_slip(law):
     found = hh.sensitivity(scenario, of, "start.vx").derivatives[:, 0]
     for step in (-(2.0**-26), 2.0**-26):
         assert found == pytest.approx(one_sided(scenario, "start.vx", step, of), rel=1e-8, abs=1e-12)
+
+
+@pytest.mark.parametrize("law", LAW_CODES)
+@pytest.mark.parametrize("path", ["start.omega", "start.vx"])
+def test_a_hoop_dropped_without_rotation_lands_without_slip_and_starts_to_slide(law, path):
+    """With little friction the two sides differ: a little slip against the one to come is stopped first."""
+    plane = hh.Plane(mu=0.2, restitution=0.4, impact_law=law)
+    scenario = hh.Scenario(plane=plane, start=hh.Start(height=0.5, angle=2.0), duration=0.4)
+    of = ["impact.omega", "impact.vy", "impact.slip"]
+    result = hh.sensitivity(scenario, of, path)
+    assert result.reasons[0] == (SIDED,)
+    for step, found in ((-(2.0**-26), result.smaller), (2.0**-26, result.larger)):
+        assert found[:, 0] == pytest.approx(one_sided(scenario, path, step, of), rel=1e-7)
 
 
 def test_the_edge_of_what_is_allowed():

@@ -78,13 +78,14 @@ def impact_change(body, blow, d_body, d_blow):
     vt = blow.vt
     reason = NONE
     if vt == 0.0 and d_blow.vt != 0.0 and not math.isinf(body.mu_k):
-        # a slip that the impact stops at once, or against which it starts another one
+        reason = SIDED
         arm, lever = contact_arms(body, blow.s, blow.c)
         way = math.copysign(1.0, d_blow.vt)
         r, stick = impulse_ratio(body, arm, lever, vt)
-        if stick or r * way > 0.0:
+        if stick or r * way > 0.0:  # a slip that the impact stops at once, or against which it starts another one
             vt = way * LEAST
-            reason = SIDED if way * slip_rates(body, arm, lever, -way * body.mu_k)[1] < 0.0 else BORDER
+            if way * slip_rates(body, arm, lever, -way * body.mu_k)[1] >= 0.0:
+                reason = BORDER
     found, change = tangent_from(body, blow, vt, d_body, d_blow)
     compressed = found[3] > 0.0 and (body.law != NEWTON or collision)
     if blow.rest == 0.0 and d_blow.rest != 0.0 and compressed:

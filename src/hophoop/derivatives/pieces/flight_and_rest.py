@@ -11,16 +11,29 @@ from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine, versine_of
 from hophoop.kernel.numerics.exponentials import hyperbolic_cosine, hyperbolic_sine
+from hophoop.kernel.panels.anchor import (
+    LARGEST_PSI,
+    offset_from,
+    rolling_anchor,
+    rolling_panel_start,
+    slip_arm_at,
+    slip_unstable_equilibrium,
+)
 from hophoop.kernel.panels.landing import Flight, downcrossing_between, moment_of
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap
 from hophoop.kernel.physics.contact import (
     acceleration_in_contact,
     free_acceleration,
+    inertia_at_height,
+    load_height,
     resistance_arm,
     rolling_acceleration,
     rolling_forces,
+    slip_load,
     slip_motion,
+    slip_torque_arm,
+    torque_at_rest,
 )
 from hophoop.kernel.physics.modes import slip_direction
 
@@ -29,7 +42,29 @@ d_acceleration_in_contact = tangent_of(acceleration_in_contact, "body", "s", "c"
 d_flight_displacement = tangent_of(flight_displacement, "body", "vt", "om", "s", "c")
 d_flight_gap = tangent_of(flight_gap, "body", "s", "c", "om", "y", "vn", "fn")
 SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
+NEAR_REST = 1e-6  # relative to the weight: a smaller torque has lost digits to rounding
 TOUCH = 1e-9  # of the radius: a smaller gap is none
+
+
+@noinline
+def rolling_torque(body, state, s, c, u):
+    """Return −dV/dθ in rolling without resistance, relative to the nearest equilibrium where it is close to zero."""
+    torque = torque_at_rest(body, s, c)
+    if abs(torque) > NEAR_REST * (body.gn + abs(body.gt)):
+        return torque
+    anchor = rolling_anchor(body, state.th, state.th_low, s, c, u)
+    return rolling_panel_start(body, anchor, state.th, state.th_low, s, c, u)[0]
+
+
+@noinline
+def slip_arm(body, sigma, state, s, c):
+    """Return q in slip without resistance, relative to the unstable equilibrium where it is close to zero there."""
+    q = slip_torque_arm(body, s, c, sigma)
+    if abs(q) > NEAR_REST or not body.eps * body.eps * (1.0 + body.mu_k * body.mu_k) > body.mu_k * body.mu_k:
+        return q
+    base, base_low = slip_unstable_equilibrium(body, sigma)
+    psi = offset_from(state.th, state.th_low, base, base_low)
+    return slip_arm_at(body, sigma, base, psi) if abs(psi) < LARGEST_PSI else q
 
 
 @noinline
@@ -44,10 +79,14 @@ def resisted_motion(body, sigma, state, way):
     if state.om != 0.0 or way == 0.0:
         rho = resistance_arm(body, s, c, state.om, sigma)
     if sigma == 0 and rho == 0.0:
-        return rolling_acceleration(body, s, c, u, 0.0), 0.0, 0.0, 0.0
+        torque = rolling_torque(body, state, s, c, u) + body.eps * s * u
+        return torque / inertia_at_height(body, load_height(s, c)), 0.0, 0.0, 0.0
     if sigma == 0:
         return rolling_acceleration(body, s, c, u, rho), 0.0, 0.0, rho * state.om * rolling_forces(body, s, c, u, rho)[1]
     turning, normal, along = slip_motion(body, s, c, u, sigma, rho)
+    if rho == 0.0:
+        q = slip_arm(body, sigma, state, s, c)
+        turning = q * slip_load(body, c, u, body.kap + body.eps * s * q)
     return turning, along, 0.0, rho * state.om * normal
 
 

@@ -203,6 +203,15 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
     return Anchor(SLIPPING, u - separatrix_value(series, psi), base, base_low, slope)
 
 
+@inline
+def slip_arm_at(body, sigma, base, psi):
+    """Return q at ψ from the equilibrium of slip, with all digits."""
+    top, side = sine_and_cosine(base)
+    signed_mu = sigma * body.mu_k
+    turned, versine = sine_and_versine(psi)
+    return body.eps * ((side - signed_mu * top) * turned - (top + signed_mu * side) * versine)
+
+
 @noinline
 def slip_panel_start(body, anchor, sigma, th, low, arm, u, series):
     """Return (q, θ̇²) at the start of a slip panel with all digits, also near the unstable equilibrium."""
@@ -213,10 +222,7 @@ def slip_panel_start(body, anchor, sigma, th, low, arm, u, series):
     psi = offset_from(th, low, anchor.base, anchor.base_low)
     if not abs(psi) < LARGEST_PSI:
         return arm, u
-    top, side = sine_and_cosine(anchor.base)
-    signed_mu = sigma * body.mu_k
-    turned, versine = sine_and_versine(psi)
-    arm = body.eps * ((side - signed_mu * top) * turned - (top + signed_mu * side) * versine)
+    arm = slip_arm_at(body, sigma, anchor.base, psi)
     if u != 0.0 and abs(psi) <= separatrix(body, sigma, anchor.base, series):
         high = separatrix_value(series, psi)
         found = anchor.excess + high
