@@ -25,7 +25,9 @@ def run(speed=3.1, duration=2.0, plane=None, hoop=HOOP, start=None, stiffness=1e
 
 
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize(("friction", "resistance"), [("tanh", 0.0), ("tanh", 0.2), ("linear", 0.0), ("bristle", 0.0)])
+@pytest.mark.parametrize(
+    ("friction", "resistance"), [("tanh", 0.0), ("tanh", 0.2), ("linear", 0.0), ("bristle", 0.0), ("bristle", 0.2)]
+)
 def test_against_scipy_on_rederived_equations(law, friction, resistance):
     """The Lagrangian's equations in SI units, with forces and losses that are functions of the state; μs = μk."""
     hoop = hh.Hoop(radius=0.6, mass=2.0, eccentricity=0.75, inertia_ratio=0.4375)

@@ -185,6 +185,70 @@ def test_cells_whose_values_do_not_go_together_are_marked():
     assert dataset["status"].attrs["flag_meanings"].split()[0] == "not_allowed"
 
 
+REFUSED = {
+    **{path: (math.nan, -math.inf) for path in VALUES if path not in ("plane.impact_law", "plane.painleve")},
+    "hoop.radius": (0.0, -1.0), "hoop.mass": (0.0, -1.0), "hoop.load_fraction": (-0.1, 1.5), "hoop.eccentricity": (-0.1, 2.0),
+    "hoop.inertia_ratio": (-1.0, 1e9), "plane.mu": (-1.0, 1e7), "plane.mu_static": (-1.0,), "plane.mu_kinetic": (-1.0,),
+    "plane.gravity": (-1.0, 1e-9, math.inf), "plane.restitution": (-0.1, 2.0), "plane.rolling_resistance": (-1.0,),
+    "plane.slope": (2.0,), "plane.impact_law": ("x",), "plane.painleve": ("x",), "duration": (-1.0, 0.0, math.inf),
+    "contact.max_events": (0, 1.5, 1e9), "start.height": (-1.0,), "start.speed": (math.inf, 1e7), "start.omega": (1e10,),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("path", "value"), [(path, value) for path, values in REFUSED.items() for value in values])
+def test_points_refuse_what_a_scenario_refuses(path, value):
+    """A value outside the range of its own parameter; the sentence is that of a scenario."""
+    usual = {"plane.mu_static": 1.0, "plane.mu_kinetic": 0.0}.get(path, value)
+    with pytest.raises(ValueError) as refused:
+        hh.Scenario().replace(path, value)
+    with pytest.raises(ValueError) as found:
+        maps.points(None, {path: [usual, value] if usual != value else [value]})
+    assert str(found.value) == str(refused.value)
+
+
+@pytest.mark.parametrize("path", ["start.slip", "start.mode", "contact.stiffness", "contact.model"])
+def test_what_cannot_be_varied(path):
+    for compute in (
+        lambda: maps.points(None, {path: [1.0]}),
+        lambda: make_axes(hh.Scenario(), {path: [1.0], "plane.mu": [1.0]}),
+    ):
+        with pytest.raises(ValueError, match="cannot be an axis"):
+            compute()
+
+
+@given(st.dictionaries(st.sampled_from(sorted(VALUES)), st.just(None), min_size=1, max_size=4), st.data())
+def test_points_are_empty_where_simulate_refuses(paths, data):
+    assume(not any(one in paths and other in paths for one, other in OVERRIDING))
+    values = {path: data.draw(VALUES[path]) for path in paths}
+    try:
+        hh.Scenario().with_values({path: values[path] for path in ordered(list(values))})
+    except ValueError:
+        allowed = False
+    else:
+        allowed = True
+    cells = make_cells(hh.Scenario(), {path: np.array([value]) for path, value in values.items()}, 1)
+    assert (cells[CELL.index("allowed"), 0] == 1.0) == allowed
+
+
+def test_points_of_a_start_that_goes_on_from_a_state():
+    """Another radius contradicts its slip velocity, and little friction its rolling."""
+    slides, rolls = (
+        hh.Scenario().replace("start", hh.Start.of(hh.simulate(hh.Scenario(start=hh.Start.rolling(speed))).at(0.5)))
+        for speed in (3.1, 1.0)
+    )
+    assert (slides.start.mode, rolls.start.mode) == ("K", "R")
+    assert maps.points(slides, {"hoop.radius": [1.0, 2.0]})["sequence"].tolist()[1] == ""
+    for mu in (1.0, 1e-3):
+        try:
+            hh.simulate(rolls.replace("plane.mu", mu))
+        except ValueError:
+            assert maps.points(rolls, {"plane.mu": [mu]})["sequence"].tolist() == [""]
+        else:
+            assert maps.points(rolls, {"plane.mu": [mu]})["sequence"].tolist() != [""]
+    with pytest.raises(ValueError, match=r"^contact\.model = 'compliant'"):
+        maps.points(hh.Scenario(contact=hh.Compliant()), {"plane.mu": [1.0]})
+
+
 def test_a_full_buffer_is_taken_up_with_a_larger_one():
     base = hh.Scenario(duration=60.0).replace("plane.restitution", 0.9)
     base = base.replace("start", hh.Start(height=1.0, omega=3.0))

@@ -102,3 +102,16 @@ def test_tiny_bounces(vn):
     case = Case(0.75, 1.0, 1.0, 1.3, 0.0, vn)
     half = -vn / case.opening
     assert case.found(1)[:2] == pytest.approx((2.0 * half, half), rel=20.0 * vn + 1e-14)
+
+
+def test_the_apex_of_a_flight_that_is_cut_is_that_of_the_whole_flight():
+    """A top before the cut is none if the rim rises higher after it; here are three, the second the highest."""
+    case = Case(0.73, 1.0, -1.63, 3.56, 0.91, 0.06)
+    landed, apex, _ = case.found(0)
+    gaps = [case.gap(tau) for tau in (1.473, 3.061, 4.628)]
+    assert apex == pytest.approx(3.061, abs=1e-3)
+    assert gaps[2] < gaps[0] < gaps[1]
+    for limit in (1.0, 2.0, 3.0):
+        assert not 0.0 < case.found(0, limit)[1] < limit
+    for limit in (3.1, 4.0, 5.0, landed):
+        assert case.found(0, limit)[1] == apex

@@ -124,10 +124,10 @@ def test_static_excess():
 
 @pytest.mark.parametrize("om", [1e-6, -1e-6, 1e-3, -1e-3, 0.0])
 def test_the_couple_of_a_slow_rotation(om):
-    """It grows over 10⁻⁶ √(g/R) where nothing else is said, and is f N from there on, against the rotation."""
+    """It grows over v_s/R, and is f N from there on, against the rotation."""
 
     def couple(normal, rate):
-        return -0.02 * normal * math.tanh(rate / 1e-6)
+        return -0.02 * normal * math.tanh(rate / TANH.v_s)
 
     found = compliant.resisting_couple(TANH, 0.02, 5.0, om)
     by_speed = slope(lambda rate: couple(5.0, rate), om, 1e-10)

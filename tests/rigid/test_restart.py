@@ -130,6 +130,16 @@ def test_a_start_from_a_state_is_that_of_its_positions_and_velocities():
     assert hh.Start.of(hh.simulate(compliant).at(0.3)).mode is None
 
 
+def test_turns_without_friction_are_starts():
+    """There the slip velocity is 0 by the mode, and vx − R omega is rounding of speeds that are gone."""
+    for slope, angle, speed in ((0.0, 2.0, 0.0), (0.0, -1.0, 0.5), (0.1, 3.0, 0.0)):
+        scenario = hh.Scenario(plane=hh.Plane(mu=0.0, slope=slope), start=hh.Start.rolling(speed, angle=angle))
+        motion = hh.simulate(scenario)
+        for event in motion.events[:-1]:
+            for state in (event, motion.at(event.t, "left"), motion.at(event.t)):
+                assert scenario.replace("start", hh.Start.of(state)).start.angle == state.angle
+
+
 def test_files_and_links():
     """All numbers survive, and a start without slip and mode is written without them."""
     scenario = HOPS.replace("start", hh.Start.of(hh.simulate(HOPS).at(7.3)))

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.physics.body import Event, Mode
 from random_scenarios import draw, scenario_of
 
 TURN = 2.0 * math.pi
@@ -29,14 +28,9 @@ def counted(motion, word):
 
 
 def same_events(brief, long):
-    """Assert that the events of a motion, except its END, are the first ones of another.
-
-    The apex of a flight that is not over is the highest point so far, as in a motion that ends by its duration.
-    """
+    """Assert that the events of a motion, except its END, are the first ones of another."""
     mine, others = (motion.tables["events"] for motion in (brief, long))
     count = len(mine) - 1
-    if mine[count]["after_mode"] == Mode.FLIGHT and mine[count - 1]["kind"] == Event.APEX:
-        count -= 1
     assert mine[:count].tobytes() == others[:count].tobytes()
 
 
@@ -84,6 +78,47 @@ def test_next_passage_of_an_angle():
         assert end.angle == pytest.approx(math.copysign(3 * TURN, speed), rel=2e-15)
 
 
+ROCKING = [hh.Start.rolling(speed, angle=angle) for speed in (0.5, -0.5, 0.2, -0.2) for angle in (3.5, 2.5, -3.5, 2.0 + TURN)]
+SLIDING = [hh.Start(angle=angle, vx=vx, omega=omega) for angle, vx, omega in ((3.5, -1.0, 1.5), (2.8, 1.0, -2.0))]
+FLYING = [hh.Start(height=0.3, angle=angle, omega=omega) for angle, omega in ((2.5, 0.4), (-2.0, -0.3), (3.6, 0.0))]
+PLANES = {"rolling": hh.Plane(mu=3.0), "sliding": hh.Plane(mu=0.1), "flying": hh.Plane(mu=0.3, restitution=0.5)}
+
+
+@pytest.mark.parametrize("turns", [0, 2, -3])
+@pytest.mark.parametrize(
+    ("start", "kind"),
+    [
+        *((start, "rolling") for start in ROCKING),
+        *((start, "sliding") for start in SLIDING),
+        *((start, "flying") for start in FLYING),
+    ],
+)
+def test_the_return_to_the_angle_of_the_start(start, kind, turns):
+    """It has left it to one side, and comes back without a revolution."""
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=PLANES[kind], start=start, duration=12.0)
+    motion, whole = (hh.simulate(scenario, until=until) for until in (f"angle:{start.angle + turns * TURN}", None))
+    assert motion.ending.startswith("angle:")
+    assert motion.events[-1].angle == pytest.approx(start.angle, abs=1e-14)
+    assert whole.at(motion.duration).angle == pytest.approx(start.angle, abs=1e-12)
+    away = whole.at(np.linspace(0.0, motion.duration, 400)[1:-1]).angle - start.angle
+    assert away.min() >= 0.0 or away.max() <= 0.0
+
+
+def test_the_return_in_digits():
+    """Extended precision ends at the same return."""
+    scenario = hh.Scenario(start=hh.Start.rolling(0.5, angle=3.5), duration=8.0)
+    rough, exact = hh.simulate(scenario, until="angle:3.5"), hh.simulate(scenario, until="angle:3.5", digits=20)
+    assert rough.duration == pytest.approx(0.22169544067, abs=1e-11)
+    assert (exact.ending, float(exact.duration)) == ("angle:3.5", pytest.approx(rough.duration, rel=1e-14))
+
+
+@pytest.mark.parametrize("angle", [2.0, -2.5, 1.0])
+def test_a_hoop_let_go_returns_to_its_angle_at_its_second_turn(angle):
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.5), start=hh.Start.rolling(0.0, angle=angle), duration=20.0)
+    motion = hh.simulate(scenario, until=f"angle:{angle}")
+    assert motion.duration == pytest.approx(hh.simulate(scenario).find("turn")[1].t, rel=1e-7)
+
+
 @pytest.mark.parametrize("way", [1.0, -1.0])
 @pytest.mark.parametrize(("turned", "mode"), [(0.5, "R"), (1.2, "M"), (math.pi, "R")])
 def test_an_angle_that_the_massless_hoop_passes_as_its_load_falls(way, turned, mode):
@@ -125,6 +160,14 @@ def test_other_limits_stay():
     assert limited.ending == limited.status == "event_limit"
 
 
+@pytest.mark.parametrize("number", [3, 36, 60])
+def test_digits_count_the_landings_of_accumulating_bounces(number):
+    """Doubles close them after fewer landings."""
+    bounces = hh.Scenario(plane=hh.Plane(restitution=0.5), start=hh.Start(height=0.5, angle=math.pi), duration=2.0)
+    exact = hh.simulate(bounces, until=f"landings:{number}", digits=25)
+    assert (exact.ending, len(exact.find("impact")) + len(exact.find("bounce_limit"))) == (f"landings:{number}", number)
+
+
 @pytest.mark.parametrize(("scenario", "until"), [(HOPS, "landings:1"), (HOPS, "angle:2.5"), (ROCKS, "reversal")])
 def test_digits(scenario, until):
     """Extended precision ends at the same instant, with all its digits."""
@@ -157,6 +200,27 @@ def test_unknown_ends(bad):
 def test_compliant_contact():
     with pytest.raises(ValueError, match=r"^until = 'takeoff' needs rigid contact"):
         hh.simulate(HOPS.replace("contact.model", "compliant"), until="takeoff")
+
+
+RESISTED = ROCKS.with_values({"plane.rolling_resistance": 0.02, "start.speed": 0.8, "start.angle": 2.5})
+SLIDES = RESISTED.with_values({"plane.mu": 0.05, "start.speed": 0.0, "start.angle": 1.5})
+MASSLESS = hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(mu=0.3), start=hh.Start.rolling(0.5), duration=6.0)
+SETTLES = MASSLESS.with_values({"plane.mu": 0.9, "start.speed": 1.0})
+
+
+@pytest.mark.parametrize(
+    ("scenario", "until"),
+    [(RESISTED, "reversal"), (SLIDES, "reversal"), (MASSLESS, "landings:1"), (SETTLES, "landings:1")],
+)
+def test_forces_at_the_end_are_those_just_after_its_event(scenario, until):
+    """Rolling resistance turns round with the hoop; the load of the massless one lies on the plane."""
+    motion, whole = hh.simulate(scenario, until=until), hh.simulate(scenario)
+    assert motion.ending == until
+    for side in ("left", "right"):
+        found, same = motion.at(motion.duration, side), whole.at(motion.duration, side)
+        for name in ("mode", "normal_force", "friction_force"):
+            assert getattr(found, name) == getattr(same, name), (side, name)
+    assert whole.at(motion.duration).normal_force > 0.0
 
 
 @pytest.mark.parametrize("until", UNTILS)

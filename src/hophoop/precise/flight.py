@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from hophoop.kernel.panels.landing import Flight, landing_time_bound
 from hophoop.kernel.physics.closed_forms import flight_displacement
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.records.state import State
@@ -76,8 +77,19 @@ def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> 
             vn = min(after.vn, body.zero)
             return Landing(after._replace(y=body.zero, vn=vn), True, apex)
         if final:
-            return Landing(after._replace(t=t_end), False, apex)
+            kept = apex is not None and not _rises_above(body, judge, after, apex)
+            return Landing(after._replace(t=t_end), False, apex if kept else None)
         state, known = after, 0
+
+
+def _rises_above(body: Body, judge: Judge, state: State, apex: State) -> bool:
+    """Return True if the rest of a flight that is cut has a higher apex."""
+    cosine, sine = body.ctx.cos_sin(state.th)
+    flight = Flight(sine, cosine, state.om, state.y, state.vn, opening_at(body, state))
+    rise = state.vn - body.eps * sine * state.om
+    longest = body.kernels(landing_time_bound)(body, flight, rise)
+    later = fly(body, judge, state, False, state.t + longest).apex
+    return later is not None and later.y > apex.y
 
 
 def opening_at(body: Body, state: State) -> Number:

@@ -27,7 +27,7 @@ from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
 
 Duration = Annotated[float, within("duration"), NUMBER]
-ROUNDED = 1e-9  # of the velocities: within it the slip velocity of a start agrees with the others
+ROUNDED = 1e-9  # of the velocities and √(g R): within it the slip velocity of a start agrees with the others
 
 
 class Scenario(Frozen):
@@ -74,7 +74,7 @@ class Scenario(Frozen):
             raise refused(code, self, number)
         if self.start.slip is not None:
             self._check_slip(self.start.slip)
-        if isinstance(self.contact, Rigid) and self.start.mode is not None and (why := _why_not_in_mode(self)):
+        if isinstance(self.contact, Rigid) and self.start.mode is not None and (why := why_not_in_mode(cell_of(self))):
             raise refuse(f"start.mode = {self.start.mode!r} cannot hold: {why}.")
         return self
 
@@ -82,7 +82,7 @@ class Scenario(Frozen):
         """Refuse a slip velocity that is not vx − R omega within rounding, and the massless hoop, whose start is in contact."""
         start = self.start
         rim = self.hoop.radius * (start.omega or 0.0)
-        if not abs(slip - (start.vx - rim)) <= ROUNDED * (abs(slip) + abs(start.vx) + abs(rim)):
+        if not slip_agrees(slip, start.vx, rim, self.hoop.radius / time_unit(self.hoop, self.plane)):
             raise refuse(
                 f"start.slip = {slip!r} must be start.vx - hoop.radius start.omega = {start.vx - rim!r} within rounding."
             )
@@ -348,16 +348,23 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
     )  # fmt: skip
 
 
-def _why_not_in_mode(scenario: Scenario) -> str:
-    """Return why a state in contact cannot have the mode of its start, beyond rounding; empty if it can."""
+def slip_agrees(slip: float, vx: Any, rim: Any, unit: Any) -> Any:
+    """Return whether a slip velocity is vx − rim within rounding, which at a turn is that of the unit √(g R) [all m/s]."""
+    return abs(slip - (vx - rim)) <= ROUNDED * (abs(slip) + abs(vx) + abs(rim) + unit)
+
+
+def why_not_in_mode(cell: Any) -> str:
+    """Return why the state in contact of a cell cannot have its mode, beyond rounding; empty if it can.
+
+    cell: In the order of `kernel.records.cells.CELL` [SI].
+    """
     from hophoop.kernel.numerics.circular import sine_cosine
     from hophoop.kernel.physics.contact import free_acceleration
     from hophoop.kernel.physics.modes import UNDECIDED, next_mode
     from hophoop.kernel.records.cells import mode_of, start_of
     from hophoop.kernel.rigid.sampling import margins_of
 
-    body = to_body(scenario.hoop, scenario.plane)
-    cell = cell_of(scenario)
+    body = body_of(cell)
     state, mode = start_of(cell, second_of(cell)), mode_of(cell)
     turns_back = body.resist > 0.0 and state.om == 0.0  # the couple jumps
     if body.kap == 0.0 or state.y > 0.0 or state.vn != 0.0 or turns_back:

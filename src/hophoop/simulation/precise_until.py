@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from hophoop._version import __version__
-from hophoop.kernel.physics.body import Event, Status
-from hophoop.kernel.rigid.phase import Until
+from hophoop.kernel.physics.body import PASSING, Event, Mode, Status
+from hophoop.kernel.rigid.phase import STOP_AT_TURN, Until
 from hophoop.precise.motion import Record
 from hophoop.precise.result import PreciseMotion, motion_of
 from hophoop.precise.solver import Solution, check, solve
@@ -19,6 +18,11 @@ from hophoop.simulation.rigid import simulate_rigid
 
 AFTER = 1e-6  # √(R/g): by which a motion is solved beyond the event that ends it
 FAR = 0.5  # rad: a passage that is farther from the one in double precision is another one
+# Written right after a landing or a turn: what the mode rule makes of it.
+AT_ONCE = (
+    Event.KANE_GAIN, Event.PAINLEVE_INCONSISTENT, Event.PAINLEVE_INDETERMINATE, Event.IMPACT, Event.STICK, Event.SLIP_START,
+    Event.SLIP_REVERSAL, Event.TAKEOFF,
+)  # fmt: skip
 MOST = 12  # corrections of the time of a passage; each one doubles its digits
 
 
@@ -28,28 +32,49 @@ def simulate_precisely_until(scenario: Scenario, digits: int, asked: str, until:
     scenario: With rigid contact; digits: From 15 to 1000 [1]; asked: The name of `until`.
     """
     check(scenario, digits)
-    events = simulate_rigid(scenario, until).events
+    end = simulate_rigid(scenario, until).events[-1]
+    ends = end["t"] < scenario.duration / time_unit(scenario.hoop, scenario.plane)
     solution = None
-    if events["t"][-1] < scenario.duration / time_unit(scenario.hoop, scenario.plane):
-        at_event = until.stop or until.landings
-        solution = _to_event(scenario, digits, events) if at_event else _to_passage(scenario, digits, until, events[-1])
+    if until.stop or until.landings:
+        solution = _to_event(scenario, digits, until, float(end["t"]) + AFTER if ends else None)
+    elif ends:
+        solution = _to_passage(scenario, digits, until, end)
     ended = solution is not None and solution.status == Status.COMPLETED
     return motion_of(scenario, solution or solve(scenario, digits), digits, __version__, asked if ended else None)
 
 
-def _to_event(scenario: Scenario, digits: int, events: np.ndarray) -> Solution | None:
-    """Return the motion up to just after the event that ends it in double precision; None if there is no such event.
+def _to_event(scenario: Scenario, digits: int, until: Until, about: float | None) -> Solution | None:
+    """Return the motion up to just after the event that ends it; None if there is no such event.
 
-    events: In double precision. The last one before END is the n-th of its kind.
+    about: A time after the event in double precision, if it has one. Bounces that accumulate are more in extended precision.
     """
-    kind = events["kind"][-2]
-    number = np.count_nonzero(events["kind"] == kind)
-    for end in (float(events["t"][-1]) + AFTER, None):
+    for end in (about, None) if about is not None else (None,):
         solution = solve(scenario, digits, until=end)
-        rows = [row for row, record in enumerate(solution.records) if record.kind == kind]
-        if len(rows) >= number:
-            return _ended(solution, rows[number - 1])
+        row = _row_of_end(solution.records, until)
+        if row is not None:
+            return _ended(solution, row)
     return None
+
+
+def _row_of_end(records: Sequence[Record], until: Until) -> int | None:
+    """Return the last record of the event that ends a motion, with what follows it at once; None if there is no such event."""
+    wanted = [row for row, record in enumerate(records) if _counts(record, until)]
+    number = max(until.landings, 1)
+    if len(wanted) < number:
+        return None
+    row = wanted[number - 1]
+    while records[row + 1].kind in AT_ONCE and records[row + 1].state.t == records[row].state.t:
+        row += 1
+    return row
+
+
+def _counts(record: Record, until: Until) -> bool:
+    """Return True for a landing, a turn, or a take-off after the start."""
+    if until.landings:
+        return record.kind == Event.BOUNCE_LIMIT or (record.kind == Event.IMPACT and bool(record.collision))
+    if until.stop == STOP_AT_TURN:
+        return bool(record.kind == Event.TURN)
+    return bool(record.state.t > 0 and record.after_mode == Mode.FLIGHT and record.kind not in (*PASSING, Event.END))
 
 
 def _ended(solution: Solution, row: int) -> Solution:

@@ -61,7 +61,7 @@ SIZE = MEMORY + 7
 @inline
 def limits_in_cell(t_end, cell, bounded):
     """Return limits half a revolution to either side of a load at the top, if the rim is bounded to them."""
-    return Limits(t_end, 0, 0, PI if bounded else math.nan, 0.0, PI if bounded else 0.0, 0.0, cell, 0.0, 0.0)
+    return Limits(t_end, 0, 0, PI if bounded else math.nan, 0.0, PI if bounded else 0.0, 0.0, cell, 0.0, 0.0, False)
 
 
 @noinline

@@ -167,8 +167,7 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
             c = 2.0 * damping_ratio(rebound) * math.sqrt(k)
         else:
             d = hunt_crossley_number(rebound)
-    usual = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
-    v_s = usual
+    v_s = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
     if not math.isnan(slip_speed):
         v_s = slip_speed * second / length
     elif friction == BRISTLE:  # it may relax as slowly as the hoop moves: c_t = μ k_t
@@ -177,8 +176,7 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
         friction = LINEAR
     k_t = k if math.isnan(tangential) else tangential * (second * second) / mass
     excess = static_excess(body.mu_s, body.mu_k) if friction == TANH else 0.0
-    om_s = usual if friction == BRISTLE else v_s
-    return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s, om_s)
+    return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s)
 
 
 def chosen_in_si(comp, length, second, mass):

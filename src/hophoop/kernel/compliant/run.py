@@ -183,7 +183,7 @@ def set_tolerances(body, comp, work):
     work.atol[TH] = 1.0
     work.atol[VT] = min(1.0, comp.v_s)
     work.atol[VN] = min(1.0, 1.0 / math.sqrt(comp.k))
-    work.atol[OM] = min(1.0, comp.om_s) if body.resist > 0.0 else 1.0
+    work.atol[OM] = min(1.0, comp.v_s) if body.resist > 0.0 else 1.0
     work.atol[Z] = 1.0
     if comp.friction == BRISTLE:
         work.atol[Z] = min(1.0, 1.0 / comp.k_t)

@@ -210,7 +210,8 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
     landing : float
         Time of the first contact with approach, or -1.
     apex : float
-        Time at which the centre is highest, or -1 if that is at an end of the flight.
+        Time at which the centre is highest up to the landing, which may be after `limit`, or -1 if that is at an end of the
+        flight or after `limit`.
     seen : float
         Time up to which the flight was searched: `limit`, or less if that takes more than `MOST_BENDS` arcs.
     """
@@ -235,13 +236,14 @@ def first_landing(body, th, om, y, vn, fn, order, limit):
     begin = Moment(0.0, y, vn, fn, -high * om * flight.s)
     passed = 0.0  # angle since the start
     for _ in range(MOST_BENDS):
-        if turned * (min(never, limit) - begin.tau) > MANY:
+        last = limit if begin.tau < limit else never
+        if turned * (min(never, last) - begin.tau) > MANY:
             start = search_start(body, flight, rise, begin.tau, never)
             if start > begin.tau:
                 begin = moment_of(body, flight, start)
                 passed = turned * start
                 angle = angle_from_top((th if om > 0.0 else -th) + passed)
-        if not begin.tau < min(never, limit):
+        if not begin.tau < min(never, last) or (begin.tau >= limit and not 0.0 <= apex < limit):
             return -1.0, apex, limit
         bends_up = -half <= angle < half
         if bends_up:

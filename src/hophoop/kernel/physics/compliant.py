@@ -11,7 +11,7 @@ and its friction force is
     bristle            a spring and damper along the plane, F = −(k_t z + c_t ż), whose foot sticks to
                        the plane (ż = v_t) while abs(F) ≤ μs N and else slides with abs(F) = μk N
 
-Rolling resistance is a couple −f N tanh(θ̇/ω_s) on the hoop, which creeps under every load.
+Rolling resistance is a couple −f N tanh(θ̇/v_s) on the hoop, which creeps under every load.
 """
 
 from __future__ import annotations
@@ -57,7 +57,6 @@ class Compliance(NamedTuple):
     excess: float  # A of the tanh law, see `static_excess`
     k_t: float  # stiffness of the bristle; `c_t` is its damping
     c_t: float
-    om_s: float = 1e-6  # θ̇ at which rolling resistance nears its full size
 
 
 STIFFNESS = 1e6  # in m g / R, if none is given
@@ -117,8 +116,8 @@ def friction_force(comp, regime, normal, z, vt):
 
 def resisting_couple(comp, resist, normal, om):
     """Return (C, ∂C/∂N, ∂C/∂θ̇) of the couple C of rolling resistance."""
-    hyper = hyperbolic_tangent(om / comp.om_s)
-    return -resist * normal * hyper, -resist * hyper, -resist * normal * (1.0 - hyper * hyper) / comp.om_s
+    hyper = hyperbolic_tangent(om / comp.v_s)
+    return -resist * normal * hyper, -resist * hyper, -resist * normal * (1.0 - hyper * hyper) / comp.v_s
 
 
 def first_regime(comp, normal, z, vt):

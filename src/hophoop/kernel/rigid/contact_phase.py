@@ -79,7 +79,7 @@ from hophoop.kernel.records.writing import (
 from hophoop.kernel.rigid.flight_phase import begin_skim
 from hophoop.kernel.rigid.panel_choice import choose_panel, exceeds_time_left, narrow_to_time, set_anchor
 from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE, earliest_event
-from hophoop.kernel.rigid.phase import STOP_AT_TURN, Ending, at_span, begin_phase, continue_phase, end_motion
+from hophoop.kernel.rigid.phase import GOING, STOP_AT_TURN, Ending, at_span, begin_phase, continue_phase, end_motion
 from hophoop.kernel.rigid.transitions import leave_cone, resolve_mode, resolve_painleve_singularity
 
 STILL_ACCELERATION = 1e-15
@@ -423,12 +423,10 @@ def turning_point_step(body, phase, state, level, limits, log):
     if phase.mode == ROLL and mode == ROLL and is_equilibrium(body, 0, state):
         return still_step(body, phase, state, limits, log)
     kind = STICK if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
-    if phase.mode != ROLL and mode > SKIM and not limits.stop & STOP_AT_TURN:
+    if phase.mode != ROLL and mode > SKIM:
         kind = TURN  # slip goes on until the paradox, which follows at once
     else:
         write_plain_event(log, TURN, phase.mode, phase.mode, state)
-    if limits.stop & STOP_AT_TURN:
-        return end_motion(phase, phase.mode, state, Ending.TURNING_POINT, COMPLETED)
     if mode == phase.mode:
         return continue_phase(phase, state, level, Ending.TURNING_POINT)
     if kind == STICK and mode != FLIGHT:
@@ -442,7 +440,10 @@ def contact_step(body, phase, limits, log, scratch):
     """Roll or slip up to an event or a turning point, and return the next phase."""
     ending, state, level = advance_contact(body, phase, limits, log, scratch)
     if ending == Ending.TURNING_POINT and body.resist > 0.0:
-        return turning_point_step(body, phase, state, level, limits, log)
+        after = turning_point_step(body, phase, state, level, limits, log)
+        if limits.stop & STOP_AT_TURN and after.status == GOING:
+            return end_motion(after, after.mode, after.state, Ending.TURNING_POINT, COMPLETED)
+        return after
     if ending == Ending.TURNING_POINT:
         write_plain_event(log, TURN, phase.mode, phase.mode, state)
     if ending in (Ending.TIME_LIMIT, Ending.ANGLE_LIMIT) or (ending == Ending.TURNING_POINT and limits.stop & STOP_AT_TURN):

@@ -40,7 +40,7 @@ from hophoop.kernel.panels.solve import u_on_panel
 from hophoop.kernel.physics.contact import cone_weights, rolling_forces
 from hophoop.kernel.records.state import time_left
 from hophoop.kernel.records.writing import record_doubt
-from hophoop.kernel.rigid.phase import Ending, angle_left
+from hophoop.kernel.rigid.phase import ROUNDING, Ending, angle_left
 
 SMALLEST_SQUARE = 1e-290  # the square of a speed below this is close to underflow
 MARGIN_ROUNDING = 4e-16  # rounding of the margin to the friction cone, relative to the forces
@@ -228,11 +228,12 @@ def end_of_slip(body, panel, state, begins, vanishing, scratch):
 def end_of_span(panel, state, limits):
     """Return ξ where θ has changed by the span, or NOT_FOUND."""
     ahead = angle_left(limits, state, panel.direction)
-    if not ahead <= panel.extent:  # also if the span is nan
+    reach = panel.extent + ROUNDING if panel.kind == ARRIVE else panel.extent  # a turn at this angle counts
+    if not ahead <= reach:  # also if the span is nan
         return NOT_FOUND
     if not ahead > 0.0:
         return -1.0  # an event was exactly at this angle
-    return xi_of_offset(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
+    return xi_of_offset(panel, max(panel.extent - ahead, 0.0) if panel.kind == ARRIVE else ahead)
 
 
 @inline

@@ -6,7 +6,7 @@ import math
 from enum import IntEnum
 from typing import NamedTuple
 
-from hophoop.kernel.native import inline
+from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, PI_LOW, TWO_PI, TWO_PI_LOW, add, plus, revolutions_and_rest
 from hophoop.kernel.physics.body import UNDETERMINED
 from hophoop.kernel.physics.modes import UNDECIDED
@@ -108,6 +108,7 @@ class Limits(NamedTuple):
     revolutions: float  # angle of the centre
     th: float
     th_low: float
+    leaves: bool  # True while a start at the angle that ends the motion, the centre, is not left yet
 
 
 def limits_of(start, t_end, span, stop, landings):
@@ -122,13 +123,13 @@ def limits_of(start, t_end, span, stop, landings):
         rest = span - revolutions * TWO_PI
         if abs(rest) <= 4e-16 * span:
             rest = 0.0
-    return Limits(t_end, stop, landings, span, revolutions, rest, 0.0, start.revolutions, start.th, start.th_low)
+    return Limits(t_end, stop, landings, span, revolutions, rest, 0.0, start.revolutions, start.th, start.th_low, False)
 
 
 def limits_at_angle(start, t_end, angle):
     """Return the limits of a motion that ends where θ next is `angle` in any revolution.
 
-    These are half a revolution to either side of the opposite angle, or a whole one for a start at `angle` itself.
+    These are half a revolution to either side of the opposite angle. A start at `angle` itself has them once it is left.
     """
     _, th, low = revolutions_and_rest(angle)
     ahead = (start.th - th) + (start.th_low - low)  # from the angle in the revolution of the start
@@ -136,13 +137,18 @@ def limits_at_angle(start, t_end, angle):
     revolutions = start.revolutions + passed
     ahead -= passed * TWO_PI
     if abs(ahead) <= ROUNDING * (1.0 + abs(revolutions)):
-        return Limits(t_end, 0, 0, TWO_PI, 1.0, 0.0, 0.0, revolutions, th, low)
+        return Limits(t_end, 0, 0, TWO_PI, 1.0, 0.0, 0.0, revolutions, th, low, True)
     side = 1.0 if ahead > 0.0 else -1.0
     if side * th > 0.0:  # so that the opposite angle is within half a revolution, too
         revolutions += side
         side = -side
+    return limits_beside(t_end, side, revolutions, th, low)
+
+
+def limits_beside(t_end, side, revolutions, th, low):
+    """Return the limits of a motion on one side (±1) of an angle: there, and a revolution further."""
     th, low = add((th, low), (side * PI, side * PI_LOW))
-    return Limits(t_end, 0, 0, PI, 0.0, PI, PI_LOW, revolutions, th, low)
+    return Limits(t_end, 0, 0, PI, 0.0, PI, PI_LOW, revolutions, th, low, False)
 
 
 def limits_until(start, t_end, until):
@@ -150,6 +156,15 @@ def limits_until(start, t_end, until):
     if not math.isnan(until.angle):
         return limits_at_angle(start, t_end, until.angle)
     return limits_of(start, t_end, TWO_PI * until.revolutions, until.stop, until.landings)
+
+
+@noinline
+def limits_after_start(limits, state):
+    """Return the limits of a motion that has started at the angle that ends it, and may have left it by now."""
+    moved_by = TWO_PI * (state.revolutions - limits.revolutions) + ((state.th - limits.th) + (state.th_low - limits.th_low))
+    if abs(moved_by) <= ROUNDING * (1.0 + abs(limits.revolutions)):
+        return limits
+    return limits_beside(limits.t_end, math.copysign(1.0, moved_by), limits.revolutions, limits.th, limits.th_low)
 
 
 @inline

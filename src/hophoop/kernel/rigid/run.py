@@ -6,7 +6,7 @@ import math
 
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.circular import cosine, sine_cosine
-from hophoop.kernel.panels.panel import FLY, LINEAR, no_panel
+from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, no_panel
 from hophoop.kernel.physics.body import (
     BUFFER,
     COMPLETED,
@@ -21,12 +21,18 @@ from hophoop.kernel.physics.body import (
     START,
     UNDETERMINED,
 )
-from hophoop.kernel.physics.contact import free_acceleration, resistance_arm, slip_coefficients, slip_motion
+from hophoop.kernel.physics.contact import (
+    acceleration_in_contact,
+    free_acceleration,
+    resistance_arm,
+    slip_coefficients,
+    slip_motion,
+)
 from hophoop.kernel.physics.modes import can_roll, opening_sign, slip_direction, slip_mode
 from hophoop.kernel.records.cells import Cell, body_of, mode_of, second_of, start_of
 from hophoop.kernel.records.layout import EVENTS, SEGMENTS, Outcome, new_scratch
 from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event, write_segment
-from hophoop.kernel.rigid.contact_phase import contact_step
+from hophoop.kernel.rigid.contact_phase import contact_step, remains_at_rest
 from hophoop.kernel.rigid.flight_phase import begin_skim, flight_step, land, skim_step
 from hophoop.kernel.rigid.panel_choice import set_anchor
 from hophoop.kernel.rigid.panel_events import CLOSE
@@ -38,6 +44,7 @@ from hophoop.kernel.rigid.phase import (
     begin_phase,
     continue_phase,
     end_motion,
+    limits_after_start,
     limits_of,
     limits_until,
 )
@@ -148,16 +155,25 @@ def can_follow(before, after, t_end):
 
 
 @noinline
-def write_end(log, mode, phase):
+def write_end(body, log, mode, phase):
     """Write a segment of zero length with the state after the event, or at the angle, that ends the motion.
 
     Without an answer of the model the contact forces are not known: the segment then has none, as in flight. At a jam N is
     infinite, and no segment is written.
     """
-    contact = phase.status == COMPLETED and mode in (ROLL, SPIN, SKID)
-    direction = 1.0 if phase.state.om > 0.0 else -1.0 if phase.state.om < 0.0 else 0.0
-    panel = no_panel(LINEAR if contact else FLY, slip_direction(mode), direction)
-    write_segment(log, mode, panel, 0.0, phase.state, phase.state.t)
+    state = phase.state
+    sigma = slip_direction(mode)
+    kind = FLY
+    turning = state.om
+    if phase.status == COMPLETED and mode in (ROLL, SPIN, SKID):
+        kind = LINEAR
+        if state.om == 0.0 and remains_at_rest(body, sigma, state):
+            kind = HOLD
+        elif state.om == 0.0:
+            s, c = sine_cosine(state.th, state.th_low)
+            turning = acceleration_in_contact(body, s, c, 0.0, sigma)
+    direction = 1.0 if turning > 0.0 else -1.0 if turning < 0.0 else 0.0
+    write_segment(log, mode, no_panel(kind, sigma, direction), 0.0, state, state.t)
 
 
 @inline
@@ -182,12 +198,14 @@ def follow(body, phase, limits, log, scratch):
             log.counts[EVENTS], log.counts[SEGMENTS] = events_before, segments_before
             break
         landings, phase = count_landing(after, landings, limits)
+        if limits.leaves:
+            limits = limits_after_start(limits, phase.state)
     if log.counts[EVENTS] >= 0 and log.counts[SEGMENTS] >= 0:  # also if the panels are used up: END is at the state reached
         last = log.events[log.counts[EVENTS] - 1]
         mode, ends = last["after_mode"], last["t"] == phase.state.t
         write_plain_event(log, END, mode, mode, phase.state)
         if phase.status != JAMMED and (ends or phase.ending == Ending.ANGLE_LIMIT):
-            write_end(log, mode, phase)
+            write_end(body, log, mode, phase)
     count = log.counts[EVENTS] if log.counts[EVENTS] >= 0 else log.events.shape[0]
     if log.counts[SEGMENTS] < 0:
         return BUFFER, count, log.segments.shape[0]

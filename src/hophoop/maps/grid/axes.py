@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import Context, Decimal, localcontext
 from typing import Any, NamedTuple
 
@@ -15,6 +15,7 @@ from hophoop.kernel.numerics.elementwise import exponential
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.scenario.models import Rigid
 from hophoop.scenario.paths import contradiction
+from hophoop.vocabulary.parameters import PARAMETERS, RANGES
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 MOST_VALUES = 100_000_000  # on one axis, since its values are in memory
@@ -160,31 +161,59 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
     """Check the axes of a map, values by path in SI units, against the scenario that they vary."""
     if len(axes) < 2:
         raise InputError(f"axes = {list(axes)!r} must name at least two parameters.", field="axes", value=list(axes))
-    if not isinstance(base.contact, Rigid):
-        raise InputError.of_field("contact.model", base.contact.model, "'rigid' in a map")
+    check_rigid(base)
     made = []
     for path, values in axes.items():
         info = parameter(path)
-        array = np.asarray(values)
-        if path == "contact.model" or (path.startswith("contact.") and path != "contact.max_events"):
-            raise InputError(f"{path} cannot be an axis: maps are made with rigid contact.")
+        array = axis_values(path, values)
         if array.ndim != 1 or array.size == 0:
             raise InputError(f"axis {path} must be a list of values, not of shape {array.shape}.")
-        if info.unit == "":
-            array = array.astype(str)
-        else:
-            try:
-                array = array.astype(float)
-            except (TypeError, ValueError):
-                raise InputError(f"axis {path} must hold numbers.") from None
         if np.unique(array).size != array.size:
             raise InputError(f"axis {path} must not hold a value twice.")
         made.append(Axis(path, array, info.unit, info.description))
     result = tuple(made)
-    _check_pairs(result)
+    check_pairs(axes)
     for axis in result:
         _check_values(base, axis, [other for other in result if other is not axis])
     return result
+
+
+def check_rigid(base: Scenario) -> None:
+    """Refuse a map with compliant contact."""
+    if not isinstance(base.contact, Rigid):
+        raise InputError.of_field("contact.model", base.contact.model, "'rigid' in a map")
+
+
+def axis_values(path: str, values: ArrayLike) -> NDArray[Any]:
+    """Return the values of a parameter as numbers, or words where it is one [SI]."""
+    array = np.asarray(values)
+    if path == "contact.model" or (path.startswith("contact.") and path != "contact.max_events"):
+        raise InputError(f"{path} cannot be an axis: maps are made with rigid contact.")
+    if path in ("start.slip", "start.mode"):
+        raise InputError(f"{path} cannot be an axis: it belongs to a start that goes on from a state of a motion.")
+    if parameter(path).unit == "":
+        return array.astype(str)
+    try:
+        return array.astype(float)
+    except (TypeError, ValueError):
+        raise InputError(f"axis {path} must hold numbers.") from None
+
+
+def check_ranges(base: Scenario, arrays: Mapping[str, NDArray[Any]]) -> None:
+    """Refuse a value that its parameter never has, with the sentence of a scenario that has it."""
+    for path, array in arrays.items():
+        values = np.unique(array)
+        if path in RANGES:
+            allowed = RANGES[path]
+            held = ((allowed.least <= values) & (values <= allowed.most)) | np.isin(values, allowed.also)
+            if path == "contact.max_events":
+                held &= values == np.floor(values)
+        elif path in PARAMETERS:
+            held = np.isin(values, [word for word, _ in PARAMETERS[path].choices])
+        else:  # a number of a part, which make_cells checks with its hoop
+            continue
+        if not held.all():
+            scenario_at(base, {path: values[~held][0]})
 
 
 def ordered(paths: Sequence[str]) -> list[str]:
@@ -249,8 +278,9 @@ def _extremes(axis: Axis) -> tuple[Any, ...]:
     return () if axis.unit == "" else (axis.values.min(), axis.values.max())
 
 
-def _check_pairs(axes: Sequence[Axis]) -> None:
-    pair = contradiction(axis.path for axis in axes)
+def check_pairs(paths: Iterable[str]) -> None:
+    """Refuse two paths that say the same thing in two ways."""
+    pair = contradiction(paths)
     if pair is not None:
         raise InputError(TWO_AXES.format(one=pair[0], other=pair[1]))
 

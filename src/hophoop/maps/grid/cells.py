@@ -14,6 +14,7 @@ from hophoop.kernel.records.refusal import mark_refused
 from hophoop.kernel.rigid.run import BY_RULE
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
+from hophoop.scenario.scenario import slip_agrees, why_not_in_mode
 from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
 
@@ -78,8 +79,23 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         cells[Cell.OMEGA] = free["omega"]
         cells[Cell.SLIP] = free["vx"] - cells[Cell.RADIUS] * cells[Cell.OMEGA]
         cells[Cell.MODE] = BY_RULE
+    else:
+        _mark_starts(cells, base)
     compiled(mark_refused)(cells)
     return cells
+
+
+def _mark_starts(cells: Array, base: Scenario) -> None:
+    """Mark the cells that contradict the slip velocity or the mode of the start."""
+    start = base.start
+    assert start.slip is not None
+    seconds = np.sqrt(cells[Cell.RADIUS] / np.where(cells[Cell.GRAVITY] > 0.0, cells[Cell.GRAVITY], 1.0))
+    rim = cells[Cell.RADIUS] * (start.omega or 0.0)
+    cells[Cell.ALLOWED, ~slip_agrees(start.slip, start.vx, rim, cells[Cell.RADIUS] / seconds)] = 0.0
+    if start.mode is not None:
+        for k in np.flatnonzero(cells[Cell.ALLOWED]).tolist():
+            if why_not_in_mode(cells[:, k].tolist()):
+                cells[Cell.ALLOWED, k] = 0.0
 
 
 def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:

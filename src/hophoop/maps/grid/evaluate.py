@@ -17,7 +17,7 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.panels.panel import RESOLVED
 from hophoop.kernel.records.layout import MapRequest, MapResults, unpacked_sequence
 from hophoop.maps.grid import kernel
-from hophoop.maps.grid.axes import Axis, chunk_shape, make_axes, ordered
+from hophoop.maps.grid.axes import Axis, axis_values, check_pairs, check_ranges, check_rigid, chunk_shape, make_axes, ordered
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.quantities import (
     Quantity,
@@ -30,7 +30,7 @@ from hophoop.maps.grid.quantities import (
 )
 from hophoop.maps.grid.settled import SPANS as SETTLED_SPANS
 from hophoop.maps.grid.settled import check_settled, evaluate_settled
-from hophoop.scenario import InputError, Scenario, parameter
+from hophoop.scenario import InputError, Scenario
 
 CHUNK_CELLS = 65536
 CALL_CELLS = 512  # per call of the kernel: a call takes as long as 2 cells, and a thread stops after one
@@ -188,7 +188,7 @@ def points(
     Raises
     ------
     ValueError
-        If a parameter, a quantity or the span is unknown.
+        If a parameter, a quantity or the span is unknown, or a value outside the range of its parameter.
 
     Examples
     --------
@@ -198,12 +198,12 @@ def points(
     base = _base_of(base)
     check_type("values", values, Mapping)
     chosen = choose_quantities(quantities)
-    arrays = {}
-    for path, array in values.items():
-        info = parameter(path)
-        arrays[path] = np.asarray(array, dtype=str if info.unit == "" else float)
+    check_rigid(base)
+    check_pairs(values)
+    arrays = {path: axis_values(path, array) for path, array in values.items()}
     spread = np.broadcast_arrays(*arrays.values())
     shape = spread[0].shape if spread else (1,)
+    check_ranges(base, arrays)
     flat = {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}
     count = int(np.prod(shape))
     arranged = {path: flat[path] for path in ordered(list(flat))}

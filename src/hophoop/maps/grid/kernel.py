@@ -126,13 +126,14 @@ def ending_of(motion, request):
     if status == Status.EVENT_LIMIT:
         return BY_EVENTS
     end = events[count - 1]
-    if count > 1:
-        before = events[count - 2]
-        if before["t"] == end["t"]:
-            if request.stop & STOP_AT_TURN and before["kind"] == Event.TURN:
-                return BY_REVERSAL
-            if request.stop & STOP_AT_TAKEOFF and before["after_mode"] == Mode.FLIGHT:
-                return BY_TAKEOFF
+    for i in range(count - 2, -1, -1):
+        before = events[i]
+        if before["t"] != end["t"]:
+            break
+        if request.stop & STOP_AT_TURN and before["kind"] == Event.TURN:
+            return BY_REVERSAL
+        if request.stop & STOP_AT_TAKEOFF and before["after_mode"] == Mode.FLIGHT:
+            return BY_TAKEOFF
     return BY_TIME if end["t"] >= motion.t_end else BY_ANGLE
 
 
