@@ -59,7 +59,7 @@ def test_the_angle_that_is_left_is_the_span_less_what_is_turned(way, span):
 @pytest.mark.parametrize("angle", [0.0, 1.5, -3.0, math.pi, 1e3, -1e6])
 @pytest.mark.parametrize("at", [0.25, 3.0, -2.9, 5 * TURN - 1.0])
 def test_a_motion_ends_at_the_next_passage_of_an_angle_on_either_side(angle, at):
-    """One that starts at the angle itself, also if rounding moved it, is a revolution from it on both sides until it leaves it."""
+    """One that starts at the angle itself, also if rounding moved it, is a revolution from it on both sides until it leaves."""
     turns, th, low = revolutions_and_rest(angle)
     for start, near in ((state_of(at), False), (state_of(0.0, revolutions=turns - 3, th=th, th_low=low + 1e-15), True)):
         given = limits_at_angle(start, 9.0, angle)
