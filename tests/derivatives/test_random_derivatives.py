@@ -15,7 +15,7 @@ from random_scenarios import draw, scenario_of
 SEED = 59
 EVENTS = 40
 FIELDS = ("t", "angle", "omega", "slip")
-FIRST, LAST = 12, 34  # halvings of the parameter, or of its unit
+FIRST, LAST = 12, 26  # halvings of the parameter, or of its unit
 AGREE = 1e-6  # of two steps in a row, relative
 RIGHT = 1e-4  # of a derivative and the differences, relative: 100 times what they agree to
 START = ("start.vx", "start.omega", "start.angle")
