@@ -60,7 +60,9 @@ def fit(
     since : --from
     until : --to
     columns : --column NAME=HEAD
-        Column of t, frame, x, y, marker_x, marker_y, angle or omega, as the table spells it.
+        Column of t, frame, x, y, marker_x, marker_y, angle or omega, as the table spells it or by its number.
+    units : --unit NAME=UNIT
+        Unit of t, x, y, angle or omega: s, ms, us, ns; m, cm, mm; rad, deg; deg/s, or the size of one in SI units.
     rate
     centre, marker, angle_unit
 

@@ -1,0 +1,467 @@
+"""From the columns of a table to a track: which column is which quantity, and questions where a table leaves it open."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import InputError
+from hophoop.tracking.columns import Column, unit_factor
+from hophoop.tracking.dialects import CENTRE, KIND, MARKER, PIXELS, SHOWN, UNITS
+from hophoop.tracking.hints import require_above_0
+from hophoop.tracking.table import COLUMNS, Track, track_of
+
+Floats = NDArray[np.float64]
+
+CHANNELS = ("frame", *COLUMNS)
+CERTAIN = COLUMNS.keys() - {"t", "x", "y", "angle", "omega"}  # quantities whose name has only one meaning
+MOST_NAMED = 12  # columns that a remark names
+ALIKE = 0.97  # minimum mean resultant length of the difference between an angle and the direction to the marker [1]
+FEWEST = 10  # rows from which steps of times are judged
+STEPS = (1e-4, 1.0)  # possible steps of a camera or sensor [s]
+RATES = (24, 25, 30, 50, 60, 100, 120, 200, 240, 250, 300, 400, 480, 500, 960, 1000)  # usual ones [Hz]
+REACH = (0.005, 3.0)  # possible distances of a marker from the centre [m]
+STILL = 0.2  # way of a centre that does not move, and its distance from the height of the radius, over the radius
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Quantities that a file of a track may lack.
+
+    Parameters
+    ----------
+    centre : str, optional
+        Name of the point at the centre, or of a column of it.
+    marker : str, optional
+        Name of the point at the marker, or of a column of it.
+    columns : dict, optional
+        Columns as the file spells them, or by their numbers from 1, by quantity: t, frame, x, y, marker_x, marker_y, angle,
+        omega, or another one of `Track.save`. Columns that are not given are found by their names, among those of the same
+        run.
+    units : dict, optional
+        Units by quantity, where the file has none or a wrong one: m, cm, mm, in; s, ms, us, ns, min; rad, deg; rad/s, deg/s, or
+        the size of one in SI units and radians, negative for an axis in the other direction. x and y include the marker's.
+    rate : float, optional
+        Frames per second as taken, if the file has frames, or one row per frame, instead of times [1].
+    since : float, optional
+        Time from which the motion is free [s]; earlier rows are left out.
+    until : float, optional
+        Time up to which it is free [s].
+    angle_unit : {'rad', 'deg'}, optional
+        Unit of angles and angular velocities, if the data lack it.
+    radius : float, optional
+        Radius of the rim [m], if the data lack it.
+
+    Raises
+    ------
+    ValueError
+        If a value is not allowed.
+    """
+
+    centre: str | None = None
+    marker: str | None = None
+    columns: Mapping[str, str] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
+    rate: float | None = None
+    since: float | None = None
+    until: float | None = None
+    angle_unit: str | None = None
+    radius: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.angle_unit not in (None, "rad", "deg"):
+            raise InputError.of_field("angle_unit", self.angle_unit, "'rad' or 'deg'")
+        for field_name, names in (("columns", self.columns), ("units", self.units)):
+            for name in names:
+                if name not in CHANNELS:
+                    raise InputError(f"{field_name} cannot name {name!r}; it can name {', '.join(CHANNELS)}.", field=field_name)
+        for name, unit in self.units.items():
+            if unit_factor(unit, KIND[name]) is None:
+                allowed = f"{SHOWN.get(KIND[name], 'none')}, or a number other than 0"
+                raise InputError.of_field(f"units {name}", unit, allowed)
+        require_above_0(radius=self.radius, rate=self.rate)
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Columns of a table, which get their quantities."""
+
+    name: str
+    how: Reading
+    columns: list[Column]
+    notes: list[str]
+    used: dict[str, Column] = field(default_factory=dict)
+
+    def free(self, *quantities: str) -> list[Column]:
+        """Columns of some quantities, or all, that have numbers and are not used yet."""
+        taken = self.used.values()
+        known = [column for column in self.columns if column not in taken and np.isfinite(column.values).any()]
+        return [column for column in known if not quantities or column.head.quantity in quantities]
+
+    def option(self, **wanted: Column) -> str:
+        """Options that name columns: by their heads, or by their numbers where heads do not tell them apart."""
+        labels = [column.head.label.casefold() for column in self.columns]
+        names = {
+            channel: column.label
+            if labels.count(column.label.casefold()) == 1 and re.fullmatch(r"[^\W\d][^'\"\n]*", column.label)
+            else column.number
+            for channel, column in wanted.items()
+        }
+        return " ".join(f"--column {shlex.quote(f'{channel}={name}')}" for channel, name in names.items())
+
+    def such(self, *channels: str) -> str:
+        """Options that name columns without a meaning, '' if there are too few."""
+        free = self.free("")
+        return self.option(**dict(zip(channels, free, strict=False))) if len(free) >= len(channels) else ""
+
+    def question(self, said: str, *options: str) -> InputError:
+        """Return the error of a table that leaves something open, with options that answer it."""
+        answer = " or ".join(filter(None, options))
+        return InputError(f"{self.name} {said}{f': give {answer}' if answer else ''}.")
+
+    @property
+    def listed(self) -> str:
+        """Its columns as the file spells them."""
+        return f"its columns are {', '.join(column.label for column in self.columns)}"
+
+    def only(self, found: list[Column], channel: str) -> Column | None:
+        """Return the one column that was found, None if there is none; two are asked for."""
+        if len(found) > 1:
+            both = f"{found[0].label} and {found[1].label}"
+            raise self.question(f"has the columns {both} for {channel}", *(self.option(**{channel: one}) for one in found[:2]))
+        return found[0] if found else None
+
+
+def track_from_sheet(sheet: Sheet, source: str) -> Track:
+    """Return the track of a table; source: name of the file."""
+    _use_named(sheet)
+    used = sheet.used
+    # points of other programs are not along and above the plane; our own table's are
+    ours = {"sigma_x", "sigma_y"} <= used.keys()
+    centre = _find_positions(sheet)
+    _find_rotation(sheet, centre)
+    for a, b in (("x", "y"), ("y", "x"), ("marker_x", "marker_y"), ("marker_y", "marker_x")):
+        if a in used and b not in used:
+            raise sheet.question(f"has a column {used[a].label}, but none for {b}; {sheet.listed}", sheet.such(b))
+    if not {"x", "marker_x", "angle", "omega"} & used.keys():
+        said = f"has neither x and y, nor marker_x and marker_y, nor angle, nor omega; {sheet.listed}"
+        raise sheet.question(said, sheet.such("x", "y"))
+    t = times(sheet)
+    values = {channel: _converted(sheet, channel) for channel in used.keys() - {"t", "frame"}}
+    if "angle" in values:
+        values["angle"] = unwrapped(values["angle"])
+    if "x" in values and not ours:
+        check(sheet, values)
+    compare_angles(sheet, values)
+    if "omega" in values:
+        _orient(sheet, values, t)
+    keep = np.isfinite(t)
+    if not ours:  # a row with a time only is a frame without marks
+        looked = np.isfinite(list(values.values())).any(axis=0)
+        keep &= looked | ~looked.any()
+    said = (*used.values(), *sheet.free("polar"))
+    unused = [one.label for one in sheet.columns if one not in said and one.label != "state"]
+    if unused:
+        more = f" and {len(unused) - MOST_NAMED} more" if len(unused) > MOST_NAMED else ""
+        sheet.notes.append(f"Columns of {source} that are not used: {', '.join(unused[:MOST_NAMED])}{more}.")
+    rows = {channel: numbers[keep] for channel, numbers in values.items()}
+    return track_of(t[keep], rows, source=source, placed=ours, notes=tuple(sheet.notes))
+
+
+# --- columns ---------------------------------------------------------------------------------------
+
+
+def _use_named(sheet: Sheet) -> None:
+    """Use the columns that are named, and keep only the columns of one run."""
+    named = {channel: _named(sheet, channel, label.strip()) for channel, label in sheet.how.columns.items()}
+    if not named and not any(column.head.label for column in sheet.columns):
+        raise _unnamed(sheet)
+    grouped = [column for column in sheet.columns if column.group and column.head.quantity in ("x", "y", "angle", "omega")]
+    groups = list(dict.fromkeys(column.group for column in named.values() or grouped if column.group))
+    first = [next(column for column in sheet.columns if column.group == group) for group in groups]
+    if len(groups) > 1 and not named:
+        options = [sheet.option(**{column.head.quantity: column}) for column in first]
+        raise sheet.question("has several runs, or sensors with times of their own", *options)
+    if groups:
+        kept = [column for column in sheet.columns if column.group in ("", *groups)]
+        clocks = [column for column in kept if column.head.quantity == "t"]
+        if any(not np.array_equal(clocks[0].values, clock.values, equal_nan=True) for clock in clocks):
+            raise sheet.question("has other times for some of the columns that are named")
+        others = [column for column in sheet.columns if column.head.quantity == "t" and not clocks]
+        sheet.columns[:] = kept + others
+    sheet.used.update({one.head.quantity: one for one in sheet.columns if one.head.quantity in CERTAIN} | named)
+
+
+def _named(sheet: Sheet, channel: str, label: str) -> Column:
+    """Return the column that is named by its head or its number."""
+    for key in (lambda one: one.head.label == label, lambda one: one.head.label.casefold() == label.casefold(), None):
+        found = [column for column in sheet.columns if (key(column) if key else str(column.number) == label)]
+        if column := sheet.only(found, channel):
+            return column
+    raise sheet.question(f"has no column {label!r}; {sheet.listed}", sheet.such(channel))
+
+
+def _unnamed(sheet: Sheet) -> InputError:
+    """Return the question of a table without heads, with the numbers of columns and the units that read it."""
+    rest = sheet.free()
+    clock = next((column for column in rest if (np.diff(column.values) > 0).all()), None)
+    such = ["--rate 240"]
+    if clock:
+        rest.remove(clock)
+        such = [sheet.option(t=clock), f"--unit t={_unit_of_times(clock.values)}"]
+    if len(rest) in (2, 4):
+        such.append(sheet.option(**dict(zip(("x", "y", "marker_x", "marker_y"), rest, strict=False))))
+    elif rest:
+        such.append(sheet.option(omega=max(rest, key=_size)) + " --unit omega=rad/s")
+    return sheet.question("has no row of column names, to name columns by their numbers", " ".join(such))
+
+
+def _size(column: Column) -> float:
+    """Mean square of a column."""
+    return float(np.nanmean(column.values**2))
+
+
+# --- quantities ------------------------------------------------------------------------------------
+
+
+def _find_positions(sheet: Sheet) -> str | None:
+    """Find the columns of centre and marker; return the name of the point at the centre."""
+    named = {"x", "y", "marker_x", "marker_y"} & sheet.used.keys()
+    free, axes = sheet.free("x", "y"), [column for column in sheet.columns if column.head.quantity in ("x", "y", "z")]
+    if not named and {one.head.quantity for one in axes} == {*"xyz"} and not any(one.head.unit for one in axes):
+        if "omega" not in sheet.used:
+            raise _of_sensor(sheet, "has three axes without units", axes)
+        return None
+    roles = _roles(sheet, free, asks=not named)
+    for role, point in roles.items():
+        for axis in ("x", "y"):
+            channel = axis if role == "centre" else f"marker_{axis}"
+            found = [column for column in free if (column.head.point, column.head.quantity) == (point, axis)]
+            if channel not in named and (column := sheet.only(found, channel)):
+                sheet.used[channel] = column
+    return roles.get("centre")
+
+
+def _of_sensor(sheet: Sheet, said: str, axes: list[Column]) -> InputError:
+    """Return the question whether axes are places or those of a sensor."""
+    places = {column.head.quantity: column for column in axes if column.head.quantity != "z"}
+    shown = ", ".join(column.label for column in axes)
+    return sheet.question(
+        f"{said}, {shown}, of places or of a sensor",
+        f"{sheet.option(omega=max(axes, key=_size))} --unit omega=rad/s",
+        sheet.option(**places),
+    )
+
+
+def _roles(sheet: Sheet, free: list[Column], *, asks: bool) -> dict[str, str]:
+    """Return the points of centre and marker: as given, by their names, or by their numbers; asks: whether one is needed."""
+    points = list(dict.fromkeys(column.head.point for column in free))
+    shown = ", ".join(repr(point) if point else "one without a name" for point in points)
+    roles = {}
+    for role, said, words in (("centre", sheet.how.centre, CENTRE), ("marker", sheet.how.marker, MARKER)):
+        fit = [point for point in points if re.search(words, point.lower())]
+        if said is not None:
+            fit = [one.head.point for one in free if said in (one.head.point, one.label, re.sub(r"\s*[(\[].*", "", one.label))]
+            if not fit:
+                raise InputError(f"{sheet.name} has no point {said!r}; its points are {shown}.")
+            fit = fit[:1]
+        if len(fit) == 1:
+            roles[role] = fit[0]
+    rest = [point for point in points if point not in roles.values()]
+    numbered = [point for point in rest if not point or point.isdigit()]
+    if not roles and len(numbered) == 2:
+        rises = [next(column for column in free if column.head.point == point) for point in numbered]
+        rises.sort(key=lambda one: _rise_and_fall(free, one.head.point))
+        sheet.notes.append(
+            f"{rises[0].label} is taken for the centre and {rises[1].label}, which rises and falls more, for the marker; "
+            "--centre and --marker name others."
+        )
+        return dict(zip(("centre", "marker"), [column.head.point for column in rises], strict=True))
+    if "centre" not in roles and (len(numbered) == 1 or (rest == points and len(points) == 1)):
+        roles["centre"] = (numbered or rest)[0]
+    elif "marker" not in roles and len(numbered) == 1:
+        roles["marker"] = numbered[0]
+    if asks and points and not roles:
+        such = f"--centre {shlex.quote(points[0])} --marker {shlex.quote(points[1])}"
+        raise sheet.question(f"has the points {shown}, and which are the centre and the marker is open", such)
+    return roles
+
+
+def _rise_and_fall(free: list[Column], point: str) -> float:
+    """Standard deviation of a point's y."""
+    return max(
+        (float(np.nanstd(one.values)) for one in free if (one.head.point, one.head.quantity) == (point, "y")), default=0.0
+    )
+
+
+def _find_rotation(sheet: Sheet, centre: str | None) -> None:
+    """Find the column of the angle, or without angle and marker that of the angular velocity."""
+    angles = [column for column in sheet.free("angle") if column.head.point in ("", centre)]
+    if angles and "angle" not in sheet.used:
+        sheet.used["angle"] = angles[0]
+    polar = sheet.free("polar")
+    if polar and "angle" not in sheet.used:
+        sheet.notes.append(
+            f"{polar[0].label} is the direction as seen from the axes, not the rotation of the hoop: it is not used."
+        )
+    rates = sorted(sheet.free("omega"), key=_size, reverse=True)
+    if rates and not {"angle", "marker_x", "omega"} & sheet.used.keys():
+        sheet.used["omega"] = rates[0]
+        if len(rates) > 1:
+            sheet.notes.append(
+                f"The angular velocity is that of {rates[0].label}, the axis with the most rotation; "
+                f"{sheet.option(omega=rates[1])} names another one."
+            )
+
+
+def _converted(sheet: Sheet, channel: str) -> Floats:
+    """Return values of a column in SI units and radians."""
+    how, column, kind = sheet.how, sheet.used[channel], KIND[channel]
+    usual = {"angle": how.angle_unit, "omega": how.angle_unit and f"{how.angle_unit}/s"}.get(channel)
+    given = how.units.get(channel, how.units.get(channel.removeprefix("marker_"), column.head.unit or usual or ""))
+    if not kind or channel.startswith("sigma") or (kind == "m" and given in PIXELS):
+        return column.values
+    factor = unit_factor(given, kind)
+    if factor is not None:
+        return column.values * factor
+    if given:
+        said = f"gives {column.label} in an unknown unit; known units are {SHOWN[kind]}"
+        raise sheet.question(said, f"--unit {channel}={kind}")
+    raise InputError(
+        f"{sheet.name} has no unit of {column.label}: write it behind the name, such as {column.label} (deg), or give "
+        "--angle-unit deg, or angle_unit='deg' in a Reading."
+    )
+
+
+def unwrapped(angle: Floats) -> Floats:
+    """Return an angle without jumps of whole revolutions; nan stays."""
+    result, there = angle.copy(), np.isfinite(angle)
+    result[there] = np.unwrap(angle[there])
+    return result
+
+
+# --- times -----------------------------------------------------------------------------------------
+
+
+def times(sheet: Sheet) -> Floats:
+    """Times of the rows [s], from a column of times or from the numbers of frames."""
+    used = sheet.used
+    clock = used.get("t") or (None if "frame" in used else sheet.only(sheet.free("t"), "t"))
+    frames = used.get("frame") or sheet.only(sheet.free("frame"), "frame")
+    if sheet.how.rate:
+        return _counted(sheet, frames, clock) / sheet.how.rate
+    if clock is None:
+        said = "numbers of frames instead of times" if frames else "no column of times"
+        growing = [column for column in sheet.free() if column is not frames and (np.diff(column.values) > 0).all()]
+        rate = "--rate 240, the frames per second as taken (rate= in a Reading)"
+        raise sheet.question(f"has {said}; {sheet.listed}", *(sheet.option(t=column) for column in growing[:1]), rate)
+    used["t"] = clock
+    t = _converted(sheet, "t")
+    check_times(sheet, t)
+    return t
+
+
+def _counted(sheet: Sheet, frames: Column | None, clock: Column | None) -> Floats:
+    """Return the numbers of frames: of their column, of times that are none, or of the rows."""
+    column = frames or clock
+    if column is not None:
+        sheet.used["frame"] = column
+        known = column.values[np.isfinite(column.values)]
+        if (known == np.round(known)).all() and (frames or not column.head.unit):
+            return column.values
+        if not uneven(known):
+            raise InputError(f"{sheet.name} has times, no numbers of frames: leave out --rate (rate= in a Reading).")
+        sheet.notes.append(f"The rows are counted, since the times in {column.label} repeat or come in bursts.")
+    return np.arange(len(sheet.columns[0].values), dtype=float)
+
+
+def uneven(t: Floats) -> bool:
+    """Return True for times that repeat, or that come in bursts."""
+    steps = np.diff(t)
+    long = steps > 5.0 * np.median(steps)
+    return bool((steps == 0).any() or (long.sum() > 2 and long.mean() > 0.03))
+
+
+def check_times(sheet: Sheet, t: Floats) -> None:
+    """Ask about times that no camera or sensor has: their step, repeated ones and bursts; t: in seconds."""
+    there = np.isfinite(t)
+    steps = np.diff(t[there])
+    if (steps < 0).any() or not (steps > 0).any():
+        return  # refused by all tracks
+    step, clock = float(np.median(steps[steps > 0])), sheet.used["t"]
+    if there.sum() >= FEWEST and not STEPS[0] <= step < STEPS[1] and "t" not in sheet.how.units:
+        counts = not clock.head.unit and (np.diff(clock.values[there]) == 1).all()
+        unit = _unit_of_times(clock.values[there])
+        factor = (unit_factor(unit, "s") or 1.0) / (unit_factor(clock.head.unit, "s") or 1.0)
+        said = f"has times in {clock.label} with a step of {step:.3g} s, which no camera or sensor has"
+        if counts:
+            raise sheet.question(said, "--rate 240, if these are frames (rate= in a Reading)")
+        raise sheet.question(f"{said}; multiplied by {factor:.3g} it is {factor * step:.3g} s", f"--unit t={unit}")
+    if uneven(t[there]):
+        rate = 1.0 / float(np.polyfit(np.arange(there.sum()), t[there], 1)[0])
+        usual = min(RATES, key=lambda one: abs(one - rate))
+        raise sheet.question(
+            f"has times in {clock.label} that repeat or come in bursts",
+            f"--rate {usual if abs(usual - rate) < 0.01 * rate else round(rate, 1)}, if rows are evenly spaced",
+        )
+
+
+def _unit_of_times(t: Floats) -> str:
+    """Return the unit with which the step of times is a usual one."""
+    step = float(np.median(np.diff(t)))
+    units = (name for name in ("s", "ms", "us", "ns", "d") if 5e-4 <= step * UNITS["s"][name] <= 0.5)
+    return next(units, f"{1 / (240 * step):.3g}")
+
+
+# --- values ----------------------------------------------------------------------------------------
+
+
+def check(sheet: Sheet, values: dict[str, Floats]) -> None:
+    """Ask about lengths and places that no hoop has."""
+    column, x, y = sheet.used["x"], values["x"], values["y"]
+    across, up = (values.get(f"marker_{axis}", np.full(len(x), np.nan)) - values[axis] for axis in ("x", "y"))
+    there = np.isfinite(across)
+    reach = np.median(np.hypot(across, up)[there]) if there.any() else 0.1
+    if "x" not in sheet.how.units and (column.head.unit in PIXELS or not REACH[0] < reach < REACH[1]):
+        raise _lengths(sheet, x[there], unwrapped(np.arctan2(across, up))[there])
+    radius = sheet.how.radius or 0.0
+    still = np.nanmax(x) - np.nanmin(x) < STILL * radius < abs(np.nanmedian(y) - radius)
+    if still and not column.head.unit and "x" not in sheet.how.columns:
+        raise _of_sensor(sheet, "has a centre that neither moves nor is at the height of the radius", [column, sheet.used["y"]])
+
+
+def compare_angles(sheet: Sheet, values: dict[str, Floats]) -> None:
+    """Leave out an angle that contradicts the marker, with a remark."""
+    if {"x", "marker_x", "angle"} <= values.keys():
+        towards = np.arctan2(values["marker_x"] - values["x"], values["marker_y"] - values["y"])
+        apart = np.exp(1j * (values["angle"] - towards))
+        if np.isfinite(apart).any() and abs(np.nanmean(apart)) < ALIKE:
+            del values["angle"]
+            sheet.notes.append(
+                f"{sheet.used['angle'].label} contradicts the line from the centre to the marker: the marker is used."
+            )
+
+
+def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> InputError:
+    """Return the question for the unit of lengths, with the size and direction that rolling suggests."""
+    size = 0.01
+    if sheet.how.radius and len(x) > 2 and np.ptp(angle) > 1.0:
+        size = sheet.how.radius / float(np.polyfit(angle, x, 1)[0])
+    unit = next((unit for unit in ("cm", "mm", "in") if abs(size / UNITS["m"][unit] - 1.0) < 0.1), f"{abs(size):.2g}")
+    y, down = (f"-{unit}", ", with y downwards") if size < 0 else (unit, "")
+    return sheet.question(
+        f"has lengths{down} whose unit is missing or wrong", f"it, or the size of one in m, by --unit x={unit} --unit y={y}"
+    )
+
+
+def _orient(sheet: Sheet, values: dict[str, Floats], t: Floats) -> None:
+    """Count an angular velocity as that of a hoop that rolls to greater x: a sensor may look to either side."""
+    way = np.gradient(values["x"], t) if "x" in values else np.ones(len(t))
+    if np.nansum(values["omega"] * way) < 0:
+        values["omega"] = -values["omega"]
+        sheet.notes.append(f"The sign of {sheet.used['omega'].label} is reversed, for a hoop that rolls to the right.")

@@ -1,0 +1,402 @@
+"""Tables of many programs: each sample is read right or asked about, an answer works when it is pasted, and random layouts of a
+known record give this record or a refusal."""
+
+import re
+import shlex
+from collections import Counter
+from functools import wraps
+from pathlib import Path
+
+import hypothesis.strategies as st
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+import hophoop as hh
+from cli_tools import run
+from hophoop.scenario import InputError
+from hophoop.tracking import Reading, read_track
+
+SAMPLES = Path(__file__).parents[1] / "data" / "tables"
+OPTION = re.compile(r"--(?:column|unit|rate|centre|marker|angle-unit) (?:'[^']*'|[^\s',]*[^\s',.:])")
+
+
+@pytest.fixture
+def ask(monkeypatch):
+    """Run `hophoop fit` up to the fit: the track, and the question that was asked instead, an empty text if none was."""
+
+    read = []
+
+    @wraps(hh.fit)
+    def fit(tracks, **_):
+        read.extend(tracks)
+        raise InputError("The table is read.")
+
+    monkeypatch.setattr("hophoop.fitting.fit", fit)
+
+    def asked(file, words=()):
+        found = run("fit --quiet --radius 0.3", file, *words)
+        assert found.exit_code == 2, found.output
+        return (read.pop(), "") if read else (None, " ".join(found.output.split()))
+
+    return asked
+
+
+def answered(ask, file, words=()):
+    """Paste the first option of each question until there is a track: this one, and the options."""
+    words = list(words)
+    for _ in range(4):
+        track, question = ask(file, words)
+        if track is not None:
+            return track, words
+        options = OPTION.findall(question.partition(": give ")[2].partition(" or --")[0])
+        assert options, question
+        words += [word for option in options for word in shlex.split(option)]
+    raise AssertionError(f"{file.name} is asked about for ever: {words}")
+
+
+# --- the samples -----------------------------------------------------------------------------------
+
+READ = (
+    "capstone.csv", "clock_hms.csv", "datetime_de.csv", "fps120.csv", "iso.csv", "kinovea.csv", "kinovea_stacked.txt",
+    "loggerpro.csv", "thousands.txt", "tracker_theta_r.txt", "vernier.csv", "zeit.csv",
+)  # fmt: skip
+RATE = ("frames_only.csv", "sleap.csv")
+PHONES = ("phone_merged.csv", "phyphox_gyro.csv")
+
+
+def assert_the_record(track, step=1 / 120, error=4e-3):
+    """The second row of the computed motion, with noise of 1 mm."""
+    assert track.t[1] == pytest.approx(step, rel=0.05)
+    assert track.centre[1] == pytest.approx([0.0155, 0.3], abs=error)
+    assert track.marker[1] == pytest.approx([0.0575, 0.5675], abs=error)
+
+
+@pytest.mark.parametrize("name", READ)
+def test_samples_are_read(name):
+    assert_the_record(read_track(SAMPLES / name))
+
+
+@pytest.mark.parametrize("name", RATE)
+def test_numbers_of_frames_are_asked_about(name, ask):
+    assert_the_record(read_track(SAMPLES / name, Reading(rate=120.0)))
+    track, words = answered(ask, SAMPLES / name)
+    assert words == ["--rate", "240"]
+    assert_the_record(track, step=1 / 240)
+
+
+@pytest.mark.parametrize("name", PHONES)
+def test_the_gyroscope_of_a_phone_has_its_own_times(name):
+    track = read_track(SAMPLES / name)
+    assert track.t[0] == 0.0
+    assert track.omega[0] == pytest.approx(6.34, abs=0.03)
+    assert np.isnan(track.centre).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "answer"),
+    [
+        ("boot_ns.txt", "has no row of column names", "--column t=1 --unit t=ns --column omega=4 --unit omega=rad/s"),
+        ("sensorlogger.csv", "has three axes without units, z, y, x", "--column omega=z --unit omega=rad/s"),
+        ("lying_ms.csv", "which no camera or sensor has; multiplied by 1e+03", "--unit t=s"),
+        ("two_runs_side.csv", "has several runs, or sensors with times of their own", "--column 't=Time (s) Run #1'"),
+        ("deeplabcut.csv", "numbers of frames instead of times", "--rate 240 --unit x=0.0024 --unit y=-0.0024"),
+    ],
+)  # fmt: skip
+def test_an_answer_works_when_it_is_pasted(name, question, answer, ask):
+    assert question in ask(SAMPLES / name)[1]
+    track, words = answered(ask, SAMPLES / name)
+    assert words == shlex.split(answer)
+    if "omega" in answer:
+        assert np.diff(track.t) == pytest.approx(0.005)
+        assert track.omega[0] == pytest.approx(6.3565, abs=1e-3)
+    elif name == "deeplabcut.csv":
+        assert np.nanmedian(np.hypot(*(track.marker - track.centre).T)) == pytest.approx(0.27, rel=0.1)
+        assert track.angle[-1] - track.angle[0] > 1.5
+    else:
+        assert_the_record(track)
+
+
+def test_the_second_run_and_its_marker(ask):
+    track, question = ask(SAMPLES / "two_runs_side.csv", ["--column", "t=Time (s) Run #2"])
+    assert not question
+    assert track.centre[1] == pytest.approx([0.01201, 0.29909])
+    assert track.marker[1] == pytest.approx([0.05138, 0.56709])
+    assert read_track(SAMPLES / "two_runs_side.csv", Reading(columns={"t": "6"})).centre[1] == pytest.approx([0.01201, 0.29909])
+
+
+def test_points_of_deeplabcut_can_be_named():
+    how = Reading(rate=120.0, columns={"x": "hub x", "y": "hub y"}, marker="load", units={"x": "0.0025", "y": "-0.0025"})
+    track = read_track(SAMPLES / "deeplabcut.csv", how)
+    assert np.diff(track.centre[:2, 0]) == pytest.approx([0.0025 * 6.131])
+    assert track.marker[0, 1] - track.centre[0, 1] == pytest.approx(0.0025 * (179.881 - 72.39))
+
+
+# --- one kind of fault each ------------------------------------------------------------------------
+
+T = np.arange(40) / 120.0
+ANGLE = 0.1 + 6.3 * T + 3.0 * T**2
+X, Y = 0.95 + 0.3 * ANGLE, np.full(40, 0.3)
+LOAD_X, LOAD_Y = X + 0.18 * np.sin(ANGLE), Y + 0.18 * np.cos(ANGLE)
+PLACES = (X, Y, LOAD_X, LOAD_Y)
+
+
+def table(tmp_path, head, *columns, separator=",", name="ours.csv"):
+    """A file of a head and of columns of numbers or words."""
+    cells = [[one if isinstance(one, str) else f"{one:.6f}" for one in column] for column in columns]
+    file = tmp_path / name
+    file.write_text("\n".join([head, *map(separator.join, zip(*cells, strict=True))]), encoding="utf-8")
+    return file
+
+
+def clock(seconds, half=False):
+    hours, rest = divmod(seconds % 86400.0, 3600.0)
+    said = f"{rest // 60:02.0f}:{rest % 60:09.6f}"
+    return f"{(hours + 11) % 12 + 1:.0f}:{said} {'PM' if hours >= 12 else 'AM'}" if half else f"{hours:02.0f}:{said}"
+
+
+@pytest.mark.parametrize(
+    "times",
+    [
+        [clock(86399.9 + t) for t in T],  # past midnight
+        [f"11/20/2026 {clock(43199.9 + t, half=True)}" for t in T],  # past noon
+        [f"20/11/2026 {clock(46799.9 + t, half=True)}" for t in T],
+        [f"2026-11-20 {clock(36900.0 + t)}+0100" for t in T],
+        [f"{60.0 * 15 + t:.6f}" for t in T],
+        [clock(65.0 + t)[3:] for t in T],  # minutes and seconds of a film
+    ],
+)
+def test_dates_and_clocks_are_seconds(tmp_path, times):
+    track = read_track(table(tmp_path, "time,x,y,marker x,marker y", times, *PLACES))
+    assert track.t - track.t[0] == pytest.approx(T, abs=2e-6)
+    assert track.t[0] == pytest.approx(
+        0.0 if times[0].count(":") == 2 else float(times[0].split(":")[-1]) + 60.0 * (":" in times[0])
+    )
+
+
+def test_clocks_that_count_frames_need_the_rate(tmp_path, ask):
+    times = [f"00:00:{(50 + k) // 60:02d}:{(50 + k) % 60:02d}" for k in range(40)]
+    file = table(tmp_path, "Time (hh:mm:ss:ff);x;y", times, X, Y, separator=";")
+    track, words = answered(ask, file)
+    assert words == ["--rate", "60"]
+    assert track.t == pytest.approx(np.arange(40) / 60.0)
+    assert ask(file, ["--rate", "25"])[1]
+
+
+@pytest.mark.parametrize("head", ["t", "t (s)"])
+@pytest.mark.parametrize(("factor", "unit"), [(1e3, "ms"), (1e6, "us"), (1e9, "ns"), (1 / 86400, "d")])
+def test_a_step_that_nothing_has_is_asked_about(tmp_path, ask, factor, unit, head):
+    times = [f"{46000.0 + factor * t:.12g}" for t in T] if unit == "d" else [f"{factor * t:.6f}" for t in T]
+    track, words = answered(ask, table(tmp_path, f"{head},x,y,marker x,marker y", times, *PLACES))
+    assert words == ["--unit", f"t={unit}"]
+    assert track.t - track.t[0] == pytest.approx(T, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("t", "rate"),
+    [
+        (np.floor(100.0 * T) / 100.0, 120.0),  # rounded
+        (T // 0.05 * 0.05 + (T % 0.05) / 100.0, 120.0),  # in bursts
+        (np.floor(37.0 * T) / 37.0, 120.0),
+    ],
+)
+def test_repeated_times_and_bursts_are_counted_by_a_rate(tmp_path, ask, t, rate):
+    track, words = answered(ask, table(tmp_path, "t (s),x,y,marker x,marker y", t, *PLACES))
+    assert words[0] == "--rate"
+    assert float(words[1]) == pytest.approx(rate, rel=0.03)
+    assert track.t == pytest.approx(np.arange(40) / float(words[1]))
+    assert "The rows are counted" in track.notes[0]
+
+
+def test_numbers_of_frames_as_times_are_asked_about(tmp_path, ask):
+    track, words = answered(ask, table(tmp_path, "t,x,y", map(str, range(40)), X, Y))
+    assert words == ["--rate", "240"]
+    assert track.t == pytest.approx(np.arange(40) / 240.0)
+
+
+SPOTS = """LABEL,ID,TRACK_ID,QUALITY,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME
+Label,Spot ID,Track ID,Quality,X,Y,Z,T,Frame
+Label,Spot ID,Track ID,Quality,X,Y,Z,T,Frame
+,,,(quality),(cm),(cm),(cm),(sec),"""
+
+
+def test_objects_below_each_other_are_points(tmp_path, ask):
+    rows = [
+        f"ID{100 * k + n},{100 * k + n},{n},5.1,{100 * x[k]:.4f},{100 * y[k]:.4f},0.0,{T[k]:.6f},{k}"
+        for k in range(40) for n, (x, y) in enumerate(((X, Y), (LOAD_X, LOAD_Y)))
+    ]  # fmt: skip
+    file = tmp_path / "spots.csv"
+    file.write_text("\n".join([SPOTS, *rows]), encoding="utf-8")
+    track, words = answered(ask, file)
+    assert words == ["--centre", "0", "--marker", "1"]
+    assert track.t == pytest.approx(T, abs=1e-6)
+    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
+    assert track.marker[:, 1] == pytest.approx(LOAD_Y, abs=1e-5)
+
+
+def test_the_same_heads_twice_are_named_by_their_numbers(tmp_path, ask):
+    file = table(tmp_path, "t,x,y,x,y", T, *PLACES)
+    track, words = answered(ask, file)
+    assert words == ["--column", "x=2", "--column", "y=3"]
+    assert track.centre[:, 0] == pytest.approx(X, abs=1e-6)
+    numbers = {"x": "2", "y": "3", "marker_x": "4", "marker_y": "5"}
+    assert read_track(file, Reading(columns=numbers)).marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+
+
+def test_columns_of_runs_with_other_times_are_not_mixed(tmp_path):
+    file = table(tmp_path, "t,x,y,t,x,y", T, X, Y, 2.0 * T, X, Y)
+    with pytest.raises(InputError, match="has other times for some of the columns that are named"):
+        read_track(file, Reading(columns={"x": "2", "y": "6"}))
+    assert read_track(file, Reading(columns={"t": "4"})).t == pytest.approx(2.0 * T, abs=1e-6)
+
+
+def test_axes_of_an_accelerometer_are_no_places(tmp_path, ask):
+    rng = np.random.default_rng(1)
+    noise = [9.8 * (k == 1) + rng.normal(scale=0.01, size=40) for k in range(3)]
+    heads = "t,accelerometer x,accelerometer y,accelerometer z,gyroscope z (rad/s)"
+    track = read_track(table(tmp_path, heads, T, *noise, 6.3 + 6.0 * T))
+    assert np.isnan(track.centre).all()
+    assert track.omega == pytest.approx(6.3 + 6.0 * T, abs=1e-5)
+    _, question = ask(table(tmp_path, "t,x,y", T, *noise[:2]))
+    assert "neither moves nor is at the height of the radius" in question
+    assert ask(table(tmp_path, "t,x,y", T, X, Y))[1] == ""
+
+
+@pytest.mark.parametrize("head", ["φ (rad)", "phi [rad]", "Winkel in rad", "ángulo (rad)", "Winkel φ (rad)", "ϕ / rad"])
+def test_names_of_angles(tmp_path, head):
+    assert read_track(table(tmp_path, f"t;x;y;{head}", T, X, Y, ANGLE, separator=";")).angle == pytest.approx(ANGLE, abs=1e-5)
+
+
+@pytest.mark.parametrize("zero", ["０", "٠", "۰"])
+def test_digits_of_other_scripts(tmp_path, zero):
+    file = table(tmp_path, "t;x in cm;y in cm", T, 100.0 * X, 100.0 * Y, separator=";")
+    head, _, body = file.read_text(encoding="utf-8").partition("\n")
+    digits = {ord(str(k)): chr(ord(zero) + k) for k in range(10)}
+    file.write_text(f"{head}\n{body.translate(digits)}", encoding="utf-8")
+    assert read_track(file).centre[:, 0] == pytest.approx(X, abs=1e-5)
+
+
+@pytest.mark.parametrize("unit", ["", " (cm)", " (px)"])
+def test_lengths_that_no_hoop_has_are_asked_about(tmp_path, ask, unit):
+    size = {"": 100.0, " (cm)": 1e4, " (px)": 400.0}[unit]
+    file = table(tmp_path, f"t,x{unit},y{unit},marker x{unit},marker y{unit}", T, *(size * one for one in PLACES))
+    track, words = answered(ask, file)
+    assert words[::2] == ["--unit", "--unit"]
+    assert np.nanmedian(np.hypot(*(track.marker - track.centre).T)) == pytest.approx(0.18, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "head", ["# t x y marker_x marker_y", "#made by hand\n#t x y marker_x marker_y\n# the hoop of group 3 in the yard"]
+)
+def test_comments_are_heads_where_they_are_the_only_ones(tmp_path, head):
+    track = read_track(table(tmp_path, head, T, *PLACES, separator=" "))
+    assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+    track = read_track(table(tmp_path, "# a b c d e\nt x y marker_x marker_y", T, *PLACES, separator=" "))
+    assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+
+
+def test_blanks_do_not_show_which_cell_is_empty(tmp_path):
+    file = table(tmp_path, "t x y", T, X, Y, separator=" ")
+    lines = file.read_text().splitlines()
+    file.write_text("\n".join([*lines[:5], lines[5].rpartition(" ")[0], *lines[6:]]))
+    with pytest.raises(InputError, match="has a cell too few in row 5 of the numbers"):
+        read_track(file)
+
+
+# --- random layouts of a known record --------------------------------------------------------------
+
+HEADS = (
+    "t|x|y|marker_x|marker_y", "Time|hub x|hub y|load x|load y", "Zeit|Mitte_x|Mitte_y|Gewicht_x|Gewicht_y",
+    "Temps|X moyeu|Y moyeu|X charge|Y charge", "Tiempo|centro x|centro y|carga x|carga y", "t|x1|y1|x2|y2", "t|x|y|x 2|y 2",
+    "Time|hub/0/X|hub/0/Y|load/0/X|load/0/Y", "time|hub.x|hub.y|load.x|load.y",
+    "Set 1: Time|Set 1: X|Set 1: Y|Set 1: X 2|Set 1: Y 2",
+)  # fmt: skip
+LENGTHS, TIMES = {"m": 1.0, "cm": 100.0, "mm": 1000.0}, {"s": 1.0, "ms": 1000.0}
+UNIT = {"brackets": "{} ({})", "square": "{} [{}]", "slash": "{} / {}", "in": "{} in {}", "row": "{}"}
+
+
+@st.composite
+def layouts(draw):
+    """The bytes of a table, and options of its reading."""
+    one_of = lambda *values: draw(st.sampled_from(values))  # noqa: E731
+    separator, decimal = one_of(("\t", "."), ("\t", ","), (";", "."), (";", ","), (",", "."), (" ", "."), ("   ", ","))
+    names, length, time, unit = one_of(*HEADS).split("|"), one_of(*LENGTHS), one_of(*TIMES), one_of(*UNIT)
+    columns = [LENGTHS[length] * one for one in PLACES]
+    sizes = [time, *[length] * 4]
+    digits = 3 + 3 * (length == "m")
+    cells = [[f"{value:.{digits}f}" for value in column] for column in columns]
+    kind = one_of("numbers", "numbers", "numbers", "iso", "german", "clock", "half")
+    start = 36900.25
+    times = {
+        "numbers": [f"{TIMES[time] * t:.6f}" for t in T],
+        "iso": [f"2026-11-20T{clock(start + t)}Z" for t in T],
+        "german": [f"20.11.2026 {clock(start + t)}" for t in T],
+        "clock": [clock(start + t) for t in T],
+        "half": [clock(start + t, half=True) for t in T],
+    }[kind if separator.strip() or separator == "\t" or kind in ("numbers", "clock") else "numbers"]
+    frames = one_of(*[False] * 5, True)
+    if frames:
+        names[0], times, sizes[0] = "frame", list(map(str, range(7, 47))), ""
+    cells.insert(0, times)
+    if any(":" in cell for cell in times):
+        sizes[0] = ""
+    empty = one_of(False, True) and separator != " " and separator != "   "
+    if empty:
+        cells[3][17] = cells[4][17] = ""
+    if one_of(False, True):
+        names.append("remark" if separator.strip() or separator == "\t" else "score")
+        sizes.append("")
+        cells.append(["0.98"] * 40)
+    if one_of(False, False, True):
+        names.append("label")
+        sizes.append("")
+        cells.append(["run_1"] * 40)
+    order = draw(st.permutations(range(len(names))))
+    blank = separator.strip() == "" and separator != "\t"
+    form = UNIT["square" if blank else unit]
+    heads = [form.format(names[k], sizes[k]) if sizes[k] else names[k] for k in order]
+    if blank:
+        heads = [head.replace(" ", "_", names[k].count(" ")) for head, k in zip(heads, order, strict=True)]
+    rows = [
+        [cells[k][row].replace(".", decimal) if sizes[k] or k not in (0,) else cells[k][row] for k in order]
+        for row in range(40)
+    ]
+    if kind == "german" and decimal == ",":
+        rows = [[re.sub(r"^(\d\d),(\d\d),(\d{4})", r"\1.\2.\3", cell) for cell in row] for row in rows]
+    quoted = not blank and one_of(False, False, True)
+    above = one_of([], [], ["Our hoop"], ["Our hoop", "made in class 9b"])
+    comments = one_of([], [], ["# exported by hand", "# a b c d e"])
+    lines = [heads, *([[f"({sizes[k]})" if sizes[k] else "" for k in order]] if unit == "row" and not blank else []), *rows]
+    below = one_of([], [], [], ["End of the data"])
+    body = [separator.join(f'"{cell}"' if quoted else cell for cell in line) for line in lines]
+    if not blank and one_of(False, False, True):
+        body = [line + separator for line in body]
+    text = one_of("\n", "\r\n").join([*comments, *above, *body, *below])
+    encoding = one_of("utf-8", "utf-8-sig", "utf-16", "cp1252")
+    return text.encode(encoding), {"rate": 120.0} if frames else {}
+
+
+def test_random_layouts_are_read_right_or_refused(tmp_path):
+    """Another record is never read; of these layouts at least 98 % are read."""
+    counts = Counter()
+
+    @settings(max_examples=100, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
+    @given(layouts())
+    def look(layout):
+        data, options = layout
+        file = tmp_path / "random.csv"
+        file.write_bytes(data)
+        try:
+            track = read_track(file, Reading(radius=0.3, **options))
+        except InputError as error:
+            counts[re.sub(r"[\d.]+|'.*?'", "…", str(error))[-80:]] += 1
+            return
+        assert track.t - track.t[0] == pytest.approx(T, abs=1e-5)
+        assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-5)
+        there = np.isfinite(track.marker[:, 0])
+        assert there.sum() >= 39
+        assert track.marker[there] == pytest.approx(np.stack([LOAD_X, LOAD_Y], axis=-1)[there], abs=1e-5)
+        counts["read"] += 1
+
+    look()
+    assert counts["read"] >= 0.98 * counts.total(), counts
