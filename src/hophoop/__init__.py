@@ -6,9 +6,10 @@ The names below are loaded when first used, so that importing the package costs 
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
 from hophoop._version import __version__
+
+TYPE_CHECKING = False  # importing `typing` takes longer than all of this file
 
 # Where each public name is defined, in a reader's order; None is a module.
 _HOMES: dict[str, str | None] = {
@@ -88,7 +89,7 @@ if TYPE_CHECKING:
     from hophoop.tracking import track as track
 else:
 
-    def __getattr__(name: str) -> Any:
+    def __getattr__(name: str) -> object:
         if name not in _HOMES:
             raise AttributeError(f"module 'hophoop' has no attribute {name!r}")
         home = _HOMES[name]

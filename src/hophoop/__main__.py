@@ -1,6 +1,23 @@
 """`python -m hophoop` and `hophoop`: the command line."""
 
-from hophoop._support.stopping import stop_on_signals
+import os
+import signal
+
+
+def _stop(number: int, frame: object) -> None:
+    """End at once, before anything has begun; a handler of signals."""
+    os.write(2, b"Stopped.\n")
+    os._exit(128 + number)
+
+
+_early = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+if _early:
+    signal.signal(signal.SIGINT, _stop)  # Python's own shows a traceback of imports
+
+from hophoop._support.stopping import stop_on_signals  # noqa: E402
+
+if _early:
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # for those who only import this module
 
 
 def main() -> None:

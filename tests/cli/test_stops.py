@@ -36,15 +36,16 @@ def work(*_):
 {body}
 hophoop.cli._work.work_ahead = work
 """
-MOMENTS = {
-    # Python itself would show a traceback
-    "the command is loaded": """
+FINDER = """
 class Finder:
     def find_spec(self, name, *_):
-        if name == "hophoop.cli":
+        if name == "{module}":
             stop()
 sys.meta_path.insert(0, Finder())
-""",
+"""
+# Python itself would show a traceback
+MOMENTS = {
+    "the command is loaded": FINDER.format(module="hophoop.cli"),
     "its options are read": "import hophoop.cli; hophoop.cli.Commands.parse_args = lambda *_: stop()",
     "a library makes another error of it": WORK.format(
         body="""
@@ -64,6 +65,7 @@ sys.meta_path.insert(0, Finder())
             os.kill(os.getpid(), number)
 """
     ),
+    "nothing is loaded": FINDER.format(module="hophoop._support"),
 }
 
 
