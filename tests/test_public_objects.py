@@ -106,6 +106,9 @@ WRONG = {
     "find(near=5e-324)": lambda: hh.gaits.find(SLOPE, near=5e-324),
     "find(near=1e308)": lambda: hh.gaits.find(SLOPE, near=1e308),
     "find(near=nan)": lambda: hh.gaits.find(SLOPE, near=np.nan),
+    "linear(0, inf)": lambda: hh.maps.linear(0.1, np.inf, 4),
+    "linear(-1e308, 1e308)": lambda: hh.maps.linear(-1e308, 1e308, 4),
+    "logarithmic(1, inf)": lambda: hh.maps.logarithmic(0.1, np.inf, 4),
     "two correlations of a pair": lambda: sampled().uncertainty(
         {"plane.mu": 0.1, "start.speed": 0.1},
         {("plane.mu", "start.speed"): 0.5, ("start.speed", "plane.mu"): -0.5},
@@ -120,3 +123,12 @@ def test_wrong_arguments_are_one_sentence(name):
         WRONG[name]()
     assert str(refused.value).endswith(".")
     assert "\n" not in str(refused.value)
+
+
+def test_equal_planes_have_equal_links():
+    for mu in (0.5, 1.0, np.inf):
+        one, other = (hh.Scenario(plane=plane) for plane in (hh.Plane(mu=mu), hh.Plane(mu_static=mu, mu_kinetic=mu)))
+        assert one == other
+        assert (one.to_query(), one.to_toml()) == (other.to_query(), other.to_toml())
+    apart = hh.Scenario(plane=hh.Plane(mu_static=0.5, mu_kinetic=0.4))
+    assert hh.Scenario.from_query(apart.to_query()) == apart

@@ -218,7 +218,7 @@ interface SceneData {
 type MaybeLater<T> = T | Promise<T>;
 
 // A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
-interface Given extends Omit<CheckedPlane, "mu" | "apart"> {
+interface Given extends Omit<CheckedPlane, "mu"> {
   radius: number;
   mass: number;
   eccentricity: number;
@@ -372,7 +372,6 @@ interface CheckedPlane {
   mu: number | null;
   mu_static: number;
   mu_kinetic: number;
-  apart: boolean; // static and kinetic friction given as two
   restitution: number;
   impact_law: "stronge" | "newton" | "poisson";
   painleve: "flight" | "impact";

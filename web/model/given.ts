@@ -4,7 +4,7 @@ const ROUNDED = 1e-9; // of the velocities: within it a start's own slip agrees 
 
 export function given({ duration, hoop, plane, start, contact }: Checked): Given {
   const { load_fraction, parts, ...ofHoop } = hoop;
-  const { mu, apart, ...ofPlane } = plane;
+  const { mu, ...ofPlane } = plane;
   const { max_events, model, ...rest } = contact;
   return {
     ...ofHoop,

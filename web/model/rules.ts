@@ -62,7 +62,6 @@ function completeHoop(hoop: CheckedHoop, given: Set<string>, mechanics: Mechanic
 }
 
 function completePlane(plane: CheckedPlane, given: Set<string>, mechanics: Mechanics) {
-  plane.apart = FRICTIONS.some((name) => given.has(name));
   if (plane.mu !== null) {
     const said = together("plane", "mu", given, FRICTIONS);
     if (said) return said;

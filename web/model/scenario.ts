@@ -89,7 +89,7 @@ const namesOf = (model: string) => Object.keys(knowledge.models[model].fields);
 
 /** The keys of a scenario, as Python's `Scenario.to_dict`. */
 export function toDict({ duration, hoop, plane, start, contact }: Checked): Scenario {
-  const unwritten = plane.apart ? ["mu"] : ["mu_static", "mu_kinetic"];
+  const unwritten = plane.mu === null ? ["mu"] : ["mu_static", "mu_kinetic"];
   const usual = (name: string) => name in leftOut && (plane as any)[name] === leftOut[name];
   const goesOn = stateOf(start, hoop.radius).slip === start.slip;
   const free = ["x", "height", "angle", "vx", "vy", "omega", ...(goesOn ? ["slip", "mode"] : [])];

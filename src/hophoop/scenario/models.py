@@ -230,8 +230,7 @@ class Plane(Frozen):
         return self
 
     def _written(self) -> Iterable[str]:
-        apart = any(name in self.model_fields_set for name in _FRICTIONS)
-        left_out = {"mu"} if apart else set(_FRICTIONS)
+        left_out = {"mu"} if self.mu is None else set(_FRICTIONS)  # equal planes are written alike
         left_out |= {name for name, usual in LEFT_OUT.items() if getattr(self, name) == usual}
         return [name for name in type(self).model_fields if name not in left_out]
 

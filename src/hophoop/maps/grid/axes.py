@@ -66,13 +66,15 @@ def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
     Raises
     ------
     ValueError
-        If count is not from 1 to 100,000,000.
+        If count is not from 1 to 100,000,000, or an end is not finite.
 
     Examples
     --------
     >>> linear(0.5, 2.0, 4)
     array([0.5, 1. , 1.5, 2. ])
     """
+    if not math.isfinite(float(last) - float(first)):
+        raise InputError(f"The ends {first!r} and {last!r} of an axis must be finite, and so must their difference.")
     return np.linspace(first, last, _count(count))
 
 
