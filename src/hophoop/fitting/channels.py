@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -139,7 +139,8 @@ def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple
             rest = _roughness([(track.t[one.rows], off[one.name]) for one in group])
             found[kind] = float(min(usual, max(rest, *(_least_error(one.values, one.name) for one in group))))
             errors = {field: getattr(track, field) for field in fields}
-            track = replace(track, **{field: np.where(own > 0, own, found[kind]) for field, own in errors.items()})
+            filled: dict[str, Any] = {field: np.where(own > 0, own, found[kind]) for field, own in errors.items()}
+            track = replace(track, **filled)
     return track, found
 
 
@@ -169,7 +170,7 @@ def _roughness(pieces: Pieces) -> float:
 
 def _least_error(values: Floats, name: str) -> float:
     """Standard deviation of rounding to the digits of the data; for an angular velocity at least the usual noise."""
-    return max(_rounding(values) / np.sqrt(12.0), GYROSCOPE if name == "omega" else 0.0)
+    return max(float(_rounding(values) / np.sqrt(12.0)), GYROSCOPE if name == "omega" else 0.0)
 
 
 def _rounding(values: Floats) -> float:

@@ -164,8 +164,8 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
     if not ours:  # a row with a time only is a frame without marks
         looked = np.isfinite(list(values.values())).any(axis=0)
         keep &= looked | ~looked.any()
-    said = (*used.values(), *sheet.free("polar"))
-    unused = [one.label for one in sheet.columns if one not in said and one.label != "state"]
+    known = (*used.values(), *sheet.free("polar"))
+    unused = [one.label for one in sheet.columns if one not in known and one.label != "state"]
     if unused:
         more = f" and {len(unused) - MOST_NAMED} more" if len(unused) > MOST_NAMED else ""
         sheet.notes.append(f"Columns of {source} that are not used: {', '.join(unused[:MOST_NAMED])}{more}.")

@@ -102,9 +102,9 @@ def _stamps(file: Path) -> _Stamps:
     usual = float(1 / (rate * tick)) if rate else 0.0
     known = [stamp for stamp in found if stamp is not None]
     if len(known) < len(found):  # a format without times
-        return _Stamps(usual * np.arange(len(found)), float(tick), 0.0)
-    ticks = np.unique(np.array(known, dtype=np.int64))
-    ticks = (ticks - ticks[:1]).astype(float)
+        return _Stamps(usual * np.arange(len(found), dtype=np.float64), float(tick), 0.0)
+    stamps = np.unique(np.array(known, dtype=np.int64))
+    ticks: Floats = (stamps - stamps[:1]).astype(np.float64)
     return _Stamps(ticks, float(tick), even_step(ticks, usual))
 
 
