@@ -136,7 +136,7 @@ REFUSED = {
         "--angle-unit turn": "--angle-unit = 'turn'",
         "--column x": "--column = 'x' must be a name and a value",
         "--column 'speed=x [m]'": "--column cannot name 'speed'; it can name frame, t, x, y",
-        "--column x=across": "has no column 'across': its columns are t [s], x [m], ",
+        "--column x=across": "has no column 'across'; its columns are t [s], x [m], ",
         "--rate -1": "--rate = -1.0 must be a number above 0",
         "--from 2": "has times from 0 to 0.391667 s, of which 0 are in the window",
     },

@@ -93,7 +93,7 @@ def test_without_gravity():
 def test_a_touch_is_no_landing(above, low, high):
     """The rim comes down to the plane and up again, once a turn, without gravity; the gap is (π − τ)²/4 and 10⁻¹² there."""
     found = Case(0.5, 0.0, math.pi, 1.0, 1.0 + above, 0.0).found(0, 20.0)[0]
-    assert low <= (math.pi - found if found > 0.0 else found) <= high
+    assert low <= (math.pi - found if 0.0 < found <= 20.0 else -1.0) <= high  # rounding touches after 2,600 turns
 
 
 @pytest.mark.parametrize("vn", [1e-3, 1e-8, 1e-90])

@@ -40,7 +40,7 @@ def test_keys_stay_as_the_user_wrote_them():
              { shape = "disk", mass = 2.0, radius = 0.02, at = 0.25 }]
     [plane]
     mu_static = 0.5
-    mu_kinetic = 0.5
+    mu_kinetic = 0.4
     [start]
     speed = 1.0
     """
@@ -48,6 +48,9 @@ def test_keys_stay_as_the_user_wrote_them():
     assert keys["hoop"] == written["hoop"]
     assert {"mu_static", "mu_kinetic"} < set(keys["plane"])
     assert "mu" not in keys["plane"]
+    equal = hh.Scenario.loads(text.replace("0.4", "0.5"))
+    assert equal == hh.Scenario.loads(equal.to_toml()) == hh.Scenario(**{**keys, "plane": {"mu": 0.5}})
+    assert equal.to_dict()["plane"]["mu"] == 0.5  # equal planes are written alike
     assert keys["start"] == {"x": 0.0, "angle": 0.0, "speed": 1.0}
     assert keys["contact"] == {"model": "rigid", "max_events": 100_000}
     assert hh.Scenario.loads("") == hh.Scenario()

@@ -284,7 +284,7 @@ def _fit_of(
     worse = chi_square / max(degrees_of_freedom, 1)
     if worse > WORST:
         run = problem.runs[0]
-        free = [name for name in run.names if run.named(name) in solution.free]
+        free = [name for name in run.names if run.named(name) in wanted]
         causes, tried = likely_mistakes(run, run.own(values), free, worse, tracks[0], how.sigma)
         causes = causes or shutter(problem, solution, tracks, robust)
         notes = causes + notes if worse <= HOPELESS else causes or [NO_MISTAKE.format(", ".join(tried))]

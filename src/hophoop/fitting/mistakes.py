@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hophoop._support.extras import need
 from hophoop.fitting.channels import Channel, Sigma
 from hophoop.fitting.guess import SLIPS, candidates, guess, rates_of, start_kind
-from hophoop.fitting.parameters import spec
+from hophoop.fitting.parameters import SHARED, spec
 from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of
 from hophoop.fitting.solving import Solution, minimize, parameters, spread_of
 from hophoop.scenario import InputError
@@ -56,11 +56,12 @@ def likely_mistakes(
 
     values, free: of the fit of this run; cost: of it, over the number of data [1]; sigma: given standard deviations.
     """
+    held = {name: values[name] for name in run.names if name in SHARED and name not in free}
     shown = _shown(run)
     if shown:
         return [shown], []
     trials = _trials(run)
-    costs = _costs(trials, track)
+    costs = _costs(trials, track, held)
     if not costs or costs[0][0] > WELL:
         costs = sorted([*costs, *(_nearby(run, values, free, kind) for kind in ("times", "radius"))], key=lambda pair: pair[0])
     tried = list(dict.fromkeys([*(["axes"] if run.measured & {"x", "y"} else []), *(one.kind for one in trials)]))
@@ -72,7 +73,7 @@ def likely_mistakes(
         return [f"A motion fits {' or '.join(one.words for one in (first, *others))}: {first.advice}"], tried
     if cost < WORSE:
         return [], tried
-    return _window(run, track, sigma, min(GOOD, cost / WORSE)), [*tried, "the window"]
+    return _window(run, track, sigma, held, min(GOOD, cost / WORSE)), [*tried, "the window"]
 
 
 def shutter(problem: Problem, solution: Solution, tracks: Sequence[Track], robust: bool) -> list[str]:
@@ -229,13 +230,13 @@ def _nearby(run: Run, values: dict[str, float], free: Sequence[str], kind: str) 
     return float(found.fun), make(run, float(found.x))
 
 
-def _cost(trial: Trial, track: Track, polish: bool) -> float:
-    """Return the cost of the best motion over the number of data, about 1 where a motion fits."""
+def _cost(trial: Trial, track: Track, held: dict[str, float], polish: bool) -> float:
+    """Return the cost of the best motion over the number of data, about 1 where a motion fits; held: parameters by name."""
     if trial.run.t[-1] > LONGEST:
         return np.inf
     run = replace(trial.run, start=start_kind(trial.run), priors={})
     values, free = defaults(run, track)
-    free |= {trial.extra} - {""}
+    values, free = values | held, (free - held.keys()) | {trial.extra} - {""}
     first = values | {name: value for name, value in guess(run, values).items() if name in free}
     starts = candidates(run, first, free, draws=DRAWS)
     if not starts:
@@ -247,16 +248,16 @@ def _cost(trial: Trial, track: Track, polish: bool) -> float:
     return min(lowest) / run.count
 
 
-def _costs(trials: list[Trial], track: Track) -> list[tuple[float, Trial]]:
+def _costs(trials: list[Trial], track: Track, held: dict[str, float]) -> list[tuple[float, Trial]]:
     """Return the costs of the trials that are the best by drawn motions, the best first."""
-    order = sorted(trials, key=lambda trial: _cost(trial, track, polish=False))[:POLISHED]
-    return sorted(((_cost(trial, track, polish=True), trial) for trial in order), key=lambda pair: pair[0])
+    order = sorted(trials, key=lambda trial: _cost(trial, track, held, polish=False))[:POLISHED]
+    return sorted(((_cost(trial, track, held, polish=True), trial) for trial in order), key=lambda pair: pair[0])
 
 
-def _window(run: Run, track: Track, sigma: Sigma, allowed: float) -> list[str]:
+def _window(run: Run, track: Track, sigma: Sigma, held: dict[str, float], allowed: float) -> list[str]:
     """Name the longest part of the data that is free motion, such as between a hand and a catch.
 
-    allowed: cost over the number of data [1].
+    held: parameters by name; allowed: cost over the number of data [1].
     """
     hoop = run.hoop or ("general" if run.general else "ideal")
     begin, end = float(track.t[0]), float(track.t[-1])
@@ -270,7 +271,7 @@ def _window(run: Run, track: Track, sigma: Sigma, allowed: float) -> list[str]:
             return False
         if own.count < NUMBERS or _way(own) < MOVES:
             return False
-        return _cost(Trial("", "", "", own), track, polish=True) < allowed
+        return _cost(Trial("", "", "", own), track, held, polish=True) < allowed
 
     found, before = (0, 0), False
     for first in range(len(places) - PIECE):

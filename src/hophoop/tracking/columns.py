@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.dialects import DIALECTS, KNOWN_UNITS, NAMES, NO_PLACE, ROTATION, UNITS, Dialect
+from hophoop.tracking.dialects import DIALECTS, KNOWN_UNITS, NAMES, NO_PLACE, PIXELS, ROTATION, UNITS, Dialect
 
 Floats = NDArray[np.float64]
 
@@ -52,6 +52,7 @@ class Table(NamedTuple):
     body: Any  # pandas.DataFrame of text, the rows of numbers
     comments: list[str]  # above each of these rows
     below: str  # text below the numbers
+    separator: str
 
 
 class Head(NamedTuple):
@@ -149,7 +150,10 @@ def split(layout: Layout, name: str) -> Table:
     if first is None:
         raise InputError(f"{name} has no {'table' if len(rows) < 2 else 'row of numbers'}.")
     last = max(k for k, row in enumerate(rows) if _is_data(row)) + 1
-    body = pandas.DataFrame(rows[first:last], dtype=object).apply(lambda cells: cells.str.strip())
+    most = max(map(len, rows[first:last]))
+    body = pandas.DataFrame([row + [""] * (most - len(row)) for row in rows[first:last]], dtype=object).apply(
+        lambda cells: cells.str.strip()
+    )
     body = body.mask(body.apply(lambda cells: cells.str.lower().isin(EMPTY))).replace({GROUPS: ""}, regex=True)
     width = 1 + max(k for k in body if body[k].notna().any())
     short = [len(row) < width for row in rows[first:last]]
@@ -162,9 +166,8 @@ def split(layout: Layout, name: str) -> Table:
     if width > 1 and not any(sum(map(bool, row)) > 1 for row in above):  # comments are heads where they are the only ones
         comments = [comment for comment, _ in layout.lines[: layout.lines.index(lines[first])]]
         above = [cells for comment in comments if len(cells := _divided(comment, width, layout.separator)) == width][-1:]
-    return Table(
-        above, body, [comment for comment, _ in lines[first:last]], " ".join(cell for row in rows[last:] for cell in row)
-    )
+    comments = [comment for comment, _ in lines[first:last]]
+    return Table(above, body, comments, " ".join(cell for row in rows[last:] for cell in row), layout.separator)
 
 
 def _divided(line: str, width: int, sign: str = "") -> list[str]:
@@ -214,7 +217,7 @@ def _head(name: str, point: str, below: str, spoken: Sequence[Dialect]) -> Head:
     rest = " ".join(word for word in words if word not in "xyz")
     if re.fullmatch("[wω][xyz]", rest) or (len(axis) == 1 and re.search(ROTATION, rest)):
         return Head(label, point, "omega", unit, run)
-    moves = re.search(NO_PLACE, rest) or "/" in unit or unit in KNOWN_UNITS - UNITS["m"].keys()
+    moves = re.search(NO_PLACE, rest) or "/" in unit or unit in KNOWN_UNITS - UNITS["m"].keys() - {*PIXELS}
     usual = "" if moves or len(axis) != 1 else axis
     return Head(label, f"{point} {rest}".strip(), names.get(rest, usual) if axis else "", unit, run)
 
@@ -270,7 +273,7 @@ def columns(table: Table, names: list[Head], name: str, rate: float | None) -> t
             f"{name} has a row of {wide} cells under {len(names)} names: a comma can divide cells or numbers, not both. "
             "Save it with semicolons."
         )
-    decimal, notes = _decimal_sign(table.body, name)
+    decimal, notes = _decimal_sign(table, name)
     result = []
     for k, head in enumerate(names or [Head("")] * wide):
         cells = table.body.get(k, default=table.body[0].mask(table.body[0].notna()))
@@ -285,9 +288,9 @@ def columns(table: Table, names: list[Head], name: str, rate: float | None) -> t
     return result, notes
 
 
-def _decimal_sign(body: Any, name: str) -> tuple[str, list[str]]:
+def _decimal_sign(table: Table, name: str) -> tuple[str, list[str]]:
     """Return the decimal sign of a table, ',.' if it has both or none, and a remark if the other one groups digits."""
-    cells = body.stack().dropna()
+    cells = table.body.stack().dropna()
     cells = cells[cells.str.fullmatch(NUMBER)]
     marked = {sign: cells[cells.str.contains(sign, regex=False)] for sign in GROUPED}
     grouped = {sign: found[found.str.fullmatch(GROUPED[sign])] for sign, found in marked.items()}
@@ -300,6 +303,8 @@ def _decimal_sign(body: Any, name: str) -> tuple[str, list[str]]:
         integers = cells.index.get_level_values(1).isin(within).sum() > len(within)
         if integers == (signs == [","]):  # 985, 1,002 and 1,019; or 1.002 and 1.019 in all rows
             decimals, signs = ["."], signs if integers else []
+        elif table.separator == ";" and not integers:  # of spreadsheets in languages with decimal commas
+            decimals, signs = signs, []
     if signs and len(decimals) != 1:
         raise InputError(
             f"{name} has the number {grouped[signs[0]].iloc[0]}, which has two readings: "
@@ -374,7 +379,7 @@ def apart(found: list[Column], comments: list[str]) -> list[Column]:
     if not keys or len(set(keys[0].values)) == len(keys[0].values):
         return found
     key, pandas = keys[0], need("pandas", "fit")
-    numbers = [column for column in found if column is not key and not column.words]
+    numbers = [column for column in found if column not in keys and not column.words]
     named = [list(map("{:g}".format, column.values)) for column in numbers if column.head.quantity == "object"]
     for labels in (comments, *(column.words for column in found if column.words), *named):
         rows = pandas.MultiIndex.from_arrays([key.values, labels])

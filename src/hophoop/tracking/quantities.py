@@ -393,7 +393,8 @@ def check_times(sheet: Sheet, t: Floats) -> None:
     steps = np.diff(t[there])
     if (steps < 0).any() or not (steps > 0).any():
         return  # refused by all tracks
-    step, clock = float(np.median(steps[steps > 0])), sheet.used["t"]
+    clock = sheet.used["t"]
+    step = _usual_step(t[there])
     if there.sum() >= FEWEST and not STEPS[0] <= step < STEPS[1] and "t" not in sheet.how.units:
         counts = not clock.head.unit and (np.diff(clock.values[there]) == 1).all()
         unit = _unit_of_times(clock.values[there])
@@ -403,17 +404,23 @@ def check_times(sheet: Sheet, t: Floats) -> None:
             raise sheet.question(said, "--rate 240, if these are frames (rate= in a Reading)")
         raise sheet.question(f"{said}; multiplied by {factor:.3g} it is {factor * step:.3g} s", f"--unit t={unit}")
     if uneven(t[there]):
-        rate = 1.0 / float(np.polyfit(np.arange(there.sum()), t[there], 1)[0])
+        rate = 1.0 / step
         usual = min(RATES, key=lambda one: abs(one - rate))
+        doubt = max(0.01, float(steps.max() / (t[there][-1] - t[there][0])))
         raise sheet.question(
             f"has times in {clock.label} that repeat or come in bursts",
-            f"--rate {usual if abs(usual - rate) < 0.01 * rate else round(rate, 1)}, if rows are evenly spaced",
+            f"--rate {usual if abs(usual - rate) < doubt * rate else round(rate, 1)}, if rows are evenly spaced",
         )
+
+
+def _usual_step(t: Floats) -> float:
+    """Return the median step of times, or the mean one where they repeat or come in bursts."""
+    return float(np.polyfit(np.arange(len(t)), t, 1)[0] if uneven(t) else np.median(np.diff(t)))
 
 
 def _unit_of_times(t: Floats) -> str:
     """Return the unit with which the step of times is a usual one."""
-    step = float(np.median(np.diff(t)))
+    step = _usual_step(t)
     units = (name for name in ("s", "ms", "us", "ns", "d") if 5e-4 <= step * UNITS["s"][name] <= 0.5)
     return next(units, f"{1 / (240 * step):.3g}")
 
@@ -451,7 +458,7 @@ def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> InputError:
     """Return the question for the unit of lengths, with the size and direction that rolling suggests."""
     size = 0.01
     if sheet.how.radius and len(x) > 2 and np.ptp(angle) > 1.0:
-        size = sheet.how.radius / float(np.polyfit(angle, x, 1)[0])
+        size = sheet.how.radius / float(np.polyfit(angle, x, 1)[0]) * (unit_factor(sheet.used["x"].head.unit, "m") or 1.0)
     unit = next((unit for unit in ("cm", "mm", "in") if abs(size / UNITS["m"][unit] - 1.0) < 0.1), f"{abs(size):.2g}")
     y, down = (f"-{unit}", ", with y downwards") if size < 0 else (unit, "")
     return sheet.question(

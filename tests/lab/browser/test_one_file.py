@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from firefox import firefox
+from firefox import Tab, firefox
 from hophoop.lab import export
-from hophoop.vocabulary.names import FATES
+from hophoop.vocabulary.names import FATES, identifier
 from lab_page_tools import PATIENCE, PHONE, PICTURES, accessible
 
 # Begun by hand: a page that opens at a time does not play by itself.
@@ -104,7 +104,7 @@ def test_a_load_is_dragged_a_map_is_there_and_a_link_is_copied_and_opened_again(
     window.drag((x, y), (x + 0.7 * reach, y + 0.3 * reach), (x + reach, y + reach))  # a quarter turn
     asked(window, "await until(() => lab.motions.history.past.length === 1 && !lab.surrounding);")
     start = asked(window, "lab.clock.play(false); lab.clock.seek(0.3); return lab.film().scenario.start;")
-    assert (start["speed"], round(start["angle"], 1)) == (2, 1.6)
+    assert start["angle"] == pytest.approx(1.57, abs=0.1)  # the speed is that of the hand
     colours = asked(
         window,
         """first('.map-body').scrollIntoView({ block: 'center' });
@@ -134,7 +134,10 @@ def test_all_is_in_it_and_it_says_whose_it_is(window, file):
     for code, word in {"de": "Parameter", "es": "Parámetros", "fr": "Paramètres", "zh": "参数", "en": "Parameters"}.items():
         asked(window, f"const list = first('.language'); list.value = '{code}'; list.dispatchEvent(new Event('change'));")
         asked(window, f"await until(() => first('.side').ariaLabel === '{word}');")
-    assert asked(window, "await lab.toggle('three'); return lab.stage.options.three;")
+    # a Firefox without a display may have no WebGL
+    can = asked(window, "return Boolean(document.createElement('canvas').getContext('webgl2'));")
+    assert can or isinstance(window, Tab)
+    assert asked(window, "await lab.toggle('three'); return lab.stage.options.three;") is can
     said = asked(window, "return [first('.about details').textContent, first('.menu-body').textContent];")
     assert "svgcanvas" in said[0]
     assert "Permission is hereby granted" in said[0]
@@ -155,7 +158,9 @@ def test_all_is_in_it_and_it_says_whose_it_is(window, file):
     film = names.pop()
     assert names == ["hophoop-motion.toml", "hophoop-motion.csv", "hophoop-motion.json", "hophoop.png", "hophoop.svg"]
     assert film in ("hophoop.mp4", "hophoop.webm")
-    assert asked(window, "await lab.load(''); await lab.ending.fetch(); return lab.ending.known.fate;") in FATES
+    assert asked(window, "await lab.load(''); await lab.ending.fetch(); return lab.ending.known.fate;") in map(
+        identifier, FATES
+    )
 
 
 @pytest.fixture

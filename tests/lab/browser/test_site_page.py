@@ -117,7 +117,7 @@ def test_the_folder_may_stand_anywhere_and_leads_to_the_documentation_beside_it(
 def test_a_page_opened_as_a_file_says_what_to_do(site_folder, browser):
     page = browser.new_page()
     page.goto((site_folder / "index.html").resolve().as_uri())
-    words = page.get_by_text("python -m http.server")
+    words = page.get_by_text("hophoop lab --export play.html")
     words.wait_for(state="attached")
     assert not words.is_visible()  # most pages are there before it is
     page.evaluate("for (const one of document.getAnimations()) one.finish()")
