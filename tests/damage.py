@@ -63,7 +63,7 @@ def sign(file: Path) -> None:
                 group.checksum = content
     else:
         content = checksum(io._read(file, "zarr"))
-        root = zarr.open_group(file, mode="a")
+        root = zarr.open_group(file, mode="a", use_consolidated=False)
         for group in (root, *(each for _, each in root.groups())):
             group.attrs["checksum"] = content
 

@@ -80,12 +80,13 @@ def test_the_dataset_describes_itself(motion):
     assert io.to_xarray(motion, 0.5).sizes == {"time": 1}
 
 
+@pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
 def test_plain_xarray_reads_the_tables_in_si(motion, tmp_path, name):
     scaled = hh.simulate(hh.Hoop.ideal(0.6, radius=0.3, mass=2.0), hh.Plane(gravity=3.0), hh.Start.rolling(1.2), duration=2.0)
     scaled.save(tmp_path / name)
     engine = "netcdf4" if name.endswith("nc") else "zarr"
-    options = {"engine": engine} | ({"consolidated": False} if engine == "zarr" else {})
+    options = {"engine": engine}
     with xr.open_dataset(tmp_path / name, **options) as dataset:
         assert dataset.sizes == {"time": 1000}
         np.testing.assert_array_equal(dataset.angle, scaled.to_xarray().angle)
@@ -135,6 +136,13 @@ def test_a_missing_file_or_folder_is_told_with_the_name_that_was_given(motion, t
         with pytest.raises(FileNotFoundError) as refusal:
             call(missing)
         assert refusal.value.filename == str(missing)
+
+
+def test_a_store_does_not_replace_a_file(motion, tmp_path):
+    (tmp_path / "hop.zarr").write_text("mine")
+    with pytest.raises(NotADirectoryError):
+        motion.save(tmp_path / "hop.zarr")
+    assert [(file.name, file.read_text()) for file in tmp_path.iterdir()] == [("hop.zarr", "mine")]
 
 
 # --- fingerprints ----------------------------------------------------------------------------------

@@ -94,7 +94,7 @@ REFUSED = {
     },
     "map": {
         f"{MU} {SPEED}": "--out or --plot",
-        f"{MU} --out a.zarr": "--axis = ['plane.mu'] must name at least two",
+        "--out a.zarr": "--axis = [] must name at least one",
         f"{SPEED} --axis plane.mu=1:2:0 --out a.zarr": "--axis plane.mu=1:2:0: count = 0 must be",
         f"{SPEED} --axis plane.mu=1:inf:3:log --out a.zarr": "end of a logarithmic axis = inf must be",
         "--axis plane.mu=0:1:300000 --axis start.speed=1:2:300000 --plot a.png": "axes make 90,000,000,000 motions, which need",

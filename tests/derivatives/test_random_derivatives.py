@@ -55,23 +55,24 @@ def changed(motion: hh.Trajectory, path: str, change: float) -> np.ndarray | Non
     return numbers_of(other) if kinds_of(other) == kinds_of(motion) else None
 
 
-def slopes(motion: hh.Trajectory, path: str, side: float) -> Iterator[np.ndarray]:
-    """One-sided differences of the events, of second order, for smaller and smaller steps."""
+def slopes(motion: hh.Trajectory, path: str, side: float) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """One-sided differences of the events, of second order, for smaller and smaller steps, and their rounding."""
     here = numbers_of(motion)
     size = abs(value_of(motion.scenario, path)) or 1.0
     for halvings in range(FIRST, LAST):
         step = side * math.ldexp(1.0, math.frexp(size)[1] - halvings)
         near, far = changed(motion, path, step), changed(motion, path, 2.0 * step)
         if near is not None and far is not None:
-            yield (4.0 * near - far - 3.0 * here) / (2.0 * step)
+            yield (4.0 * near - far - 3.0 * here) / (2.0 * step), abs(8.0 * np.spacing(here) / step)
 
 
 def by_differences(motion: hh.Trajectory, path: str, side: float) -> np.ndarray:
     """The derivatives of the events to one side; nan where no two steps in a row agree."""
     found = np.full((len(motion.events), len(FIELDS)), np.nan)
     before = found
-    for after in slopes(motion, path, side):
-        settled = np.isnan(found) & (abs(after - before) <= AGREE * (1.0 + abs(after)))
+    for after, rounding in slopes(motion, path, side):
+        size = 1.0 + abs(after)
+        settled = np.isnan(found) & (abs(after - before) <= AGREE * size) & (rounding < RIGHT * size)
         found[settled] = after[settled]
         before = after
         if not np.isnan(found).any():

@@ -37,6 +37,8 @@ TOP = "hoop.load_fraction=0.25&plane.gravity=1&start.speed=2"  # N = m (g − ε
         *((f"{NO_SLIP}&start.angle={angle}", path, Reason.BORDER) for angle in (0, 1) for path in ("start.vx", "start.omega")),
         # a little faster it hops at once, a little slower it rolls
         *((f"{TOP}&plane.mu={mu}", "hoop.load_fraction", Reason.BORDER) for mu in (1, "inf")),
+        # infinite friction stops the slip, which lifts the hoop on one side and not on the other
+        ("plane.mu=inf&start.vx=6&start.omega=1", "start.angle", Reason.BORDER),
         ("plane.mu=0&start.speed=0", "start.angle", Reason.FRICTIONLESS),
         ("hoop.load_fraction=1&start.speed=1", "hoop.load_fraction", Reason.MASSLESS),
     ],

@@ -52,14 +52,14 @@ def attributes(signed=True, group="/", **changed):
 
 
 def zarr_attributes(path, **changed):
-    zarr.open_group(path, mode="a").attrs.update(changed)
+    zarr.open_group(path, mode="a", use_consolidated=False).attrs.update(changed)
 
 
 def number(table):
     """Change the last digit of a number."""
 
     def damage(path):
-        angle = zarr.open_group(path, mode="a")[f"{table}/angle"]
+        angle = zarr.open_group(path, mode="a", use_consolidated=False)[f"{table}/angle"]
         angle[1] = np.nextafter(angle[1], 9.0)
 
     return damage
@@ -81,12 +81,12 @@ def others(**attrs):
 
 
 def without_layout(path):
-    del zarr.open_group(path, mode="a")["events"].attrs["layout"]
+    del zarr.open_group(path, mode="a", use_consolidated=False)["events"].attrs["layout"]
     sign(path)
 
 
 def without_segments(path):
-    del zarr.open_group(path, mode="a")["segments"]
+    del zarr.open_group(path, mode="a", use_consolidated=False)["segments"]
 
 
 CHECKSUM = "is damaged: its checksum is not that of its content."

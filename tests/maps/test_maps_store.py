@@ -75,6 +75,20 @@ def test_what_a_file_browser_leaves_in_a_folder_is_not_spoken_of(whole, copy):
     assert maps.open_map(copy).load().identical(maps.open_map(whole).load())
 
 
+@pytest.mark.filterwarnings("error")
+def test_plain_xarray_opens_a_store(whole):
+    with xr.open_zarr(whole) as dataset:
+        assert set(QUANTITIES) <= set(dataset)
+
+
+def test_one_axis(tmp_path):
+    axes = {"start.speed": AXES["start.speed"]}
+    memory = maps.sweep(None, axes, QUANTITIES)
+    assert memory.sizes == {"start.speed": len(AXES["start.speed"])}
+    maps.sweep(None, axes, QUANTITIES, out=tmp_path / "line.zarr", chunk_cells=2)
+    xr.testing.assert_equal(maps.open_map(tmp_path / "line.zarr").load(), memory)
+
+
 def test_every_variable_and_coordinate_says_what_it_is(whole):
     dataset = maps.open_map(whole)
     assert list(dataset) == QUANTITIES
@@ -136,6 +150,7 @@ def test_a_killed_process_leaves_a_map_that_goes_on_to_the_same_bytes(whole, tmp
     assert subprocess.run([sys.executable, "-c", KILLED, path], check=False).returncode == -signal.SIGKILL
     assert (path / "unfinished" / "lock").exists()  # which is free again
     # leftovers of a writer that died in the middle: half a chunk, and a chunk of one quantity alone
+    (path / "hop_height" / "c" / "0").mkdir(parents=True, exist_ok=True)
     (path / "hop_height" / "c" / "0" / "0.1234.partial").write_bytes(b"half a chunk")
     next(file for file in (path / "status" / "c").rglob("*") if file.is_file()).unlink()
     make(path, resume=True)
@@ -223,12 +238,25 @@ def test_a_damaged_map_is_the_same_map_or_one_sentence(whole, tmp_path, ending):
 @pytest.mark.parametrize(("name", "value"), [("units", "days since nowhere"), ("missing_value", 9.5), (None, 0.8)])
 def test_a_changed_axis_is_noticed_before_it_is_decoded(copy, name, value):
     """Decoding would stumble over one attribute, and take the other away."""
-    axis = zarr.open_group(copy, mode="a")["plane.mu"]
+    axis = zarr.open_group(copy, mode="a", use_consolidated=False)["plane.mu"]
     if name is None:
         axis[1] = value
     else:
         axis.attrs[name] = value
     with pytest.raises(ValueError, match=rf"map\.zarr {CHANGED}$"):
+        maps.open_map(copy)
+
+
+@pytest.mark.parametrize("name", ["hop_height", "sequence"])
+def test_a_damaged_chunk_is_noticed_with_the_name_of_the_file(copy, name):
+    """Zarr says of it only that checksums do not match, and only where it is read."""
+    for file in (copy / name / "c").rglob("*"):
+        if file.is_file():
+            data = bytearray(file.read_bytes())
+            data[len(data) // 2] ^= 1
+            file.write_bytes(data)
+            break
+    with pytest.raises(ValueError, match=rf"map\.zarr is damaged: a part of {name} is not as it was written\.$"):
         maps.open_map(copy)
 
 

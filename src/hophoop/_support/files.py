@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from hophoop._support.extras import need
 from hophoop._support.stopping import temporary, temporary_folder
 
 
@@ -24,6 +25,13 @@ def ignore_foreign_zarr_files() -> Iterator[None]:
         # only these: filters are global and affect other threads too
         warnings.filterwarnings("ignore", "Object at .* is not recognized as a component of a Zarr hierarchy", UserWarning)
         yield
+
+
+def consolidate(store: Path) -> None:
+    """Copy the metadata of a Zarr store to its root, where other programs look first."""
+    with ignore_foreign_zarr_files():
+        warnings.filterwarnings("ignore", "Consolidated metadata is currently not part in the Zarr format 3", UserWarning)
+        need("zarr", "maps").consolidate_metadata(str(store))
 
 
 @contextmanager
@@ -128,6 +136,8 @@ def _named(error: OSError, name: str, target: Path) -> OSError:
 
 def _put_folder(fresh: Path, target: Path) -> None:
     """Replace a folder by another one and delete it."""
+    if target.exists() and not target.is_dir():  # a user's file
+        raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), str(target))
     old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
     try:
         with contextlib.suppress(FileNotFoundError):

@@ -1,4 +1,4 @@
-"""`hophoop map`: a map over two or more parameters, into a file and a picture."""
+"""`hophoop map`: a map over parameters, into a file and a picture."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def map(
     scheduler: str | None = None,
     quiet: bool = False,
 ) -> None:
-    """Compute a map over two or more parameters of a scenario (by default the reference hoop).
+    """Compute a map over parameters of a scenario (by default the reference hoop).
 
     Arguments
     ---------
@@ -65,7 +65,7 @@ def map(
     Options
     -------
     axis
-        Two or more parameters with their values: path=first:last:count, path=first:last:count:log or path=a,b,c.
+        Parameters with their values: path=first:last:count, path=first:last:count:log or path=a,b,c.
     quantity
         Quantity of the map, by default sequence, see the list below.
     span

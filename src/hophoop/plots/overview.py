@@ -33,13 +33,16 @@ def overview(motion: Trajectory) -> Figure:
     Returns
     -------
     figure : matplotlib.figure.Figure
+        In a notebook it is shown as the value of a cell, not a second time with pyplot's figures.
 
     Raises
     ------
     ImportError
         If Matplotlib is missing.
     """
-    figure: Figure = need("matplotlib.pyplot", "plots").figure(figsize=SIZE, layout="constrained")
+    pyplot = need("matplotlib.pyplot", "plots")
+    new = need("matplotlib.figure", "plots").Figure if "inline" in pyplot.get_backend() else pyplot.figure
+    figure: Figure = new(figsize=SIZE, layout="constrained")
     _fill(figure, motion)
     return figure
 

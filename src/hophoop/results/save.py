@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.checksum import CHECKSUM, checksum, seal
 from hophoop._support.extras import need
-from hophoop._support.files import netcdf_errors, replacing
+from hophoop._support.files import consolidate, netcdf_errors, replacing
 from hophoop.kernel.native.sources import stamp
 from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
 from hophoop.results.records import ArraySample, Motion
@@ -121,6 +121,7 @@ def save(motion: Motion, path: str | Path, n: int = 1000) -> None:
                 for name, group in groups.items():
                     mode = "w" if name == "/" else "a"
                     group.to_zarr(str(folder), group=name, mode=mode, consolidated=False)
+                consolidate(folder)
                 if kind == "zip":
                     _zip(folder, temporary)
             finally:

@@ -77,6 +77,10 @@ def impact_change(body, blow, d_body, d_blow):
     collision = blow.vn < 0.0
     vt = blow.vt
     reason = NONE
+    if math.isinf(body.mu_k) and (d_blow.s != 0.0 or d_blow.vn != 0.0):  # does stopping the slip alone lift the hoop?
+        arm, lever = contact_arms(body, blow.s, blow.c)
+        if vt != 0.0 and abs(blow.vn + lever * arm * vt / (body.kap + arm * arm)) <= CLOSE * abs(vt):
+            reason = BORDER
     if vt == 0.0 and d_blow.vt != 0.0 and not math.isinf(body.mu_k):
         reason = SIDED
         arm, lever = contact_arms(body, blow.s, blow.c)

@@ -161,8 +161,8 @@ def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
 
 def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]:
     """Check the axes of a map, values by path in SI units, against the scenario that they vary."""
-    if len(axes) < 2:
-        raise InputError(f"axes = {list(axes)!r} must name at least two parameters.", field="axes", value=list(axes))
+    if not axes:
+        raise InputError(f"axes = {list(axes)!r} must name at least one parameter.", field="axes", value=list(axes))
     check_rigid(base)
     made = []
     for path, values in axes.items():

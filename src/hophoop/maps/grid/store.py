@@ -11,6 +11,7 @@ chunks. A netCDF file has one of all its bytes.
 from __future__ import annotations
 
 import contextlib
+import itertools
 import json
 import os
 import shutil
@@ -25,7 +26,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.checksum import CHECKSUM, checksum, is_broken
 from hophoop._support.extras import need
-from hophoop._support.files import ignore_foreign_zarr_files
+from hophoop._support.files import consolidate, ignore_foreign_zarr_files
 from hophoop._support.stopping import temporary
 from hophoop.maps.grid.axes import Axis
 from hophoop.maps.grid.evaluate import Plan
@@ -186,6 +187,7 @@ def finish(path: Path, plan: Plan, threads: int) -> None:
     for left in path.rglob("*.partial"):  # of a process that was killed
         left.unlink(missing_ok=True)
     need("zarr", "maps").open_group(str(path), mode="r+").attrs[CHECKSUM] = _checksum_of(path)
+    consolidate(path)
 
 
 def _write_sequences(path: Path, plan: Plan, threads: int) -> None:
@@ -321,9 +323,21 @@ def _check_whole(place: Path) -> None:
     if said[CHECKSUM] != _checksum_of(place):
         raise InputError(damaged)
     if place.suffix != ".nc":
-        group = need("zarr", "maps").open_group(str(place), mode="r")
-        if any(group[name].nchunks_initialized != group[name].nchunks for name in names):
-            raise InputError(f"{place} is damaged: a part of it is missing.")
+        group = need("zarr", "maps").open_group(str(place), mode="r", use_consolidated=False)
+        for name in names:
+            _check_chunks(place, group[name])
+
+
+def _check_chunks(place: Path, array: Any) -> None:
+    """Refuse an array with a chunk that is missing, or that is not as it was written."""
+    if array.nchunks_initialized != array.nchunks:
+        raise InputError(f"{place} is damaged: a part of it is missing.")
+    starts = (range(0, size, step) for size, step in zip(array.shape, array.chunks, strict=True))
+    for corner in itertools.product(*starts):
+        try:
+            array[tuple(slice(start, start + step) for start, step in zip(corner, array.chunks, strict=True))]
+        except Exception as error:  # of its codecs
+            raise InputError(f"{place} is damaged: a part of {array.basename} is not as it was written.") from error
 
 
 def with_words(dataset: Any) -> Any:

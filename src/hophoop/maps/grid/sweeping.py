@@ -51,7 +51,7 @@ def sweep(
     base : Scenario, optional
         The scenario to vary; by default the reference hoop.
     axes : mapping of str to array_like
-        At least two parameters by their path, such as ``{"plane.mu": …, "start.speed": …}``, each with its
+        Parameters by their path, such as ``{"plane.mu": …, "start.speed": …}``, each with its
         values [SI]. Cells whose values do not go together (such as μk above μs) are marked, not errors.
     quantities : sequence of str, default ('sequence',)
         Names of `QUANTITIES`, or of `SETTLED` with the span ``settled``.
@@ -101,7 +101,7 @@ def sweep(
     """
     need("xarray", "maps")
     if axes is None:
-        raise InputError("axes must name at least two parameters.")
+        raise InputError("axes must name at least one parameter.")
     if scheduler is not None and out is None:
         raise InputError("out must name a file for a sweep over a cluster: the workers write into it.")
     if isinstance(scheduler, str):
