@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from figures.gaits import branches, on_slope
+from figures.gaits import branches, doubled, on_slope
 
 import hophoop as hh
 
@@ -13,7 +13,7 @@ def special_points() -> None:
     """Where gaits begin, end and double."""
     first, second = branches()
     doubling = next(one for one in second.special if one.kind == "period doubling")
-    fourth = doubling.switch().follow("plane.slope", (math.radians(1.19), math.radians(1.3)))
+    fourth = doubled(doubling).follow("plane.slope", (math.radians(1.19), math.radians(1.3)))
     steep = next(gait for gait in hh.gaits.find(on_slope(15.2), 2, near=3.14) if gait.stable)
     steep_branch = steep.follow("plane.slope", (math.radians(15.0), math.radians(16.5)))
     for branch in (first, second, fourth, steep_branch):

@@ -61,7 +61,14 @@ def branches() -> tuple[hh.gaits.Branch, hh.gaits.Branch]:
     """The branch of gaits of period 1, and that of period 2 born on it."""
     first = hh.gaits.find(on_slope(1.0), near=3.408)[0].follow("plane.slope", (math.radians(0.3), math.radians(1.5)))
     corner = next(one for one in first.special if one.kind == "border collision" and abs(np.diff(one.multipliers)[0]) > 0.5)
-    return first, corner.switch().follow("plane.slope", (math.radians(1.02), math.radians(1.5)))
+    return first, doubled(corner).follow("plane.slope", (math.radians(1.02), math.radians(1.5)))
+
+
+def doubled(special: hh.gaits.Special) -> hh.gaits.Gait:
+    """The gait of twice the period next to a special point, at a slope just above it."""
+    gait = special.gait
+    beyond = gait.scenario.replace("plane.slope", special.parameter * (1 + 1e-5))
+    return hh.gaits.find(beyond, 2 * gait.period, near=special.omega)[0]
 
 
 def draw_branches(path: Path) -> None:

@@ -18,7 +18,7 @@ COMMANDS = {
     "prove --thresholds immediate_hop_speed": "",
     "theory": "",
     "plan --v0 1 --duration 0.2 --rate 60": "",
-    "gait --slope-deg 3 --gamma 0.5 --near 8.68": "hop (m), revolutions, next boundary.",
+    "gait --slope-deg 3 --gamma 0.5 --near 8.68": "hop (m).",
 }
 MISSING = "Not shown for want of width: "
 

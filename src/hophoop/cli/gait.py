@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from hophoop.gaits.special import Special
     from hophoop.scenario import Scenario
 
-TITLES = ("sequence", "stable", "multiplier", "speed (m/s)", "hops", "revolutions", "hop (m)", "θ̇ (rad/s)", "next boundary")
-SPARE = ("hop (m)", "revolutions", "next boundary", "θ̇ (rad/s)", "hops", "speed (m/s)")
+TITLES = ("sequence", "stable", "multiplier", "speed (m/s)", "hops", "revolutions", "hop (m)", "θ̇ (rad/s)")
+SPARE = ("hop (m)", "revolutions", "θ̇ (rad/s)", "hops", "speed (m/s)")
 
 
 def gait(
@@ -119,7 +119,6 @@ def _finish(branch: Branch | None, plot: Path | None) -> None:
 
 
 def _cells(one: Gait) -> list[str]:
-    margin = one.margins[0]
     return [
         one.sequence,
         "yes" if one.stable else "no",
@@ -129,5 +128,4 @@ def _cells(one: Gait) -> list[str]:
         str(abs(one.revolutions)),
         f"{one.hop_height:.4g}" if one.hops else "–",
         f"{one.state.omega:.9g}",
-        f"{margin.boundary}: {margin.value:.2g}",
     ]

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.gaits.equation import GaitEquation, Pair, Values
+from hophoop.gaits.margins import GaitMargin, margins_of
 from hophoop.gaits.special import BORDER, DOUBLING, END, FOLD, JOINS, LIMIT, TOP, Special
 
 LONGEST_STEP, SHORTEST_STEP = 0.02, 1e-9  # along the branch, in (θ̇ in √(g/R), parameter over a tenth of its range)
@@ -27,6 +28,12 @@ class Point(NamedTuple):
     place: Pair
     values: Values
     equation: GaitEquation
+
+    @property
+    def margins(self) -> tuple[GaitMargin, ...]:
+        """Distances of the gait from the boundaries of its sequence, the smallest first."""
+        gait = self.equation.gait(self.place)
+        return margins_of(gait.motion(), gait.section)
 
 
 def apart(one: Point, other: Point) -> float:
@@ -134,7 +141,7 @@ class Follower:
 
     def named(self, one: Point, other: Point) -> str:
         """Return the boundary between two points, the smallest margin of both, and their words."""
-        margins = [margin for point in (one, other) for margin in point.equation.gait(point.place).margins[:1]]
+        margins = [margin for point in (one, other) for margin in point.margins[:1]]
         sequences = f"{one.values.sequence} | {other.values.sequence}"
         least = min(margins, key=lambda margin: margin.value)
         moved = one.equation.mode != other.equation.mode and least.value > MET
@@ -215,7 +222,7 @@ class Follower:
         before = advance(here, way, step - BASELINE)
         if before is None:
             return one
-        values = [point.equation.gait(point.place).margins[0].value for point in (before, one)]
+        values = [point.margins[0].value for point in (before, one)]
         if not 0.0 <= values[1] < values[0]:
             return one
         share = values[1] / (values[0] - values[1])
@@ -266,13 +273,13 @@ class Follower:
         """Add the end of a branch."""
         if last is not self.points[-1]:
             self.points.append(last)
-        gait = last.equation.gait(last.place)
         outside = min(abs(float(last.place[-1]) - bound) for bound in self.bounds) < AT_LIMIT
         if outside:  # a value beyond may not be allowed at all, such as a restitution below 0
             self.add(LIMIT, last, (last.values.multiplier,), "")
             return
-        slowest = next(margin.value for margin in gait.margins if margin.boundary == "turns back")
-        met = gait.margins[0].boundary if gait.margins[0].value < MET else ""
+        margins = last.margins
+        slowest = next(margin.value for margin in margins if margin.boundary == "turns back")
+        met = margins[0].boundary if margins[0].value < MET else ""
         top = slowest < NEAR_TOP
         self.add(TOP if top else END, last, (last.values.multiplier,), "" if top else met)
 

@@ -127,10 +127,6 @@ class GaitEquation:
         units = Units.of_scenario(scenario)
         self.units = np.array([units.of(name) for name in self.names])
 
-    def of(self, path: str, value: float) -> GaitEquation:
-        """Return the equation with another value of a second parameter."""
-        return GaitEquation(self.scenario.replace(path, value), self.period, self.path, self.scale, self.section, self.mode)
-
     def other(self, point: Pair) -> tuple[GaitEquation, Pair] | None:
         """Return the equation of the mode in which the hoop comes back, and the point there; None if the mode is the same."""
         start = point.copy()

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
-from hophoop.gaits.margins import GaitMargin, margins_of
 from hophoop.gaits.results import Passages
 from hophoop.gaits.section import SectionDerivative, change_of, coordinates, derivative
 from hophoop.kernel.physics.body import MODE_LETTERS
@@ -122,11 +121,6 @@ class Gait:
         """Energy lost in a period, by cause; the sum is what the slope gives [J]."""
         return {name: float(self.passages.loss(name).sum()) for name in LOSSES}
 
-    @cached_property
-    def margins(self) -> tuple[GaitMargin, ...]:
-        """Distances from the boundaries of the sequence, the smallest first: which one a change of parameters may meet next."""
-        return margins_of(self.motion(), self.section)
-
     @property
     def phases(self) -> Iterator[PhaseRecord]:
         """Phases of a period with their margins, and why each ends: see `hophoop.phases`."""
@@ -202,7 +196,6 @@ class Gait:
             "multipliers": [[float(one.real), float(one.imag)] for one in self.multipliers],
             "stable": self.stable,
             **{name: getattr(self, name) for name in names},
-            "margins": [margin._asdict() for margin in self.margins],
             "scenario": self.scenario.to_dict(),
         }
 

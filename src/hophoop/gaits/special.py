@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from hophoop.gaits.equation import GaitEquation, Pair
 from hophoop.gaits.gait import Gait
 
@@ -24,8 +21,9 @@ class Special(NamedTuple):
         'fold', 'period doubling', 'border collision', 'joins a shorter period', 'top of the hill', 'end' or 'limit of
         the range'.
     event : str
-        Of a border collision the boundary, as in `GaitMargin` or 'slip at the section', and the sequences on both sides; of an
-        end the boundary that is met there, if one is; else empty.
+        Of a border collision the boundary, ('slip starts', 'take-off', 'hop vanishes', 'phase vanishes', 'impact: slip just
+        stops', 'turns back' or 'slip at the section'), and the sequences on both sides; of an end the boundary that is met
+        there, if one is; else empty.
     parameter : float
         [SI].
     omega : float
@@ -48,50 +46,6 @@ class Special(NamedTuple):
     gait: Gait
     equation: GaitEquation
     place: Pair
-
-    def follow(self, path: str, bounds: tuple[float, float], points: int = 40) -> NDArray[np.float64]:
-        """Follow a fold or a period doubling in a second parameter.
-
-        Parameters
-        ----------
-        path : str
-            Of the second parameter.
-        bounds : (float, float)
-            Its range, around its value at the point [SI].
-        points : int, default 40
-            Steps of the whole range [1].
-
-        Returns
-        -------
-        curve : ndarray, shape (n, 3)
-            Rows of second parameter, first parameter [SI] and θ̇ [rad/s], in the order of the second one; shorter than the
-            range where the point ends, for instance at another sequence.
-
-        Raises
-        ------
-        ValueError
-            If it is a point of another kind, or an argument is not allowed.
-        """
-        from hophoop.gaits.curves import follow_special
-
-        return follow_special(self, path, bounds, points)
-
-    def switch(self) -> Gait:
-        """Return a gait of twice the period, next to a point where it is born.
-
-        Returns
-        -------
-        gait : Gait
-            To be followed in turn.
-
-        Raises
-        ------
-        ValueError
-            If none is found near the point, or its period would be above 64.
-        """
-        from hophoop.gaits.curves import doubled
-
-        return doubled(self)
 
     def __repr__(self) -> str:
         event = f" ({self.event})" if self.event else ""
