@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from fitting_tools import filmed, hopping
 from hophoop.scenario import InputError
 
 SLOPE = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=0.05), duration=1.0)
+GAIT = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=np.radians(3.0), mu=1.0))
+WINDOW = {"plane.mu": (0.3, 1.9), "start.speed": (0.3, 4.5)}
 STATE = ("x", "height", "angle", "omega", "slip")
 
 
@@ -53,6 +56,13 @@ OBJECTS = {
     "entry of the catalogue": lambda: hh.maps.catalogue()[0],
     "article": lambda: hh.article.scenarios(),
     "look": lambda: hh.animate.Look(),
+    "track": lambda: filmed(hopping(), rate=60.0),
+    "fit": lambda: hh.fit(filmed(hopping(), rate=30.0)),
+    "plan": lambda: hh.plan(hopping().scenario, rate=60.0),
+    "gait": lambda: hh.gaits.find(GAIT)[0],
+    "branch": lambda: hh.gaits.find(GAIT)[0].follow("plane.slope", (0.05, 0.055)),
+    "return map": lambda: hh.gaits.return_map(GAIT),
+    "boundary": lambda: hh.maps.boundary(None, WINDOW, one=(1.0, 3.1), other=(1.0, 3.8), step=0.2),
     "bad input": lambda: InputError.of_field("threads", 0, "at least 1"),
 }
 
@@ -109,6 +119,26 @@ WRONG = {
     "linear(0, inf)": lambda: hh.maps.linear(0.1, np.inf, 4),
     "linear(-1e308, 1e308)": lambda: hh.maps.linear(-1e308, 1e308, 4),
     "logarithmic(1, inf)": lambda: hh.maps.logarithmic(0.1, np.inf, 4),
+    "linear(None, 1)": lambda: hh.maps.linear(None, 1.0, 4),
+    "linear('1', 2)": lambda: hh.maps.linear("1", 2.0, 4),
+    "logarithmic([], 1)": lambda: hh.maps.logarithmic([], 1.0, 4),
+    "scenario_at(5)": lambda: hh.maps.scenario_at(5, {}),
+    "scenario_at({}, 5)": lambda: hh.maps.scenario_at(SLOPE, 5),
+    "borders(5)": lambda: hh.maps.borders(5),
+    "borders({})": lambda: hh.maps.borders({}),
+    "words_of(None)": lambda: hh.maps.words_of(None),
+    "words_of([])": lambda: hh.maps.words_of([]),
+    "phases(5)": lambda: hh.phases(5),
+    "phases(motion)": lambda: hh.phases(sampled()),
+    "summary(None)": lambda: hh.theory.summary(None),
+    "summary(Hoop())": lambda: hh.theory.summary(hh.Hoop()),
+    "cite(5)": lambda: hh.cite.cite(5),
+    "cite(scenario)": lambda: hh.cite.cite(None),
+    "fit(5)": lambda: hh.fit(5),
+    "fit(None)": lambda: hh.fit(None),
+    "fit([])": lambda: hh.fit([]),
+    "plan({})": lambda: hh.plan({}, rate=60.0),
+    "plan(Hoop)": lambda: hh.plan(hh.Hoop, rate=60.0),
     "two correlations of a pair": lambda: sampled().uncertainty(
         {"plane.mu": 0.1, "start.speed": 0.1},
         {("plane.mu", "start.speed"): 0.5, ("start.speed", "plane.mu"): -0.5},

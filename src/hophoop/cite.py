@@ -11,7 +11,7 @@ from pathlib import Path
 
 import hophoop
 from hophoop.kernel.physics.body import ImpactLaw
-from hophoop.scenario import Compliant
+from hophoop.scenario import Compliant, InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.names import LAWS
 
@@ -94,6 +94,8 @@ def cite(motion: Trajectory) -> tuple[Reference, ...]:
     >>> [work.key for work in cite(motion)]
     ['hophoop', 'Theron2000']
     """
+    if not hasattr(motion, "scenario"):
+        raise InputError(f"motion must be a Trajectory, not {type(motion).__name__}.")
     library = _library()
     found: dict[str, Reference] = {"hophoop": _software(motion.version)}
     for key, reason in _reasons(motion):

@@ -293,7 +293,7 @@ def test_scatter_from_third_differences():
     t = np.sort(np.random.default_rng(3).uniform(0, 1, 4000))
     values = 3.0 + t - 2.0 * t**2 + np.random.default_rng(4).normal(0, 0.01, 4000)
     assert scatter([(t, values)], "x") == pytest.approx(0.01, rel=0.1)
-    with pytest.raises(ValueError, match="do not scatter: give sigma"):
+    with pytest.raises(ValueError, match="do not scatter: give --sigma"):
         scatter([(t, 0.0 * t)], "x")
     # weights of a third difference are 1/Π(t_i − t_j), with which t³ gives 1; a four with a gap is left out
     t, cubic = np.array([0.0, 1.0, 3.0, 4.0, 6.0, 7.0]), np.array([0.0, 1.0, 27.0, 64.0, 216.0, np.nan])

@@ -39,8 +39,9 @@ def test_the_scatter_is_saved_with_the_fit(marked, tmp_path):
 @pytest.mark.parametrize(("kind", "mistake", "sign"), [("table30", "radius", -1), ("phone100", "radius", 1)])
 def test_a_wrong_radius_is_not_taken_for_scatter(kind, mistake, sign):
     found = hh.fit(spoiled(drawn(kind, 3), mistake, sign))
-    assert not found.good
+    assert not found.usable
     assert found.von_neumann < 1.2
+    assert "radius" in found.sentences()[1]
 
 
 def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():

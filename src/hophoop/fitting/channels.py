@@ -21,6 +21,7 @@ PLACE_ERROR = 0.01  # error that depends on the position in the picture: coding,
 GYROSCOPE = 0.005  # minimum error of an angular velocity whose error is unknown: the usual noise in a phone [rad/s]
 ROUNDED = 0.75  # maximum distance of rounded times from an even grid, over their last decimal
 PATCH = 40.0  # length over which that error changes [pixel]
+GIVE = "give --sigma, --sigma-angle or --sigma-omega (sigma= and the like in fit)"
 # Errors that are estimated together: their channels, and the fields of a track.
 KINDS = {
     "places": (("x", "y", "marker_x", "marker_y"), ("centre_error", "marker_error")),
@@ -156,10 +157,10 @@ def scatter(pieces: Pieces, name: str) -> float:
     """
     count = min(len(t) for t, _ in pieces)
     if count < 8:
-        raise InputError(f"The uncertainty of the data is missing, and {count} frames are too few to estimate it: give sigma.")
+        raise InputError(f"The uncertainty of the data is missing, and {count} frames are too few to estimate it: {GIVE}.")
     usual = max(_roughness(pieces), *(_least_error(values, name) for _, values in pieces))
     if not usual > 1e-12 * max(1.0, *(float(np.abs(values).max()) for _, values in pieces)):
-        raise InputError("The uncertainty of the data is missing, and they do not scatter: give sigma.")
+        raise InputError(f"The uncertainty of the data is missing, and they do not scatter: {GIVE}.")
     return usual
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.errors import check_type
 from hophoop.fitting.channels import Sigma, evened, with_scatter
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
 from hophoop.fitting.judging import correlations, least_static_friction, misfits, sequence_of, shares
@@ -17,7 +18,7 @@ from hophoop.fitting.limits import least_friction, unobserved, with_limits
 from hophoop.fitting.mistakes import likely_mistakes, shutter
 from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
 from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
-from hophoop.fitting.result import HOPELESS, WORST, Fit
+from hophoop.fitting.result import Fit
 from hophoop.fitting.solving import best_of, changed, free_of, parameters
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
@@ -148,6 +149,8 @@ def fit(
         seed,
     )
     require_above_0(sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
+    if not isinstance(data, Track | str | Path):
+        check_type("data", data, Sequence)
     several = [data] if isinstance(data, Track | str | Path) else list(data)
     tracks = [one if isinstance(one, Track) else read_track(one) for one in several]
     if not tracks:
@@ -282,13 +285,7 @@ def _fit_of(
     chi_square = float((residuals**2).sum())
     degrees_of_freedom = problem.count - len(solution.free)
     worse = chi_square / max(degrees_of_freedom, 1)
-    if worse > WORST:
-        run = problem.runs[0]
-        free = [name for name in run.names if run.named(name) in wanted]
-        causes, tried = likely_mistakes(run, run.own(values), free, worse, tracks[0], how.sigma)
-        causes = causes or shutter(problem, solution, tracks, robust)
-        notes = causes + notes if worse <= HOPELESS else causes or [NO_MISTAKE.format(", ".join(tried))]
-    return Fit(
+    found = Fit(
         values,
         solution.free,
         solution.covariance,
@@ -314,3 +311,11 @@ def _fit_of(
             "priors": [{name: list(prior) for name, prior in run.priors.items()} for run in problem.runs],
         },
     )
+    if found.good:
+        return found
+    run = problem.runs[0]
+    free = [name for name in run.names if run.named(name) in wanted]
+    causes, tried = likely_mistakes(run, run.own(values), free, worse, tracks[0], how.sigma)
+    causes = causes or shutter(problem, solution, tracks, robust)
+    notes = causes + notes if found.usable else causes or [NO_MISTAKE.format(", ".join(tried))]
+    return replace(found, notes=tuple(notes))

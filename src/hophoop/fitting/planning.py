@@ -9,6 +9,7 @@ from operator import attrgetter
 import numpy as np
 
 from hophoop._support import tables
+from hophoop._support.errors import check_type
 from hophoop.fitting.channels import Sigma
 from hophoop.fitting.covariance import inverse
 from hophoop.fitting.guess import merge_bounces
@@ -149,6 +150,7 @@ def plan(
     require_above_0(rate=rate, sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
     if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
         raise InputError.of_field("sigma_scale", sigma_scale, "a number of at least 0")
+    check_type("scenario", scenario, Scenario)
     motion = simulate(scenario)
     count = int(motion.duration * rate) + 1
     if not 12 <= count <= MOST_FRAMES:

@@ -77,6 +77,17 @@ class Run:
         """Number of measured numbers [1]."""
         return sum(len(channel.values) for channel in self.channels) + len(self.priors)
 
+    def until(self, end: float) -> Run:
+        """Return the part of a run up to a time [s]."""
+        count = max(int(np.searchsorted(self.t, end)), 2)
+
+        def cut(one: Channel) -> Channel:
+            kept = one.rows < count
+            return one._replace(rows=one.rows[kept], values=one.values[kept], errors=one.errors[kept])
+
+        rows = None if self.rows is None else self.rows[:count]
+        return replace(self, t=self.t[:count], rows=rows, channels=tuple(map(cut, self.channels)))
+
     def scenario(self, values: Values) -> Scenario:
         """Return the scenario of parameters."""
         if self.hoop is not None:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from hophoop._support import tables
 from hophoop._support.extras import need
 from hophoop._version import __version__
-from hophoop.fitting.channels import Sigma
+from hophoop.fitting.channels import KINDS, Sigma
 from hophoop.fitting.covariance import autocorrelations
 from hophoop.fitting.judging import WORDS, sequence_of
 from hophoop.fitting.parameters import SHARED, parts_of, spec
@@ -36,6 +36,7 @@ WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
 CERTAIN = 3.0  # standard deviations of a turned camera
 UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
+SCATTER = 1.2  # von Neumann ratio below which residuals are no scatter, so that their size is none either
 # What the fit derives from the data, with the factor to its unit.
 DERIVED = {
     "rate": (1.0, "Times{} are rounded: those of an even grid of {:.4g} per second are used."),
@@ -116,8 +117,12 @@ class Fit:
 
     @property
     def usable(self) -> bool:
-        """True if the fit is good or not perfect; false if no motion fits, and its numbers mean nothing."""
-        return self.reduced <= HOPELESS
+        """True if the fit is good or not perfect; false if no motion fits, and its numbers mean nothing.
+
+        Data without errors of their own have those that they scatter by: residuals that do not scatter show another motion.
+        """
+        found = any(KINDS.keys() & derived for derived in self.settings["derived"])
+        return self.good or (self.reduced <= HOPELESS and not (found and self.von_neumann < SCATTER))
 
     @property
     def inflation(self) -> float:

@@ -14,7 +14,7 @@ from hophoop.fitting.guess import SPREADS, Candidate, candidates
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, loss
 from hophoop.fitting.parameters import spec
-from hophoop.fitting.problem import Problem
+from hophoop.fitting.problem import Problem, problem_of
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ Floats = NDArray[np.float64]
 FIRST_CALLS, MOST_CALLS = 12, 100  # maximum calls of the motion, in a first and in the last minimization
 BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter without effect
 WALK = 15  # steps along a parameter
+PARTS = (0.2, 0.35, 0.6)  # of a record, which a start is fitted to one after the other
 ROUNDS = 4  # of walks, while they help and the data are not explained
 WORTH_TRYING, MOST_WALKS = 4.0, 4  # maximum factor of the cost of a step, and maximum number of such starts
 ASIDE = (-12.0, -4.0, 4.0, 12.0)  # distances of other starts from a minimum [standard deviations]
@@ -236,9 +237,9 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
         tried.add(start.sequence)
         explained = explained or found[-1][0].cost < EXPLAINED * problem.count
     best, blind = min(found, key=lambda pair: pair[0].cost)
-    for k in range(1, ROUNDS + 1):
+    for k in range(ROUNDS):
         cost = best.cost
-        for values in (*_walks(problem, params, best, robust), *_drawn_again(problem, params, best, k)):
+        for values in (*_walks(problem, params, best, robust), *(_grown(problem, params, best, robust) if k == 0 else ())):
             other = approach(problem, changed(params, values), robust)
             if other[0].cost < best.cost - 1e-6:
                 best, blind = other
@@ -255,11 +256,21 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
     return last, blind
 
 
-def _drawn_again(problem: Problem, params: Parameters, best: Minimum, seed: int) -> list[dict[str, float]]:
-    """Return other starts, drawn around a minimum that does not explain one run; seed: of the draws [1]."""
+def _grown(problem: Problem, params: Parameters, best: Minimum, robust: bool) -> list[dict[str, float]]:
+    """Return another start where no motion explains one run: of its first part, with fewer landings, then of longer ones."""
     if best.cost < EXPLAINED * problem.count or len(problem.runs) > 1:
         return []
-    return [one.values for one in candidates(problem.runs[0], best.values, set(free_of(params)), seed)]
+    run = problem.runs[0]
+    values: list[dict[str, float]] = []
+    for share in PARTS:
+        part = run.until(share * float(run.t[-1]))
+        if part.count < 2 * len(free_of(params)):
+            continue
+        own = problem_of([part])
+        if not values:
+            values = [one.values for one in candidates(part, best.values, set(free_of(params)))]
+        values = [min((approach(own, changed(params, one), robust)[0] for one in values), key=lambda one: one.cost).values]
+    return values
 
 
 def _settled(problem: Problem, params: Parameters, best: Minimum, blind: list[str], robust: bool) -> tuple[Solution, list[str]]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hophoop._support.errors import check_type
 from hophoop.kernel.physics.body import MODE_LETTERS, PASSING, Body, Event, Mode
 from hophoop.kernel.rigid.sampling import MARGINS, margins_of
 from hophoop.results.records import EventRecord
@@ -123,6 +124,7 @@ def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     H The gap closes, with v_n = -3.21948 m/s.
     R The time is over.
     """
+    check_type("scenario", scenario, Scenario)
     if not isinstance(scenario.contact, Rigid):
         raise InputError.of_field(
             "contact.model", scenario.contact.model, "'rigid': these rules do not apply to a compliant contact"

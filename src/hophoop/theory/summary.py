@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
+from hophoop._support.errors import check_type
 from hophoop._version import __version__
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.theory.critical import first_hop_speed, first_slip_speed, hop_angle, immediate_hop_speed, slip_angle
@@ -57,6 +58,7 @@ def summary(scenario: Scenario) -> tuple[Quantity, ...]:
     >>> round(found["first_slip_speed"].value, 6), found["first_slip_speed"].unit
     (2.043174, 'm/s')
     """
+    check_type("scenario", scenario, Scenario)
     return tuple(_quantities(scenario))
 
 

@@ -295,6 +295,8 @@ def borders(dataset: xarray.Dataset, quantity: str = "sequence", step: float = 0
     ValueError
         If the map does not have two increasing axes of numbers, or the quantity has no classes.
     """
+    if "plan" not in getattr(dataset, "attrs", {}):
+        raise InputError("dataset must be a map of hophoop.maps.sweep.", field="dataset", value=dataset)
     plan = json.loads(dataset.attrs["plan"])
     paths = list(plan["axes"])
     if len(paths) != 2:

@@ -6,11 +6,13 @@ import itertools
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from decimal import Context, Decimal, localcontext
+from numbers import Real
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._support.errors import check_type
 from hophoop.kernel.numerics.elementwise import exponential
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.scenario.models import Rigid
@@ -73,6 +75,8 @@ def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
     >>> linear(0.5, 2.0, 4)
     array([0.5, 1. , 1.5, 2. ])
     """
+    for end in (first, last):
+        check_type("end of an axis", end, Real)
     if not math.isfinite(float(last) - float(first)):
         raise InputError(f"The ends {first!r} and {last!r} of an axis must be finite, and so must their difference.")
     return np.linspace(first, last, _count(count))
@@ -104,6 +108,7 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
     array([0.01, 0.1 , 1.  ])
     """
     for end in (first, last):
+        check_type("end of an axis", end, Real)
         if not end > 0.0:
             raise InputError.of_field("end of a logarithmic axis", end, "greater than 0")
         if end == math.inf:
@@ -247,6 +252,8 @@ def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
     >>> scenario_at(Scenario(), {"start.speed": 2.5, "plane.mu": 0.5}).to_query()
     'plane.mu=0.5&start.speed=2.5'
     """
+    check_type("base", base, Scenario)
+    check_type("values", values, Mapping)
     return base.with_values({path: values[path] for path in ordered(list(values))})
 
 

@@ -258,7 +258,7 @@ def words_of(array: Any) -> list[str]:
     ValueError
         If the array holds no codes.
     """
-    meanings = array.attrs.get("flag_meanings")
+    meanings = getattr(array, "attrs", {}).get("flag_meanings")
     if meanings is None:
-        raise InputError(f"{array.name} holds no codes.")
+        raise InputError(f"{getattr(array, 'name', type(array).__name__)} holds no codes.")
     return str(meanings).split(" ")[1:]
