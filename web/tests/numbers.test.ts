@@ -55,6 +55,11 @@ test("what is typed is read as it is meant", () => {
     ["－３，１ｅ－２", -0.031],
     ["3。1", 3.1],
     ["２×１０^６", 2e6],
+    ["٣٫١", 3.1],
+    ["\u061c-۰۱۲۳٫۴۵۶۷۸۹", -123.456789],
+    ["३.१", 3.1],
+    ["๙๘", 98],
+    ["𝟙𝟎", 10],
   ];
   for (const [text, value] of meant) assert.equal(readNumber(text, "m/s"), value, text);
   for (const text of ["1,234.5", "1.2.3", "abc", "", "--1", "1e", "0x10", "3²", "３．１．２"])

@@ -13,6 +13,9 @@ SPEEDS = """all('.sketch-point').map((point, k) => {
   return [here.x + here.width / 2 - sheet.x - sheet.width / 2, 12 + (1 - speed / 10) * (sheet.height - 38) - sheet.height / 2];
 })"""
 APEXES = "film.events.filter(({ kind }) => kind === 'apex').map(({ height }) => height)"
+# the longest number in a file, in digits without zeros at its start
+LONGEST = """Math.max(...kept.split(/[,\\r\\n]+/).filter((cell) => /\\d/.test(cell) && !/[[]/.test(cell))
+  .map((cell) => cell.replace(/e.*/, '').replace(/\\D/g, '').replace(/^0+/, '').length))"""
 ROW = """const film = lab.film();
   globalThis.wrong = [...lab.extras.table.body.rows].filter((row, k) => {
     const { angle, x, vx, omega, normal_force, friction_force, mode } = film.at(k / 2);
@@ -134,6 +137,20 @@ FLOWS = {
         "is lab.extras.table.body.rows.length === 13 && wrong.length === 0",
         "save Save as CSV",
         "is kept.startsWith('time [s],angle') && kept.split('\\r\\n').length === 15",
+        "is all('.table .check').length > 0 && !seen('.table .check')",  # the plain file is that of English
+        f"is {LONGEST} <= 9",
+        # a spreadsheet in another language reads other signs, and programs the plain ones
+        "choose .language de",
+        "until text('.table .check') === 'für Programme (Komma, Dezimalpunkt)'",
+        "save Als CSV speichern",
+        "is kept.startsWith('\\xef\\xbb\\xbf' + 'Zeit [s];Winkel') && /\\r\\n0,5;107,\\d+;/.test(kept)",
+        "is kept.split('\\r\\n').every((line) => !line || line.split(';').length === 8)",
+        "click .table .check input",
+        "save Als CSV speichern",
+        "is kept.startsWith('Zeit [s],Winkel') && /\\r\\n0.5,107\\.\\d+,/.test(kept)",
+        "click .table .check input",
+        "choose .language en",
+        "until text('.table h2') === 'Table'",
         "choose .plots-head>select x",
         "choose [data-plot=own]>header>select total",
         "until lab.plots.plots.at(-1).unit === 'W [J]'",

@@ -1,9 +1,13 @@
 """The exported lab, served by Python's plain web server: everything is computed in the browser, also without a network."""
 
+import functools
+import http.server
+import threading
+
 import pytest
 
 from hophoop.lab import export as site
-from lab_page_tools import PATIENCE
+from lab_page_tools import PATIENCE, until
 
 TAG = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Blog</title><link rel="icon" href="data:,"><h1>Blog</h1>
 %s<hophoop-motion %s></hophoop-motion><script type="module" src="static/hophoop-motion.js"></script>"""
@@ -34,6 +38,78 @@ def test_it_opens_without_a_network_after_the_first_visit(visit, address):
     page.goto(f"{address}?plane.mu=0.5&start.speed=2.8")
     page.wait_for_selector("[data-ready]")
     assert page.evaluate("hophoopLab.film().scenario.plane.mu") == 0.5
+
+
+@pytest.fixture
+def hosted(tmp_path, browser):
+    """A folder, a page and an address, as static hosts serve it: browsers may keep files for ten minutes."""
+
+    class Kept(http.server.SimpleHTTPRequestHandler):
+        def end_headers(self):
+            self.send_header("Cache-Control", "max-age=600")
+            super().end_headers()
+
+        def log_message(self, *_):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Kept, directory=tmp_path))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    context = browser.new_context()
+    page = context.new_page()
+    page.set_default_timeout(PATIENCE)
+    yield tmp_path, page, f"http://127.0.0.1:{server.server_address[1]}/"
+    context.close()
+    server.shutdown()
+    server.server_close()
+
+
+def open_kept(page, address):
+    """Open a lab, and wait until the browser keeps its files."""
+    page.goto(address)
+    page.wait_for_selector("[data-ready]")
+    page.evaluate("navigator.serviceWorker.ready.then(() => true)")
+    page.wait_for_function("() => navigator.serviceWorker.controller?.state === 'activated'")
+
+
+def test_a_hosted_page_is_replaced_by_its_new_version(hosted):
+    folder, page, address = hosted
+    site.export(folder)
+    open_kept(page, address)
+    before = page.evaluate("caches.keys()")
+    site.export(folder, docs="https://example.org/new/")
+    page.goto(address)  # still the old one, while the new one comes
+    until(page, lambda: (names := page.evaluate("caches.keys()")) != before and len(names) == 1)
+    page.reload()
+    page.wait_for_selector("[data-ready]")
+    assert page.locator("meta[name=hophoop-docs]").get_attribute("content") == "https://example.org/new/"
+
+
+def test_two_labs_of_one_address_keep_their_own_files(hosted):
+    folder, page, address = hosted
+    places = ("", "one/", "other/")
+    for place in places:
+        site.export(folder / place, docs=f"https://example.org/{place}")
+        open_kept(page, address + place)
+    page.context.set_offline(True)
+    for place in places:
+        page.goto(f"{address}{place}?start.speed=2")
+        page.wait_for_selector("[data-ready]")
+        assert page.locator("meta[name=hophoop-docs]").get_attribute("content") == f"https://example.org/{place}"
+
+
+def test_in_a_frame_that_is_a_sandbox_the_folder_says_what_runs_there_and_the_file_runs(hosted):
+    folder, page, address = hosted
+    site.export(folder)
+    (folder / "play.html").write_text(site.page_file(), encoding="utf-8")
+    frames = "".join(f'<iframe sandbox="allow-scripts" src="{name}.html"></iframe>' for name in ("index", "play"))
+    (folder / "course.html").write_text(f'<!doctype html><title>Course</title><link rel="icon" href="data:,">{frames}')
+    page.goto(f"{address}course.html")
+    lab, one_file = page.frames[1:]
+    one_file.wait_for_selector("[data-ready]")
+    lab.evaluate("for (const one of document.getAnimations()) one.finish()")
+    said = lab.locator(".late").inner_text()
+    assert "in a frame with sandbox, browsers run play.html only" in said
+    assert all(word in said for word in ("Rahmen", "marco", "cadre", "框架"))
 
 
 def test_one_tag_and_one_script_show_a_hoop(tagged):

@@ -18,5 +18,8 @@ const unable = ({ message }: Error) =>
 // The page without a network: the browser keeps its files once they have been there.
 export function keepOffline(script: string) {
   // a page that is opened from a disk, or embedded, does without
-  navigator.serviceWorker?.register(script).catch(() => {});
+  navigator.serviceWorker
+    ?.register(script)
+    .then((found) => found.update())
+    .catch(() => {});
 }

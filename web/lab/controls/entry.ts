@@ -4,18 +4,27 @@ import { h, say } from "../common/dom.ts";
 import { show, withUnit } from "../common/numbers.ts";
 import { local } from "../words/words.ts";
 
+/** A digit of any script as one of ours: each script has its ten in a row. */
+function digit(letter: string) {
+  const code = letter.codePointAt(0) as number;
+  let value = 0;
+  while (value < 9 && /\p{Nd}/u.test(String.fromCodePoint(code - value - 1))) value += 1;
+  return String(value);
+}
+
 /**
- * A number as people type it: full-width digits, a decimal comma or point, a real minus sign, powers of ten, ∞. NaN
+ * A number as people type it: digits of any script, a decimal comma or point, a real minus sign, powers of ten, ∞. NaN
  * where it is none. `unit`: which may stand behind it.
  */
 export function readNumber(text: string, unit = "") {
   let plain = text.trim();
   if (unit && plain.endsWith(unit)) plain = plain.slice(0, -unit.length);
   plain = plain
-    .replace(/[！-～]/g, (letter) => letter.normalize("NFKC"))
-    .replace(/\s/g, "")
+    .replace(/[！-～]|\p{Nd}/gu, (letter) => letter.normalize("NFKC"))
+    .replace(/\p{Nd}/gu, digit)
+    .replace(/[\s\p{Cf}]/gu, "") // marks of direction, too
     .replace(/[−–]/g, "-")
-    .replace(/[,。]/g, ".")
+    .replace(/[,。٫]/g, ".")
     .replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/, (_, sign, power) => `e${sign && "-"}${power.normalize("NFKD")}`);
   const endless = /^([+-]?)(inf|infinity|∞)$/i.exec(plain);
   if (endless) return endless[1] === "-" ? -Infinity : Infinity;
@@ -35,7 +44,7 @@ export function refusal(
   if (Number.isNaN(value)) {
     return { key: "controls.value_not_a_number", values: { name: label, value: typed } };
   }
-  if (!Number.isFinite(value) && /\d/.test(typed)) {
+  if (!Number.isFinite(value) && /\p{Nd}/u.test(typed)) {
     return { key: "controls.value_too_large", values: { label, value: typed } };
   }
   if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";

@@ -3,12 +3,13 @@
 import { h, saveBlob, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
-import { t } from "../words/words.ts";
+import { current, local, t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
 const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
 const MOST = 601; // rows
+const DIGITS = 9; // in a file
 
 /** The rows of the table: at equal steps, with the state at each time. `step`: in seconds. */
 export function rowsOf(film: Film, columns: string[], step: number) {
@@ -45,6 +46,8 @@ export class Table {
       .filter(([key]) => key !== "time")
       .map(([key, { name }]) => this.pick(key, name)),
   );
+  plain = h("input", { type: "checkbox" });
+  choice = h("label", { class: "check" }, this.plain, "table.plain");
   caption = h("caption", {});
   head = h("thead", {});
   body = h("tbody", {});
@@ -57,6 +60,7 @@ export class Table {
       h("h2", {}, "table.table"),
       h("label", { class: "table-step" }, h("span", {}, "table.step"), this.step),
       h("button", { onclick: () => this.save() }, "table.save"),
+      this.choice,
       h("button", { onclick: () => this.open(false) }, "table.close"),
     ),
     h("details", { class: "table-columns" }, h("summary", {}, "table.columns"), this.picks),
@@ -128,6 +132,7 @@ export class Table {
     this.body.replaceChildren(...this.rows.map(({ row }) => row));
     const whole = film.duration / step + 1 <= MOST + 1e-6;
     const more = { key: "table.shortened", values: { count: MOST } };
+    this.choice.hidden = current() === "en"; // whose spreadsheets read the plain file
     say(this.caption, whole ? film.summary : [film.summary, " ", more]);
     this.cursor(this.lab.clock.time);
   }
@@ -142,13 +147,25 @@ export class Table {
     this.now = now;
   }
 
+  /** The file that a spreadsheet in the visitor's language reads, or the plain one. */
   save() {
     const { film, columns } = this;
+    const own = current() !== "en" && !this.plain.checked;
+    const written = (value: number) => {
+      const text = String(Number(value.toPrecision(DIGITS)));
+      return own ? local(text) : text;
+    };
+    const separator = own && local("0.1") === "0,1" ? ";" : ",";
     const head = [
       ...columns.map((key) => `${t(QUANTITIES[key].name)} [${QUANTITIES[key].unit || "1"}]`),
       t("table.mode"),
     ];
-    const rows = rowsOf(film, columns, Number(this.step.value)).map(({ mode, values }) => [...values, mode].join(","));
-    saveBlob(new Blob([[head.join(","), ...rows, ""].join("\r\n")], { type: "text/csv" }), "hophoop-table.csv");
+    const rows = rowsOf(film, columns, Number(this.step.value)).map(({ mode, values }) => [
+      ...values.map(written),
+      mode,
+    ]);
+    const lines = [head, ...rows].map((row) => `${row.join(separator)}\r\n`);
+    // without its mark a spreadsheet takes the text for another encoding
+    saveBlob(new Blob([own ? "\ufeff" : "", ...lines], { type: "text/csv" }), "hophoop-table.csv");
   }
 }
