@@ -5,9 +5,9 @@ import { clamp } from "../common/clamp.ts";
 import type { Scene } from "./scene2d.ts";
 
 const FLICK = 0.09; // seconds before letting go that count for the speed
-const FLICKED = 0.2; // of the greatest speed: a load that is let go more slowly keeps the hoop's speed
 const GROUND = 0.03; // of a radius: so low the hoop stands on the plane
 const LEVEL = Math.PI / 180; // a plane within this is level
+const BESIDE = 0.02; // radians from the top
 const STEEPEST = Math.PI / 4;
 const TURN = 2 * Math.PI;
 
@@ -18,8 +18,8 @@ export type Grip = "load" | "hoop" | "plane";
 export const wrapped = (angle: number) => angle - TURN * Math.round(angle / TURN);
 
 /**
- * The hoop as it is taken: at rest, but with its speed at its start. A load that is turned keeps the hoop's speed, on
- * the ground that of the start.
+ * The hoop as keys take it: at rest, but with its speed at its start. A load that is turned by keys keeps the hoop's
+ * speed, on the ground that of the start.
  */
 export function taken(grip: Grip, film: Film, time: number): Held {
   const pose = film.at(time);
@@ -39,16 +39,18 @@ const round = (value: number) => Number(value.toFixed(4)) + 0;
 /** What has to change in the scenario for what is held; on the ground the hoop starts rolling. */
 export function changesFor(grip: Grip, held: Held, film: Film): Change[] {
   if (grip === "plane") return [["plane.slope", round(held.slope)]];
+  // with the load exactly at the top a hoop at rest would stand there for ever
+  const stands = !film.slope && !held.vx && !held.omega && !round(held.angle);
+  const angle: Change = ["start.angle", stands ? BESIDE : round(held.angle)];
   if (held.height > 0) {
     return [
-      ["start.angle", round(held.angle)],
+      angle,
       ["start.height", round(held.height)],
       ["start.vx", round(held.vx)],
       ["start.vy", round(held.vy)],
       ["start.omega", round(held.omega)],
     ];
   }
-  const angle: Change = ["start.angle", round(held.angle)];
   const first = film.at(0);
   if (grip === "load" && first.height === 0 && held.vx === first.vx) return [angle];
   return [angle, ["start.speed", round(held.vx)]];
@@ -74,7 +76,7 @@ export class Pull {
   ) {
     // the picture as it was when the hand came: it does not move under the hand
     this.before = taken(grip, film, time);
-    this.held = grip === "load" ? { ...this.before } : { ...this.before, vx: 0, vy: 0, omega: 0 };
+    this.held = { ...this.before, vx: 0, vy: 0, omega: 0 };
     const pose = film.at(time);
     this.center = [pose.x, film.radius + pose.height];
     this.foot = view.point(pose.x, 0);
@@ -123,7 +125,6 @@ export class Pull {
     if (still || this.grip === "plane") return held;
     if (this.grip === "load") {
       const rim = clamp((film.radius * (last.turned - first.turned)) / passed, -most, most);
-      if (Math.abs(rim) < FLICKED * most) return held;
       held.omega = rim / film.radius;
       if (held.height === 0) held.vx = rim; // it starts rolling
     } else {
