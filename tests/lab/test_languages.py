@@ -58,6 +58,17 @@ def test_every_language_has_every_text_with_its_plurals(code):
         assert code == "en" or text != english or isinstance(text, dict) or ALIKE.match(english), key
 
 
+@pytest.mark.parametrize("code", TABLES)
+def test_labels_to_which_a_text_sends_are_on_the_page(code):
+    """Those of a closed group, or of another view, come with what opens it."""
+    table = TABLES[code]
+    opening = [table["controls.advanced"], table["shell.everything"]]
+    for key, text in table.items():
+        quoted = re.findall(r"[‘„«“]\s?([^‘’„“«»”]+?)\s?[’“»”]", text) if isinstance(text, str) else []
+        if quoted and not key.startswith("teach."):
+            assert quoted == opening, key
+
+
 def test_every_event_is_told_and_summed_up():
     assert {f"story.{kind}" for kind in EVENTS} - set(ENGLISH) == {"story.end"}
     by_word = {"start", "slip_start", "slip_reversal"}

@@ -112,7 +112,8 @@ def presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "indeterminate", "Painlevé: two solutions",
-            "Flight and impact both agree with the laws. Choose which with the switch under Plane.",
+            "Flight and impact both agree with the laws. "
+            "Choose one under ‘Advanced’ (in the simple view, press ‘Everything’ first).",
             Scenario(plane=Plane(mu=1.2), start=Start(angle=-0.7, vx=8.0, omega=5.0), duration=3.0),
         ),
         Preset(

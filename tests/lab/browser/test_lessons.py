@@ -71,12 +71,14 @@ FLOWS = {
         f"until seen('.visit-count') && {SETTLED}",
         "is !seen('.timeline, .words, .why, .map, .transport') && first('.visit-body .main').disabled",
         "is first('.stage').ariaLabel === 'The hoop, before it is let go.'",
+        "is text('.visit h2') === 'The hop' && lab.film().sequence.includes('H')",  # it begins with what it is about
+        *step(5),
         "click .guess-choice input[value=hop]",
         *ANSWERED,
         "is text('.visit-answer').startsWith('Not so.') && text('.visit-answer').includes(degrees(event('skim').angle))",
         "is text('.guess-choice.right').startsWith('The weight falls freely') && seen('.timeline')",
         # a drawn curve is compared with the motion
-        *step(1),
+        *step(2),
         "until first('.sketch-point').style.transform",
         f"drag .sketch-canvas: {SPEEDS}",
         "drop",
@@ -84,7 +86,7 @@ FLOWS = {
         "is parseInt(text('.visit-answer')) >= 97",
         "is text('.visit-answer').includes(`${digits(Math.max(...lab.film().columns.vx), 2)} m/s`)",
         # a mark on the circle is compared with the take-off
-        *step(3),
+        *step(0),
         "do first('.dial').focus()",
         "press PageDown",
         "is first('.dial').getAttribute('aria-valuetext') === '315°'",
@@ -92,14 +94,14 @@ FLOWS = {
         "is text('.visit-answer').startsWith('100 of 100 points')",
         "is text('.visit-answer').includes(degrees(event('takeoff').angle)) && lab.clock.time === event('takeoff').t",
         # the landing is that of the motion
-        *step(4),
+        *step(1),
         "click .guess-choice input",
         *ANSWERED,
         "is text('.visit-answer').includes(`${digits(event('impact').t - event('takeoff').t)} s`)",
         "is text('.visit-answer').includes(`${digits(100 * event('apex').height)} cm`)",
         "is first('.guess-choice.right input').value === { R: 'roll', S: 'spin', K: 'skid' }[event('impact').to]",
         # the highest hop of three is that of the motions
-        *step(5),
+        *step(4),
         "click .guess-choice:nth-child(2) input",
         *ANSWERED,
         "is text('.visit-answer').startsWith('100 of 100 points')",
@@ -170,7 +172,7 @@ FLOWS = {
         "is lab.extras.sound.context instanceof AudioContext",
     ]),
     "a visit uses the window and halts at the event it speaks of": ("", {}, [
-        *step(2),
+        *step(3),
         "is (({ width, right }) => right > 1420 && width + first('.visit').offsetWidth > 0.95 * 1440)"
         "(first('.stage').getBoundingClientRect())",
         "do first('.dial').focus()",
@@ -187,6 +189,10 @@ FLOWS = {
         "until text('.visit-answer').includes(degrees(event('slip_start').angle))",
         "is text('.visit-answer').startsWith('Not so.') && !text('.visit-answer').includes('0 of 100')",
         "is lab.clock.time === event('slip_start').t && lab.extras.visit.play.hidden",
+        # both arrows of which it speaks are in the picture, and as long
+        "is text('.visit-answer').includes('The arrows of F and N have the same length')",
+        "is lab.stage.options.forces && (({ normal_force: N, friction_force: F }) => near(Math.abs(F) / N, 1, 1e-6)"
+        " && lab.film().newton * N * lab.stage.flat.views[0].scale > 6)(lab.film().at(lab.clock.time))",
         "until all('.readout dd')[3].textContent === degrees(event('slip_start').angle)",
     ]),
 }  # fmt: skip

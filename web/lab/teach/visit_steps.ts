@@ -51,61 +51,6 @@ const AFTER: Record<string, string> = { R: "roll", S: "spin", K: "skid", H: "bou
 
 export const STEPS: Step[] = [
   {
-    key: "littlewood",
-    title: "visit.title_littlewood",
-    text: "visit.ask_littlewood",
-    question: "visit.choose",
-    queries: ["hoop.load_fraction=1&start.speed=0.1&duration=3"],
-    guess: (onguess) =>
-      choices({ roll: "visit.option_roll_on", hop: "visit.option_hop", skim: "visit.option_skim" }, onguess),
-    until: ([film]) => {
-      const [lost, struck] = [first(film, "skim"), first(film, "impact")];
-      return lost ? lost.t + 0.7 * ((struck?.t ?? film.duration) - lost.t) : film.duration;
-    },
-    answer: ([film]) => {
-      const lost = first(film, "skim") ?? first(film, "takeoff");
-      return {
-        truth: lost?.kind === "skim" ? "skim" : lost ? "hop" : "roll",
-        text: "visit.answer_littlewood",
-        values: { angle: inTurn(lost?.angle ?? 0) },
-      };
-    },
-    why: "visit.explain_littlewood",
-  },
-  {
-    key: "speed",
-    title: "visit.title_ring",
-    text: "visit.ask_ring",
-    question: "visit.draw_speed",
-    queries: ["start.speed=0.1&duration=8"],
-    guess: (onguess) => sketch({ label: "visit.curve_axis", unit: "m/s", most: 10 }, onguess),
-    until: ([film]) => timeAt(film, WHOLE),
-    answer: ([film]) => {
-      const speeds = overTurn(film, "vx");
-      return { truth: speeds, text: "visit.answer_ring", values: { speed: show(Math.max(...speeds), 2) } };
-    },
-    why: "visit.explain_ring",
-  },
-  {
-    key: "slip",
-    title: "visit.title_slip",
-    text: "visit.ask_slip",
-    question: "visit.mark_slip",
-    queries: ["start.speed=2.8"],
-    guess: (onguess) => dial("visit.slip_angle", onguess),
-    until: ([film]) => first(film, "slip_start")?.t ?? film.duration,
-    answer: ([film]) => {
-      const slip = first(film, "slip_start") as MotionEvent;
-      const force = film.at(slip.t).normal_force / film.weight;
-      return {
-        truth: slip.angle / DEGREE,
-        text: "visit.answer_slip",
-        values: { angle: inTurn(slip.angle), share: `${show(100 * force, 2)} %` },
-      };
-    },
-    why: "visit.explain_slip",
-  },
-  {
     key: "hop",
     title: "visit.title_takeoff",
     text: "visit.ask_takeoff",
@@ -157,6 +102,39 @@ export const STEPS: Step[] = [
     why: "visit.explain_landing",
   },
   {
+    key: "speed",
+    title: "visit.title_ring",
+    text: "visit.ask_ring",
+    question: "visit.draw_speed",
+    queries: ["start.speed=0.1&duration=8"],
+    guess: (onguess) => sketch({ label: "visit.curve_axis", unit: "m/s", most: 10 }, onguess),
+    until: ([film]) => timeAt(film, WHOLE),
+    answer: ([film]) => {
+      const speeds = overTurn(film, "vx");
+      return { truth: speeds, text: "visit.answer_ring", values: { speed: show(Math.max(...speeds), 2) } };
+    },
+    why: "visit.explain_ring",
+  },
+  {
+    key: "slip",
+    title: "visit.title_slip",
+    text: "visit.ask_slip",
+    question: "visit.mark_slip",
+    queries: ["start.speed=2.8"],
+    guess: (onguess) => dial("visit.slip_angle", onguess),
+    until: ([film]) => first(film, "slip_start")?.t ?? film.duration,
+    answer: ([film]) => {
+      const slip = first(film, "slip_start") as MotionEvent;
+      const force = film.at(slip.t).normal_force / film.weight;
+      return {
+        truth: slip.angle / DEGREE,
+        text: "visit.answer_slip",
+        values: { angle: inTurn(slip.angle), share: `${show(100 * force, 2)} %` },
+      };
+    },
+    why: "visit.explain_slip",
+  },
+  {
     key: "friction",
     title: "visit.title_friction",
     text: "visit.ask_friction",
@@ -176,6 +154,28 @@ export const STEPS: Step[] = [
       };
     },
     why: "visit.explain_friction",
+  },
+  {
+    key: "littlewood",
+    title: "visit.title_littlewood",
+    text: "visit.ask_littlewood",
+    question: "visit.choose",
+    queries: ["hoop.load_fraction=1&start.speed=0.1&duration=3"],
+    guess: (onguess) =>
+      choices({ roll: "visit.option_roll_on", hop: "visit.option_hop", skim: "visit.option_skim" }, onguess),
+    until: ([film]) => {
+      const [lost, struck] = [first(film, "skim"), first(film, "impact")];
+      return lost ? lost.t + 0.7 * ((struck?.t ?? film.duration) - lost.t) : film.duration;
+    },
+    answer: ([film]) => {
+      const lost = first(film, "skim") ?? first(film, "takeoff");
+      return {
+        truth: lost?.kind === "skim" ? "skim" : lost ? "hop" : "roll",
+        text: "visit.answer_littlewood",
+        values: { angle: inTurn(lost?.angle ?? 0) },
+      };
+    },
+    why: "visit.explain_littlewood",
   },
   {
     key: "undecided",
