@@ -402,15 +402,13 @@ interface CompliantContact {
 }
 
 type RangeTable = { least: number; most: number; unit?: string; also?: (number | string)[] };
-type Worded = { path: string; label: string };
-type SliderInfo = Worded & { symbol: string; unit: string; help: string; least: number; most: number; step: number } & {
-  logarithmic: boolean;
+type SliderInfo = { path: string; symbol: string; unit: string; least: number; most: number; step: number } & {
   degrees: boolean;
   allowed: Required<Omit<RangeTable, "unit">>;
 };
-type ChoiceInfo = Worded & { options: string[][]; help: string };
-type AxisInfo = Worded & { unit: string; degrees: boolean; range: number[]; allowed: number[] };
-type Preset = { key: string; title: string; text: string; query: string; more: boolean };
+type ChoiceInfo = { path: string; options: string[] };
+type AxisInfo = { path: string; unit: string; degrees: boolean; range: number[]; allowed: number[] };
+type Preset = { key: string; query: string; more: boolean };
 type Colors = typeof import("../src/hophoop/lab/static/tables.json")["setup"]["colors"] & {
   modes: Record<string, string>;
   mode_names: Record<string, string>;
@@ -426,7 +424,7 @@ interface ControlsInfo {
 interface Setup {
   version: string;
   controls: ControlsInfo;
-  map_quantities: string[][];
+  map_quantities: string[];
   presets: Preset[];
   colors: Colors;
 }

@@ -35,7 +35,7 @@ def test_controls_are_parameters_with_valid_ends():
             assert allowed["least"] <= value <= allowed["most"] or value in allowed["also"], slider["path"]
     for choice in offered["choices"]:
         base = HOP.replace("contact.model", "compliant") if choice["path"].startswith("contact.") else HOP
-        for option, _ in choice["options"]:
+        for option in choice["options"]:
             base.replace(choice["path"], option)
 
 

@@ -273,17 +273,8 @@ def _setup() -> dict[str, Any]:
     return {
         "version": __version__,
         "controls": _controls(),
-        "map_quantities": [(name, f"quantity.{name}") for name in MAP_QUANTITIES],
-        "presets": [
-            {
-                "key": p.key,
-                "title": f"example.{p.key}",
-                "text": f"example.{p.key}.text",
-                "query": p.scenario.to_query(),
-                "more": k >= FIRST,
-            }
-            for k, p in enumerate(presets())
-        ],
+        "map_quantities": list(MAP_QUANTITIES),
+        "presets": [{"key": p.key, "query": p.scenario.to_query(), "more": k >= FIRST} for k, p in enumerate(presets())],
         "colors": {
             # by the letters of a hoop that rolls forward; each mode is shown with the letter of its word
             "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
@@ -295,19 +286,10 @@ def _setup() -> dict[str, Any]:
 
 
 def _controls() -> dict[str, Any]:
-    """Return sliders with their ranges, choices and axes of maps; their words are keys of `english`."""
+    """Return sliders with their ranges, choices and axes of maps; their paths are in the keys of `english`."""
     return {
         "groups": {group: [_slider(row) for row in TABLE if section_of(row) == group and row.slider] for group in GROUPS},
-        "choices": [
-            {
-                "path": row.path,
-                "label": f"parameter.{row.path}",
-                "options": tuple((value, f"choice.{row.path}.{value}") for value, _ in row.choices),
-                "help": f"help.{row.path}",
-            }
-            for row in TABLE
-            if row.choices
-        ],
+        "choices": [{"path": row.path, "options": [value for value, _ in row.choices]} for row in TABLE if row.choices],
         "gravities": [(f"gravity.{name.lower()}", value) for name, value in GRAVITIES],
         "map_axes": [_axis(row) for row in sorted((row for row in TABLE if row.axis), key=_rank)],
     }
@@ -319,14 +301,11 @@ def _slider(row: Parameter) -> dict[str, Any]:
     low, high, step = row.slider
     return {
         "path": row.path,
-        "label": f"parameter.{row.path}",
         "symbol": row.symbol,
         "unit": _unit(row),
-        "help": f"help.{row.path}",
         "least": low,
         "most": high,
         "step": step,
-        "logarithmic": step == 0.0,
         "degrees": row.degrees,
         "allowed": {"also": (), **_range(row.range)},
     }
@@ -343,7 +322,6 @@ def _axis(row: Parameter) -> dict[str, Any]:
     least = min(row.range.least, 0.0) if 0.0 in row.range.also else row.range.least
     return {
         "path": row.path,
-        "label": f"axis.{row.path}",
         "unit": _unit(row),
         "degrees": row.degrees,
         "range": (row.axis.low, row.axis.high),

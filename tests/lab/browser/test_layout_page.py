@@ -1,6 +1,11 @@
-"""Where everything is on the page: low and narrow windows, large letters, long words, other directions of writing."""
+"""Where everything is on the page: low and narrow windows, large letters, long words, other directions of writing, paper."""
 
-from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow, picture
+import io
+
+import numpy as np
+import pytest
+
+from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow, picture, wait_for
 
 # pairs of texts on the picture that lie over one another, and those that leave it
 CROSSING = """
@@ -56,6 +61,62 @@ COVERED = """
   // the ring's radius less that of the mark
   globalThis.covered = texts.filter(([, x, y, width]) => Math.hypot(Math.abs(x - 84) + width / 2, y - 4 - 84) >= 58 - 12)"""
 
+# which numbers on the plane lie under the words on the picture
+UNDER = """
+  const { prototype } = CanvasRenderingContext2D;
+  const { fillText } = prototype;
+  globalThis.numbers = [];
+  prototype.fillText = function (text, x, y) {
+    const { width } = this.measureText(text);
+    if (/^[−\\d.]+ m$/.test(text)) numbers.push({ text, left: x - width / 2, right: x + width / 2, top: y - 9, bottom: y });
+    fillText.call(this, text, x, y);
+  };
+  lab.drawStage();
+  prototype.fillText = fillText;
+  const stage = first(".stage").getBoundingClientRect();
+  globalThis.under = all(".readout, .legend, .stage-keys").filter(shown).flatMap((one) => {
+    const { left, right, top, bottom } = one.getBoundingClientRect();
+    return numbers.filter((box) => box.left + stage.left < right && left < box.right + stage.left
+      && box.top + stage.top < bottom && top < box.bottom + stage.top).map(({ text }) => `${text} under ${one.className}`);
+  })"""
+# what Tab reaches, in its order, by the column in which it is, and whether each is below or to the right of the one before
+ORDER = """
+  const single = getComputedStyle(first(".columns")).display === "flex";
+  const places = all("a[href], button, input, select, summary, [tabindex='0']")
+    .filter((one) => shown(one) && !one.disabled && !one.closest("dialog, .skip, .grips, .stage, .menu-body, .story-list"))
+    .map((one) => ({ one, box: one.getBoundingClientRect(), part: one.closest(".top, .side, .middle, .why") }));
+  globalThis.reached = places.length;
+  globalThis.astray = places.filter(({ box, part }, k) => {
+    const before = places[k - 1];
+    if (!before || (before.part !== part && !single)) return false;
+    const below = box.top >= before.box.bottom - 4;
+    const right = box.left >= before.box.right - 4 && box.bottom > before.box.top;
+    return !below && !right && !before.one.contains(places[k].one);
+  }).map(({ one }) => one.outerHTML.slice(0, 90))"""
+# the table is below the player, with all of its head
+BELOW = """(([player, table, head]) => table.top >= player.bottom && head.bottom <= innerHeight)(
+    [".player", ".table:not(.more)", ".table:not(.more) thead"].map((one) => first(one).getBoundingClientRect()))"""
+
+
+def opened_table(simple):
+    return ("#t=0.8", {"simple": simple, "viewport": {"width": 1280, "height": 800}}, [
+        f"until {SHOWN}",
+        "click .learn summary",
+        "button Table of the motion",
+        f"until {BELOW}",
+        "wait 300",
+        f"is {BELOW}",
+    ])  # fmt: skip
+
+
+def in_order(simple, **options):
+    return ("#t=0.8", {"simple": simple, **options}, [
+        f"until {SHOWN}",
+        f"do {ORDER}",
+        "is reached > 15 && astray.length === 0",
+        *(["is all('.controls .slider').filter(shown)[0].dataset.path === 'start.speed'"] if simple else []),
+    ])  # fmt: skip
+
 
 def window(width, height):
     """A window is no wider than it is, and no text covers another."""
@@ -79,6 +140,49 @@ FLOWS = {
         *window(320, 568),
         *window(844, 390),
         "is first('.player').getBoundingClientRect().bottom <= 390",
+    ]),
+    "the table opens below the player": opened_table(False),
+    "the table opens below the player of the simple view": opened_table(True),
+    "the order of Tab is the order seen": in_order(False, viewport={"width": 1280, "height": 800}),
+    "the order of Tab in the simple view": in_order(True, viewport={"width": 1280, "height": 800}),
+    "the order of Tab on a phone": in_order(False, **PHONE),
+    "the order of Tab on a phone in the simple view": in_order(True, **PHONE),
+    "the order of Tab follows the window and the view": ("#t=0.8", {"viewport": {"width": 1280, "height": 800}}, [
+        f"until {SHOWN}",
+        *(step for size, button in (("390 844", "Simple view"), ("1280 800", "Everything")) for step in (
+            f"size {size}",
+            f"until innerWidth === {size.split()[0]} && {SETTLED}",
+            f"do {ORDER}",
+            "is astray.length === 0",
+            "do lab.view.choose()",
+            f"until {SETTLED}",
+            f"do {ORDER}",
+            "is astray.length === 0",
+        )),
+    ]),
+    "numbers on a slope are covered by no words": ("#t=0.8", {"viewport": {"width": 1280, "height": 800}}, [
+        f"until {SHOWN}",
+        *(step for slope in (0.17, -0.17, 0.35, -0.35, 0.7, -0.7) for step in (
+            f"do return lab.load('plane.slope={slope}')",
+            f"until lab.film().slope === {slope} && {SETTLED}",
+            *(step for time in (0, 0.8, 3) for step in (f"do lab.clock.seek({time})", f"until {SETTLED}",
+                f"do {UNDER}", "is numbers.length > 0 && under.length === 0")),
+        )),
+    ]),
+    "a time in the list stays in one line": ("?start.speed=3.53", {"viewport": {"width": 1280, "height": 800}}, [
+        f"until {SHOWN}",
+        "is all('.when').some((one) => /^0[.]0[0-9]{4} s$/.test(one.innerText))",
+        "is all('.when').every((one) => one.offsetHeight < 24 && one.scrollWidth <= one.clientWidth)",
+    ]),
+    "at 200 % the read-out stays, and what is below the player can be read": (
+        "#t=0.8", {"simple": True, "viewport": {"width": 640, "height": 400}}, [
+        f"until {SHOWN}",
+        "is all('.readout dd').filter(shown).length === 6",
+        "do scrollTo(0, 300)",
+        "until first('.player').matches('.stuck')",
+        f"until {SETTLED}",
+        "is all('.readout dd').filter(shown).length === 2",
+        "is first('.player').getBoundingClientRect().height < 0.6 * innerHeight",
     ]),
     "what theory says stays in its card": ("", {"locale": "fr"}, [
         "until lab.theory.list.children.length > 4",
@@ -116,8 +220,8 @@ FLOWS = {
         f"until {SETTLED}",
         f"is JSON.stringify({DRAWN}) === JSON.stringify(before)",
         # the mark of the dial covers no number
-        "do lab.extras.visit.go(2)",
-        "until text('.visit-count').startsWith('Step 3 ')",
+        "do lab.extras.visit.go(3)",
+        "until text('.visit-count').startsWith('Step 4 ')",
         "wait 100",
         f"do {COVERED}",
         "is texts.map(([text]) => text).join() === '0°,90°,180°,270°' && covered.length === 0",
@@ -131,3 +235,63 @@ def test_it_is_in_its_place(visit, name):
     page = visit(link, **options)
     follow(page, steps)
     picture(page, f"layout-{name.replace(' ', '-')}")
+
+
+def shot(page, selector):
+    """An element as it is seen, in grey."""
+    image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
+    return np.asarray(image.open(io.BytesIO(page.locator(selector).first.screenshot())).convert("L"), float)
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
+def test_the_list_of_events_cuts_no_letters(visit, size):
+    page = visit("#t=0", simple=size[0] < 1000, viewport={"width": size[0], "height": size[1]})
+    wait_for(page, SHOWN)
+    for time in (0, 0.8, 2.5, 6):
+        page.evaluate(f"hophoopLab.clock.seek({time})")
+        wait_for(page, SETTLED)
+        seen = shot(page, ".story-list")
+        assert np.ptp(seen[0]) < 10, time
+        assert np.ptp(seen[-1]) < 10, time
+        now = page.locator(".story-list [aria-current]").bounding_box()
+        around = page.locator(".story-list").bounding_box()
+        assert around["y"] <= now["y"], time
+        assert now["y"] + now["height"] <= around["y"] + around["height"], time
+
+
+def test_a_hint_is_read_in_forced_colours(visit):
+    page = visit(simple=True, forced_colors="active", reduced_motion="reduce")
+    page.wait_for_selector(".grip-hint")
+    seen = shot(page, ".grip-hint")
+    assert np.ptp(seen[8:-8, 24:-24]) > 100  # letters on their ground
+
+
+@pytest.mark.parametrize("simple", [True, False])
+def test_paper_has_the_motion_and_what_happens_and_nothing_to_press(visit, simple):
+    page = visit("#t=0.8", simple=simple, color_scheme="dark")
+    wait_for(page, SHOWN)
+    page.evaluate("hophoopLab.extras.table.open(true)")  # the player is small now
+    page.wait_for_selector(".stuck")
+    page.emulate_media(media="print")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    seen = "const seen = (selector) => [...document.querySelectorAll(selector)].filter((one) => one.checkVisibility());"
+    pressed = page.evaluate(f"""() => {{ {seen}
+      return seen("button, [type=range], [type=checkbox], .top, .transport, .grips, .map")
+        .filter((one) => !one.closest(".story-list")).map((one) => one.outerHTML.slice(0, 90)); }}""")
+    assert pressed == []
+    parts = page.evaluate(f"""() => {{ {seen}
+      return [".readout dd", ".legend", ".timeline", ".summary", ".controls .exact", ".plot"]
+        .map((one) => seen(one).length); }}""")
+    assert parts == ([6, 1, 1, 1, 3, 1] if simple else [6, 1, 1, 1, 11, 5])
+    list_height = page.evaluate("(({ scrollHeight, clientHeight }) => [scrollHeight, clientHeight])"
+                                "(document.querySelector('.story-list'))")  # fmt: skip
+    assert list_height[0] == list_height[1]
+    # the canvas of the cursor would hide the curves
+    drawn = page.evaluate(f"""() => {{ {seen}
+      return seen(".plot-canvas").map((one) =>
+        one.getContext("2d").getImageData(0, 0, one.width, one.height).data.some(Boolean)); }}""")
+    assert drawn == [True] * (1 if simple else 6)
+    assert page.evaluate("hophoopLab.theme.look.paper") == "#ffffff"  # ink on paper, also of a dark page
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    page.emulate_media(media="screen")
+    assert page.evaluate("hophoopLab.root.dataset.theme") == "dark"

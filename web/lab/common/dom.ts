@@ -84,21 +84,22 @@ export function say(element: Element, said: Message) {
 export const pen = (canvas: HTMLCanvasElement) => canvas.getContext("2d") as CanvasRenderingContext2D;
 
 /**
- * A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels, or to a unit of so
- * many.
+ * A canvas as large as its box, in device pixels, and empty; returns its 2D context scaled to CSS pixels, or to a unit
+ * of so many.
  */
 export function scaledContext(canvas: HTMLCanvasElement, unit = 1) {
   const box = canvas.getBoundingClientRect();
   const ratio = Math.min(globalThis.devicePixelRatio || 1, 2.5);
   const width = Math.max(Math.round(box.width * ratio), 1);
   const height = Math.max(Math.round(box.height * ratio), 1);
+  const context = pen(canvas);
   if (canvas.width !== width || canvas.height !== height) {
     canvas.width = width;
     canvas.height = height;
   }
-  const context = pen(canvas);
   const scale = ratio * unit;
   context.setTransform(scale, 0, 0, scale, 0, 0);
+  context.clearRect(0, 0, width / scale, height / scale);
   return { context, width: width / scale, height: height / scale };
 }
 

@@ -24,6 +24,8 @@ function rangeOf({ allowed, degrees }: SliderInfo): NumberRange | undefined {
 
 class Slider {
   held = false;
+  label = `parameter.${this.info.path}`;
+  logarithmic = !this.info.step;
   id = `hh-${this.info.path}-${Math.random().toString(36).slice(2, 7)}`;
   range = h("input", {
     type: "range",
@@ -31,7 +33,7 @@ class Slider {
     class: "slider",
     min: String(this.place(this.info.least)),
     max: String(this.place(this.info.most)),
-    step: this.info.logarithmic ? "0.01" : String(this.info.step),
+    step: String(this.info.step || 0.01),
     "data-path": this.info.path,
     oninput: () => this.slid(false),
     onchange: () => this.slid(true),
@@ -42,10 +44,11 @@ class Slider {
   });
   entry = new Entry(
     {
-      ...this.info,
+      label: this.label,
+      unit: this.info.unit,
       name: {
         key: this.info.unit ? "controls.exact_value_unit" : "controls.exact_value",
-        values: { name: this.info.label, unit: this.info.unit },
+        values: { name: this.label, unit: this.info.unit },
       },
       range: rangeOf(this.info),
     },
@@ -53,10 +56,10 @@ class Slider {
   );
   element = h(
     "div",
-    { class: "control", title: this.info.help },
-    h("label", { for: this.id }, h("span", {}, this.info.label), h("span", { class: "symbol" }, this.info.symbol)),
-    this.range,
+    { class: "control", title: `help.${this.info.path}` },
+    h("label", { for: this.id }, h("span", {}, this.label), h("span", { class: "symbol" }, this.info.symbol)),
     h("span", { class: "entry" }, this.entry.input, h("span", { class: "unit" }, this.info.unit)),
+    this.range,
     this.entry.error,
   );
 
@@ -71,12 +74,12 @@ class Slider {
 
   /** Where a value is on the slider. */
   place(value: number) {
-    return this.info.logarithmic ? Math.log10(value) : value;
+    return this.logarithmic ? Math.log10(value) : value;
   }
 
   slid(commit: boolean) {
     const place = Number(this.range.value);
-    const value = this.info.logarithmic ? Number((10 ** place).toPrecision(3)) : place;
+    const value = this.logarithmic ? Number((10 ** place).toPrecision(3)) : place;
     this.entry.typing = false;
     this.entry.accept();
     this.entry.show(String(value));
@@ -113,14 +116,14 @@ class Slider {
   }
 }
 
-function choice(info: ChoiceInfo, onchange: (changes: Change[], commit: boolean) => void) {
+function choice({ path, options }: ChoiceInfo, onchange: (changes: Change[], commit: boolean) => void) {
   const select = h(
     "select",
-    { "data-path": info.path, onchange: () => onchange([[info.path, select.value]], true) },
-    info.options.map(([value, label]) => h("option", { value }, label)),
+    { "data-path": path, onchange: () => onchange([[path, select.value]], true) },
+    options.map((value) => h("option", { value }, `choice.${path}.${value}`)),
   );
-  const element = h("label", { class: "choice", title: info.help }, h("span", {}, info.label), select);
-  return { element, select, path: info.path };
+  const element = h("label", { class: "choice", title: `help.${path}` }, h("span", {}, `parameter.${path}`), select);
+  return { element, select };
 }
 
 export class Controls {
@@ -176,6 +179,7 @@ export class Controls {
       else this.onchange([["start.omega", values["start.omega"]]]);
     },
   );
+  start = this.group("controls.start", this.kind.element, ...this.of("start"), this.at("duration"));
   element = h(
     "div",
     { class: "controls" },
@@ -191,7 +195,7 @@ export class Controls {
         "plane.gravity": [this.gravity.element],
       }),
     ),
-    this.group("controls.start", this.kind.element, ...this.of("start"), this.at("duration")),
+    this.start,
     // what few visitors ask for; closed at first
     this.group("controls.advanced", ...ADVANCED.map((path) => this.at(path)), this.lab.story.fingerprint),
   );

@@ -1,6 +1,6 @@
 // What diagrams and the plane of angle and rate have in common: two canvases, the lower for curves and the upper for the cursor.
 
-import { h, scaledContext } from "../common/dom.ts";
+import { h, pen, scaledContext } from "../common/dom.ts";
 
 // What axes need beside the box of curves.
 export const LEFT = 52;
@@ -28,7 +28,6 @@ export class Diagram {
   begin() {
     const { context, width, height } = scaledContext(this.canvas, this.look.px);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
-    context.clearRect(0, 0, width, height);
     return context;
   }
 
@@ -45,10 +44,9 @@ export class Diagram {
     return new DOMRect(LEFT, TOP, this.box.width, this.box.height);
   }
 
-  /** The upper canvas, empty. */
+  /** The upper canvas, empty; on paper it would hide the lower one, which takes its place. */
   beginOver() {
-    const { context, width, height } = scaledContext(this.over, this.look.px);
-    context.clearRect(0, 0, width, height);
-    return context;
+    if (this.over.closest(".printing")) return pen(this.canvas);
+    return scaledContext(this.over, this.look.px).context;
   }
 }

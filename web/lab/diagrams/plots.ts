@@ -86,6 +86,7 @@ export class Plots {
   ];
   // curves that are scrolled away wait until they are seen; not so the legends, whose room moves what is below
   seen = new Map(this.plots.map((plot) => [plot.element, true]));
+  whole = false; // all curves, also those that are not seen
   back = h("button", { hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "diagram.zoom_home");
   hint = h("span", { class: "hint" });
   element = h("div", { class: "plots" }, h("div", { class: "plots-head" }, this.axis, this.back, this.hint), [
@@ -125,7 +126,7 @@ export class Plots {
   }
 
   visible() {
-    return this.plots.filter((plot) => this.seen.get(plot.element));
+    return this.plots.filter((plot) => this.whole || this.seen.get(plot.element));
   }
 
   cursor(time: number) {

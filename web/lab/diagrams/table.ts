@@ -3,6 +3,7 @@
 import { h, saveBlob, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
+import { bring } from "../shell/sticky.ts";
 import { current, local, t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
@@ -94,8 +95,8 @@ export class Table {
     this.element.hidden = !open;
     if (!open) return;
     this.draw(this.lab.film());
-    this.element.scrollIntoView({ block: "nearest" });
-    this.element.querySelector("select")?.focus();
+    this.step.focus({ preventScroll: true });
+    bring(this.element);
   }
 
   draw(film: Film) {

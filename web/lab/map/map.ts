@@ -43,7 +43,7 @@ export class MotionMap {
         this.refresh();
       },
     },
-    this.lab.setup.map_quantities.map(([name, words]) => h("option", { value: name }, words)),
+    this.lab.setup.map_quantities.map((name) => h("option", { value: name }, `quantity.${name}`)),
   );
   canvas = h("canvas", { class: "plot-canvas" });
   tip = h("div", { class: "tip", hidden: true });
@@ -94,7 +94,7 @@ export class MotionMap {
     return h(
       "select",
       { "data-axis": name, onchange: () => this.setAxis(name, this.selects[name].value) },
-      this.axes.all.map(({ path, label }) => h("option", { value: path }, label)),
+      this.axes.all.map(({ path }) => h("option", { value: path }, `axis.${path}`)),
     );
   }
 
@@ -201,7 +201,6 @@ export class MotionMap {
     const { context, width, height } = scaledContext(this.canvas, look.px);
     context.font = axisFont(look);
     this.axes.fit(width, height, (text) => context.measureText(text).width);
-    context.clearRect(0, 0, width, height);
     context.save();
     this.axes.clip(context);
     context.imageSmoothingEnabled = false;

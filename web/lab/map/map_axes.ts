@@ -162,7 +162,7 @@ export class MapAxes {
       const [low, high] = this.windows[name];
       const size = Math.max(Math.abs(low), Math.abs(high));
       const digits = clamp(Math.ceil(Math.log10(size / (high - low))) + 4, 4, 16);
-      return `${t(info.label)} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
+      return `${t(`axis.${info.path}`)} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
     };
     return `${part("x")}, ${part("y")}`;
   }
@@ -189,7 +189,7 @@ export class MapAxes {
         at: this[name](value / scale),
         text: deep ? show(value - origin, 3) : tickText(value, step),
       })),
-      name: `${t(info.label)}${offset}${info.unit ? ` [${info.unit}]` : ""}`,
+      name: `${t(`axis.${info.path}`)}${offset}${info.unit ? ` [${info.unit}]` : ""}`,
     };
   }
 }

@@ -101,21 +101,11 @@ export class Grips {
 
   /** Above the load, clear of the load itself and of the numbers on the picture. */
   placeHint(x: number, y: number) {
-    const { element, readout, legend } = this.lab.stage;
-    const origin = element.getBoundingClientRect();
-    const edges = (one: HTMLElement) => {
-      const { left, right, top, bottom } = one.getBoundingClientRect();
-      return {
-        left: left - origin.left,
-        right: right - origin.left,
-        top: top - origin.top,
-        bottom: bottom - origin.top,
-      };
-    };
-    const shown = [readout, legend].filter((one) => one.checkVisibility()).map(edges);
-    const taken = [...shown, { left: x - LOAD, right: x + LOAD, top: y - LOAD, bottom: y + LOAD }];
+    const { stage } = this.lab;
+    const { offsetWidth, offsetHeight } = stage.element;
+    const taken = [...stage.covered(), new DOMRect(x - LOAD, y - LOAD, 2 * LOAD, 2 * LOAD)];
     const size = this.hint.getBoundingClientRect();
-    const [left, top] = clearPlace([x, y - SMALL], size, edges(element), taken);
+    const [left, top] = clearPlace([x, y - SMALL], size, new DOMRect(0, 0, offsetWidth, offsetHeight), taken);
     this.hint.style.transform = `translate(${left}px, ${top}px) translate(-50%, -50%)`;
   }
 

@@ -22,6 +22,7 @@ export function besideRim(x: number, y: number, size: number, [cx, cy]: number[]
 
 export class Scene {
   top = 0; // of the hoop's part of the picture, in pixels
+  covered: DOMRect[] = []; // where words lie over the picture
 
   pose: Pose;
   scale: number;
@@ -119,11 +120,15 @@ export class Scene {
       const [x, y] = this.point(k * step, 0);
       if (x < -40 || x > width + 40) continue;
       stroke(context, [x, y], [x - 6 * this.sine, y + 6 * this.cosine]);
-      context.fillText(
-        `${tickText(k * step, step)} m`,
-        x - 18 * look.px * this.sine,
-        y + 8 + 10 * look.px * this.cosine,
-      );
+      const text = `${tickText(k * step, step)} m`;
+      const [middle, base] = [x - 18 * look.px * this.sine, y + 8 + 10 * look.px * this.cosine];
+      const half = 0.5 * context.measureText(text).width;
+      const free = ({ left, right, top, bottom }: DOMRect) =>
+        middle + half < left ||
+        middle - half > right ||
+        base + this.top < top ||
+        base + this.top - 11 * look.px > bottom;
+      if (this.covered.every(free)) context.fillText(text, middle, base);
     }
   }
 

@@ -45,6 +45,14 @@ export class Stage {
     this.outputs.flatMap(({ name, value }) => [name, value]),
   );
   order = h("span", { hidden: true }, "player.order");
+  keys = h(
+    "div",
+    { class: "stage-keys", "aria-hidden": "true" },
+    dot("var(--ink)", "player.load"),
+    dot(this.colors.gravity_center, "player.center_of_gravity"),
+    dot(this.colors.airborne, "player.in_flight"),
+    this.order,
+  );
   element = h(
     "div",
     { class: "stage", role: "figure", "aria-label": "player.picture", tabindex: "0" },
@@ -52,14 +60,7 @@ export class Stage {
     this.space,
     this.readout,
     this.legend,
-    h(
-      "div",
-      { class: "stage-keys", "aria-hidden": "true" },
-      dot("var(--ink)", "player.load"),
-      dot(this.colors.gravity_center, "player.center_of_gravity"),
-      dot(this.colors.airborne, "player.in_flight"),
-      this.order,
-    ),
+    this.keys,
   );
 
   /** `onview`: what to do when it is seen from elsewhere. */
@@ -75,6 +76,13 @@ export class Stage {
     return this.options.three ? this.space : this.plane;
   }
 
+  /** Where words lie over the picture. */
+  covered() {
+    return [this.readout, this.legend, this.keys]
+      .filter((one) => one.checkVisibility())
+      .map((one) => new DOMRect(one.offsetLeft, one.offsetTop, one.offsetWidth, one.offsetHeight));
+  }
+
   draw(films: Film[], active: number, clock: Clock, { look, inks }: { look: Look; inks: Colors }) {
     const { options } = this;
     this.legend.hidden = !options.speed;
@@ -84,6 +92,7 @@ export class Stage {
       this.deep?.draw(films, clock.time, options, look, inks, clock.playing);
     } else {
       this.flat.pointed = clock.pointed === null ? null : { time: clock.pointed, lane: active };
+      this.flat.covered = this.covered();
       this.flat.draw(films, clock.time, options, look, inks);
     }
     this.read(films, active, clock.time);

@@ -17,6 +17,8 @@ export class Stage2D {
 
   /** A moment of one hoop that is pointed at. */
   pointed: { time: number; lane: number } | null = null;
+  /** Where words lie over the picture. */
+  covered: DOMRect[] = [];
   /** Takes what is under the pointer, if there is anything to take. */
   grab: (event: PointerEvent) => boolean = () => false;
   /** What is drawn over a hoop's picture. */
@@ -70,9 +72,8 @@ export class Stage2D {
 
   draw(films: Film[], time: number, options: StageOptions, look: Look, colors: Colors) {
     const { context, width, height } = scaledContext(this.canvas);
-    context.clearRect(0, 0, width, height);
     if (width < 40 || height < 40) return; // not laid out yet
-    this.views = this.paint(context, width, height, films, time, options, look, colors);
+    this.views = this.paint(context, width, height, films, time, options, look, colors, this.covered);
   }
 
   /** The picture as it is looked at now, on any canvas. Returns one for each hoop. */
@@ -85,6 +86,7 @@ export class Stage2D {
     options: StageOptions,
     look: Look,
     colors: Colors,
+    covered: DOMRect[] = [],
   ): Scene[] {
     const each = height / films.length;
     // two hoops are drawn to one scale, in length and in colour
@@ -101,6 +103,7 @@ export class Stage2D {
       context.translate(0, i * each);
       const scene = new Scene(context, width, each, film, time, options, look, colors, this.zoom, this.shift, common);
       scene.top = i * each;
+      scene.covered = covered;
       scene.scale = this.fixed ?? scene.scale;
       scene.draw();
       if (this.pointed?.lane === i) scene.ghost(film.at(this.pointed.time));

@@ -4,6 +4,8 @@ import { copying, h, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import type { Comparison } from "../backend/sameness.ts";
 
+const FADED = 20; // pixels at the end of the list
+
 export class Story {
   film: Film;
   items: HTMLElement[];
@@ -116,10 +118,11 @@ export class Story {
     // scroll the list, never the page
     const item = this.items[now];
     if (item) {
-      const top = item.offsetTop - this.list.offsetTop;
-      if (top < this.list.scrollTop || top + item.offsetHeight > this.list.scrollTop + this.list.clientHeight) {
-        this.list.scrollTop = top - 0.4 * this.list.clientHeight;
-      }
+      const { offsetTop, offsetHeight } = item;
+      const { scrollTop, clientHeight } = this.list;
+      const hidden = offsetTop < scrollTop + FADED || offsetTop + offsetHeight > scrollTop + clientHeight - FADED;
+      const first = this.items.find((one) => one.offsetTop >= offsetTop - 0.4 * clientHeight) ?? item;
+      if (hidden) this.list.scrollTop = first.offsetTop - this.items[0].offsetTop;
     }
   }
 }

@@ -120,7 +120,6 @@ export class Timeline {
     this.keep();
     const [begin, end] = this.ends();
     const place = (t: number) => ((t - begin) / (end - begin)) * width;
-    context.clearRect(0, 0, width, height);
     const above = 15; // room for the marks of each hoop
     const band = (height - 15) / films.length - above;
     films.forEach((film, i) => {

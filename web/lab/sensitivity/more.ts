@@ -154,7 +154,7 @@ export class More {
     const paths = infos.map(({ path }) => path).join();
     if (paths !== this.paths) {
       this.paths = paths;
-      const option = ({ path, label, symbol }: SliderInfo) => h("option", { value: path }, label, " ", symbol);
+      const option = ({ path, symbol }: SliderInfo) => h("option", { value: path }, `parameter.${path}`, " ", symbol);
       this.picked.replaceChildren(...infos.map(option));
     }
     this.picked.value = this.path;
@@ -225,7 +225,7 @@ export class More {
     this.tellScale();
     if (this.speak)
       this.lab.story.say([
-        info.label,
+        `parameter.${info.path}`,
         ` ${than}.`,
         ...[...said, why].flatMap((sentence) => (sentence ? [" ", sentence] : [])),
       ]);

@@ -130,7 +130,7 @@ export class Extras {
 
   nameOf({ query, summary }: Film) {
     const example = this.lab.known.find((one) => one.query === query);
-    if (example) return t(example.title);
+    if (example) return t(`example.${example.key}`);
     const [sentence] = spoken(summary).split(/(?<=[.。])(?!\d)/u);
     return sentence.length <= LONG
       ? sentence.replace(/[.。]$/u, "")

@@ -46,7 +46,7 @@ export class Header {
       h("span", {}, "hophoop", h("span", { class: "long" }, " ", "header.lab")),
     ),
     this.presets,
-    h("div", { class: "buttons" }, this.undo, this.redo, this.reset, this.compare, this.lab.view.button),
+    h("div", { class: "buttons" }, this.lab.view.button, this.undo, this.redo, this.reset, this.compare),
     this.right,
   );
 
@@ -59,7 +59,7 @@ export class Header {
 
   options(more: boolean) {
     const presets = this.lab.known.filter((preset) => preset.more === more);
-    return presets.map(({ key, title }) => h("option", { value: key }, title));
+    return presets.map(({ key }) => h("option", { value: key }, `example.${key}`));
   }
 
   take() {

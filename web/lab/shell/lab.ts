@@ -82,6 +82,7 @@ export class Lab {
   opening: Opening;
   player: HTMLElement;
   sticky: { edge: HTMLElement; close: () => void } | null;
+  arrange: () => void;
   extras: Extras;
   deaf: () => void;
   later = once(() => this.fetchTheory(), 120);
@@ -113,9 +114,10 @@ export class Lab {
     this.header = new Header(this);
     this.extras = new Extras(this);
     this.opening = new Opening(this.clock, this.extras.grips.hint);
-    const { player, sticky } = layOut(this, panels);
+    const { player, sticky, arrange } = layOut(this, panels);
     this.player = player;
     this.sticky = sticky;
+    this.arrange = arrange;
     if (hosted && !location.search && !location.hash) this.extras.visit.offer();
     this.frame = this.frame.bind(this);
     this.clock.listeners.add(() => {
@@ -235,7 +237,7 @@ export class Lab {
     const { query } = this.film();
     const preset = this.known.find((one) => one.query === query);
     this.header.presets.value = preset?.key ?? "";
-    say(this.hoops.text, preset?.text ?? "");
+    say(this.hoops.text, preset ? `example.${preset.key}.text` : "");
   }
 
   async take(preset: Preset) {
@@ -294,6 +296,7 @@ export class Lab {
     const films = this.films();
     if (!films.length) return;
     const two = films.length > 1;
+    this.arrange();
     this.theme.read();
     clock.duration = Math.max(...films.map((film) => film.duration));
     clock.time = Math.min(clock.time, clock.duration);
@@ -317,6 +320,8 @@ export class Lab {
   /** All pictures again, for the width of a sheet of paper or of the screen. */
   printing(on: boolean) {
     this.root.classList.toggle("printing", on);
+    this.theme.mark();
+    this.plots.whole = on;
     this.show();
     this.showSurroundings();
   }

@@ -16,13 +16,14 @@ export function prepareRoot(root: HTMLElement, hosted: boolean) {
 }
 
 /**
- * `panels`: what stands beside the player; everything by default; returns the player, and what keeps it in sight where
- * the lab owns the page.
+ * `panels`: what stands beside the player; everything by default. Returns the player, what keeps it in sight where the
+ * lab owns the page, and what puts all parts in the order in which they are seen, which is that of Tab.
  */
 export function layOut(lab: Lab, panels: string[] | null) {
   const { root, notice, hosted, extras, transport, header } = lab;
   const want = (name: string) => !panels || panels.includes(name);
-  const cards = [extras.visit.element, extras.challenges.element];
+  const visit = extras.visit.element;
+  const cards = [visit, extras.challenges.element];
   const side = h(
     "aside",
     { class: "side", "aria-label": "page.parameters" },
@@ -54,18 +55,12 @@ export function layOut(lab: Lab, panels: string[] | null) {
     player,
     extras.more.element,
     extras.table.element,
-    h("div", { class: "words" }, lab.story.element, want("theory") && lab.theory.element),
-    want("map") && lab.map.element,
   );
+  const words = h("div", { class: "words" }, lab.story.element, want("theory") && lab.theory.element);
   const why = h("div", { class: "why" }, want("plots") && lab.plots.element, want("plots") && lab.phase.element);
+  const columns = h("div", { class: "columns" }, middle);
   root.replaceChildren(
-    h(
-      "div",
-      { class: "page" },
-      hosted && skipTo(lab.timeline.element),
-      header.element,
-      h("div", { class: "columns" }, want("controls") && side, middle, why),
-    ),
+    h("div", { class: "page" }, hosted && skipTo(lab.timeline.element), header.element, columns),
     notice.toast,
     lab.computing.element,
     lab.share.dialog,
@@ -79,7 +74,29 @@ export function layOut(lab: Lab, panels: string[] | null) {
   });
   root.classList.toggle("no-controls", !want("controls"));
   root.classList.toggle("alone", panels?.includes("player") ?? false);
-  return { player, sticky };
+  let order = "";
+  const arrange = () => {
+    const { simple } = lab.view;
+    const single = getComputedStyle(columns).display === "flex";
+    if (order === `${simple} ${single}`) return;
+    order = `${simple} ${single}`;
+    // the speed comes first there, and what is offered after what is there
+    if (simple) lab.controls.element.prepend(lab.controls.start);
+    else lab.controls.element.lastElementChild?.before(lab.controls.start);
+    if (want("controls")) {
+      if (simple) side.append(visit);
+      else side.prepend(visit);
+      if (single) middle.append(side);
+      else columns.prepend(side);
+    }
+    if (!single) columns.append(why);
+    middle.append(
+      ...(!single ? [words] : simple ? [why, words] : [words, why]),
+      ...(want("map") ? [lab.map.element] : []),
+    );
+  };
+  arrange();
+  return { player, sticky, arrange };
 }
 
 function skipTo(player: HTMLElement) {

@@ -30,8 +30,9 @@ export class Theme {
   }
 
   mark() {
+    const paper = this.root.classList.contains("printing") && "light";
     const kept = this.hosted ? recall(KEY) : null;
-    this.root.dataset.theme = this.chosen ?? kept ?? (this.media.matches ? "dark" : "light");
+    this.root.dataset.theme = paper || (this.chosen ?? kept ?? (this.media.matches ? "dark" : "light"));
     if (this.hosted) document.documentElement.style.colorScheme = this.root.dataset.theme;
   }
 

@@ -84,7 +84,6 @@ export function dial(label: string, onguess: () => void): Guess {
   const draw = () => {
     const { context } = scaledContext(canvas, element.clientWidth / SIZE || 1);
     const { ink, soft, accent } = theme(element);
-    context.clearRect(0, 0, SIZE, SIZE);
     context.strokeStyle = soft;
     context.fillStyle = soft;
     context.lineWidth = 1.5;
@@ -190,7 +189,6 @@ export function sketch(
     const { px } = look;
     const { context, width, height } = scaledContext(canvas, px);
     size = { width, height, px };
-    context.clearRect(0, 0, width, height);
     context.strokeStyle = look.line;
     context.fillStyle = look.soft;
     context.font = "11px system-ui, sans-serif";
