@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { leaves } from "../lab/player/events.ts";
+import { leaves } from "../lab/player/marks.ts";
 import { Film } from "../lab/player/film.ts";
 
 const film = (duration: number, speed: (t: number) => number) => {

@@ -3,8 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { within } from "../lab/common/clamp.ts";
-import { AXES, MapAxes } from "../lab/map/map_axes.ts";
-import { otherStart } from "../lab/map/map_words.ts";
+import { AXES, MapAxes, otherStart } from "../lab/map/map_axes.ts";
 import { tables } from "../model/tables.ts";
 
 const axes = () => new MapAxes(tables.setup.controls.map_axes);

@@ -205,6 +205,8 @@ FLOWS = {
         "until !lab.surrounding && lab.theme.look.px > 1",
         "is (({ x, y, width, height }) => near(x + y, 0, 1) && near(width, 1920, 1) && near(height, 1080, 1))"
         "(first('.player').getBoundingClientRect())",
+        "is first('.legend').getBoundingClientRect().right < first('.leave').getBoundingClientRect().left",
+        "is all('.readout dd').filter(shown).length === 6",
         "is !seen('.why, .words, .map, .side, .top') && document.documentElement.scrollHeight <= 1080",
         "is 11 * lab.theme.look.px >= 0.02 * 1080",  # numbers on the axes are as high as a line on a blackboard
         "do lab.extras.present.turn(false)",
@@ -291,6 +293,12 @@ def test_paper_has_the_motion_and_what_happens_and_nothing_to_press(visit, simpl
       return seen(".plot-canvas").map((one) =>
         one.getContext("2d").getImageData(0, 0, one.width, one.height).data.some(Boolean)); }}""")
     assert drawn == [True] * (1 if simple else 6)
+    # the worksheet is printed alone, with its speeds
+    page.evaluate("hophoopLab.extras.teach.showModal()")
+    assert not page.locator(".page").is_visible()
+    assert page.locator(".sheet-table button").all_inner_texts() == ["1.0", "1.3", "1.6", "1.9", "2.2", "2.3"]
+    assert page.locator(".sheet-table button").last.is_visible()
+    page.evaluate("hophoopLab.extras.teach.close()")
     assert page.evaluate("hophoopLab.theme.look.paper") == "#ffffff"  # ink on paper, also of a dark page
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     page.emulate_media(media="screen")

@@ -146,3 +146,9 @@ export function once(callback: () => void, wait: number) {
     timer = setTimeout(callback, wait);
   };
 }
+
+/** What has been asked for, or that there is no network to bring it. */
+export const fetched = <Part>(part: Promise<Part>) =>
+  part.catch(() => {
+    throw new Error("page.not_loaded");
+  });

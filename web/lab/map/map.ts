@@ -3,9 +3,8 @@
 import { scaledContext, h, once, say } from "../common/dom.ts";
 import { axisFont } from "../common/axes.ts";
 import { focused } from "../common/pointer.ts";
-import { AXES, cross, MapAxes } from "./map_axes.ts";
+import { AXES, cross, MapAxes, otherStart } from "./map_axes.ts";
 import { takeHands } from "./map_hands.ts";
-import { otherStart } from "./map_words.ts";
 import { byFingers } from "../common/zoom.ts";
 import { cellAt, layerOf, legendOf, paint, stacked, textAt } from "./map_layers.ts";
 import { messageOf } from "../words/words.ts";

@@ -1,4 +1,4 @@
-// Marks and stretches of the bar of time, so that many of them stay readable.
+// Events in words, and as marks and stretches of the bar of time, so that many of them stay readable.
 
 import { tables } from "../../model/tables.ts";
 
@@ -73,3 +73,10 @@ export function stretches(
   empty();
   return found;
 }
+
+/** The name of a kind of event. */
+export const eventWord = (kind: string) => `event.${kind}`;
+
+/** Whether a flight begins here: also without a take-off, at the start or after a paradox. */
+export const leaves = (event: MotionEvent) =>
+  event.kind === "takeoff" || (event.to === "H" && event.from !== "H" && event.kind !== "impact");

@@ -1,7 +1,6 @@
 // Pictures of what is shown, larger than the screen, with the words that stand beside it on the page.
 
-import { h, pen } from "../common/dom.ts";
-import { fetched } from "../common/later.ts";
+import { fetched, h, pen } from "../common/dom.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";

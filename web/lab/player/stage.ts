@@ -1,8 +1,7 @@
 // The picture of the hoops, in the plane or in space, with what stands on it: readout, colours of speed, key.
 
 import { SPEED_GRADIENT } from "../common/colors.ts";
-import { h } from "../common/dom.ts";
-import { fetched } from "../common/later.ts";
+import { fetched, h } from "../common/dom.ts";
 import { degrees, length, show, withUnit } from "../common/numbers.ts";
 import { Stage2D } from "./stage2d.ts";
 import type { Stage3D } from "./stage3d.ts";

@@ -3,8 +3,7 @@
 import { fill, outlined } from "../common/paint.ts";
 import { hoopInk, writing } from "../common/colors.ts";
 import { scaledContext, h } from "../common/dom.ts";
-import { eventWord } from "./events.ts";
-import { placed, stretches } from "./marks.ts";
+import { eventWord, placed, stretches } from "./marks.ts";
 import { clamp, scaled, within } from "../common/clamp.ts";
 import { DEGREE, niceStep, show, tickText, ticks } from "../common/numbers.ts";
 import { follow, placeOn } from "../common/pointer.ts";

@@ -4,7 +4,7 @@ import { SPEEDS } from "./clock.ts";
 import { h, iconButton as button } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
 import { degrees, show } from "../common/numbers.ts";
-import { eventWord, leaves } from "./events.ts";
+import { eventWord, leaves } from "./marks.ts";
 import { name } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 

@@ -1,7 +1,7 @@
 // What a little more of a parameter does: the rates of events, as changes with a step, and in words.
 
 import { CHANGE, layout } from "../../kernel/layout.ts";
-import { eventWord } from "../player/events.ts";
+import { eventWord } from "../player/marks.ts";
 import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { listed } from "../words/words.ts";
 

@@ -2,7 +2,7 @@
 
 import { Changes, sentences, signed } from "./changes.ts";
 import { h, headed, once, say } from "../common/dom.ts";
-import { eventWord } from "../player/events.ts";
+import { eventWord } from "../player/marks.ts";
 import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
 import { messageOf } from "../words/words.ts";
