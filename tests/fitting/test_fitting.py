@@ -99,6 +99,22 @@ def test_axes_of_the_data_that_do_not_lie_along_the_plane(hop):
     assert fit.values["gamma"] == pytest.approx(0.6, abs=5e-3)
 
 
+@pytest.mark.parametrize(
+    ("load", "static", "kinetic", "restitution", "speed", "angle", "duration"),
+    [
+        (0.7, 0.4, 0.3, 0.5, 2.3, 0.5, 1.5),
+        (0.795931295452128, 0.6196176352915649, 0.5266653176996758, 0.507350747986, 2.530978175830234, 5.21425720033928, 1.86),
+    ],
+)
+def test_a_hoop_that_hops_at_once_and_bounces_is_found(load, static, kinetic, restitution, speed, angle, duration):
+    """Many landings make the sum of squares rough: the search begins with a part of the record."""
+    plane = hh.Plane(mu_static=static, mu_kinetic=kinetic, restitution=restitution)
+    motion = hopping(hh.Hoop.ideal(load, radius=RADIUS), plane, hh.Start.rolling(speed, angle=angle), duration)
+    found = hh.fit(filmed(motion, sigma=2e-4, sigma_angle=7e-4))
+    assert found.good
+    assert found.values["gamma"] == pytest.approx(load, abs=4 * found.error("gamma"))
+
+
 def test_outliers_count_little(hop):
     track = filmed(hop, rate=60.0)
     places = track.centre.copy()

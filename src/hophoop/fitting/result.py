@@ -33,7 +33,7 @@ Floats = NDArray[np.float64]
 SCHEMA = "hophoop-fit/1"
 GIVEN = " (given)"  # suffix of values that were not fitted
 WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
-CERTAIN = 3.0  # standard deviations of a turned camera
+CERTAIN, LEVEL = 3.0, 0.5  # minimum roll of a turned camera [standard deviations, °]
 UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
 SCATTER = 1.2  # von Neumann ratio below which residuals are no scatter, so that their size is none either
@@ -315,7 +315,7 @@ class Fit:
             if track.view is not None and name in self.free:
                 slope, roll = np.degrees([self.values[name], self.values[name] + track.view.rise])
                 error = float(np.degrees(self.error(name)))
-                if abs(roll) > CERTAIN * error:
+                if abs(roll) > max(CERTAIN * error, LEVEL):
                     said.append(
                         f"The camera is turned by {format_value(float(roll), error)}°, and the plane falls by "
                         f"{format_value(float(slope), error)}° to the right: gravity along the plane tells them apart."

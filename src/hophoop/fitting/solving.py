@@ -25,7 +25,7 @@ Floats = NDArray[np.float64]
 FIRST_CALLS, MOST_CALLS = 12, 100  # maximum calls of the motion, in a first and in the last minimization
 BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter without effect
 WALK = 15  # steps along a parameter
-PARTS = (0.2, 0.35, 0.6)  # of a record, which a start is fitted to one after the other
+SHORTEST = 100  # numbers of a part of a record that is fitted for a start
 ROUNDS = 4  # of walks, while they help and the data are not explained
 WORTH_TRYING, MOST_WALKS = 4.0, 4  # maximum factor of the cost of a step, and maximum number of such starts
 ASIDE = (-12.0, -4.0, 4.0, 12.0)  # distances of other starts from a minimum [standard deviations]
@@ -257,20 +257,12 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
 
 
 def _grown(problem: Problem, params: Parameters, best: Minimum, robust: bool) -> list[dict[str, float]]:
-    """Return another start where no motion explains one run: of its first part, with fewer landings, then of longer ones."""
+    """Return another start where no motion explains one run: the best motion of its first half, which has fewer landings."""
     if best.cost < EXPLAINED * problem.count or len(problem.runs) > 1:
         return []
-    run = problem.runs[0]
-    values: list[dict[str, float]] = []
-    for share in PARTS:
-        part = run.until(share * float(run.t[-1]))
-        if part.count < 2 * len(free_of(params)):
-            continue
-        own = problem_of([part])
-        if not values:
-            values = [one.values for one in candidates(part, best.values, set(free_of(params)))]
-        values = [min((approach(own, changed(params, one), robust)[0] for one in values), key=lambda one: one.cost).values]
-    return values
+    half = problem.runs[0].until(0.5 * float(problem.runs[0].t[-1]))
+    starts = candidates(half, best.values, set(free_of(params))) if half.count > SHORTEST else []
+    return [best_of(problem_of([half]), params, starts, robust)[0].minimum.values] if starts else []
 
 
 def _settled(problem: Problem, params: Parameters, best: Minimum, blind: list[str], robust: bool) -> tuple[Solution, list[str]]:
