@@ -402,10 +402,10 @@ interface CompliantContact {
 }
 
 type RangeTable = { least: number; most: number; unit?: string; also?: (number | string)[] };
-type SliderInfo = { path: string; symbol: string; unit: string; least: number; most: number; step: number } & {
-  degrees: boolean;
-  allowed: Required<Omit<RangeTable, "unit">>;
-};
+type SliderInfo = { path: string; symbol: string; unit: string; degrees: boolean } & Record<
+  "least" | "most" | "step",
+  number
+>;
 type ChoiceInfo = { path: string; options: string[] };
 type AxisInfo = { path: string; unit: string; degrees: boolean; range: number[]; allowed: number[] };
 type Preset = { key: string; query: string; more: boolean };

@@ -6,6 +6,7 @@ import re
 import hophoop as hh
 from hophoop.lab import export, limits, tables
 from hophoop.scenario import paths
+from hophoop.vocabulary.parameters import RANGES
 from model.test_page_model import answers
 from web_tools import english, needs_node
 
@@ -29,7 +30,7 @@ def test_controls_are_parameters_with_valid_ends():
     sliders = [slider for group in offered["groups"].values() for slider in group]
     assert {info["path"] for info in (*sliders, *offered["choices"], *offered["map_axes"])} <= set(paths())
     for slider in sliders:
-        allowed = slider["allowed"]
+        allowed = {"also": (), **tables._range(RANGES[slider["path"]])}
         for end in (slider["least"], slider["most"]):
             value = math.radians(end) if slider["degrees"] else end
             assert allowed["least"] <= value <= allowed["most"] or value in allowed["also"], slider["path"]

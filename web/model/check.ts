@@ -88,7 +88,7 @@ const LIMITS: Record<string, (value: number, limit: number) => boolean> = {
 
 /** Returns the sentence of what is allowed. */
 function refusal(field: FieldTable, value: any): [name: string, values?: any] | null {
-  const { kind, options = [], limits = [], range } = field;
+  const { kind, unit, options = [], limits = [], range } = field;
   if (kind === "word") return options.includes(value) ? null : ["literal_error", { expected: oneOf(options) }];
   if (typeof value !== "number") return ["number"];
   if (kind === "friction" && !(value >= 0)) return ["friction"];
@@ -96,13 +96,14 @@ function refusal(field: FieldTable, value: any): [name: string, values?: any] | 
   if (kind !== "friction" && !Number.isFinite(value)) return ["finite_number"];
   const passed = (limits as [string, number][]).find(([name, limit]) => !LIMITS[name](value, limit));
   if (passed) return [passed[0], { limit: passed[1] }];
-  return range && !holds(range, value) ? ["range", { words: rangeText(range) }] : null;
+  return range && !holds(range, value) ? ["range", { words: rangeText({ ...range, unit }) }] : null;
 }
 
 /** A range in words. */
 export function rangeText({ least, most, unit = "", also = [] }: RangeTable): Phrase {
   const name = `${also.includes(0) ? "zero_or_" : ""}from_to${also.includes("inf") ? "_or_inf" : ""}`;
-  return { key: `range.${name}`, values: { least: general(least), most: `${general(most)}${unit && ` ${unit}`}` } };
+  const ending = unit && unit !== "1" ? ` ${unit}` : "";
+  return { key: `range.${name}`, values: { least: general(least), most: `${general(most)}${ending}` } };
 }
 
 /** One of several words. */

@@ -111,7 +111,7 @@ def tables() -> dict[str, Any]:
             "other": colors.GRAY,
         },
         "map": {
-            # values that a cell may have
+            # values that a cell and a field may have
             "allowed": {path: _range(allowed) for path, allowed in RANGES.items()},
             # the columns of a cell that change by as much as a parameter of which a motion has derivatives
             "rates": {row.path: row.column for row in TABLE if row.derivative and row.column},
@@ -205,7 +205,7 @@ def _field(field: FieldInfo, path: str) -> dict[str, Any]:
         if isinstance(item, BeforeValidator) and item.func in _KINDS:
             made["kind"] = _KINDS[item.func]
         elif path in RANGES:
-            made["range"] = _range(RANGES[path], made["unit"])
+            made["range"] = _range(RANGES[path])
         else:
             found = [(name, float(getattr(item, key))) for key, name in _LIMITS.items() if hasattr(item, key)]
             if found:
@@ -297,7 +297,6 @@ def _controls() -> dict[str, Any]:
 
 def _slider(row: Parameter) -> dict[str, Any]:
     assert row.slider is not None
-    assert row.range is not None
     low, high, step = row.slider
     return {
         "path": row.path,
@@ -307,7 +306,6 @@ def _slider(row: Parameter) -> dict[str, Any]:
         "most": high,
         "step": step,
         "degrees": row.degrees,
-        "allowed": {"also": (), **_range(row.range)},
     }
 
 

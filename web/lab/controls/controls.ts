@@ -1,6 +1,7 @@
 // Sliders with exact entry, and choices; what they show comes back from the server with each motion.
 
 import { h } from "../common/dom.ts";
+import { number, tables } from "../../model/tables.ts";
 import { Entry } from "./entry.ts";
 import { clamp } from "../common/clamp.ts";
 import { DEGREE, show, withUnit } from "../common/numbers.ts";
@@ -12,14 +13,10 @@ const CONTACT = ["model", "law", "friction", "stiffness", "slip_speed", "restitu
 const ADVANCED = ["plane.painleve", "plane.impact_law", ...CONTACT.map((name) => `contact.${name}`)];
 
 /** The range that Python allows, in the unit of the field. */
-function rangeOf({ allowed, degrees }: SliderInfo): NumberRange | undefined {
-  if (!allowed) return undefined;
+function rangeOf({ path, degrees }: SliderInfo): NumberRange {
+  const { least, most, also = [] } = tables.map.allowed[path];
   const scale = degrees ? 1 / DEGREE : 1;
-  return {
-    least: allowed.least * scale,
-    most: allowed.most * scale,
-    also: allowed.also.map((value) => (value === "inf" ? Infinity : Number(value))),
-  };
+  return { least: least * scale, most: most * scale, also: also.map(number) };
 }
 
 class Slider {
