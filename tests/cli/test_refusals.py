@@ -6,7 +6,7 @@ import pytest
 
 import hophoop as hh
 from cli_tools import run, save_track
-from hophoop.gaits import finding
+from hophoop.gaits import search
 
 MU, SPEED = "--axis plane.mu=0.2:1.8:9", "--axis start.speed=0.1,2,3.1,5"
 MAP = f"map {MU} {SPEED}"
@@ -246,5 +246,5 @@ def test_bad_input_is_one_sentence(folder, monkeypatch, line, sentence):
 
 @pytest.mark.parametrize(("words", "sentence"), FOLLOW.items())
 def test_what_cannot_be_followed_is_refused_before_the_search(folder, monkeypatch, words, sentence):
-    monkeypatch.setattr(finding, "find", wraps(finding.find)(lambda *_, **__: pytest.fail("it looks for gaits")))
+    monkeypatch.setattr(search, "find", wraps(search.find)(lambda *_, **__: pytest.fail("it looks for gaits")))
     check(folder, monkeypatch, f"gait --slope-deg 1 --gamma 0.75 --gravity 1 --near 3.41 {words}", sentence)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.section import parameter_rates
+from hophoop.gaits.maps import parameter_rates
 from slopes import on_slope
 
 GOOD = {"rel": 1e-9}
@@ -251,3 +251,30 @@ def test_a_window_in_the_chaos():
     met = {(one.kind, round(math.degrees(one.parameter), 8)) for one in window.special}
     assert met >= {("border collision", 1.35206842), ("period doubling", 1.36205393)}
     assert window.stable.any()
+
+
+def test_a_border_of_landings_is_where_the_impact_needs_all_friction(gear):
+    """To 1e-10°: there the share of friction that the impact of the gait above it needs is 1, extrapolated from two gaits."""
+    (border,) = of_kind(gear, "border collision")
+    slopes, shares = [], []
+    for offset in (1e-6, 2e-6):
+        case = border.gait.scenario.replace("plane.slope", border.parameter + math.radians(offset))
+        gait = hh.gaits.find(case, section="landing", near=border.omega)[0]
+        impact = gait.motion().find("impact")[-1]
+        slopes.append(math.degrees(case.plane.slope))
+        shares.append(abs(impact.impulse_tangential) / impact.impulse_normal - 1.0)
+    met = slopes[0] - shares[0] * (slopes[1] - slopes[0]) / (shares[1] - shares[0])
+    assert math.degrees(border.parameter) == pytest.approx(met, abs=1e-10)
+
+
+def test_a_branch_goes_on_where_it_turns_back_at_a_corner():
+    """At 15.6354° the multiplier jumps over 1: the branch turns, and the gait doubles on its other side."""
+    gait = next(one for one in hh.gaits.find(on_slope(15.2), 2, near=3.14) if one.stable)
+    found = gait.follow("plane.slope", (math.radians(15.1), math.radians(16.0)))
+    corner = of_kind(found, "border collision")[-1]
+    assert corner.event == "impact: slip just stops: RSHKR·RSHRKR | RSHKR·RSHRKR"
+    assert math.degrees(corner.parameter) == pytest.approx(15.635389354, abs=1e-9)
+    assert corner.multipliers == (pytest.approx(12.55266, abs=1e-4), pytest.approx(0.032143, abs=1e-5))
+    (doubling,) = of_kind(found, "period doubling")
+    twice = doubled(doubling)
+    assert (twice.period, twice.stable) == (4, True)

@@ -160,7 +160,7 @@ def take(*values):
         digest.update((np.asarray(value, dtype=float) + 0.0).tobytes())
 take(theory.first_slip_speed(hoop, plane), theory.first_hop_speed(hoop, plane), theory.needed_friction(hoop, 1.0, plane)[0])
 angles = [0.5, 1.0, 3.0]
-take(*elementwise.sine_and_cosine(np.array(angles)))
+take(*elementwise.sine_and_cosine(np.array(angles)), theory.slip_angle(hoop, [4.0], plane))
 take(theory.rolling_time(angles, hoop, 2.0, plane), theory.rolling_speed(angles, hoop, 2.0, plane))
 take(*theory.rolling_forces(angles, hoop, 2.0, plane), *theory.rolling_energies(angles, hoop, 2.0, plane))
 take(theory.rocking_period([2.5, 3.0], hoop, plane), theory.massless_loss([0.5, 1.0, 2.0]).angle)

@@ -12,9 +12,8 @@ from hophoop.cli._output import print_json, save_picture
 from hophoop.cli._tables import print_table
 
 if TYPE_CHECKING:
-    from hophoop.gaits.branch import Branch
+    from hophoop.gaits.branch import Branch, Special
     from hophoop.gaits.gait import Gait
-    from hophoop.gaits.special import Special
     from hophoop.scenario import Scenario
 
 TITLES = ("sequence", "stable", "multiplier", "speed (m/s)", "hops", "revolutions", "hop (m)", "θ̇ (rad/s)")
@@ -23,7 +22,7 @@ SPARE = ("hop (m)", "revolutions", "θ̇ (rad/s)", "hops", "speed (m/s)")
 
 def gait(
     scenario: Any,
-    search: Annotated[Any, "hophoop.gaits.finding:find"],
+    search: Annotated[Any, "hophoop.gaits.search:find"],
     digits: int | None = None,
     follow: str | None = None,
     plot: Path | None = None,
@@ -50,7 +49,7 @@ def gait(
     """
     from hophoop._support.progress import bar
     from hophoop.cli._output import PICTURES, check_outputs
-    from hophoop.gaits.finding import find
+    from hophoop.gaits.search import find
     from hophoop.scenario import InputError
 
     if plot is not None and follow is None:

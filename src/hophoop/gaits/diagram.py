@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support.errors import check_whole
 from hophoop._support.extras import need
 from hophoop.gaits.computing import check, passages
-from hophoop.gaits.finding import FASTEST, slowest_over_top
+from hophoop.gaits.maps import FASTEST, slowest_over_top
 from hophoop.gaits.results import ENOUGH, Passages
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start

@@ -1,7 +1,7 @@
 """A gait with many digits: the solver of `simulate(digits=...)` over a period, which shares no panel with the kernel.
 
-Newton's method leads to the point of the section that comes back. Its derivative is the kernel's, right to about 11 digits: so
-many are added by each step. At the bottom the section is θ = π with all digits, not the double next to it.
+Newton's method leads to the point of the section that comes back. Its derivative is that of the kernel's map, right to about 11
+digits: so many are added by each step. At the bottom the section is θ = π with all digits, not the double next to it.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from hophoop._support.errors import check_whole
-from hophoop.gaits.section import coordinates
-from hophoop.kernel.physics.body import MODE_LETTERS, Event, Status
+from hophoop.gaits.maps import coordinates
+from hophoop.kernel.physics.body import Event, Status
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Problem
 from hophoop.precise.result import Units
@@ -66,7 +66,7 @@ def check_digits(digits: int) -> None:
 def precise_gait(gait: Gait, digits: int) -> PreciseGait:
     """Compute a gait in arbitrary precision; `Gait.digits` calls this and describes it."""
     check_digits(digits)
-    names = coordinates(gait.section, MODE_LETTERS.index(gait.passages.mode[-1]))
+    names = coordinates(gait.section, gait.passages.mode[-1])
     with localcontext() as context:
         context.prec = digits + 2 * SPARE
         state = _solved(gait, names, digits)

@@ -13,10 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
+from hophoop.gaits.maps import SectionDerivative, derivative, eigenvalues, known_image, sides_of
 from hophoop.gaits.results import Passages
-from hophoop.gaits.section import SectionDerivative, change_of, coordinates, derivative
-from hophoop.kernel.physics.body import MODE_LETTERS
-from hophoop.results.units import Units
 from hophoop.scenario import Scenario
 from hophoop.scenario.start import StartState
 from hophoop.simulation.phases import PhaseRecord, phases
@@ -74,17 +72,20 @@ class Gait:
         """Derivative of the return map over the whole period."""
         return derivative(self.scenario, self.period, section=self.section)
 
+    @cached_property
+    def _sides(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        return sides_of(self.passages)
+
     @property
     def multipliers(self) -> NDArray[np.float64] | NDArray[np.complex128]:
         """Factors by which small differences change in a period, the largest first; complex only in pairs [1]."""
-        return self.derivative.multipliers
+        return eigenvalues(self._sides[0])
 
     @property
     def stable(self) -> bool:
         """Whether small differences shrink, on both sides of a corner of the map."""
-        found = self.derivative
-        sides = np.concatenate([np.linalg.eigvals(side) for side in (found.matrix, found.backward) if np.isfinite(side).all()])
-        return len(sides) > 0 and bool((np.abs(sides) < 1.0).all())
+        sides = [np.abs(np.linalg.eigvals(side)).max() for side in self._sides if np.isfinite(side).all()]
+        return len(sides) > 0 and bool(max(sides) < 1.0)
 
     @property
     def time(self) -> float:
@@ -247,10 +248,9 @@ def _counted(number: int, noun: str) -> str:
 
 def residual_of(found: Passages) -> float:
     """Return the largest difference of the last passage from the start, relative to 1 + θ̇ [1]; inf in another mode."""
-    start, unit = found.scenario.start, Units.of_scenario(found.scenario)
+    start = found.scenario.start
     if start.mode != found.mode[-1]:
         return math.inf
-    first = start.state(found.scenario.hoop)
-    names = coordinates(found.section, MODE_LETTERS.index(found.mode[-1]))
-    off = change_of(found, -1, names, np.array([float(getattr(first, name)) / unit.of(name) for name in names]))
-    return float(np.abs(off).max()) / (1.0 + abs(first.omega) / unit.of("omega"))
+    image_of, image, _ = known_image(found, -1, len(found))
+    point = image_of.point(start)
+    return float(np.abs(image_of.excess(image, point)).max()) / (1.0 + abs(float(point[image_of.names.index("omega")])))

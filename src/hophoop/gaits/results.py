@@ -22,7 +22,7 @@ from hophoop.vocabulary.quantities import LOSSES
 if TYPE_CHECKING:
     import xarray
 
-    from hophoop.gaits.section import SectionDerivative
+    from hophoop.gaits.maps import SectionDerivative
 
 Floats = NDArray[np.float64]
 ENOUGH = 500  # passages from which on a motion may be called chaotic
@@ -224,7 +224,7 @@ class Passages:
     @cached_property
     def lyapunov(self) -> Lyapunov:
         """Mean rate at which near motions separate, per passage, after the first tenth of the passages."""
-        from hophoop.gaits.section import lyapunov_of
+        from hophoop.gaits.maps import lyapunov_of
 
         return lyapunov_of(self)
 
@@ -247,7 +247,7 @@ class Passages:
         ValueError
             If there are no such passages.
         """
-        from hophoop.gaits.section import derivative_over
+        from hophoop.gaits.maps import derivative_over
 
         return derivative_over(self, index, passages)
 

@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check
-from hophoop.gaits.finding import FASTEST, slowest_over_top
-from hophoop.gaits.kernels.layout import INTEGERS
-from hophoop.gaits.orbits import BottomMap
-from hophoop.gaits.pieces import pieces
+from hophoop.gaits.maps import FASTEST, PHASES, SectionMap, slowest_over_top
 from hophoop.kernel.records.layout import unpacked_sequence
 from hophoop.scenario import InputError, Scenario, Start
 
+Progress = Callable[[float], object]
+
 POINTS, DEPTH = 600, 8
+ROUNDS = 80  # of bisection: more than doubles need
 MOST_POINTS = 1_000_000
 CONTINUOUS = 1e-6  # √(g/R): the least difference of two pieces at their common end that is a jump
 
@@ -80,7 +80,7 @@ class ReturnMap:
     @property
     def ends(self) -> tuple[MapEnd, ...]:
         """Corners and jumps of the map."""
-        unit = self._map.unit
+        unit = self._unit
         found = []
         for one, other in pairwise(self.pieces):
             place = float(one.omega[-1])
@@ -102,11 +102,15 @@ class ReturnMap:
         after : float
             nan if the hoop slips at the next passage, or there is none [rad/s].
         """
-        return self._map(omega / self._map.unit).omega * self._map.unit
+        return self._map.returned(omega / self._unit)[0] * self._unit
+
+    @property
+    def _unit(self) -> float:
+        return self._map.unit
 
     @cached_property
-    def _map(self) -> BottomMap:
-        return BottomMap(self.scenario)
+    def _map(self) -> SectionMap:
+        return SectionMap(self.scenario)
 
     def __repr__(self) -> str:
         low, high = float(self.pieces[0].omega[0]), float(self.pieces[-1].omega[-1])
@@ -157,7 +161,7 @@ def return_map(
     (['RSRKR', 'RSHSRKR', 'RSHRKR', 'RSHKR'], ['corner', 'corner', 'corner'])
     """
     check(scenario, "bottom")
-    image = BottomMap(scenario.replace("start", Start()))
+    image = SectionMap(scenario.replace("start", Start()))
     ahead = -1.0 if scenario.plane.slope < 0.0 else 1.0
     slowest = slowest_over_top(scenario)
     ends = sorted(ahead * size * image.unit for size in (slowest, max(FASTEST["bottom"], 2.0 * slowest)))
@@ -170,8 +174,100 @@ def return_map(
     for piece in pieces(image, grid, DEPTH, progress):
         inside = [point for point in piece.points if piece.low < point[0] < piece.high]
         values = np.array([(piece.low, piece.at_low), *inside, (piece.high, piece.at_high)]) * image.unit
-        key = tuple(np.frombuffer(piece.word[: 8 * INTEGERS], np.uint64).tolist())
+        key = tuple(np.frombuffer(piece.word[:PHASES], np.uint64).tolist())
         found.append(MapPiece(values[:, 0], values[:, 1], unpacked_sequence(key)))
     if not found:
         raise InputError(f"The hoop does not come back to the bottom in rolling with θ̇ from {first:.6g} to {last:.6g} rad/s.")
     return ReturnMap(image.scenario, tuple(found))
+
+
+# --- pieces of the map
+
+
+class Piece(NamedTuple):
+    """A range of θ̇ over which the phases of the map are the same, in units of √(g/R).
+
+    Attributes
+    ----------
+    low, high : float
+        Its first and last double.
+    at_low, at_high : float
+        The map there.
+    word : bytes
+        The phases, packed.
+    points : tuple of (float, float)
+        The points inside that were computed, and the map there.
+    """
+
+    low: float
+    high: float
+    at_low: float
+    at_high: float
+    word: bytes
+    points: tuple[tuple[float, float], ...]
+
+
+def pieces(image: SectionMap, grid: list[float], depth: int = 1, progress: Progress | None = None) -> list[Piece]:
+    """Return the pieces of a map that an increasing grid [√(g/R)] meets, with ends to rounding, and more between them.
+
+    depth: how often what is between two pieces is halved in search of more; parts without a map are left out.
+    """
+    found: list[Piece] = []
+    points: list[_Known] = []
+    begin = _known(image, grid[0])
+    for k, omega in enumerate(grid):
+        now = _known(image, omega)
+        if progress is not None:
+            progress((k + 1) / len(grid))
+        if points and now.word != points[-1].word:
+            high, low = _edge(image, points[-1], omega), _edge(image, now, points[-1].omega)
+            found += _piece(begin, high, points)
+            found += _between(image, high, low, depth)
+            begin, points = low, []
+        points.append(now)
+    found += _piece(begin, points[-1], points)
+    return found
+
+
+class _Known(NamedTuple):
+    omega: float
+    after: float
+    word: bytes
+
+
+def _known(image: SectionMap, omega: float) -> _Known:
+    return _Known(omega, *image.returned(omega))
+
+
+def _piece(low: _Known, high: _Known, points: list[_Known]) -> list[Piece]:
+    """Return a piece, or none where there is no map."""
+    if math.isnan(low.after):
+        return []
+    return [Piece(low.omega, high.omega, low.after, high.after, low.word, tuple((one.omega, one.after) for one in points))]
+
+
+def _between(image: SectionMap, left: _Known, right: _Known, depth: int) -> list[Piece]:
+    """Return the pieces between the ends of two others that a few halvings meet."""
+    middle = 0.5 * (left.omega + right.omega)
+    if depth == 0 or right.omega - left.omega <= 4.0 * math.ulp(middle):
+        return []
+    now = _known(image, middle)
+    if now.word in (left.word, right.word):  # a piece in two parts; one part is known
+        return []
+    low, high = _edge(image, now, left.omega), _edge(image, now, right.omega)
+    inner = _piece(low, high, [now])
+    return _between(image, left, low, depth - 1) + inner + _between(image, high, right, depth - 1)
+
+
+def _edge(image: SectionMap, inside: _Known, outside: float) -> _Known:
+    """Return the last double with the phases of the inside, on the way to the outside, and the map there."""
+    for _ in range(ROUNDS):
+        middle = 0.5 * (inside.omega + outside)
+        if middle in (inside.omega, outside):
+            break
+        tried = _known(image, middle)
+        if tried.word == inside.word:
+            inside = tried
+        else:
+            outside = middle
+    return inside

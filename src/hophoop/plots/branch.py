@@ -40,7 +40,7 @@ def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
     """
     ax = new_axes(ax, (8.0, 4.2))
     branches = [found] if isinstance(found, Branch) else list(found)
-    path = branches[0].equation.path
+    path = branches[0].path
     scale, label = parameter_axis(path)
     named: set[str] = set()
     for one in branches:
@@ -54,7 +54,7 @@ def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
                 {"color": colors.BLACK} if mark == "x" else {"facecolor": "white", "edgecolor": colors.BLACK}
             )
             ax.scatter(x, y, marker=mark, s=28, linewidths=0.9, zorder=3, label=kind, **style)
-    finish(ax, label, rf"$\dot\theta$ {PLACES[branches[0].equation.section]} (rad/s)")
+    finish(ax, label, rf"$\dot\theta$ {PLACES[branches[0].section]} (rad/s)")
     return ax
 
 

@@ -10,11 +10,11 @@ from hophoop.kernel.physics.body import Mode
 COLUMNS = (
     "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
     "friction", "impact_normal", "impact_tangential", "rolling_resistance", "mode", "hops", "letters", "doubt",
-    "highest",
+    "highest", "branches",
 )  # fmt: skip
 (
     T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA, THETA_LOW, SLIP, VY, OMEGA,
-    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, HOPS, LETTERS, DOUBT, HIGHEST,
+    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, HOPS, LETTERS, DOUBT, HIGHEST, BRANCHES,
 ) = range(len(COLUMNS))  # fmt: skip
 
 INTEGERS = 2  # of a word: the phases since the last passage, packed as records.layout says

@@ -18,6 +18,7 @@ from hophoop.gaits.kernels.fates import (
     is_below_top,
 )
 from hophoop.gaits.kernels.layout import (
+    BRANCHES,
     DOUBT,
     FRICTION,
     HEIGHT,
@@ -43,7 +44,10 @@ from hophoop.gaits.kernels.layout import (
 )
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
-from hophoop.kernel.physics.body import PASSING, Event, Mode, Status
+from hophoop.kernel.numerics.circular import sine_cosine
+from hophoop.kernel.physics.body import PASSING, Event, ImpactLaw, Mode, Status
+from hophoop.kernel.physics.contact import contact_arms
+from hophoop.kernel.physics.impact import slip_rates
 from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
 from hophoop.kernel.records.writing import add_letter, count_panel, has_room, new_log
 from hophoop.kernel.rigid.phase import GOING, ROUNDING, Ending, Limits, angle_left, continue_phase
@@ -52,10 +56,11 @@ from hophoop.vocabulary.names import FateCode
 
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
 
-# What is remembered since the last passage: the present phase's letter and start, letters, hops, the highest gap; and of the
-# motion's end, the energy lost and the revolutions.
-LETTER, SINCE, COUNT, JUMPS, GAP, LOST, TURNED = range(MEMORY, MEMORY + 7)
-SIZE = MEMORY + 7
+# What is remembered since the last passage: the present phase's letter and start, letters, hops, the highest gap and the
+# branches of the impacts; and of the motion's end, the energy lost and the revolutions.
+LETTER, SINCE, COUNT, JUMPS, GAP, TAKEN, LOST, TURNED = range(MEMORY, MEMORY + 8)
+SIZE = MEMORY + 8
+KEPT = 2.0**40  # branches are kept modulo this
 
 
 @inline
@@ -84,6 +89,25 @@ def end_phase(words, row, memory):
 
 
 @noinline
+def branch_of(body, event):
+    """Return the branch of an impact: 0 if the slip goes on, 1 if it stops, 2 if it reverses; 2 more if it does in compression.
+
+    The map has a corner where it changes, also between motions with the same phases.
+    """
+    before, after = event["before_slip"], event["slip"]
+    if before == 0.0 or before * after > 0.0:
+        return 0.0
+    branch = 1.0 if after == 0.0 else 2.0
+    bounces = event["kind"] == Event.IMPACT and event["collision"] == 1 and body.rest > 0.0 and body.law != ImpactLaw.NEWTON
+    if not bounces or body.kap == 0.0 or math.isinf(body.mu_k):
+        return branch
+    s, c = sine_cosine(event["theta"], event["theta_low"])
+    arm, lever = contact_arms(body, s, c)
+    _, slip, lift = slip_rates(body, arm, lever, -body.mu_k if before > 0.0 else body.mu_k)
+    return branch + 2.0 if before * lift / slip > event["before_vy"] else branch
+
+
+@noinline
 def note_events(body, log, words, row, memory):
     """Read the events of a step into word and hops of the passage to come; return the fate that they decide, or OPEN."""
     fate = OPEN
@@ -98,6 +122,9 @@ def note_events(body, log, words, row, memory):
             memory[GAP] = max(memory[GAP], event["height"])
         if kind in PASSING:
             continue
+        if kind == Event.IMPACT or kind == Event.BOUNCE_LIMIT:
+            taken = 5.0 * memory[TAKEN] + branch_of(body, event)
+            memory[TAKEN] = taken - KEPT * math.floor(taken / KEPT)
         memory[ROLLING_TURNS] = 0.0
         if event["after_mode"] == Mode.FLIGHT and event["height"] == 0.0 and not event["vy"] < 0.0:
             memory[JUMPS] += 1.0
@@ -129,7 +156,8 @@ def write_passage(phase, numbers, words, row, memory, doubt):
     out[LETTERS] = memory[COUNT]
     out[DOUBT] = doubt
     out[HIGHEST] = memory[GAP]
-    memory[COUNT], memory[JUMPS], memory[GAP], memory[SINCE] = 0.0, 0.0, 0.0, state.t
+    out[BRANCHES] = memory[TAKEN]
+    memory[COUNT], memory[JUMPS], memory[GAP], memory[TAKEN], memory[SINCE] = 0.0, 0.0, 0.0, 0.0, state.t
 
 
 def clear_word(words, row):
@@ -179,7 +207,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     phase = begin(body, start, mode, log, scratch)
     log.counts[EVENTS] = 0
     memory[ROLLING_TURNS], memory[CONTACT_TURNS], memory[FASTEST] = 0.0, 0.0, fastest_of(body, phase.state)
-    memory[COUNT], memory[JUMPS], memory[GAP] = 0.0, 0.0, 0.0
+    memory[COUNT], memory[JUMPS], memory[GAP], memory[TAKEN] = 0.0, 0.0, 0.0, 0.0
     memory[SINCE], memory[LETTER] = phase.state.t, phase.mode
     fate, period = fate_at_start(body, phase.state), 0
     cell, passages, row = cell_of(phase.state), 0, 0

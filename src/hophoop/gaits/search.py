@@ -9,12 +9,10 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check, passages
-from hophoop.gaits.equation import GaitEquation
 from hophoop.gaits.gait import Gait, residual_of
-from hophoop.gaits.orbits import BottomMap
-from hophoop.gaits.pieces import crossings, pieces
+from hophoop.gaits.maps import FASTEST, SectionMap, slowest_over_top
 from hophoop.gaits.results import Passages
-from hophoop.kernel.physics.contact import inertia_at_height
+from hophoop.gaits.return_map import Piece, pieces
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.vocabulary.names import Fate
@@ -22,7 +20,6 @@ from hophoop.vocabulary.names import Fate
 Progress = Callable[[float], object]
 
 LONGEST = 64  # passages of a period
-FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits are looked for
 SLOWEST, MOST_FAST = 1e-3, 100.0  # √(g/R)
 GRID, MOST_GRID = 2_000, 10_000  # values of θ̇ per passage of a period, and in all
 NEARBY = 0.1  # of `near`, to either side
@@ -32,6 +29,7 @@ SHORTEST = 0.1  # √(R/g), of a period: bounces may follow each other faster
 EXACT = 1e-9  # largest residual of a gait; those found have 1e-12 and less
 SAME = 1e-7  # relative difference of θ̇ within which two gaits are one
 DEPTH = 2  # halvings between pieces of the map
+ROUNDS = 80  # of bisection: more than doubles need
 
 
 def find(
@@ -123,12 +121,6 @@ def _check(scenario: Scenario, period: int, near: float | None, section: str) ->
             raise InputError.of_field("near", near, f"a θ̇ downhill, from {least:.4g} to {most:.4g} rad/s")
 
 
-def slowest_over_top(scenario: Scenario) -> float:
-    """Return a lower bound of a gait's θ̇ in rolling at the bottom: half of the energy that leads over the top [√(g/R)]."""
-    body = scenario.to_body()
-    return math.sqrt(2.0 * body.eps * body.gn / inertia_at_height(body, 0.0))
-
-
 def _range(scenario: Scenario, near: float | None, fastest: float | None, section: str) -> tuple[float, float]:
     """Return the range of the size of θ̇ in which gaits are looked for [√(g/R)]."""
     unit = Units.of_scenario(scenario).of("omega")
@@ -146,7 +138,7 @@ def _rolling(
     scenario: Scenario, period: int, sizes: np.ndarray, nearest: list[float], progress: Progress | None
 ) -> Iterator[Gait]:
     """Yield the gaits that roll through the bottom; note the smallest difference of a θ̇ from its image [rad/s]."""
-    image = BottomMap(scenario, period)
+    image = SectionMap(scenario, period)
     grid = sorted((math.copysign(1.0, scenario.plane.slope) * sizes).tolist())
     for piece in pieces(image, grid, DEPTH, progress):
         values = [(piece.low, piece.at_low), *piece.points, (piece.high, piece.at_high)]
@@ -214,12 +206,10 @@ def _near_returns(found: Passages, period: int, units: Units) -> list[int]:
 
 
 def _polished(found: Passages, place: int, period: int) -> Gait | None:
-    """Return the gait near a passage, by Newton's method with the exact derivative."""
-    scenario = found.scenario
-    equation = GaitEquation(scenario, period, "plane.slope", 1.0, found.section, found.mode[place])
-    point = equation.place(found.start(place).state(scenario.hoop), scenario.plane.slope)
-    solution = equation.solve(point, np.eye(len(point))[-1], scenario.plane.slope)
-    return None if solution is None else _gait(equation.at(solution[0]), found.section, period)
+    """Return the gait near a passage, by Newton's method."""
+    image = SectionMap(found.scenario, period, found.section, found.mode[place])
+    solution = image.solve(image.point(found.start(place)))
+    return None if solution is None else _gait(image.at(solution[0]), found.section, period)
 
 
 def _told_apart(found: list[Gait]) -> list[Gait]:
@@ -244,3 +234,70 @@ def _nothing(scenario: Scenario, period: int, bounds: tuple[float, float], secti
     if math.isinf(nearest):
         return f"{looked} at the bottom: no motion passes it again in rolling."
     return f"{looked} at the bottom: the nearest return was {nearest:.3g} rad/s off."
+
+
+# --- fixed points of a piece
+
+
+def crossings(image: SectionMap, piece: Piece) -> Iterator[float]:
+    """Yield the θ̇ of a piece that the map returns, to rounding [√(g/R)]."""
+    points = [(piece.low, piece.at_low - piece.low)]
+    points += [(omega, after - omega) for omega, after in piece.points if piece.low < omega < piece.high]
+    points.append((piece.high, piece.at_high - piece.high))
+
+    def excess(omega: float) -> float:
+        return image.returned(omega)[0] - omega
+
+    for k, (omega, value) in enumerate(points[:-1]):
+        after, beyond = points[k + 1]
+        if value == 0.0:
+            yield omega
+        elif value * beyond < 0.0:
+            yield root(excess, omega, after, value, beyond)
+        elif k > 0 and _is_nearest(points[k - 1][1], value, beyond):
+            yield from _pair(excess, points[k - 1], points[k], points[k + 1])
+    if points[-1][1] == 0.0:
+        yield points[-1][0]
+
+
+def _is_nearest(before: float, value: float, after: float) -> bool:
+    """Return True if the middle one of three values of one sign is nearest to 0."""
+    return before * value > 0.0 and after * value > 0.0 and abs(value) <= min(abs(before), abs(after))
+
+
+def _pair(
+    excess: Callable[[float], float], left: tuple[float, float], middle: tuple[float, float], right: tuple[float, float]
+) -> Iterator[float]:
+    """Yield two roots around an extremum that the points stop short of, if there are any."""
+    sign = math.copysign(1.0, middle[1])
+    a, b = left[0], right[0]
+    for _ in range(ROUNDS):
+        tried = [(sign * excess(place), place) for place in (a + (b - a) / 3.0, b - (b - a) / 3.0)]
+        least, lowest = min(tried)
+        if least < 0.0 or b - a < 1e-9 * abs(b):
+            break
+        a, b = (a, tried[1][1]) if lowest == tried[0][1] else (tried[0][1], b)
+    if least < 0.0:
+        yield root(excess, left[0], lowest, left[1], sign * least)
+        yield root(excess, lowest, right[0], sign * least, right[1])
+
+
+def root(excess: Callable[[float], float], a: float, b: float, at_a: float, at_b: float) -> float:
+    """Return a root between two points of different sign, by the secant rule within a bracket, else by bisection."""
+    for k in range(2 * ROUNDS):
+        middle = 0.5 * (a + b)
+        if middle in (a, b):
+            break
+        tried = b - at_b * (b - a) / (at_b - at_a) if k % 3 else middle
+        if not min(a, b) < tried < max(a, b):
+            tried = middle
+        value = excess(tried)
+        if value == 0.0:
+            return tried
+        if math.isnan(value):  # a narrow piece without a map between
+            break
+        if value * at_a < 0.0:
+            b, at_b = tried, value
+        else:
+            a, at_a = tried, value
+    return a if abs(at_a) < abs(at_b) else b

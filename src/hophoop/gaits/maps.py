@@ -1,0 +1,556 @@
+"""The return map of a section, and its derivatives by differences of motions with the same phases."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise, product, takewhile
+from typing import NamedTuple, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.gaits.computing import FOREVER, PANELS, check, new_buffers, passages
+from hophoop.gaits.kernels.layout import BRANCHES, INTEGERS, MODE, OMEGA, SECTIONS, SLIP, THETA, TURNS, VY, Request
+from hophoop.gaits.kernels.passages import follow_passages
+from hophoop.gaits.results import Lyapunov, Passages
+from hophoop.kernel.native import compiled
+from hophoop.kernel.numerics.arithmetic import TWO_PI
+from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode
+from hophoop.kernel.physics.contact import inertia_at_height
+from hophoop.kernel.physics.modes import slip_direction
+from hophoop.kernel.records.cells import CELL, Cell, body_of, ideal_inertia
+from hophoop.kernel.records.layout import new_scratch, unpacked_sequence
+from hophoop.kernel.records.refusal import Refusal, refusal
+from hophoop.kernel.records.state import start_state
+from hophoop.results.units import Units
+from hophoop.scenario import InputError, Scenario, Start, cell_of
+from hophoop.scenario.paths import parameter
+from hophoop.vocabulary.parameters import PARAMETERS
+
+Floats = NDArray[np.float64]
+Values = Callable[[float], "Floats | None"]  # of a map at a distance from a point; None on another piece
+
+NAMES: tuple[str, ...] = ("angle", "omega", "slip", "vy")
+PLACES: tuple[int, ...] = (THETA, OMEGA, SLIP, VY)  # their columns
+FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits are looked for
+ON_SECTION = 1e-9  # rad: within it a start is on the section
+WIDE, WIDTHS, USUAL, NARROW = 2.0**-6, 12, 2.0**-10, 2.0**-27  # steps: first ones of exact derivatives, of others, the least
+SIDED = (2.0**-13, 2.0**-16, 2.0**-19)  # first steps of one-sided differences
+LEVELS = 6  # of extrapolation
+CLOSE, KNOWN = 1e-10, 1e-3  # estimated errors at which it ends, and the largest
+NODES, DEGREE = 32, 10  # of polynomials of exact derivatives
+ROUNDING = 1e-15  # of the map
+SOLVED, NEARLY = 1e-13, 1e-11  # largest differences of a fixed point from its image, sought and accepted
+STEPS = 25  # of Newton's method
+SLOW = 0.1  # of a difference that is left by a step: then the derivative is computed again
+PHASES = 8 * INTEGERS  # bytes of the phases in a word
+BATCHES, TRANSIENT = 20, 0.1  # of the passages of a Lyapunov exponent, and the share that is left out
+LOAD = "hoop.load_fraction"
+COLUMNS_OF: dict[str, list[int]] = {
+    LOAD: [Cell.ECCENTRICITY],
+    "plane.mu": [Cell.MU_STATIC, Cell.MU_KINETIC],
+}  # of a cell; of others their own
+BORDER = "the motion is on the border of two classes: on both sides the derivatives differ"
+
+
+def coordinates(section: str, mode: str) -> tuple[str, ...]:
+    """Return the names of the coordinates that a passage leaves free, by section and letter of the mode."""
+    return NAMES[_free(section, MODE_LETTERS.index(mode))]
+
+
+def _free(section: str, code: int) -> slice:
+    return slice(int(section == "bottom"), {Mode.ROLL: 2, Mode.FLIGHT: 4}.get(Mode(code), 3))
+
+
+def slowest_over_top(scenario: Scenario) -> float:
+    """Return a lower bound of a gait's θ̇ in rolling at the bottom: half of the energy that leads over the top [√(g/R)]."""
+    body = scenario.to_body()
+    return math.sqrt(2.0 * body.eps * body.gn / inertia_at_height(body, 0.0))
+
+
+@dataclass(frozen=True)
+class SectionDerivative:
+    """Derivative of the state at a passage with respect to the state at an earlier one.
+
+    Attributes
+    ----------
+    matrix : ndarray, shape (rows, columns)
+        In SI units; nan where there is none.
+    rows : tuple of str
+        Coordinates of the later passage: 'omega' [rad/s] in rolling at the bottom, with 'slip' [m/s] in slip; at a landing
+        'angle' [rad], 'omega', 'slip' and 'vy' [m/s], as far as its mode leaves them free.
+    columns : tuple of str
+        Those of the earlier one.
+    """
+
+    matrix: Floats
+    rows: tuple[str, ...]
+    columns: tuple[str, ...]
+
+    @property
+    def reason(self) -> str:
+        """Why there is no derivative; empty if there is one."""
+        return "" if np.isfinite(self.matrix).all() else BORDER
+
+    @cached_property
+    def multipliers(self) -> Floats | NDArray[np.complex128]:
+        """Eigenvalues, the largest modulus first, complex only in pairs; for a whole period of a gait its multipliers.
+
+        Raises
+        ------
+        ValueError
+            If both passages have different coordinates.
+        """
+        if self.rows != self.columns:
+            raise InputError(f"multipliers need equal coordinates at both passages, not {self.columns} and {self.rows}.")
+        return eigenvalues(self.matrix)
+
+
+class Passage(NamedTuple):
+    """A passage of a section: the kernel's row, and the word of the motion since the one before."""
+
+    row: Floats
+    word: bytes
+
+    @property
+    def mode(self) -> int:
+        """The mode, as the kernel numbers it."""
+        return int(self.row[MODE])
+
+    @property
+    def branches(self) -> float:
+        """Branches of the impacts, as the kernel packs them."""
+        return float(self.row[BRANCHES])
+
+    def place(self, section: str) -> Floats:
+        """Return its coordinates, in units of R and √(R/g)."""
+        place: Floats = self.row[[*PLACES[_free(section, self.mode)]]]
+        return place
+
+
+class Image(NamedTuple):
+    """What becomes of a point of a section after some passages; fewer if the motion passes it no more."""
+
+    passages: tuple[Passage, ...]
+    turns: int  # revolutions
+
+    @property
+    def key(self) -> tuple[bytes, int]:
+        """What is the same on a piece of the map: phases, branches of impacts and revolutions."""
+        return b"".join(one.word for one in self.passages), self.turns
+
+    @property
+    def sequence(self) -> str:
+        """Phases, as in `Gait.sequence`."""
+        return "·".join(unpacked_sequence(np.frombuffer(one.word[:PHASES], np.uint64).tolist()) for one in self.passages)
+
+
+class SectionMap:
+    """The map from a passage of a section to a later one, in units of R and √(R/g).
+
+    A point holds the coordinates that are free at the passage, θ̇ alone in rolling at the bottom, and then, if a path is given,
+    the parameter.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its hoop and plane count.
+    period : int, default 1
+        Passages of one application [1].
+    section : {'bottom', 'landing'}, default 'bottom'
+    mode : str, default 'R'
+        Letter of the mode at the passage.
+    path : str, optional
+        Of the parameter.
+    scale : float, default 1.0
+        The parameter per number of a point [SI].
+    """
+
+    def __init__(
+        self, scenario: Scenario, period: int = 1, section: str = "bottom", mode: str = "R", path: str = "", scale: float = 1.0
+    ) -> None:
+        self.scenario, self.period, self.section, self.mode = scenario, period, section, mode
+        self.path, self.scale, self._code = path, scale, MODE_LETTERS.index(mode)
+        self.names = coordinates(section, mode)
+        units = Units.of_scenario(scenario)
+        self.units = np.array([units.of(name) for name in self.names])
+        self.unit = units.of("omega")
+        self._scratch, self._buffers = new_scratch(), new_buffers(max(period, 3))
+        self._cell = np.array(cell_of(scenario), dtype=float)
+        self._columns = COLUMNS_OF.get(path) or ([CELL.index(PARAMETERS[path].column)] if path else [])
+        self._bodies: dict[float, Body | None] = {}
+
+    def _body(self, value: float) -> Body | None:
+        """Return hoop and plane at a value of the parameter, or None if it is not allowed."""
+        if value not in self._bodies:
+            number, cell = value * self.scale, self._cell.copy()
+            cell[self._columns] = number
+            if self.path == LOAD:
+                cell[Cell.INERTIA_RATIO] = ideal_inertia(number)
+            span = PARAMETERS[self.path].range if self.path else None
+            allowed = (span is None or span.holds(number)) and refusal(cell, ())[0] == Refusal.NONE
+            self._bodies = {value: body_of(cell.tolist()) if allowed else None, **dict(list(self._bodies.items())[:8])}
+        return self._bodies[value]
+
+    def _count(self, mode: int, point: Floats, most: int) -> int:
+        """Compute the passages that follow a point into the buffers; return their number."""
+        place = point.tolist()
+        body = self._body(place.pop() if self.path else 0.0)
+        th, om, vt, vn, *_ = [math.pi] * int(self.section == "bottom") + place + [0.0, 0.0]
+        if body is None or vt * slip_direction(mode) < 0.0:
+            return 0
+        start = start_state(0.0, 0.0, th, vt, vn, om)
+        request = Request(SECTIONS.index(self.section), most, FOREVER, PANELS, False)
+        found: int = compiled(follow_passages)(body, start, mode, request, self._buffers, self._scratch)[1]
+        return found
+
+    def _from(self, mode: int, point: Floats, most: int) -> tuple[Passage, ...]:
+        """Return the passages that follow a point, as many as there are."""
+        found = self._count(mode, point, most)
+        rows, words = self._buffers.numbers[:found].copy(), self._buffers.words[:found]
+        return tuple(Passage(row, word_of(self.section, row, word)) for row, word in zip(rows, words, strict=True))
+
+    def __call__(self, point: Floats) -> Image:
+        """Return the image of a point."""
+        found = self._from(self._code, point, self.period)
+        if not found:
+            return Image((), 0)
+        first = math.pi if self.section == "bottom" else float(point[0])
+        row = found[-1].row
+        return Image(found, round(float(row[TURNS]) + (float(row[THETA]) - first) / TWO_PI))
+
+    def comes_back(self, image: Image) -> bool:
+        """Return True if the motion passes the section often enough, and in the end in the mode of the map."""
+        return len(image.passages) == self.period and image.passages[-1].mode == self._code
+
+    def returned(self, omega: float) -> tuple[float, bytes]:
+        """Return the image of θ̇ at the bottom, nan if it does not come back in rolling, and the phases on the way to it."""
+        found = self._count(self._code, np.array([omega]), self.period)
+        phases, last = self._buffers.words[:found].tobytes(), self._buffers.numbers[found - 1]
+        if found < self.period or last[MODE] != self._code:
+            return math.nan, phases
+        return float(last[OMEGA]), phases + last[TURNS].tobytes()
+
+    def excess(self, image: Image, point: Floats, count: int = 0) -> Floats:
+        """Return the coordinates of the last passage, or of the one with a number, less those of a point."""
+        return self._change(image.passages[count - 1].place(self.section), point[: len(self.names)])
+
+    def _change(self, place: Floats, before: Floats) -> Floats:
+        """Return the difference of coordinates, angles within half a revolution."""
+        change: Floats = place - before
+        if self.section == "landing":
+            change[0] = math.remainder(change[0], TWO_PI)
+        return change
+
+    def apart(self, image: Image, point: Floats) -> float:
+        """Return the largest difference of the coordinates from those after a part of the period, the least of all parts."""
+        parts = [part for part in range(1, self.period) if self.period % part == 0]
+        same = [part for part in parts if image.passages[part - 1].mode == self._code]
+        return min((float(np.abs(self.excess(image, point, part)).max()) for part in same), default=math.inf)
+
+    # --- derivatives -------------------------------------------------------------------------------
+
+    def rates(self, image: Image, point: Floats, *, exact: bool = False, across: bool = False, sided: bool = True) -> Floats:
+        """Return the derivative of the image's coordinates by the point: the product of those from passage to passage.
+
+        Next to a border of pieces it is that of the piece that the motion is on, of the other piece with `across`, and nan
+        unless `sided`.
+        """
+        mode, place, count = self._code, point, len(self.names)
+        whole = np.eye(len(point))
+        for passage in image.passages:
+            matrix = self.passage_rates(mode, place, passage, np.eye(len(place)), exact=exact, across=across, sided=sided)
+            whole = np.vstack([matrix @ whole, np.eye(len(point))[count:]])
+            mode, place = passage.mode, np.append(passage.place(self.section), point[count:])
+        return whole[: len(whole) - len(point) + count]
+
+    def passage_rates(
+        self, mode: int, point: Floats, passage: Passage, directions: Floats, *, exact: bool = False, across: bool = False,
+        sided: bool = True,
+    ) -> Floats:  # fmt: skip
+        """Return the derivatives of the passage that follows a point, one column for each row of directions."""
+        after, word = passage.place(self.section), passage.word
+        if across:
+            word = next(self._words_beside(mode, point, word), word)
+
+        def shifted(direction: Floats) -> Values:
+            def at(distance: float) -> Floats | None:
+                found = self._from(mode, point + distance * direction, 1)
+                return self._change(found[0].place(self.section), after) if found and found[0].word == word else None
+
+            return at
+
+        columns = [difference(shifted(direction), len(after), exact=exact, sided=sided) for direction in directions]
+        return np.column_stack(columns)
+
+    def _words_beside(self, mode: int, point: Floats, word: bytes) -> Iterator[bytes]:
+        """Yield the other words next to a point."""
+        for shift in np.eye(len(point)):
+            for sign in (1.0, -1.0):
+                found = self._from(mode, point + sign * NARROW * shift, 1)
+                if found and found[0].word != word:
+                    yield found[0].word
+
+    # --- fixed points ------------------------------------------------------------------------------
+
+    def solve(self, point: Floats, normal: Floats | None = None, rates: Floats | None = None) -> tuple[Floats, Image] | None:
+        """Return the fixed point near one, by Newton's method with a derivative that is kept while it is good enough.
+
+        With a parameter it is that on the plane through the point with a given normal.
+        """
+        place, last, fresh = point, math.inf, False
+        count = len(self.names)
+        for _ in range(STEPS):
+            image = self(place)
+            if not self.comes_back(image):
+                return None
+            excess = self.excess(image, place)
+            if normal is not None:
+                excess = np.append(excess, normal @ (place - point))
+            size = float(np.abs(excess).max())
+            if size < SOLVED:
+                return place, image
+            if fresh and size >= last and (size < NEARLY or normal is not None):  # along a branch a shorter step is cheaper
+                return (place, image) if size < NEARLY else None
+            fresh = rates is None or size > SLOW * last
+            if rates is None or fresh:
+                rates = self.rates(image, place)
+            by_point = rates - np.eye(count, len(place))
+            if normal is not None:
+                by_point = np.vstack([by_point, normal])
+            try:
+                step = np.linalg.solve(by_point, -excess)
+            except np.linalg.LinAlgError:
+                return None
+            if not np.abs(step).max() < 1.0:
+                return None
+            if np.abs(step).max() < SOLVED:
+                return place, image
+            place, last = place + step, size
+        return None
+
+    # --- points, states and scenarios --------------------------------------------------------------
+
+    def point(self, start: Start, value: float | None = None) -> Floats:
+        """Return the point of a start on the section, and of a value of the parameter [SI]."""
+        state = start.state(self.scenario.hoop)
+        state = state._replace(angle=state.angle % TWO_PI)
+        place = np.array([float(getattr(state, name)) for name in self.names]) / self.units
+        return place if value is None else np.append(place, value / self.scale)
+
+    def omega(self, point: Floats) -> float:
+        """Return θ̇ at a point [rad/s]."""
+        return float(point[self.names.index("omega")]) * self.unit
+
+    def at(self, point: Floats) -> Scenario:
+        """Return the scenario that starts at a point."""
+        values = (point[: len(self.names)] * self.units).tolist()
+        state = {"angle": math.pi, "slip": 0.0} | dict(zip(self.names, values, strict=True))
+        start = Start(height=0.0, vx=self.scenario.hoop.radius * state["omega"] + state["slip"], mode=self.mode, **state)
+        base = self.scenario.replace(self.path, float(point[-1]) * self.scale) if self.path else self.scenario
+        return base.replace("start", start)
+
+
+def word_of(section: str, row: Floats, packed: NDArray[np.uint64]) -> bytes:
+    """Return the phases since the last passage, the branches of impacts, the mode, and at the bottom the way of rotation."""
+    way = section == "bottom" and bool(row[OMEGA] > 0.0)
+    return packed.tobytes() + row[[BRANCHES, MODE]].tobytes() + bytes([way])
+
+
+def difference(at: Values, size: int, *, exact: bool, sided: bool) -> Floats:
+    """Return the derivative at 0 of a function that is 0 there, by differences extrapolated to distance 0; nan without one.
+
+    They are central where the function exists on both sides at some distance, else one-sided, in powers of the root of the
+    distance: a hop or a phase opens with them.
+    """
+    found = _fitted(at) if exact else None
+    step = USUAL
+    while found is None and step > NARROW:
+        found = _extrapolated(at, step)
+        step /= 8.0
+    for way, step in product((1.0, -1.0), SIDED if sided else ()):
+        if found is None:
+            found = _extrapolated(at, step, way)
+    return np.full(size, math.nan) if found is None else found
+
+
+def _fitted(at: Values) -> Floats | None:
+    """Return the derivative at 0 of a polynomial through many values: of the distance to which it leaves least to rounding."""
+    nodes = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)
+    powers = np.vander(nodes, DEGREE + 1, increasing=True)
+    best, error = None, KNOWN
+    for level in range(WIDTHS):
+        step = WIDE / 2.0**level
+        values = list(takewhile(lambda value: value is not None, (at(float(step * node)) for node in nodes)))
+        if len(values) < NODES:
+            continue
+        found = np.linalg.lstsq(powers, np.array(values), rcond=None)[0]
+        slope = found[1] / step
+        off = np.std(powers @ found - np.array(values), axis=0) / step
+        now = float((off / (1.0 + np.abs(slope))).max())
+        if best is not None and now > error:
+            break
+        if now < error:
+            best, error = slope, now
+    return best
+
+
+def _extrapolated(at: Values, step: float, way: float = 0.0) -> Floats | None:
+    """Return the derivative at 0 by quotients of ever smaller steps, to both sides or one way; None if it is not known to 1e-3.
+
+    By Ridders' rule: the errors of central quotients are even powers of the step, those of others powers of its root.
+    """
+    shrink, base, close = (4.0, 2.0, 0.0) if way else (2.0, 4.0, CLOSE)
+    table: list[Floats] = []
+    best, error = None, KNOWN
+    for level in range(LEVELS):
+        width = step / shrink**level
+        ahead, back = at(width * (way or 1.0)), None if way else at(-width)
+        if ahead is None or (back is None and not way):
+            break
+        row = [ahead / (way * width) if back is None else (ahead - back) / (2.0 * width)]
+        for k, before in enumerate(table):
+            row.append(row[k] + (row[k] - before) / (base ** (k + 1) - 1.0))
+        if level:
+            change = float(np.abs(row[-1] - row[-2]).max()) / (1.0 + float(np.abs(row[-1]).max()))
+            now = change + ROUNDING / width
+            if best is not None and now > error:
+                break
+            if now < error:
+                best, error = row[-1], now
+            if change ** (1.0 + 1.0 / level) < close:
+                break
+        table = row
+    return best
+
+
+def eigenvalues(matrix: Floats) -> Floats | NDArray[np.complex128]:
+    """Return the eigenvalues of a matrix, the largest modulus first; nan if it is not known."""
+    if not np.isfinite(matrix).all():
+        return np.full(len(matrix), math.nan)
+    found = cast("Floats | NDArray[np.complex128]", np.linalg.eigvals(matrix))
+    return found[np.argsort(-np.abs(found), kind="stable")]
+
+
+# --- derivatives of motions --------------------------------------------------------------------------
+
+
+def derivative(scenario: Scenario, passages_on: int = 1, *, section: str = "bottom") -> SectionDerivative:
+    """Return the derivative of the return map at a scenario's start.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its start is on the section: the load at the bottom (θ = π) in contact, or a state just after a landing.
+    passages_on : int, default 1
+        How many passages further [1].
+    section : {'bottom', 'landing'}, default 'bottom'
+        As in `hophoop.passages`.
+
+    Returns
+    -------
+    derivative : SectionDerivative
+
+    Raises
+    ------
+    ValueError
+        If the start is not on the section, or the motion has no such passage.
+
+    Examples
+    --------
+    >>> import math
+    >>> import hophoop as hh
+    >>> start = hh.Start.rolling(3.4081869457017134, angle=math.pi)
+    >>> gait = hh.Scenario(plane=hh.Plane(slope=math.radians(1), gravity=1.0), start=start)
+    >>> round(float(hh.gaits.derivative(gait).matrix[0, 0]), 9)
+    0.610983568
+    """
+    check(scenario, section)
+    start = scenario.start.state(scenario.hoop)
+    off = math.remainder(start.angle - math.pi, TWO_PI)
+    if section == "bottom" and (abs(off) > ON_SECTION or start.height != 0.0 or start.vy != 0.0):
+        raise InputError("start.angle must be pi, with start.height = start.vy = 0: the section is the load at the bottom.")
+    if section == "landing" and start.height != 0.0:
+        raise InputError.of_field("start.height", start.height, "0: the section is just after a landing")
+    if section == "landing" and start.vy < 0.0:
+        raise InputError.of_field("start.vy", start.vy, "at least 0: the section is just after a landing")
+    found = passages(scenario, passages_on, section=section)
+    if len(found) < passages_on:
+        raise InputError(f"passages_on = {passages_on} must be at most {len(found)}: the motion passes its section no more.")
+    return derivative_over(found, -1, passages_on)
+
+
+def derivative_over(found: Passages, index: int, further: int) -> SectionDerivative:
+    """Return how the passage `further` ones after one, or after the start, changes with the state there."""
+    if further < 1 or not -1 <= index < len(found) - further:
+        raise InputError(f"passages from {index} on by {further} must be among the {len(found)} computed.")
+    image_of, image, point = known_image(found, index, further)
+    matrix = image_of.rates(image, point, exact=True, sided=False)
+    units, rows = Units.of_scenario(found.scenario), coordinates(found.section, found.mode[index + further])
+    scale = np.array([units.of(name) for name in rows])[:, None] / image_of.units
+    return SectionDerivative(matrix * scale, rows, image_of.names)
+
+
+def known_image(found: Passages, index: int, further: int, path: str = "") -> tuple[SectionMap, Image, Floats]:
+    """Return the map of some passages of a motion, the point at the one before, or at the start, and its known image."""
+    scenario, section = found.scenario, found.section
+    mode = found.mode[index] if index >= 0 else scenario.start.mode or (found.sequences[0] or "R")[0]
+    rows, packed = found.numbers[index + 1 : index + 1 + further], found.packed[index + 1 : index + 1 + further]
+    known = tuple(Passage(row, word_of(section, row, word)) for row, word in zip(rows, packed, strict=True))
+    image_of = SectionMap(scenario, further, section, mode, path)
+    row = found.first if index < 0 else found.numbers[index]
+    point: Floats = row[[*PLACES[_free(section, MODE_LETTERS.index(mode))]]]
+    return image_of, Image(known, 0), point
+
+
+def parameter_rates(found: Passages, path: str) -> tuple[Floats, Floats]:
+    """Return the rates of the coordinates at the last passage by those at the start, and by a parameter, or nan.
+
+    In units of R and √(R/g), by the parameter per SI unit.
+    """
+    image_of, image, point = known_image(found, -1, len(found), path)
+    rates = image_of.rates(image, np.append(point, value_of(found.scenario, path)), exact=True, sided=False)
+    return rates[:, :-1], rates[:, -1]
+
+
+def sides_of(found: Passages) -> tuple[Floats, Floats]:
+    """Return the derivatives over some passages, of the piece that a motion is on, and of one within 1e-8 of it, if one is."""
+    image_of, image, point = known_image(found, -1, len(found))
+    return image_of.rates(image, point, exact=True), image_of.rates(image, point, across=True)
+
+
+def lyapunov_of(found: Passages) -> Lyapunov:
+    """Return the mean rate at which near motions separate, by the derivatives from passage to passage; nan without two."""
+    image_of, image, _ = known_image(found, -1, len(found))
+    vector: Floats | None = None
+    growth = []
+    for before, after in pairwise(image.passages[int(TRANSIENT * len(found)) :]):
+        point = before.place(found.section)
+        if vector is None or len(vector) != len(point):
+            vector = np.ones(len(point)) / math.sqrt(len(point))
+        changed = image_of.passage_rates(before.mode, point, after, vector[None])[:, 0]
+        size = float(np.linalg.norm(changed))
+        if not 0.0 < size < math.inf:
+            vector = None
+            continue
+        growth.append(math.log(size))
+        vector = changed / size
+    if len(growth) < 2:
+        return Lyapunov(math.nan, math.nan, len(growth))
+    batches = [float(np.mean(batch)) for batch in np.array_split(growth, min(BATCHES, len(growth)))]
+    return Lyapunov(float(np.mean(growth)), float(np.std(batches, ddof=1)) / math.sqrt(len(batches)), len(growth))
+
+
+def value_of(scenario: Scenario, path: str) -> float:
+    """Return a scenario's value of a parameter of hoop or plane [SI]; refuse other paths."""
+    parameter(path)
+    section, _, name = path.partition(".")
+    if section not in ("hoop", "plane"):
+        raise InputError.of_field("path", path, "a parameter of hoop or plane")
+    value = getattr(getattr(scenario, section), "mu_static" if name == "mu" else name, None)
+    if not isinstance(value, float):
+        raise InputError.of_field("path", path, "a number of this hoop and plane")
+    return value
