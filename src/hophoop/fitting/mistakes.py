@@ -25,8 +25,8 @@ LEAST_RISE = 0.02  # of the centre, over the radius, that is a hop
 TOP = 4  # greatest values in a row that are equal of a sensor at its limit
 TIMES = (1e-9, 1e-6, 1e-3, 1 / 8, 1 / 4, 1 / 2, 5 / 6, 6 / 5, 2.0, 4.0, 8.0, 1e3, 1e6, 1e9)  # usual factors of times
 STEP = 0.05
-NEAR = np.arange(0.8, 1.26, STEP).tolist()  # other factors of the times, or of the radius
-FEW_STEPS, CLOSE = 8, 1e-3  # of the search for this factor, and its accuracy
+NEAR = (1.05, 0.95, 1.1, 0.9, 1.15, 0.85, 1.2, 0.8)  # other factors of the times, or of the radius
+FEW_STEPS, CLOSE = 7, 1e-3  # of the search for this factor, and its accuracy
 DRAWS = 24  # motions of a trial
 POLISHED, STARTED, CALLS = 4, 2, 40  # trials that are minimized, starts of each, and calls of the motion
 GOOD = 4.0  # cost over the number of data of a motion that fits after so few calls
@@ -64,7 +64,10 @@ def likely_mistakes(
     trials = _trials(run)
     costs = _costs(trials, track, held)
     if not costs or costs[0][0] > WELL:
-        costs = sorted([*costs, *(_nearby(run, kind, track, held) for kind in ("times", "radius"))], key=lambda pair: pair[0])
+        for kind in ("radius", "times"):
+            costs = sorted([*costs, _nearby(run, kind, track, held)], key=lambda pair: pair[0])
+            if costs[0][0] < WELL:
+                break
     tried = list(dict.fromkeys([*(["axes"] if run.measured & {"x", "y"} else []), *(one.kind for one in trials)]))
     best = costs[0][0]
     if best < min(GOOD, cost / ALIKE):
@@ -177,7 +180,7 @@ def _of_times(run: Run, factor: float) -> Trial:
 
 def _of_radius(run: Run, factor: float, length: float = 1.0) -> Trial:
     advice = (
-        "is the radius in m, and no diameter?" if not NEAR[0] < factor < NEAR[-1] else "measure the outer radius of the rim."
+        "is the radius in m, and no diameter?" if not min(NEAR) < factor < max(NEAR) else "measure the outer radius of the rim."
     )
     words = f"with a radius of {factor * run.radius:.3g} m"
     return Trial("the radius", words, advice, _run_with(run, length=length, radius=factor))
@@ -218,7 +221,13 @@ def _nearby(run: Run, kind: str, track: Track, held: dict[str, float]) -> tuple[
     def cost(factor: float) -> float:
         return _cost(make(run, factor), track, held, polish=True)
 
-    middle = min(NEAR, key=cost)  # valleys are narrow: first which one, then where its bottom is
+    middle, lowest = 1.0, np.inf  # valleys are narrow: first which one, then where its bottom is
+    for factor in NEAR:
+        here = cost(factor)
+        if here < lowest:
+            middle, lowest = factor, here
+        if lowest < GOOD:
+            break
     found = need("scipy.optimize", "fit").minimize_scalar(
         cost, bounds=(middle - STEP, middle + STEP), method="bounded", options={"maxiter": FEW_STEPS, "xatol": CLOSE}
     )
