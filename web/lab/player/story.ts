@@ -16,7 +16,7 @@ export class Story {
 
   summary = h("p", { class: "summary" });
   doubt = h("p", { class: "hint", hidden: true });
-  list = h("ol", { class: "story-list" });
+  list = h("ol", { class: "story-list", onscroll: () => this.fade() });
   heading = h("h2", {}, "motion.story");
   signature = h("span", {});
   compared = h("span", {});
@@ -88,6 +88,13 @@ export class Story {
     );
     this.list.replaceChildren(...this.items);
     this.clock.pointed = null; // what was pointed at is gone
+  }
+
+  /** At its top the list fades as at its end, unless a row begins there. */
+  fade() {
+    const [first] = this.items;
+    const begins = this.items.some((one) => Math.abs(one.offsetTop - first.offsetTop - this.list.scrollTop) < 1);
+    this.list.style.setProperty("--fade", begins ? "" : `${FADED}px`);
   }
 
   /** The fingerprint; its button stays, with what it has said, until the motion is another. */
