@@ -402,12 +402,9 @@ interface CompliantContact {
 }
 
 type RangeTable = { least: number; most: number; unit?: string; also?: (number | string)[] };
-type SliderInfo = { path: string; symbol: string; unit: string; degrees: boolean } & Record<
-  "least" | "most" | "step",
-  number
->;
+type SliderInfo = { path: string; symbol: string; unit: string } & Record<"least" | "most" | "step", number>;
 type ChoiceInfo = { path: string; options: string[] };
-type AxisInfo = { path: string; unit: string; degrees: boolean; range: number[]; allowed: number[] };
+type AxisInfo = { path: string; unit: string; range: number[]; allowed: number[] };
 type Preset = { key: string; query: string; more: boolean };
 type Colors = typeof import("../src/hophoop/lab/static/tables.json")["setup"]["colors"] & {
   modes: Record<string, string>;

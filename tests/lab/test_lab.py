@@ -32,7 +32,7 @@ def test_controls_are_parameters_with_valid_ends():
     for slider in sliders:
         allowed = {"also": (), **tables._range(RANGES[slider["path"]])}
         for end in (slider["least"], slider["most"]):
-            value = math.radians(end) if slider["degrees"] else end
+            value = math.radians(end) if slider["unit"] == "°" else end
             assert allowed["least"] <= value <= allowed["most"] or value in allowed["also"], slider["path"]
     for choice in offered["choices"]:
         base = HOP.replace("contact.model", "compliant") if choice["path"].startswith("contact.") else HOP

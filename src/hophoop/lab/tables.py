@@ -305,7 +305,6 @@ def _slider(row: Parameter) -> dict[str, Any]:
         "least": low,
         "most": high,
         "step": step,
-        "degrees": row.degrees,
     }
 
 
@@ -321,7 +320,6 @@ def _axis(row: Parameter) -> dict[str, Any]:
     return {
         "path": row.path,
         "unit": _unit(row),
-        "degrees": row.degrees,
         "range": (row.axis.low, row.axis.high),
         "allowed": (least, row.range.most),
     }

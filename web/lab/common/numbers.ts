@@ -30,6 +30,9 @@ export const withUnit = (text: string, unit: string) => (unit ? (unit === "°" ?
 
 export const DEGREE = Math.PI / 180;
 
+/** One of a field's unit, in that of the scenario. */
+export const sizeOf = (unit: string) => (unit === "°" ? DEGREE : 1);
+
 export const degrees = (angle: number) => local(`${(angle / DEGREE).toFixed(1)}°`.replace("-", "−"));
 
 /** A length in the unit in which it reads well. */

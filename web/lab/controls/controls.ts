@@ -4,7 +4,7 @@ import { h } from "../common/dom.ts";
 import { number, tables } from "../../model/tables.ts";
 import { Entry } from "./entry.ts";
 import { clamp } from "../common/clamp.ts";
-import { DEGREE, show, withUnit } from "../common/numbers.ts";
+import { show, sizeOf, withUnit } from "../common/numbers.ts";
 import { Parts, partsLike } from "./parts.ts";
 import { t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
@@ -13,10 +13,10 @@ const CONTACT = ["model", "law", "friction", "stiffness", "slip_speed", "restitu
 const ADVANCED = ["plane.painleve", "plane.impact_law", ...CONTACT.map((name) => `contact.${name}`)];
 
 /** The range that Python allows, in the unit of the field. */
-function rangeOf({ path, degrees }: SliderInfo): NumberRange {
+function rangeOf({ path, unit }: SliderInfo): NumberRange {
   const { least, most, also = [] } = tables.map.allowed[path];
-  const scale = degrees ? 1 / DEGREE : 1;
-  return { least: least * scale, most: most * scale, also: also.map(number) };
+  const size = sizeOf(unit);
+  return { least: least / size, most: most / size, also: also.map(number) };
 }
 
 class Slider {
@@ -85,7 +85,7 @@ class Slider {
   }
 
   send(value: number, commit: boolean) {
-    const number = this.info.degrees ? value * DEGREE : value;
+    const number = value * sizeOf(this.info.unit);
     this.onchange([[this.info.path, Number.isFinite(number) ? number : "inf"]], commit);
   }
 
@@ -103,7 +103,7 @@ class Slider {
       this.entry.show("");
       return;
     }
-    const shown = found === "inf" ? Infinity : Number(found) / (this.info.degrees ? DEGREE : 1);
+    const shown = found === "inf" ? Infinity : Number(found) / sizeOf(this.info.unit);
     this.entry.show(!own ? "" : Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "∞");
     this.entry.input.placeholder = own ? "" : t("controls.auto_value", { value: show(shown, 2) });
     this.entry.input.title = own ? withUnit(String(shown), this.info.unit) : "";

@@ -2,7 +2,7 @@
 
 import { type Axis, drawAxes } from "../common/axes.ts";
 import { clamp, scaled, within } from "../common/clamp.ts";
-import { DEGREE, niceStep, show, tickText, ticks, withUnit } from "../common/numbers.ts";
+import { niceStep, show, sizeOf, tickText, ticks, withUnit } from "../common/numbers.ts";
 import { outlined, ring, stroke } from "../common/paint.ts";
 import { t } from "../words/words.ts";
 
@@ -139,7 +139,7 @@ export class MapAxes {
 
   /** The roundest number from `low` to `high` next to a value, in the unit that people read. */
   round(name: AxisName, [low, high]: number[], value: number) {
-    const scale = this.info(name).degrees ? DEGREE : 1;
+    const scale = sizeOf(this.info(name).unit);
     for (let step = 10 ** Math.ceil(Math.log10((high - low) / scale)); step > 0; step /= 10) {
       const round = scale * Number((step * Math.round(value / scale / step)).toPrecision(15));
       if (round >= low && round < high) return round;
@@ -162,7 +162,7 @@ export class MapAxes {
       const [low, high] = this.windows[name];
       const size = Math.max(Math.abs(low), Math.abs(high));
       const digits = clamp(Math.ceil(Math.log10(size / (high - low))) + 4, 4, 16);
-      return `${t(`axis.${info.path}`)} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
+      return `${t(`axis.${info.path}`)} = ${withUnit(show(place[name] / sizeOf(info.unit), digits), info.unit)}`;
     };
     return `${part("x")}, ${part("y")}`;
   }
@@ -176,7 +176,7 @@ export class MapAxes {
 
   axis(name: AxisName, count: number): Axis {
     const info = this.info(name);
-    const scale = info.degrees ? 1 / DEGREE : 1;
+    const scale = 1 / sizeOf(info.unit);
     const [low, high] = this.windows[name].map((value) => value * scale);
     const step = niceStep(high - low, count);
     // far in, the labels show the distance from a rounded value that stands with the axis' name

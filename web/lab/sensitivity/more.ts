@@ -3,7 +3,7 @@
 import { Changes, sentences, signed } from "./changes.ts";
 import { h, headed, once, say } from "../common/dom.ts";
 import { eventWord } from "../player/marks.ts";
-import { DEGREE, show, withUnit } from "../common/numbers.ts";
+import { show, sizeOf, withUnit } from "../common/numbers.ts";
 import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
 import { messageOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
@@ -129,7 +129,7 @@ export class More {
     const info = this.offered().find(({ path }) => path === this.path);
     if (!info) return null;
     const value = this.lab.film().value(info.path);
-    return { info, value: Number(value === "inf" ? Infinity : value), step: info.step * (info.degrees ? DEGREE : 1) };
+    return { info, value: Number(value === "inf" ? Infinity : value), step: info.step * sizeOf(info.unit) };
   }
 
   /** Another motion is there, another parameter, or another language. */
@@ -210,7 +210,7 @@ export class More {
     const found = this.parameter();
     if (!changes || !found) return;
     const { info, value } = found;
-    const written = (one: number) => withUnit(show(info.degrees ? one / DEGREE : one, 5), info.unit);
+    const written = (one: number) => withUnit(show(one / sizeOf(info.unit), 5), info.unit);
     const than = `${written(value)} → ${written(value + changes.step)}`;
     this.step.textContent = than;
     this.take.disabled = false;
