@@ -37,7 +37,6 @@ extensions = [
     "sphinx.ext.autosummary",
     "typeset",
     "accessible",
-    "dark",
     "matplotlib.sphinxext.plot_directive",
     "figures",
     "generated",

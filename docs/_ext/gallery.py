@@ -6,6 +6,7 @@ Matplotlib's figures are Sphinx-Gallery's business. What an example writes besid
 from __future__ import annotations
 
 import base64
+import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from sphinx_gallery.scrapers import matplotlib_scraper
 import hophoop as hh
 
 # From simple to hard, in each part of the gallery.
+SCALES = re.compile(r"maps/|strobe|diagram")  # examples whose colours mean numbers or classes
 ORDER = [
     *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
     *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram", "branch"),
@@ -42,8 +44,9 @@ class FromSimpleToHard:
 
 
 def drawings(block: Any, variables: dict[str, Any], conf: dict[str, Any], **options: Any) -> str:
-    """A scraper: what Matplotlib has drawn, as drawings that `dark` gives a second set of colours."""
-    return str(matplotlib_scraper(block, variables, conf, format="svg", **options))
+    """A scraper: what Matplotlib has drawn; the class of maps and scales of colours keeps their colours on dark pages."""
+    drawn = str(matplotlib_scraper(block, variables, conf, format="svg", **options))
+    return drawn.replace(":class: ", ":class: scale ") if SCALES.search(variables["src_file"]) else drawn
 
 
 def films(block: Any, variables: dict[str, Any], conf: dict[str, Any]) -> str:

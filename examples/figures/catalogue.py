@@ -13,7 +13,6 @@ from matplotlib.patheffects import withStroke
 
 from hophoop import maps
 from hophoop.plots import class_color
-from hophoop.plots.style import ON_COLOR
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.parameters import FIGURE_LABELS
 from hophoop.vocabulary.quantities import with_unit
@@ -57,7 +56,7 @@ def draw_over_gamma(path: Path) -> None:
         sizes = np.array([max(areas[name].get(gamma, 0.0), 1e-14 * (gamma in areas[name])) for gamma in hoops])
         thick = np.where(sizes > 0.0, 0.16 + 0.74 * (np.log10(np.maximum(sizes, 1e-14)) + 14) / 14, 0.0)
         thick = 0.5 * np.append(thick, thick[-1])
-        ax.fill_between(edges, row - thick, row + thick, step="post", color=class_color(name), lw=0, gid=f"{ON_COLOR}-{name}")
+        ax.fill_between(edges, row - thick, row + thick, step="post", color=class_color(name), lw=0)
     ax.set_yticks(range(len(order)), order, fontsize=7.5)
     ax.set_ylim(len(order) - 0.4, -0.6)
     ax.set_xlim(0.0, 1.0)
@@ -108,16 +107,14 @@ def draw_plane(path: Path) -> None:
     places = [one[:2] for one in hoop["meetings"]]
     for ax in axes:
         limits = ax.get_xlim(), ax.get_ylim()
-        ax.plot(*zip(*places, strict=True), "o", ms=3.2, mfc="white", mec="black", mew=0.7, gid=f"{ON_COLOR}-places")
+        ax.plot(*zip(*places, strict=True), "o", ms=3.2, mfc="white", mec="black", mew=0.7)
         ax.set(xlim=limits[0], ylim=limits[1])
         ax.set_xlabel(FIGURE_LABELS["plane.mu"])
         ax.set_ylabel(with_unit(FIGURE_LABELS["start.speed"], "m/s"))
     white = [withStroke(linewidth=1.6, foreground="white")]
-    for k, (sequence, ending, mu, speed) in enumerate(names_in_the_plane(speeds)):
+    for sequence, ending, mu, speed in names_in_the_plane(speeds):
         text = sequence + "\nreversal" * (ending == "reversal")
-        axes[0].text(
-            mu, speed, text, fontsize=6.5, ha="center", va="center", linespacing=0.9, path_effects=white, gid=f"{ON_COLOR}-{k}"
-        )
+        axes[0].text(mu, speed, text, fontsize=6.5, ha="center", va="center", linespacing=0.9, path_effects=white)
     fig.savefig(path, dpi=160, metadata={"Date": None})
     plt.close(fig)
 

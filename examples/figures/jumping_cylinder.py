@@ -15,7 +15,6 @@ from matplotlib.patches import Patch
 
 import hophoop as hh
 from hophoop.plots import colors
-from hophoop.plots.style import ON_COLOR
 
 RADIUS = 0.05
 KINDS = (
@@ -100,9 +99,7 @@ def without_slip(folder: Path) -> None:
         ax.set_xlabel("Eccentricity ε")
     axes[0].set_ylabel("Inertia κ over its greatest, 1 − ε²")
     handles = [Patch(color=color, label=name) for name, color in KINDS[:4]]
-    legend = figure.legend(handles=handles, loc="outside lower center", ncol=2, frameon=False)
-    for k, drawn in enumerate(legend.get_patches()):
-        drawn.set_gid(f"{ON_COLOR}-{k}")  # as in the fields, on every page
+    figure.legend(handles=handles, loc="outside lower center", ncol=2, frameon=False)
     figure.savefig(folder / "slope-first.svg", dpi=160, metadata={"Date": None})
     plt.close(figure)
 

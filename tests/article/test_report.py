@@ -1,7 +1,6 @@
 """The report: its formulas hold on the computed motions, its numbers are computed, and nothing of the article is left out."""
 
 import html
-import io
 import math
 import re
 import xml.etree.ElementTree as tree
@@ -9,7 +8,6 @@ from functools import cache
 from importlib.resources import files
 
 import math_core
-import matplotlib.pyplot as plt
 import pytest
 
 import hophoop as hh
@@ -18,11 +16,9 @@ from hophoop.article import report
 from hophoop.article.facts import facts
 from hophoop.article.figures import FIGURES
 from hophoop.article.formulas import COMPUTED, FORMULAS
-from hophoop.article.inks import INK, PAPER, for_both, in_the_dark
 from hophoop.article.runs import first_time
 from hophoop.article.scenarios import scenarios
 from hophoop.article.typeset import mathml, typeset
-from hophoop.vocabulary import colors
 from latex_values import sides
 
 STORY = files("hophoop.article").joinpath("story.html").read_text(encoding="utf-8")
@@ -148,36 +144,6 @@ def test_formulas_become_mathml_and_nothing_else_is_touched():
     assert 'display="block"' in mathml("x", displayed=True)
     with pytest.raises(math_core.LatexError):
         mathml(r"\nothinglikethis x", displayed=False)
-
-
-def test_colours_can_be_seen_on_dark_pages():
-    assert (in_the_dark("#000000"), in_the_dark("#ffffff")) == (INK, PAPER)
-    inks = {colors.KINETIC, colors.POTENTIAL, colors.NORMAL_FORCE, colors.FRICTION_FORCE, colors.IMPACT_LOSS,
-            colors.ROTATION_SPEED, colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE, *colors.MODES.values()}  # fmt: skip
-    for color in inks:
-        assert colors.lightness(in_the_dark(color)) > colors.lightness(PAPER) + 0.35, color
-    assert len({in_the_dark(color) for color in inks}) == len(inks)
-
-
-def test_figures_follow_the_page():
-    svg = (
-        "<?xml version='1.0'?><!DOCTYPE svg><svg xmlns='http://www.w3.org/2000/svg'><g style=\"fill: #ffffff\"/>"
-        '<path style="fill: none; stroke: #1B3A78; stroke-width: 2"/><g id=\'on-color-3\'><g style="fill: #ffffff"/></g></svg>'
-    )
-    made = for_both(svg)
-    tree.fromstring(made)
-    assert made.startswith("<svg")
-    assert "stroke: var(--i1b3a78)" in made
-    assert re.findall(r"--iffffff:(#\w+);", made) == ["#ffffff", PAPER, "#ffffff"]
-    # a scale of colours stays as its bar is, and so do colours that fade into paper
-    paths = "".join(f'<path style="fill: #{k:02x}80f0"/>' for k in range(40)) + '<path style="stroke: #000000"/>'
-    made = for_both(f"<svg xmlns='http://www.w3.org/2000/svg'>{paths}</svg>")
-    assert set(re.findall(r"--i0080f0:(#\w+);", made)) == {"#0080f0"}
-    assert INK in re.findall(r"--i000000:(#\w+);", made)
-    drawing = io.StringIO()
-    hh.plots.strobe(hh.simulate(hh.Scenario(duration=0.5))).figure.savefig(drawing, format="svg")
-    plt.close("all")
-    assert "prefers-color-scheme" not in for_both(drawing.getvalue())
 
 
 def test_the_page_is_whole_and_asks_nothing_of_the_network(folder, statements, runs):

@@ -219,20 +219,6 @@ def test_sensitivity_is_told_and_in_the_json(tmp_path):
     assert data == hop().to_dict() | {"sensitivity": hop().sensitivity(of, wrt).to_dict()}
 
 
-def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monkeypatch):
-    """From the steps of its first part; with few of them nothing is said, and standard output stays a result."""
-    path = tmp_path / "soft.toml"
-    path.write_text('duration = 0.5\n[contact]\nmodel = "compliant"\n', encoding="utf-8")
-    assert run("run --json", path).stderr == ""
-    monkeypatch.setattr("hophoop.cli._work.MANY", 10)
-    told = run("run --json", path)
-    assert re.fullmatch(r"The first 5 % of the motion take \d+ steps: about [\d,]+ in all\.\n", told.stderr)
-    assert json.loads(told.stdout)["status"] == "completed"
-    assert run("run --quiet", path).stderr == ""
-    monkeypatch.setattr("hophoop.kernel.compliant.run.MAX_STEPS", 30)
-    assert "of which 30 are computed; a shorter duration" in run("run --json", path).stderr
-
-
 def test_until_ends_a_motion_earlier():
     found = of(f"{HOP} --until takeoff")
     assert found["ending"] == "takeoff"

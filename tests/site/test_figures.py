@@ -40,14 +40,6 @@ def test_contact_space_is_that_of_theory():
         assert (abs(hh.theory.friction_utilization(angle, hoop, v0=speed, plane=plane)) > 1.0) == slips
 
 
-def test_colours_of_classes_are_the_same_on_dark_pages():
-    """In the field, which is a picture, and beside it, where they are drawn."""
-    text = (ROOT / "docs" / "figures" / "drawn" / "atlas-mu-v0-sequence.svg").read_text(encoding="utf-8")
-    named = re.findall(r'<g id="on-color-legend-(\w+)">', text)
-    assert named[:3] == ["R", "H", "RKRSR"]
-    assert len(named) == 16
-
-
 def test_required_friction_is_largest_at_its_dot(drawn):
     curves = {line.get_label(): line.get_ydata() for line in drawn("draw_required_friction")[0].lines}
     assert np.nanmax(curves["0.1 m/s"]) == pytest.approx(0.378154, abs=1e-5)

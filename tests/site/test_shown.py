@@ -61,14 +61,24 @@ def test_a_drawing_takes_the_colours_of_its_page(address, browser, scheme, theme
     assert lightest - darkest > 150  # what it shows stands out from its ground
 
 
-def test_every_drawing_beside_the_pages_has_colours_for_dark_ones_and_text_to_read(site):
+def test_maps_keep_their_colours_on_dark_pages(address, browser):
+    context = browser.new_context(color_scheme="dark")
+    page = context.new_page()
+    page.goto(f"{address}atlas.html")
+    filters = {
+        name: page.locator(f"article img[src*='{name}']").evaluate("one => getComputedStyle(one).filter")
+        for name in ("atlas-phase-plane", "atlas-mu-v0-sequence", "atlas-mu-v0-hop-height")
+    }
+    context.close()
+    assert filters["atlas-phase-plane"] != "none"
+    assert filters["atlas-mu-v0-sequence"] == filters["atlas-mu-v0-hop-height"] == "none"
+
+
+def test_every_drawing_beside_the_pages_has_text_to_read(site):
     drawings = [path for path in (site / "_images").glob("*.svg") if "Matplotlib" in path.read_text(encoding="utf-8")]
     assert len(drawings) > 30
     small = [path.name for path in drawings if min(text_sizes(path.read_text(encoding="utf-8")), default=9.0) < 8.95]
     assert [name for name in small if "thumb" not in name] == []
-    plain = [path.name for path in drawings if "prefers-color-scheme" not in path.read_text(encoding="utf-8")]
-    on_paper = re.compile("strobe|plot_diagram|learn-real-hoop-2")  # they keep their white ground
-    assert [name for name in plain if not on_paper.search(name)] == []
 
 
 MEDIA = 16  # MSO_SHAPE_TYPE of a film

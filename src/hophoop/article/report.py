@@ -16,7 +16,6 @@ from hophoop._version import __version__
 from hophoop.article.facts import facts
 from hophoop.article.figures import FIGURES, ArticleFigure
 from hophoop.article.formulas import FORMULAS
-from hophoop.article.inks import for_both
 from hophoop.article.runs import Runs
 from hophoop.article.scenarios import scenarios
 from hophoop.article.statement import AGREES, DIFFERS, FAILS, WITHIN_READING, Statement
@@ -134,8 +133,7 @@ class _Figure(NamedTuple):
 
 
 def _figure(figure: ArticleFigure, folder: Path) -> _Figure:
-    drawing = for_both((folder / "figures" / f"{figure.name}.svg").read_text(encoding="utf-8"))
-    code = base64.b64encode(drawing.encode("utf-8")).decode("ascii")
+    code = base64.b64encode((folder / "figures" / f"{figure.name}.svg").read_bytes()).decode("ascii")
     origin = "Not in the article." if figure.ours else f"In the article's part ‘{figure.section}’."
     width, height = (round(96.0 * side) for side in figure.size)
     return _Figure(code, width, height, figure.size[0] > 8.0, figure.caption, origin)

@@ -162,15 +162,10 @@ def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:
 
 
 def _simulate(scenario: Scenario, quiet: bool, until: str | None) -> Trajectory:
-    """Compute the motion; announce the work of a long one."""
+    """Compute the motion."""
     from hophoop._support.progress import bar
-    from hophoop.cli import say
-    from hophoop.cli._work import work_ahead
     from hophoop.simulation.simulate import simulate
 
-    ahead = work_ahead(scenario)
-    if ahead is not None and not quiet:
-        say(ahead)
     with bar("motion", quiet=quiet, share=True) as progress:
         return simulate(scenario, until=until, progress=progress)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from hophoop.gaits.diagram import Attractor, Diagram
-from hophoop.plots.style import ON_PAPER, Axes, finish, new_axes, parameter_axis
+from hophoop.plots.style import Axes, finish, new_axes, parameter_axis
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.names import FATES, Fate
 
@@ -41,7 +41,6 @@ def diagram(found: Diagram, ax: Axes | None = None, speed: bool = False) -> Axes
         If Matplotlib is missing.
     """
     ax = new_axes(ax, SIZE)
-    ax.set_gid(ON_PAPER)  # the dots are an image
     scale, label = parameter_axis(found.path)
     across = found.values * scale
     points: dict[str, list[tuple[float, float]]] = {kind: [] for kind in KINDS}

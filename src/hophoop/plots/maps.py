@@ -17,7 +17,7 @@ from hophoop.kernel.records.cells import CELL
 from hophoop.maps import Border, words_of
 from hophoop.maps.grid.axes import ordered
 from hophoop.maps.grid.cells import make_cells
-from hophoop.plots.style import ON_COLOR, SMALL, Axes, new_axes
+from hophoop.plots.style import SMALL, Axes, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.colors import class_color
@@ -162,12 +162,10 @@ def _legend(ax: Axes, entries: list[tuple[str, str, float]], most: int, outside:
         handles.append(patch(facecolor="none", label=f"{len(rest)} more, together {_percent(together)}"))
     if outside:
         handles.append(patch(facecolor="white", edgecolor="black", linewidth=0.4, label="not allowed"))
-    legend = ax.legend(
+    ax.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.01), frameon=False, fontsize=SMALL,
         handlelength=1.3, handleheight=1.1, labelspacing=0.35, borderaxespad=0.0,
     )  # fmt: skip
-    for drawn, (name, _, _) in zip(legend.get_patches(), shown, strict=False):
-        drawn.set_gid(f"{ON_COLOR}-legend-{name}")  # the colour of its region, on every page
 
 
 def _percent(share: float) -> str:
@@ -195,7 +193,7 @@ def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: s
         return
     red, green, blue = need("matplotlib.colors", "plots").to_rgb(color)
     ink = "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else "black"
-    ax.text(x[j], y[i], word, ha="center", va="center", fontsize=SMALL, color=ink, gid=f"{ON_COLOR}-{word}")
+    ax.text(x[j], y[i], word, ha="center", va="center", fontsize=SMALL, color=ink)
 
 
 def _depth(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
@@ -214,7 +212,6 @@ def _depth(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
 def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
     values = array.values.astype(float)
     ax.set_facecolor(colors.LIGHT_GRAY)
-    ax.patch.set_gid(f"{ON_COLOR}-ground")
     mesh = _mesh(ax, x, y, np.ma.masked_invalid(values), cmap="viridis")
     unit = array.attrs.get("units", "1")
     label = array.attrs.get("long_name", array.name)
@@ -223,33 +220,28 @@ def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
     bar.outline.set_visible(False)
     if np.isnan(values).any():
         patch = need("matplotlib.patches", "plots").Patch(facecolor=colors.LIGHT_GRAY, label="none")
-        legend = ax.legend(handles=[patch], loc="upper left", fontsize=SMALL, framealpha=0.85, edgecolor="none")
-        legend.set_gid(f"{ON_COLOR}-none")
+        ax.legend(handles=[patch], loc="upper left", fontsize=SMALL, framealpha=0.85, edgecolor="none")
 
 
 def _border(ax: Axes, border: Border, across: str) -> None:
     first, second = (border.x, border.y) if border.window.x == across else (border.y, border.x)
-    name = f"{ON_COLOR}-border-{len(ax.get_lines())}"
-    ax.plot(first, second, color="black", lw=0.7, solid_capstyle="round", zorder=3, gid=name)
+    ax.plot(first, second, color="black", lw=0.7, solid_capstyle="round", zorder=3)
 
 
 def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
     excess = _painleve_excess(dataset)
     if excess is not None and (excess > 0).any() and (excess < 0).any():
         line = ax.contour(x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4)
-        line.set_gid(f"{ON_COLOR}-painleve")
         halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
         place = _free_place(ax, np.concatenate([path.vertices for path in line.get_paths()]))
         for text in ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6, manual=[place]):
             text.set_path_effects([halo])
-            text.set_gid(f"{ON_COLOR}-painleve-name")
     if "painleve" in dataset:
         met = dataset["painleve"].values == 1
         if met.any():
             hatched = ax.contourf(x, y, met.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=4)
             hatched.set_edgecolor((0.0, 0.0, 0.0, 0.55))
             hatched.set_linewidth(0.0)
-            hatched.set_gid(f"{ON_COLOR}-paradox")
 
 
 def _free_place(ax: Axes, points: NDArray[np.float64]) -> tuple[float, float]:

@@ -10,7 +10,7 @@ import numpy as np
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve
 from hophoop.plots.path import draw_traces, frame, ground, legend_above, mode_keys
-from hophoop.plots.style import ON_PAPER, Axes, new_axes
+from hophoop.plots.style import Axes, new_axes
 from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
@@ -79,7 +79,6 @@ def strobe(
     height = WIDTH * (high[1] - low[1]) / (high[0] - low[0]) + (1.6 if color == "speed" else 1.1)
     ax = new_axes(ax, (WIDTH, float(np.clip(height, 2.4, 9.0))))
     ground(ax, slope, float(low[0]), float(high[0]), radius)
-    ax.set_gid(ON_PAPER)
     frame(ax, low, high, slope)
     _draw_hoops(ax, motion, flashes, color)
     draw_traces(ax, way, zorder=5)

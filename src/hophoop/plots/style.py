@@ -25,8 +25,6 @@ SIZE = (7.2, 4.0)
 LINE = 1.8
 SMALL = 8.5
 MOST_LINES = 12  # at take-offs or landings; more would hide the curves
-ON_COLOR = "on-color"  # id of marks on a colour, which keep their ink on dark pages
-ON_PAPER = "on-paper"  # id of axes whose colours fade to white, so that the picture keeps a white background
 
 
 def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:
@@ -133,7 +131,7 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
     pieces = phases(motion)
     low, high = ax.get_xlim()
     transform = ax.get_xaxis_transform()
-    for k, piece in enumerate(pieces):
+    for piece in pieces:
         begin, end = (piece.t, piece.end_t) if against == "time" else (piece.angle, piece.end_angle)
         if not end > begin:
             begin, end = end, begin
@@ -154,7 +152,7 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
         if word:
             ax.text(
                 0.5 * (begin + end), 1.026, word, transform=transform, ha="center", va="center_baseline",
-                fontsize=SMALL - 1, color=_ink(piece.word), zorder=5, gid=f"{ON_COLOR}-{k}",
+                fontsize=SMALL - 1, color=_ink(piece.word), zorder=5,
             )  # fmt: skip
     _mark_events(ax, motion, against)
 
