@@ -1,9 +1,8 @@
-"""Prove that every sequence of the catalogue for γ = 3/4 exists: one certificate each, into a folder.
+"""Prove that every sequence of the catalogue for γ = 3/4 exists, and write the enclosures of its events into a folder.
 
-    python examples/prove_catalogue.py tests/data/proofs
+    python examples/prove_catalogue.py proofs
 
-Each certificate is a motion from rolling at the top up to the first of a whole turn, a turning point and a take-off.
-`hophoop prove --check FILE` verifies one.
+Each proof is of a motion from rolling at the top up to the first of a whole turn, a turning point and a take-off.
 """
 
 from __future__ import annotations
@@ -14,11 +13,11 @@ from pathlib import Path
 from hophoop import prove
 from hophoop.maps import catalogue
 
-DIGITS = 3  # the sequence is the statement; more digits would only make the files larger
+DIGITS = 3  # the sequence is the statement
 
 
 def main(folder: Path) -> None:
-    """Write the certificates and say how many there are."""
+    """Write the proofs and say how many there are."""
     folder.mkdir(parents=True, exist_ok=True)
     entries = catalogue()
     proved = 0

@@ -168,16 +168,8 @@ REFUSED = {
     PROVE: {
         "--digits 0": "--digits",
         "--until never": "--until = 'never' must be",
-        "--check a.json --json": "only a certificate",
-        "--check track.csv": "must be a certificate in JSON",
-        "--check list.json": "must be a certificate in JSON",
-        "--check long.json": "long.json must be a certificate in JSON: a number has too many",
-        "--check deep.json": "deep.json must be a certificate in JSON: nested too deeply",
-        "--check other.json": "has the format 'hophoop-proof/2', which must be hophoop-proof/1.",
         "--thresholds fastest": "'fastest'",
-        "--check a.json --seconds 3": "--check cannot be given together with --seconds",
         "--thresholds all --seconds 3": "--thresholds cannot be given together with --seconds",
-        "--check a.json --thresholds all": "--check cannot be given together with --thresholds",
     },
     "lab": {"fit.json": "fit.json is incomplete"},
 }

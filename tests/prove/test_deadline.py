@@ -1,19 +1,16 @@
-"""A proof ends with its time, whatever it is at: the clock is asked between all steps, of the guesser and of the checker."""
+"""A proof ends with its time, whatever it is at: the clock is asked between all steps."""
 
 from __future__ import annotations
-
-import sys
 
 import pytest
 
 import hophoop as hh
-from hophoop.prove import proof, prove
-from hophoop.prove.checker.check import checked
-from hophoop.prove.deadline import Deadline
 
 pytest.importorskip("flint")
 
-WHY = "there was no time for it"
+from hophoop.precise.problem import Problem
+from hophoop.prove.solver import LATE, prove_problem
+
 # slip, rolling and a hop; slip with turning points; rolling with resistance up to rest
 MOTIONS = {
     "hop": hh.Scenario(duration=2.0),
@@ -23,76 +20,25 @@ MOTIONS = {
 }
 
 
-class Clock:
-    """One more second with each look, or more at some of them."""
+def proved(scenario, looks):
+    """The proof of a motion whose time is over after so many looks at the clock, and how many there were."""
+    count = 0
 
-    def __init__(self, slow: tuple[int, ...] = (), step: float = 1.0) -> None:
-        self.looks, self.now, self.slow, self.step = 0, 0.0, slow, step
+    def late():
+        nonlocal count
+        count += 1
+        return count > looks
 
-    def __call__(self) -> float:
-        self.looks += 1
-        self.now += self.step if self.looks in self.slow else 1.0
-        return self.now
+    return prove_problem(scenario, Problem.of(scenario), 8, "duration", 4000, late), count
 
 
 @pytest.mark.parametrize("name", MOTIONS)
 def test_it_ends_in_time_wherever_the_time_is_over(name):
-    counting = Clock()
-    whole = proof._prove(MOTIONS[name], 8, "duration", 4000, Deadline(1e9, counting))
+    whole, looks = proved(MOTIONS[name], 10**9)
     assert whole.proved
-    for seconds in [1, 2, 5, *range(10, counting.looks, max(1, counting.looks // 6))]:
-        clock = Clock()
-        found = proof._prove(MOTIONS[name], 8, "duration", 4000, Deadline(seconds, clock))
-        assert clock.now <= 1 + seconds + max(1, 0.1 * seconds)
-        assert (found.verdict, found.why, found.certificate) == ("undecided", WHY, None)
+    assert looks > 5
+    for most in (0, 1, 5, *range(10, looks, max(1, looks // 6))):
+        found, count = proved(MOTIONS[name], most)
+        assert count == most + 1
+        assert (found.verdict, found.why) == ("undecided", LATE)
         assert found.events == whole.events[: len(found.events)]
-        assert len(found.events) <= len(whole.events)
-
-
-@pytest.mark.parametrize("name", MOTIONS)
-def test_few_steps_come_between_two_looks(name):
-    """Calls of functions of this package, of the guesser and of the checker."""
-    calls, most = 0, 0
-
-    def clock() -> float:
-        nonlocal calls, most
-        most, calls = max(most, calls), 0
-        return 0.0
-
-    def counting(frame, event, _) -> None:
-        nonlocal calls
-        calls += event == "call" and "prove" in frame.f_code.co_filename
-
-    deadline = Deadline(1.0, clock)
-    before = sys.getprofile()
-    sys.setprofile(counting)
-    try:
-        found = proof._prove(MOTIONS[name], 8, "duration", 4000, deadline)
-    finally:
-        sys.setprofile(before)
-    assert found.proved
-    assert most < 2000
-
-
-def test_no_step_is_begun_that_may_end_too_late():
-    """Every hundredth step takes 40 s: after the first such one, nothing goes on within 40 s of the end."""
-    clock = Clock(tuple(range(100, 100_000, 100)), 40.0)
-    found = proof._prove(MOTIONS["hop"], 8, "duration", 4000, Deadline(200.0, clock))
-    assert (found.verdict, found.why) == ("undecided", WHY)
-    assert clock.now <= 220.0 + 1
-
-
-def test_longer_steps_are_expected_with_more_digits():
-    clock = Clock()
-    deadline = Deadline(100.0, clock)
-    deadline.ask()
-    deadline.expect(120.0)
-    assert deadline.over()
-    assert clock.now < 5
-
-
-def test_a_check_that_takes_too_long_does_not_accept():
-    certificate = prove(MOTIONS["hop"], 8).certificate
-    verdict = checked(certificate, Deadline(20.0, Clock()))
-    assert (verdict.accepted, verdict.why) == (False, WHY)
-    assert checked(certificate, Deadline(1e9, Clock())).accepted

@@ -9,13 +9,9 @@ import pytest
 
 import hophoop as hh
 from hophoop.prove import prove, thresholds
-from hophoop.prove.checker.equations import Equations
-from oracle_program import scenario_of
-from oracles.cases import Case
-from oracles.mechanics import solve_mode
-from prove_tools import NUMBERS, are_enclosed
+from prove_tools import LOSSES, NUMBERS, are_enclosed
 
-flint = pytest.importorskip("flint")
+pytest.importorskip("flint")
 
 
 def scenario(f, mu=1.0, gamma=0.75, start=None, duration=3.0, **plane):
@@ -23,32 +19,6 @@ def scenario(f, mu=1.0, gamma=0.75, start=None, duration=3.0, **plane):
         hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, rolling_resistance=f, **plane),
         start=start or hh.Start.rolling(3.1), duration=duration,
     )  # fmt: skip
-
-
-# --- equations: a sixth unknown, solved as they are, knows nothing of ρ, D or W --------------------
-
-
-CASE = Case("resisted", eccentricity=0.6, inertia_ratio=0.3, mu_static=0.5, mu_kinetic=0.4, slope=0.3, rolling_resistance=0.15)
-
-
-@pytest.mark.parametrize("way", [1, -1])
-@pytest.mark.parametrize(("letter", "sigma"), [("R", 0), ("K", 1), ("S", -1)])
-def test_the_equations_of_the_checker(letter, sigma, way):
-    equations = Equations(scenario_of(CASE).to_dict()).turning(way)
-    unit = 9.81
-    for th, om in ((0.4, 1.3), (1.9, 0.8), (3.6, 2.1), (5.3, 1.7), (-2.0, 0.0)):
-        acceleration = solve_mode(CASE, letter, th, way * om, way)
-        u = flint.arb(om * om / unit)
-        s, c = flint.arb(th).sin_cos()
-        contact = equations.contact(s, c, u, sigma)
-        firm, slope, rest = equations.linear(s, c, sigma)
-        for alpha in (contact.alpha, (slope * u + rest) / firm):
-            assert float(alpha) == pytest.approx(acceleration[2] / unit, rel=1e-12, abs=1e-13)
-        for force, true in ((contact.friction, 3), (contact.normal, 4)):
-            assert float(force) == pytest.approx(acceleration[true] / unit, rel=1e-12, abs=1e-13)
-        if sigma:
-            slides = acceleration[0] - acceleration[2]
-            assert float(contact.slip) == pytest.approx(slides / unit, rel=1e-12, abs=1e-13)
 
 
 # --- motions ---------------------------------------------------------------------------------------
@@ -100,10 +70,10 @@ def test_many_digits_lie_in_the_enclosures():
     """The computation in many digits is a Taylor series in time: nothing of a proof is in it."""
     case = scenario(0.001, duration=1.2)
     true = [
-        {"kind": event.kind, "from": event.from_mode, "to": event.to_mode, **{name: getattr(event, name) for name in NUMBERS}}
+        {"kind": event.kind, "to": event.to_mode, **{name: getattr(event, name) for name in (*NUMBERS, *LOSSES)}}
         for event in hh.simulate(case, digits=22).events
     ]
-    are_enclosed(prove(case, 15), true)
+    assert are_enclosed(prove(case, 15), true, Fraction(1, 10**20)) > 30
 
 
 def test_thresholds_say_what_they_do_not_prove():

@@ -86,7 +86,7 @@ class Run:
         self.max_events = problem.max_events if max_events is None else max_events
         self.records: list[Record] = []
         self.turns: list[State] = []  # turning points of the present phase of rolling
-        self.status = Status.COMPLETED
+        self.status, self.ending = Status.COMPLETED, Ending.CONTINUES
         self.tie = ctx.ldexp(ctx.one, -(bits // 2))
         self.kernels = Kernels(ctx.mpf, numbers_of(ctx) | self.steps_of() | {"CLOSING": ctx.mpf(closing)})
 
@@ -111,16 +111,21 @@ class Run:
     def run(self) -> Run:
         """Compute the motion; `records` and `status` hold it then."""
         body, given = self.body, self.problem.mode
-        limits = limits_of(body.start(), self.t_end, math.nan, 0, 0)
+        limits = self.limits()
         try:
             phase = self.kernels(begin)(body, body.start(), BY_RULE if given is None else given, self, None)
             while phase.status == GOING:
                 phase = self.flight(phase) if phase.mode == Mode.FLIGHT else self.contact(phase, limits)
-            self.status = Status(phase.status)
+            self.status, self.ending = Status(phase.status), Ending(phase.ending)
             self.write_passing(Event.END, self.records[-1].after_mode, phase.state)
         except _TooManyEvents:
             self.status = Status.EVENT_LIMIT
         return self
+
+    def limits(self) -> Limits:
+        """What the motion ends with."""
+        limits: Limits = limits_of(self.body.start(), self.t_end, math.nan, 0, 0)
+        return limits
 
     def write(self, log: Any, cause: PendingEvent, mode: int, state: State, gain: Number, stable: int) -> None:
         """Append an event."""

@@ -130,7 +130,7 @@ class Units:
         self.ctx = body.ctx
         self.digits = digits
         speed = body.length / body.time
-        self.energy = body.mass * speed**2
+        self.energy = body.mass * speed * speed
         self._scales = {
             "time": body.time,
             "length": body.length,
@@ -154,7 +154,7 @@ class Units:
         return Decimal(self.ctx.nstr(value * unit, self.digits, strip_zeros=False, min_fixed=-5, max_fixed=self.digits))
 
 
-def _event(record: Record, right: int, units: Units) -> EventRecord[Decimal]:
+def event_of(record: Record, right: int, units: Units) -> EventRecord[Decimal]:
     state = record.state
 
     def decimal(name: str, value: Number) -> Decimal:
@@ -258,7 +258,9 @@ def motion_of(scenario: Scenario, solution: Solution, digits: int, version: str,
     motion : PreciseMotion
     """
     units = Units(solution.body, digits)
-    events = tuple(_event(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True))
+    events = tuple(
+        event_of(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True)
+    )
     energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
     status = STATUS_NAMES[solution.status]
     kinds, modes = [record.kind for record in solution.records], [record.after_mode for record in solution.records]

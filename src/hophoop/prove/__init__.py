@@ -1,19 +1,10 @@
-"""Proofs: enclosures of every event of a rigid motion, certificates that its sequence is the one stated, and thresholds.
+"""Proofs: enclosures of every event of a rigid motion, every decision certain, and thresholds.
 
-docs/proofs.md describes their assumptions, and how to check one without trusting the program.
+docs/proofs.md describes what is proved, and what is trusted.
 """
 
-from hophoop.prove.checker import Verdict, check
-from hophoop.prove.proof import Enclosure, Proof, ProvedEvent, prove
+from hophoop.prove.solver import Enclosure, Proof, prove
 from hophoop.prove.thresholds import ProvedNumber, thresholds
+from hophoop.results.records import EventRecord as ProvedEvent
 
-__all__ = [
-    "Enclosure",
-    "Proof",
-    "ProvedEvent",
-    "ProvedNumber",
-    "Verdict",
-    "check",
-    "prove",
-    "thresholds",
-]
+__all__ = ["Enclosure", "Proof", "ProvedEvent", "ProvedNumber", "prove", "thresholds"]

@@ -3,34 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from hophoop.precise.problem import Problem
-from hophoop.prove._flint import Ball, Jet, Series, Undecided, arb, coefficients, order, pi, precision, rational, series
-from hophoop.prove.checker.check import check
-from hophoop.prove.checker.conventions import Conventions
-from hophoop.prove.checker.equations import Equations, Refused
-from hophoop.prove.deadline import Deadline
-from hophoop.prove.guide import FIRST, REVOLUTION, Mark, by_digits, by_doubles
-from hophoop.prove.maxima import Function, highest
-from hophoop.prove.proof import (
-    BITS_A_DIGIT,
-    CHECKER_GUARD,
-    Enclosure,
-    certificate_of,
-    check_digits,
-    enclosed,
-    enclosure,
-    walked,
-)
+from hophoop.prove.models import padded
+from hophoop.prove.motion import Body, Run
+from hophoop.prove.numbers import BITS_A_DIGIT, Unclear, arb, arb_series, ball, flint, precision, raw, setting
+from hophoop.prove.solver import REVOLUTION, Enclosure, check_digits, enclosure, prove_problem
 from hophoop.scenario import InputError, Scenario, Start
 
 GUARD_DIGITS = 12
 BITS_A_MARGIN = 2.5  # of precision, for each bit that the speed is nearer to the border
 AROUND = (Fraction(1, 10**13), Fraction(1, 10**9))  # relative, on both sides of the double, for the border of the hop
+FIRST = 200  # events of a first revolution
+PARTS = 64  # of an interval in which a maximum is looked for
+Function = Callable[[Any, int], list[Any]]  # (x, terms) → Taylor coefficients, valid on the ball x
 
 
 @dataclass(frozen=True)
@@ -54,118 +45,158 @@ class ProvedNumber:
     enclosure: Enclosure
 
 
+# --- the highest value of an analytic function on an interval, by branch and bound on balls
+
+
+def highest(function: Function, low: Any, high: Any) -> Any:
+    """Return the highest value on [low, high], exact numbers."""
+    width = (high - low) / PARTS
+    marks = [low, *((low + width * k).mid() for k in range(1, PARTS)), high]
+    best = function(low, 1)[0]
+    for mark in marks[1:]:
+        best = best.max(function(mark, 1)[0])
+    work = list(pairwise(marks))
+    while work:
+        a, b = work.pop()
+        if not b - a > arb(2) ** (-precision() // 2):
+            raise Unclear("a largest value is no flat one")
+        tops = _tops(function, a, b, best)
+        if tops is None:
+            middle = ((a + b) / 2).mid()
+            work += [(a, middle), (middle, b)]
+        else:
+            for top in tops:
+                best = best.max(function(top, 1)[0])
+    return best
+
+
+def _tops(function: Function, a: Any, b: Any, best: Any) -> list[Any] | None:
+    """Tops inside [a, b] that may be the highest, apart from the ends of the whole interval; None: look closer."""
+    whole = a.union(b)
+    try:
+        value, slope, bend = function(whole, 3)
+    except (Unclear, ZeroDivisionError):
+        return None
+    middle = whole.mid()
+    if value < best or slope > 0 or slope < 0 or function(middle, 1)[0] + slope * (whole - middle) < best:
+        return []
+    if not bend < 0:
+        return None
+    first, last = (function(end, 2)[1] for end in (a, b))
+    if first < 0 or last > 0:
+        return []
+    if not (first > 0 and last < 0):
+        return None
+    for _ in range(precision().bit_length() + 2):  # Newton's method on intervals
+        middle = whole.mid()
+        whole = whole.intersection(middle - function(middle, 2)[1] / (2 * function(whole, 3)[2]))
+    return [whole]
+
+
 # --- rolling from the top, as functions of θ and of w = v0²/(gR)
 
 
-def rolling(model: Equations, th: Ball, w: Any) -> tuple[Series, Series]:
-    """(F, N) as series in θ; call it within `order`."""
-    z = series([th, 1])
-    s, c = z.sin_cos()
-    whole = model.inertia(arb(1)) * w / 2 + model.height(arb(0), arb(0), arb(1))
-    found = model.contact(s, c, 2 * (whole - model.height(z, s, c)) / model.inertia(c), 0)
-    return series([0]) + found.friction, series([0]) + found.normal
+def rolling(body: Any, th: Any, w: Any) -> tuple[Any, Any]:
+    """(F, N) as series in θ; call it with as many terms."""
+    z = arb_series([th, 1])
+    u = body.of.rolling_u(body, ball(0), ball(w), z)
+    friction, normal = body.of.rolling_forces(body, *z.sin_cos(), u, ball(0))
+    return arb_series([0]) + raw(friction), arb_series([0]) + raw(normal)
 
 
-def ratio(model: Equations, w: Ball, side: int) -> Function:
+def ratio(body: Any, w: Any, side: int) -> Function:
     """F/N, counted positive to one side."""
 
-    def function(th: Ball, terms: int) -> Jet:
-        with order(terms):
-            friction, normal = rolling(model, th, w)
+    def function(th: Any, terms: int) -> list[Any]:
+        with setting(terms=terms):
+            friction, normal = rolling(body, th, w)
             if normal[0] < 0:
-                raise Undecided("no friction is enough, for the hoop would leave the plane")
-            if not normal[0] > 0:
-                raise ZeroDivisionError
-            return coefficients(side * friction / normal, terms)
+                raise InsufficientFriction("no friction is enough, for the hoop would leave the plane")
+            return divided(side * friction, normal, terms)
 
     return function
 
 
-def slipping(model: Equations, side: int) -> Function:
+def slipping(body: Any, side: int) -> Function:
     """−B/A, where the margin to one side of the cone is A + B w: slip from w = A/−B on."""
 
-    def function(th: Ball, terms: int) -> Jet:
-        with order(terms):
-            steady, moving = (
-                model.mu_s * normal - side * friction for friction, normal in (rolling(model, th, w) for w in (0, 1))
-            )
-            if not steady[0] > 0:
-                raise ZeroDivisionError
-            return coefficients((steady - moving) / steady, terms)
+    def function(th: Any, terms: int) -> list[Any]:
+        with setting(terms=terms):
+            steady, moving = (raw(body.mu_s) * n - side * f for f, n in (rolling(body, th, w) for w in (0, 1)))
+            return divided(steady - moving, steady, terms)
 
     return function
 
 
-def over_turn(model: Equations, function_of: Callable[[int], Function]) -> Ball:
+class InsufficientFriction(Exception):
+    """A threshold that does not exist."""
+
+
+def divided(a: Any, b: Any, terms: int) -> list[Any]:
+    """The quotient of two series, the second of which is positive."""
+    if not b[0] > 0:
+        raise Unclear("a divisor is positive")
+    return padded(a / b, terms)
+
+
+def over_turn(body: Any, function_of: Callable[[int], Function]) -> Any:
     """The highest value in the first turn, at least 0, to both sides of the cone, which on the level are mirror images."""
     value = arb(0)
-    for side in (1,) if model.gt.is_zero() else (1, -1):
-        value = value.max(highest(function_of(side), arb(0), (2 * pi()).upper().mid()))
+    for side in (1,) if body.gt == 0 else (1, -1):
+        value = value.max(highest(function_of(side), arb(0), (2 * flint.arb.pi()).upper().mid()))
     return value
 
 
 # --- the thresholds
 
 
-def needed_friction(model: Equations, w: Ball) -> Ball:
-    """The friction that rolling through the first turn needs."""
-    return over_turn(model, lambda side: ratio(model, w, side))
-
-
-def first_slip(model: Equations) -> Ball:
+def first_slip(body: Any) -> Any:
     """Speed at the top from which on there is slip in the first turn, in units of √(gR)."""
-    if model.mu_s is None:
-        raise Undecided("friction is infinite")
-    if not needed_friction(model, arb(0)) < model.mu_s:
-        raise Undecided("even the smallest push slips, as far as can be told")
-    value = over_turn(model, lambda side: slipping(model, side))
+    if body.mu_s == math.inf:
+        raise InsufficientFriction("friction is infinite")
+    if not over_turn(body, lambda side: ratio(body, arb(0), side)) < raw(body.mu_s):
+        raise InsufficientFriction("even the smallest push slips, as far as can be told")
+    value = over_turn(body, lambda side: slipping(body, side))
     if not value > 0:
-        raise Undecided("no speed leads to slip")
+        raise InsufficientFriction("no speed leads to slip")
     return value.rsqrt()
 
 
-def painleve_friction(model: Equations) -> Ball:
+def painleve_friction(body: Any) -> Any:
     """The least friction with Painlevé's paradox at some angle."""
 
-    def function(th: Ball, terms: int) -> Jet:
-        with order(terms):
-            s, c = series([th, 1]).sin_cos()
-            lever = model.eps * s
-            return coefficients(lever * (1 + model.eps * c) / (model.kap + lever * lever), terms)
+    def function(th: Any, terms: int) -> list[Any]:
+        with setting(terms=terms):
+            arm, lever = body.of.contact_arms(body, *arb_series([th, 1]).sin_cos())
+            return divided(arb_series([0]) + lever * arm, arb_series([0]) + body.kap + lever * lever, terms)
 
-    return 1 / highest(function, arb(0), pi().upper().mid())
+    return 1 / highest(function, arb(0), flint.arb.pi().upper().mid())
 
 
-def start_friction(scenario: Scenario, model: Equations) -> Ball:
+def start_friction(scenario: Scenario, body: Any) -> Any:
     """The friction that the scenario's own start needs."""
     if scenario.start.speed is None or scenario.start.angle != 0.0:
-        raise Undecided("the start is not a rolling one with the load up")
-    return needed_friction(model, model.start.om**2)
+        raise InsufficientFriction("the start is not a rolling one with the load up")
+    w = raw(body.start().om * body.start().om)
+    return over_turn(body, lambda side: ratio(body, w, side))
 
 
-def hop_border(scenario: Scenario, digits: int) -> Ball:
-    """From a speed without a hop in the first turn to one with a hop [m/s]: found in extended precision, both proved."""
+def hop_border(scenario: Scenario, digits: int) -> Any:
+    """From a speed without a hop in the first turn to one with a hop [m/s], both proved."""
     from hophoop.theory import first_hop_speed
 
     near = float(first_hop_speed(scenario.hoop, scenario.plane))
     if not math.isfinite(near):
-        raise Undecided("no speed leads to a hop, as far as doubles can tell")
+        raise InsufficientFriction("no speed leads to a hop, as far as doubles can tell")
     started = scenario.replace("start", Start.rolling(near))
-    problem, rough = Problem.of(started), by_doubles(started, REVOLUTION, FIRST)
-
-    def motion(speed: Fraction, apart: Fraction) -> list[Mark]:
-        """Of a speed that is so far from the border."""
-        exact = replace(problem, omega=speed / problem.radius)
-        found = by_digits(exact, rough, GUARD_DIGITS + int(-math.log10(apart / near)), REVOLUTION, FIRST, Deadline())
-        if found is None:
-            raise Undecided("the border of the hop takes too many steps")
-        return found
+    problem = Problem.of(started)
 
     def hops(speed: Fraction, apart: Fraction) -> bool:
-        first = (
-            one.after == "H" for one in motion(speed, apart) if one.after == "H" or one.kind == "turn" or one.angle > 2 * pi()
-        )
-        return next(first, False)
+        exact, bits = replace(problem, omega=speed / problem.radius), 60 - BITS_A_MARGIN * math.log2(apart / speed)
+        found = prove_problem(started, exact, 1, REVOLUTION, FIRST, lambda: False, int(bits))
+        if not found.proved:
+            raise InsufficientFriction(found.why)
+        return found.ending == "takeoff"
 
     for around in AROUND:
         apart = around * Fraction(near)
@@ -173,29 +204,11 @@ def hop_border(scenario: Scenario, digits: int) -> Ball:
         if hops(high, apart) and not hops(low, apart):
             break
     else:
-        raise Undecided("no border of the hop is where it was looked for")
+        raise InsufficientFriction("no border of the hop is where it was looked for")
     while high - low > low / 10 ** (digits + 2):
         middle = (low + high) / 2
         low, high = (low, middle) if hops(middle, high - low) else (middle, high)
-    bits = 60 + int(BITS_A_MARGIN * (digits + 2) * BITS_A_DIGIT)
-    for speed, ends in ((low, False), (high, True)):
-        why, ending = first_turn(started, speed, motion(speed, high - low), 10.0 ** -(digits // 2 + 4), bits)
-        if why or (ending == "takeoff") != ends:
-            raise Undecided(why or "a speed at the border of the hop ends otherwise than it was computed")
-    return rational(low).union(rational(high))
-
-
-def first_turn(scenario: Scenario, speed: Fraction, guide: Sequence[Mark], wide: float, bits: int) -> tuple[str, str]:
-    """(why the first revolution of an exact speed is not proved, or '', its ending)."""
-    exact = scenario.to_dict()
-    exact["start"]["speed"] = speed
-    conventions = Conventions(exact, REVOLUTION, 0, FIRST, bits + CHECKER_GUARD)
-    walk, why = walked(conventions, guide, wide, bits, Deadline())
-    if why:
-        return why, ""
-    events, _ = enclosed(walk, 1, Deadline())
-    verdict = check(certificate_of(walk, exact, events, 0))
-    return verdict.why, str(walk.claim["ending"])
+    return arb(flint.fmpq(low.numerator, low.denominator)).union(arb(flint.fmpq(high.numerator, high.denominator)))
 
 
 def thresholds(scenario: Scenario, digits: int = 30, keys: Collection[str] | None = None) -> list[ProvedNumber]:
@@ -235,46 +248,45 @@ def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[lis
     if problem.resist:  # the others come out of the energy that rolling keeps without it
         reasons |= {key: "it is not proved with rolling resistance" for key in keys if key != "immediate_hop_speed"}
     for share in (1, 2):  # of precision: more where it was not enough
-        with precision(int(share * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
-            model = Equations(scenario.to_dict())
+        with setting(int(share * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
+            body = Run(problem, ball(0), True, 0, lambda: None).body
             for key, (statement, unit, value) in NUMBERS.items():
                 if key not in reasons or (problem.resist and key != "immediate_hop_speed"):
                     continue
                 try:
-                    number = value(scenario, model, digits)
-                except (Undecided, Refused) as undecided:
-                    reasons[key] = str(undecided)
+                    number = value(scenario, body, digits)
+                except (Unclear, InsufficientFriction, ZeroDivisionError) as reason:
+                    reasons[key] = str(reason)
                     continue
                 reasons[key] = f"{digits} digits of it could not be shown"
                 if number.rad() < abs(number) * arb(10) ** -digits:
-                    found[key] = ProvedNumber(
-                        key, statement.format(scenario.start.speed), unit, enclosure(number, arb(1), digits)
-                    )
+                    known = enclosure(number, digits)
+                    found[key] = ProvedNumber(key, statement.format(scenario.start.speed), unit, known)
                     del reasons[key]
     return list(found.values()), reasons
 
 
 # What is proved of each number, with its unit, in SI units.
-NUMBERS: dict[str, tuple[str, str, Callable[[Scenario, Equations, int], Ball]]] = {
+NUMBERS: dict[str, tuple[str, str, Callable[[Scenario, Body, int], Any]]] = {
     "first_slip_speed": (
         "From rest at the top up to this speed the first turn is rolled, above it there is slip.", "m/s",
-        lambda scenario, model, digits: first_slip(model) * model.speed,
+        lambda scenario, body, digits: first_slip(body) * raw(body.length / body.time),
     ),
     "first_hop_speed": (
         "Just below this speed there is no hop in the first turn, just above it there is one.", "m/s",
-        lambda scenario, model, digits: hop_border(scenario, digits),
+        lambda scenario, body, digits: hop_border(scenario, digits),
     ),
     "immediate_hop_speed": (
         "From this speed on the hoop leaves the plane at the top.", "m/s",
-        lambda scenario, model, digits: (model.gn / model.eps).sqrt() * model.speed,
+        lambda scenario, body, digits: raw(body.gn / body.eps).sqrt() * raw(body.length / body.time),
     ),
     "painleve_friction": (
         "Painlevé's paradox exists at some angle for more friction than this, for less at none.", "1",
-        lambda scenario, model, digits: painleve_friction(model),
+        lambda scenario, body, digits: painleve_friction(body),
     ),
     "needed_friction": (
         "Rolling through the first turn from {:g} m/s needs this friction.", "1",
-        lambda scenario, model, digits: start_friction(scenario, model),
+        lambda scenario, body, digits: start_friction(scenario, body),
     ),
 }  # fmt: skip
 KEYS = tuple(NUMBERS)

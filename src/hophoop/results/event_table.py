@@ -10,7 +10,6 @@ from hophoop._support import tables
 from hophoop.vocabulary.names import plain
 
 if TYPE_CHECKING:
-    from hophoop.prove.proof import ProvedEvent
     from hophoop.results.records import EventRecord
 
 TITLES = ("t (s)", "event", "mode", "θ (°)", "x (m)", "height (m)", "v (m/s)", "θ̇ (rad/s)", "slip (m/s)")
@@ -26,7 +25,7 @@ def cells(event: EventRecord[float]) -> list[str]:
     return [f"{event.t:.6f}", plain(event.kind), change_of(event), *(f"{number:z.4f}" for number in numbers)]
 
 
-def change_of(event: EventRecord[Any] | ProvedEvent) -> str:
+def change_of(event: EventRecord[Any]) -> str:
     """Return the letters of the mode before and after an event."""
     return event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
 

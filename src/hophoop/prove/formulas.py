@@ -1,0 +1,139 @@
+"""The kernel's functions over balls: the one module that names them, and the copier that lets no tolerance through."""
+
+from __future__ import annotations
+
+import dis
+import math
+from collections.abc import Callable
+from functools import cache
+from types import FunctionType, SimpleNamespace
+from typing import Any
+
+from hophoop.kernel.native.marks import source_of
+from hophoop.kernel.physics.closed_forms import (
+    flight_displacement,
+    flight_rates,
+    kinetic_energy,
+    potential_energy,
+    rolling_u,
+    slip_displacement,
+)
+from hophoop.kernel.physics.contact import (
+    acceleration_in_contact,
+    contact_arms,
+    free_acceleration,
+    resistance_arm,
+    rolling_acceleration,
+    rolling_forces,
+    slip_motion,
+    slip_torque_arm,
+    torque_at_rest,
+)
+from hophoop.kernel.physics.impact import slip_rates, stick_rates
+from hophoop.kernel.rigid.contact_phase import contact_step, vanishing_slip_derivatives
+from hophoop.kernel.rigid.flight_phase import flight_start, land
+from hophoop.kernel.rigid.run import begin
+from hophoop.kernel.rigid.transitions import collide
+from hophoop.precise import kernels
+from hophoop.prove.numbers import Ball, arb, flint, raw, sign
+
+# The kernels that are called; a body has their copies under their names.
+FORMULAS: tuple[Callable[..., Any], ...] = (
+    acceleration_in_contact, begin, collide, contact_arms, contact_step, flight_displacement, flight_rates, flight_start,
+    free_acceleration, kinetic_energy, land, potential_energy, resistance_arm, rolling_acceleration, rolling_forces, rolling_u,
+    slip_displacement, slip_motion, slip_rates, slip_torque_arm, stick_rates, torque_at_rest, vanishing_slip_derivatives,
+)  # fmt: skip
+# What is a tolerance in doubles: balls compare exactly. Any other float that is not a small multiple of 1/4 is refused.
+TOLERANCES = ("NEARLY", "TIE", "ZERO", "GAIN_FLOOR", "ROUNDING", "SMALLEST_SQUARE", "RISING", "CLOSE")
+LITERALS = {1e-9, 1e-13}  # of `impact`, and of `flight_start`
+COARSEST, MOST = 0.25, 4.0
+
+
+@cache
+def global_names(function: FunctionType) -> tuple[str, ...]:
+    """The globals that a function reads."""
+    return tuple({one.argval for one in dis.get_instructions(function) if one.opname == "LOAD_GLOBAL"})
+
+
+class Formulas(kernels.Kernels):
+    """Copies of `FORMULAS` over balls, under their names; every name that is given is one that a kernel reads.
+
+    Parameters
+    ----------
+    names : dict
+        The values in place of the kernel's own.
+    Raises
+    ------
+    LookupError
+        If a kernel has a tolerance that is not named, or a name or a literal is used by none.
+    """
+
+    def __init__(self, names: dict[str, Any]) -> None:
+        super().__init__(Ball, names)
+        self._unused: set[str | float] = {*names, *LITERALS}
+        for formula in FORMULAS:
+            setattr(self, formula.__name__, self(formula))
+        if self._unused:
+            raise LookupError(f"No kernel reads {', '.join(sorted(map(str, self._unused)))}.")
+
+    def __call__(self, kernel: Callable[..., Any]) -> Callable[..., Any]:
+        """Return the copy of a kernel."""
+        function = source_of(kernel)
+        if function not in self._copies:
+            for name in global_names(function):
+                value = function.__globals__.get(name)
+                if name not in self._names and isinstance(value, float):
+                    self._accept(value, f"{function.__name__} reads {name}")
+                self._unused.discard(name)
+        return super().__call__(kernel)
+
+    def _constants(self, values: tuple[Any, ...]) -> tuple[Any, ...]:
+        for value in values:
+            if value in LITERALS:
+                self._unused.discard(value)
+            elif isinstance(value, float):
+                self._accept(value, "a kernel reads")
+        return super()._constants(tuple(0.0 if value in LITERALS else value for value in values))
+
+    @staticmethod
+    def _accept(value: float, who: str) -> None:
+        if not (math.isfinite(value) and abs(value) <= MOST and value % COARSEST == 0):
+            raise LookupError(f"{who} = {value!r}, which may be a tolerance: name it.")
+
+
+def names_of_balls() -> dict[str, Any]:
+    """What kernels read under these names to compute with balls."""
+
+    def sine_and_cosine(x: Any) -> tuple[Any, Any]:
+        s, c = raw(x).sin_cos()
+        return (Ball(s), Ball(c)) if isinstance(s, flint.arb) else (s, c)
+
+    def sine_and_versine(x: Any) -> tuple[Any, Any]:
+        return x.sin(), 1 - x.cos()
+
+    def change(s: Any, c: Any, angle: Any) -> tuple[Any, Any]:
+        _, _, versine = remainders(angle)
+        sine = sine_and_cosine(angle)[0]
+        return c * sine - s * versine, -s * sine - c * versine
+
+    def remainders(phi: Any) -> tuple[Ball, Ball, Ball]:
+        """As hypergeometric series in which nothing cancels."""
+        x, half = raw(phi), (raw(phi) / 2).sin()
+        if not isinstance(x, flint.arb):  # a series, whose first terms are no small ones
+            return x - x.sin(), x.cos() - 1 + x * x / 2, 2 * half * half
+        z = -x * x / 4
+        cubic, quartic = z.hypgeom([1], [2, arb(2.5)]), z.hypgeom([1], [arb(2.5), 3])
+        return Ball(x**3 / 6 * cubic), Ball(x**4 / 24 * quartic), Ball(2 * half * half)
+
+    return {
+        "math": SimpleNamespace(
+            inf=Ball(math.inf), nan=math.nan,
+            isinf=lambda x: not raw(x).is_finite() and raw(x).is_exact(), isnan=lambda x: raw(x).is_nan(),
+            sqrt=lambda x: Ball(raw(x).sqrt()), copysign=lambda size, way: abs(size) if way >= 0 else -abs(size),
+        ),
+        "sine": lambda x: Ball(raw(x).sin()), "cosine": lambda x: Ball(raw(x).cos()),
+        "sine_and_cosine": sine_and_cosine, "sine_cosine": lambda th, low: sine_and_cosine(th), "sine_cosine_change": change,
+        "sine_and_versine": sine_and_versine, "series_remainders": remainders, "load_height": lambda s, c: 1 + c,
+        "plus": lambda high, low, value: (high + value, low), "sign_beyond": sign, "LARGE_ROTATION": Ball(math.inf),
+        **dict.fromkeys(TOLERANCES, Ball(0)),
+    }  # fmt: skip

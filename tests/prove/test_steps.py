@@ -1,0 +1,232 @@
+"""Taylor models and steps against the truth in 60 digits: what they bound, and that it is little."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from fractions import Fraction
+
+import pytest
+from mpmath import mp
+
+flint = pytest.importorskip("flint")
+
+from hophoop.precise.problem import Problem  # noqa: E402
+from hophoop.prove import models  # noqa: E402
+from hophoop.prove.contact import Contact, Step, length  # noqa: E402
+from hophoop.prove.models import Model, Unclear, first_root, modelled, sine_cosine  # noqa: E402
+from hophoop.prove.motion import Run  # noqa: E402
+from hophoop.prove.numbers import arb, arb_poly, ball, raw, setting  # noqa: E402
+from oracle_program import scenario_of  # noqa: E402
+from oracles import precise  # noqa: E402
+from oracles.cases import Case  # noqa: E402
+
+POINTS = [Fraction(k, 16) for k in range(17)]
+SIDES = (-1, 1)
+
+
+def exactly(number):
+    return arb(flint.fmpq(Fraction(number).numerator, Fraction(number).denominator))
+
+
+def value_of(model, x, side=0):
+    """A function within a model at a place: its polynomial, or one that is as far from it as it may be."""
+    with setting(400):
+        return model.p(exactly(x)) + side * model.e
+
+
+def holds(model, truth, most=1e-3):
+    """The model is within its bound of a function, and the bound is small."""
+    with setting(400):
+        assert 0 <= float(model.e) < most
+        assert all(abs(model.p(exactly(x)) - truth(x)) <= model.e + arb(2) ** -90 for x in POINTS)
+
+
+A = Model(arb_poly([2, 0.5, -0.25, 0.125, 0.0625, -0.5]), 1e-4)
+B = Model(arb_poly([-1.5, 0.75, 0.25, -0.125, 0.5, 0.25]), 3e-5)
+
+
+@pytest.mark.parametrize("cap", [3, 6, 40])
+@pytest.mark.parametrize("name", ["add", "sub", "mul", "truediv", "radd", "rsub", "rtruediv", "times"])
+def test_arithmetic_of_models_holds_whatever_is_within_its_operands(name, cap):
+    """Operands at both ends of what they bound; short series make what is cut off large."""
+    operations = {
+        "add": (lambda a, b: a + b), "sub": (lambda a, b: a - b), "mul": (lambda a, b: a * b), "truediv": (lambda a, b: b / a),
+        "radd": (lambda a, b: 3 + a), "rsub": (lambda a, b: 3 - a), "rtruediv": (lambda a, b: 3 / a),
+        "times": (lambda a, b: ball(-1.25) * a / 3),
+    }  # fmt: skip
+    compute = operations[name]
+    with setting(100, cap):
+        found = compute(A, B)
+    for first, second in itertools.product(SIDES, SIDES):
+        with setting(400):
+            holds(found, lambda x, first=first, second=second: raw(compute(value_of(A, x, first), value_of(B, x, second))), 3.0)
+    if cap == 40:
+        assert float(found.e) < 2e-3
+    assert not (name in ("mul", "truediv") and cap == 3 and float(found.e) < 0.01)
+
+
+def test_a_reciprocal_near_zero_is_refused():
+    with setting(100, 30), pytest.raises(ZeroDivisionError):
+        Model(arb_poly([1, -0.75]), 0.2).inverse()
+
+
+def test_a_cut_keeps_what_it_leaves_out():
+    with setting(100, 3):
+        p, e = models.cut([arb(1, 0.01), arb(2, 0.02), arb(-1), arb(0.5, 0.25), arb(-0.25)])
+    assert [float(one) for one in p.coeffs()] == [1.0, 2.0, -1.0]
+    assert 0.03 + 0.5 <= float(e) < 0.03 + 1.2
+    assert float(models.cut([arb(1, 0.01)])[1]) == pytest.approx(0.01, rel=1e-6)
+
+
+@pytest.mark.parametrize("terms", [4, 8, 40])
+def test_sine_and_cosine_of_a_polynomial(terms):
+    angle = arb_poly([0.7, 0.5, -0.25, 0.125])
+    with setting(150, terms):
+        s, c = sine_cosine(angle)
+    for x in POINTS:
+        with setting(400):
+            sine, cosine = angle(exactly(x)).sin_cos()
+            assert abs(s.p(exactly(x)) - sine) <= s.e
+            assert abs(c.p(exactly(x)) - cosine) <= c.e
+    assert float(s.e) < {4: 1.0, 8: 0.1, 40: 1e-15}[terms]
+    assert terms > 8 or float(s.e) > 1e-9
+
+
+@pytest.mark.parametrize("shift", [-1, 0, 1])
+def test_the_first_root_is_bracketed(shift):
+    """(x − 0.3)(x − 0.8), lifted or lowered within the bound."""
+    p, e = arb_poly([arb("0.24"), arb("-1.1"), 1]), arb(2) ** -60
+    with setting(120):
+        low, high = first_root(Model(p, e), arb(0), arb(1))
+        assert high - low < 1e-15
+        root = arb("0.55") - (arb("0.0625") - shift * e).sqrt()
+        assert low < root < high
+        assert first_root(Model(p + 1, e), arb(0), arb(1)) is None
+        assert first_root(Model(p, e), arb(0), arb(0.25)) is None
+        low, high = first_root(Model(-p, e), arb(0.5), arb(1))
+        assert low < arb("0.8") < high
+
+
+def test_a_tangency_is_no_root_and_no_gap():
+    with setting(100), pytest.raises(Unclear):
+        first_root(Model(arb_poly([0.25, -1, 1]), 1e-20), arb(0), arb(1))
+    with setting(100):
+        assert first_root(Model(arb_poly([0.25 + 1e-9, -1, 1]), 1e-20), arb(0), arb(1)) is None
+
+
+def test_a_function_that_rises_from_nearly_zero_has_no_root():
+    with setting(100):
+        assert first_root(Model(arb_poly([arb(2) ** -80, 1]), arb(2) ** -90), arb(0), arb(1)) is None
+
+
+def test_online_series_solve_the_equation():
+    """θ̈ = sin θ (2 − θ̇²)/(3 + cos θ): the coefficients are those of a motion computed in 60 digits."""
+    mp.dps = 60
+    with setting(200):
+        found = models.rates(lambda s, c, w: s * (2 - w * w) / (3 + c), arb(0.5), arb(1.25), -3, 30)
+        modelled(1)
+    solved = mp.odefun(
+        lambda _, z: [z[1], mp.sin(z[0]) * (2 - z[1] ** 2) / (3 + mp.cos(z[0]))], 0, [mp.mpf("0.5"), mp.mpf("1.25")], degree=60
+    )
+    for t in (0.05, 0.1):
+        value = sum(float(one) * t**k for k, one in enumerate(found))
+        assert value == pytest.approx(float(solved(t)[1]), rel=1e-15)
+
+
+# --- steps of a phase -----------------------------------------------------------------------------------------------------
+
+UNITS = {"gravity": 1.0, "eccentricity": 0.6, "inertia_ratio": 0.3, "slope": 0.1, "mu_static": 5.0, "mu_kinetic": 0.4}
+CASES = {
+    "R": Case("roll", angle=0.8, vx=0.9, rolling=True, **UNITS),
+    "K": Case("skid", angle=0.8, vx=3.0, omega=0.5, **UNITS),
+    "S": Case("spin", angle=2.5, vx=-0.5, omega=1.5, **UNITS),
+}
+SPREAD = Fraction(1, 10**12)
+
+
+def phase(case, bits=120):
+    """(contact, its state) of a case at its start."""
+    run = Run(Problem.of(scenario_of(case)), ball(1e-12), False, 10, lambda: None)
+    start = run.body.start()
+    sigma = 0 if case.rolling else 1 if case.vx > case.omega else -1
+    return Contact(run.body, sigma, start, 0, start.th), start
+
+
+def truth(case, angle=0, omega=0):
+    """The motion in 40 digits, from a start that is moved a little, with the same speed of the slip."""
+    moved = Case(**{**vars(case), "angle": case.angle + angle, "omega": case.omega + omega, "vx": case.vx + omega})
+    mp.dps = 40
+    return precise.solve(Case(**{**vars(moved), "duration": 0.4}), 30)
+
+
+@pytest.mark.parametrize("spread", [0.0, 2.0**-40])
+@pytest.mark.parametrize("name", CASES)
+def test_a_step_holds_every_motion_from_its_start(name, spread):
+    case = CASES[name]
+    with setting(120):
+        contact, start = phase(case)
+        radius = arb(spread)
+        step = Step(
+            contact, arb(0), raw(start.th), raw(start.om), lambda weight: length(weight * radius, radius), arb(0.3), 0.25
+        )
+        assert 0.05 < float(step.h) < 0.31
+        assert float(step.error) < (1e-25 if spread == 0.0 else 1e-10)
+    moves = [(0, 0)] if spread == 0.0 else list(itertools.product((-spread, spread), repeat=2))
+    for angle, omega in moves:
+        motion = truth(case, angle, omega)
+        for x in (Fraction(1, 4), Fraction(1, 2), Fraction(1)):
+            with setting(300):
+                within_bounds(case, contact, step, motion, exactly(x), spread == 0.0)
+
+
+def within_bounds(case, contact, step, motion, x, unmoved):
+    """θ and θ̇ of a motion lie in a step's enclosures at a place, and the watched functions of the unmoved one in its models."""
+    tau, th, om = step.at(x)
+    man, exponent = (int(part) for part in tau.man_exp())
+    one = motion.at(mp.mpf(man) * mp.mpf(2) ** exponent)
+    for found, true in ((th, one["angle"]), (om, one["omega"])):
+        assert abs(found - arb(mp.nstr(true, 35))).abs_lower() <= arb("1e-30")
+    friction, normal, slip = one["friction"], one["normal"], one["vx"] - one["omega"]
+    ends = [normal, contact.sigma * slip]
+    if contact.sigma == 0:
+        ends = [case.mu_static * normal - friction, case.mu_static * normal + friction]
+    truths = [*ends, contact.way * one["omega"], 2 * mp.pi - contact.way * (one["angle"] - mp.mpf(case.angle))]
+    for model, true in zip(step.models, truths if unmoved else [], strict=unmoved):
+        assert abs(model.p(x) + arb(0, model.e) - arb(mp.nstr(true, 35))).abs_lower() <= arb("1e-28")
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_residual_of_a_step_is_that_of_the_equations(name):
+    """θ̇′ − h θ̈ and θ′ − h θ̇ at sampled places, with the error that they let grow, lie below the step's bound."""
+    case = CASES[name]
+    with setting(100):
+        contact, start = phase(case)
+        step = Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: arb(0), arb(0.3), 0.25)
+    with setting(300):
+        worst = arb(0)
+        for x in POINTS:
+            x = exactly(x)
+            s, c = step.th(x).sin_cos()
+            left = abs(step.om.derivative()(x) - step.h * contact.alpha(s, c, step.om(x)))
+            worst = worst.max(left + step.weight * abs(step.th.derivative()(x) - step.h * step.om(x)))
+        assert worst.upper() <= step.error
+        assert step.error < 1e8 * worst
+
+
+def test_errors_grow_at_least_as_the_equations_let_them():
+    """About the unstable equilibrium a difference grows as e^(λ t), with the weight λ of θ."""
+    case = Case("top", gravity=1.0, eccentricity=0.6, inertia_ratio=0.1, mu_static=9.0, mu_kinetic=9.0, vx=0.01, rolling=True)
+    rate = math.sqrt(case.eccentricity / (case.inertia_ratio + 1.6**2))
+    with setting(120):
+        contact, start = phase(case)
+        step = Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: weight * arb(2) ** -40, arb(0.4), 0.25)
+        grown = step.error / (step.weight * arb(2) ** -40)
+    assert math.exp(rate * float(step.h)) * 0.999 <= float(grown) < 1.6
+
+
+def test_a_step_that_cannot_be_shown_is_halved_and_refused():
+    with setting(60):
+        contact, start = phase(CASES["K"])
+        with pytest.raises(Unclear, match="small"):
+            Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: arb(1e-3), arb(0.3), 0.25)
