@@ -61,11 +61,11 @@ def spoiled(track: Track, mistake: str, sign: int) -> Track:
     return replace(track, radius=factor * track.radius) if mistake == "radius" else replace(track, t=factor * track.t)
 
 
-def measure(kind: str, sets: int, seed: int) -> Iterator[dict[str, Any]]:
-    """Yield the fit of each record, as it is and spoiled."""
+def measure(kind: str, sets: int, seed: int, spoilt: int | None = None) -> Iterator[dict[str, Any]]:
+    """Yield the fit of each record, as it is and spoiled; spoilt: how many are spoiled, by default all."""
     for k in range(sets):
         track = drawn(kind, seed + k)
-        for mistake in ("", *NAMED):
+        for mistake in ("", *(NAMED if spoilt is None or k < spoilt else ())):
             fit = hh.fit(spoiled(track, mistake, 1 - 2 * (k % 2)) if mistake else track)
             said = fit.sentences()
             yield {
