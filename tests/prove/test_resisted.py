@@ -66,6 +66,12 @@ def test_rest_is_proved():
         assert (proof.verdict, proof.status) == ("proved", status), proof.why
 
 
+def test_a_hoop_on_infinite_friction_turns_and_rests():
+    proof = prove(scenario(0.05, mu=math.inf, start=hh.Start.rolling(0.5), duration=30.0), 10)
+    assert (proof.verdict, proof.status) == ("proved", "at_rest"), proof.why
+    assert "turn" in [event.kind for event in proof.events]
+
+
 def test_many_digits_lie_in_the_enclosures():
     """The computation in many digits is a Taylor series in time: nothing of a proof is in it."""
     case = scenario(0.001, duration=1.2)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
+from fractions import Fraction
 from typing import Any
 
-from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import Event, ImpactLaw, Mode, Status
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.records.state import State
 from hophoop.kernel.records.writing import PendingEvent
 from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, Ending, Limits, end_motion, limits_of
-from hophoop.precise import motion
+from hophoop.precise import motion, problem
 from hophoop.precise.problem import Problem
 from hophoop.prove.contact import advance
 from hophoop.prove.flight import Flight
@@ -27,42 +27,38 @@ def never(*given: Any) -> Any:
     raise Unclear("the slip stays away from p_σ = 0")
 
 
-class Body:
+class Body(problem.Body):
     """Hoop and plane as balls, in units of R, m and √(R/g).
 
     Parameters
     ----------
-    problem : Problem
+    exact : Problem
     look_at_clock : callable
         Raises where the time is over.
     """
 
     of: Any  # the kernel's formulas
 
-    def __init__(self, problem: Problem, look_at_clock: Callable[[], None]) -> None:
-        self.problem, self.look_at_clock = problem, look_at_clock
-        self.law, self.painleve_impact = problem.law, problem.painleve_impact
-        self.eps, self.kap, self.rest, self.resist = map(rational, (problem.eps, problem.kap, problem.rest, problem.resist))
-        self.mu_s, self.mu_k = (ball(math.inf) if mu is None else rational(mu) for mu in (problem.mu_s, problem.mu_k))
-        self.mass, self.length, gravity = map(rational, (problem.mass, problem.radius, problem.gravity or 1))
+    def __init__(self, exact: Problem, look_at_clock: Callable[[], None]) -> None:
+        self.problem, self.look_at_clock = exact, look_at_clock
+        self.law, self.painleve_impact = exact.law, exact.painleve_impact
+        self.eps, self.kap, self.rest, self.resist = map(rational, (exact.eps, exact.kap, exact.rest, exact.resist))
+        self.mu_s, self.mu_k = (ball(math.inf) if mu is None else rational(mu) for mu in (exact.mu_s, exact.mu_k))
+        self.mass, self.length, gravity = map(rational, (exact.mass, exact.radius, exact.gravity or 1))
         names = names_of_balls()
         self.sine_cosine, self.time = names["sine_and_cosine"], names["math"].sqrt(self.length / gravity)
-        s, c = self.sine_cosine(rational(problem.slope))
-        self.gn, self.gt = (c, s) if problem.gravity else (ball(0), ball(0))
+        s, c = self.sine_cosine(rational(exact.slope))
+        self.gn, self.gt = (c, s) if exact.gravity else (ball(0), ball(0))
         self.names, self.ctx, self.zero = names, None, ball(0)
+
+    def number(self, value: Fraction) -> Number:
+        """The ball of a rational number."""
+        return rational(value)
 
     def energy(self, state: State) -> Number:
         """Kinetic and potential energy."""
         kinetic = self.of.kinetic_energy(self, state.th, state.om, state.vt, state.vn, ball(0))
         return kinetic + self.of.potential_energy(self, state.x, state.y, state.th)
-
-    def start(self) -> State:
-        """The state at t = 0."""
-        problem, zero, speed = self.problem, ball(0), self.length / self.time
-        x, y, th = map(rational, (problem.x / problem.radius, problem.height / problem.radius, problem.angle))
-        vt, vn = (rational(one) / speed for one in (problem.slip, problem.vy))
-        om = rational(problem.omega) * self.time
-        return State(zero, zero, x, zero, y, zero, th, zero, vt, vn, om, zero, zero, zero, zero, NONE)
 
 
 class Run(motion.Run):
@@ -117,9 +113,8 @@ class Run(motion.Run):
         """Return True if a hoop with θ̇ = 0 stays so."""
         s, c = body.sine_cosine(state.th)
         if body.resist > 0:
-            torque = self.body.of.slip_torque_arm(body, s, c, sigma) * body.gn
-            if sigma == 0:
-                torque = self.body.of.torque_at_rest(body, s, c)
+            of = self.body.of
+            torque = of.torque_at_rest(body, s, c) if sigma == 0 else of.slip_torque_arm(body, s, c, sigma) * body.gn
             return bool(abs(torque) <= body.resist * body.gn)
         return bool(self.body.of.acceleration_in_contact(body, s, c, ball(0), sigma) == 0)
 

@@ -18,6 +18,7 @@ from hophoop.kernel.physics.body import STATUS_NAMES, Status
 from hophoop.kernel.rigid.phase import Ending
 from hophoop.precise import result
 from hophoop.precise.problem import Problem
+from hophoop.prove.contact import SMALL
 from hophoop.prove.motion import Run
 from hophoop.prove.numbers import BITS_A_DIGIT, Number, Unclear, arb, rational, raw, setting
 from hophoop.results.event_table import change_of
@@ -28,7 +29,7 @@ from hophoop.vocabulary.names import plain, sequence_of
 LEAST_DIGITS, MOST_DIGITS = 1, 200
 GUARD, LOST = 45, 4.0  # bits, and those that a time of √(R/g) takes from the digits
 LONGEST = 20.0  # √(R/g), for which bits are given at first
-TRIES = 5
+TRIES, SAME = 5, 3
 CLOSING_GUARD = 4  # digits: bounces are closed when their rest is so far below the digits asked for, and below 10⁻¹⁰
 SPARE = 4  # digits beyond those that were missing
 MOST_ROWS = 12  # events that a proof shows of itself
@@ -267,6 +268,7 @@ def prove_problem(
     lasts = float(problem.duration) * math.sqrt(float((problem.gravity or 1) / problem.radius))
     bits = max(int(digits * BITS_A_DIGIT + GUARD + LOST * min(lasts, LONGEST)) + problem.tiny(), least)
     closing, best = max(digits, 10) + CLOSING_GUARD, None
+    reasons: list[tuple[str, int]] = []
     for _ in range(TRIES):
         with setting(bits):
             why = ""
@@ -290,6 +292,9 @@ def prove_problem(
             return best if best.proved else replace(best, why=LATE)
         if found.proved and found.digits_proved >= digits:
             return found
+        reasons.append((why, len(found.events)))
+        if why and reasons.count(reasons[-1]) == SAME and SMALL not in why:
+            break  # twice as many bits, twice, have not helped
         missing = digits - found.digits_proved + SPARE
         closing += missing if found.proved else 0
         bits += int(missing * BITS_A_DIGIT) if found.proved else bits
