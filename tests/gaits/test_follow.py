@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.maps import parameter_rates
+from hophoop.gaits.maps import known_image, value_of
 from slopes import on_slope
 
 GOOD = {"rel": 1e-9}
@@ -46,6 +46,13 @@ def doubled(special, share=1e-5):
     gait = special.gait
     case = gait.scenario.replace("plane.slope", special.parameter * (1.0 + share))
     return hh.gaits.find(case, 2 * gait.period, near=special.omega, section=gait.section)[0]
+
+
+def parameter_rates(found, path):
+    """Rates of the coordinates at the last passage by those at the start, and by a parameter."""
+    image_of, image, point = known_image(found, -1, len(found), path)
+    rates = image_of.rates(image, np.append(point, value_of(found.scenario, path)), exact=True, sided=False)
+    return rates[:, :-1], rates[:, -1]
 
 
 CHANGES = {"plane.slope": 0.0523, "hoop.load_fraction": 0.5, "plane.mu": 0.9, "plane.rolling_resistance": 0.01}

@@ -27,7 +27,6 @@ Progress = Callable[[float], object]
 TENTH = 0.1  # of the range: unit of the scaled parameter
 LONGEST_STEP, SHORTEST_STEP = 0.02, 1e-9  # along the branch, in (coordinates in units of R and √(R/g), scaled parameter)
 MOST_POINTS = 4_000
-ROUNDS = 60  # of bisection
 NEAREST = 1e-15  # along the branch: to rounding
 BESIDE = (1e-9, 1e-7, 1e-5)  # distances at which the pieces next to a boundary are looked for
 STEPS, KNOWN = 20, 1e-9  # of the secant rule, and the last one: the next would be rounding
@@ -298,40 +297,34 @@ class Follower:
         while len(self.points) < MOST_POINTS:
             here = self.points[-1]
             ahead = here.ahead(way, step)
+            if ahead is not None and not self.bounds[0] + AT_LIMIT <= ahead.place[-1] <= self.bounds[1] - AT_LIMIT:
+                if self.leaves(here, ahead):
+                    return
+                ahead = None
             if ahead is None or here.distance(ahead) > 2.0 * step or not ahead.known:
-                step *= 0.5
+                ahead, step = None, 0.5 * step
                 if step > SHORTEST_STEP:
                     continue
-                last, _ = furthest(here, way, 4.0 * step)
-                beyond = self.pass_border(last, way, None)
-                if beyond is None:
-                    self.end(last if last.known else here, way)
-                    return
-                way, step = beyond, LONGEST_STEP / 8.0
-                continue
-            if not self.bounds[0] + AT_LIMIT <= ahead.place[-1] <= self.bounds[1] - AT_LIMIT:
-                self.leave(here, ahead, way)
-                return
-            if ahead.apart < JOINED < here.apart:
+            elif ahead.apart < JOINED < here.apart:
                 last, _ = furthest(here, way, step, JOINED)
                 self.between(here, last)
                 self.add(JOINS, last)
                 return
-            if ahead.image.key != here.image.key:
-                last, next_one = furthest(here, way, step)
-                if step > UNKNOWN and (next_one is None or last.distance(next_one) > UNKNOWN):
-                    step *= 0.25  # the step met another part of the branch, for instance beyond a fold
-                    continue
-                beyond = self.pass_border(last, way, next_one)
-                if beyond is None:
-                    self.end(last, way)
-                    return
-                way, step = beyond, min(2.0 * step, LONGEST_STEP)
+            elif ahead.image.key == here.image.key:
+                self.between(here, ahead)
+                self.points.append(ahead)
+                way = ahead.tangent if ahead.tangent @ way > 0.0 else -ahead.tangent
+                step = min(1.5 * step, LONGEST_STEP)
                 continue
-            self.between(here, ahead)
-            self.points.append(ahead)
-            way = ahead.tangent if ahead.tangent @ way > 0.0 else -ahead.tangent
-            step = min(1.5 * step, LONGEST_STEP)
+            last, next_one = furthest(here, way, 4.0 * step if ahead is None else step)
+            if ahead is not None and step > UNKNOWN and (next_one is None or last.distance(next_one) > UNKNOWN):
+                step *= 0.25  # the step met another part of the branch, for instance beyond a fold
+                continue
+            beyond = self.pass_border(last, way, None if ahead is None else next_one)
+            if beyond is None:
+                self.end(last if last.known else here, way)
+                return
+            way, step = beyond, LONGEST_STEP / 8.0
 
     def pass_border(self, last: Point, way: Floats, beyond: Point | None) -> Floats | None:
         """Add a border collision, and go on on its other side; return the direction, or None if nothing goes on there."""
@@ -376,27 +369,15 @@ class Follower:
                 if found is not None:
                     self.add(kind, found, factors=(critical,))
 
-    def leave(self, here: Point, ahead: Point, way: Floats) -> None:
-        """Add the point at the limit of the range, or an end before it if there is no gait."""
+    def leaves(self, here: Point, ahead: Point) -> bool:
+        """Add the point at the limit of the range that is between two; return False if its phases are others."""
         limit = self.bounds[0] if ahead.place[-1] < self.bounds[0] + AT_LIMIT else self.bounds[1]
         last = at_value(here, ahead.place, limit)
-        reached = last is not None
         if last is None:
-            last, beyond = here, limit
-            for _ in range(ROUNDS):
-                middle = 0.5 * (last.place[-1] + beyond)
-                found = at_value(last, last.place + last.tangent, middle)
-                if found is None:
-                    beyond = middle
-                else:
-                    last = found
-                if abs(beyond - last.place[-1]) < AT_LIMIT:
-                    break
+            return False
         self.between(here, last)
-        if reached:
-            self.add(LIMIT, last)
-        else:
-            self.end(last, way)
+        self.add(LIMIT, last)
+        return True
 
     def end(self, last: Point, way: Floats) -> None:
         """Add the end of a branch: the limit of the range, the top of the hill, or that of a piece."""

@@ -296,10 +296,13 @@ class SectionMap:
 
     # --- fixed points ------------------------------------------------------------------------------
 
-    def solve(self, point: Floats, normal: Floats | None = None, rates: Floats | None = None) -> tuple[Floats, Image] | None:
+    def solve(
+        self, point: Floats, normal: Floats | None = None, rates: Floats | None = None, *, patient: bool = False
+    ) -> tuple[Floats, Image] | None:
         """Return the fixed point near one, by Newton's method with a derivative that is kept while it is good enough.
 
         With a parameter it is that on the plane through the point with a given normal.
+        patient: go on where a step leads farther away.
         """
         place, last, fresh = point, math.inf, False
         count = len(self.names)
@@ -313,7 +316,7 @@ class SectionMap:
             size = float(np.abs(excess).max())
             if size < SOLVED:
                 return place, image
-            if fresh and size >= last and (size < NEARLY or normal is not None):  # along a branch a shorter step is cheaper
+            if fresh and size >= last and (size < NEARLY or not patient):
                 return (place, image) if size < NEARLY else None
             fresh = rates is None or size > SLOW * last
             if rates is None or fresh:
@@ -504,16 +507,6 @@ def known_image(found: Passages, index: int, further: int, path: str = "") -> tu
     row = found.first if index < 0 else found.numbers[index]
     point: Floats = row[[*PLACES[_free(section, MODE_LETTERS.index(mode))]]]
     return image_of, Image(known, 0), point
-
-
-def parameter_rates(found: Passages, path: str) -> tuple[Floats, Floats]:
-    """Return the rates of the coordinates at the last passage by those at the start, and by a parameter, or nan.
-
-    In units of R and √(R/g), by the parameter per SI unit.
-    """
-    image_of, image, point = known_image(found, -1, len(found), path)
-    rates = image_of.rates(image, np.append(point, value_of(found.scenario, path)), exact=True, sided=False)
-    return rates[:, :-1], rates[:, -1]
 
 
 def sides_of(found: Passages) -> tuple[Floats, Floats]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 
 import numpy as np
 
@@ -208,7 +209,7 @@ def _near_returns(found: Passages, period: int, units: Units) -> list[int]:
 def _polished(found: Passages, place: int, period: int) -> Gait | None:
     """Return the gait near a passage, by Newton's method."""
     image = SectionMap(found.scenario, period, found.section, found.mode[place])
-    solution = image.solve(image.point(found.start(place)))
+    solution = image.solve(image.point(found.start(place)), patient=True)
     return None if solution is None else _gait(image.at(solution[0]), found.section, period)
 
 
@@ -248,43 +249,20 @@ def crossings(image: SectionMap, piece: Piece) -> Iterator[float]:
     def excess(omega: float) -> float:
         return image.returned(omega)[0] - omega
 
-    for k, (omega, value) in enumerate(points[:-1]):
-        after, beyond = points[k + 1]
-        if value == 0.0:
-            yield omega
-        elif value * beyond < 0.0:
-            yield root(excess, omega, after, value, beyond)
-        elif k > 0 and _is_nearest(points[k - 1][1], value, beyond):
-            yield from _pair(excess, points[k - 1], points[k], points[k + 1])
-    if points[-1][1] == 0.0:
-        yield points[-1][0]
-
-
-def _is_nearest(before: float, value: float, after: float) -> bool:
-    """Return True if the middle one of three values of one sign is nearest to 0."""
-    return before * value > 0.0 and after * value > 0.0 and abs(value) <= min(abs(before), abs(after))
-
-
-def _pair(
-    excess: Callable[[float], float], left: tuple[float, float], middle: tuple[float, float], right: tuple[float, float]
-) -> Iterator[float]:
-    """Yield two roots around an extremum that the points stop short of, if there are any."""
-    sign = math.copysign(1.0, middle[1])
-    a, b = left[0], right[0]
-    for _ in range(ROUNDS):
-        tried = [(sign * excess(place), place) for place in (a + (b - a) / 3.0, b - (b - a) / 3.0)]
-        least, lowest = min(tried)
-        if least < 0.0 or b - a < 1e-9 * abs(b):
-            break
-        a, b = (a, tried[1][1]) if lowest == tried[0][1] else (tried[0][1], b)
-    if least < 0.0:
-        yield root(excess, left[0], lowest, left[1], sign * least)
-        yield root(excess, lowest, right[0], sign * least, right[1])
+    for (a, at_a), (b, at_b) in pairwise(points):
+        if at_a * at_b <= 0.0:
+            yield root(excess, a, b, at_a, at_b)
+    for (a, at_a), (_, value), (b, at_b) in zip(points, points[1:], points[2:], strict=False):
+        if at_a * value > 0.0 < value * at_b and abs(value) <= min(abs(at_a), abs(at_b)):  # a pair may be next to the extremum
+            for omega in (a, b):
+                found = image.solve(np.array([omega]))
+                if found is not None and a <= found[0][0] <= b:
+                    yield float(found[0][0])
 
 
 def root(excess: Callable[[float], float], a: float, b: float, at_a: float, at_b: float) -> float:
     """Return a root between two points of different sign, by the secant rule within a bracket, else by bisection."""
-    for k in range(2 * ROUNDS):
+    for k in range(2 * ROUNDS if at_a else 0):
         middle = 0.5 * (a + b)
         if middle in (a, b):
             break
