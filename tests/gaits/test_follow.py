@@ -285,3 +285,16 @@ def test_a_branch_goes_on_where_it_turns_back_at_a_corner():
     (doubling,) = of_kind(found, "period doubling")
     twice = doubled(doubling)
     assert (twice.period, twice.stable) == (4, True)
+
+
+def test_corners_of_bounces_are_passed():
+    """Under Stronge's law the branch reaches both limits, through a jump of the multiplier at the impact of a bounce."""
+    case = on_slope(3.0, 0.5, restitution=0.3, impact_law="stronge")
+    gait = hh.gaits.find(case, near=2.77)[0]
+    found = gait.follow("plane.restitution", (0.192, 0.32))
+    assert [found.special[0].kind, found.special[-1].kind] == ["limit of the range"] * 2
+    assert np.all(np.diff(found.parameter) > -1e-12)
+    jump = max(of_kind(found, "border collision"), key=lambda one: abs(one.multipliers[1] - one.multipliers[0]))
+    assert jump.event == "impact: slip just stops: RSHHHHHHHHHHHHHHHR | RSHHHHHHHHHHHHHHHR"
+    assert jump.parameter == pytest.approx(0.19332988986, abs=1e-10)
+    assert jump.multipliers == (pytest.approx(-0.78398, abs=1e-5), pytest.approx(-0.82800, abs=1e-5))

@@ -28,12 +28,14 @@ TENTH = 0.1  # of the range: unit of the scaled parameter
 LONGEST_STEP, SHORTEST_STEP = 0.02, 1e-9  # along the branch, in (coordinates in units of R and √(R/g), scaled parameter)
 MOST_POINTS = 4_000
 NEAREST = 1e-15  # along the branch: to rounding
+SAME = 1e-5  # of multipliers: where an impact's branch changes, but nothing else, no border is reported
 BESIDE = (1e-9, 1e-7, 1e-5)  # distances at which the pieces next to a boundary are looked for
 STEPS, KNOWN = 20, 1e-9  # of the secant rule, and the last one: the next would be rounding
 UNKNOWN = 1e-5  # along the branch: the largest gap at a boundary
 AT_LIMIT = 1e-8  # scaled parameter: within it a branch has reached the limit of its range
 SAMPLES, NEAR_TOP = 400, 1e-3  # of a period, and the least θ̇ of one that ends at the top [√(g/R)]
 JOINED = 1e-7  # √(g/R): within it θ̇ after a part of the period is the same
+PHASE = "phase vanishes"
 RADIUS, MASS, GRAVITY = "hoop.radius", "hoop.mass", "plane.gravity"
 
 FOLD, DOUBLING, BORDER, JOINS, TOP, END, LIMIT = (
@@ -329,7 +331,10 @@ class Follower:
     def pass_border(self, last: Point, way: Floats, beyond: Point | None) -> Floats | None:
         """Add a border collision, and go on on its other side; return the direction, or None if nothing goes on there."""
         new = beyond if beyond is not None else next(self.beside(last, way), None)
-        if new is None or not (last.known and new.known):
+        if new is None or not new.known:
+            return None
+        event = boundary(last.image, new.image, last.map.section)
+        if event == PHASE and last.map.mode != new.map.mode:  # the first phase after the landing vanishes: the end of a branch
             return None
         towards = 1.0 if new.pair(new.tangent) @ (new.pair(new.place) - last.pair(last.place)) > 0.0 else -1.0
         if beyond is None:
@@ -339,9 +344,12 @@ class Follower:
             if beyond is not None and sign < 0.0 and tangent @ way < 0.0 and goes_on(new, -tangent):
                 continue
             if goes_on(new, tangent):
-                self.between(self.points[-1], last)
-                event = boundary(last.image, new.image, last.map.section)
-                self.add(BORDER, last, f"{event}: {last.image.sequence} | {new.image.sequence}", new)
+                here = self.points[-1]
+                one = last if last.known else short_of(here, last, way)
+                self.between(here, one)
+                factors = one.multiplier.real, new.multiplier.real
+                if last.image.sequence != new.image.sequence or abs(factors[1] - factors[0]) > SAME:
+                    self.add(BORDER, last, f"{event}: {last.image.sequence} | {new.image.sequence}", factors)
                 self.points.append(new)
                 return tangent
         return None
@@ -394,14 +402,11 @@ class Follower:
         beyond = next((image for image in tried if image.passages and image.key != last.image.key), None)
         self.add(END, last, "" if beyond is None else boundary(last.image, beyond, last.map.section))
 
-    def add(
-        self, kind: str, point: Point, event: str = "", beyond: Point | None = None, factors: tuple[float, ...] = ()
-    ) -> None:
+    def add(self, kind: str, point: Point, event: str = "", factors: tuple[float, ...] = ()) -> None:
         """Add a special point; other than folds and doublings it is a point of the branch, too."""
-        if not factors:
-            factors = tuple(one.multiplier.real for one in (point, beyond) if one is not None)
-            if point is not self.points[-1]:
-                self.points.append(point)
+        if kind not in (FOLD, DOUBLING) and point is not self.points[-1]:
+            self.points.append(point)
+        factors = factors or (point.multiplier.real,)
         self.special.append(Special(kind, event, point.map.path, point.parameter, point.omega, factors, point.gait))
 
 
@@ -423,9 +428,14 @@ def furthest(here: Point, way: Floats, step: float, apart: float = 0.0) -> tuple
 
 def backed(new: Point, back: Floats, far: float) -> Point:
     """Return the point next to the border that a point is beyond, where its derivative exists on both sides."""
-    edge, _ = furthest(new, back, 2.0 * far)
-    near = new.ahead(back, new.distance(edge) - BESIDE[1])
-    return near if near is not None and near.known and new.distance(edge) > BESIDE[1] else new
+    return short_of(new, furthest(new, back, 2.0 * far)[0], back)
+
+
+def short_of(here: Point, last: Point, way: Floats) -> Point:
+    """Return a point between two on a line, 1e-7 before the last one, or the first one if it is not farther away."""
+    distance = here.distance(last) - BESIDE[1]
+    near = here.ahead(way, distance) if distance > 0.0 else None
+    return near if near is not None and near.known else here
 
 
 def between(here: Point, ahead: Point, critical: float) -> Point | None:
@@ -481,7 +491,7 @@ def boundary(one: Image, other: Image, section: str) -> str:
         return "slip at the section"
     if one.sequence == other.sequence or (moved and one.passages[-1].branches != other.passages[-1].branches):
         return "impact: slip just stops"
-    return "phase vanishes" if one.sequence.count("H") == other.sequence.count("H") else "hop vanishes"
+    return PHASE if one.sequence.count("H") == other.sequence.count("H") else "hop vanishes"
 
 
 def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progress | None = None) -> Branch:

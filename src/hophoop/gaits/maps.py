@@ -40,7 +40,7 @@ ON_SECTION = 1e-9  # rad: within it a start is on the section
 WIDE, WIDTHS, USUAL, NARROW = 2.0**-6, 12, 2.0**-10, 2.0**-27  # steps: first ones of exact derivatives, of others, the least
 SIDED = (2.0**-13, 2.0**-16, 2.0**-19)  # first steps of one-sided differences
 LEVELS = 6  # of extrapolation
-CLOSE, KNOWN = 1e-10, 1e-3  # estimated errors at which it ends, and the largest
+CLOSE, GOOD, KNOWN = 1e-10, 1e-8, 1e-3  # estimated errors: at which a step, all steps are enough, and the largest
 NODES, DEGREE = 32, 10  # of polynomials of exact derivatives
 ROUNDING = 1e-15  # of the map
 SOLVED, NEARLY = 1e-13, 1e-11  # largest differences of a fixed point from its image, sought and accepted
@@ -200,7 +200,7 @@ class SectionMap:
         place = point.tolist()
         body = self._body(place.pop() if self.path else 0.0)
         th, om, vt, vn, *_ = [math.pi] * int(self.section == "bottom") + place + [0.0, 0.0]
-        if body is None or vt * slip_direction(mode) < 0.0:
+        if body is None or vt * slip_direction(mode) < -SOLVED:
             return 0
         start = start_state(0.0, 0.0, th, vt, vn, om)
         request = Request(SECTIONS.index(self.section), most, FOREVER, PANELS, False)
@@ -352,6 +352,7 @@ class SectionMap:
         """Return the scenario that starts at a point."""
         values = (point[: len(self.names)] * self.units).tolist()
         state = {"angle": math.pi, "slip": 0.0} | dict(zip(self.names, values, strict=True))
+        state["slip"] = 0.0 if state["slip"] * slip_direction(self._code) < 0.0 else state["slip"]
         start = Start(height=0.0, vx=self.scenario.hoop.radius * state["omega"] + state["slip"], mode=self.mode, **state)
         base = self.scenario.replace(self.path, float(point[-1]) * self.scale) if self.path else self.scenario
         return base.replace("start", start)
@@ -369,15 +370,16 @@ def difference(at: Values, size: int, *, exact: bool, sided: bool) -> Floats:
     They are central where the function exists on both sides at some distance, else one-sided, in powers of the root of the
     distance: a hop or a phase opens with them.
     """
-    found = _fitted(at) if exact else None
-    step = USUAL
-    while found is None and step > NARROW:
-        found = _extrapolated(at, step)
-        step /= 8.0
-    for way, step in product((1.0, -1.0), SIDED if sided else ()):
-        if found is None:
-            found = _extrapolated(at, step, way)
-    return np.full(size, math.nan) if found is None else found
+    best = _fitted(at) if exact else None
+    error = KNOWN if best is None else 0.0
+    steps = [*((USUAL / 8.0**k, 0.0) for k in range(6)), *(product(SIDED, (1.0, -1.0)) if sided else ())]
+    for step, way in steps:
+        if error < GOOD:
+            break
+        found, now = _extrapolated(at, step, way)
+        if now < error:
+            best, error = found, now
+    return np.full(size, math.nan) if best is None else best
 
 
 def _fitted(at: Values) -> Floats | None:
@@ -401,14 +403,14 @@ def _fitted(at: Values) -> Floats | None:
     return best
 
 
-def _extrapolated(at: Values, step: float, way: float = 0.0) -> Floats | None:
-    """Return the derivative at 0 by quotients of ever smaller steps, to both sides or one way; None if it is not known to 1e-3.
+def _extrapolated(at: Values, step: float, way: float) -> tuple[Floats | None, float]:
+    """Return the derivative at 0 by quotients of ever smaller steps, to both sides or one way, and its estimated error.
 
     By Ridders' rule: the errors of central quotients are even powers of the step, those of others powers of its root.
     """
     shrink, base, close = (4.0, 2.0, 0.0) if way else (2.0, 4.0, CLOSE)
     table: list[Floats] = []
-    best, error = None, KNOWN
+    best, error = None, math.inf
     for level in range(LEVELS):
         width = step / shrink**level
         ahead, back = at(width * (way or 1.0)), None if way else at(-width)
@@ -427,7 +429,7 @@ def _extrapolated(at: Values, step: float, way: float = 0.0) -> Floats | None:
             if change ** (1.0 + 1.0 / level) < close:
                 break
         table = row
-    return best
+    return best, error
 
 
 def eigenvalues(matrix: Floats) -> Floats | NDArray[np.complex128]:

@@ -61,6 +61,7 @@ ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is se
 LETTER, SINCE, COUNT, JUMPS, GAP, TAKEN, LOST, TURNED = range(MEMORY, MEMORY + 8)
 SIZE = MEMORY + 8
 KEPT = 2.0**40  # branches are kept modulo this
+FAINT = 1e-3  # m √(gR): impacts with less impulse, as at the end of a sequence of bounces, have no branch
 
 
 @inline
@@ -122,7 +123,7 @@ def note_events(body, log, words, row, memory):
             memory[GAP] = max(memory[GAP], event["height"])
         if kind in PASSING:
             continue
-        if kind == Event.IMPACT or kind == Event.BOUNCE_LIMIT:
+        if event["impulse_normal"] > FAINT and (kind == Event.IMPACT or kind == Event.BOUNCE_LIMIT):
             taken = 5.0 * memory[TAKEN] + branch_of(body, event)
             memory[TAKEN] = taken - KEPT * math.floor(taken / KEPT)
         memory[ROLLING_TURNS] = 0.0
