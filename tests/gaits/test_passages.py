@@ -100,6 +100,7 @@ def test_lyapunov():
     """The logarithm of the multiplier on a gait; in chaos as in the literature of this hoop, within its error."""
     gait = hh.passages(on_slope(1.0, 0.75, 3.4), 200).lyapunov
     assert gait.value == pytest.approx(math.log(0.610983567588), abs=1e-6)
+    assert math.isnan(hh.passages(on_slope(0.0, 0.75, 0.0), 5).lyapunov.value)
     chaos = hh.passages(on_slope(4.0, 0.75, 3.41), 1500)
     assert chaos.fate == "chaotic"
     assert abs(chaos.lyapunov.value - 0.575) < min(5.0 * chaos.lyapunov.error, 0.05)

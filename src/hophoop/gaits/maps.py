@@ -502,7 +502,8 @@ def derivative_over(found: Passages, index: int, further: int) -> SectionDerivat
 def known_image(found: Passages, index: int, further: int, path: str = "") -> tuple[SectionMap, Image, Floats]:
     """Return the map of some passages of a motion, the point at the one before, or at the start, and its known image."""
     scenario, section = found.scenario, found.section
-    mode = found.mode[index] if index >= 0 else scenario.start.mode or (found.sequences[0] or "R")[0]
+    first = found.sequences[0] if len(found) else ""
+    mode = found.mode[index] if index >= 0 else scenario.start.mode or first[:1] or "R"
     rows, packed = found.numbers[index + 1 : index + 1 + further], found.packed[index + 1 : index + 1 + further]
     known = tuple(Passage(row, word_of(section, row, word)) for row, word in zip(rows, packed, strict=True))
     image_of = SectionMap(scenario, further, section, mode, path)

@@ -145,14 +145,9 @@ def _rolling(
         values = [(piece.low, piece.at_low), *piece.points, (piece.high, piece.at_high)]
         nearest[0] = min(nearest[0], min(abs(after - omega) for omega, after in values) * image.unit)
         for omega in crossings(image, piece):
-            gait = _from_bottom(scenario, omega * image.unit, period)
+            gait = _gait(image.at(np.array([omega])), "bottom", period)
             if gait is not None:
                 yield gait
-
-
-def _from_bottom(scenario: Scenario, omega: float, period: int) -> Gait | None:
-    start = Start(angle=math.pi, vx=scenario.hoop.radius * omega, omega=omega, slip=0.0, mode="R")
-    return _gait(scenario.replace("start", start), "bottom", period)
 
 
 def _gait(scenario: Scenario, section: str, period: int) -> Gait | None:
