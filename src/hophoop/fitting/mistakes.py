@@ -64,10 +64,8 @@ def likely_mistakes(
     trials = _trials(run)
     costs = _costs(trials, track, held)
     if not costs or costs[0][0] > WELL:
-        for kind in ("radius", "times"):
-            costs = sorted([*costs, _nearby(run, kind, track, held)], key=lambda pair: pair[0])
-            if costs[0][0] < WELL:
-                break
+        # both: a record of a phone hardly tells one from the other
+        costs = sorted([*costs, *(_nearby(run, kind, track, held) for kind in ("radius", "times"))], key=lambda pair: pair[0])
     tried = list(dict.fromkeys([*(["axes"] if run.measured & {"x", "y"} else []), *(one.kind for one in trials)]))
     best = costs[0][0]
     if best < min(GOOD, cost / ALIKE):
