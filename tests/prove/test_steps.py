@@ -66,6 +66,15 @@ def test_arithmetic_of_models_holds_whatever_is_within_its_operands(name, cap):
     assert not (name in ("mul", "truediv") and cap == 3 and float(found.e) < 0.01)
 
 
+def test_the_product_of_two_wide_models_is_as_wide_as_it_has_to_be():
+    """The errors multiply too: 2 · 0.5 + 3 · 0.25 + 0.5 · 0.25."""
+    wide, other = Model(arb_poly([2]), 0.25), Model(arb_poly([-3]), 0.5)
+    with setting(100, 10):
+        assert float((wide * other).e) == pytest.approx(2 * 0.5 + 3 * 0.25 + 0.125, rel=1e-8)
+        assert float((wide * -2).e) == pytest.approx(0.5, rel=1e-8)
+        assert float((wide + other).e) == float((wide - other).e) == pytest.approx(0.75, rel=1e-8)
+
+
 def test_a_reciprocal_near_zero_is_refused():
     with setting(100, 30), pytest.raises(ZeroDivisionError):
         Model(arb_poly([1, -0.75]), 0.2).inverse()
@@ -79,18 +88,36 @@ def test_a_cut_keeps_what_it_leaves_out():
     assert float(models.cut([arb(1, 0.01)])[1]) == pytest.approx(0.01, rel=1e-6)
 
 
-@pytest.mark.parametrize("terms", [4, 8, 40])
-def test_sine_and_cosine_of_a_polynomial(terms):
+@pytest.mark.parametrize(("terms", "bits"), [(4, 150), (8, 150), (40, 150), (40, 8)])
+def test_sine_and_cosine_of_a_polynomial(terms, bits):
+    """With few terms the series are cut off, with few bits their first coefficients are rounded."""
     angle = arb_poly([0.7, 0.5, -0.25, 0.125])
-    with setting(150, terms):
+    with setting(bits, terms):
         s, c = sine_cosine(angle)
     for x in POINTS:
         with setting(400):
             sine, cosine = angle(exactly(x)).sin_cos()
             assert abs(s.p(exactly(x)) - sine) <= s.e
             assert abs(c.p(exactly(x)) - cosine) <= c.e
-    assert float(s.e) < {4: 1.0, 8: 0.1, 40: 1e-15}[terms]
+            rate = angle.derivative()(exactly(x))
+            left = abs(s.p.derivative()(exactly(x)) - c.p(exactly(x)) * rate)
+            assert left + abs(c.p.derivative()(exactly(x)) + s.p(exactly(x)) * rate) <= s.e
+    assert float(s.e) < {4: 1.0, 8: 0.1, 40: 1e-15 if bits > 8 else 0.2}[terms]
     assert terms > 8 or float(s.e) > 1e-9
+
+
+@pytest.mark.parametrize("terms", [4, 5])
+@pytest.mark.parametrize("begin", [0.0, 0.75, 1.5])
+def test_sine_and_cosine_take_up_what_both_leave(begin, terms):
+    """Either of both leaves more, by the angle and the number of terms."""
+    with setting(100, terms):
+        s, c = sine_cosine(arb_poly([begin, 0.125]))
+        both = models.size(s.p.derivative() - c.p * 0.125) + models.size(c.p.derivative() + s.p * 0.125)
+        assert both <= s.e
+        assert both <= c.e
+        zero = arb(0)
+        sine, cosine = arb(begin).sin_cos()
+        assert s.e <= (both + abs(s.p(zero) - sine) + abs(c.p(zero) - cosine)) * (1 + 2.0**-30)
 
 
 @pytest.mark.parametrize("shift", [-1, 0, 1])

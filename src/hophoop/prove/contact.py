@@ -9,8 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hophoop.kernel.records.state import State
-from hophoop.kernel.rigid.phase import Ending
+from hophoop.prove.formulas import Ending, State
 from hophoop.prove.models import Model, cut, first_root, modelled, over_all, padded, rates, sine_cosine, size
 from hophoop.prove.numbers import Number, Unclear, arb, arb_poly, arb_series, ball, flint, precision, raw, setting
 

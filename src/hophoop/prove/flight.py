@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hophoop.kernel.records.state import State
+from hophoop.prove.formulas import State
 from hophoop.prove.models import Model, first_root
 from hophoop.prove.numbers import Number, Unclear, arb, arb_poly, ball, precision, raw, sign
 

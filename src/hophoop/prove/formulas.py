@@ -1,4 +1,4 @@
-"""The kernel's functions over balls: the one module that names them, and the copier that lets no tolerance through."""
+"""The kernel's names, in one place; its functions over balls, by a copier that lets no tolerance through."""
 
 from __future__ import annotations
 
@@ -10,6 +10,11 @@ from types import FunctionType, SimpleNamespace
 from typing import Any
 
 from hophoop.kernel.native.marks import source_of
+from hophoop.kernel.physics.body import STATUS_NAMES as STATUS_NAMES
+from hophoop.kernel.physics.body import Event as Event
+from hophoop.kernel.physics.body import ImpactLaw as ImpactLaw
+from hophoop.kernel.physics.body import Mode as Mode
+from hophoop.kernel.physics.body import Status as Status
 from hophoop.kernel.physics.closed_forms import (
     flight_displacement,
     flight_rates,
@@ -30,8 +35,17 @@ from hophoop.kernel.physics.contact import (
     torque_at_rest,
 )
 from hophoop.kernel.physics.impact import slip_rates, stick_rates
+from hophoop.kernel.physics.modes import slip_direction as slip_direction
+from hophoop.kernel.records.state import State as State
+from hophoop.kernel.records.writing import PendingEvent as PendingEvent
 from hophoop.kernel.rigid.contact_phase import contact_step, vanishing_slip_derivatives
 from hophoop.kernel.rigid.flight_phase import flight_start, land
+from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF as STOP_AT_TAKEOFF
+from hophoop.kernel.rigid.phase import STOP_AT_TURN as STOP_AT_TURN
+from hophoop.kernel.rigid.phase import Ending as Ending
+from hophoop.kernel.rigid.phase import Limits as Limits
+from hophoop.kernel.rigid.phase import end_motion as end_motion
+from hophoop.kernel.rigid.phase import limits_of as limits_of
 from hophoop.kernel.rigid.run import begin
 from hophoop.kernel.rigid.transitions import collide
 from hophoop.precise import kernels

@@ -7,16 +7,27 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
-from hophoop.kernel.physics.body import Event, ImpactLaw, Mode, Status
-from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.records.state import State
-from hophoop.kernel.records.writing import PendingEvent
-from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, Ending, Limits, end_motion, limits_of
 from hophoop.precise import motion, problem
 from hophoop.precise.problem import Problem
 from hophoop.prove.contact import advance
 from hophoop.prove.flight import Flight
-from hophoop.prove.formulas import Formulas, names_of_balls
+from hophoop.prove.formulas import (
+    STOP_AT_TAKEOFF,
+    STOP_AT_TURN,
+    Ending,
+    Event,
+    Formulas,
+    ImpactLaw,
+    Limits,
+    Mode,
+    PendingEvent,
+    State,
+    Status,
+    end_motion,
+    limits_of,
+    names_of_balls,
+    slip_direction,
+)
 from hophoop.prove.numbers import Number, Unclear, arb, ball, rational, raw, sign
 
 SPREAD = 1000  # of the box about bounces to come, over the first estimate of how far they go

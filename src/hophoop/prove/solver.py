@@ -14,11 +14,10 @@ from typing import Any
 
 from hophoop._support import tables
 from hophoop._support.files import replacing
-from hophoop.kernel.physics.body import STATUS_NAMES, Status
-from hophoop.kernel.rigid.phase import Ending
 from hophoop.precise import result
 from hophoop.precise.problem import Problem
 from hophoop.prove.contact import SMALL
+from hophoop.prove.formulas import STATUS_NAMES, Ending, Status
 from hophoop.prove.motion import Run
 from hophoop.prove.numbers import BITS_A_DIGIT, Number, Unclear, arb, rational, raw, setting
 from hophoop.results.event_table import change_of
