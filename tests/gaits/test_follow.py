@@ -298,3 +298,13 @@ def test_corners_of_bounces_are_passed():
     assert jump.event == "impact: slip just stops: RSHHHHHHHHHHHHHHHR | RSHHHHHHHHHHHHHHHR"
     assert jump.parameter == pytest.approx(0.19332988986, abs=1e-10)
     assert jump.multipliers == (pytest.approx(-0.78398, abs=1e-5), pytest.approx(-0.82800, abs=1e-5))
+
+
+def test_a_border_between_two_pieces_of_a_landing():
+    """Where the slip after the landing ends no coordinate can change alone; the friction of the impact gives 0.23352067134."""
+    gait = hh.gaits.find(on_slope(5.0, 0.15, mu=0.2), section="landing", near=12.08)[0]
+    found = gait.follow("plane.mu", (0.19, 0.24))
+    border = of_kind(found, "border collision")[-1]
+    assert border.event == "impact: slip just stops: KRSH | RSH"
+    assert border.parameter == pytest.approx(0.233520671345, abs=1e-11)
+    assert border.multipliers[0] == pytest.approx(border.multipliers[1], abs=1e-5)

@@ -39,6 +39,7 @@ FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits 
 ON_SECTION = 1e-9  # rad: within it a start is on the section
 WIDE, WIDTHS, USUAL, NARROW = 2.0**-6, 12, 2.0**-10, 2.0**-27  # steps: first ones of exact derivatives, of others, the least
 SIDED = (2.0**-13, 2.0**-16, 2.0**-19)  # first steps of one-sided differences
+OBLIQUE = (4.0, -4.0, 64.0, -64.0)  # of another direction, in which a piece is wide where it is narrow in one
 LEVELS = 6  # of extrapolation
 CLOSE, GOOD, KNOWN = 1e-10, 1e-8, 1e-3  # estimated errors: at which a step, all steps are enough, and the largest
 NODES, DEGREE = 32, 10  # of polynomials of exact derivatives
@@ -284,6 +285,11 @@ class SectionMap:
             return at
 
         columns = [difference(shifted(direction), len(after), exact=exact, sided=sided) for direction in directions]
+        known = [k for k, column in enumerate(columns) if np.isfinite(column).all()]
+        for k, i, share in product(range(len(columns)), known, OBLIQUE if sided else ()):  # between two borders
+            if not np.isfinite(columns[k]).all():
+                at = shifted(directions[k] + share * directions[i])
+                columns[k] = difference(at, len(after), exact=False, sided=True) - share * columns[i]
         return np.column_stack(columns)
 
     def _words_beside(self, mode: int, point: Floats, word: bytes) -> Iterator[bytes]:
