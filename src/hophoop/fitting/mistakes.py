@@ -65,7 +65,8 @@ def likely_mistakes(
     costs = _costs(trials, track, held)
     if not costs or costs[0][0] > WELL:
         # both: a record of a phone hardly tells one from the other
-        costs = sorted([*costs, *(_nearby(run, kind, track, held) for kind in ("radius", "times"))], key=lambda pair: pair[0])
+        near = (_nearby(run, values, free, kind, track, held) for kind in ("radius", "times"))
+        costs = sorted([*costs, *near], key=lambda pair: pair[0])
     tried = list(dict.fromkeys([*(["axes"] if run.measured & {"x", "y"} else []), *(one.kind for one in trials)]))
     best = costs[0][0]
     if best < min(GOOD, cost / ALIKE):
@@ -212,12 +213,19 @@ def _trials(run: Run) -> list[Trial]:
     return found
 
 
-def _nearby(run: Run, kind: str, track: Track, held: dict[str, float]) -> tuple[float, Trial]:
-    """Return the run with the times, or the radius, with which a motion fits best, and its cost over the number of data."""
+def _nearby(
+    run: Run, values: dict[str, float], free: Sequence[str], kind: str, track: Track, held: dict[str, float]
+) -> tuple[float, Trial]:
+    """Return the run with the times, or the radius, with which a motion fits best, and its cost over the number of data.
+
+    values, free: of the fit, near which there may be a minimum as well; held: parameters by name.
+    """
     make = _of_times if kind == "times" else _of_radius
 
     def cost(factor: float) -> float:
-        return _cost(make(run, factor), track, held, polish=True)
+        trial = make(run, factor)
+        near = minimize(problem_of([trial.run]), parameters(values, free), True, CALLS).cost / run.count
+        return min(near, _cost(trial, track, held, polish=True))
 
     middle, lowest = 1.0, np.inf  # valleys are narrow: first which one, then where its bottom is
     for factor in NEAR:

@@ -36,7 +36,8 @@ WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
 CERTAIN, LEVEL = 3.0, 0.5  # minimum roll of a turned camera [standard deviations, °]
 UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
-SCATTER = 1.2  # von Neumann ratio below which residuals are no scatter, so that their size is none either
+# Of data whose errors are their own scatter: the same limit, and the von Neumann ratio below which residuals are no scatter.
+FAR, SCATTER = 3.0 * WORST, 1.2
 # What the fit derives from the data, with the factor to its unit.
 DERIVED = {
     "rate": (1.0, "Times{} are rounded: those of an even grid of {:.4g} per second are used."),
@@ -122,7 +123,9 @@ class Fit:
         Data without errors of their own have those that they scatter by: residuals that do not scatter show another motion.
         """
         found = any(KINDS.keys() & derived for derived in self.settings["derived"])
-        return self.good or (self.reduced <= HOPELESS and not (found and self.von_neumann < SCATTER))
+        if found:
+            return self.good or (self.reduced <= FAR and self.von_neumann >= SCATTER)
+        return self.reduced <= HOPELESS
 
     @property
     def inflation(self) -> float:
