@@ -8,6 +8,7 @@ import pytest
 import hophoop as hh
 from hophoop import maps
 from hophoop.maps.boundaries.classes import Classifier, make_window
+from hophoop.maps.boundaries.contours import curves
 from hophoop.maps.boundaries.following import follow
 from hophoop.plots.maps import motion_map
 from hophoop.vocabulary.colors import CODES, MODES, class_color
@@ -34,48 +35,108 @@ def test_points_of_a_border_are_there_to_rounding():
     assert 0.25 < min(border.x) < 0.35
 
 
+def sides(classify, border):
+    """Classes to the right and left of the inner points of a border, close to them."""
+    places = np.transpose(border.window.places(border.x, border.y))
+    for before, place, after in zip(places, places[1:], places[2:], strict=False):
+        way = after - before
+        left = np.array([-way[1], way[0]]) / np.hypot(*way) * 1e-7
+        yield tuple(classify.names[int(classify(*(place + side * left)))] for side in (-1, 1))
+
+
 def test_a_border_parts_its_classes_and_ends_where_a_third_begins():
     border = maps.boundary(None, WINDOW, one=(1.0, 2.7), other=(1.0, 3.1), step=0.04)
     classify = Classifier(hh.Scenario(), border.window, ["sequence"], "first_revolution")
+    assert set(list(sides(classify, border))[2:-2]) == {border.classes}
     places = np.transpose(border.window.places(border.x, border.y))
-    for k in range(3, len(places) - 3, 4):
-        way = places[k + 1] - places[k - 1]
-        left = np.array([-way[1], way[0]]) / np.hypot(*way) * 1e-7
-        sides = [classify.names[int(classify(*(places[k] + side * left)))] for side in (-1, 1)]
-        assert tuple(sides) == border.classes
     u, v = places[-1 if border.ends[1] == "junction" else 0]
     phi = np.linspace(0, 2 * math.pi, 97)
     assert "junction" in border.ends
     assert np.unique(classify(u + 1e-6 * np.cos(phi), v + 1e-6 * np.sin(phi))).size >= 3
 
 
-def test_a_closed_border():
-    class Disc(Classifier):
-        """A class of its own inside a circle, another outside."""
+class Drawn(Classifier):
+    """Classes by a function of the position in a window of unit squares."""
 
-        def __call__(self, u, v):
-            self.names = ["out", "in"]
-            return (np.hypot(np.asarray(u) - 0.5, np.asarray(v) - 0.4) < 0.3).astype(int)
+    def __init__(self, name_of):
+        window = make_window(hh.Scenario(), {"plane.mu": (0.0, 1.0), "start.speed": (0.0, 1.0)})
+        super().__init__(hh.Scenario(), window, ["sequence"], "first_revolution")
+        self.name_of = name_of
+        self.names = ["out", "in", "third"]
 
-    window = make_window(hh.Scenario(), WINDOW)
-    classify = Disc(hh.Scenario(), window, ["sequence"], "first_revolution")
-    border = follow(classify, np.array([0.5, 0.4]), np.array([0.95, 0.5]), 0.05, 500)
-    assert border.ends == ("closed", "closed")
-    u, v = window.places(border.x, border.y)
-    np.testing.assert_allclose(np.hypot(u - 0.5, v - 0.4), 0.3, rtol=1e-14)
-    around = np.unwrap(np.arctan2(v - 0.4, u - 0.5))
-    turned = around[-1] - around[0]
-    assert abs(turned) == pytest.approx(2 * math.pi, abs=1e-9)
-    assert border.classes == (("out", "in") if turned > 0 else ("in", "out"))  # to the right and to the left
+    def at(self, x, y):
+        return np.array([self.names.index(self.name_of(*place)) for place in zip(x, y, strict=True)], int)
+
+    def curves(self, count):
+        lines = np.linspace(0.0, 1.0, count)
+        grid = np.stack(np.meshgrid(lines, lines, indexing="ij"), axis=-1)
+        return curves(self, grid, self(grid[..., 0], grid[..., 1]))
+
+
+def test_closed_borders():
+    disc = Drawn(lambda u, v: "in" if math.hypot(u - 0.5, v - 0.4) < 0.3 else "out")
+    (contour,) = disc.curves(12)
+    for border in (contour, follow(disc, np.array([0.5, 0.4]), np.array([0.95, 0.5]), 0.05, 500)):
+        assert border.ends == ("closed", "closed")
+        np.testing.assert_allclose(np.hypot(border.x - 0.5, border.y - 0.4), 0.3, rtol=1e-14)
+        around = np.unwrap(np.arctan2(border.y - 0.4, border.x - 0.5))
+        turned = around[-1] - around[0]
+        assert abs(turned) == pytest.approx(2 * math.pi, abs=1e-9)
+        assert border.classes == (("out", "in") if turned > 0 else ("in", "out"))  # to the right and to the left
+
+
+def test_borders_of_three_classes_end_at_their_junction():
+    quarters = Drawn(lambda u, v: "out" if u < 0.43 else ("in" if v < 0.52 else "third"))
+    found = quarters.curves(11)
+    assert {frozenset(border.classes) for border in found} == {
+        frozenset(pair) for pair in (("out", "in"), ("out", "third"), ("in", "third"))
+    }
+    for border in found:
+        assert set(border.ends) == {"edge", "junction"}
+        junction = border.ends.index("junction")
+        place = np.array([border.x[-junction], border.y[-junction]])
+        assert np.abs(place - (0.43, 0.52)).max() < 0.1
+    # the same inside of the map, where contours close
+    ring = Drawn(lambda u, v: "out" if math.hypot(u - 0.5, v - 0.5) > 0.33 else ("in" if v < 0.52 else "third"))
+    found = ring.curves(11)
+    assert len(found) == 3
+    assert {end for border in found for end in border.ends} == {"junction"}
+
+
+def test_a_class_between_grid_points_has_borders_where_several_edges_cross_it():
+    dot = Drawn(lambda u, v: "third" if math.hypot(u - 0.45, v - 0.5) < 0.01 else ("out" if u < 0.45 else "in"))
+    assert {frozenset(border.classes) for border in dot.curves(11)} == {frozenset({"out", "in"})}
+    strip = Drawn(lambda u, v: "out" if u < 0.44 else ("in" if u > 0.46 else "third"))
+    found = {frozenset(border.classes): border.x for border in strip.curves(11)}
+    np.testing.assert_allclose(found[frozenset({"out", "third"})], 0.44, rtol=1e-15)
+    np.testing.assert_allclose(found[frozenset({"third", "in"})], 0.46, rtol=1e-15)
+    assert Drawn(lambda u, v: "out").curves(5) == []
 
 
 def test_all_borders_of_a_map_part_its_classes():
     axes = {"plane.mu": np.linspace(0.4, 2.0, 7), "start.speed": np.linspace(1.0, 4.5, 7)}
     dataset = maps.sweep(None, axes)
-    pairs = {frozenset(border.classes) for border in maps.borders(dataset, step=0.1)}
+    found = maps.borders(dataset)
+    for border in found:
+        classify = Classifier(hh.Scenario(), border.window, ["sequence"], "first_revolution")
+        assert set(sides(classify, border)) <= {border.classes}
+    pairs = {frozenset(border.classes) for border in found}
     assert frozenset({"R", "RKRSR"}) in pairs
     words = np.array(maps.words_of(dataset["sequence"]))[dataset["sequence"].values]
     assert set(words.flat) <= set().union(*pairs)
+
+
+def test_borders_on_logarithmic_axes_are_there_to_rounding():
+    axes = {"plane.mu": maps.logarithmic(0.6, 2.0, 5), "start.speed": maps.logarithmic(3.3, 4.5, 4)}
+    (border,) = maps.borders(maps.sweep(None, axes))
+    assert border.window.logarithmic == (True, True)
+    assert set(border.x) == set(axes["plane.mu"])
+    np.testing.assert_allclose(border.y, math.sqrt(9.81 / 0.75), rtol=1e-12)
+
+
+def test_borders_of_a_map_are_as_fine_as_its_grid():
+    with pytest.raises(TypeError, match="'step'"):
+        maps.borders(maps.sweep(None, {"plane.mu": [0.5, 1.0], "start.speed": [1.0, 4.0]}), step=0.1)
 
 
 @pytest.mark.parametrize(

@@ -2,8 +2,8 @@
 Boundaries between classes of motion
 ====================================
 
-``borders`` finds every border that the cells of a map see, and follows it to
-rounding.
+``borders`` returns every border between the cells of a map. Its points are where it
+crosses the lines of the grid, to rounding.
 """
 
 import matplotlib.pyplot as plt
@@ -16,6 +16,6 @@ dataset = hh.maps.sweep(
         "start.speed": hh.maps.linear(2.0, 3.4, 40),
     }
 )
-lines = hh.maps.borders(dataset, step=0.05)
+lines = hh.maps.borders(dataset)
 hh.plots.motion_map(dataset, borders=lines)
 plt.show()

@@ -1,9 +1,11 @@
 """Maps: reduced quantities of millions of motions over any parameters of a scenario.
 
-xarray, Zarr and Dask are in the extra ``maps``, and are loaded when a map is made; clusters are in ``cluster``.
+xarray, Zarr, Dask and contourpy are in the extra ``maps``, and are loaded when a map is made; clusters are in ``cluster``.
 """
 
-from hophoop.maps.boundaries.following import Border, borders, boundary
+from hophoop.maps.boundaries.classes import Border
+from hophoop.maps.boundaries.contours import borders
+from hophoop.maps.boundaries.following import boundary
 from hophoop.maps.catalog import Entry, catalogue, catalogued
 from hophoop.maps.grid.axes import linear, logarithmic, scenario_at
 from hophoop.maps.grid.evaluate import points

@@ -15,7 +15,7 @@ from hophoop import theory
 from hophoop._support.extras import need
 from hophoop.kernel.records.cells import CELL
 from hophoop.maps import Border, words_of
-from hophoop.maps.grid.axes import ordered
+from hophoop.maps.grid.axes import has_equal_ratios, ordered
 from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.style import SMALL, Axes, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario, describe
@@ -95,7 +95,7 @@ def motion_map(
         _border(ax, border, across)
     for axis, name, values in ((ax.xaxis, across, x), (ax.yaxis, up, y)):
         axis.set_label_text(_label(dataset, name))
-        if _by_ratio(values):
+        if has_equal_ratios(values):
             getattr(ax, f"set_{axis.axis_name}scale")("log")
     ax.set_xlim(x[0], x[-1])
     ax.set_ylim(y[0], y[-1])
@@ -122,13 +122,6 @@ def _title(dataset: Any, axes: Sequence[str]) -> str:
 def _label(dataset: Any, name: str) -> str:
     text = FIGURE_LABELS.get(name, dataset[name].attrs.get("long_name", name))
     return with_unit(str(text), dataset[name].attrs.get("units", "1"))
-
-
-def _by_ratio(values: NDArray[np.float64]) -> bool:
-    if values.size < 3 or values[0] <= 0.0:
-        return False
-    steps, ratios = np.diff(values), values[1:] / values[:-1]
-    return bool(np.ptp(ratios) < 1e-6 * ratios.max() and np.ptp(steps) > 1e-6 * np.abs(steps).max())
 
 
 def _mesh(ax: Axes, x: Any, y: Any, values: Any, **options: Any) -> Any:

@@ -1,1 +1,1 @@
-"""Boundaries between classes of motion in a plane of two parameters, to rounding."""
+"""Boundaries between classes of motion in a plane of two parameters: one followed, all of a map as contours."""

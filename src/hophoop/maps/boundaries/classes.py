@@ -1,4 +1,4 @@
-"""The class of a motion as a function on a plane of two parameters, for borders."""
+"""The class of a motion as a function on a plane of two parameters, and the curves between classes."""
 
 from __future__ import annotations
 
@@ -15,6 +15,10 @@ from hophoop.maps.grid.quantities import choose_quantities, make_span
 from hophoop.scenario import InputError, Scenario
 
 Floats = NDArray[np.float64]
+
+# Where several events coincide, rounding puts slivers of other classes between two: below this width, relative to the window,
+# they are ignored.
+SLIVER = 1e-10
 
 
 class Window(NamedTuple):
@@ -83,6 +87,29 @@ def make_window(
     )
 
 
+class Border(NamedTuple):
+    """A curve between two classes.
+
+    Attributes
+    ----------
+    window : Window
+        The plane of the two parameters.
+    x, y : ndarray, shape (n,)
+        Points of the curve, each on the boundary to rounding, in the parameters' units [SI].
+    classes : tuple of str
+        The classes to the right and left of the curve, in its direction, with x to the right and y up.
+    ends : tuple of str
+        Its ends, first and last: ``edge`` of the window, ``junction`` with another class,
+        ``closed`` (back at its start) or ``limit`` (maximum number of points).
+    """
+
+    window: Window
+    x: Floats
+    y: Floats
+    classes: tuple[str, str]
+    ends: tuple[str, str]
+
+
 class Classifier:
     """Codes of the classes at positions of a window; the table of classes grows as they occur.
 
@@ -98,7 +125,6 @@ class Classifier:
                 raise InputError.of_field("quantity", quantity.name, "one with classes, such as sequence")
         self.span = make_span(span)
         self.names: list[str] = []
-        self.evaluated = 0
 
     def __call__(self, u: Any, v: Any) -> NDArray[np.int64]:
         """Return the codes at positions, each from 0 to 1."""
@@ -107,7 +133,6 @@ class Classifier:
 
     def at(self, x: Floats, y: Floats) -> NDArray[np.int64]:
         """Return the codes at values of the two parameters, arrays of equal length."""
-        self.evaluated += x.size
         found = points(self.base, {self.window.x: x, self.window.y: y}, [one.name for one in self.quantities], self.span.name)
         rows = zip(*(column.tolist() for column in found.values()), strict=True)
         labels = [" ".join(word or "not_allowed" for word in row) for row in rows]

@@ -127,6 +127,14 @@ def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
     return values
 
 
+def has_equal_ratios(values: NDArray[np.float64]) -> bool:
+    """Return True if the values of an axis are spaced by ratio."""
+    if values.size < 3 or values[0] <= 0.0:
+        return False
+    steps, ratios = np.diff(values), values[1:] / values[:-1]
+    return bool(np.ptp(ratios) < 1e-6 * ratios.max() and np.ptp(steps) > 1e-6 * np.abs(steps).max())
+
+
 def _count(count: int) -> int:
     if not 1 <= count <= MOST_VALUES or count != int(count):
         raise InputError.of_field("count", count, f"an integer from 1 to {MOST_VALUES:,}")
