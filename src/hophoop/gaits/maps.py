@@ -39,9 +39,10 @@ FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits 
 ON_SECTION = 1e-9  # rad: within it a start is on the section
 WIDE, WIDTHS, USUAL, NARROW = 2.0**-6, 12, 2.0**-10, 2.0**-27  # steps: first ones of exact derivatives, of others, the least
 SIDED = (2.0**-13, 2.0**-16, 2.0**-19)  # first steps of one-sided differences
+BESIDE = 2.0**-20  # of the neighbours of a Lyapunov exponent
 OBLIQUE = (4.0, -4.0, 64.0, -64.0)  # of another direction, in which a piece is wide where it is narrow in one
 LEVELS = 6  # of extrapolation
-CLOSE, GOOD, KNOWN = 1e-10, 1e-8, 1e-3  # estimated errors: at which a step, all steps are enough, and the largest
+CLOSE, BETTER, GOOD, KNOWN = 1e-10, 1e-8, 1e-6, 1e-3  # estimated errors: at which steps are enough, and the largest
 NODES, DEGREE = 32, 10  # of polynomials of exact derivatives
 ROUNDING = 1e-15  # of the map
 SOLVED, NEARLY = 1e-13, 1e-11  # largest differences of a fixed point from its image, sought and accepted
@@ -278,19 +279,25 @@ class SectionMap:
             word = next(self._words_beside(mode, point, word), word)
 
         def shifted(direction: Floats) -> Values:
-            def at(distance: float) -> Floats | None:
-                found = self._from(mode, point + distance * direction, 1)
-                return self._change(found[0].place(self.section), after) if found and found[0].word == word else None
+            return self.along(mode, point, after, word, direction)
 
-            return at
-
-        columns = [difference(shifted(direction), len(after), exact=exact, sided=sided) for direction in directions]
+        good = BETTER if self.path else GOOD  # a branch is followed up to its borders
+        columns = [difference(shifted(direction), len(after), exact=exact, sided=sided, good=good) for direction in directions]
         known = [k for k, column in enumerate(columns) if np.isfinite(column).all()]
-        for k, i, share in product(range(len(columns)), known, OBLIQUE if sided else ()):  # between two borders
+        for k, i, share in product(range(len(columns)), known, OBLIQUE if self.path else ()):  # between two borders of a branch
             if not np.isfinite(columns[k]).all():
                 at = shifted(directions[k] + share * directions[i])
-                columns[k] = difference(at, len(after), exact=False, sided=True) - share * columns[i]
+                columns[k] = difference(at, len(after), good=good) - share * columns[i]
         return np.column_stack(columns)
+
+    def along(self, mode: int, point: Floats, after: Floats, word: bytes, direction: Floats) -> Values:
+        """Return the change of the next passage from one with a distance along a direction, as far as it has the same word."""
+
+        def at(distance: float) -> Floats | None:
+            found = self._from(mode, point + distance * direction, 1)
+            return self._change(found[0].place(self.section), after) if found and found[0].word == word else None
+
+        return at
 
     def _words_beside(self, mode: int, point: Floats, word: bytes) -> Iterator[bytes]:
         """Yield the other words next to a point."""
@@ -370,7 +377,7 @@ def word_of(section: str, row: Floats, packed: NDArray[np.uint64]) -> bytes:
     return packed.tobytes() + row[[BRANCHES, MODE]].tobytes() + bytes([way])
 
 
-def difference(at: Values, size: int, *, exact: bool, sided: bool) -> Floats:
+def difference(at: Values, size: int, *, exact: bool = False, sided: bool = True, good: float = GOOD) -> Floats:
     """Return the derivative at 0 of a function that is 0 there, by differences extrapolated to distance 0; nan without one.
 
     They are central where the function exists on both sides at some distance, else one-sided, in powers of the root of the
@@ -380,7 +387,7 @@ def difference(at: Values, size: int, *, exact: bool, sided: bool) -> Floats:
     error = KNOWN if best is None else 0.0
     steps = [*((USUAL / 8.0**k, 0.0) for k in range(6)), *(product(SIDED, (1.0, -1.0)) if sided else ())]
     for step, way in steps:
-        if error < GOOD:
+        if error < good:
             break
         found, now = _extrapolated(at, step, way)
         if now < error:
@@ -533,7 +540,13 @@ def lyapunov_of(found: Passages) -> Lyapunov:
         point = before.place(found.section)
         if vector is None or len(vector) != len(point):
             vector = np.ones(len(point)) / math.sqrt(len(point))
-        changed = image_of.passage_rates(before.mode, point, after, vector[None])[:, 0]
+        at = image_of.along(before.mode, point, after.place(found.section), after.word, vector)
+        ahead, back = at(BESIDE), at(-BESIDE)
+        changed = (
+            difference(at, len(after.place(found.section)))
+            if ahead is None or back is None
+            else (ahead - back) / (2.0 * BESIDE)
+        )
         size = float(np.linalg.norm(changed))
         if not 0.0 < size < math.inf:
             vector = None
