@@ -248,6 +248,23 @@ def test_the_residual_of_a_step_is_that_of_the_equations(name):
         assert step.error < 1e8 * worst
 
 
+@pytest.mark.parametrize("name", CASES)
+def test_slopes_hold_wherever_the_motion_may_be(name):
+    """The box about a very short step is 10⁻⁶ wide to each side, in θ and in θ̇."""
+    with setting(120):
+        contact, start = phase(CASES[name])
+        step = Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: arb(0), arb(1e-9), 0.25)
+        by_angle, by_rate = step._slopes()
+        for angle, rate in itertools.product((-0.9e-6, 0.9e-6), repeat=2):
+            th, om = raw(start.th) + angle, raw(start.om) + rate
+            with setting(terms=2):
+                z, w = flint.arb_series([th, 1]), flint.arb_series([om, 1])
+                along = contact.functions(arb(0), z, *z.sin_cos(), om), contact.functions(arb(0), th, *th.sin_cos(), w)
+            for known, found in zip((by_angle, by_rate), along, strict=True):
+                for ball_, one in zip(known, found, strict=True):
+                    assert ball_.contains(models.padded(flint.arb_series([0]) + one, 2)[1].mid())
+
+
 def test_errors_grow_at_least_as_the_equations_let_them():
     """About the unstable equilibrium a difference grows as e^(λ t), with the weight λ of θ."""
     case = Case("top", gravity=1.0, eccentricity=0.6, inertia_ratio=0.1, mu_static=9.0, mu_kinetic=9.0, vx=0.01, rolling=True)
