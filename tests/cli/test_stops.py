@@ -29,12 +29,12 @@ def stop():
 runpy.run_module("hophoop", run_name="__main__")
 """
 WORK = """
-import hophoop.cli._work
+import hophoop._support.progress
 from hophoop._support.files import replacing
 from pathlib import Path
-def work(*_):
+def work(*_, **__):
 {body}
-hophoop.cli._work.work_ahead = work
+hophoop._support.progress.bar = work
 """
 FINDER = """
 class Finder:
