@@ -70,7 +70,8 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     Returns
     -------
     passages : Passages
-        Fewer than `count` if the motion ends, or passes its section no more.
+        Fewer than `count` if the motion ends, or passes its section no more. Of a start faster than about 100 √(gR) doubles
+        follow only the first bounces, as `Trajectory.errors` shows.
 
     Raises
     ------

@@ -226,7 +226,9 @@ class Trajectory:
 
     @cached_property
     def errors(self) -> EventErrors:
-        """Estimated error of each event, correct to a factor of 10: rounding amplified by the sensitivity of the motion.
+        """Estimated error of each event, rounding amplified by the motion; correct to a factor of 10 in 99 of 100 numbers.
+
+        Errors as large as the numbers themselves mean that doubles do not follow the motion.
 
         Raises
         ------
