@@ -150,7 +150,7 @@ def _walk(
                 return points, "junction"
             continue
         way = found - points[-1]
-        cosine = weighted_sum(way, ahead) / max(hypotenuse(*way) * hypotenuse(*ahead), SMALLEST**2)
+        cosine = weighted_sum(way, ahead) / max(hypotenuse(*way) * hypotenuse(*ahead), SMALLEST * SMALLEST)
         if cosine < BENT and radius > 1e-4 * step and len(points) > 1:
             radius *= 0.5
             continue
