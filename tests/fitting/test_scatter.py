@@ -54,10 +54,12 @@ def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
     assert with_scatter(track, Sigma(omegas=0.1), rough) == (track, {})
 
 
+OFTEN = ("table30", "phone50")  # of the kinds that classes have; the others take minutes each
+
+
 @pytest.mark.slow
-@pytest.mark.random
 @pytest.mark.timeout(1200)
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", [pytest.param(kind, marks=[pytest.mark.random] * (kind in OFTEN)) for kind in KINDS])
 def test_errors_of_drawn_records_are_as_large_as_they_say(kind):
     """Ten of each, two of them spoiled as well; `benchmarks/fits.py` measures a hundred."""
     rows = list(measure(kind, 10, 100, spoilt=2))
