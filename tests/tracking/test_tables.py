@@ -296,6 +296,17 @@ def test_comments_are_heads_where_they_are_the_only_ones(tmp_path, head):
     assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
 
 
+@pytest.mark.parametrize(("heads", "read"), [("frame\tMitte x (cm)\tMitte y (cm)", True), ("frame\tx (cm)\ty (cm)", False)])
+def test_three_digits_after_a_comma_are_decimals_where_the_language_has_decimal_commas(tmp_path, heads, read):
+    cells = [[f"{100.0 * value:.3f}".replace(".", ",") for value in column] for column in (X, Y)]
+    file = table(tmp_path, heads, map(str, range(7, 47)), *cells, separator="\t")
+    if read:
+        assert read_track(file, Reading(rate=120.0)).centre[:, 0] == pytest.approx(X, abs=1e-5)
+    else:
+        with pytest.raises(InputError, match="which has two readings"):
+            read_track(file, Reading(rate=120.0))
+
+
 def test_blanks_do_not_show_which_cell_is_empty(tmp_path):
     file = table(tmp_path, "t x y", T, X, Y, separator=" ")
     lines = file.read_text().splitlines()

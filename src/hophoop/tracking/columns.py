@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.dialects import DIALECTS, KNOWN_UNITS, NAMES, NO_PLACE, PIXELS, ROTATION, UNITS, Dialect
+from hophoop.tracking.dialects import COMMA_WORDS, DIALECTS, KNOWN_UNITS, NAMES, NO_PLACE, PIXELS, ROTATION, UNITS, Dialect
 
 Floats = NDArray[np.float64]
 
@@ -303,7 +303,7 @@ def _decimal_sign(table: Table, name: str) -> tuple[str, list[str]]:
         integers = cells.index.get_level_values(1).isin(within).sum() > len(within)
         if integers == (signs == [","]):  # 985, 1,002 and 1,019; or 1.002 and 1.019 in all rows
             decimals, signs = ["."], signs if integers else []
-        elif table.separator == ";" and not integers:  # of spreadsheets in languages with decimal commas
+        elif not integers and (table.separator == ";" or re.search(COMMA_WORDS, _plain(str(table.above)))):  # 1,002 in all rows
             decimals, signs = signs, []
     if signs and len(decimals) != 1:
         raise InputError(

@@ -51,6 +51,8 @@ NAMES: dict[str, str] = {
 ROTATION = r"gyro|gyr\b|giroscopio|rotation rate|drehrate|angular (velocity|speed|rate)|winkelgeschw|^[wω]$"
 # Columns with a direction that are no positions.
 NO_PLACE = r"veloc|speed|acc|acelera|geschwindigkeit|beschleunigung|vitesse|magn|gravi|force|kraft|quat|euler|attitude|field"
+# Heads in languages whose decimal sign is a comma.
+COMMA_WORDS = r"zeit|winkel|mitte|nabe|gewicht|bild|temps|moyeu|charge|tiempo|centro|buje|carga|angulo|tempo|tijd|hoek"
 CENTRE = r"cent|mitte|hub|nabe|axis|axle|zentr|milieu|moyeu|buje|eje"
 MARKER = r"mark|load|weight|last|gewicht|dot|charge|carga|poids|peso|marque|marca"
 
