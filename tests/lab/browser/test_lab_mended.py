@@ -85,7 +85,7 @@ FLOWS = {
         "do location.href = lab.link()",
         "size 1000 800",
         "reload",
-        "is near(lab.stage.flat.pan()[0], -0.25, 2e-3) && near(lab.stage.flat.pan()[1], 0.1, 2e-3)",
+        "until near(lab.stage.flat.pan()[0], -0.25, 2e-3) && near(lab.stage.flat.pan()[1], 0.1, 2e-3)",
         "is lab.clock.time === 1.25 && !lab.stage.options.forces",
         "is lab.map.axes.windows.x[0] === 1 && lab.map.axes.windows.y[1] === 1",
     ]),
