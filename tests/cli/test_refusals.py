@@ -27,6 +27,8 @@ REFUSED = {
         "lab --port many": "--port = 'many' must be a whole number, such as 3. See hophoop lab --help.",
         "lab hop.toml --film track.csv": "--film needs a fit",
         "plan --rate 0": "--rate = 0.0 must be a number above 0",
+        "plan --sigma 5e-324": "--sigma = 5e-324 must be from 1e-30 to 1e+30",
+        "plan --sigma-scale 5e-324": "--sigma-scale = 5e-324 must be from 1e-30 to 1e+30",
         "fit track.csv": "The radius of the hoop is missing",
         "track no.mp4": "Missing option '--radius'",
         "track no.mp4 --radius 0": "--radius = 0.0 must be a number above 0",

@@ -10,6 +10,7 @@ import numpy as np
 from hophoop.scenario import InputError
 
 NUMBERS = {"centre": 2, "ground": 4, "tilt": 2}
+TINY, HUGE = 1e-30, 1e30
 
 
 @dataclass(frozen=True)
@@ -95,10 +96,12 @@ class Hints:
 
 
 def require_above_0(**values: float | None) -> None:
-    """Refuse numbers that are not above 0, by the names of their fields; None is allowed."""
+    """Refuse numbers that are not above 0, or so small that their squares vanish, by their fields; None is allowed."""
     for name, value in values.items():
         if value is not None and not (np.isfinite(value) and value > 0):
             raise InputError.of_field(name, value, "a number above 0")
+        if value is not None and not TINY <= value <= HUGE:
+            raise InputError.of_field(name, value, f"from {TINY:g} to {HUGE:g}")
 
 
 def _inside(value: Any, above: float = -np.inf, below: float = np.inf, count: int = 1) -> bool:
