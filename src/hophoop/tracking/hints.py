@@ -10,7 +10,7 @@ import numpy as np
 from hophoop.scenario import InputError
 
 NUMBERS = {"centre": 2, "ground": 4, "tilt": 2}
-TINY, HUGE = 1e-30, 1e30
+TINY, HUGE = 1e-30, 1e30  # limits of sizes and errors in SI units; their fourth powers are still doubles
 
 
 @dataclass(frozen=True)
