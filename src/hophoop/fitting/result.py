@@ -36,7 +36,7 @@ WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
 CERTAIN, LEVEL = 3.0, 0.5  # minimum roll of a turned camera [standard deviations, °]
 UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
-# For data without errors of their own: maximum chi-square over degrees of freedom, and minimum von Neumann ratio, of a usable fit.
+# For data without errors of their own: maximum chi-square over degrees of freedom, and minimum von Neumann ratio, of use.
 FAR, SCATTER = 3.0 * WORST, 1.2
 # What the fit derives from the data, with the factor to its unit.
 DERIVED = {
