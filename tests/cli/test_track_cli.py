@@ -29,7 +29,7 @@ def test_a_table_on_standard_output(film, tmp_path):
 def test_a_folder_with_everything(film, tmp_path):
     folder = tmp_path / "new" / "found"
     done("track --radius 0.3 --slope-deg 2", film, "--out", folder)
-    assert {path.name for path in folder.iterdir()} == {"index.html", "overlay.mp4", "track.json", "track.csv"}
+    assert {path.name for path in folder.iterdir()} == {"overlay.mp4", "track.svg", "track.json", "track.csv"}
     assert np.degrees(hh.read_track(folder / "track.json").slope) == pytest.approx(2.0)
 
 

@@ -35,7 +35,7 @@ def track(
     Output
     ------
     out : DIR
-        Folder for index.html, overlay.mp4, track.json, track.csv.
+        Folder for overlay.mp4, track.svg, track.json, track.csv.
     save
         The track: .json (everything) or .csv.
     overlay
@@ -87,23 +87,26 @@ def track(
 
 
 def _write(found: Any, video: Path, out: Path | None, save: Path | None, overlay: Path | None, quiet: bool) -> None:
+    from hophoop._support.files import replacing
     from hophoop._support.progress import bar
     from hophoop.cli import say
+    from hophoop.plots import track as plot
     from hophoop.tracking import overlay as draw
 
-    page = None
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
         found.save(out / "track.json")
         found.save(out / "track.csv")
-        page, overlay = out / "index.html", overlay or out / "overlay.mp4"
+        with replacing(out / "track.svg") as figure:
+            plot(found).savefig(figure)
+        overlay = overlay or out / "overlay.mp4"
     if save is not None:
         found.save(save)
     if overlay is not None:
         with bar("drawing", quiet=quiet) as progress:
-            draw(video, found, overlay, page, progress)
+            draw(video, found, overlay, progress)
     if out is not None:
-        say(f"The page: {out / 'index.html'}")
+        say(f"Look at {overlay} and {out / 'track.svg'}")
     if out is None and save is None and overlay is None:
         _print(found)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
@@ -15,16 +16,15 @@ from hophoop._support.pages import render
 from hophoop._version import __version__
 from hophoop.fitting.problem import Run
 from hophoop.fitting.result import GIVEN, Fit
+from hophoop.plots.over_time import Row, over_time
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import overlay
-from hophoop.tracking.plots import Curve, plot
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.names import mode_words
 
 Floats = NDArray[np.float64]
 
 UNITS = {"angle": "mrad", "omega": "mrad/s"}  # of residuals; those of places are in mm
-MEASURED = "#0a6"
 
 
 def report(
@@ -108,7 +108,7 @@ def _page(fit: Fit, film: str | None) -> str:
             unit, errors = UNITS.get(channel.name, "mm"), 1e3 * channel.errors
             off = fit.residuals[channel.name + run.suffix] * errors
             label = f"{channel.name} ({unit}){of_run}, one standard deviation {float(np.median(errors)):.2g}"
-            residuals.append(plot([Curve(run.t[channel.rows], off, MEASURED)], label, ribbon=ribbon, zero=True))
+            residuals.append(Row(label, run.t[channel.rows], off, ribbon))
         state = motion.at(motion.times(600))
         words |= dict.fromkeys(mode_words(state.mode, state.omega).tolist())
     return render(
@@ -124,8 +124,15 @@ def _page(fit: Fit, film: str | None) -> str:
         query=fit.scenario.to_query(),
         film=film,
         modes=[(word, colors.mode_color(word)) for word in words],
-        residuals=residuals,
+        residuals=_svg(residuals),
     )
+
+
+def _svg(rows: list[Row]) -> str:
+    """Return a figure of residuals as an element of a page."""
+    with io.StringIO() as stream, need("matplotlib", "fit").rc_context({"svg.fonttype": "none"}):
+        over_time(rows).savefig(stream, format="svg", transparent=True, metadata={"Date": None})
+        return stream.getvalue().partition("<!DOCTYPE")[2].partition(">\n")[2]
 
 
 def _ribbon(run: Run, motion: Trajectory) -> list[tuple[float, float, str]]:

@@ -7,6 +7,7 @@ from hophoop.plots.branch import branch
 from hophoop.plots.diagram import diagram
 from hophoop.plots.maps import motion_map
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, gap, velocities
+from hophoop.plots.over_time import track
 from hophoop.plots.overview import overview
 from hophoop.plots.path import geometry, path
 from hophoop.plots.plane import phase_plane
@@ -31,5 +32,6 @@ __all__ = [
     "motion_map",
     "class_color",
     "overview",
+    "track",
     "colors",
 ]

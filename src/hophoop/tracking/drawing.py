@@ -1,10 +1,8 @@
-"""The track drawn over the film: a film, and a page of stills."""
+"""The track drawn over its film."""
 
 from __future__ import annotations
 
-import base64
-from collections.abc import Callable, Iterator
-from contextlib import nullcontext
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,25 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.extras import need
-from hophoop._support.files import replacing
-from hophoop._support.pages import render
-from hophoop._version import __version__
 from hophoop.scenario import InputError
-from hophoop.tracking.plots import Curve, plot
-from hophoop.tracking.table import FOUND, LOST, Track, View
-from hophoop.tracking.video import Picture, jpeg, open_writer, pictures, rgb
+from hophoop.tracking.table import LOST, Track, View
+from hophoop.tracking.video import Picture, open_writer, pictures, rgb
 
 Floats = NDArray[np.float64]
 Colour = tuple[int, int, int]
 
 RIM, MARK, GROUND, GONE = (255, 214, 10), (0, 229, 255), (255, 255, 255), (230, 30, 30)
 MODEL = (255, 60, 220)  # a computed hoop
-POINTS = "#0a6"
 DARK = (20, 20, 20)
 FAR = 1e5  # of a point outside the picture [pixel]
-STILLS = 9
-LOST_STILLS = 3
-STILL_WIDTH = 640
 
 
 def curve(pen: Any, pixels: Floats, colour: Colour, width: int = 2) -> None:
@@ -86,22 +76,19 @@ def _draw_frame(picture: Picture, track: Track, row: int, model: tuple[Floats, F
 def overlay(
     video: str | Path,
     track: Track,
-    film: str | Path | None = None,
-    page: str | Path | None = None,
+    film: str | Path,
     progress: Callable[[int, int], None] | None = None,
     model: tuple[Floats, Floats] | None = None,
 ) -> None:
-    """Draw a track over its film.
+    """Draw a track over its film: rim, marker and ground, and a red border while the hoop is lost.
 
     Parameters
     ----------
     video : str or Path
         The film that was tracked.
     track : Track
-    film : str or Path, optional
-        Film to write, ends in .mp4: rim, marker and ground, and a red border while the hoop is lost.
-    page : str or Path, optional
-        Page of stills to write, ends in .html.
+    film : str or Path
+        Film to write, ends in .mp4.
     progress : callable, optional
         Called with the number of frames done and of all.
     model : tuple of ndarray, optional
@@ -110,7 +97,7 @@ def overlay(
     Raises
     ------
     ValueError
-        If the track is not of a film, or a name has another ending.
+        If the track is not of a film, or the name has another ending.
     OSError
         If a file cannot be read or written.
     ImportError
@@ -118,75 +105,15 @@ def overlay(
     """
     if track.view is None:
         raise InputError("The track is not of a film, so it cannot be drawn over one.")
-    for name, path, ending in (("film", film, ".mp4"), ("page", page, ".html")):
-        if path is not None and Path(path).suffix.lower() != ending:
-            raise InputError(f"{name} = {path} must end in {ending}.", field=name, value=path)
-    wanted = set(_stills(track)) if page is not None else set()
-    stills: list[tuple[int, bytes]] = []
-    camera = track.view.camera
-    target: Any = nullcontext(None) if film is None else open_writer(Path(film), (camera.width, camera.height))
-    with target as add:
-        for row, picture in _rows(video, track):
-            if add is not None or row in wanted:
-                image = _draw_frame(picture, track, row, model)
-                if add is not None:
-                    add(np.asarray(image), picture.t)
-                if row in wanted:
-                    stills.append((row, jpeg(np.asarray(image.reduce(max(1, image.width // STILL_WIDTH))))))
-            if progress is not None:
-                progress(row + 1, len(track.t))
-    if page is not None:
-        with replacing(Path(page)) as fresh:
-            fresh.write_text(_page(track, stills, None if film is None else Path(film).name), encoding="utf-8")
-
-
-def _rows(video: str | Path, track: Track) -> Iterator[tuple[int, Any]]:
-    assert track.view is not None
-    for picture in pictures(video, track.view.rate):
-        row = picture.row - track.view.first
-        if row >= len(track.t):
-            break
-        if row >= 0:
-            yield row, picture
-
-
-def _stills(track: Track) -> list[int]:
-    """Frames from the whole film, and some without hoop or marker."""
-    found = np.flatnonzero(track.found)
-    even = found[np.unique(np.linspace(0, len(found) - 1, STILLS).astype(int))]
-    missing = np.array([k for k, word in enumerate(track.state) if word != FOUND], dtype=int)
-    if len(missing):
-        missing = missing[np.unique(np.linspace(0, len(missing) - 1, LOST_STILLS).astype(int))]
-    return sorted({*even.tolist(), *missing.tolist()})
-
-
-def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> str:
-    good, bare = int(track.found.sum()), sum(word != FOUND for word in track.state)
-    usual = [
-        float(np.nanmedian(values)) if np.isfinite(values).any() else np.nan
-        for values in (track.centre_error, track.angle_error)
-    ]
-    words = [f"Found in {good} of {len(track.t)} frames, with marker in {len(track.t) - bare}."]
-    words.append(f"Typical uncertainty of the centre {1e3 * usual[0]:.2g} mm" + ("." if np.isnan(usual[1]) else ""))
-    if np.isfinite(usual[1]):
-        words[-1] += f", of the angle {1e3 * usual[1]:.2g} mrad."
-    words += track.notes
-    captions = [f"t = {track.t[row]:.3f} s, {track.state[row]}" for row, _ in stills]
-    for k, (row, _) in enumerate(stills):
-        if np.isfinite(track.angle[row]):
-            captions[k] += f", {np.degrees(track.angle[row]):.1f}°"
-    curves = {
-        "x (m)": track.centre[:, 0],
-        "height of the rim above the plane (mm)": 1e3 * (track.centre[:, 1] - track.radius),
-        "angle (°)": np.degrees(track.angle),
-    }
-    return render(
-        need("jinja2", "track"),
-        "tracking/track.html",
-        version=__version__,
-        source=track.source,
-        summary=" ".join(words),
-        film=film,
-        stills=[(base64.b64encode(image).decode("ascii"), text) for (_, image), text in zip(stills, captions, strict=True)],
-        plots=[plot([Curve(track.t, values, POINTS)], label) for label, values in curves.items() if np.isfinite(values).any()],
-    )
+    if Path(film).suffix.lower() != ".mp4":
+        raise InputError(f"film = {film} must end in .mp4.", field="film", value=film)
+    camera, count = track.view.camera, len(track.t)
+    with open_writer(Path(film), (camera.width, camera.height)) as add:
+        for picture in pictures(video, track.view.rate):
+            row = picture.row - track.view.first
+            if row >= count:
+                break
+            if row >= 0:
+                add(np.asarray(_draw_frame(picture, track, row, model)), picture.t)
+                if progress is not None:
+                    progress(row + 1, count)
