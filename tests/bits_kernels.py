@@ -19,8 +19,8 @@ import numpy as np
 import hophoop as hh
 from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
 from hophoop.kernel.build.link import optimized
+from hophoop.kernel.compliant.event_loop import MAX_STEPS
 from hophoop.kernel.compliant.records import WIDTH
-from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.cells import CELL, CONTACT

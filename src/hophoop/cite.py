@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 
 import hophoop
-from hophoop.kernel.physics.body import ImpactLaw
+from hophoop.kernel.physics import ImpactLaw
 from hophoop.scenario import Compliant, InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.names import LAWS

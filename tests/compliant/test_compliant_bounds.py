@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.compliant import run as kernel
+from hophoop.kernel.compliant import event_loop as kernel
+from hophoop.kernel.compliant.event_loop import run
 from hophoop.kernel.compliant.records import OM, SIZE, VN, WIDTH, Y, new_work
-from hophoop.kernel.compliant.run import run
 from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.records.layout import EVENT
 from hophoop.simulation.compliant import to_compliance, to_start

@@ -14,7 +14,7 @@ from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.pieces.flight_and_rest import perturbed_rest
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.contact import contact_arms
-from hophoop.kernel.physics.impact import impact, slip_rates, stick_rates
+from hophoop.kernel.physics.impacts import impact, slip_rates, stick_rates
 
 STEP = 1e-6
 BODY = Body(0.6, 0.5, 0.4, 0.3, 0.9, 0.3, 0.5, 2, False, 0.3)

@@ -9,7 +9,7 @@ import pytest
 from hophoop.derivatives.rules import RULES
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.impact import impact
+from hophoop.kernel.physics.impacts import impact
 
 BODY = Body(0.6, 0.5, 0.4, 0.3, 0.9, 0.3, 0.5, 2, False, 0.3)
 STEP = 1e-6

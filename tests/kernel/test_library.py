@@ -114,7 +114,7 @@ def test_an_unknown_target_is_refused(tmp_path):
 SMALL = """
 import sys
 from hophoop.kernel import entries
-names = ("hophoop.kernel.records.refusal.mark_refused", "hophoop.theory.kernels.phase_plane.lift_off")
+names = ("hophoop.kernel.records.refusals.mark_refused", "hophoop.theory.kernels.phase_plane.lift_off")
 entries.ENTRIES = {name: entries.ENTRIES[name] for name in names}
 from hophoop.kernel.build.__main__ import main
 sys.exit(main(sys.argv[1:]))

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import wasmtime
 
+from hophoop.kernel.compliant.event_loop import MAX_STEPS
 from hophoop.kernel.compliant.records import WIDTH
-from hophoop.kernel.compliant.run import MAX_STEPS
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT

@@ -25,7 +25,7 @@ from hophoop.kernel.native.sources import called, is_kernel
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import Cell, Contact
 from hophoop.kernel.records.layout import MOST_PANELS
-from hophoop.kernel.records.refusal import Refusal, refusal
+from hophoop.kernel.records.refusals import Refusal, refusal
 from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
 from hophoop.lab.wasm.layout import layout
 from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped

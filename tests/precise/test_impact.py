@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.impact import impact
+from hophoop.kernel.physics.impacts import impact
 from hophoop.precise.kernels import Kernels
 from hophoop.vocabulary.names import LAW_CODES
 from oracles import rational

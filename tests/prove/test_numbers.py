@@ -126,7 +126,7 @@ def numbers_frame():
     import sys
 
     frame = sys._getframe(3)
-    return frame.f_code.co_name if "/kernel/" in frame.f_code.co_filename.replace("\\", "/") else ""
+    return frame.f_code.co_name if "/hophoop/kernel/" in frame.f_code.co_filename.replace("\\", "/") else ""
 
 
 @pytest.mark.parametrize("name", MOTIONS)

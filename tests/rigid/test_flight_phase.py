@@ -8,8 +8,9 @@ import pytest
 
 from hophoop.kernel.panels.panel import FLY
 from hophoop.kernel.physics.body import Event, Mode, Status
+from hophoop.kernel.records.layout import STOP_AT_TAKEOFF
 from hophoop.kernel.rigid import flight_phase
-from hophoop.kernel.rigid.phase import GOING, STOP_AT_TAKEOFF, Ending, begin_phase
+from hophoop.kernel.rigid.phase import GOING, Ending, begin_phase
 from rigid.tools import FLIGHT, ROLL, SKID, SPIN, body_of, limits, motion_of, moves, state_of, written
 
 SKIM = int(Mode.SKIM)

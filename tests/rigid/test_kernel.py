@@ -10,9 +10,9 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import PANEL_LIMIT, new_scratch
+from hophoop.kernel.records.layout import PANEL_LIMIT, STOP_AT_TAKEOFF, STOP_AT_TURN, new_scratch
 from hophoop.kernel.rigid import run as kernel
-from hophoop.kernel.rigid.phase import GOING, START_LEVEL, STOP_AT_TAKEOFF, STOP_AT_TURN, Ending, Phase
+from hophoop.kernel.rigid.phase import GOING, START_LEVEL, Ending, Phase
 from rigid.tools import FLIGHT, NOWHERE, ROLL, SKID, SPIN, body_of, log_of, motion_of, moves, state_of
 
 MASSLESS, SKIM = body_of(1.0), int(Mode.SKIM)

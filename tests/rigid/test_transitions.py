@@ -12,7 +12,7 @@ import hophoop as hh
 from hophoop.kernel.native import forced
 from hophoop.kernel.physics.body import Event
 from hophoop.kernel.physics.contact import slip_coefficients
-from hophoop.kernel.physics.impact import impact
+from hophoop.kernel.physics.impacts import impact
 from hophoop.kernel.physics.modes import UNDECIDED
 from hophoop.kernel.records.writing import event_without_jump
 from hophoop.kernel.rigid.transitions import collide, end_bounces, leave_cone, resolve_mode, resolve_painleve_singularity

@@ -10,7 +10,7 @@ import numpy as np
 
 import hophoop as hh
 from hophoop.kernel.records.cells import Cell
-from hophoop.kernel.records.refusal import Refusal, hoop_refusal, plane_refusal, refusal
+from hophoop.kernel.records.refusals import Refusal, hoop_refusal, plane_refusal, refusal
 from hophoop.maps.grid.cells import make_cells
 from hophoop.scenario import InputError
 

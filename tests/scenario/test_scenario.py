@@ -11,7 +11,7 @@ from hypothesis import given
 from pydantic import ValidationError
 
 import hophoop as hh
-from hophoop.kernel.records.refusal import Refusal
+from hophoop.kernel.records.refusals import Refusal
 from hophoop.scenario import models, scenario, sentence, time_unit, to_body
 from hophoop.scenario.rules import RULES, refused
 from strategies import bodies, said

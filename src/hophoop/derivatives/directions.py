@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.records.cells import Cell
+from hophoop.kernel.records import Cell
 
 
 def direction(given, more):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.derivatives.directions import direction
-from hophoop.kernel.records.cells import CELL
+from hophoop.kernel.records import CELL
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.scenario.paths import parameter
 from hophoop.vocabulary.parameters import PARAMETERS, RANGES, TABLE, Range

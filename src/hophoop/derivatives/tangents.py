@@ -49,12 +49,9 @@ from hophoop.derivatives.pieces.flight_and_rest import accelerations, skims_plan
 from hophoop.derivatives.pieces.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine, sine_cosine
-from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, SKIMMING
-from hophoop.kernel.physics.body import Event, Mode
-from hophoop.kernel.physics.impact import impact
-from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.records.state import with_velocities
-from hophoop.kernel.records.writing import state_of
+from hophoop.kernel.physics import Event, Mode, impact, slip_direction
+from hophoop.kernel.records import state_of, with_velocities
+from hophoop.kernel.steps import FLY, HOLD, LINEAR, SKIMMING
 
 
 @noinline

@@ -9,7 +9,7 @@ import numpy as np
 from hophoop.derivatives.layout import EVENT_ROWS, STATE_ROWS
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.collocation import ORDER
-from hophoop.kernel.panels.panel import DRIVEN, STRETCH, from_reference
+from hophoop.kernel.steps import DRIVEN, STRETCH, from_reference
 
 # Rows of the array that a panel is worked out in: dθ̇²/dθ; the change of θ̇² by its value at the start (of an arriving panel by
 # θ there), by θ at the start (by the turning point), and by ρ where it is 0; weights of the nodes; the change by parameters, a

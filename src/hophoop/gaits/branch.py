@@ -15,7 +15,7 @@ from hophoop._support.extras import need
 from hophoop.gaits.computing import passages
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.maps import Floats, Image, SectionMap, eigenvalues, value_of
-from hophoop.kernel.physics.body import MODE_LETTERS
+from hophoop.kernel.physics import MODE_LETTERS
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
 

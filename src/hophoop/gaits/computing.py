@@ -14,10 +14,8 @@ from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, N
 from hophoop.gaits.kernels.passages import SIZE, follow_passages, lands_no_more
 from hophoop.gaits.results import Passages
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.cells import mode_of, second_of, start_of
-from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
-from hophoop.kernel.records.state import State
+from hophoop.kernel.physics import Status
+from hophoop.kernel.records import EVENT, SEGMENT, State, mode_of, new_scratch, second_of, start_of
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.names import FATE_CODES, Fate
 

@@ -18,13 +18,18 @@ from hophoop.gaits.kernels.passages import follow_passages
 from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.arithmetic import TWO_PI
-from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode
-from hophoop.kernel.physics.contact import inertia_at_height
-from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.records.cells import CELL, Cell, body_of, ideal_inertia
-from hophoop.kernel.records.layout import new_scratch, unpacked_sequence
-from hophoop.kernel.records.refusal import Refusal, refusal
-from hophoop.kernel.records.state import start_state
+from hophoop.kernel.physics import MODE_LETTERS, Body, Mode, inertia_at_height, slip_direction
+from hophoop.kernel.records import (
+    CELL,
+    Cell,
+    Refusal,
+    body_of,
+    ideal_inertia,
+    new_scratch,
+    refusal,
+    start_state,
+    unpacked_sequence,
+)
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start, cell_of
 from hophoop.scenario.paths import parameter

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check
 from hophoop.gaits.maps import FASTEST, PHASES, SectionMap, slowest_over_top
-from hophoop.kernel.records.layout import unpacked_sequence
+from hophoop.kernel.records import unpacked_sequence
 from hophoop.scenario import InputError, Scenario, Start
 
 Progress = Callable[[float], object]

@@ -14,9 +14,8 @@ import numpy as np
 from hophoop.kernel.native.sources import LIBRARY_TOOLS, TOOLS, hash_of
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.compliant import Compliance
-from hophoop.kernel.records.layout import EVENT, SEGMENT, MapRequest, MapResults, Scratch, Tables
+from hophoop.kernel.records.layout import EVENT, SEGMENT, MapRequest, MapResults, Scratch, Tables, Until
 from hophoop.kernel.records.state import State
-from hophoop.kernel.rigid.phase import Until
 
 
 class Array(NamedTuple):
@@ -68,9 +67,9 @@ WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))
 # Two processes compile them in this order: what many share comes first.
 ENTRIES: dict[str, tuple[Any, ...]] = {
     "hophoop.kernel.rigid.run.run": (Body, State, int, float, float, int, EVENTS, SEGMENTS, Scratch),
-    "hophoop.kernel.records.refusal.mark_refused": (TABLE,),
-    "hophoop.kernel.compliant.run.run": (Body, Compliance, ROW, bool, float, float, int, EVENTS, TABLE, ROW),
-    "hophoop.kernel.compliant.run.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
+    "hophoop.kernel.records.refusals.mark_refused": (TABLE,),
+    "hophoop.kernel.compliant.event_loop.run": (Body, Compliance, ROW, bool, float, float, int, EVENTS, TABLE, ROW),
+    "hophoop.kernel.compliant.event_loop.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
     "hophoop.derivatives.events.ending.propagate_motion": (
         Body, Named("hophoop.derivatives.workspace.KnownMotion", (EVENTS, SEGMENTS, float, float)), TABLE, TABLE,
         Named("hophoop.derivatives.workspace.Solution", (CUBE, CUBE, COUNTS, COUNTS)), WORKSPACE,

@@ -20,8 +20,8 @@ from pydantic.fields import FieldInfo
 from hophoop._version import __version__
 from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
-from hophoop.kernel.records.refusal import Refusal
+from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS
+from hophoop.kernel.records import Refusal
 from hophoop.lab import limits
 from hophoop.lab.limits import LAB
 from hophoop.lab.presets import FIRST, presets

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from hophoop import theory
 from hophoop._support.extras import need
-from hophoop.kernel.records.cells import CELL
+from hophoop.kernel.records import CELL
 from hophoop.maps import Border, words_of
 from hophoop.maps.grid.axes import has_equal_ratios, ordered
 from hophoop.maps.grid.cells import make_cells

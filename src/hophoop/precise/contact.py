@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from hophoop.kernel.physics.contact import cone_weights, resistance_arm
-from hophoop.kernel.records.state import State
-from hophoop.kernel.rigid.phase import Ending
+from hophoop.kernel.physics import cone_weights, resistance_arm
+from hophoop.kernel.records import State
+from hophoop.kernel.steps import Ending
 from hophoop.precise.jam import NEAR, approach, ending, missing_angle
 from hophoop.precise.kernels import Number
 from hophoop.precise.phases import Step, expand, integral_to, order_for, work

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop.kernel.panels.landing import Flight, landing_time_bound
-from hophoop.kernel.physics.closed_forms import flight_displacement
-from hophoop.kernel.physics.contact import free_acceleration
-from hophoop.kernel.records.state import State
+from hophoop.kernel.physics import flight_displacement, free_acceleration
+from hophoop.kernel.records import State
+from hophoop.kernel.steps import Flight, landing_time_bound
 from hophoop.precise.kernels import Number
 from hophoop.precise.phases import gap_series
 from hophoop.precise.problem import Body

@@ -10,9 +10,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy, slip_displacement
-from hophoop.kernel.physics.contact import kappa_p_sigma_slope, resistance_arm, slip_torque_arm
-from hophoop.kernel.records.state import State
+from hophoop.kernel.physics import (
+    kappa_p_sigma_slope,
+    kinetic_energy,
+    potential_energy,
+    resistance_arm,
+    slip_displacement,
+    slip_torque_arm,
+)
+from hophoop.kernel.records import State
 from hophoop.precise.kernels import Number
 from hophoop.precise.problem import Body
 

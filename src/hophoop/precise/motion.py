@@ -6,15 +6,21 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.physics.contact import acceleration_in_contact
-from hophoop.kernel.physics.modes import next_mode, slip_direction
-from hophoop.kernel.records.state import State
-from hophoop.kernel.records.writing import PendingEvent, event_without_jump
-from hophoop.kernel.rigid.contact_phase import contact_step, vanishing_slip_derivatives
-from hophoop.kernel.rigid.flight_phase import land
-from hophoop.kernel.rigid.phase import GOING, Ending, Limits, Phase, end_motion, limits_of
-from hophoop.kernel.rigid.run import BY_RULE, begin
+from hophoop.kernel.physics import Event, Mode, Status, acceleration_in_contact, next_mode, slip_direction
+from hophoop.kernel.records import PendingEvent, State, event_without_jump
+from hophoop.kernel.steps import (
+    BY_RULE,
+    GOING,
+    Ending,
+    Limits,
+    Phase,
+    begin,
+    contact_step,
+    end_motion,
+    land,
+    limits_of,
+    vanishing_slip_derivatives,
+)
 from hophoop.precise.contact import advance
 from hophoop.precise.flight import fly
 from hophoop.precise.kernels import Kernels, Number, numbers_of

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from operator import mul
 
-from hophoop.kernel.physics.contact import resistance_arm
-from hophoop.kernel.records.state import State
+from hophoop.kernel.physics import resistance_arm
+from hophoop.kernel.records import State
 from hophoop.precise.kernels import Number
 from hophoop.precise.problem import Body, Fixed
 from hophoop.precise.series import integral, product, value

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 from mpmath import MPContext
 
-from hophoop.kernel.panels.anchor import NONE
-from hophoop.kernel.physics.body import MODE_LETTERS
-from hophoop.kernel.records.state import State
+from hophoop.kernel.physics import MODE_LETTERS
+from hophoop.kernel.records import State
+from hophoop.kernel.steps import NONE
 from hophoop.precise.kernels import Kernels, Number, numbers_of
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario

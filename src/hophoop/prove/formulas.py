@@ -10,44 +10,40 @@ from types import FunctionType, SimpleNamespace
 from typing import Any
 
 from hophoop.kernel.native.marks import source_of
-from hophoop.kernel.physics.body import STATUS_NAMES as STATUS_NAMES
-from hophoop.kernel.physics.body import Event as Event
-from hophoop.kernel.physics.body import ImpactLaw as ImpactLaw
-from hophoop.kernel.physics.body import Mode as Mode
-from hophoop.kernel.physics.body import Status as Status
-from hophoop.kernel.physics.closed_forms import (
-    flight_displacement,
-    flight_rates,
-    kinetic_energy,
-    potential_energy,
-    rolling_u,
-    slip_displacement,
-)
-from hophoop.kernel.physics.contact import (
+from hophoop.kernel.physics import STATUS_NAMES as STATUS_NAMES
+from hophoop.kernel.physics import Event as Event
+from hophoop.kernel.physics import ImpactLaw as ImpactLaw
+from hophoop.kernel.physics import Mode as Mode
+from hophoop.kernel.physics import Status as Status
+from hophoop.kernel.physics import (
     acceleration_in_contact,
     contact_arms,
+    flight_displacement,
+    flight_rates,
     free_acceleration,
+    kinetic_energy,
+    potential_energy,
     resistance_arm,
     rolling_acceleration,
     rolling_forces,
+    rolling_u,
+    slip_displacement,
     slip_motion,
+    slip_rates,
     slip_torque_arm,
+    stick_rates,
     torque_at_rest,
 )
-from hophoop.kernel.physics.impact import slip_rates, stick_rates
-from hophoop.kernel.physics.modes import slip_direction as slip_direction
-from hophoop.kernel.records.state import State as State
-from hophoop.kernel.records.writing import PendingEvent as PendingEvent
-from hophoop.kernel.rigid.contact_phase import contact_step, vanishing_slip_derivatives
-from hophoop.kernel.rigid.flight_phase import flight_start, land
-from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF as STOP_AT_TAKEOFF
-from hophoop.kernel.rigid.phase import STOP_AT_TURN as STOP_AT_TURN
-from hophoop.kernel.rigid.phase import Ending as Ending
-from hophoop.kernel.rigid.phase import Limits as Limits
-from hophoop.kernel.rigid.phase import end_motion as end_motion
-from hophoop.kernel.rigid.phase import limits_of as limits_of
-from hophoop.kernel.rigid.run import begin
-from hophoop.kernel.rigid.transitions import collide
+from hophoop.kernel.physics import slip_direction as slip_direction
+from hophoop.kernel.records import STOP_AT_TAKEOFF as STOP_AT_TAKEOFF
+from hophoop.kernel.records import STOP_AT_TURN as STOP_AT_TURN
+from hophoop.kernel.records import PendingEvent as PendingEvent
+from hophoop.kernel.records import State as State
+from hophoop.kernel.steps import Ending as Ending
+from hophoop.kernel.steps import Limits as Limits
+from hophoop.kernel.steps import begin, collide, contact_step, flight_start, land, vanishing_slip_derivatives
+from hophoop.kernel.steps import end_motion as end_motion
+from hophoop.kernel.steps import limits_of as limits_of
 from hophoop.precise import kernels
 from hophoop.prove.numbers import Ball, arb, flint, raw, sign
 

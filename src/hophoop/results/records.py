@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support import tables
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS
-from hophoop.kernel.physics.contact import utilizations
+from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS, utilizations
 from hophoop.results.event_table import change_of, text_table
 from hophoop.results.units import Units
 from hophoop.scenario import Plane, Scenario

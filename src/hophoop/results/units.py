@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Scales, scales_from
-from hophoop.kernel.records.writing import kernel_times
+from hophoop.kernel.physics import Scales, scales_from
+from hophoop.kernel.records import kernel_times
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import time_unit
 from hophoop.vocabulary.quantities import sizes

@@ -9,8 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Tag, model_validator
 
-from hophoop.kernel.records.cells import ideal_inertia
-from hophoop.kernel.records.refusal import hoop_refusal, plane_refusal
+from hophoop.kernel.records import hoop_refusal, ideal_inertia, plane_refusal
 from hophoop.scenario.base import NUMBER, Count, Friction, Frozen, Number, alone, field_of, quantity, refuse, within
 from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
 from hophoop.scenario.rules import refused

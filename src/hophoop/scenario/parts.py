@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Discriminator, Field, model_validator
 
-from hophoop.kernel.records import cells
+from hophoop.kernel.records import DISK, POINT_MASS, RADIAL_ROD, RING, TANGENTIAL_ROD, combined, part_inertia, part_reach
 from hophoop.scenario.base import NUMBER, Frozen, Number, plain_init, quantity, refuse, within
 from hophoop.scenario.texts import say
 
@@ -20,8 +20,8 @@ Row = tuple[int, float, float, float, float]
 
 _LENGTHS = ("inner_radius", "outer_radius", "radius", "length")
 _KINDS = {
-    "ring": cells.RING, "disk": cells.DISK, "point_mass": cells.POINT_MASS,
-    "radial": cells.RADIAL_ROD, "tangential": cells.TANGENTIAL_ROD,
+    "ring": RING, "disk": DISK, "point_mass": POINT_MASS,
+    "radial": RADIAL_ROD, "tangential": TANGENTIAL_ROD,
 }  # fmt: skip
 
 # Tolerance for a part that touches the rim, since its position is rounded.
@@ -48,13 +48,13 @@ class _Part(Frozen):
     def inertia(self) -> float:
         """Moment of inertia about its own centre [kg m²]."""
         shape, weight, first, second, _ = self.row
-        return float(cells.part_inertia(shape, weight, first, second))
+        return float(part_inertia(shape, weight, first, second))
 
     @property
     def reach(self) -> float:
         """Distance of its farthest point from C [m]."""
         shape, _, first, second, at = self.row
-        return float(cells.part_reach(shape, first, second, at))
+        return float(part_reach(shape, first, second, at))
 
 
 class Ring(_Part):
@@ -174,5 +174,5 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
     for index, part in enumerate(parts):
         if part.reach > radius * (1.0 + TOUCH):
             raise refuse(say("beyond_the_rim", index=index, shape=part.shape, reach=part.reach, radius=radius))
-    whole, eccentricity, inertia_ratio = cells.combined(radius, np.array([part.row for part in parts]))
+    whole, eccentricity, inertia_ratio = combined(radius, np.array([part.row for part in parts]))
     return float(whole), float(eccentricity), float(inertia_ratio)

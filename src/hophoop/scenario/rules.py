@@ -1,4 +1,4 @@
-"""Rules between the fields of a scenario: the sentence of each rule of `kernel.records.refusal`, and what fills its braces."""
+"""Rules between the fields of a scenario: the sentence of each rule of `kernel.records.refusals`, and what fills its braces."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any, Final, NamedTuple
 
 from pydantic_core import PydanticCustomError
 
-from hophoop.kernel.physics.body import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
-from hophoop.kernel.records.refusal import Refusal
+from hophoop.kernel.physics import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
+from hophoop.kernel.records import Refusal
 from hophoop.scenario.base import refuse
 from hophoop.scenario.texts import say
 from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS

@@ -12,10 +12,8 @@ from typing import Annotated, Any
 from pydantic import Field, ValidationError, model_validator
 
 from hophoop._support.errors import InputError
-from hophoop.kernel.physics.body import MODE_LETTERS, Body, Mode
-from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.cells import CONTACT, body_of, second_of
-from hophoop.kernel.records.refusal import refusal
+from hophoop.kernel.physics import MODE_LETTERS, Body, FrictionLaw, Mode, NormalLaw
+from hophoop.kernel.records import CONTACT, body_of, refusal, second_of
 from hophoop.scenario.base import NUMBER, Frozen, field_of, refuse, within
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid
@@ -359,10 +357,9 @@ def why_not_in_mode(cell: Any) -> str:
     cell: In the order of `kernel.records.cells.CELL` [SI].
     """
     from hophoop.kernel.numerics.circular import sine_cosine
-    from hophoop.kernel.physics.contact import free_acceleration
-    from hophoop.kernel.physics.modes import UNDECIDED, next_mode
-    from hophoop.kernel.records.cells import mode_of, start_of
-    from hophoop.kernel.rigid.sampling import margins_of
+    from hophoop.kernel.physics import UNDECIDED, free_acceleration, next_mode
+    from hophoop.kernel.records import mode_of, start_of
+    from hophoop.kernel.steps import margins_of
 
     body = body_of(cell)
     state, mode = start_of(cell, second_of(cell)), mode_of(cell)

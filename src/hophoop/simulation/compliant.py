@@ -6,16 +6,18 @@ import math
 
 import numpy as np
 
-from hophoop.kernel.compliant.motion import RTOL, compliance_of, load_contact
-from hophoop.kernel.compliant.records import (
+from hophoop.kernel.compliant import (
+    COLUMNS,
     FIRST,
     FLY,
     KIND,
+    MAX_STEPS,
     MODE,
     OM,
     REGIME,
     RESTING,
     REVOLUTIONS,
+    RTOL,
     SEGMENT,
     SIZE,
     STAGES,
@@ -25,12 +27,14 @@ from hophoop.kernel.compliant.records import (
     WIDTH,
     X,
     Y,
+    compliance_of,
+    load_contact,
+    run,
+    sample,
 )  # fmt: skip
-from hophoop.kernel.compliant.run import COLUMNS, MAX_STEPS, run, sample
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Body, Mode, Status
-from hophoop.kernel.physics.compliant import Compliance
-from hophoop.kernel.records.layout import EVENT
+from hophoop.kernel.physics import Body, Compliance, Mode, Status
+from hophoop.kernel.records import EVENT
 from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import contact_of, time_unit, to_body
 

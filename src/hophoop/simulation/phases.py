@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from hophoop._support.errors import check_type
-from hophoop.kernel.physics.body import MODE_LETTERS, PASSING, Body, Event, Mode
-from hophoop.kernel.rigid.sampling import MARGINS, margins_of
+from hophoop.kernel.physics import MODE_LETTERS, PASSING, Body, Event, Mode
+from hophoop.kernel.steps import MARGINS, margins_of
 from hophoop.results.records import EventRecord
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Rigid, Scenario

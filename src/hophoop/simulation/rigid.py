@@ -11,12 +11,20 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.panels.panel import FLY
-from hophoop.kernel.physics.body import Status
-from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.records.cells import CELL
-from hophoop.kernel.records.layout import COLUMNS, EVENT, MOST_PANELS, SEGMENT, Outcome, Tables, first_rows, new_table
-from hophoop.kernel.rigid.phase import Until
+from hophoop.kernel.physics import Status, slip_direction
+from hophoop.kernel.records import (
+    CELL,
+    COLUMNS,
+    EVENT,
+    FLY,
+    MOST_PANELS,
+    SEGMENT,
+    Outcome,
+    Tables,
+    Until,
+    first_rows,
+    new_table,
+)
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import cell_of, to_body
 from hophoop.simulation.until import NOTHING

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 from hophoop._support.progress import compute_reporting
 from hophoop._version import __version__
-from hophoop.kernel.rigid.phase import Until
+from hophoop.kernel.records import Until
 from hophoop.scenario import Compliant, Hoop, InputError, Plane, Rigid, Scenario, Start
 from hophoop.simulation.rigid import simulate_rigid
 from hophoop.simulation.trajectory import Trajectory

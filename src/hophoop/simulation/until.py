@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, Until
+from hophoop.kernel.records import STOP_AT_TAKEOFF, STOP_AT_TURN, Until
 from hophoop.scenario import InputError
 from hophoop.vocabulary.names import number_after
 

@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Body, Mode
-from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
-from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.run import BY_RULE, run
+from hophoop.kernel.physics import Body, Mode
+from hophoop.kernel.records import EVENT, SEGMENT, new_scratch, start_state
+from hophoop.kernel.steps import BY_RULE, run
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import critical as kernels

@@ -16,9 +16,8 @@ import numpy as np
 from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients, value_slope_bend
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.physics.body import Body
-from hophoop.kernel.physics.contact import delassus, inertia_at_height, rolling_forces
-from hophoop.kernel.records.layout import new_scratch
+from hophoop.kernel.physics import Body, delassus, inertia_at_height, rolling_forces
+from hophoop.kernel.records import new_scratch
 from hophoop.results.units import Units
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.theory.kernels.critical import first_slip

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.elementwise import cosine
-from hophoop.kernel.physics.contact import most_resistance
+from hophoop.kernel.physics import most_resistance
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.theory._columns import Columns, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels

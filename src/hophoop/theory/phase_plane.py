@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import MODE_LETTERS
+from hophoop.kernel.physics import MODE_LETTERS
 from hophoop.scenario import Hoop, Plane
 from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import phase_plane as kernels

@@ -10,7 +10,7 @@ from hophoop.derivatives.pieces.panels import d_kappa_p_sigma, d_slip_after
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.physics.contact import (
+from hophoop.kernel.physics import (
     free_acceleration,
     kappa_p_sigma,
     resistance_arm,

@@ -1,4 +1,4 @@
-"""The derivative of an impact in one direction: that of `physics.impact.impact`, in the branch that it takes.
+"""The derivative of an impact in one direction: that of `physics.impacts.impact`, in the branch that it takes.
 
 What is written by hand is what happens between two branches (docs/derivatives.md#through-the-events).
 """
@@ -11,8 +11,7 @@ from typing import NamedTuple
 from hophoop.derivatives.layout import STILL, Reason
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
-from hophoop.kernel.physics.contact import contact_arms
-from hophoop.kernel.physics.impact import NEWTON, impact, impulse_ratio, slip_rates, stick_rates, stop_impulse
+from hophoop.kernel.physics import NEWTON, contact_arms, impact, impulse_ratio, slip_rates, stick_rates, stop_impulse
 
 NONE, BORDER, PLASTIC, SIDED = int(Reason.NONE), int(Reason.BORDER), int(Reason.PLASTIC), -1
 CLOSE = 1e-10  # relative: closer to zero a quantity that decides may have either sign

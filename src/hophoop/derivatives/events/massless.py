@@ -23,7 +23,7 @@ from hophoop.derivatives.layout import (
 from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.closed_forms import skim_duration, skim_state, strike
+from hophoop.kernel.physics import skim_duration, skim_state, strike
 
 
 def struck_load(body, x, th, vt, om):

@@ -11,31 +11,34 @@ from hophoop.derivatives.transform import tangent_of
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine, versine_of
 from hophoop.kernel.numerics.exponentials import hyperbolic_cosine, hyperbolic_sine
-from hophoop.kernel.panels.anchor import (
-    LARGEST_PSI,
-    offset_from,
-    rolling_anchor,
-    rolling_panel_start,
-    slip_arm_at,
-    slip_unstable_equilibrium,
-)
-from hophoop.kernel.panels.landing import Flight, downcrossing_between, moment_of
-from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.closed_forms import flight_displacement, flight_gap
-from hophoop.kernel.physics.contact import (
+from hophoop.kernel.physics import (
+    Mode,
     acceleration_in_contact,
+    flight_displacement,
+    flight_gap,
     free_acceleration,
     inertia_at_height,
     load_height,
     resistance_arm,
     rolling_acceleration,
     rolling_forces,
+    slip_direction,
     slip_load,
     slip_motion,
     slip_torque_arm,
     torque_at_rest,
 )
-from hophoop.kernel.physics.modes import slip_direction
+from hophoop.kernel.steps import (
+    LARGEST_PSI,
+    Flight,
+    downcrossing_between,
+    moment_of,
+    offset_from,
+    rolling_anchor,
+    rolling_panel_start,
+    slip_arm_at,
+    slip_unstable_equilibrium,
+)
 
 d_free_acceleration = tangent_of(free_acceleration, "body", "s", "c", "u")
 d_acceleration_in_contact = tangent_of(acceleration_in_contact, "body", "s", "c")

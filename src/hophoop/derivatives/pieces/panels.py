@@ -18,7 +18,18 @@ from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.circular import sine_cosine, sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import ORDER, dot, lagrange, product
 from hophoop.kernel.numerics.tables import ANTIDERIVATIVE_T, NODES, WEIGHTS
-from hophoop.kernel.panels.panel import (
+from hophoop.kernel.physics import (
+    contact_arms,
+    inertia_at_height,
+    kappa_p_sigma,
+    load_height,
+    resisted_inertia,
+    rolling_acceleration,
+    slip_displacement,
+    slip_load,
+    slip_torque_arm,
+)
+from hophoop.kernel.steps import (
     ARM,
     ARRIVE,
     COSINE,
@@ -34,17 +45,6 @@ from hophoop.kernel.panels.panel import (
     angle_at,
     from_reference,
     sine_versine_of_offset,
-)
-from hophoop.kernel.physics.closed_forms import slip_displacement
-from hophoop.kernel.physics.contact import (
-    contact_arms,
-    inertia_at_height,
-    kappa_p_sigma,
-    load_height,
-    resisted_inertia,
-    rolling_acceleration,
-    slip_load,
-    slip_torque_arm,
 )
 
 FROM_BEGIN = np.ascontiguousarray(ANTIDERIVATIVE_T.T)

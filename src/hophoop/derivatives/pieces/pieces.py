@@ -9,11 +9,19 @@ from hophoop.derivatives.layout import OM
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, follow_flight, follow_hold, step_along
 from hophoop.derivatives.pieces.panels import Stretch, follow_panel, prepare_panel
 from hophoop.kernel.native import noinline
-from hophoop.kernel.panels.panel import FLY, HOLD, LEAVE, SKIMMING, fill_inside
-from hophoop.kernel.records.writing import panel_of, state_of
-from hophoop.kernel.rigid.contact_phase import state_on_panel
-from hophoop.kernel.rigid.panel_choice import solve
-from hophoop.kernel.rigid.sampling import state_in_flight, state_in_skim, state_without_rotation
+from hophoop.kernel.records import panel_of, state_of
+from hophoop.kernel.steps import (
+    FLY,
+    HOLD,
+    LEAVE,
+    SKIMMING,
+    fill_inside,
+    solve,
+    state_in_flight,
+    state_in_skim,
+    state_on_panel,
+    state_without_rotation,
+)
 
 
 @noinline

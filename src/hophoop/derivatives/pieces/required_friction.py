@@ -10,11 +10,9 @@ from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.panels.panel import COSINE, SINE, U, fill_inside
-from hophoop.kernel.physics.contact import force_ratio, required_ratio, rolling_acceleration
-from hophoop.kernel.records.writing import panel_of, state_of
-from hophoop.kernel.rigid.contact_phase import state_on_panel
-from hophoop.kernel.rigid.panel_choice import solve_noinline
+from hophoop.kernel.physics import force_ratio, required_ratio, rolling_acceleration
+from hophoop.kernel.records import panel_of, state_of
+from hophoop.kernel.steps import COSINE, SINE, U, fill_inside, solve_noinline, state_on_panel
 
 MOST_STEPS = 60  # towards a maximum
 CONVERGED = 1e-14  # in ξ

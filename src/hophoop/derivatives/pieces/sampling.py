@@ -8,10 +8,8 @@ from hophoop.derivatives.layout import T
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, step_along
 from hophoop.derivatives.pieces.panels import prepare_panel
 from hophoop.derivatives.pieces.pieces import follow_prepared, follow_without_panel, is_panel
-from hophoop.kernel.panels.panel import FLY, HOLD, TIME, Totals, fill_inside, no_panel
-from hophoop.kernel.records.writing import find_segment, panel_of
-from hophoop.kernel.rigid.panel_choice import solve
-from hophoop.kernel.rigid.sampling import xi_at_time
+from hophoop.kernel.records import find_segment, panel_of
+from hophoop.kernel.steps import FLY, HOLD, TIME, Totals, fill_inside, no_panel, solve, xi_at_time
 
 
 def sample_tangents(body, pieces, clock, times, left, samples, workspace):

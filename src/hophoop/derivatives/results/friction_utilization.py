@@ -16,10 +16,9 @@ from hophoop.derivatives.layout import BEFORE_OM, OM, STATE_ROWS
 from hophoop.derivatives.workspace import Pieces, Samples, new_workspace
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.panels.panel import HOLD
-from hophoop.kernel.physics.body import Body, Event, Mode
-from hophoop.kernel.physics.contact import required_ratio, resistance_arm
-from hophoop.kernel.records.layout import thread_scratch
+from hophoop.kernel.physics import Body, Event, Mode, required_ratio, resistance_arm
+from hophoop.kernel.records import thread_scratch
+from hophoop.kernel.steps import HOLD
 
 Floats = NDArray[np.float64]
 # Kernels by name: their modules write tangents on import, which compiled code does without.

@@ -39,8 +39,8 @@ from hophoop.derivatives.units import (
 )
 from hophoop.derivatives.workspace import KnownMotion, Pieces, Samples, Solution, new_solution, new_workspace
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics.body import Body, Event
-from hophoop.kernel.records.layout import thread_scratch
+from hophoop.kernel.physics import Body, Event
+from hophoop.kernel.records import thread_scratch
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
 from hophoop.vocabulary.quantities import QUANTITIES

@@ -35,14 +35,9 @@ from hophoop.gaits.kernels.passages import LOST, ROWS, SIZE, TURNED, follow_pass
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.arithmetic import PI
 from hophoop.kernel.numerics.exponentials import logarithm
-from hophoop.kernel.physics.body import Status
-from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
-from hophoop.kernel.physics.contact import inertia_at_height
-from hophoop.kernel.records.cells import Cell, body_of, mode_of, scales_of, start_of
-from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
-from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.phase import GOING
-from hophoop.kernel.rigid.run import BY_RULE
+from hophoop.kernel.physics import Status, inertia_at_height, kinetic_energy, potential_energy
+from hophoop.kernel.records import EVENT, SEGMENT, Cell, body_of, mode_of, new_scratch, scales_of, start_of, start_state
+from hophoop.kernel.steps import BY_RULE, GOING
 from hophoop.theory.kernels.critical import slip_from_rolling
 from hophoop.vocabulary.names import FateCode
 

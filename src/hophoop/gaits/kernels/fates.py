@@ -33,9 +33,15 @@ from hophoop.gaits.kernels.wells import stays_in_well
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.physics.body import ImpactLaw, Mode
-from hophoop.kernel.physics.closed_forms import kinetic_energy, potential_energy
-from hophoop.kernel.physics.contact import inertia_at_height, load_height, rolling_forces
+from hophoop.kernel.physics import (
+    ImpactLaw,
+    Mode,
+    inertia_at_height,
+    kinetic_energy,
+    load_height,
+    potential_energy,
+    rolling_forces,
+)
 from hophoop.vocabulary.names import FateCode
 
 OPEN = -1  # not decided so far

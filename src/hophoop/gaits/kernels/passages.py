@@ -45,13 +45,9 @@ from hophoop.gaits.kernels.layout import (
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.physics.body import PASSING, Event, ImpactLaw, Mode, Status
-from hophoop.kernel.physics.contact import contact_arms
-from hophoop.kernel.physics.impact import slip_rates
-from hophoop.kernel.records.layout import EVENTS, PANEL_LIMIT, PANELS
-from hophoop.kernel.records.writing import add_letter, count_panel, has_room, new_log
-from hophoop.kernel.rigid.phase import GOING, ROUNDING, Ending, Limits, angle_left, continue_phase
-from hophoop.kernel.rigid.run import begin, can_follow, step
+from hophoop.kernel.physics import PASSING, Event, ImpactLaw, Mode, Status, contact_arms, slip_rates
+from hophoop.kernel.records import EVENTS, PANEL_LIMIT, PANELS, add_letter, count_panel, has_room, new_log
+from hophoop.kernel.steps import GOING, ROUNDING, Ending, Limits, angle_left, begin, can_follow, continue_phase, step
 from hophoop.vocabulary.names import FateCode
 
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen

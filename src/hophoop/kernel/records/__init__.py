@@ -1,1 +1,63 @@
-"""Inputs and results of the kernels: cells, state, events, segments, scratch arrays."""
+"""Cells, states, tables and refusals: what other packages use of them."""
+
+from hophoop.kernel.panels.panel import FLY
+from hophoop.kernel.records.cells import (
+    AT,
+    CELL,
+    CONTACT,
+    DISK,
+    FIRST,
+    POINT_MASS,
+    RADIAL_ROD,
+    RING,
+    SECOND,
+    SHAPE,
+    TANGENTIAL_ROD,
+    Cell,
+    body_of,
+    combined,
+    ideal_inertia,
+    mode_of,
+    part_inertia,
+    part_reach,
+    scales_of,
+    second_of,
+    start_of,
+)
+from hophoop.kernel.records.layout import (
+    COLUMNS,
+    EVENT,
+    EVENTS,
+    LETTERS_PER_INTEGER,
+    MORE,
+    MOST_PANELS,
+    PANEL_LIMIT,
+    PANELS,
+    SEGMENT,
+    STOP_AT_TAKEOFF,
+    STOP_AT_TURN,
+    MapRequest,
+    MapResults,
+    Outcome,
+    Tables,
+    Until,
+    first_rows,
+    new_scratch,
+    new_table,
+    thread_scratch,
+    unpacked_sequence,
+)
+from hophoop.kernel.records.refusals import Refusal, hoop_refusal, mark_refused, plane_refusal, refusal
+from hophoop.kernel.records.state import State, start_state, whole_angle, with_velocities
+from hophoop.kernel.records.writing import (
+    PendingEvent,
+    add_letter,
+    count_panel,
+    event_without_jump,
+    find_segment,
+    has_room,
+    kernel_times,
+    new_log,
+    panel_of,
+    state_of,
+)

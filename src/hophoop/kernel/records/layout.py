@@ -69,6 +69,18 @@ class Tables(NamedTuple):
     segments: Any
 
 
+STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
+
+
+class Until(NamedTuple):
+    """What ends a motion before its duration; one of these is given."""
+
+    stop: int  # sum of STOP_AT_TURN, STOP_AT_TAKEOFF
+    landings: int  # 0: no limit
+    revolutions: float  # to either side of the start (nan: no limit)
+    angle: float  # the next time that θ is this angle in any revolution [rad] (nan: no limit)
+
+
 class MapRequest(NamedTuple):
     """What a map needs of each motion."""
 

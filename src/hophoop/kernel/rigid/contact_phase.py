@@ -56,6 +56,7 @@ from hophoop.kernel.physics.contact import (
     torque_at_rest,
 )
 from hophoop.kernel.physics.modes import next_mode, slip_direction
+from hophoop.kernel.records.layout import STOP_AT_TURN
 from hophoop.kernel.records.state import (
     FARTHEST,
     State,
@@ -79,7 +80,7 @@ from hophoop.kernel.records.writing import (
 from hophoop.kernel.rigid.flight_phase import begin_skim
 from hophoop.kernel.rigid.panel_choice import choose_panel, exceeds_time_left, narrow_to_time, set_anchor
 from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE, earliest_event
-from hophoop.kernel.rigid.phase import GOING, STOP_AT_TURN, Ending, at_span, begin_phase, continue_phase, end_motion
+from hophoop.kernel.rigid.phase import GOING, Ending, at_span, begin_phase, continue_phase, end_motion
 from hophoop.kernel.rigid.transitions import leave_cone, resolve_mode, resolve_painleve_singularity
 
 STILL_ACCELERATION = 1e-15

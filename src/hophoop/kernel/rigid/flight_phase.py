@@ -24,9 +24,10 @@ from hophoop.kernel.physics.closed_forms import (
 )
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.physics.modes import UNDECIDED, slip_mode
+from hophoop.kernel.records.layout import STOP_AT_TAKEOFF
 from hophoop.kernel.records.state import at_time, flown, later, moved, time_left, with_losses, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, write_event, write_flight, write_plain_event, write_segment
-from hophoop.kernel.rigid.phase import ROUNDING, STOP_AT_TAKEOFF, Ending, angle_left, at_span, begin_phase, end_motion
+from hophoop.kernel.rigid.phase import ROUNDING, Ending, angle_left, at_span, begin_phase, end_motion
 from hophoop.kernel.rigid.transitions import collide, end_bounces, resolve_mode
 
 # A sequence of bounces is closed when the bounces to come would take less than this fraction of the time so far.

@@ -82,17 +82,7 @@ def end_motion(phase, mode, state, ending, status):
 
 # --- limits ------------------------------------------------------------------------------------------------------------------
 
-STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
 ROUNDING = 4e-15  # rad per revolution: within it a start is at an angle, and not about to pass it
-
-
-class Until(NamedTuple):
-    """What ends a motion before its duration; one of these is given."""
-
-    stop: int  # sum of STOP_AT_TURN, STOP_AT_TAKEOFF
-    landings: int  # 0: no limit
-    revolutions: float  # to either side of the start (nan: no limit)
-    angle: float  # the next time that θ is this angle in any revolution [rad] (nan: no limit)
 
 
 class Limits(NamedTuple):

@@ -29,7 +29,7 @@ from hophoop.kernel.physics.contact import (
     rolling_forces,
     slip_coefficients,
 )
-from hophoop.kernel.physics.impact import impact, singular_angle, singular_slip, stop_impulse
+from hophoop.kernel.physics.impacts import impact, singular_angle, singular_slip, stop_impulse
 from hophoop.kernel.physics.modes import (
     INDETERMINATE,
     UNDECIDED,

@@ -6,23 +6,26 @@ import math
 
 from numba import carray
 
-from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.records.cells import (
+from hophoop.kernel.physics import Mode
+from hophoop.kernel.records import (
     AT,
     CELL,
     CONTACT,
     FIRST,
     SECOND,
     SHAPE,
+    MapRequest,
+    MapResults,
     body_of,
     combined,
     ideal_inertia,
+    mark_refused,
+    new_scratch,
     part_reach,
+    refusal,
     scales_of,
 )
-from hophoop.kernel.records.layout import MapRequest, MapResults, new_scratch
-from hophoop.kernel.records.refusal import mark_refused, refusal
-from hophoop.kernel.rigid.contact_phase import equilibrium_is_stable
+from hophoop.kernel.steps import equilibrium_is_stable
 from hophoop.lab.wasm.layout import PART, THRESHOLDS
 from hophoop.lab.wasm.motions import FIELDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS, evaluate_block

@@ -7,12 +7,25 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop.kernel.compliant.motion import RTOL, chosen_in_si, compliance_of, load_contact
-from hophoop.kernel.compliant.records import OM, SIZE, TH, VN, VT, WIDTH, X, Y
-from hophoop.kernel.compliant.run import COLUMNS, run, sample
-from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.cells import CONTACT, Cell, body_of, scales_of
-from hophoop.kernel.records.writing import kernel_times
+from hophoop.kernel.compliant import (
+    COLUMNS,
+    OM,
+    RTOL,
+    SIZE,
+    TH,
+    VN,
+    VT,
+    WIDTH,
+    X,
+    Y,
+    chosen_in_si,
+    compliance_of,
+    load_contact,
+    run,
+    sample,
+)
+from hophoop.kernel.physics import Status
+from hophoop.kernel.records import CONTACT, Cell, body_of, kernel_times, scales_of
 from hophoop.lab.wasm.layout import CHOSEN, EVENT_COLUMNS, HEADS
 from hophoop.lab.wasm.motions import (
     FIELDS,

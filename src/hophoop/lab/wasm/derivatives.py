@@ -12,9 +12,7 @@ from hophoop.derivatives.events.ending import propagate_motion
 from hophoop.derivatives.layout import PARAMETERS, STATE_ROWS
 from hophoop.derivatives.units import UNIT_OF_ROW, sizes_and_rates
 from hophoop.derivatives.workspace import KnownMotion, new_solution, new_workspace
-from hophoop.kernel.records.cells import Cell, body_of, scales_of
-from hophoop.kernel.records.layout import new_scratch
-from hophoop.kernel.records.writing import kernel_times
+from hophoop.kernel.records import Cell, body_of, kernel_times, new_scratch, scales_of
 from hophoop.lab.wasm.layout import CHANGE_COLUMNS
 from hophoop.lab.wasm.motions import FIELDS
 

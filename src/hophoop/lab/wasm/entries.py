@@ -6,7 +6,7 @@ from typing import Any
 
 from numba import from_dtype, types
 
-from hophoop.kernel.records.layout import EVENT, SEGMENT
+from hophoop.kernel.records import EVENT, SEGMENT
 from hophoop.lab.wasm import answers, compliant, derivatives, fates, motions
 
 FLOATS, WORDS, KEYS = (types.CPointer(kind) for kind in (types.float64, types.int32, types.uint64))

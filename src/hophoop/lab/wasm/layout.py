@@ -7,11 +7,9 @@ from typing import Any
 
 from hophoop.derivatives.layout import Reason
 from hophoop.gaits.kernels import layout as fates
-from hophoop.kernel.compliant.records import WIDTH
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, PASSING, ImpactLaw, Status
-from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.kernel.records.cells import CELL, CONTACT
-from hophoop.kernel.records.layout import EVENT, LETTERS_PER_INTEGER, MORE, SEGMENT
+from hophoop.kernel.compliant import WIDTH
+from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS, PASSING, FrictionLaw, ImpactLaw, NormalLaw, Status
+from hophoop.kernel.records import CELL, CONTACT, EVENT, LETTERS_PER_INTEGER, MORE, SEGMENT
 from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
 from hophoop.vocabulary.names import FATE_CODES, identifier

@@ -7,14 +7,9 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.closed_forms import energies_after
-from hophoop.kernel.physics.contact import utilization
-from hophoop.kernel.records.cells import CELL, Cell, body_of, mode_of, scales_of, start_of
-from hophoop.kernel.records.layout import COLUMNS, PANELS, new_scratch
-from hophoop.kernel.records.writing import kernel_times
-from hophoop.kernel.rigid.run import run
-from hophoop.kernel.rigid.sampling import sample
+from hophoop.kernel.physics import Mode, energies_after, utilization
+from hophoop.kernel.records import CELL, COLUMNS, PANELS, Cell, body_of, kernel_times, mode_of, new_scratch, scales_of, start_of
+from hophoop.kernel.steps import run, sample
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.kernel.native import compiled
-from hophoop.kernel.records.cells import CELL, Cell, ideal_inertia
-from hophoop.kernel.records.refusal import mark_refused
-from hophoop.kernel.rigid.run import BY_RULE
+from hophoop.kernel.records import CELL, Cell, ideal_inertia, mark_refused
+from hophoop.kernel.steps import BY_RULE
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.scenario.scenario import slip_agrees, why_not_in_mode

@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support.errors import check_type
 from hophoop._version import __version__
 from hophoop.kernel.native import compiled
-from hophoop.kernel.panels.panel import RESOLVED
-from hophoop.kernel.records.layout import MapRequest, MapResults, unpacked_sequence
+from hophoop.kernel.records import MapRequest, MapResults, unpacked_sequence
+from hophoop.kernel.steps import RESOLVED
 from hophoop.maps.grid import kernel
 from hophoop.maps.grid.axes import Axis, axis_values, check_pairs, check_ranges, check_rigid, chunk_shape, make_axes, ordered
 from hophoop.maps.grid.cells import make_cells

@@ -7,15 +7,25 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.physics.body import PASSING, Body, Event, Mode, Status
-from hophoop.kernel.records.cells import Cell, body_of, mode_of, scales_of, start_of
-from hophoop.kernel.records.layout import EVENT, EVENTS, SEGMENT, new_scratch
-from hophoop.kernel.records.state import whole_angle
-from hophoop.kernel.records.writing import add_letter, new_log, state_of
-from hophoop.kernel.rigid.flight_phase import flight_start, fly
-from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN, Ending, limits_of
-from hophoop.kernel.rigid.run import run
-from hophoop.kernel.rigid.transitions import collide
+from hophoop.kernel.physics import PASSING, Body, Event, Mode, Status
+from hophoop.kernel.records import (
+    EVENT,
+    EVENTS,
+    SEGMENT,
+    STOP_AT_TAKEOFF,
+    STOP_AT_TURN,
+    Cell,
+    add_letter,
+    body_of,
+    mode_of,
+    new_log,
+    new_scratch,
+    scales_of,
+    start_of,
+    state_of,
+    whole_angle,
+)
+from hophoop.kernel.steps import Ending, collide, flight_start, fly, limits_of, run
 from hophoop.maps.grid.friction_utilization import greatest_utilization
 
 # Columns of the results, in SI units.

@@ -11,7 +11,7 @@ from hophoop.gaits.computing import FOREVER, PANELS
 from hophoop.gaits.kernels.cells import judge_cells
 from hophoop.gaits.kernels.layout import CODES, NUMBERS, SECTIONS, Request
 from hophoop.kernel.native import compiled
-from hophoop.kernel.records.layout import MapResults
+from hophoop.kernel.records import MapResults
 from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.names import FATE_CODES, identifier
 

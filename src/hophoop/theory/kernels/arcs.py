@@ -13,9 +13,8 @@ import numpy as np
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients
 from hophoop.kernel.numerics.tables import NODES, WEIGHTS
-from hophoop.kernel.panels.anchor import has_equilibria, rolling_stable_equilibrium, rolling_unstable_equilibrium
-from hophoop.kernel.physics.closed_forms import rolling_u
-from hophoop.kernel.physics.contact import rolling_acceleration
+from hophoop.kernel.physics import rolling_acceleration, rolling_u
+from hophoop.kernel.steps import has_equilibria, rolling_stable_equilibrium, rolling_unstable_equilibrium
 
 TURN = 2.0 * math.pi
 RESOLVED = 1e-13

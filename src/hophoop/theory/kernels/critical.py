@@ -8,11 +8,9 @@ import numpy as np
 
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.arcs import arctangent
-from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.records.layout import EVENT, SEGMENT, new_scratch
-from hophoop.kernel.records.state import start_state
-from hophoop.kernel.rigid.phase import STOP_AT_TAKEOFF, STOP_AT_TURN
-from hophoop.kernel.rigid.run import BY_RULE, run
+from hophoop.kernel.physics import Mode
+from hophoop.kernel.records import EVENT, SEGMENT, STOP_AT_TAKEOFF, STOP_AT_TURN, new_scratch, start_state
+from hophoop.kernel.steps import BY_RULE, run
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
 from hophoop.theory.kernels.phase_plane import lift_off

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.physics.contact import cone_weights, free_acceleration, rolling_forces
-from hophoop.kernel.physics.modes import can_roll, next_mode
+from hophoop.kernel.physics import Mode, can_roll, cone_weights, free_acceleration, next_mode, rolling_forces
 
 ROLL, SKIM, NONE = int(Mode.ROLL), int(Mode.SKIM), len(Mode)
 

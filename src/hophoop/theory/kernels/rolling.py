@@ -6,9 +6,8 @@ import math
 
 from hophoop.kernel.numerics.arcs import arccosine, arcsine
 from hophoop.kernel.numerics.circular import cosine, sine_and_cosine, tangent
-from hophoop.kernel.physics.closed_forms import rolling_u
-from hophoop.kernel.physics.contact import cone_weights, rolling_forces, rolling_inertia
-from hophoop.kernel.records.layout import new_scratch
+from hophoop.kernel.physics import cone_weights, rolling_forces, rolling_inertia, rolling_u
+from hophoop.kernel.records import new_scratch
 from hophoop.theory.kernels.arcs import TURN, blocking, rocking_time, time_from_top, turning_point
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, highest
 
