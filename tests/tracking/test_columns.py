@@ -5,6 +5,7 @@ import pytest
 
 from hophoop.scenario import InputError
 from hophoop.tracking.columns import apart, columns, grouped, heads, read_columns, sniff, split, unit_factor, units
+from hophoop.tracking.dialects import COMMA_LANGUAGES, ENGLISH, OTHERS
 
 
 @pytest.mark.parametrize(
@@ -45,6 +46,16 @@ def test_rows_of_numbers_and_those_around_them():
         ([["frame_idx", "hub.x"]], [("", "frame", ""), ("hub", "x", "")]),
         ([["Zeit", "Winkel in rad"]], [("", "t", ""), ("", "angle", "rad")]),
         ([["t", "Gyroscope z (rad/s)", "accelerometer x"]], [("", "t", ""), ("", "omega", "rad/s"), ("accelerometer", "", "")]),
+        (
+            [["temps", "Winkelgeschw. z", "rotation rate x cal.", "eje x", "rejected x"]],
+            [
+                ("", "t", ""),
+                ("", "omega", ""),
+                ("", "omega", ""),
+                ("eje", "x", ""),
+                ("rejected", "x", ""),
+            ],
+        ),
     ],
 )
 def test_names_of_columns(above, found):
@@ -70,6 +81,12 @@ def test_units_in_names(name, words, unit):
 )
 def test_sizes_of_units(text, kind, size):
     assert unit_factor(text, kind) == size
+
+
+def test_each_word_has_one_meaning_in_one_language():
+    languages = [ENGLISH, *COMMA_LANGUAGES.values(), *OTHERS.values()]
+    words = [word for language in languages for those in language.values() for word in those.split("|")]
+    assert len(words) == len(set(words))
 
 
 def test_numbers_and_clocks_of_columns():

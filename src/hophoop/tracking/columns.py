@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.dialects import COMMA_WORDS, DIALECTS, KNOWN_UNITS, NAMES, NO_PLACE, PIXELS, ROTATION, UNITS, Dialect
+from hophoop.tracking.dialects import COMMA_WORDS, DIALECTS, KNOWN_UNITS, NAMES, NO_POSITION, PIXELS, ROTATION, UNITS, Dialect
 
 Floats = NDArray[np.float64]
 
@@ -217,7 +217,7 @@ def _head(name: str, point: str, below: str, spoken: Sequence[Dialect]) -> Head:
     rest = " ".join(word for word in words if word not in "xyz")
     if re.fullmatch("[wω][xyz]", rest) or (len(axis) == 1 and re.search(ROTATION, rest)):
         return Head(label, point, "omega", unit, run)
-    moves = re.search(NO_PLACE, rest) or "/" in unit or unit in KNOWN_UNITS - UNITS["m"].keys() - {*PIXELS}
+    moves = re.search(NO_POSITION, rest) or "/" in unit or unit in KNOWN_UNITS - UNITS["m"].keys() - {*PIXELS}
     usual = "" if moves or len(axis) != 1 else axis
     return Head(label, f"{point} {rest}".strip(), names.get(rest, usual) if axis else "", unit, run)
 

@@ -1,4 +1,4 @@
-"""How programs and people write a table: the heads of each program, the names of quantities in six languages, units."""
+"""How programs and people write a table: the heads of each program, the words of each language, units."""
 
 from __future__ import annotations
 
@@ -36,25 +36,55 @@ DIALECTS = (
     Dialect("Video Analysis", r"^[^:()]+:", r"[^:()\[\]]*:\s*(?P<name>.+)"),
 )
 
-# --- quantities ------------------------------------------------------------------------------------
+# --- words of heads, by language -------------------------------------------------------------------
 
-# Words of heads in lower case, without accents, for quantities that have no direction.
+# In lower case, without accents. Names of quantities are whole heads; words of points, gyroscopes and what is no position are
+# parts of heads.
+ENGLISH = {
+    "t": "t|time|seconds elapsed|timestamp",
+    "frame": "frame|frames|frame number|frame idx|image",
+    "angle": "angle|theta|θ|φ|phi|rotation|rotation angle",
+    "polar": "θr|thetar|theta r|θ r",
+    "omega": "omega|ω|w|angular velocity|angular speed|angular rate|rotation rate|gyr",
+    "object": "track|track id|object|object id|particle|id|instance|individual|bodypart|label|name",
+    "centre": "cent|hub|axis|axle",
+    "marker": "mark|load|weight|last|dot",
+    "gyroscope": "gyro",
+    "no position": "veloc|speed|acc|magn|gravi|force|quat|euler|attitude|field",
+}
+COMMA_LANGUAGES = {  # those with a decimal comma
+    "German": {
+        "t": "zeit", "frame": "bild|bildnummer", "angle": "winkel|drehwinkel",
+        "omega": "winkelgeschwindigkeit|winkelgeschw|drehrate", "centre": "mitte|nabe|zentr", "marker": "gewicht",
+        "no position": "geschwindigkeit|beschleunigung|kraft",
+    },
+    "French": {
+        "t": "temps", "omega": "vitesse angulaire", "centre": "milieu|moyeu", "marker": "charge|poids|marque",
+        "no position": "vitesse",
+    },
+    "Spanish": {
+        "t": "tiempo", "frame": "imagen|fotograma", "angle": "angulo", "omega": "velocidad angular",
+        "centre": r"centro|buje|eje\b", "marker": "carga|peso|marca", "gyroscope": "giroscopio", "no position": "acelera",
+    },
+    "Italian": {"t": "tempo", "angle": "angolo"},
+    "Dutch": {"t": "tijd", "angle": "hoek"},
+}  # fmt: skip
+OTHERS = {"Chinese": {"t": "时间", "angle": "角度"}, "Arabic": {"t": "الزمن", "angle": "الزاوية"}}
+
+
+def _said(kind: str) -> str:
+    """Return the words of a kind in all languages, divided by lines."""
+    languages = (ENGLISH, *COMMA_LANGUAGES.values(), *OTHERS.values())
+    return "|".join(words[kind] for words in languages if kind in words)
+
+
 NAMES: dict[str, str] = {
-    **_words("t|time|zeit|temps|tiempo|tempo|tijd|seconds elapsed|timestamp|时间|الزمن", "t"),
-    **_words("frame|frames|frame number|frame idx|bild|bildnummer|image|imagen|fotograma", "frame"),
-    **_words("angle|theta|θ|φ|phi|rotation|winkel|drehwinkel|angulo|angolo|hoek|rotation angle|角度|الزاوية", "angle"),
-    **_words("θr|thetar|theta r|θ r", "polar"),
-    **_words("omega|ω|w|winkelgeschwindigkeit|vitesse angulaire|velocidad angular|angular velocity|drehrate", "omega"),
-    **_words("track|track id|object|object id|particle|id|instance|individual|bodypart|label|name", "object"),
+    **{word: name for name in ("t", "frame", "angle", "polar", "omega", "object") for word in _said(name).split("|")},
     **{name.replace("_", " "): name for name in COLUMNS if name.startswith("sigma") or "column" in name or "row" in name},
 }
-ROTATION = r"gyro|gyr\b|giroscopio|rotation rate|drehrate|angular (velocity|speed|rate)|winkelgeschw|^[wω]$"
-# Columns with a direction that are no positions.
-NO_PLACE = r"veloc|speed|acc|acelera|geschwindigkeit|beschleunigung|vitesse|magn|gravi|force|kraft|quat|euler|attitude|field"
-# Heads in languages whose decimal sign is a comma.
-COMMA_WORDS = r"zeit|winkel|mitte|nabe|gewicht|bild|temps|moyeu|charge|tiempo|centro|buje|carga|angulo|tempo|tijd|hoek"
-CENTRE = r"cent|mitte|hub|nabe|axis|axle|zentr|milieu|moyeu|buje|eje"
-MARKER = r"mark|load|weight|last|gewicht|dot|charge|carga|poids|peso|marque|marca"
+COMMA_WORDS = "|".join(words for language in COMMA_LANGUAGES.values() for words in language.values())
+CENTRE, MARKER, NO_POSITION = _said("centre"), _said("marker"), _said("no position")
+ROTATION = rf"{_said('gyroscope')}|\b(?:{_said('omega')})\b"
 
 # --- units -----------------------------------------------------------------------------------------
 
