@@ -8,58 +8,18 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from interrupted import TURN, check_until, same_events
 from random_scenarios import draw, scenario_of
 
-TURN = 2.0 * math.pi
 HOPS = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=math.radians(3.0)), duration=12.0)
 ROCKS = HOPS.with_values({"plane.slope": 0.0, "start.angle": 2.0, "start.speed": 0.3})
 UNTILS = ("revolutions:1", "revolutions:0.3", "landings:1", "landings:3", "angle:1.5", "angle:-2", "takeoff", "reversal")
 
 
-def counted(motion, word):
-    """Events of a motion that an event-bound `until` counts, by their public fields."""
-    if word == "landings":
-        return [e for e in motion.events if e.kind == "bounce_limit" or (e.kind == "impact" and e.collision)]
-    if word == "reversal":
-        return list(motion.find("turn"))
-    passing = ("turn", "apex", "kane_gain", "rest", "end")
-    opened = [e for e in motion.events if e.kind not in passing and e.to_mode == "H" and e.height == 0.0 and e.vy >= 0.0]
-    return [e for e in opened if e.t > 0.0]
-
-
-def same_events(brief, long):
-    """Assert that the events of a motion, except its END, are the first ones of another."""
-    mine, others = (motion.tables["events"] for motion in (brief, long))
-    count = len(mine) - 1
-    assert mine[:count].tobytes() == others[:count].tobytes()
-
-
 @pytest.mark.parametrize("until", UNTILS)
 def test_first_part_of_random_motions(until):
     """The motion is the first part of the one that goes on, up to the first event or passage and no further."""
-    word, _, number = until.partition(":")
-    ended = 0
-    for index in range(60):
-        scenario = scenario_of(draw(35, index), 300)
-        long, brief = hh.simulate(scenario), hh.simulate(scenario, until=until)
-        same_events(brief, long)
-        end, met = brief.events[-1], brief.ending == until
-        if word in ("revolutions", "angle"):
-            ahead = TURN * float(number) if word == "revolutions" else (float(number) - scenario.start.angle) % TURN or TURN
-            back = ahead if word == "revolutions" else TURN - ahead or TURN
-            turned = long.at(np.linspace(0.0, brief.duration, 200)[:-1]).angle - scenario.start.angle
-            assert -back - 1e-12 < turned.min() <= turned.max() < ahead + 1e-12
-            if met:
-                off = end.angle - scenario.start.angle - (ahead if end.omega > 0.0 else -back)
-                assert abs(off) < 1e-12 * (1.0 + abs(end.angle))
-        else:
-            events = counted(long, word)
-            wanted = events[int(number or 1) - 1] if len(events) >= int(number or 1) else None
-            assert met == (wanted is not None and wanted.t < scenario.duration)
-            if met:
-                assert (end.t, end.x, end.angle, end.omega) == (wanted.t, wanted.x, wanted.angle, wanted.omega)
-        ended += met
-        assert met or brief.status == long.status
+    ended = sum(check_until(hh.simulate(scenario_of(draw(35, index), 300)), until) for index in range(60))
     assert 5 < ended < 60
 
 
