@@ -1,12 +1,12 @@
 """A penalty method that writes a record of each motion, for score.py.
 
-python benchmarks/engines/example.py records
+python benchmarks/engines/example.py records              # --only hop: one motion
 python benchmarks/engines/score.py records/*.csv
 """
 
+import argparse
 import json
 import math
-import sys
 from pathlib import Path
 
 TRUTH = Path(__file__).parent / "data" / "hophoop-bench-1.json"
@@ -38,10 +38,14 @@ def steps_of(task):
         x, y, turn = x + STEP * vx, y + STEP * vy, turn + STEP * spin
 
 
-folder = Path(sys.argv[1])
-folder.mkdir(exist_ok=True)
-for name, motion in json.loads(TRUTH.read_text("utf-8"))["scenarios"].items():
-    with (folder / f"{name}.csv").open("w") as record:
-        print("t,x,y,theta,vx,vy,omega", file=record)
-        for row in steps_of(motion["task"]):
+motions = json.loads(TRUTH.read_text("utf-8"))["scenarios"]
+parser = argparse.ArgumentParser()
+parser.add_argument("folder", type=Path)
+parser.add_argument("--only", nargs="+", choices=motions, default=motions)
+given = parser.parse_args()
+given.folder.mkdir(exist_ok=True)
+for name in given.only:
+    with (given.folder / f"{name}.csv").open("w") as record:
+        print("# engine: penalty method\nt,x,y,theta,vx,vy,omega", file=record)
+        for row in steps_of(motions[name]["task"]):
             print(*row, sep=",", file=record)

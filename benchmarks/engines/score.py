@@ -3,13 +3,15 @@
     python benchmarks/engines/score.py hop.csv slip.csv …
     python benchmarks/engines/score.py hop.csv --plot hop.png
 
-A file is named after its motion, or has a line '# scenario: hop' before its header. README.md describes the columns.
+A file is named after its motion, or has a line '# scenario: hop' before its header; a line '# engine: NAME' names the
+program in the plot. README.md describes the columns.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import math
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -20,10 +22,13 @@ from measures import Measures
 from phases import slip_velocity
 from record import Record, check_rates, read_record
 from scores import Scores, score
-from table import VERMILION, score_cells
+from table import COMMON_STEP, KEPT, LIGHT_GRAY, VERMILION, number, score_cells
 from truth import scored, truths
 
-HEADS = ("motion", "phases", "take-off (°)", "hop (mm)", "θ (°)")
+HEADS = ("motion", "phases", "take-off (°)", "hop (mm)", "θ (°)", "behind", "ahead of")
+LEFT = (0, 1, 5, 6)  # columns of words
+LEGEND = "Nearer to 0 is better; θ orders the engines of the page at 1 ms, each with its better settings. ✓: all phases right."
+OURS = ("hophoop", "compliant", "scipy")  # no engines
 
 
 class Scored(NamedTuple):
@@ -58,14 +63,31 @@ def lines_of(found: Sequence[Scored]) -> list[str]:
     for one in found:
         exact = truths()[one.scenario].measures.sequence
         phases = f"{one.measures.sequence} ✓" if one.scores.sequence_right else f"{one.measures.sequence}, not {exact}"
-        rows.append((one.scenario, phases, *score_cells(one.scores.to_dict())))
-    widths = [max(len(row[k]) for row in rows) for k in range(len(HEADS))]
+        rows.append(
+            (one.scenario, phases, *score_cells(one.scores.to_dict()), *neighbours(one.scenario, one.scores.angle_error))
+        )
+    columns = [[cell.ljust if k in LEFT else cell.rjust for cell in column] for k, column in enumerate(zip(*rows, strict=True))]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = [
-        "  ".join([*(row[k].ljust(widths[k]) for k in (0, 1)), *(row[k].rjust(widths[k]) for k in (2, 3, 4))]) for row in rows
+        "  ".join(place(width) for place, width in zip(row, widths, strict=True)).rstrip() for row in zip(*columns, strict=True)
     ]
     missing = [name for name in scored() if name not in {one.scenario for one in found}]
     absent = f"; no record of {', '.join(missing)}" if missing else ""
-    return [*lines, f"{count_right(found)} of {len(scored())} right{absent}"]
+    return [*lines, LEGEND, f"{count_right(found)} of {len(scored())} right{absent}"]
+
+
+def neighbours(scenario: str, error: float) -> tuple[str, str]:
+    """The engines of the page next to an error of θ [°] in a motion, the better one first, each with its own error."""
+    kept = json.loads(KEPT.read_text(encoding="utf-8"))
+    best: dict[str, float] = {}
+    for row in kept["rows"]:
+        if (row["scenario"], row["dt"]) == (scenario, COMMON_STEP) and "scores" in row and row["engine"] not in OURS:
+            name = kept["engines"][row["engine"]]["title"]
+            best[name] = min(row["scores"]["angle_error"], best.get(name, math.inf))
+    ordered = sorted((value, name) for name, value in best.items())
+    better, worse = ([one for one in ordered if (one[0] < error) == side] for side in (True, False))
+    cells = [f"{name} {number(value, signed=False)}" for value, name in (*better[-1:], *worse[:1])]
+    return ("" if not better else cells[0]), ("" if not worse else cells[-1])
 
 
 def count_right(found: Sequence[Scored]) -> int:
@@ -80,22 +102,29 @@ def document_of(found: Sequence[Scored]) -> dict[str, Any]:
 
 
 def plot(found: Sequence[Scored]) -> Any:
-    """Gap and slip velocity over time, one row per record, with the exact motion in gray."""
+    """Gap and slip velocity over time, one row per record, with the exact motion; records of one motion share scales."""
     from adapters.hophoop import run
     from matplotlib import pyplot
 
     figure, axes = pyplot.subplots(
         len(found), 2, figsize=(9.0, 2.4 * len(found)), sharex="row", squeeze=False, layout="constrained"
     )
+    first: dict[str, Any] = {}
     for (gap, slip), one in zip(axes, found, strict=True):
-        task = truths()[one.scenario].task
-        exact, mine = run(task, 0.0), one.record.states
-        gap.fill_between(exact.t, 0.0, 1e3 * exact.y, color="#d9d9d9", linewidth=0)
+        truth, mine = truths()[one.scenario], one.record.states
+        exact = run(truth.task, 0.0)
+        gap.fill_between(exact.t, 0.0, 1e3 * exact.y, color=LIGHT_GRAY, linewidth=0)
         gap.plot(mine.t, 1e3 * mine.y, color=VERMILION, lw=1.2)
-        gap.set(title=one.scenario, ylabel="gap (mm)")
-        slip.plot(exact.t, slip_velocity(task, exact), color="#bbbbbb", lw=4.0)
-        slip.plot(mine.t, slip_velocity(task, mine), color=VERMILION, lw=1.2)
-        slip.set(title="gray: the exact motion", ylabel="slip velocity (m/s)")
+        gap.set(title=f"{one.record.notes.get('engine', 'record')}: {one.scenario}", ylabel="gap (mm)")
+        slip.plot(exact.t, slip_velocity(truth.task, exact), color="#bbbbbb", lw=4.0)
+        slip.plot(mine.t, slip_velocity(truth.task, mine), color=VERMILION, lw=1.2)
+        slip.set(title="gray: the exact motion; vertical: take-off", ylabel="slip velocity (m/s)")
+        for measures, color, style in ((truth.measures, "#777777", "-"), (one.measures, VERMILION, "--")):
+            if measures.takeoff_time is not None:
+                for ax in (gap, slip):
+                    ax.axvline(measures.takeoff_time, color=color, ls=style, lw=0.8)
+        for ax, other in zip((gap, slip), first.setdefault(one.scenario, (gap, slip)), strict=True):
+            ax.sharey(other) if ax is not other else None
     for ax in axes[-1]:
         ax.set_xlabel("time (s)")
     return figure

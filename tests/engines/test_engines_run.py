@@ -1,6 +1,7 @@
 """Runs and tables: three engines against the kept table, failures, the worked example, the scripts themselves."""
 
 import json
+import math
 import re
 import subprocess
 import sys
@@ -133,6 +134,23 @@ def test_the_example_of_the_page_is_scored(tmp_path, capsys):
     printed = capsys.readouterr().out
     assert printed.splitlines()[-1] == "6 of 7 right"
     assert printed in PAGE
+
+
+def test_the_example_writes_one_motion_alone(tmp_path):
+    subprocess.run([sys.executable, "-I", "-S", str(run.HERE / "example.py"), str(tmp_path), "--only", "rolling"], check=True)
+    assert [path.name for path in tmp_path.iterdir()] == ["rolling.csv"]
+
+
+def test_the_next_engines_stand_beside_a_score():
+    """At an engine's own error it is behind the next better one; at none it is ahead of the best."""
+    assert score.neighbours("hop", 0.0)[0] == ""
+    best = score.neighbours("hop", 0.0)[1]
+    assert score.neighbours("hop", math.inf)[1] == ""
+    name, error = best.rsplit(" ", 1)
+    kept = [row for row in KEPT["rows"] if row["dt"] == 0.001 and row["scenario"] == "hop" and "scores" in row]
+    (engine,) = (key for key, one in KEPT["engines"].items() if one["title"] == name)
+    assert float(error) == pytest.approx(min(row["scores"]["angle_error"] for row in kept if row["engine"] == engine), rel=0.05)
+    assert score.neighbours("hop", 1.5 * float(error))[0] == best
 
 
 def test_a_record_of_one_motion(tmp_path, capsys):
