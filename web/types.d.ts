@@ -432,7 +432,6 @@ interface FieldTable {
   nullable?: boolean;
   required?: boolean;
   default?: any;
-  limits?: (string | number)[][];
   range?: RangeTable;
   options?: string[];
 }

@@ -26,7 +26,7 @@ from hophoop.kernel.physics.body import MOST_DEPTH
 from hophoop.maps.grid.axes import SECTIONS
 from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
-from hophoop.scenario.base import Frozen
+from hophoop.scenario.checking import Frozen, Number, unit_of
 from hophoop.scenario.paths import ONWARD
 from hophoop.vocabulary.names import EVENTS, STATUSES
 from hophoop.vocabulary.parameters import PARAMETERS, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Range
@@ -154,15 +154,14 @@ def _keys(place: str, models: tuple[type[Frozen], ...]) -> str:
                 continue
             if isinstance(field.default_factory, object) and field.default_factory is not None:
                 continue  # a section of its own
-            extra = field.json_schema_extra
-            unit = str(extra.get("unit", "1")) if isinstance(extra, dict) else "1"
+            unit = unit_of(field)
             rows.append(
                 [
                     f"`{name}`",
                     field.description or "",
                     "" if unit in ("", "1") else unit,
                     _default(field),
-                    limits(place + name, field, unit),
+                    limits(place + name, field),
                 ]
             )
     return table(["key", "meaning", "unit", "default", "may be"], rows)
@@ -176,26 +175,21 @@ def _default(field: Any) -> str:
     return f'`"{field.default}"`' if isinstance(field.default, str) else f"{field.default:g}"
 
 
-def limits(path: str, field: Any, unit: str) -> str:
+def limits(path: str, field: Any) -> str:
     """What the value of a key may be: a range, some words, parts."""
     words = [
         word for part in (field.annotation, *get_args(field.annotation)) for word in get_args(part) if isinstance(word, str)
     ]
     if words:
         return _listed([f'`"{word}"`' for word in words]).replace(" and ", " or ")
-    name = path.rpartition(".")[2]
-    known = {
-        "hoop.parts.radius": "hoop.parts.length",
-        "hoop.parts.outer_radius": "hoop.parts.length",
-    }
     if path == "hoop.parts":
         return "a list of the parts below"
     if path == "hoop.parts.at":
         return "within the rim"
     if path == "hoop.parts.inner_radius":
         return "from 0 to outer_radius"
-    allowed = RANGES[known.get(path, path if path in RANGES else f"contact.{name}")]
-    return spoken(allowed)
+    allowed = next((mark.range for mark in field.metadata if isinstance(mark, Number)), None)
+    return spoken(allowed or RANGES[path])
 
 
 def spoken(allowed: Range) -> str:

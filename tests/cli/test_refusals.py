@@ -49,7 +49,7 @@ REFUSED = {
         "--omega 2": "--omega cannot be given without --vx",
         "--height 0.2": "--height cannot be given without --vx and --omega",
         "--radius -1": "--radius = -1.0 must be",
-        "--mu -1": "--mu = -1.0 must be at least 0",
+        "--mu -1": "--mu = -1.0 must be from 0 to 1e+06, or inf.",
         "--mu nan": "--mu = nan",
         "--slope-deg 200": "plane.slope = 3.49",  # the value is not the option's
         "--set plane.mu=-1": "plane.mu = -1",

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 import hophoop as hh
 from hophoop.kernel.records.refusals import Refusal
 from hophoop.scenario import models, scenario, sentence, time_unit, to_body
-from hophoop.scenario.rules import RULES, refused
+from hophoop.scenario.checking import RULES, refused
 from strategies import bodies, said
 
 
@@ -122,8 +122,8 @@ def test_equal_models_are_one_and_pass_between_processes():
 PART = '{"hoop": {"parts": [%s]}}'
 # texts of files, or queries of links, and what is said
 REFUSED = {
-    "plane.mu=-1": "plane.mu = -1 must be at least 0 (inf is allowed).",
-    "plane.mu=nan": "plane.mu = nan must be at least 0 (inf is allowed).",
+    "plane.mu=-1": "plane.mu = -1 must be from 0 to 1e+06, or inf.",
+    "plane.mu=nan": "plane.mu = nan must be from 0 to 1e+06, or inf.",
     "plane.mu_kinetic=1.2": "plane.mu_kinetic = 1.2 must not exceed plane.mu_static = 1.0.",
     "plane.mu=1&plane.mu_static=2": "plane.mu_static cannot be given together with plane.mu.",
     "plane.slope=-2": "plane.slope = -2.0 must lie between -pi/2 and pi/2 (radians).",
@@ -139,6 +139,8 @@ REFUSED = {
     "plane.impact_law=hertz": "must be 'stronge', 'newton' or 'poisson'.",
     "plane.frictoin=1": "plane.frictoin is not a known key; did you mean mu?",
     "plane.colour=1": "plane.colour is not a known key; known are gravity, slope, mu,",
+    # a label of the lab is no other name of a key
+    "start.speed upwards=1": "start.speed upwards is not a known key; known are x, height, angle, ",
     "plane.graviti=1": "plane.graviti is not a known key; did you mean gravity?",
     "plane.gravity=-1&plane.restitution=2": "= -1 must be 0 or from 1e-06 to 1e+06 m/s² (and 1 more problem).",
     "hoop.radius=0": "hoop.radius = 0 must be from 1e-06 to 1e+06 m.",
@@ -158,7 +160,7 @@ REFUSED = {
     '{"shape": "ring", "mass": -0.5, "inner_radius": 0.5, "outer_radius": 1}': "hoop.inertia_ratio = -0.375, which must be",
     PART % '{"shape": "ring", "mass": 1, "inner_radius": 1, "outer_radius": 1}, '
     '{"shape": "point_mass", "mass": -0.6, "at": -0.8}': "hoop.eccentricity = 1.2, which must be at most 1.",
-    PART % '{"shape": "disk", "mass": 1, "radius": 0}': "radius = 0 must be at least 1e-12.",
+    PART % '{"shape": "disk", "mass": 1, "radius": 0}': "radius = 0 must be from 1e-12 to 1e+06 m.",
     "start.height=-0.1": "start.height = -0.1 must be from 0 to 1e+06 m.",
     "start.speed=1&start.omega=2": "start.omega cannot be given together with start.speed.",
     "start.speed=nan": "start.speed = nan must be a finite number.",

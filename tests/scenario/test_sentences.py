@@ -11,8 +11,8 @@ import pytest
 import hophoop as hh
 from hophoop._support.errors import shortened
 from hophoop.scenario import InputError, parameter
+from hophoop.scenario.checking import findings_sentence
 from hophoop.scenario.formats import MOST_BYTES
-from hophoop.scenario.sentences import findings_sentence
 from strategies import said
 
 

@@ -81,21 +81,12 @@ export function readValue(field: FieldTable, value: any, path: string, found: Ph
   return typeof given === "number" ? given + 0 : given; // no −0
 }
 
-const LIMITS: Record<string, (value: number, limit: number) => boolean> = {
-  greater_than_equal: (value, limit) => value >= limit,
-  less_than_equal: (value, limit) => value <= limit,
-};
-
 /** Returns the sentence of what is allowed. */
-function refusal(field: FieldTable, value: any): [name: string, values?: any] | null {
-  const { kind, unit, options = [], limits = [], range } = field;
+function refusal({ kind, unit, options = [], range }: FieldTable, value: any): [name: string, values?: any] | null {
   if (kind === "word") return options.includes(value) ? null : ["literal_error", { expected: oneOf(options) }];
   if (typeof value !== "number") return ["number"];
-  if (kind === "friction" && !(value >= 0)) return ["friction"];
   if (kind === "whole" && !Number.isInteger(value)) return ["whole"];
   if (kind !== "friction" && !Number.isFinite(value)) return ["finite_number"];
-  const passed = (limits as [string, number][]).find(([name, limit]) => !LIMITS[name](value, limit));
-  if (passed) return [passed[0], { limit: passed[1] }];
   return range && !holds(range, value) ? ["range", { words: rangeText({ ...range, unit }) }] : null;
 }
 

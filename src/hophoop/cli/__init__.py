@@ -95,7 +95,7 @@ def _report_failure(error: BaseException) -> int:
     if isinstance(error, (typer.Abort, KeyboardInterrupt)):
         return STOPPED
     if isinstance(error, (OSError, InputError, MissingExtra)):
-        from hophoop.scenario.sentences import sentence
+        from hophoop.scenario.checking import sentence
 
         _say_error(sentence(error))
         return BAD_INPUT

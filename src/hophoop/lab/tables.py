@@ -11,10 +11,8 @@ import math
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from types import UnionType
-from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
+from typing import Any, Final, Literal, get_args, get_origin
 
-from pydantic import BeforeValidator
 from pydantic.fields import FieldInfo
 
 from hophoop._version import __version__
@@ -27,13 +25,11 @@ from hophoop.lab.limits import LAB
 from hophoop.lab.presets import FIRST, presets
 from hophoop.maps import QUANTITIES
 from hophoop.results.save import SCHEMA
-from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base
-from hophoop.scenario.base import Frozen
+from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
+from hophoop.scenario.checking import RULES, TEXTS, Frozen, Number, Rule
 from hophoop.scenario.models import LEFT_OUT
 from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
-from hophoop.scenario.rules import RULES, Rule
-from hophoop.scenario.texts import TEXTS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import colors, names
 from hophoop.vocabulary.names import EVENTS, FATES, SIGNS, STATUSES, identifier, plain
@@ -43,9 +39,6 @@ from hophoop.vocabulary.quantities import COLUMNS
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 ENGLISH: Final = Path(__file__).parent / "words" / "en.json"
 
-_KINDS: Final[dict[Any, str]] = {base._number: "number", base._friction: "friction", base._whole: "whole"}
-# Attributes of an annotation, and pydantic's names of the corresponding errors.
-_LIMITS = {"ge": "greater_than_equal", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
 LEAST_SPEED: Final = 1e-9  # critical speeds below this are not shown as speeds [m/s]
 SAMPLES_PER_SECOND: Final = 200  # of the table of states that the page saves [1/s]
@@ -188,50 +181,28 @@ def _scenario() -> dict[str, Any]:
 
 
 def _fields(model: type[Frozen]) -> dict[str, dict[str, Any]]:
-    return {name: _field(field, f"{model.place}{name}") for name, field in model.model_fields.items()}
+    return {name: _field(field) for name, field in model.model_fields.items()}
 
 
-def _field(field: FieldInfo, path: str) -> dict[str, Any]:
-    kind, metadata, nullable = _taken_apart(field.annotation, list(field.metadata))
-    extra = field.json_schema_extra
-    made: dict[str, Any] = {"kind": "section", "unit": str(extra.get("unit", "1")) if isinstance(extra, dict) else ""}
-    if nullable:
-        made["nullable"] = True
+def _field(field: FieldInfo) -> dict[str, Any]:
+    """Return what the page checks of a value: the kind of a number with its range, the words, or parts."""
+    made: dict[str, Any] = {"kind": "section", "unit": ""}
+    for mark in field.metadata:
+        if isinstance(mark, Number):
+            kind = "whole" if field.annotation is int else "friction" if mark.endless else "number"
+            made = {"kind": kind, "unit": mark.unit} | ({"range": _range(mark.range)} if mark.range else {})
+    for kind in (field.annotation, *get_args(field.annotation)):
+        if kind is type(None):
+            made["nullable"] = True
+        elif get_origin(kind) is Literal:
+            made |= {"kind": "word", "options": get_args(kind)}
+        elif get_origin(kind) is tuple:
+            made["kind"] = "parts"
     if field.is_required():
         made["required"] = True
     elif field.default_factory is None:
         made["default"] = _written(field.default)
-    for item in metadata:
-        if isinstance(item, BeforeValidator) and item.func in _KINDS:
-            made["kind"] = _KINDS[item.func]
-        elif path in RANGES:
-            made["range"] = _range(RANGES[path])
-        else:
-            found = [(name, float(getattr(item, key))) for key, name in _LIMITS.items() if hasattr(item, key)]
-            if found:
-                made.setdefault("limits", []).extend(found)
-    if get_origin(kind) is Literal:
-        options = get_args(kind)
-        made["kind"], made["options"] = "word", options
-    elif get_origin(kind) is tuple:
-        made["kind"] = "parts"
     return made
-
-
-def _taken_apart(annotation: Any, metadata: list[Any]) -> tuple[Any, list[Any], bool]:
-    """Return the plain type, its annotations from the inside out, and whether None is allowed."""
-    nullable = False
-    while True:
-        if get_origin(annotation) is Annotated:
-            annotation, *added = get_args(annotation)
-            # a field in an annotation means its limits
-            inner = [part for item in added for part in (item.metadata if isinstance(item, FieldInfo) else [item])]
-            metadata = [*inner, *metadata]
-        elif get_origin(annotation) in (Union, UnionType) and type(None) in get_args(annotation):
-            nullable = True
-            (annotation,) = (one for one in get_args(annotation) if one is not type(None))
-        else:
-            return annotation, metadata, nullable
 
 
 def _places(template: str) -> str:

@@ -5,14 +5,12 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import IO, Any
 
 from hophoop._support.errors import InputError, check_type, shortened
-from hophoop.scenario.sentences import parse_reason
-from hophoop.scenario.texts import say
+from hophoop.scenario.checking import say
 
 MOST_BYTES = 1_000_000
 # A key with many parts is slow in tomllib; a scenario's keys have two.
@@ -67,37 +65,44 @@ def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
     return data
 
 
+def parse_reason(error: BaseException) -> str:
+    """Why a text is no TOML or JSON.
+
+    error: What the parser raised; reason: The end of a sentence, without its stop.
+    """
+    if isinstance(error, RecursionError):
+        return "nested too deeply"
+    text = str(error).rstrip(".")
+    # Python reads no whole number of more than 4,300 digits; its words about that are for programmers
+    return "a number has too many digits" if text.startswith("Exceeds the limit") else text
+
+
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     # JSON would silently keep the last of two equal keys; TOML refuses them.
-    table = dict(pairs)
-    if len(table) < len(pairs):
-        counts = Counter(name for name, _ in pairs)
-        twice = next(name for name, count in counts.items() if count > 1)
-        raise InputError(f"The key {shortened(repr(twice))} is given twice.")
+    table: dict[str, Any] = {}
+    for name, value in pairs:
+        if name in table:
+            raise InputError(f"The key {shortened(repr(name))} is given twice.")
+        table[name] = value
     return table
 
 
 def toml_text(data: Mapping[str, Any], units: Mapping[str, str]) -> str:
     """Return TOML with the unit of each quantity as a comment; `units` maps paths to units."""
-    lines = [_toml_line(key, value, units.get(key, "")) for key, value in data.items() if not _nested(value)]
-    for section, table in data.items():
-        if not _nested(table):
+    lines: list[str] = []
+    for key, value in data.items():  # the duration is before the sections
+        if not isinstance(value, Mapping):
+            lines.append(_toml_line(key, value, units[key]))
             continue
-        lines += ["", f"[{section}]"]
-        for key, value in table.items():
-            if isinstance(value, list) and value and isinstance(value[0], Mapping):
-                inner = [", ".join(f"{name} = {_toml_value(one)}" for name, one in item.items()) for item in value]
-                lines += [f"{key} = [", *(f"  {{ {text} }}," for text in inner), "]"]
-            else:
-                lines.append(_toml_line(key, value, units.get(f"{section}.{key}", "")))
+        lines += ["", f"[{key}]"]
+        lines += [_toml_line(name, item, units.get(f"{key}.{name}", "")) for name, item in value.items()]
     return "\n".join(lines) + "\n"
 
 
-def _nested(value: Any) -> bool:
-    return isinstance(value, Mapping)
-
-
 def _toml_line(key: str, value: Any, unit: str) -> str:
+    if key == "parts":
+        rows = [", ".join(f"{name} = {_toml_value(item)}" for name, item in part.items()) for part in value]
+        return "\n".join([f"{key} = [", *(f"  {{ {row} }}," for row in rows), "]"])
     line = f"{key} = {_toml_value(value)}"
     return f"{line:<30} # {unit}" if unit not in ("", "1") else line
 
@@ -106,7 +111,7 @@ def _toml_value(value: Any) -> str:
     if value == "inf":
         return "inf"
     # A JSON string without control characters is a TOML string as well.
-    return json.dumps(value) if isinstance(value, str) else repr(value)  # a list of numbers too
+    return json.dumps(value) if isinstance(value, str) else repr(value)
 
 
 def query_text(data: Mapping[str, Any]) -> str:

@@ -10,21 +10,9 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, Tag, model_validator
 
 from hophoop.kernel.records import hoop_refusal, ideal_inertia, plane_refusal
-from hophoop.scenario.base import NUMBER, Count, Friction, Frozen, Number, alone, field_of, quantity, refuse, within
+from hophoop.scenario.checking import Frozen, alone, field_of, quantity, refuse, refused, say
 from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
-from hophoop.scenario.rules import refused
-from hophoop.scenario.texts import say
-from hophoop.vocabulary.parameters import TABLE
-
-Radius = Annotated[float, within("hoop.radius"), NUMBER]
-Mass = Annotated[float, within("hoop.mass"), NUMBER]
-Ratio = Annotated[float, within("hoop.eccentricity"), NUMBER]  # from 0 to 1
-InertiaRatio = Annotated[float, within("hoop.inertia_ratio"), NUMBER]
-Gravity = Annotated[float, within("plane.gravity"), NUMBER]
-Stiffness = Annotated[float, within("contact.stiffness"), NUMBER]
-Damping = Annotated[float, within("contact.damping"), NUMBER]
-SlipSpeed = Annotated[float, within("contact.slip_speed"), NUMBER]
-Tolerance = Annotated[float, within("contact.rtol"), NUMBER]
+from hophoop.vocabulary.parameters import PARAMETERS, TABLE
 
 
 class Hoop(Frozen):
@@ -63,11 +51,11 @@ class Hoop(Frozen):
 
     place: ClassVar[str] = "hoop."
 
-    radius: Radius = field_of("hoop.radius")
-    mass: Mass = field_of("hoop.mass")
-    load_fraction: Ratio | None = field_of("hoop.load_fraction")
-    eccentricity: Ratio = field_of("hoop.eccentricity")
-    inertia_ratio: InertiaRatio = field_of("hoop.inertia_ratio")
+    radius: float = field_of("hoop.radius")
+    mass: float = field_of("hoop.mass")
+    load_fraction: float | None = field_of("hoop.load_fraction")
+    eccentricity: float = field_of("hoop.eccentricity")
+    inertia_ratio: float = field_of("hoop.inertia_ratio")
     parts: tuple[Part, ...] | None = quantity(None, "What the hoop is made of", "")
 
     @model_validator(mode="after")
@@ -205,15 +193,15 @@ class Plane(Frozen):
 
     place: ClassVar[str] = "plane."
 
-    gravity: Gravity = field_of("plane.gravity")
-    slope: Number = field_of("plane.slope")
-    mu: Friction | None = field_of("plane.mu")
-    mu_static: Friction = field_of("plane.mu_static")
-    mu_kinetic: Friction = field_of("plane.mu_kinetic")
-    restitution: Ratio = field_of("plane.restitution")
+    gravity: float = field_of("plane.gravity")
+    slope: float = quantity(0.0, PARAMETERS["plane.slope"].meaning, "rad")  # the kernel has two rules for it
+    mu: float | None = field_of("plane.mu")
+    mu_static: float = field_of("plane.mu_static")
+    mu_kinetic: float = field_of("plane.mu_kinetic")
+    restitution: float = field_of("plane.restitution")
     impact_law: Literal["stronge", "newton", "poisson"] = field_of("plane.impact_law")
     painleve: Literal["flight", "impact"] = field_of("plane.painleve")
-    rolling_resistance: Ratio = field_of("plane.rolling_resistance")
+    rolling_resistance: float = field_of("plane.rolling_resistance")
 
     @model_validator(mode="after")
     def _complete(self) -> Plane:
@@ -255,7 +243,7 @@ class Rigid(Frozen):
     place: ClassVar[str] = "contact."
 
     model: Literal["rigid"] = field_of("contact.model")
-    max_events: Count = field_of("contact.max_events")
+    max_events: int = field_of("contact.max_events")
 
 
 class Compliant(Frozen):
@@ -296,15 +284,15 @@ class Compliant(Frozen):
     place: ClassVar[str] = "contact."
 
     model: Literal["compliant"] = quantity("compliant", "Contact model", "")
-    stiffness: Stiffness | None = field_of("contact.stiffness")
-    damping: Damping | None = field_of("contact.damping")
-    restitution: Ratio | None = field_of("contact.restitution")
+    stiffness: float | None = field_of("contact.stiffness")
+    damping: float | None = field_of("contact.damping")
+    restitution: float | None = field_of("contact.restitution")
     law: Literal["kelvin-voigt", "hunt-crossley"] = field_of("contact.law")
     friction: Literal["tanh", "linear", "bristle"] = field_of("contact.friction")
-    slip_speed: SlipSpeed | None = field_of("contact.slip_speed")
-    tangential_stiffness: Stiffness | None = field_of("contact.tangential_stiffness")
-    rtol: Tolerance | None = field_of("contact.rtol")
-    max_events: Count = field_of("contact.max_events")
+    slip_speed: float | None = field_of("contact.slip_speed")
+    tangential_stiffness: float | None = field_of("contact.tangential_stiffness")
+    rtol: float | None = field_of("contact.rtol")
+    max_events: int = field_of("contact.max_events")
 
     @model_validator(mode="after")
     def _one_damping(self) -> Compliant:

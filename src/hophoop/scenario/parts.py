@@ -6,15 +6,14 @@ from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Discriminator, Field, model_validator
+from pydantic import Discriminator, model_validator
 
 from hophoop.kernel.records import DISK, POINT_MASS, RADIAL_ROD, RING, TANGENTIAL_ROD, combined, part_inertia, part_reach
-from hophoop.scenario.base import NUMBER, Frozen, Number, plain_init, quantity, refuse, within
-from hophoop.scenario.texts import say
+from hophoop.scenario.checking import Frozen, plain_init, quantity, refuse, say
+from hophoop.vocabulary.parameters import RANGES, Range
 
-PartMass = Annotated[float, within("hoop.parts.mass"), NUMBER]
-InnerRadius = Annotated[float, Field(ge=0.0), NUMBER]
-Length = Annotated[float, within("hoop.parts.length"), NUMBER]
+MASS, LENGTH = RANGES["hoop.parts.mass"], RANGES["hoop.parts.length"]
+INNER = Range(0.0, LENGTH.most)  # of an inner radius: a full disk has none
 
 Row = tuple[int, float, float, float, float]
 
@@ -73,9 +72,9 @@ class Ring(_Part):
         If outer_radius is not positive, or inner_radius is negative or exceeds outer_radius.
     """
 
-    mass: PartMass = quantity(..., "Mass of the ring", "kg")
-    inner_radius: InnerRadius = quantity(..., "Inner radius of the ring", "m")
-    outer_radius: Length = quantity(..., "Outer radius of the ring", "m")
+    mass: float = quantity(..., "Mass of the ring", "kg", MASS)
+    inner_radius: float = quantity(..., "Inner radius of the ring", "m", INNER)
+    outer_radius: float = quantity(..., "Outer radius of the ring", "m", LENGTH)
     shape: Literal["ring"] = quantity("ring", "Kind of part", "")
 
     @model_validator(mode="after")
@@ -108,9 +107,9 @@ class Disk(_Part):
         If radius is not positive.
     """
 
-    mass: PartMass = quantity(..., "Mass of the disk", "kg")
-    radius: Length = quantity(..., "Radius of the disk", "m")
-    at: Number = quantity(0.0, "Signed distance of the disk's centre from C", "m")
+    mass: float = quantity(..., "Mass of the disk", "kg", MASS)
+    radius: float = quantity(..., "Radius of the disk", "m", LENGTH)
+    at: float = quantity(0.0, "Signed distance of the disk's centre from C", "m")
     shape: Literal["disk"] = quantity("disk", "Kind of part", "")
 
 
@@ -130,8 +129,8 @@ class PointMass(_Part):
         If a number is not finite.
     """
 
-    mass: PartMass = quantity(..., "Mass of the load", "kg")
-    at: Number = quantity(..., "Signed distance of the load from C", "m")
+    mass: float = quantity(..., "Mass of the load", "kg", MASS)
+    at: float = quantity(..., "Signed distance of the load from C", "m")
     shape: Literal["point_mass"] = quantity("point_mass", "Kind of part", "")
 
 
@@ -155,9 +154,9 @@ class Rod(_Part):
         If length is not positive, or the direction is not one of the two.
     """
 
-    mass: PartMass = quantity(..., "Mass of the rod", "kg")
-    length: Length = quantity(..., "Length of the rod", "m")
-    at: Number = quantity(0.0, "Signed distance of the rod's middle from C", "m")
+    mass: float = quantity(..., "Mass of the rod", "kg", MASS)
+    length: float = quantity(..., "Length of the rod", "m", LENGTH)
+    at: float = quantity(0.0, "Signed distance of the rod's middle from C", "m")
     direction: Literal["radial", "tangential"] = quantity("radial", "Along the line from C or across it", "")
     shape: Literal["rod"] = quantity("rod", "Kind of part", "")
 

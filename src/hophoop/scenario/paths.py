@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
-
-from pydantic import ValidationError
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hophoop._support.errors import InputError
-from hophoop.scenario.base import Frozen, near_name
+from hophoop.scenario.checking import Frozen, near_name, say, unit_of
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
-from hophoop.scenario.sentences import input_error
 from hophoop.scenario.start import Start
-from hophoop.scenario.texts import say
+from hophoop.vocabulary.parameters import PARAMETERS
 
 if TYPE_CHECKING:
     from hophoop.scenario.scenario import Scenario
@@ -25,7 +23,6 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
     "contact": (Rigid, Compliant),
 }
 _PARTS = (Ring, Disk, PointMass, Rod)
-_Model = TypeVar("_Model", bound=Frozen)
 
 ONWARD = ("slip", "mode")  # of a start that goes on from another motion
 
@@ -89,9 +86,13 @@ def parameter(path: str) -> ParameterInfo:
     >>> parameter("start.speed").unit
     'm/s'
     """
-    for known in _candidates(path):
-        return known
     section, _, key = path.rpartition(".")
+    for model in _models(section):
+        if key in model.model_fields:
+            field = model.model_fields[key]
+            return ParameterInfo(path, field.description or "", unit_of(field))
+    if path == "duration":
+        return ParameterInfo(path, PARAMETERS[path].meaning, PARAMETERS[path].unit)
     keys = [name for model in _SECTIONS.get(section, ()) for name in model.model_fields]
     close = near_name(key, keys or ["duration", *_SECTIONS], section) if path.count(".") < 2 else ""
     if close and close not in _SECTIONS:
@@ -115,21 +116,9 @@ def paths() -> list[str]:
     return found
 
 
-def _candidates(path: str) -> Iterator[ParameterInfo]:
-    steps = path.split(".")
-    if path == "duration":
-        yield ParameterInfo(path, "Duration of the motion", "s")
-    models: Sequence[type[Frozen]] = ()
-    if len(steps) == 2:
-        models = _SECTIONS.get(steps[0], ())
-    elif len(steps) == 4 and steps[:2] == ["hoop", "parts"] and steps[2].isdecimal():
-        models = _PARTS
-    for model in models:
-        field = model.model_fields.get(steps[-1])
-        if field is not None:
-            extra = field.json_schema_extra
-            unit = str(extra.get("unit", "1")) if isinstance(extra, dict) else "1"
-            yield ParameterInfo(path, field.description or "", unit)
+def _models(section: str) -> Sequence[type[Frozen]]:
+    """Return the models that may be at a section, or at the place of a part."""
+    return _PARTS if re.fullmatch(r"hoop\.parts\.\d+", section) else _SECTIONS.get(section, ())
 
 
 def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
@@ -207,14 +196,7 @@ def _keys(value: Any) -> Any:
 def _as_given(scenario: Scenario, values: Mapping[str, Any], section: str) -> Frozen:
     """Return a section before single values in it are replaced."""
     kept: Frozen = getattr(scenario, section)
-    return _validated(type(kept), values[section]) if section in values else kept
-
-
-def _validated(model: type[_Model], value: Any) -> _Model:
-    try:
-        return model.model_validate(value)
-    except ValidationError as error:
-        raise input_error(error) from None
+    return type(kept).from_dict(values[section]) if section in values else kept
 
 
 def _spelt_out(given: Frozen, data: Mapping[str, Any], path: str) -> dict[str, Any]:
@@ -226,24 +208,23 @@ def _spelt_out(given: Frozen, data: Mapping[str, Any], path: str) -> dict[str, A
         return {"mu_static": given.mu_static, "mu_kinetic": given.mu_kinetic}
     if isinstance(given, Start) and path != "start.speed":
         # a rolling start as the free start of the new hoop
-        state = given.state(_validated(Hoop, data["hoop"]))
+        state = given.state(Hoop.from_dict(data["hoop"]))
         return {"height": state.height, "vx": state.vx, "vy": state.vy, "omega": state.omega}
     return {}
 
 
-def _put(table: Mapping[str, Any], steps: Sequence[str], value: Any, path: str) -> None:
-    node: Any = table
-    for step in steps[:-1]:
-        if isinstance(node, list) and step.isdecimal() and int(step) < len(node):
-            node = node[int(step)]
-        elif isinstance(node, dict) and step in node:
-            node = node[step]
-        else:
-            raise InputError(say("not_there", path=path, step=step), field=path)
-    last = steps[-1]
-    if isinstance(node, dict):
-        node[last] = value
-    elif isinstance(node, list) and last.isdecimal() and int(last) < len(node):
-        node[int(last)] = value
-    else:
-        raise InputError(say("not_there", path=path, step=last), field=path)
+def _put(table: Any, steps: Sequence[str], value: Any, path: str) -> None:
+    """Set a key below a section; all tables above it must exist."""
+    *above, last = steps
+    for step in above:
+        table = table[_key(table, step, path)]
+    table[_key(table, last, path, new=True)] = value
+
+
+def _key(table: Any, step: str, path: str, new: bool = False) -> Any:
+    """Return a step of a path as a key of a table, which may be a new one, or as an index of a list."""
+    if isinstance(table, dict) and (new or step in table):
+        return step
+    if isinstance(table, list) and step.isdecimal() and int(step) < len(table):
+        return int(step)
+    raise InputError(say("not_there", path=path, step=step), field=path)

@@ -7,24 +7,21 @@ import math
 from collections.abc import Mapping
 from operator import attrgetter
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, model_validator
 
 from hophoop._support.errors import InputError
 from hophoop.kernel.physics import MODE_LETTERS, Body, FrictionLaw, Mode, NormalLaw
 from hophoop.kernel.records import CONTACT, body_of, refusal, second_of
-from hophoop.scenario.base import NUMBER, Frozen, field_of, refuse, within
+from hophoop.scenario.checking import Frozen, field_of, refuse, refused
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid
 from hophoop.scenario.paths import parameter, paths, with_replaced
-from hophoop.scenario.rules import refused
-from hophoop.scenario.sentences import input_error
 from hophoop.scenario.start import Start
 from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
 
-Duration = Annotated[float, within("duration"), NUMBER]
 ROUNDED = 1e-9  # of the velocities and √(g R): within it the slip velocity of a start agrees with the others
 
 
@@ -59,7 +56,7 @@ class Scenario(Frozen):
     True
     """
 
-    duration: Duration = field_of("duration")
+    duration: float = field_of("duration")
     hoop: Hoop = Field(default_factory=Hoop, description="The hoop")
     plane: Plane = Field(default_factory=Plane, description="The plane")
     start: Start = Field(default_factory=lambda: Start.rolling(3.1), description="The start")
@@ -136,29 +133,6 @@ class Scenario(Frozen):
         """
         return cls.from_dict(read_text(text, format, name))
 
-    @classmethod
-    def from_dict(cls, keys: dict[str, Any]) -> Scenario:
-        """Build a scenario from the keys of a scenario file.
-
-        Parameters
-        ----------
-        keys : dict
-            As `to_dict` gives them; missing keys have their defaults.
-
-        Returns
-        -------
-        scenario : Scenario
-
-        Raises
-        ------
-        ValueError
-            If a key is unknown or a value not allowed.
-        """
-        try:
-            return cls.model_validate(keys)
-        except ValidationError as error:
-            raise input_error(error) from None
-
     def save(self, path: str | Path) -> None:
         """Write a scenario file that `load` reads back as an equal scenario.
 
@@ -210,13 +184,11 @@ class Scenario(Frozen):
         for name, value in self.to_dict().items():
             if value == usual[name]:
                 continue
-            if not isinstance(value, dict):
-                brief[name] = value
-                continue
-            bare = type(getattr(self, name))().to_dict()
-            kept = {key: item for key, item in value.items() if key == "model" or bare.get(key) != item}
-            # A section left out altogether would be read as the usual one.
-            brief[name] = kept or value
+            if isinstance(value, dict):
+                bare = type(getattr(self, name))().to_dict()
+                # A section left out altogether would be read as the usual one.
+                value = {key: item for key, item in value.items() if key == "model" or bare.get(key) != item} or value
+            brief[name] = value
         return query_text(brief)
 
     @classmethod

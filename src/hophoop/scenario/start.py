@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+from typing import Any, ClassVar, Literal, NamedTuple
 
 from pydantic import model_validator
 
 from hophoop._support.errors import InputError
-from hophoop.scenario.base import NUMBER, Frozen, alone, field_of, quantity, refuse, within
+from hophoop.scenario.checking import Frozen, alone, field_of, quantity, refuse, say
 from hophoop.scenario.models import Hoop
-from hophoop.scenario.texts import say
-
-Height = Annotated[float, within("start.height"), NUMBER]
-Place = Annotated[float, within("start.x"), NUMBER]
-Angle = Annotated[float, within("start.angle"), NUMBER]
-Speed = Annotated[float, within("start.speed"), NUMBER]
-Rate = Annotated[float, within("start.omega"), NUMBER]
+from hophoop.vocabulary.parameters import RANGES
 
 
 class StartState(NamedTuple):
@@ -81,14 +75,14 @@ class Start(Frozen):
 
     place: ClassVar[str] = "start."
 
-    x: Place = field_of("start.x")
-    height: Height = field_of("start.height")
-    angle: Angle = field_of("start.angle")
-    speed: Speed | None = field_of("start.speed")
-    vx: Speed = field_of("start.vx")
-    vy: Speed = field_of("start.vy")
-    omega: Rate | None = field_of("start.omega")
-    slip: Speed | None = quantity(None, "Slip velocity", "m/s")
+    x: float = field_of("start.x")
+    height: float = field_of("start.height")
+    angle: float = field_of("start.angle")
+    speed: float | None = field_of("start.speed")
+    vx: float = field_of("start.vx")
+    vy: float = field_of("start.vy")
+    omega: float | None = field_of("start.omega")
+    slip: float | None = quantity(None, "Slip velocity", "m/s", RANGES["start.vx"])
     mode: Literal["R", "S", "K", "H"] | None = quantity(None, "Phase in which the motion goes on", "")
 
     @model_validator(mode="after")

@@ -16,7 +16,8 @@ from pydantic import Field, TypeAdapter, ValidationError
 
 from hophoop._support.files import replacing
 from hophoop.scenario import InputError
-from hophoop.scenario.sentences import findings_sentence, parse_reason
+from hophoop.scenario.checking import findings_sentence
+from hophoop.scenario.formats import parse_reason
 from hophoop.tracking.camera import Camera
 
 Floats = NDArray[np.float64]

@@ -97,9 +97,9 @@ class Parameter(NamedTuple):
 
     @property
     def names(self) -> list[str]:
-        """Other names that people may give it: its label, its symbol, its options and everyday words, in lower case."""
+        """Other names that people may give it: its symbol, its options and everyday words, in lower case."""
         flags = [option.flag.removeprefix("--") for option in self.options]
-        words = [self.label, self.symbol, *flags, *_EVERYDAY.get(self.path, ())]
+        words = [self.symbol, *flags, *_EVERYDAY.get(self.path, ())]
         return [word.lower().replace(" ", "_").replace("-", "_") for word in words if word]
 
 
@@ -107,14 +107,20 @@ _EVERYDAY: Final = {
     "hoop.load_fraction": ("load",),
     "hoop.eccentricity": ("epsilon",),
     "hoop.inertia_ratio": ("kappa", "inertia"),
-    "plane.mu": ("friction_coefficient",),
+    "plane.mu": ("friction", "friction_coefficient"),
+    "plane.mu_static": ("static_friction",),
+    "plane.mu_kinetic": ("kinetic_friction",),
     "plane.slope": ("beta", "angle", "incline", "inclination", "tilt"),
     "plane.restitution": ("bounciness",),
-    "plane.impact_law": ("law",),
+    "plane.impact_law": ("law", "law_of_impact"),
     "start.speed": ("velocity", "v"),
-    "start.angle": ("theta",),
-    "start.omega": ("spin",),
+    "start.angle": ("theta", "load_angle"),
+    "start.height": ("gap",),
+    "start.omega": ("spin", "angular_velocity"),
     "duration": ("time", "t_end"),
+    "contact.model": ("contact_model",),
+    "contact.law": ("normal_force",),
+    "contact.friction": ("friction_law",),
 }
 
 

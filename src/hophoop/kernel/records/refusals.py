@@ -1,6 +1,6 @@
 """Rules between the numbers of a cell: which scenarios are refused, and by which rule.
 
-Scenarios, maps and the page check with these functions; `scenario.rules` has the sentence of each rule.
+Scenarios, maps and the page check with these functions; `scenario.checking` has the sentence of each rule.
 """
 
 from __future__ import annotations
