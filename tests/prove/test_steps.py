@@ -13,10 +13,11 @@ flint = pytest.importorskip("flint")
 
 from hophoop.precise.problem import Problem  # noqa: E402
 from hophoop.prove import models  # noqa: E402
-from hophoop.prove.contact import Contact, Step, length  # noqa: E402
-from hophoop.prove.models import Model, Unclear, first_root, modelled, sine_cosine  # noqa: E402
+from hophoop.prove.contact import Contact, Step  # noqa: E402
+from hophoop.prove.models import Model, modelled, sine_cosine  # noqa: E402
 from hophoop.prove.motion import Run  # noqa: E402
-from hophoop.prove.numbers import arb, arb_poly, ball, raw, setting  # noqa: E402
+from hophoop.prove.numbers import Unclear, arb, arb_poly, ball, raw, setting  # noqa: E402
+from hophoop.prove.roots import first_root  # noqa: E402
 from oracle_program import scenario_of  # noqa: E402
 from oracles import precise  # noqa: E402
 from oracles.cases import Case  # noqa: E402
@@ -179,10 +180,11 @@ CASES = {
 SPREAD = Fraction(1, 10**12)
 
 
-def phase(case, bits=120):
-    """(contact, its state) of a case at its start."""
+def phase(case, angle=0.0, omega=0.0):
+    """(contact, its state) of a case at its start, which is known to these errors."""
     run = Run(Problem.of(scenario_of(case)), ball(1e-12), False, 10, lambda: None)
     start = run.body.start()
+    start = start._replace(th=start.th + ball(arb(0, angle)), om=start.om + ball(arb(0, omega)))
     sigma = 0 if case.rolling else 1 if case.vx > case.omega else -1
     return Contact(run.body, sigma, start, 0, start.th), start
 
@@ -199,11 +201,7 @@ def truth(case, angle=0, omega=0):
 def test_a_step_holds_every_motion_from_its_start(name, spread):
     case = CASES[name]
     with setting(120):
-        contact, start = phase(case)
-        radius = arb(spread)
-        step = Step(
-            contact, arb(0), raw(start.th), raw(start.om), lambda weight: length(weight * radius, radius), arb(0.3), 0.25
-        )
+        step = Step(contact := phase(case, spread, spread)[0], None, arb(0.3))
         assert 0.05 < float(step.h) < 0.31
         assert float(step.error) < (1e-25 if spread == 0.0 else 1e-10)
     moves = [(0, 0)] if spread == 0.0 else list(itertools.product((-spread, spread), repeat=2))
@@ -235,8 +233,7 @@ def test_the_residual_of_a_step_is_that_of_the_equations(name):
     """θ̇′ − h θ̈ and θ′ − h θ̇ at sampled places, with the error that they let grow, lie below the step's bound."""
     case = CASES[name]
     with setting(100):
-        contact, start = phase(case)
-        step = Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: arb(0), arb(0.3), 0.25)
+        step = Step(contact := phase(case)[0], None, arb(0.3))
     with setting(300):
         worst = arb(0)
         for x in POINTS:
@@ -253,7 +250,7 @@ def test_slopes_hold_wherever_the_motion_may_be(name):
     """The box about a very short step is 10⁻⁶ wide to each side, in θ and in θ̇."""
     with setting(120):
         contact, start = phase(CASES[name])
-        step = Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: arb(0), arb(1e-9), 0.25)
+        step = Step(contact, None, arb(1e-9))
         by_angle, by_rate = step._slopes()
         for angle, rate in itertools.product((-0.9e-6, 0.9e-6), repeat=2):
             th, om = raw(start.th) + angle, raw(start.om) + rate
@@ -270,14 +267,13 @@ def test_errors_grow_at_least_as_the_equations_let_them():
     case = Case("top", gravity=1.0, eccentricity=0.6, inertia_ratio=0.1, mu_static=9.0, mu_kinetic=9.0, vx=0.01, rolling=True)
     rate = math.sqrt(case.eccentricity / (case.inertia_ratio + 1.6**2))
     with setting(120):
-        contact, start = phase(case)
-        step = Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: weight * arb(2) ** -40, arb(0.4), 0.25)
+        step = Step(phase(case, 2.0**-40)[0], None, arb(0.4))
         grown = step.error / (step.weight * arb(2) ** -40)
     assert math.exp(rate * float(step.h)) * 0.999 <= float(grown) < 1.6
 
 
 def test_a_step_that_cannot_be_shown_is_halved_and_refused():
     with setting(60):
-        contact, start = phase(CASES["K"])
+        contact, _ = phase(CASES["K"], 0.0, 1e-3)
         with pytest.raises(Unclear, match="small"):
-            Step(contact, arb(0), raw(start.th), raw(start.om), lambda weight: arb(1e-3), arb(0.3), 0.25)
+            Step(contact, None, arb(0.3))

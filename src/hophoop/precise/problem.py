@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -157,24 +158,26 @@ class Body:
     """
 
     def __init__(self, problem: Problem, bits: int, work: Work | None = None) -> None:
-        self.problem = problem
         self.bits = bits
         self.work = Work(math.inf) if work is None else work
         self.ctx = ctx = MPContext()
         ctx.prec = bits
-        self.eps, self.kap, self.rest = (self.number(n) for n in (problem.eps, problem.kap, problem.rest))
-        self.resist, self.law, self.painleve_impact = self.number(problem.resist), problem.law, problem.painleve_impact
-        self.mu_s = ctx.inf if problem.mu_s is None else self.number(problem.mu_s)
-        self.mu_k = ctx.inf if problem.mu_k is None else self.number(problem.mu_k)
-        weight = 1 if problem.gravity else 0
-        slope = self.number(problem.slope)
-        self.gn, self.gt = weight * ctx.cos(slope), weight * ctx.sin(slope)
         self.zero, self.one = ctx.mpf(0), ctx.mpf(1)
+        self.take(problem, ctx.inf, ctx.sqrt, lambda angle: (ctx.sin(angle), ctx.cos(angle)))
         self.kernels = Kernels(ctx.mpf, numbers_of(ctx))
         self.fixed = Fixed(bits, *map(self.integer, (self.eps, self.kap, self.mu_k, self.gn, self.gt)))
-        self.length = self.number(problem.radius)
-        self.time = ctx.sqrt(self.length / (self.number(problem.gravity) if problem.gravity else 1))
-        self.mass = self.number(problem.mass)
+
+    def take(
+        self, problem: Problem, infinite: Number, root: Callable[[Number], Number], sine_cosine: Callable[[Number], Any]
+    ) -> None:
+        """Take the numbers of a problem, by functions of the numbers that it works with."""
+        self.problem, self.law, self.painleve_impact = problem, problem.law, problem.painleve_impact
+        self.eps, self.kap, self.rest = (self.number(n) for n in (problem.eps, problem.kap, problem.rest))
+        self.mu_s, self.mu_k = (infinite if mu is None else self.number(mu) for mu in (problem.mu_s, problem.mu_k))
+        self.mass, self.length, self.resist = (self.number(n) for n in (problem.mass, problem.radius, problem.resist))
+        self.time = root(self.length / self.number(problem.gravity or Fraction(1)))
+        s, c = sine_cosine(self.number(problem.slope))
+        self.gn, self.gt = (c, s) if problem.gravity else (self.zero, self.zero)
 
     def number(self, value: Fraction) -> Number:
         """A rational number, rounded once."""

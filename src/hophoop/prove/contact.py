@@ -7,11 +7,14 @@ the distance of (θ, θ̇) from the motion and μ the logarithmic norm of the eq
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from hophoop.prove.formulas import Ending, State
-from hophoop.prove.models import Model, cut, first_root, modelled, over_all, padded, rates, sine_cosine, size
+from hophoop.prove.models import Model, cut, modelled, over_all, padded, rates, sine_cosine, size
 from hophoop.prove.numbers import Number, Unclear, arb, arb_poly, arb_series, ball, flint, precision, raw, setting
+from hophoop.prove.roots import first_root, positive_until
 
 BITS_A_TERM = 2.5
 WIDEST, LONGEST = 0.6, 0.5  # rad, and √(R/g), of a step
@@ -83,20 +86,18 @@ class Contact:
             ends.append(2 * flint.arb.pi() - self.way * (th - self.origin))
         return [raw(one) for one in (alpha, *ends)]
 
-    def derivative(self, k: int, tau: Any, th: Any, om: Any, order: int) -> Any:
-        """A Taylor coefficient in time of a watched function, on balls."""
-        z, w = [th, om], [om]
-        for terms in range(2, order + 2):
-            with setting(terms=terms):
-                s, c = arb_series(z).sin_cos()
-                rate = arb_series([0]) + self.alpha(s, c, arb_series(w))
-                w = padded(rate.integral() + om, terms)
-                z = padded(arb_series(w).integral() + th, terms)
-        with setting(terms=order + 1):
-            angle = arb_series(z)
+    def taylor(self, k: int, tau: Any, th: Any, om: Any, terms: int) -> list[Any]:
+        """Taylor coefficients in time of a watched function, on balls."""
+        w, angle = arb_series([om]), arb_series([th, om])
+        for known in range(2, terms + 1):
+            with setting(terms=known):
+                s, c = angle.sin_cos()
+                w = (arb_series([0]) + self.alpha(s, c, w)).integral() + om
+                angle = w.integral() + th
+        with setting(terms=terms):
             s, c = angle.sin_cos()
-            found = self.functions(arb_series([tau, 1]), angle, s, c, arb_series(w))
-            return padded(arb_series([0]) + found[1 + k], order + 1)[order]
+            found = self.functions(arb_series([tau, 1]), angle, s, c, w)
+            return padded(arb_series([0]) + found[1 + k], terms)
 
     def state(self, tau: Any, th: Any, om: Any, rolled: Any) -> State:
         """The state after a time, from angle, rate and the work of rolling resistance in slip; energies give what is lost."""
@@ -125,34 +126,38 @@ class Step:
     Parameters
     ----------
     contact : Contact
-    tau : arb
-        Time since the start of the phase.
-    th, om : arb
-        Exact.
-    error : callable
-        Bound of the weighted distance of both from the motion, from the weight of θ.
+    before : Step, optional
+        The one before it in the phase.
     longest : arb
         Time that is left.
-    guess : float
-        Of the time that the step takes.
     """
 
-    def __init__(self, contact: Contact, tau: Any, th: Any, om: Any, error: Any, longest: Any, guess: float) -> None:
-        self.contact, self.tau = contact, tau
+    def __init__(self, contact: Contact, before: Step | None, longest: Any) -> None:
+        self.contact, begin, one = contact, contact.begin, arb(1)
         self.terms = int(precision() / BITS_A_TERM) + 6
-        series = rates(contact.alpha, th, om, math.frexp(guess)[1] + 1, self.terms)
-        h = min(_reach(series), WIDEST / max(1.0, abs(float(om))), LONGEST)
+        if before is None:
+            self.tau, th, om, guess = arb(0), raw(begin.th), raw(begin.om), LONGEST / 2
+        else:
+            self.tau, th, om, guess = before.tau + before.h, before.th(one), before.om(one), float(before.h)
+        series = rates(contact.alpha, th.mid(), om.mid(), math.frexp(guess)[1] + 1, self.terms)
+        h = min(_reach(series), WIDEST / max(1.0, abs(float(om.mid()))), LONGEST)
         if h > float(longest.lower()):
             h = float(longest.upper()) * ROUNDED_UP
+
+        def error(weight: Any) -> Any:
+            """The weighted distance from the motion at the start."""
+            carried = before.error * (weight / before.weight).max(one) if before else arb(0)
+            return length(weight * th.rad(), om.rad()) + carried
+
         with setting(terms=self.terms):
-            while not self._build(th, series, arb(h), error):
+            while not self._build(th.mid(), series, arb(h), error):
                 h *= 0.5
-                if not error(arb(1)) < FARTHEST / 2:
+                if not error(one) < FARTHEST / 2:
                     raise Unclear(SMALL)
                 if h < SMALLEST:
                     raise Unclear("slip stays away from p_σ = 0" if contact.sigma else "the margins of rolling are bounded")
 
-    def _build(self, th: Any, series: list[Any], h: Any, error: Any) -> bool:
+    def _build(self, th: Any, series: list[Any], h: Any, error: Callable[[Any], Any]) -> bool:
         """Return True if the polynomials over a time h are shown to be close to the motion."""
         self.h, contact = h, self.contact
         self.om = cut([one * h**k for k, one in enumerate(series)])[0]
@@ -166,12 +171,12 @@ class Step:
         left, turned = size(self.om.derivative() - alpha.p * h) + h * alpha.e, size(self.th.derivative() - self.om * h)
         by_angle, by_rate = self._slopes()
         # θ is weighted, so that θ and θ̇ of an oscillation turn into each other
-        weight = arb(max(1.0, math.sqrt(abs(float(by_angle[0].mid())))))
+        self.weight = weight = arb(max(1.0, math.sqrt(abs(float(by_angle[0].mid())))))
         norm = ((by_rate[0] + length(by_rate[0], weight + by_angle[0] / weight)) / 2).upper().max(arb(0))
         self.error = ((norm * h).exp() * (error(weight) + left + weight * turned)).upper()
         if not self.error < FARTHEST:
             return False
-        self.weight, self.th_off = weight, (self.error / weight).upper()
+        self.th_off = (self.error / weight).upper()
         for model, angle, rate in zip(self.models, by_angle[1:], by_rate[1:], strict=True):
             model.e = (model.e + angle.abs_upper() * self.th_off + rate.abs_upper() * self.error).abs_upper()
         return True
@@ -201,11 +206,15 @@ class Step:
             power = self.models[0] * self.models[2] * abs(raw(self.contact.rho)) * self.h
         return power.p.integral()(x) + arb(0, power.e)
 
+    def taylor(self, k: int, x: Any, terms: int) -> list[Any]:
+        """Coefficients in time of a watched function on a part of the step."""
+        return self.contact.taylor(k, *self.at(x), terms)
+
     def first_event(self, zeros: list[int], end: Any) -> tuple[int, Any] | None:
         """(which watched function falls to zero first, the part of the step where it does)."""
         found = []
         for k, (model, known) in enumerate(zip(self.models, zeros, strict=True)):
-            begin = self._clear(k, known, end) if known else arb(0)
+            begin = positive_until(partial(self.taylor, k), known, end) if known else arb(0)
             bracket = first_root(model, begin, end) if begin < end else None
             if bracket is not None:
                 found.append((k, *bracket))
@@ -215,15 +224,6 @@ class Step:
         if not all(other[0] == k or high < other[1] for other in found):
             raise Unclear("one of two events comes first")
         return k, low.union(high)
-
-    def _clear(self, k: int, zeros: int, end: Any) -> Any:
-        """Up to where a function is positive whose first derivatives vanish at the start: the next one is positive there."""
-        part = end
-        for _ in range(precision()):
-            if self.contact.derivative(k, *self.at(arb(0).union(part)), zeros) > 0:
-                return part
-            part = (part / 2).mid()
-        raise Unclear("a margin that is zero at the start of a phase rises")
 
 
 def _reach(series: list[Any]) -> float:
@@ -240,19 +240,13 @@ def advance(body: Any, sigma: int, begin: State, zeros: int, t_end: Number, orig
     """Roll or slip from a state up to the first event, a turning point or the end of the time."""
     repeats = sigma == 0 and origin is None and body.gt == 0 and body.resist == 0
     contact = Contact(body, sigma, begin, zeros, begin.th if repeats else origin)
-    th, om, tau, rolled = raw(begin.th), raw(begin.om), arb(0), arb(0)
-    known, guess, carried, weight = contact.zeros, LONGEST / 2, arb(0), arb(1)
+    known, step, rolled = contact.zeros, None, arb(0)
     while True:
         body.look_at_clock()
-        left = raw(t_end - begin.t) - tau
+        left = raw(t_end - begin.t) - (step.tau + step.h if step else 0)
         if not left > 0:
             raise Unclear("an event comes before the end of the time")
-        rounding = th.rad(), om.rad()
-
-        def error(now: Any, rounding: Any = rounding, carried: Any = carried, weight: Any = weight) -> Any:
-            return length(now * rounding[0], rounding[1]) + carried * (now / weight).max(arb(1))
-
-        step = Step(contact, tau, th.mid(), om.mid(), error, left, guess)
+        step = Step(contact, step, left)
         part = left / step.h
         final = bool(part <= 1)
         found = step.first_event(known, part.upper() if final else arb(1))
@@ -270,9 +264,7 @@ def advance(body: Any, sigma: int, begin: State, zeros: int, t_end: Number, orig
             return ending, after._replace(vt=ball(0)) if ending == Ending.SLIP_END else after
         if final:
             return Ending.TIME_LIMIT, contact.state(*step.at(part), rolled + step.rolled(part))._replace(t=t_end)
-        guess, carried, weight = float(step.h), step.error, step.weight
-        rolled += step.rolled(arb(1))
-        tau, th, om, known = tau + step.h, step.th(arb(1)), step.om(arb(1)), [0] * len(known)
+        rolled, known = rolled + step.rolled(arb(1)), [0] * len(known)
 
 
 def _whole_turn(contact: Contact, after: State, t_end: Number | None) -> State:

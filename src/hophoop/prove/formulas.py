@@ -127,9 +127,9 @@ def names_of_balls() -> dict[str, Any]:
         return c * sine - s * versine, -s * sine - c * versine
 
     def remainders(phi: Any) -> tuple[Ball, Ball, Ball]:
-        """As hypergeometric series in which nothing cancels."""
+        """As hypergeometric series where else most would cancel."""
         x, half = raw(phi), (raw(phi) / 2).sin()
-        if not isinstance(x, flint.arb):  # a series, whose first terms are no small ones
+        if not (isinstance(x, flint.arb) and abs(x) < 1):
             return x - x.sin(), x.cos() - 1 + x * x / 2, 2 * half * half
         z = -x * x / 4
         cubic, quartic = z.hypgeom([1], [2, arb(2.5)]), z.hypgeom([1], [arb(2.5), 3])

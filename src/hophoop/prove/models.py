@@ -1,4 +1,4 @@
-"""Polynomials with a bound of what they leave out, on [0, 1] (Taylor models), the first root of such a function, and series."""
+"""Polynomials with a bound of what they leave out, on [0, 1] (Taylor models), and series in time."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from functools import cached_property
 from operator import mul
 from typing import Any
 
-from hophoop.prove.numbers import Unclear, arb, arb_poly, arb_series, flint, precision, raw
+from hophoop.prove.numbers import arb, arb_poly, arb_series, flint, precision, raw
 
 Poly = Any  # a flint.arb_poly
-BRACKETS = 8  # attempts to bracket a root, each 8 times as wide as the one before
 
 
 def over_all(p: Poly) -> Any:
@@ -41,6 +40,15 @@ class Model:
 
     def __init__(self, p: Poly, e: Any = 0) -> None:
         self.p, self.e = p, arb(e).abs_upper()
+
+    def __call__(self, x: Any, terms: int) -> list[Any]:
+        """The value on a ball and, with more than one term, the slope of the polynomial there."""
+        return [self.p(x) + arb(0, self.e), self.slope(x)] if terms > 1 else [self.p(x) + arb(0, self.e)]
+
+    @cached_property
+    def slope(self) -> Poly:
+        """The derivative of the polynomial."""
+        return self.p.derivative()
 
     @cached_property
     def size(self) -> Any:
@@ -100,39 +108,6 @@ def sine_cosine(angle: Poly) -> tuple[Model, Model]:
     lost = size(s.derivative() - c * rate) + size(c.derivative() + s * rate)
     lost += (s(zero) - sine).abs_upper() + (c(zero) - cosine).abs_upper()
     return Model(s, lost), Model(c, lost)
-
-
-def first_root(f: Model, begin: Any, end: Any) -> tuple[Any, Any] | None:
-    """A bracket of the first root of a function that is positive at the beginning; None if there is none up to the end."""
-    p, r, slope = f.p, f.e, f.p.derivative()
-    work, least = [(begin, end)], arb(2) ** (-precision() // 2)
-    while work:
-        a, b = work.pop()
-        whole, middle = a.union(b), ((a + b) / 2).mid()
-        rate = slope(whole)
-        if p(middle) + rate * (whole - middle) > r or (rate > 0 and p(a) > r) or (rate < 0 and p(b) > r):
-            continue
-        if rate < 0 and p(b) < -r:
-            return _bracket(f, slope, a, b)
-        if not b - a > least:
-            raise Unclear("a function that comes close to zero has a sign there")
-        work += [(middle, b), (a, middle)]
-    return None
-
-
-def _bracket(f: Model, slope: Poly, a: Any, b: Any) -> tuple[Any, Any]:
-    """A narrow bracket of the root of a function whose polynomial falls from a to b."""
-    p, x = f.p, ((a + b) / 2).mid()
-    for _ in range(precision().bit_length() + 6):
-        near = (x - p(x) / slope(x)).mid()
-        x = near if a < near and near < b else (a + x).mid() / 2 if p(x) < 0 else (b + x).mid() / 2
-    wide = (2 * f.e / abs(slope(x)) + arb(2) ** (8 - precision())).upper()
-    for _ in range(BRACKETS):
-        low, high = (x - wide).mid().max(a), (x + wide).mid().min(b)
-        if p(low) > f.e and p(high) < -f.e:
-            return low, high
-        wide *= 8
-    raise Unclear("a root is bracketed")
 
 
 # --- coefficients in time, one after the other: not rigorous, in integers of 2^−bits ------------------------------------

@@ -51,16 +51,10 @@ class Body(problem.Body):
     of: Any  # the kernel's formulas
 
     def __init__(self, exact: Problem, look_at_clock: Callable[[], None]) -> None:
-        self.problem, self.look_at_clock = exact, look_at_clock
-        self.law, self.painleve_impact = exact.law, exact.painleve_impact
-        self.eps, self.kap, self.rest, self.resist = map(rational, (exact.eps, exact.kap, exact.rest, exact.resist))
-        self.mu_s, self.mu_k = (ball(math.inf) if mu is None else rational(mu) for mu in (exact.mu_s, exact.mu_k))
-        self.mass, self.length, gravity = map(rational, (exact.mass, exact.radius, exact.gravity or 1))
-        names = names_of_balls()
-        self.sine_cosine, self.time = names["sine_and_cosine"], names["math"].sqrt(self.length / gravity)
-        s, c = self.sine_cosine(rational(exact.slope))
-        self.gn, self.gt = (c, s) if exact.gravity else (ball(0), ball(0))
-        self.names, self.ctx, self.zero = names, None, ball(0)
+        self.look_at_clock, self.ctx, self.zero = look_at_clock, None, ball(0)
+        self.names = names_of_balls()
+        self.sine_cosine = self.names["sine_and_cosine"]
+        self.take(exact, ball(math.inf), self.names["math"].sqrt, self.sine_cosine)
 
     def number(self, value: Fraction) -> Number:
         """The ball of a rational number."""

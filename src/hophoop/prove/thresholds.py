@@ -6,13 +6,13 @@ import math
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import pairwise
 from typing import Any
 
 from hophoop.precise.problem import Problem
 from hophoop.prove.models import padded
 from hophoop.prove.motion import Body, Run
 from hophoop.prove.numbers import BITS_A_DIGIT, Unclear, arb, arb_series, ball, flint, precision, raw, setting
+from hophoop.prove.roots import Function
 from hophoop.prove.solver import REVOLUTION, Enclosure, check_digits, enclosure, prove_problem
 from hophoop.scenario import InputError, Scenario, Start
 
@@ -20,8 +20,7 @@ GUARD_DIGITS = 12
 BITS_A_MARGIN = 2.5  # of precision, for each bit that the speed is nearer to the border
 AROUND = (Fraction(1, 10**13), Fraction(1, 10**9))  # relative, on both sides of the double, for the border of the hop
 FIRST = 200  # events of a first revolution
-PARTS = 64  # of an interval in which a maximum is looked for
-Function = Callable[[Any, int], list[Any]]  # (x, terms) → Taylor coefficients, valid on the ball x
+MOST_PARTS = 1000  # of an interval in which a maximum may be
 
 
 @dataclass(frozen=True)
@@ -50,47 +49,28 @@ class ProvedNumber:
 
 def highest(function: Function, low: Any, high: Any) -> Any:
     """Return the highest value on [low, high], exact numbers."""
-    width = (high - low) / PARTS
-    marks = [low, *((low + width * k).mid() for k in range(1, PARTS)), high]
-    best = function(low, 1)[0]
-    for mark in marks[1:]:
-        best = best.max(function(mark, 1)[0])
-    work = list(pairwise(marks))
-    while work:
-        a, b = work.pop()
-        if not b - a > arb(2) ** (-precision() // 2):
+    marks, best = [(low, high)], function(low, 1)[0].max(function(high, 1)[0])
+    for _ in range(precision() // 2):
+        bounds = [_bound(function, a.union(b)) for a, b in marks]
+        middles = [((a + b) / 2).mid() for a, b in marks]
+        for middle in middles:
+            best = best.max(function(middle, 1)[0])
+        kept = [(a, x, b) for (a, b), x, bound in zip(marks, middles, bounds, strict=True) if not bound < best]
+        marks = [part for a, x, b in kept for part in ((a, x), (x, b))]
+        if len(marks) > MOST_PARTS:
             raise Unclear("a largest value is no flat one")
-        tops = _tops(function, a, b, best)
-        if tops is None:
-            middle = ((a + b) / 2).mid()
-            work += [(a, middle), (middle, b)]
-        else:
-            for top in tops:
-                best = best.max(function(top, 1)[0])
+    for a, b in marks:
+        best = best.union(best.max(_bound(function, a.union(b))))
     return best
 
 
-def _tops(function: Function, a: Any, b: Any, best: Any) -> list[Any] | None:
-    """Tops inside [a, b] that may be the highest, apart from the ends of the whole interval; None: look closer."""
-    whole = a.union(b)
+def _bound(function: Function, whole: Any) -> Any:
+    """A ball of all values on a ball."""
     try:
-        value, slope, bend = function(whole, 3)
-    except (Unclear, ZeroDivisionError):
-        return None
-    middle = whole.mid()
-    if value < best or slope > 0 or slope < 0 or function(middle, 1)[0] + slope * (whole - middle) < best:
-        return []
-    if not bend < 0:
-        return None
-    first, last = (function(end, 2)[1] for end in (a, b))
-    if first < 0 or last > 0:
-        return []
-    if not (first > 0 and last < 0):
-        return None
-    for _ in range(precision().bit_length() + 2):  # Newton's method on intervals
         middle = whole.mid()
-        whole = whole.intersection(middle - function(middle, 2)[1] / (2 * function(whole, 3)[2]))
-    return [whole]
+        return function(middle, 1)[0] + function(whole, 2)[1] * (whole - middle)
+    except (Unclear, ZeroDivisionError):
+        return arb(math.inf)
 
 
 # --- rolling from the top, as functions of θ and of w = v0²/(gR)
