@@ -16,11 +16,9 @@ KERNEL = 1e-8  # of the number, or of 0.001 of its SI unit
 def contradiction(scenario: hh.Scenario, most: int) -> str:
     """How a proof of `most` events at most and the kernel contradict each other, '' where they do not."""
     proof, motion = prove(scenario, 10, max_events=most), hh.simulate(scenario)
-    # the top of a flight changes no mode, and the kernel does not name one where the end of the time cuts the flight off
-    events = [event for event in motion.events if event.kind != "apex"]
-    facts = [event for event in proof.events if event.kind != "apex"]
+    events, facts = list(motion.events), list(proof.events)
     closed = next((k for k, event in enumerate(events) if event.kind == "bounce_limit"), len(events))
-    while closed < len(events) and facts[closed : closed + 1] and facts[closed].kind == "impact":
+    while closed < len(events) and facts[closed : closed + 1] and facts[closed].kind in ("impact", "apex"):
         del facts[closed]  # a proof closes endless bounces later
     if closed < len(events) and len(facts) == closed:
         return ""  # or has too many events before
@@ -45,6 +43,8 @@ def are_enclosed(proof: Any, true: Any, rounded: Fraction) -> int:
     `rounded` is how far a true number may be from the given one, relative to itself or to 1. An oracle's events end where its
     own treatment of endless bounces begins.
     """
+    if [event["kind"] for event in true[-2:]] == ["apex", "end"] and proof.events[-2].kind != "apex":
+        true = [*true[:-2], true[-1]]  # the oracle's highest top up to the end, and a higher one would come after it
     kinds = {event["kind"] for event in true}
     found = [event for event in proof.events if event.kind in kinds]
     if true[0]["kind"].startswith("painleve"):

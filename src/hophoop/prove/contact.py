@@ -145,9 +145,9 @@ class Step:
             h = float(longest.upper()) * ROUNDED_UP
 
         def error(weight: Any) -> Any:
-            """The weighted distance from the motion at the start."""
+            """The weighted distance of the polynomials from the motion at the start."""
             carried = before.error * (weight / before.weight).max(one) if before else arb(0)
-            return length(weight * th.rad(), om.rad()) + carried
+            return length(weight * (th - self.th(arb(0))), om - self.om(arb(0))) + carried
 
         with setting(terms=self.terms):
             while not self._build(th.mid(), series, arb(h), error):
@@ -223,7 +223,10 @@ class Step:
         k, low, high = min(found, key=lambda one: float(one[1]))
         if not all(other[0] == k or high < other[1] for other in found):
             raise Unclear("one of two events comes first")
-        return k, low.union(high)
+        x = low.union(high)
+        if not self.taylor(k, x, 2)[1] < 0:
+            raise Unclear("a margin does not only touch zero")
+        return k, x
 
 
 def _reach(series: list[Any]) -> float:
@@ -252,7 +255,7 @@ def advance(body: Any, sigma: int, begin: State, zeros: int, t_end: Number, orig
         found = step.first_event(known, part.upper() if final else arb(1))
         if found is not None:
             k, x = found
-            if final and not x < part:
+            if not x < part:
                 raise Unclear("an event comes before the end of the time")
             after, ending = contact.state(*step.at(x), rolled + step.rolled(x)), contact.endings[k]
             if ending == Ending.ANGLE_LIMIT:
@@ -275,5 +278,5 @@ def _whole_turn(contact: Contact, after: State, t_end: Number | None) -> State:
     if t_end is None:
         return after
     period = after.t - begin.t
-    more = int(raw((t_end - after.t) / period).lower().floor().unique_fmpz())
+    more = max(0, int(raw((t_end - after.t) / period).lower().floor().unique_fmpz()))
     return after._replace(t=after.t + more * period, om=begin.om, th=angle + more * turn, x=after.x + more * turn)

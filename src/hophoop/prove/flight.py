@@ -24,6 +24,9 @@ class Flight:
         self.body, self.begin = body, begin
         self.f_n, self.zeros = body.of.flight_start(body, begin, after_slip)
         self.s, self.c = body.sine_cosine(begin.th)
+        force = 0 if after_slip else body.of.free_acceleration(body, self.s, self.c, begin.om * begin.om)[1]
+        if self.zeros == 3 and force != 0:
+            raise Unclear("the gap opens at the start of a flight")
 
     def gap(self, tau: Any, terms: int) -> list[Any]:
         """Taylor coefficients of the gap on a ball of times; of the fourth derivative on they are those of the cosine."""
@@ -43,21 +46,29 @@ class Flight:
         return begin._replace(t=t, x=begin.x + along, y=y, th=th, vt=vt, vn=vn)
 
     def fly(self, left: Any) -> tuple[State, bool, State | None]:
-        """(the state before the landing or at the end of the time, whether it lands, the apex)."""
-        end = left.upper()
+        """(the state before the landing or at the end of the time, whether it lands, the apex if it is before the end)."""
+        end = self.longest(left)
         landing = first_root(self.gap, positive_until(self.gap, self.zeros, end) if self.zeros else arb(0), end)
-        last = landing[0].union(landing[1]) if landing else left
-        if landing and not last < left:
-            raise Unclear("the rim lands before the end of the time")
-        tops = self.tops(landing[0] if landing else end)
-        if not all(top < last for top in tops):
-            raise Unclear("an apex comes before the end of the time")
-        after = self.at(last)
-        if landing:
-            after = after._replace(y=ball(0), vn=self.landing_rate(ball(last)))
+        landed = landing[0].union(landing[1]) if landing else end
+        lands = landing is not None and first_is_less(landed, left, "the rim lands before the end of the time")
+        after = self.at(landed if lands else left)
+        if lands:
+            after = after._replace(y=ball(0), vn=self.landing_rate(ball(landed)))
             if not after.vn < 0:
                 raise Unclear("the rim does not land with ẏ = 0")
-        return after, landing is not None, self.highest(tops)
+        top = self.highest(self.tops(landing[0] if landing else end))
+        if top is None or not (lands or first_is_less(top, left, "an apex comes before the end of the time")):
+            return after, lands, None
+        return after, lands, self.at(top)._replace(vn=ball(0))
+
+    def longest(self, left: Any) -> Any:
+        """A time before which the rim lands; without gravity that which is left."""
+        body, begin = self.body, self.begin
+        if not body.gn > 0:
+            return left.upper()
+        rise = abs(begin.vn) + body.eps * abs(begin.om)
+        reach = begin.y + 2 * body.eps + ball(1)
+        return raw((rise + ball(raw(rise * rise + 2 * body.gn * reach).sqrt())) / body.gn).upper()
 
     def landing_rate(self, tau: Number) -> Number:
         """ẏ at the landing: as the gap is zero, f_n τ follows from v_n, and errors do not grow from bounce to bounce."""
@@ -84,12 +95,19 @@ class Flight:
             way, time = -way, bracket[1]
         return found
 
-    def highest(self, tops: list[Any]) -> State | None:
-        """The state at the highest of the tops, if it is higher than the start; two that are equally high are no apex."""
-        states = [self.at(top) for top in tops]
-        if not states:
+    def highest(self, tops: list[Any]) -> Any:
+        """The time of the highest of the tops, None if none is higher than the start; two that are equally high are no apex."""
+        heights = [(self.at(top).y, top) for top in tops]
+        if not heights:
             return None
-        best = max(states, key=lambda one: float(raw(one.y).mid()))
-        if not all(one is best or one.y < best.y for one in states):
+        high, best = max(heights, key=lambda one: float(raw(one[0]).mid()))
+        if not all(top is best or y < high for y, top in heights):
             raise Unclear("one top of a flight is the highest")
-        return best._replace(vn=ball(0)) if best.y > self.begin.y else None
+        return best if high > self.begin.y else None
+
+
+def first_is_less(a: Any, b: Any, what: str) -> bool:
+    """Return True if a ball is below another; Unclear where they overlap."""
+    if not (a < b or a > b):
+        raise Unclear(what)
+    return bool(a < b)

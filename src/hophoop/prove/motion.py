@@ -206,7 +206,9 @@ class Run(motion.Run):
         time, p_n = 2 * whole / least, (1 + q) * grow * whole / low
         p_t, change_om = body.mu_s * p_n, largest(turns) * p_n
         change_vt, change_th = largest(slows) * p_n + abs(f_t) * time, (abs(after.om) + change_om) * time
-        if not (change_om <= size and change_vt <= size and change_th <= size and time < longest):
+        if not (
+            change_om <= size and change_vt <= size and change_th <= size and time < longest and after.t + time < self.t_end
+        ):
             return None
         loss = within((1 + q) * grow * grow * v * whole / low + (abs(after.vt) + change_vt) * p_t)
         later = ball(arb(0.5, 0.5))

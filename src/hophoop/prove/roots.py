@@ -8,6 +8,7 @@ from typing import Any
 from hophoop.prove.numbers import Unclear, arb, precision
 
 Function = Callable[[Any, int], list[Any]]  # (x, terms) → Taylor coefficients, valid on the ball x
+OFF_CENTER = 0.47  # where an interval is divided
 BRACKETS = 8  # attempts to bracket a root, each 8 times as wide as the one before
 
 
@@ -25,7 +26,8 @@ def first_root(f: Function, begin: Any, end: Any) -> tuple[Any, Any] | None:
     work, least = [(begin, end)], (begin if begin > 0 else end) * arb(2) ** (-precision() // 2)
     while work:
         a, b = work.pop()
-        whole, middle = a.union(b), ((a * b).sqrt() if b > 4 * a > 0 else (a + b) / 2).mid()  # a root may be close to 0
+        # a root may be close to 0, and is at no place that divides an interval at each precision
+        whole, middle = a.union(b), ((a * b).sqrt() if b > 4 * a > 0 else a + OFF_CENTER * (b - a)).mid()
         slope = f(whole, 2)[1]
         if f(middle, 1)[0] + slope * (whole - middle) > 0 or (slope > 0 and f(a, 1)[0] > 0) or (slope < 0 and f(b, 1)[0] > 0):
             continue
@@ -39,11 +41,14 @@ def first_root(f: Function, begin: Any, end: Any) -> tuple[Any, Any] | None:
 
 def bracket(f: Function, a: Any, b: Any) -> tuple[Any, Any]:
     """A narrow bracket of the root of a function that falls from a to b, both exact."""
-    x = ((a + b) / 2).mid()
-    for _ in range(precision().bit_length() + 6):
+    low, high, x = a, b, ((a + b) / 2).mid()
+    for _ in range(precision()):
         value, slope = f(x, 2)[:2]
+        if not (value > 0 or value < 0):
+            break
+        low, high = (low, x) if value < 0 else (x, high)
         near = (x - value / slope).mid()
-        x = near if a < near and near < b else (a + x).mid() / 2 if value < 0 else (b + x).mid() / 2
+        x = near if low < near and near < high else ((low + high) / 2).mid()
     value, slope = f(x, 2)[:2]
     wide = (2 * value.rad() / abs(slope) + abs(x) * arb(2) ** (8 - precision())).upper()
     for _ in range(BRACKETS):
