@@ -90,7 +90,7 @@ async function serve() {
   const files = join(folder, "static");
   mkdirSync(files);
   const link = (path, name = basename(path)) => symlinkSync(path, join(files, name));
-  for (const name of ["hophoop.wasm", "hophoop-derivatives.wasm"]) link(join(carried, "lab/wasm", name));
+  for (const name of ["hophoop.wasm", "hophoop-fates.wasm"]) link(join(carried, "lab/wasm", name));
   for (const name of ["icon.svg", "licences.txt"]) link(join(carried, "lab/static", name));
   for (const name of WORDS) link(join(words, name), `words.${name}`);
   const again = '<script>new EventSource("/esbuild").addEventListener("change", () => location.reload());</script>';

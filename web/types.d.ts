@@ -302,7 +302,7 @@ interface MapValues {
 /** What the module answers at once. */
 type Calls = Pick<
   import("./kernel/module.ts").HoopModule,
-  "film" | "motion" | "columns" | "samples" | "thresholds" | "regions" | "changes" | "fate" | "map"
+  "film" | "motion" | "columns" | "samples" | "thresholds" | "regions" | "fate" | "map"
 >;
 
 // The module; an answer may be a promise (a worker), and `signal` stops what is no longer wanted.
@@ -326,12 +326,6 @@ interface Fate {
   final_hop_height: number;
   final_omega: number;
 }
-
-// Rates of events, rows of the module's `changes`: nan where there is no derivative; why, and from which event on.
-type ChangedEvents = ReturnType<import("./kernel/module.ts").HoopModule["side"]>;
-
-// Those of both sides, where a side to which the parameter cannot go has none.
-type SidedChanges = { count: number } & Record<"larger" | "smaller", ChangedEvents | null>;
 
 // --- A scenario that has been checked: web/model ---------------------------------------------------------------------
 
@@ -456,7 +450,6 @@ interface Tables {
     Record<"hops" | "rolls" | "other", string>;
   map: {
     allowed: Record<string, RangeTable>;
-    rates: Record<string, string>;
     quantities: Record<string, { span: string; unit: string; words: string[] }>;
   };
   lab: Record<string, string>;

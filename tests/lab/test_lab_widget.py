@@ -33,7 +33,7 @@ def test_the_widget_carries_its_motion(widget, motion):
     assert widget.given == widget.query == "start.speed=2"
 
 
-def test_the_widget_sends_the_module_of_derivatives_when_it_is_asked_for(widget):
+def test_the_widget_sends_the_module_of_fates_when_it_is_asked_for(widget):
     widget._answer(widget, {"number": 0.5}, [])
     ((content, buffers),) = widget.sent
     assert content == {"number": 0.5}

@@ -82,7 +82,7 @@ def test_the_kept_file_is_that_of_the_package():
 def test_the_file_is_small_and_names_no_other(tmp_path):
     page = site.page_file()
     assert len(page.encode()) < 1_300_000
-    assert [name for name, _ in PACKED.findall(page)] == ["scripts", "words", "module", "derivatives"]
+    assert [name for name, _ in PACKED.findall(page)] == ["scripts", "words", "module", "fates"]
     bare = PACKED.sub("", page)
     assert "default-src 'none'" in bare
     assert re.findall(r'(?:src|href)="(?!data:)([^"]*)"', bare) == []

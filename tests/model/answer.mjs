@@ -1,5 +1,5 @@
 // Reads requests, one JSON per line, and answers each as the page would. Bundled, it runs as
-// `node answer.mjs kernel.js module derivatives < asked > answered`.
+// `node answer.mjs kernel.js module < asked > answered`.
 
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
@@ -9,14 +9,10 @@ import * as model from "../../web/model/index.ts";
 import { numberOf, plain, shortened, written } from "../../web/model/text.ts";
 import { spoken } from "../../web/words/texts.ts";
 
-const [script, binary, derivatives] = process.argv.slice(2);
+const [script, binary] = process.argv.slice(2);
 const { HoopModule } = await import(script);
-// the modules answer at once what a page has answered by workers
-const opened = (name) => new HoopModule(new WebAssembly.Module(readFileSync(name)));
-const mechanics = opened(binary);
-
-/** Every bit of doubles, which JSON has not. */
-const bits = (doubles) => Buffer.from(doubles.buffer, doubles.byteOffset, doubles.byteLength).toString("hex");
+// the module answers at once what a page has answered by workers
+const mechanics = new HoopModule(new WebAssembly.Module(readFileSync(binary)));
 
 const infinite = (key, value) => (value === Infinity ? "inf" : Number.isNaN(value) ? "nan" : value);
 
@@ -40,15 +36,9 @@ const CALLS = {
     ),
   colors: (classes) => classes.map(([name, quantity]) => classColor(name, quantity)),
   texts: (texts) => texts.map((text) => [plain(text), shortened(text), numberOf(text) ?? null]),
-  rates({ scenario, path }) {
-    const found = model.ratesOf(model.fromDict(scenario, mechanics), path);
-    return found && { ...found, rates: bits(found.rates) };
-  },
 };
 
-let carrying = null;
-const rated = () => (carrying ??= opened(derivatives));
-const kernel = { ask: (call, values) => (call === "changes" ? rated() : mechanics)[call](...values) };
+const kernel = { ask: (call, values) => mechanics[call](...values) };
 const local = new Backend(kernel, mechanics);
 const listed = (arrays) => Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]]));
 const packed = ({ header, arrays }) => ({ header, arrays: listed(arrays) });
@@ -56,10 +46,9 @@ CALLS.film = async (body) => packed(await local.film(body, undefined, body.bound
 CALLS.map = async (body) => packed(await local.map(body));
 CALLS.samples = async ({ scenario, window }) => listed(await local.samples(scenario, window));
 CALLS.theory = ({ scenario }) => local.theory(scenario);
-CALLS.changes = async ({ scenario, path }) => {
-  const found = await local.changes(scenario, path);
-  const side = (one) => one && bits(one.rates);
-  return found && { count: found.count, larger: side(found.larger), smaller: side(found.smaller) };
+CALLS.changes = async ({ scenario, path, value, step }) => {
+  const { events } = (await local.film({ scenario })).header;
+  return local.changes({ scenario, events }, path, value, step);
 };
 CALLS.file = async ({ name, query }) => (await local.file(name, query)).text();
 

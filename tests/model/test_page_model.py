@@ -20,8 +20,8 @@ import pytest
 import hophoop as hh
 from hophoop._support import errors
 from hophoop.lab import tables
-from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
 from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
+from hophoop.lab.wasm.stamp import MODULE
 from hophoop.scenario import InputError
 from model.asked import asked
 from model.requests_drawn import NUMBERS, given_of, request
@@ -30,7 +30,6 @@ from web_tools import bundled, needs_node
 HERE = Path(__file__).parent
 KERNEL = tables.FILE.parent / "kernel.js"
 MODULE_FILE = MODULE_FOLDER / MODULE
-DERIVATIVES_FILE = MODULE_FOLDER / DERIVATIVES
 pytestmark = needs_node
 
 
@@ -48,7 +47,7 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
     """What the page's code makes of bodies, in one process."""
     asked = "".join(json.dumps({"call": call, "body": body}) + "\n" for body in bodies)
     done = subprocess.run(
-        ["node", answering(), KERNEL, MODULE_FILE, DERIVATIVES_FILE],
+        ["node", answering(), KERNEL, MODULE_FILE],
         input=asked,
         capture_output=True,
         text=True,

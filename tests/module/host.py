@@ -14,7 +14,7 @@ from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.lab.wasm.layout import CHANGE_COLUMNS, CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.lab.wasm.layout import CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
 
 MOST_ROWS = 20_000  # of a compliant motion
@@ -109,18 +109,8 @@ class Host:
         self.call("hoop_of_parts", radius, parts, len(parts), out, reaches)
         return out, reaches
 
-    def changes(self, cell: np.ndarray, rates: np.ndarray, sign: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Rates of all events of a motion, the reasons why there are none and the events from which on; by its own module."""
-        heads, _ = self.motion(cell)
-        n, count = rates.shape[1], len(self.events)
-        out, why = np.empty((count, len(CHANGE_COLUMNS), n)), np.empty((2, n))
-        self.call(
-            "changes", cell, rates, n, sign, self.events, count, self.segments, len(self.segments), heads["doubt"], out, why
-        )  # fmt: skip
-        return out, *why
-
     def fate(self, cell: np.ndarray, most: int) -> dict[str, float]:
-        """What becomes of a motion, after at most so many passages of the bottom; by the module of derivatives."""
+        """What becomes of a motion, after at most so many passages of the bottom; by a module of its own."""
         return self.named(FATE_COLUMNS, "fate", cell, most)
 
     def thresholds(self, cell: np.ndarray, speed: float) -> dict[str, float]:

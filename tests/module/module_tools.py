@@ -10,8 +10,6 @@ from typing import Any
 import numpy as np
 
 import hophoop as hh
-from hophoop.derivatives.parameters import change_of
-from hophoop.kernel.records.cells import CELL
 from hophoop.maps.grid.cells import make_cells
 from oracle_program import simulate
 from oracles.cases import Case
@@ -34,16 +32,6 @@ def cell_of(scenario: hh.Scenario) -> np.ndarray:
     """The row of `records.cells.CELL` of one scenario."""
     cell: np.ndarray = make_cells(scenario, {}, 1)[:, 0]
     return cell
-
-
-def rates_of(scenario: hh.Scenario, paths: tuple[str, ...]) -> np.ndarray:
-    """How the cell of a scenario changes with each parameter."""
-    rates = np.zeros((len(CELL), len(paths)))
-    for k, path in enumerate(paths):
-        change = change_of(scenario, path)
-        for i, name in enumerate(CELL):
-            rates[i, k] = change.get(name, 0.0)
-    return rates
 
 
 def given_of(scenario: hh.Scenario) -> dict[str, Any]:

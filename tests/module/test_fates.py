@@ -12,7 +12,7 @@ import hophoop as hh
 from hophoop.gaits.computing import FOREVER, PANELS, judged
 from hophoop.gaits.kernels.layout import BOTTOM, CODES, Request
 from hophoop.lab.wasm.layout import FATE_COLUMNS
-from hophoop.lab.wasm.stamp import DERIVATIVES, HERE
+from hophoop.lab.wasm.stamp import FATES, HERE
 from hophoop.vocabulary.names import FATE_CODES, Fate
 
 pytest.importorskip("wasmtime")
@@ -26,7 +26,7 @@ SEED = 20261126
 
 @pytest.fixture(scope="module")
 def host() -> Host:
-    return Host(HERE / DERIVATIVES)
+    return Host(HERE / FATES)
 
 
 def scenarios(count: int) -> list[hh.Scenario]:

@@ -10,7 +10,7 @@ import pytest
 
 from bits_kernels import NATIVE, code_of, program, run_program, why_no_program
 from bits_tools import differing, kept_scenarios
-from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
+from hophoop.lab.wasm.entries import ENTRIES, FATE_ENTRIES
 
 # What is left to call: Numba's runtime (nrt.c), memory, and functions whose result is exact.
 RUNTIME = re.compile(r"NRT_\w+|Py\w+|numba_\w+")
@@ -21,7 +21,7 @@ INTRINSIC = re.compile(
     r"[us]m(?:in|ax)|[us]\w+\.with\.overflow)\b"
 )
 LOOSE = re.compile(r"= f\w+ (?:fast|contract|reassoc|arcp|afn)\b")
-TABLES = {"ENTRIES": tuple(ENTRIES), "DERIVATIVE_ENTRIES": tuple(DERIVATIVE_ENTRIES)}
+TABLES = {"ENTRIES": tuple(ENTRIES), "FATE_ENTRIES": tuple(FATE_ENTRIES)}
 
 FUSED = re.compile(r"^\s+(v?fn?m(?:add|sub|la|ls)\w*(?:\.\w+)*)", re.MULTILINE)
 CALLED = re.compile(r"^\s+(?:bl|b|callq?|jmpq?|tail|jal)\s+\*?([A-Za-z_.$][\w.$@]*)", re.MULTILINE)

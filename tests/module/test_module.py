@@ -26,9 +26,9 @@ from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import Cell, Contact
 from hophoop.kernel.records.layout import MOST_PANELS
 from hophoop.kernel.records.refusals import Refusal, refusal
-from hophoop.lab.wasm.entries import DERIVATIVE_ENTRIES, ENTRIES
+from hophoop.lab.wasm.entries import ENTRIES, FATE_ENTRIES
 from hophoop.lab.wasm.layout import layout
-from hophoop.lab.wasm.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources, stamped
+from hophoop.lab.wasm.stamp import FATES, HERE, LAYOUT, MODULE, sources, stamped
 from hophoop.scenario.scenario import contact_of
 
 pytest.importorskip("wasmtime")
@@ -58,7 +58,7 @@ def source_file(kernel) -> Path:
 
 def test_the_stamp_holds_all_that_decides_the_bytes_and_entries_call_kernels_alone() -> None:
     """What is called and is no kernel cannot be compiled, nor is it in the stamp."""
-    found, waiting = set(), [kernel for kernel, _ in [*ENTRIES.values(), *DERIVATIVE_ENTRIES.values()]]
+    found, waiting = set(), [kernel for kernel, _ in [*ENTRIES.values(), *FATE_ENTRIES.values()]]
     while waiting:
         kernel = waiting.pop()
         if kernel not in found:
@@ -88,9 +88,9 @@ def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path) -> 
     told = json.loads((out / LAYOUT).read_text(encoding="utf-8"))
     assert told["sources"] == sources()
     assert told.keys() == TOLD.keys()
-    for file, name in ((MODULE, "module"), (DERIVATIVES, "derivatives")):
+    for file, name in ((MODULE, "module"), (FATES, "fates_module")):
         assert hashlib.sha256((out / file).read_bytes()).hexdigest()[:16] == told[name]
-    assert {file.name for file in out.iterdir()} == {MODULE, DERIVATIVES, LAYOUT}
+    assert {file.name for file in out.iterdir()} == {MODULE, FATES, LAYOUT}
 
 
 def test_a_motion_ends_by_its_budget_whatever_is_asked(host: Host) -> None:

@@ -7,8 +7,6 @@ import { layout } from "./layout.ts";
 import { HoopModule } from "./module.ts";
 
 const LIMIT = 10_000; // milliseconds
-const APART = new Set<string>(["changes", "fate"]); // calls of the module of derivatives
-const UNLOADED = "kernel.derivatives_not_loaded";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
 /** Starts workers; the first one at once, so that its scripts load while the module does. */
@@ -41,16 +39,16 @@ const compiledOf = async (packed: Packed) => WebAssembly.compile(await unpacked(
 
 export class WorkerKernel implements Kernel {
   limit = LIMIT;
-  rates: Promise<WorkerPool> | null = null;
+  fates: Promise<WorkerPool> | null = null;
   mechanics: HoopModule;
   motions: WorkerPool;
   maps: WorkerPool;
 
-  /** `derivatives`: fetches their module. */
+  /** `fatesModule`: fetches the module of fates. */
   constructor(
     compiled: WebAssembly.Module,
     readonly start: () => Worker,
-    readonly derivatives: () => Promise<WebAssembly.Module>,
+    readonly fatesModule: () => Promise<WebAssembly.Module>,
   ) {
     this.mechanics = new HoopModule(compiled);
     this.motions = new WorkerPool(start, compiled, 2, LIMIT);
@@ -64,31 +62,31 @@ export class WorkerKernel implements Kernel {
     const own = script.origin === globalThis.location?.origin;
     const start = startOf(own ? script : importing(script), "module");
     const compiled = await fetched(new URL(`hophoop.wasm?${layout.module}`, base));
-    const derivatives = () => fetched(new URL(`hophoop-derivatives.wasm?${layout.derivatives}`, base));
-    return new WorkerKernel(compiled, start, derivatives);
+    const fates = () => fetched(new URL(`hophoop-fates.wasm?${layout.fates_module}`, base));
+    return new WorkerKernel(compiled, start, fates);
   }
 
   /**
    * From what travels in a notebook or a page. `packed`: the module; `script`: address of the worker's, which is no
-   * module; `derivatives`: asks for their module.
+   * module; `fates`: asks for the module of fates.
    */
-  static async unpack(packed: Packed, script: string, derivatives: () => Promise<Packed>) {
+  static async unpack(packed: Packed, script: string, fates: () => Promise<Packed>) {
     const start = startOf(script, "classic");
-    return new WorkerKernel(await compiledOf(packed), start, async () => compiledOf(await derivatives()));
+    return new WorkerKernel(await compiledOf(packed), start, async () => compiledOf(await fates()));
   }
 
   async ask<Call extends keyof Calls>(call: Call, values: Parameters<Calls[Call]>, signal?: AbortSignal): Promise<any> {
     if (call === "map") return this.map(...(values as Parameters<Calls["map"]>), signal);
-    const pool = APART.has(call) ? await this.apart() : this.motions;
+    const pool = call === "fate" ? await this.apart() : this.motions;
     return pool.ask(call, values, signal);
   }
 
-  /** The module of derivatives is fetched when it is first asked for, and again where that failed. */
+  /** The module of fates is fetched when it is first asked for, and again where that failed. */
   apart() {
-    this.rates ??= this.derivatives().then((compiled) => new WorkerPool(this.start, compiled, 1, LIMIT));
-    return this.rates.catch(() => {
-      this.rates = null;
-      throw new Error(UNLOADED);
+    this.fates ??= this.fatesModule().then((compiled) => new WorkerPool(this.start, compiled, 1, LIMIT));
+    return this.fates.catch(() => {
+      this.fates = null;
+      throw new Error("kernel.fates_not_loaded");
     });
   }
 
@@ -125,6 +123,6 @@ export class WorkerKernel implements Kernel {
   close() {
     this.motions.close();
     this.maps.close();
-    this.rates?.then((pool) => pool.close()).catch(() => {});
+    this.fates?.then((pool) => pool.close()).catch(() => {});
   }
 }

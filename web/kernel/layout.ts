@@ -10,7 +10,6 @@ export const CELL: Record<string, number> = places(layout.cell);
 export const HEAD: Record<string, number> = places(layout.heads);
 export const EVENT: Record<string, number> = places(layout.events);
 export const SAMPLE: Record<string, number> = places(layout.samples);
-export const CHANGE: Record<string, number> = places(layout.changes);
 export const NUMBER: Record<string, number> = places(layout.numbers);
 export const WORD: Record<string, number> = places(layout.words);
 

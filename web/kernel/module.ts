@@ -161,38 +161,7 @@ export class HoopModule implements Mechanics {
     return memory.floats(out, size).slice();
   }
 
-  // --- derivatives: entries of the module of their own ------------------------------------------
-
-  /**
-   * The rates of all events with one parameter: how they change where it becomes larger, and where it becomes
-   * smaller. `rates`: of the cell, with the parameter.
-   */
-  changes(given: Given, rates: Float64Array) {
-    const { memory } = this;
-    const computed = this.compute(given);
-    const more = memory.put("rates", rates);
-    const larger = this.side(computed, more, 1);
-    const { reason, sided } = larger;
-    const smaller = sided || reason === "border" ? this.side(computed, more, -1) : larger;
-    return { count: computed.count, larger, smaller };
-  }
-
-  side({ count, segments, head }: Computed, more: number, sign: 1 | -1) {
-    const { memory } = this;
-    const size = count * layout.changes.length;
-    const out = memory.room("changes", 8 * size);
-    const why = memory.room("why", 16);
-    const [cell, events, pieces] = ["cell", "events", "segments"].map((name) => memory.room(name, 8));
-    const doubt = head[HEAD.doubt];
-    this.call("changes", cell, more, 1, sign, events, count, pieces, segments, doubt, out, why);
-    const [reason, failed] = memory.floats(why, 2);
-    return {
-      rates: memory.floats(out, size).slice(),
-      reason: layout.reasons[Math.max(reason, 0)],
-      sided: reason < 0,
-      failed,
-    };
-  }
+  // --- fates: an entry of the module of their own -------------------------------------------------
 
   /** What becomes of a rigid motion in the end, after at most so many passages of the bottom. */
   fate(given: Given, most: number): Fate {

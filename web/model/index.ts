@@ -8,7 +8,6 @@ export { given, stateOf } from "./given.ts";
 export { headerOf, resultOf } from "./header.ts";
 export { readable } from "./link.ts";
 export { doubtText, labText, within, withinMap } from "./limits.ts";
-export { ratesOf } from "./rates.ts";
 export { asked, requested } from "./request.ts";
 export { fromDict, fromQuery, toDict, toQuery, withValues } from "./scenario.ts";
 export { tables } from "./tables.ts";

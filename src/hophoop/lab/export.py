@@ -14,7 +14,7 @@ from pathlib import Path
 
 from hophoop._support.files import replacing
 from hophoop._version import __version__
-from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE, built
+from hophoop.lab.wasm.stamp import FATES, MODULE, built
 from hophoop.scenario import InputError
 
 # Nothing may be loaded from or sent to other sites. Browsers accept frame-ancestors only as a header, not from the page.
@@ -102,7 +102,7 @@ def site_files(docs: str = "", url: str = "") -> dict[str, bytes]:
     made = {f"static/{name}": static_bytes(name) for name in visited()}
     for code in languages():
         made[f"static/words.{code}.json"] = (_WORDS / f"{code}.json").read_bytes()
-    for name in (MODULE, DERIVATIVES):
+    for name in (MODULE, FATES):
         made[f"static/{name}"] = (files("hophoop.lab.wasm") / name).read_bytes()
     folder = _address_of(f"{url.rstrip('/')}/") if url else ""
     for name in PAGES:
@@ -138,7 +138,7 @@ def page_file(docs: str = "", url: str = "") -> str:
         "scripts": gzip.compress(json.dumps(scripts()).encode(), 9, mtime=0),
         "words": packed_words(),
         "module": packed_module(),
-        "derivatives": packed_module(DERIVATIVES),
+        "fates": packed_module(FATES),
     }
     script = static_text("file.js")
     held = [

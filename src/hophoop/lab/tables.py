@@ -16,7 +16,6 @@ from typing import Any, Final, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from hophoop._version import __version__
-from hophoop.derivatives.layout import REASONS
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS
 from hophoop.kernel.records import Refusal
@@ -106,8 +105,6 @@ def tables() -> dict[str, Any]:
         "map": {
             # values that a cell and a field may have
             "allowed": {path: _range(allowed) for path, allowed in RANGES.items()},
-            # the columns of a cell that change by as much as a parameter of which a motion has derivatives
-            "rates": {row.path: row.column for row in TABLE if row.derivative and row.column},
             "quantities": {
                 name: {"span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
                 for name, (_, span) in MAP_QUANTITIES.items()
@@ -136,7 +133,6 @@ def english() -> dict[str, str | dict[str, str]]:
         **{f"status.{status}": facts.sentence for status, facts in STATUSES.items() if facts.sentence},
         **{f"class.{word}": plain(word) for what in MAP_QUANTITIES for word in colors.CODES.get(what, ())},
         **{f"fate.{identifier(fate)}": facts.sentence for fate, facts in FATES.items()},
-        **{f"reason.{reason.name.lower()}": text for reason, text in REASONS.items()},
         "reason.edge": EDGE,
         "reason.sided": SIDED,
         **{f"quantity.{name}": label for name, (label, _) in MAP_QUANTITIES.items()},

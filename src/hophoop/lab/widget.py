@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from hophoop._support.extras import need
-from hophoop.lab.wasm.stamp import DERIVATIVES
+from hophoop.lab.wasm.stamp import FATES
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
@@ -113,8 +113,8 @@ def _widget_class() -> Any:
             self._shown = scenario.to_query()
 
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
-            """Send the module of derivatives, which is larger than most notebooks."""
-            self.send({"number": message.get("number")}, [export.packed_module(DERIVATIVES)])
+            """Send the module of fates, which is larger than most notebooks."""
+            self.send({"number": message.get("number")}, [export.packed_module(FATES)])
 
     _made.append(MotionWidget)
     return MotionWidget

@@ -9,6 +9,7 @@ from hophoop.lab.presets import presets
 from hophoop.vocabulary.names import FATES
 from lab_page_tools import expect, wait_for
 
+MODULE = "hophoop-fates.wasm"
 SCENARIOS = {preset.key: preset.scenario for preset in presets()}
 
 
@@ -43,3 +44,16 @@ def test_examples_end_as_in_python(visit):
         expect(page.locator(".ending span")).to_be_empty()
         assert gait.is_hidden()
     assert FATES["gait"].sentence in asked(page)
+
+
+def test_its_module_is_fetched_when_it_is_asked_for_and_asked_for_again(visit):
+    page = visit(service_workers="block", expected=["Failed to load resource"])
+    wait_for(page, "lab.theory.list.children.length > 4")
+    loaded = page.evaluate("performance.getEntriesByType('resource').map((entry) => entry.name)")
+    assert any("hophoop.wasm" in url for url in loaded)
+    assert not any(MODULE in url for url in loaded)
+    page.route(f"**/{MODULE}*", lambda route: route.abort())
+    assert "could not be loaded" in asked(page)
+    assert page.evaluate("hophoopLab.film().sequence.includes('H')")  # all else goes on
+    page.unroute(f"**/{MODULE}*")
+    assert "could not be loaded" not in asked(page)

@@ -1,18 +1,17 @@
-"""The effect of a small change, on the page: its numbers are those of `hh.sensitivity`, to the bit."""
+"""The effect of a small change, on the page: its numbers are those of `hh.sensitivity`."""
 
 import re
 
 import pytest
 
 import hophoop as hh
-from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.results.quantities import hops_of
-from hophoop.derivatives.results.sensitivity import EDGE
+from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from lab_page_tools import wait_for
 
 pytestmark = pytest.mark.long
 
-MODULE = "hophoop-derivatives.wasm"
+RIGHT = 1e-6  # of differences
 SHOWN = "lab.extras.more.changes && !lab.surrounding"
 FIELDS = ("t", "x", "height", "angle")
 RATES = """() => [...document.querySelectorAll(".more tbody tr")]
@@ -39,7 +38,7 @@ def test_every_hop_is_that_of_the_library(visit):
     ended = [k for k, (_, _, end) in enumerate(found) if end >= 0]
     for field in ("height", "distance", "duration"):
         result = hh.sensitivity(scenario, of=[f"hop[{k}].{field}" for k in ended], wrt="plane.mu")
-        assert [hops[k][field] for k in ended] == (0.01 * result.larger[:, 0]).tolist()
+        assert [hops[k][field] for k in ended] == pytest.approx(0.01 * result.larger[:, 0], rel=RIGHT, abs=0.01 * RIGHT)
 
 
 def test_the_table_has_the_numbers_of_the_library(visit):
@@ -51,7 +50,7 @@ def test_the_table_has_the_numbers_of_the_library(visit):
         page.locator(".more select").select_option(path)
         wait_for(page, f"{SHOWN} && lab.extras.more.known.startsWith('{path} ')")
         mine = [float(rate) for row in page.evaluate(RATES) for rate in row]
-        assert mine == pytest.approx(hh.sensitivity(motion.scenario, of=of, wrt=path).larger[:, 0], rel=0, abs=0, nan_ok=True)
+        assert mine == pytest.approx(hh.sensitivity(motion.scenario, of=of, wrt=path).larger[:, 0], rel=RIGHT, abs=RIGHT)
 
 
 def test_sentence_arrows_and_step_are_those_of_the_library(visit):
@@ -70,8 +69,8 @@ def test_sentence_arrows_and_step_are_those_of_the_library(visit):
     assert told == pytest.approx(changes[:4], rel=6e-3)
     # arrows lead to where it would be
     arrows = {arrow["kind"]: arrow for arrow in page.evaluate("hophoopLab.extras.more.arrows")}
-    assert [arrows["impact"]["dx"], arrows["apex"]["dy"]] == changes[4:].tolist()
-    assert arrows["impact"]["dy"] == pytest.approx(0.0, abs=1e-12)
+    assert [arrows["impact"]["dx"], arrows["apex"]["dy"]] == pytest.approx(changes[4:], rel=RIGHT)
+    assert arrows["impact"]["dy"] == pytest.approx(0.0, abs=0.01 * RIGHT)
     factor = page.evaluate("hophoopLab.extras.more.factor")
     assert f"{factor:g} times enlarged" in page.locator(".more > .hint").inner_text().replace(",", "")
     # the motion of the next value, computed as ever, does what was told, to the second order of the step
@@ -95,11 +94,12 @@ def test_sentence_arrows_and_step_are_those_of_the_library(visit):
 
 # link, parameter, what is said
 NONE = [
-    ("", "plane.restitution", REASONS[Reason.PLASTIC]),
+    ("", "plane.restitution", "From 1.804 s (landing) on, other events follow."),
     ("hoop.load_fraction=0.75&plane.restitution=1&duration=2", "plane.restitution", EDGE),
     ("contact.model=compliant", "plane.mu", "rigid contact model"),
     ("plane.mu=inf", "plane.mu", "infinite and cannot increase"),
     ("", "plane.rolling_resistance", EDGE),
+    ("plane.mu=0.2&plane.restitution=0.4&start.height=0.5&start.angle=2&duration=0.4", "start.vx", SIDED),
 ]
 
 
@@ -109,20 +109,3 @@ def test_where_there_is_none_the_reason_is_said(visit):
         page.evaluate("query => hophoopLab.load(query)", query)
         page.evaluate("path => hophoopLab.extras.more.turn(true, path)", path)
         page.locator(".more-reason:visible", has_text=words).wait_for()
-
-
-def test_its_module_is_fetched_when_it_is_asked_for_and_asked_for_again(visit):
-    page = visit(service_workers="block", expected=["Failed to load resource"])
-    wait_for(page, "lab.theory.list.children.length > 4")
-    loaded = page.evaluate("performance.getEntriesByType('resource').map((entry) => entry.name)")
-    assert any("hophoop.wasm" in url for url in loaded)
-    assert not any(MODULE in url for url in loaded)
-    page.route(f"**/{MODULE}*", lambda route: route.abort())
-    page.keyboard.press("a")
-    page.locator(".more-reason:visible").wait_for()
-    assert "could not be loaded" in page.locator(".more-reason").inner_text()
-    assert page.evaluate("hophoopLab.film().sequence.includes('H')")  # all else goes on
-    page.unroute(f"**/{MODULE}*")
-    page.locator(".more select").select_option("start.speed")
-    wait_for(page, SHOWN)
-    assert page.locator(".more-reason").is_hidden()

@@ -1,6 +1,7 @@
 // Where answers come from: numbers from the kernel, everything else from the model beside it.
 
 import * as model from "../../model/index.ts";
+import { ratesOf } from "../sensitivity/rates.ts";
 
 const REGION_COLUMNS = 360;
 const REGION_ROWS = 240;
@@ -80,16 +81,30 @@ export class Backend {
     return this.kernel.ask("regions", [given, window, REGION_COLUMNS, REGION_ROWS], signal);
   }
 
-  /** What a little more of a parameter does to each event. Returns null where the parameter can be no other. */
-  async changes(scenario: any, path: string, signal?: AbortSignal): Promise<SidedChanges | null> {
-    const checked = model.within(model.asked({ scenario }, this.mechanics));
-    const given = model.given(checked);
-    if (given.contact) throw new model.InputError(model.labText("compliant_changes"));
-    const found = model.ratesOf(checked, path);
-    if (!found) return null;
-    const { rates, smaller, larger } = found;
-    const sides = await this.kernel.ask("changes", [given, rates], signal);
-    return { count: sides.count, smaller: smaller ? sides.smaller : null, larger: larger ? sides.larger : null };
+  /**
+   * How the events of a motion change with a parameter, from motions nearby. `value`: of the parameter; `step`: of its
+   * slider. Returns null where it can be no other.
+   */
+  async changes(
+    { scenario, events }: Pick<Film, "scenario" | "events">,
+    path: string,
+    value: number,
+    step: number,
+    signal?: AbortSignal,
+  ) {
+    if (scenario.contact.model !== "rigid") throw new model.InputError(model.labText("compliant_changes"));
+    const allowed = (offset: number) => {
+      try {
+        return model.within(model.asked({ scenario, changes: [[path, value + offset]] }, this.mechanics));
+      } catch (error) {
+        if (error instanceof model.InputError) return null;
+        throw error;
+      }
+    };
+    return ratesOf(events, step, async (offset) => {
+      const checked = allowed(offset);
+      return checked && (await this.kernel.ask("motion", [model.given(checked)], signal)).events;
+    });
   }
 
   /** What becomes of the motion in the end. */

@@ -1,4 +1,4 @@
-// The module of derivatives, which a notebook's kernel sends when it is asked for: it is larger than most notebooks.
+// The module of fates, which a notebook's kernel sends when it is asked for: it is larger than most notebooks.
 
 const PATIENCE = 20_000; // milliseconds
 
@@ -16,7 +16,7 @@ export class NotebookKernel {
   constructor(readonly model: Model) {}
 
   /** Several views of one widget share its messages; each answers to its own. */
-  derivatives(): Promise<DataView<ArrayBuffer>> {
+  fates(): Promise<DataView<ArrayBuffer>> {
     const { model } = this;
     const number = Math.random();
     return new Promise((resolve, reject) => {

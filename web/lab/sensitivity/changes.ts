@@ -1,13 +1,14 @@
 // What a little more of a parameter does: the rates of events, as changes with a step, and in words.
 
-import { CHANGE, layout } from "../../kernel/layout.ts";
+import { layout } from "../../kernel/layout.ts";
 import { eventWord } from "../player/marks.ts";
 import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { listed } from "../words/words.ts";
+import type { Rates } from "./rates.ts";
 
 const PASSING = new Set(layout.passing);
 const MOST_HOPS = 3;
-const ROUNDING = 1e-10; // beside what it changes: less is none
+const ROUNDING = 1e-7; // relative to what it changes: less is none
 
 /** Flights, by the numbers of the events that they begin with, are highest at and end with; −1 where there is none. */
 export function hopsOf(events: MotionEvent[]): { begin: number; top: number; end: number }[] {
@@ -29,44 +30,34 @@ export function hopsOf(events: MotionEvent[]): { begin: number; top: number; end
 /** The changes of a motion with a step of one parameter. */
 export class Changes {
   events: MotionEvent[];
-  count: number;
   radius: number;
-  side: ChangedEvents | null;
-  step: number;
-  edge: boolean;
-  sided: boolean;
+  /** How many events have rates: from the next one on, others follow. */
+  count = this.rates.events.length;
+  /** The step that is possible: downwards where the parameter can be no larger. */
+  step = this.rates.way * this.more;
 
-  /** `step`: of the parameter, upwards. */
-  constructor(film: Film, sides: SidedChanges | null, step: number) {
-    const { larger = null, smaller = null, count = 0 } = sides ?? {};
+  /** `more`: a step of the parameter, upwards. */
+  constructor(
+    film: Film,
+    readonly rates: Rates,
+    readonly more: number,
+  ) {
     this.events = film.events;
-    this.count = Math.min(count, film.events.length);
     this.radius = film.radius;
-    this.side = larger ?? smaller;
-    /** The step that is possible: downwards where the parameter can be no larger. */
-    this.step = larger ? step : -step;
-    this.edge = !larger || !smaller;
-    this.sided = !this.edge && (larger?.sided || apart(larger, smaller));
   }
 
-  /** The derivative of an event's number, as the library gives it. `name`: one of the module's columns. */
-  rate(event: number, name: string) {
-    return this.side ? this.side.rates[event * layout.changes.length + CHANGE[name]] : Number.NaN;
+  /** The rate of an event's number with the parameter. */
+  rate(event: number, name: keyof Rates["events"][number]) {
+    return this.rates.events[event]?.[name] ?? Number.NaN;
   }
 
-  of(event: number, name: string) {
+  of(event: number, name: keyof Rates["events"][number]) {
     return this.step * this.rate(event, name);
-  }
-
-  /** From which event on there is no derivative; −1 where there is one everywhere. */
-  get failed() {
-    return this.side && this.side.reason !== "none" ? this.side.failed : -1;
   }
 
   hops() {
     return hopsOf(this.events.slice(0, this.count)).map(({ begin, top, end }) => {
-      const between = (name: string) =>
-        end < 0 ? Number.NaN : this.step * (this.rate(end, name) - this.rate(begin, name));
+      const between = (name: "x" | "t") => this.of(end, name) - this.of(begin, name);
       return {
         begin,
         end,
@@ -76,12 +67,6 @@ export class Changes {
       };
     });
   }
-}
-
-function apart(one: ChangedEvents | null, other: ChangedEvents | null) {
-  return (
-    one !== other && (one?.rates.some((rate, k) => Number.isFinite(rate) !== Number.isFinite(other?.rates[k])) ?? false)
-  );
 }
 
 /** An amount without its sign, in the unit in which it reads well. */

@@ -12,8 +12,6 @@ const WAIT = 100; // milliseconds
 const FIRST = "plane.mu";
 const LEFT_OUT = /^(contact\.|duration$)/;
 const MOST = 200; // events in the table
-/** Why there is no derivative. */
-const reasonOf = (name: string) => `reason.${name}`;
 
 export class More {
   on = false;
@@ -178,10 +176,10 @@ export class More {
     this.known = `${path} ${film.query}`;
     if (!found || !Number.isFinite(found.value)) return this.refuse("sensitivity.infinite");
     try {
-      const sides = await lab.backend.changes(film.scenario, path, signal);
+      const rates = await lab.backend.changes(film, path, found.value, found.step, signal);
       if (signal.aborted || lab.film() !== film) return undefined;
-      if (!sides) return this.refuse(reasonOf("edge"));
-      this.changes = new Changes(film, sides, found.step);
+      if (!rates) return this.refuse("reason.edge");
+      this.changes = new Changes(film, rates, found.step);
       this.arrows = arrowsOf(this.changes);
       this.factor = 0; // until they are drawn
       this.tell();
@@ -216,7 +214,7 @@ export class More {
     this.take.disabled = false;
     this.rows.hidden = this.scale.hidden = false;
     const said = sentences(changes);
-    if (!said.length && changes.failed < 0) said.push("sensitivity.nothing");
+    if (!said.length && changes.count === changes.events.length) said.push("sensitivity.nothing");
     this.said.replaceChildren(...said.map((sentence) => h("li", {}, [sentence])));
     const why = this.why(changes);
     this.reason.hidden = !why;
@@ -248,16 +246,14 @@ export class More {
     say(this.scale, three || this.factor ? drawn : "");
   }
 
-  /** Where there is no derivative, or one to this side only, and why. */
-  why(changes: Changes): Message {
-    const { failed, side, events, edge, sided } = changes;
-    if (failed >= 0 && side) {
-      const { kind, t: time } = events[Math.min(failed, events.length - 1)];
-      const values = { what: eventWord(kind), time: show(time, 4), reason: reasonOf(side.reason) };
-      return { key: "sensitivity.ends", values };
+  /** From where on there are other events, or why the rates hold to one side only. */
+  why({ events, count, rates: { edge, sided } }: Changes): Message {
+    if (count < events.length) {
+      const { kind, t: time } = events[count];
+      return { key: "sensitivity.ends", values: { what: eventWord(kind), time: show(time, 4) } };
     }
     if (!edge && !sided) return "";
-    return { key: "sensitivity.one_sided", values: { reason: reasonOf(edge ? "edge" : "sided") } };
+    return { key: "sensitivity.one_sided", values: { reason: edge ? "reason.edge" : "reason.sided" } };
   }
 
   fill(changes: Changes) {

@@ -62,7 +62,7 @@ async function startPage(root: HTMLElement) {
 
 /** From what the page itself holds, compressed, by name. `worker`: address of the worker's script. */
 async function startFile(root: HTMLElement, held: (name: string) => Packed, worker: string) {
-  const kernel = WorkerKernel.unpack(held("module"), worker, async () => held("derivatives"));
+  const kernel = WorkerKernel.unpack(held("module"), worker, async () => held("fates"));
   const base = told("url") ?? (location.protocol === "file:" ? "" : ownAddress());
   await open(root, await started(root, speakPacked(held("words")), backendOf(kernel, base)), "#");
 }
@@ -114,7 +114,7 @@ async function render({ model, el }: { model: Model; el: HTMLElement }, worker: 
   el.append(root);
   const words = speakPacked(model.get("words"));
   const python = new NotebookKernel(model);
-  const kernel = WorkerKernel.unpack(model.get("module"), worker, () => python.derivatives());
+  const kernel = WorkerKernel.unpack(model.get("module"), worker, () => python.fates());
   const backend = await started(root, words, backendOf(kernel, null));
   // the motion that Python shows, however long
   const given = () => (backend as Backend).film({ query: model.get("given") }, undefined, false);

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from hophoop.kernel.build.link import RUNTIME, optimized, zig
-from hophoop.lab.wasm.stamp import DERIVATIVES, MODULE
+from hophoop.lab.wasm.stamp import FATES, MODULE
 
 TRIPLE = "wasm32-unknown-unknown"
 STACK = 1 << 20  # bytes
@@ -23,7 +23,7 @@ class Module(NamedTuple):
 
 
 # name in the layout → module
-MODULES = {"module": Module(MODULE, "ENTRIES"), "derivatives": Module(DERIVATIVES, "DERIVATIVE_ENTRIES")}
+MODULES = {"module": Module(MODULE, "ENTRIES"), "fates_module": Module(FATES, "FATE_ENTRIES")}
 
 
 def module_code(entries: Mapping[str, tuple[Any, tuple[Any, ...]]]) -> bytes:

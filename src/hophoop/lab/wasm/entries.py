@@ -7,7 +7,7 @@ from typing import Any
 from numba import from_dtype, types
 
 from hophoop.kernel.records import EVENT, SEGMENT
-from hophoop.lab.wasm import answers, compliant, derivatives, fates, motions
+from hophoop.lab.wasm import answers, compliant, fates, motions
 
 FLOATS, WORDS, KEYS = (types.CPointer(kind) for kind in (types.float64, types.int32, types.uint64))
 BYTES, SIGNS = types.CPointer(types.uint8), types.CPointer(types.int8)
@@ -16,9 +16,8 @@ COUNT, NUMBER = types.int64, types.float64
 
 Entries = dict[str, tuple[Any, tuple[Any, ...]]]
 
-MOTION = (motions.motion, (FLOATS, EVENTS, COUNT, SEGMENTS, COUNT, FLOATS, FLOATS))
 ENTRIES: Entries = {
-    "motion": MOTION,
+    "motion": (motions.motion, (FLOATS, EVENTS, COUNT, SEGMENTS, COUNT, FLOATS, FLOATS)),
     "samples": (motions.samples, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
     "compliance": (compliant.compliance, (FLOATS, FLOATS, FLOATS)),
     "compliant_motion": (
@@ -38,12 +37,5 @@ ENTRIES: Entries = {
 }
 """Name → (kernel, Numba types of its arguments)."""
 
-# In a separate module, which a page loads when derivatives or fates are needed.
-DERIVATIVE_ENTRIES: Entries = {
-    "motion": MOTION,
-    "changes": (
-        derivatives.changes,
-        (FLOATS, FLOATS, COUNT, NUMBER, EVENTS, COUNT, SEGMENTS, COUNT, NUMBER, FLOATS, FLOATS),
-    ),
-    "fate": (fates.fate, (FLOATS, COUNT, FLOATS)),
-}
+# In a separate module, which a page loads when fates are needed.
+FATE_ENTRIES: Entries = {"fate": (fates.fate, (FLOATS, COUNT, FLOATS))}

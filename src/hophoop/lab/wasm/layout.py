@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hophoop.derivatives.layout import Reason
 from hophoop.gaits.kernels import layout as fates
 from hophoop.kernel.compliant import WIDTH
 from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS, PASSING, FrictionLaw, ImpactLaw, NormalLaw, Status
@@ -39,11 +38,6 @@ SAMPLE_COLUMNS = (
 # Derived parameters of a compliant contact, in SI units.
 CHOSEN = ("stiffness", "slip_speed")
 
-# Derivatives of an event with respect to one parameter, in SI units; from the separate module.
-CHANGE_COLUMNS = (
-    "t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "rolling_resistance", "vx",
-)  # fmt: skip
-
 # What becomes of a motion in the end; from the separate module.
 FATE_COLUMNS = (*fates.CODES, *fates.NUMBERS)
 
@@ -72,10 +66,8 @@ def layout() -> dict[str, Any]:
         "heads": HEADS,
         "events": EVENT_COLUMNS,
         "samples": SAMPLE_COLUMNS,
-        "changes": CHANGE_COLUMNS,
         "fate": FATE_COLUMNS,
         "fates": [identifier(name) for name in FATE_CODES],
-        "reasons": [reason.name.lower() for reason in Reason],
         "compliant": CONTACT,
         "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],
         "friction_laws": [law.name.lower() for law in FrictionLaw],

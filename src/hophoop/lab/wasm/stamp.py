@@ -10,7 +10,7 @@ from typing import Any
 from hophoop.kernel.native.sources import PACKAGE, files, stamp
 
 HERE = Path(__file__).parent
-MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layout.json"
+MODULE, FATES, LAYOUT = "hophoop.wasm", "hophoop-fates.wasm", "layout.json"
 
 
 @cache

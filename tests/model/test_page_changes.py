@@ -1,0 +1,175 @@
+"""What the page says of a little more of a parameter, in Node with the WebAssembly module, follows Python's derivatives."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+import hophoop as hh
+from hophoop.derivatives.parameters import value_of
+from hophoop.derivatives.results.propagation import propagate
+from hophoop.vocabulary.parameters import TABLE
+from model.test_page_model import answers
+from web_tools import needs_node
+
+pytestmark = needs_node
+
+NAMES = ("t", "x", "height", "angle", "vx")
+STEPS = {row.path: row.slider.step * (math.pi / 180.0 if row.degrees else 1.0) for row in TABLE if row.slider}
+RIGHT = 1e-6  # of a rate, or of the rate that would change the largest number of its kind by all of it
+SCENARIOS = 60
+SEED = 20261129
+
+
+def drawn() -> list[hh.Scenario]:
+    """Random motions as visitors make them: rolling and free, on slopes, with bounces and with resistance."""
+    draw = random.Random(SEED)
+    found = []
+    for _ in range(SCENARIOS):
+        plane = hh.Plane(
+            mu=draw.uniform(0.05, 1.3),
+            slope=math.radians(draw.choice([0.0, draw.uniform(-5.0, 10.0)])),
+            restitution=draw.choice([0.0, draw.uniform(0.05, 0.8)]),
+            rolling_resistance=draw.choice([0.0, 0.0, draw.uniform(0.001, 0.05)]),
+        )
+        free = hh.Start(height=draw.uniform(0.05, 1.0), vx=draw.uniform(-3.0, 3.0), omega=draw.uniform(-8.0, 8.0))
+        start = draw.choice([hh.Start.rolling(draw.uniform(-4.0, 4.0)), free])
+        hoop = hh.Hoop.ideal(draw.uniform(0.1, 0.95))
+        found.append(hh.Scenario(hoop=hoop, plane=plane, start=start, duration=draw.choice([1.0, 2.0, 3.0])))
+    return found
+
+
+def paths_of(scenario: hh.Scenario) -> list[str]:
+    """The sliders that the page offers for it."""
+    free = scenario.start.speed is None
+    start = ["angle", "height", "vx", "vy", "omega"] if free else ["angle", "speed"]
+    plane = ["mu", "slope", "gravity", "restitution", "rolling_resistance"]
+    sections = {"hoop": ["load_fraction", "radius", "mass"], "plane": plane, "start": start}
+    return [f"{section}.{name}" for section, names in sections.items() for name in names]
+
+
+def changes(asked: list[tuple[hh.Scenario, str]]) -> list[dict[str, Any] | None]:
+    """What the page finds for parameters of scenarios."""
+    bodies = [
+        {"scenario": scenario.to_dict(), "path": path, "value": value_of(scenario, path), "step": STEPS[path]}
+        for scenario, path in asked
+    ]
+    return [answer["value"] for answer in answers("changes", bodies)]
+
+
+def of(scenario: hh.Scenario, path: str) -> dict[str, Any]:
+    (found,) = changes([(scenario, path)])
+    assert found is not None
+    return found
+
+
+def test_rates_of_60_motions_are_the_derivatives() -> None:
+    asked = [(scenario, path) for scenario in drawn() for path in paths_of(scenario)]
+    compared = whole = 0
+    for (scenario, path), found in zip(asked, changes(asked), strict=True):
+        assert found is not None
+        motion = hh.simulate(scenario)
+        carried = propagate(motion, (path,), float(found["way"]))
+        largest = {name: max(abs(getattr(event, name)) for event in motion.events) for name in NAMES}
+        size = max(abs(value_of(scenario, path)), STEPS[path])
+        for k, rates in enumerate(found["events"]):
+            for name in NAMES:
+                (true,) = carried.at_event(k, name).rates
+                if math.isfinite(true):  # none where the least restitution makes the hoop bounce after the shown motion
+                    assert abs(rates[name] - true) <= RIGHT * max(abs(true), largest[name] / size), (scenario.to_query(), path)
+                    compared += 1
+        whole += len(found["events"]) == len(motion.events)
+    assert compared > 20_000
+    assert whole > 0.7 * len(asked)
+
+
+# link, parameter, how many events have rates before another one follows
+OTHERS = [
+    ("", "plane.restitution", 6),  # at its landing the hoop would bounce
+    ("start.height=0&start.vx=1&start.omega=1&start.angle=1", "start.height", 0),  # it would fall
+    ("plane.mu=0&start.speed=1&duration=0.4", "plane.mu", 0),
+    ("hoop.load_fraction=1&start.speed=1&duration=1", "hoop.load_fraction", 1),  # the massless hoop loses contact otherwise
+]
+
+
+@pytest.mark.parametrize(("query", "path", "count"), OTHERS)
+def test_nothing_is_said_beyond_an_event_that_another_one_follows(query: str, path: str, count: int) -> None:
+    found = of(hh.Scenario.from_query(query), path)
+    assert (len(found["events"]), found["edge"], found["sided"]) == (count, True, False)
+
+
+def halved(low: float, high: float, is_low: Callable[[float], bool]) -> tuple[float, float]:
+    """Neighbouring doubles, of which the first is low."""
+    while math.nextafter(low, high) < high:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if is_low(middle) else (low, middle)
+    return low, high
+
+
+def test_nothing_is_said_beyond_a_touch_that_a_little_more_avoids() -> None:
+    """A hoop that spins so fast that its rim comes down and goes up again; and one that just hops."""
+    hoop, plane = hh.Hoop(eccentricity=0.9, inertia_ratio=0.1), hh.Plane(mu=0.5)
+
+    def thrown(height: float) -> hh.Scenario:
+        return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start(height=height, vy=1.3, omega=9.5, angle=3.88), duration=0.3)
+
+    for height in halved(0.1, 0.3, lambda height: bool(hh.simulate(thrown(height)).find("impact"))):
+        found = of(thrown(height), "start.height")
+        kinds = [event.kind for event in hh.simulate(thrown(height)).events[: len(found["events"])]]
+        assert kinds == ["start"]
+    speed = float(hh.theory.first_hop_speed(hh.Hoop.ideal(0.75)))
+    for near in (math.nextafter(speed, 0.0), speed, math.nextafter(speed, 9.0)):
+        scenario = hh.Scenario(start=hh.Start.rolling(near), duration=1.4)
+        found = of(scenario, "start.speed")
+        kinds = [event.kind for event in hh.simulate(scenario).events[: len(found["events"])]]
+        assert kinds == ["start", "slip_start", "stick", "slip_start"]
+
+
+def test_endless_bounces_keep_their_rates_beyond_their_end() -> None:
+    """As long as there are as many of them on both sides."""
+    scenario = hh.Scenario.from_query(
+        "start.height=0.3&start.vx=1&start.omega=2&plane.mu=0.3&plane.restitution=0.5&duration=1.2"
+    )
+    motion = hh.simulate(scenario)
+    assert motion.find("bounce_limit")
+    found = of(scenario, "plane.restitution")
+    assert len(found["events"]) == len(motion.events)
+    (true,) = propagate(motion, ("plane.restitution",)).at_event(len(motion.events) - 1, "x").rates
+    assert found["events"][-1]["x"] == pytest.approx(true, rel=RIGHT)
+
+
+@pytest.mark.parametrize(
+    ("query", "path", "way"),
+    [
+        ("hoop.load_fraction=0.75&plane.restitution=1&duration=2", "plane.restitution", -1),
+        ("duration=2", "plane.rolling_resistance", 1),
+    ],
+)
+def test_at_an_edge_the_rates_are_those_of_the_side_that_is_allowed(query: str, path: str, way: int) -> None:
+    scenario = hh.Scenario.from_query(query)
+    found, motion = of(scenario, path), hh.simulate(scenario)
+    assert (found["way"], found["edge"], found["sided"]) == (way, True, False)
+    carried = propagate(motion, (path,), float(way))
+    for k, rates in enumerate(found["events"]):
+        for name in NAMES:
+            assert rates[name] == pytest.approx(carried.at_event(k, name).rates[0], rel=RIGHT, abs=RIGHT)
+
+
+@pytest.mark.parametrize("path", ["start.vx", "start.omega"])
+def test_at_a_corner_the_rates_are_those_of_a_larger_parameter(path: str) -> None:
+    """A hoop dropped without rotation lands without slip: a little slip against the one to come is stopped first."""
+    scenario = hh.Scenario.from_query("plane.mu=0.2&plane.restitution=0.4&start.height=0.5&start.angle=2&duration=0.4")
+    motion, found = hh.simulate(scenario), of(scenario, path)
+    assert (len(found["events"]), found["way"], found["edge"], found["sided"]) == (len(motion.events), 1, False, True)
+    impact = [event.kind for event in motion.events].index("impact")
+    upward, downward = (propagate(motion, (path,), sign).at_event(impact, "vx").rates[0] for sign in (1.0, -1.0))
+    assert found["events"][impact]["vx"] == pytest.approx(upward, rel=RIGHT)
+    assert abs(downward - upward) > 0.01 * abs(upward)
+
+
+def test_a_parameter_that_can_be_no_other_has_no_rates() -> None:
+    assert changes([(hh.Scenario.from_query("plane.mu=0&start.speed=1"), "plane.mu_kinetic")]) == [None]
