@@ -4,7 +4,7 @@
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { Backend } from "../../web/lab/backend/backend.ts";
-import { classColor } from "../../web/model/classes.ts";
+import { classColor } from "../../web/model/cells.ts";
 import * as model from "../../web/model/index.ts";
 import { numberOf, plain, shortened, written } from "../../web/model/text.ts";
 import { spoken } from "../../web/words/texts.ts";

@@ -1,10 +1,8 @@
 // The kernel as WebAssembly, called at once and without waiting: in a worker, or where one motion is wanted now.
 
+import { sha256 } from "@noble/hashes/sha2.js"; // crypto.subtle is missing in pages from a disk or a local network
 import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.ts";
-import { Memory } from "./memory.ts";
 import { columnsOf, joined } from "./columns.ts";
-import { fingerprintOf } from "./fingerprint.ts";
-import { sequencesOf } from "./sequences.ts";
 
 const FIRST_EVENTS = 256;
 const FIRST_SEGMENTS = 2048;
@@ -314,4 +312,95 @@ function sequenceOf(events: MotionEvent[]) {
   const marks = events.filter((event, k) => k === events.length - 1 || !PASSING.has(event.kind));
   const letters = marks.slice(0, -1).map((event, k) => (marks[k + 1].t > event.t ? event.to : ""));
   return letters.join("") || (events.at(-1)?.to ?? "");
+}
+
+// --- The module's memory: room for numbers, and views of it that follow when it grows
+
+export class Memory {
+  rooms: Map<string, { place: number; bytes: number }> = new Map();
+
+  /** `exports`: of the module. */
+  constructor(public exports: any) {}
+
+  /** Room under a name, kept and made larger when more is wanted; its content is then lost. */
+  room(name: string, bytes: number) {
+    const there = this.rooms.get(name);
+    if (there && there.bytes >= bytes) return there.place;
+    if (there) this.exports.free(there.place);
+    this.rooms.delete(name);
+    const place = this.exports.malloc(bytes);
+    if (!place) throw new RangeError("kernel.no_memory");
+    this.rooms.set(name, { place, bytes });
+    return place;
+  }
+
+  floats(place: number, count: number) {
+    return new Float64Array(this.exports.memory.buffer, place, count);
+  }
+
+  put(name: string, values: ArrayLike<number>) {
+    const place = this.room(name, 8 * Math.max(values.length, 1));
+    this.floats(place, values.length).set(values);
+    return place;
+  }
+}
+
+// --- Sequences of modes, unpacked from the numbers into which the kernel packs them
+
+export function sequencesOf(keys: BigUint64Array, count: number): MapValues {
+  const codes: Map<string, number> = new Map();
+  const values = new Float64Array(count);
+  for (let k = 0; k < count; k++) {
+    const word = unpacked(keys.subarray(k * layout.keys, (k + 1) * layout.keys));
+    if (word === "") {
+      values[k] = Number.NaN; // not allowed
+      continue;
+    }
+    let code = codes.get(word);
+    if (code === undefined) {
+      code = codes.size;
+      codes.set(word, code);
+    }
+    values[k] = code;
+  }
+  return { values, sequences: [...codes.keys()] };
+}
+
+function unpacked(keys: BigUint64Array) {
+  let word = "";
+  for (const key of keys) {
+    let rest = key;
+    for (let place = 0; place < layout.letters_a_key && rest; place++) {
+      const letter = Number(rest & 7n);
+      rest >>= 3n;
+      if (letter) word += letter === layout.more ? "+" : layout.letters[letter - 1];
+    }
+  }
+  return word;
+}
+
+// --- The fingerprint of a motion: a hash of the bits of its events, as Python's Trajectory.fingerprint
+
+const HASHED = ["t", "x", "height", "angle", "vx", "vy", "omega", "slip"];
+const DIGITS = 16;
+const NAN = 0x7ff8000000000000n; // signs and payloads of nans depend on the machine
+
+/** `rows`: of `layout.events`; `count`: of events. */
+export function fingerprintOf(rows: Float64Array, count: number) {
+  const text = new TextEncoder();
+  const hash = sha256.create();
+  const numbers = new DataView(new ArrayBuffer(8 * HASHED.length));
+  const bytes = new Uint8Array(numbers.buffer);
+  for (let k = 0; k < count; k++) {
+    const first = k * layout.events.length;
+    hash.update(text.encode(layout.kinds[rows[first + EVENT.kind]]));
+    HASHED.forEach((name, place) => {
+      const value = rows[first + EVENT[name]];
+      if (Number.isNaN(value)) numbers.setBigUint64(8 * place, NAN, true);
+      else numbers.setFloat64(8 * place, value + 0, true); // −0 + 0 is 0
+    });
+    hash.update(bytes);
+  }
+  const hex = Array.from(hash.digest(), (byte) => byte.toString(16).padStart(2, "0"));
+  return hex.join("").slice(0, DIGITS);
 }

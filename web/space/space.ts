@@ -3,8 +3,21 @@
 // Coordinates are those of the plane: x along it, y away from it, z towards the viewer; the view tilts them. Places are
 // given relative to what the camera looks at, since single precision has no digits left far out.
 
-import { along, looking, minus, perspective, product, tilted, unit } from "./algebra.ts";
-import { bind, coneMesh, makeProgram, mesh, sphereMesh, torusMesh } from "./gl.ts";
+import {
+  along,
+  looking,
+  minus,
+  perspective,
+  product,
+  tilted,
+  unit,
+  bind,
+  coneMesh,
+  makeProgram,
+  mesh,
+  sphereMesh,
+  torusMesh,
+} from "./gl.ts";
 
 const SHADE = `
   uniform vec3 sun, eye;

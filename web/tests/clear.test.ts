@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { clearPlace } from "../lab/player/clear.ts";
+import { clearPlace } from "../lab/player/grips.ts";
 
 const INSIDE = { left: 0, right: 390, top: 0, bottom: 200 };
 const SIZE = { width: 100, height: 26 };

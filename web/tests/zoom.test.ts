@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { zoomable } from "../lab/common/zoom.ts";
+import { zoomable } from "../lab/common/pointer.ts";
 
 /** A picture, whether it has the focus, and what was asked of it. */
 function picture(keys = false) {

@@ -3,7 +3,7 @@
 import { h, saveBlob, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
-import { bring } from "../shell/sticky.ts";
+import { bring } from "../shell/page.ts";
 import { current, local, t } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 

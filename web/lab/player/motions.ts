@@ -1,7 +1,7 @@
 // The one or two motions that are shown, what is being changed in them, and the steps back and forth.
 
 import { Film } from "./film.ts";
-import { Stopped } from "../shell/computing.ts";
+import { Stopped } from "../shell/notice.ts";
 import { History } from "../shell/history.ts";
 import type { Asked } from "../backend/backend.ts";
 import type { Lab } from "../shell/lab.ts";

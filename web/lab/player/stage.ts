@@ -4,8 +4,8 @@ import { SPEED_GRADIENT } from "../common/colors.ts";
 import { fetched, h } from "../common/dom.ts";
 import { degrees, length, show, withUnit } from "../common/numbers.ts";
 import { Stage2D } from "./stage2d.ts";
-import type { Stage3D } from "./stage3d.ts";
 import { local, name, t } from "../words/words.ts";
+import type { Stage3D } from "./stage3d.ts";
 import type { Shown } from "../shell/address.ts";
 import type { Lab } from "../shell/lab.ts";
 

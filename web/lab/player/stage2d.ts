@@ -3,9 +3,8 @@
 import { hoopInk } from "../common/colors.ts";
 import { scaledContext } from "../common/dom.ts";
 import { clamp } from "../common/clamp.ts";
-import { follow } from "../common/pointer.ts";
+import { follow, zoomable } from "../common/pointer.ts";
 import { Scene } from "./scene2d.ts";
-import { zoomable } from "../common/zoom.ts";
 
 export class Stage2D {
   zoom = 1;

@@ -1,12 +1,10 @@
 // Motions in space: those of the lab, and those that Python has written into a page.
 
-import { rgb } from "../../space/algebra.ts";
-import { bind, makeProgram, mesh } from "../../space/gl.ts";
+import { rgb, bind, makeProgram, mesh } from "../../space/gl.ts";
 import { Space } from "../../space/space.ts";
 import { SPEED_COLORS } from "../common/colors.ts";
 import { clamp } from "../common/clamp.ts";
-import { follow } from "../common/pointer.ts";
-import { zoomable } from "../common/zoom.ts";
+import { follow, zoomable } from "../common/pointer.ts";
 
 const HOME = { azimuth: 0.5, height: 0.22, distance: 5.2 };
 const ANGLE = 0.75; // of the view

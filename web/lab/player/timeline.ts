@@ -6,8 +6,7 @@ import { scaledContext, h } from "../common/dom.ts";
 import { eventWord, placed, stretches } from "./marks.ts";
 import { clamp, scaled, within } from "../common/clamp.ts";
 import { DEGREE, niceStep, show, tickText, ticks } from "../common/numbers.ts";
-import { follow, placeOn } from "../common/pointer.ts";
-import { zoomable } from "../common/zoom.ts";
+import { follow, placeOn, zoomable } from "../common/pointer.ts";
 import { t } from "../words/words.ts";
 
 export class Timeline {

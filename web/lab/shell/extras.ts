@@ -5,14 +5,13 @@ import { Challenges } from "../teach/challenges.ts";
 import { h, iconButton, menuItem } from "../common/dom.ts";
 import { Grips } from "../player/grips.ts";
 import { icon } from "../common/icons.ts";
-import { languageMenu } from "../words/languages.ts";
 import { More } from "../sensitivity/more.ts";
 import { Present } from "./present.ts";
 import { Sound } from "../player/sound.ts";
 import { Table } from "../diagrams/table.ts";
 import { teachDialog } from "../teach/teach.ts";
 import { Visit } from "../teach/visit.ts";
-import { current, repeat, spoken, t } from "../words/words.ts";
+import { current, repeat, spoken, t, keep, LANGUAGES, speak } from "../words/words.ts";
 import type { Lab } from "./lab.ts";
 
 const LONG = 60; // letters of a motion's name
@@ -162,4 +161,32 @@ export class Extras {
     this.sound.close();
     this.present.close();
   }
+}
+
+// --- The choice of a language: in the head of the page, and on the page that makes tags
+
+/** `changed`: called when another one is spoken; `failed`: where it is not to be had. */
+export function languageMenu(changed: () => void, failed: (error: Error) => void = () => {}) {
+  const select = h(
+    "select",
+    {
+      class: "language",
+      "aria-label": "language.language",
+      onchange: async () => {
+        try {
+          await speak(select.value);
+          keep(select.value);
+          changed();
+        } catch {
+          select.value = current();
+          failed(new Error("language.not_loaded"));
+        }
+      },
+    },
+    Object.entries(LANGUAGES).map(([code, name]) =>
+      h("option", { value: code, lang: code }, document.createTextNode(name)),
+    ),
+  );
+  select.value = current();
+  return select;
 }

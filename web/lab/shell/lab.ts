@@ -2,22 +2,19 @@
 
 import { recall, remember } from "./memory.ts";
 import { Address, written, type Shown } from "./address.ts";
-import { Computing } from "./computing.ts";
-import { Clock } from "../player/clock.ts";
+import { Computing, Notice } from "./notice.ts";
+import { Clock, Opening } from "../player/clock.ts";
 import { Controls } from "../controls/controls.ts";
 import { once, say } from "../common/dom.ts";
 import { Ending } from "../player/ending.ts";
 import { Extras } from "./extras.ts";
-import { Header } from "./header.ts";
+import { Header, Hoops } from "./header.ts";
 import { aboutDialog, helpDialog } from "./help.ts";
-import { Opening } from "./opening.ts";
 import { View } from "./view.ts";
-import { Hoops } from "../player/hoops.ts";
 import { listen, SingleKeys } from "./keys.ts";
 import { layOut, prepareRoot } from "./page.ts";
 import { MotionMap } from "../map/map.ts";
 import { Motions } from "../player/motions.ts";
-import { Notice } from "./notice.ts";
 import { PhasePlane } from "../diagrams/phase.ts";
 import { Plots } from "../diagrams/plots.ts";
 import { Sameness } from "../backend/sameness.ts";

@@ -2,13 +2,12 @@
 
 import { WorkerKernel } from "../../kernel/kernel.ts";
 import { unpacked, type Packed } from "../../kernel/packed.ts";
-import { tables } from "../../model/index.ts";
+import { tables } from "../../model/tables.ts";
 import { queries, readShown, shownIn, type Address } from "./address.ts";
 import { say } from "../common/dom.ts";
 import { Lab } from "./lab.ts";
-import { NotebookKernel, type Model } from "../backend/notebook.ts";
-import { backendOf, keepOffline } from "../backend/start.ts";
 import { preferred, messageOf, speak, wordsFrom } from "../words/words.ts";
+import { Backend } from "../backend/backend.ts";
 
 /** The folder of the script, where it lies in one. */
 const here = () => new URL("./", import.meta.url);
@@ -146,6 +145,71 @@ export default { open: startFile, render };
 
 // for the page that makes tags
 export { say } from "../common/dom.ts";
-export { languageMenu } from "../words/languages.ts";
+export { languageMenu } from "./extras.ts";
 export { current, name, repeat, t } from "../words/words.ts";
 export { speakFrom };
+
+// --- What a page answers with, once the kernel that it computes with is there
+
+/** `base`: what links begin with, where there are any to share. */
+export async function backendOf(loading: Promise<WorkerKernel>, base: string | null) {
+  const kernel = await loading.catch((error) => {
+    throw typeof WebAssembly === "object" && !(error instanceof WebAssembly.CompileError) ? error : unable(error);
+  });
+  return new Backend(kernel, kernel.mechanics, base);
+}
+
+/** Whether it is the page around that does not allow it, or the browser that cannot. */
+const unable = ({ message }: Error) =>
+  new Error(/content security|\bcsp\b/i.test(message) ? "page.wasm_forbidden" : "page.wasm_missing");
+
+// The page without a network: the browser keeps its files once they have been there.
+export function keepOffline(script: string) {
+  // a page that is opened from a disk, or embedded, does without
+  navigator.serviceWorker
+    ?.register(script)
+    .then((found) => found.update())
+    .catch(() => {});
+}
+
+// --- The module of fates, which a notebook's kernel sends when it is asked for: it is larger than most notebooks
+
+const PATIENCE = 20_000; // milliseconds
+
+/** The part of an anywidget model that is used. */
+export type Model = {
+  get(name: string): any;
+  set(name: string, value: unknown): void;
+  save_changes(): void;
+  send(message: object): void;
+  on(name: string, listener: (...values: any[]) => void): void;
+  off(name: string, listener: (...values: any[]) => void): void;
+};
+
+export class NotebookKernel {
+  constructor(readonly model: Model) {}
+
+  /** Several views of one widget share its messages; each answers to its own. */
+  fates(): Promise<DataView<ArrayBuffer>> {
+    const { model } = this;
+    const number = Math.random();
+    return new Promise((resolve, reject) => {
+      const end = () => {
+        clearTimeout(timer);
+        model.off("msg:custom", answered);
+      };
+      const answered = (message: any, buffers: DataView<ArrayBuffer>[]) => {
+        if (message?.number !== number) return;
+        end();
+        resolve(buffers[0]);
+      };
+      // a saved notebook plays without a kernel
+      const timer = setTimeout(() => {
+        end();
+        reject(new Error("backend.notebook_silent"));
+      }, PATIENCE);
+      model.on("msg:custom", answered);
+      model.send({ number });
+    });
+  }
+}

@@ -39,3 +39,64 @@ export class Notice {
     }, TOAST_TIME);
   }
 }
+
+// --- A motion that takes long: it is said that it is computed, with the time that it may take, and a button gives it up
+
+const PATIENCE = 300; // milliseconds without a word
+const TICK = 100;
+
+/** The visitor has given it up. */
+export class Stopped extends Error {}
+
+export class Computing {
+  bar: HTMLProgressElement;
+  element: HTMLElement;
+  asked = new Set<AbortController>();
+  began = 0;
+  timer = 0;
+
+  /** `limit`: milliseconds that the kernel may take. */
+  constructor(readonly limit = Infinity) {
+    const used = { key: "shell.time_used", values: { time: limit / 1000 } };
+    this.bar = h("progress", { "aria-label": used, title: used });
+    const stop = h("button", { onclick: () => this.stop() }, "shell.stop");
+    this.element = h("div", { class: "computing", role: "status", hidden: true }, "shell.computing", this.bar, stop);
+  }
+
+  /** What is asked for, unless it is stopped. */
+  async during<T>(ask: (signal: AbortSignal) => Promise<T>): Promise<T> {
+    const asked = new AbortController();
+    if (!this.asked.size) this.begin();
+    this.asked.add(asked);
+    try {
+      return await ask(asked.signal);
+    } catch (error) {
+      throw asked.signal.aborted ? new Stopped("shell.stopped") : error;
+    } finally {
+      this.asked.delete(asked);
+      if (!this.asked.size) this.close();
+    }
+  }
+
+  begin() {
+    this.began = performance.now();
+    this.timer = setInterval(() => this.show(), TICK);
+  }
+
+  show() {
+    const took = performance.now() - this.began;
+    this.element.hidden = took < PATIENCE;
+    // Python has limits of its own
+    if (took < this.limit) this.bar.value = took / this.limit;
+    else this.bar.removeAttribute("value");
+  }
+
+  stop() {
+    for (const asked of this.asked) asked.abort();
+  }
+
+  close() {
+    clearInterval(this.timer);
+    this.element.hidden = true;
+  }
+}

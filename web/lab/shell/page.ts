@@ -1,7 +1,6 @@
 // Where everything stands on the page.
 
 import { h } from "../common/dom.ts";
-import { keepInSight } from "./sticky.ts";
 import type { Lab } from "./lab.ts";
 
 /** `hosted`: whether the lab owns the page. */
@@ -107,4 +106,38 @@ function skipTo(player: HTMLElement) {
     player.focus();
   };
   return skip;
+}
+
+// --- The player stays in sight: smaller, once its own place is scrolled away
+
+const WAIT = 1000; // milliseconds
+const GAP = 8; // pixels between the player and what is scrolled to
+let sought: HTMLElement | null = null;
+
+/** Scroll to a part of the page, below the player, which may become small meanwhile. */
+export function bring(element: HTMLElement) {
+  sought = element;
+  element.scrollIntoView();
+  setTimeout(() => {
+    sought = null;
+  }, WAIT);
+}
+
+/** Returns what stands before the player and tells where it would be. */
+export function keepInSight(player: HTMLElement, changed: () => void): { edge: HTMLElement; close: () => void } {
+  const edge = h("div", { class: "edge", "aria-hidden": "true" });
+  const watch = new IntersectionObserver(([entry]) => {
+    const stuck = !entry.isIntersecting && entry.boundingClientRect.top < 0;
+    if (stuck === player.classList.contains("stuck")) return;
+    const before = player.offsetHeight;
+    player.style.marginBottom = "";
+    player.classList.toggle("stuck", stuck);
+    // what stands below keeps its place, or the page would jump to and fro
+    if (stuck) player.style.marginBottom = `${before - player.offsetHeight}px`;
+    document.documentElement.style.scrollPaddingTop = stuck ? `${player.offsetHeight + GAP}px` : "";
+    sought?.scrollIntoView();
+    changed();
+  });
+  watch.observe(edge);
+  return { edge, close: () => watch.disconnect() };
 }

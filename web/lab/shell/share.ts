@@ -2,8 +2,7 @@
 
 import { closing, copying, h, menuItem, saveBlob } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
-import { record } from "../player/recording.ts";
-import { png, svg } from "../player/pictures.ts";
+import { record, png, svg } from "../player/pictures.ts";
 import type { Lab } from "./lab.ts";
 
 /** What is kept, and who makes it. */

@@ -1,8 +1,8 @@
 // The simple view, with which visitors begin: the hoop, three sliders, one diagram. Or everything, which is remembered.
 
 import { h } from "../common/dom.ts";
-import type { Shown } from "./address.ts";
 import { recall, remember } from "./memory.ts";
+import type { Shown } from "./address.ts";
 
 const KEY = "hophoop-view";
 const SIMPLE = new Set(["start.speed", "hoop.load_fraction", "plane.mu", "duration"]);

@@ -1,9 +1,9 @@
 // The challenges beside the player: each motion that is shown is scored at once, and the best score is kept.
 
 import { h, say } from "../common/dom.ts";
-import { GOALS, stars, type Goal } from "./goals.ts";
 import { recall, remember } from "../shell/memory.ts";
 import { spoken } from "../words/words.ts";
+import { DEGREE, degrees, length } from "../common/numbers.ts";
 import type { Lab } from "../shell/lab.ts";
 
 const KEY = "hophoop-best-";
@@ -100,3 +100,123 @@ export class Challenges {
     say(this.kept, { key: "challenge.own_best", values: { count: best } });
   }
 }
+
+// --- The challenges: what counts, and how a computed motion is scored. Pure functions of the motion; no hand is in them
+
+export interface Score {
+  points: number; // from 0 to 100
+  text: string; // what was reached, with {places}
+  values?: Record<string, string>;
+}
+export interface Goal {
+  key: string;
+  title: string;
+  text: string;
+  start: string; // the motion to begin with
+  best: string; // a motion that has 100 points
+  score: (film: Film) => Score;
+}
+
+/**
+ * The first rule that a motion breaks, in words; empty where it keeps all. `most`: the greatest speed at the start
+ * [m/s].
+ */
+export function broken(film: Film, most: number) {
+  const { start, plane, contact, hoop } = film.scenario;
+  if (contact.model !== "rigid") return "challenge.limit_contact";
+  if (film.slope !== 0) return "challenge.limit_slope";
+  if (Math.abs(film.gravity - 9.81) > 1e-9) return "challenge.limit_gravity";
+  if ((plane.restitution ?? 0) !== 0) return "challenge.limit_restitution";
+  if (film.radius !== 1 || hoop.parts) return "challenge.limit_radius";
+  if (film.eccentricity > 0.9) return "challenge.limit_load_fraction";
+  if (!("load_fraction" in hoop)) return "challenge.limit_hoop";
+  if (!("speed" in start)) return "challenge.limit_rolling";
+  if (Math.abs(start.speed ?? 3.1) > most + 1e-9)
+    return most > 5 ? "challenge.limit_speed_10" : "challenge.limit_speed_3_1";
+  if (film.scenario.duration > 6) return "challenge.limit_duration";
+  return "";
+}
+
+const hops = (film: Film) => film.events.filter(({ kind }) => kind === "takeoff");
+
+/** How high each hop is, in order. */
+export function heights(film: Film) {
+  return film.events.filter(({ kind }) => kind === "apex").map(({ height }) => height);
+}
+
+/** Points for a height, of the best that is known. */
+const part = (height: number, best: number) => Math.min(Math.round((100 * height) / best), 100);
+
+// of the best motions that a search has found, which stand below [m]
+const HIGHEST = 1.596;
+const HIGHEST_CLEAN = 0.37;
+const LEAST = 0.05; // metres: a hop that can be seen
+
+export const GOALS: Goal[] = [
+  {
+    key: "highest",
+    title: "challenge.highest",
+    text: "challenge.highest_task",
+    start: "",
+    best: "hoop.load_fraction=0.9&plane.mu=0.29",
+    score: (film) => {
+      const rule = broken(film, 3.1);
+      if (rule) return { points: 0, text: rule };
+      const top = Math.max(0, ...heights(film));
+      if (!top) return { points: 0, text: "challenge.result_no_hop" };
+      return { points: part(top, HIGHEST), text: "challenge.result_rise", values: { height: length(top) } };
+    },
+  },
+  {
+    key: "upright",
+    title: "challenge.upright",
+    text: "challenge.upright_task",
+    start: "",
+    best: "hoop.load_fraction=0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",
+    score: (film) => {
+      const up = hops(film)[0];
+      const landing = film.events.find(({ kind, t }) => kind === "impact" && up && t > up.t);
+      if (!up || !landing) return { points: 0, text: "challenge.result_no_hop" };
+      const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
+      if (!top || top.height < LEAST) return { points: 0, text: "challenge.result_low" };
+      const off = Math.abs(landing.angle - 2 * Math.PI * Math.round(landing.angle / (2 * Math.PI))) / DEGREE;
+      const points = Math.max(0, Math.round(100 * (1 - (off - 0.5) / 89.5)));
+      return {
+        points: Math.min(points, 100),
+        text: "challenge.result_landing",
+        values: { off: degrees(off * DEGREE) },
+      };
+    },
+  },
+  {
+    key: "clean",
+    title: "challenge.no_skid",
+    text: "challenge.no_skid_task",
+    start: "start.angle=3.141592653589793&start.speed=8",
+    best: "hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",
+    score: (film) => {
+      const rule = broken(film, 10);
+      if (rule) return { points: 0, text: rule };
+      if (Math.abs(Math.abs(film.scenario.start.angle ?? 0) - Math.PI) > 0.5 * DEGREE) {
+        return { points: 0, text: "challenge.limit_load_angle" };
+      }
+      if (film.values["plane.mu_kinetic"] > 1.5 || film.values["plane.mu_static"] > 1.5) {
+        return { points: 0, text: "challenge.limit_friction" };
+      }
+      const up = hops(film)[0];
+      if (!up) return { points: 0, text: "challenge.result_no_hop" };
+      const before = film.phases.filter(({ from }) => from < up.t);
+      if (before.some(({ mode }) => mode === "K")) return { points: 0, text: "challenge.result_skids" };
+      if (before[0]?.mode !== "R") return { points: 0, text: "challenge.limit_rolling" };
+      const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
+      if (!top) return { points: 0, text: "challenge.result_no_hop" };
+      return {
+        points: part(top.height, HIGHEST_CLEAN),
+        text: "challenge.result_rise",
+        values: { height: length(top.height) },
+      };
+    },
+  },
+];
+
+export const stars = (points: number) => (points >= 95 ? 3 : points >= 75 ? 2 : points >= 40 ? 1 : 0);
