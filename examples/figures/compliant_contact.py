@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -13,16 +14,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop.article.compliant_figures import (
     Landing,
-    draw_losses,
     energy_balance,
     finish_losses,
     landing,
     landing_against_restitution,
     touch_scenario,
-    with_contact,
 )
 from hophoop.plots.style import finish
-from hophoop.scenario import Plane, Scenario, Start
+from hophoop.scenario import Compliant, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import colors
 
@@ -125,6 +124,22 @@ def landing_against_slip_speed(slip_speeds: ArrayLike, ax: Axes, stiffness: floa
     ax.set_xscale("log")
     finish_losses(ax, r"Slip speed $v_s$ over $\sqrt{gR}$")
     return ax
+
+
+def with_contact(scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any) -> Scenario:
+    """A scenario with compliant contact: stiffness over m g / R, slip speed over √(g R); others as in `Compliant`."""
+    hoop, gravity = scenario.hoop, scenario.plane.gravity
+    if slip_speed is not None:
+        others["slip_speed"] = slip_speed * math.sqrt(gravity * hoop.radius)
+    return scenario.replace("contact", Compliant(stiffness=stiffness * hoop.mass * gravity / hoop.radius, **others))
+
+
+def draw_losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: str = "compliant") -> None:
+    """Plot both losses of some landings against a quantity."""
+    face = "white" if line == ":" else None
+    for mark, color, part in (("o", colors.IMPACT_LOSS, "normal"), ("s", colors.FRICTION_LOSS, "friction")):
+        lost = [one.normal if part == "normal" else one.tangential for one in landings]
+        ax.plot(at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face)
 
 
 def rigid_lines(ax: Axes, rigid: Landing) -> None:

@@ -8,8 +8,10 @@ from animate_tools import motion
 from hophoop.animate.film2d import Film2D
 from hophoop.animate.film3d import Film3D
 from hophoop.animate.frames import Timing
-from hophoop.animate.look import PANELS, Look, Look3D
+from hophoop.animate.look import Look, Look3D
+from hophoop.plots.curves import PANELS as TABLE
 
+PANELS = tuple(TABLE)
 LEAST = 20.0  # [pixels] of a picture of 1280 × 720
 HOPS, PAIR, THREE = (3.1,), (3.1, 2.0), (3.1, 2.0, 0.5)
 LOOKS = {

@@ -192,7 +192,7 @@ def test_reproduce_writes_a_report_and_tells_a_failing_statement_by_its_status(f
 
     monkeypatch.setattr(module, "statements", lambda runs, progress: checked if fails else statements)
     monkeypatch.setattr(module, "FIGURES", FIGURES[:1])
-    monkeypatch.setattr(module, "_films", fake)
+    monkeypatch.setattr(module, "started_films", fake)
     done = CliRunner().invoke(app, ["reproduce", "--out", str(folder), "--films" if fails else "--no-films"])
     assert done.exit_code == fails, done.stderr
     assert "differs" in done.stdout

@@ -11,10 +11,10 @@ import math_core
 import pytest
 
 import hophoop as hh
-from hophoop.animate.article import ARTICLE_FILMS
 from hophoop.article import report
 from hophoop.article.facts import facts
 from hophoop.article.figures import FIGURES
+from hophoop.article.films import ARTICLE_FILMS
 from hophoop.article.formulas import COMPUTED, FORMULAS
 from hophoop.article.runs import first_time
 from hophoop.article.scenarios import scenarios

@@ -178,8 +178,10 @@ def _closed():
 
 def test_a_picture_of_classes(dataset):
     ax = motion_map(dataset, most=5)
-    texts = [text.get_text() for text in ax.get_legend().get_texts()]
+    *texts, paradox = [text.get_text() for text in ax.get_legend().get_texts()]
     assert len(texts) == 6
+    assert paradox == "Painlevé"
+    assert not ax.texts
     assert texts[0].startswith("R ")
     assert "more, together" in texts[-1]
     shown = {float(text.split()[-2]) for text in texts}
@@ -201,6 +203,8 @@ def test_the_line_of_painleve_is_the_threshold(dataset):
 
 def test_a_picture_of_a_number(dataset):
     ax = motion_map(dataset, "hop_height")
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["none", "Painlevé"]
+    assert motion_map(dataset, "hop_height", painleve=False).get_legend().get_texts()[-1].get_text() == "none"
     assert ax.figure.axes[1].get_ylabel() == "Maximum gap in the first hop (m)"
     axes = {"plane.mu": maps.logarithmic(0.1, 2.0, 6), "start.speed": np.linspace(1.0, 4.0, 5)}
     ax = motion_map(maps.sweep(None, axes))

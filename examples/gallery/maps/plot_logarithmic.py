@@ -18,7 +18,7 @@ dataset = hh.maps.sweep(
     },
 )
 print(hh.maps.words_of(dataset["sequence"])[:8])
-ax = hh.plots.motion_map(dataset, names=False, painleve=False)
+ax = hh.plots.motion_map(dataset, painleve=False)
 ax.set_yscale("logit")
 ax.set_yticks([0.1, 0.5, 0.9, 0.99, 0.999], ["0.1", "0.5", "0.9", "0.99", "0.999"])
 ax.set_yticks([], minor=True)

@@ -133,49 +133,31 @@ def _in_bt709(frames: Iterable[Any]) -> Iterator[Any]:
 
 
 def _in_palette(av: Any, pictures: Pictures, frames: Iterable[Any]) -> Iterator[Any]:
-    """Yield frames in one palette for the whole film."""
-    palette = _palette(av, pictures)
+    """Yield frames in one palette, which FFmpeg makes of a sample of the pictures: of all it would need the film twice."""
     graph = av.filter.Graph()
-    source, sink = _source(graph, pictures), graph.add("buffersink")
-    colours = graph.add_buffer(width=palette.width, height=palette.height, format=palette.format, time_base=palette.time_base)
-    painting = graph.add("paletteuse", _PAINTING)
-    source.link_to(painting, 0, 0)
-    colours.link_to(painting, 0, 1)
+    width, height = pictures.size
+    drawn, sample = (
+        graph.add_buffer(width=width, height=height, format="rgb24", time_base=1 / _rate(pictures)) for _ in range(2)
+    )
+    gathering, painting, sink = graph.add("palettegen", _PALETTE), graph.add("paletteuse", _PAINTING), graph.add("buffersink")
+    sample.link_to(gathering)
+    drawn.link_to(painting, 0, 0)
+    gathering.link_to(painting, 0, 1)
     painting.link_to(sink)
     graph.configure()
-    colours.push(palette)
-    colours.push(None)
-    for frame in frames:
-        source.push(frame.reformat(format="rgb24"))
+    numbers = np.unique(np.linspace(0, pictures.count - 1, min(PALETTE_PICTURES, pictures.count)).astype(int))
+    for source, shown in ((sample, _frames(av, pictures, map(int, numbers))), (drawn, frames)):
+        for frame in shown:
+            source.push(frame.reformat(format="rgb24"))
+            yield from _ready(sink)
+        source.push(None)
         yield from _ready(sink)
-    source.push(None)
-    yield from _ready(sink)
 
 
 def _ready(sink: Any) -> Iterator[Any]:
     with contextlib.suppress(BlockingIOError, EOFError):
         while True:
             yield sink.pull()
-
-
-def _palette(av: Any, pictures: Pictures) -> Any:
-    """Return the palette of a film as a frame."""
-    # A palette from every picture would need the film twice, or all of it in memory.
-    sample = np.unique(np.linspace(0, pictures.count - 1, min(PALETTE_PICTURES, pictures.count)).astype(int))
-    graph = av.filter.Graph()
-    source, gathering, sink = _source(graph, pictures), graph.add("palettegen", _PALETTE), graph.add("buffersink")
-    source.link_to(gathering)
-    gathering.link_to(sink)
-    graph.configure()
-    for frame in _frames(av, pictures, map(int, sample)):
-        source.push(frame.reformat(format="rgb24"))
-    source.push(None)
-    return sink.pull()
-
-
-def _source(graph: Any, pictures: Pictures) -> Any:
-    width, height = pictures.size
-    return graph.add_buffer(width=width, height=height, format="rgb24", time_base=1 / _rate(pictures))
 
 
 @contextmanager

@@ -16,15 +16,14 @@ from hophoop.animate.look import FORCE_LENGTH, LONGEST, Look, bounded, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.sheet import Bytes, Points, Rectangle, Sheet, shades_of
 from hophoop.animate.themes import THEMES
-from hophoop.results.poses import Floats, Poses, load_distance, part_side, poses_of, rim_speeds, to_world
-from hophoop.scenario import Ring, Rod
+from hophoop.plots.hoop import AROUND, LOAD, HoopArtist
+from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
-PIECES = 96  # of the ring, with one colour each
 BLOCK = 256  # frames whose poses are computed together
 TRACE_POINTS = 6000  # maximum, the last ones
-RING, LOAD, HEAVY = 0.05, 0.085, 0.042  # width of the ring, radii of the load and of the centre of gravity, in radii
+RING, HEAVY = 0.05, 0.042  # width of the ring, radius of the centre of gravity, in radii
 FADE = 0.45  # opacity of all motions in one view except the first
 ABOVE, SIDE, LEAST_WIDTH = 0.4, 1.35, 3.4  # margins of a view above the hoop and at its sides, and its least width, in radii
 BELOW, BELOW_SHARE = 58.0, 0.16  # least height below the plane [units], and share of the view's height
@@ -59,9 +58,8 @@ class _Actor:
         self.motion, self.trace, self.times = film.subject.motions[row], film.subject.traces[row], film.clock.times[row]
         self.alpha = FADE if film.overlay and row else 1.0
         self._block = -1
-        patches, transforms = need("matplotlib.patches", "plots"), need("matplotlib.transforms", "plots")
+        patches = need("matplotlib.patches", "plots")
         theme, axes, hoop, unit, alpha = self.theme, view.axes, self.motion.scenario.hoop, self.sheet.unit, self.alpha
-        self.turned, self.moved = transforms.Affine2D(), transforms.Affine2D()
 
         def add(artist: Any, transform: Any = axes.transData) -> Any:
             artist.set(transform=transform, animated=True)
@@ -81,20 +79,18 @@ class _Actor:
         self.paths += [
             (self.trace.gravity_path(flies), line(ink, 2.6, alpha)) for flies, ink in zip((False, True), self.inks, strict=True)
         ]
-        around, load, round_ = self.turned + axes.transData, load_distance(hoop), patches.Circle
-        spoke = patches.Polygon([(0.0, 0.0), (0.0, load)], ec=theme.muted, lw=1.2, alpha=0.7 * alpha)
-        self.behind = [add(part, around) for part in (self._parts(patches) if hoop.parts is not None else [spoke])]
-        width, middle = RING * radius * view.scale / unit, radius * (1.0 - 0.5 * RING)
-        outline = round_((0.0, 0.0), middle, fill=False, ec=theme.outline, lw=width + 1.6, alpha=alpha)
-        self.around = np.linspace(0.0, 2.0 * math.pi, PIECES, endpoint=False)
-        rim = middle * np.stack([np.sin(self.around + view.slope), np.cos(self.around + view.slope)], axis=-1)
-        trios = np.stack([np.roll(rim, 1, axis=0), rim, np.roll(rim, -1, axis=0)], axis=1)  # overlap, to hide seams
-        pieces = need("matplotlib.collections", "plots").LineCollection(trios, linewidths=width)
-        self.ring = add(pieces, self.moved + axes.transData)
-        look = {"ec": theme.background, "alpha": alpha}
-        discs = [] if hoop.parts is not None else [round_((0.0, load), LOAD * radius, fc=theme.load, lw=1.5, **look)]
-        discs.append(round_((0.0, hoop.eccentricity * radius), HEAVY * radius, lw=1.2, **look))
-        self.front = [add(outline, around), self.ring, *(add(disc, around) for disc in discs)]
+        metre = view.scale / unit  # [points]
+        width, load = RING * radius * metre, 2.0 * LOAD * radius * metre
+        self.hoop = HoopArtist(
+            axes, hoop, view.slope, ring=width, load=load, line=theme.muted, ink=theme.load, edge=theme.background,
+            alpha=alpha, pieces=True, metre=metre,
+        )  # fmt: skip
+        outline = patches.Circle((0.0, 0.0), self.hoop.middle, fill=False, ec=theme.outline, lw=width + 1.6, alpha=alpha)
+        heavy = patches.Circle((0.0, hoop.eccentricity * radius), HEAVY * radius, lw=1.2, ec=theme.background, alpha=alpha)
+        self.heavy, around = heavy, self.hoop.turned + axes.transData
+        for artist in self.hoop.artists:
+            artist.set_animated(True)
+        self.shown = [add(outline, around), *self.hoop.artists, add(heavy, around)]
         self.forces = axes.quiver([0.0] * 2, [0.0] * 2, [0.0] * 2, [0.0] * 2, animated=True, **arrow_look(theme, unit))
 
     def _depth(self) -> float:
@@ -102,32 +98,12 @@ class _Actor:
         radius = self.motion.scenario.hoop.radius * self.view.scale
         return max(0.24 * radius, 0.09 * radius + 13.0 * self.sheet.unit)
 
-    def _parts(self, patches: Any) -> list[Any]:
-        """The parts of a hoop made of parts, with the centre of the rim at the origin and that of gravity above."""
-        theme, hoop, made = self.theme, self.motion.scenario.hoop, []
-        for part in sorted(hoop.parts or (), key=lambda part: not isinstance(part, Ring)):
-            middle = part_side(hoop) * part.at
-            ink, edge = (theme.load, theme.background) if part.mass > 0.0 else (theme.background, theme.load)  # or a hole
-            look = {"fc": ink, "ec": edge, "lw": 1.3, "alpha": 0.8 * self.alpha}
-            if isinstance(part, Ring):
-                thick = max((part.outer_radius - part.inner_radius) * self.view.scale / self.sheet.unit, 1.0)
-                mean = 0.5 * (part.inner_radius + part.outer_radius)
-                made.append(patches.Circle((0.0, 0.0), mean, fill=False, ec=theme.muted, lw=thick, alpha=0.35 * self.alpha))
-            elif isinstance(part, Rod):
-                thick = 4.0 * self.sheet.unit / self.view.scale
-                wide, high = (thick, part.length) if part.direction == "radial" else (part.length, thick)
-                made.append(patches.Rectangle((-0.5 * wide, middle - 0.5 * high), wide, high, **look | {"lw": 0.0}))
-            else:
-                size = getattr(part, "radius", LOAD * hoop.radius)  # of a disk; or a point mass
-                made.append(patches.Circle((0.0, middle), size, **look))
-        return made
-
     def pose(self, k: int) -> tuple[Poses, int]:
         """Return poses and the index of the k-th picture among them."""
         if self._block != k // BLOCK:
             self._block = k // BLOCK
             self.poses = poses_of(self.motion, self.times[self._block * BLOCK : (self._block + 1) * BLOCK])
-            self.speeds = rim_speeds(self.poses, self.around, self.motion.scenario.hoop.radius)
+            self.speeds = rim_speeds(self.poses, AROUND, self.motion.scenario.hoop.radius)
         return self.poses, k % BLOCK
 
     def draw_plane(self) -> None:
@@ -158,13 +134,10 @@ class _Actor:
             for (path, line), end in zip(self.paths, ends, strict=True):
                 line.set_data(*np.vstack([path[max(0, past - TRACE_POINTS) : past], end]).T)
                 sheet.draw(line)
-        self.turned.clear().rotate(-float(poses.angle[i]) - view.slope).translate(*center)
-        self.moved.clear().translate(*center)
-        shades = shades_of(self.speeds[i], film.subject.whole.speed)[:, :3]
-        back = np.array(colors.rgb(self.theme.background)) / 255.0
-        self.ring.set_color(self.alpha * shades + (1.0 - self.alpha) * back)  # pieces overlap: opacity would add up
-        self.front[-1].set_facecolor(self.inks[int(flies)])
-        sheet.draw(*self.behind, *self.front)
+        self.hoop.pose(center, float(poses.angle[i]))
+        self.hoop.paint(shades_of(self.speeds[i], film.subject.whole.speed), self.theme.background)
+        self.heavy.set_facecolor(self.inks[int(flies)])
+        sheet.draw(*self.shown)
         if film.look.forces and self.alpha == 1.0:
             forces = np.array([poses.normal_force[i], poses.friction_force[i]]) * film.newton / view.scale
             ways = np.array([bounded(force, LONGEST * film.longest / view.scale) for force in forces])

@@ -21,7 +21,8 @@ MARGIN, GAP = 22.0, 26.0  # at the sides, and between texts and keys [units]
 BAR, FORCES, KEYS = 322.0, 260.0, 66.0  # widths of the keys to colours and to forces, and their height [units]
 ARROW = 124.0  # width of the longest arrow in its key [units]
 ROW, FOOT = 32.0, 34.0  # heights of a line of text above, and of the line below [units]
-MODE, TIME, ANGLE, EXTRA, STATE = 34.0, 164.0, 296.0, 440.0, 599.0  # offsets of the texts of a state, and its end [units]
+STATE = (34.0, 164.0, 296.0, 440.0, 599.0)  # offsets of mode, time, angle and velocity or label, and their end [units]
+KEY, PACE = 145.0, 255.0  # widths of a key of the legend, and of the speed of the film beside it [units]
 MOST_HEAD = 0.42  # maximum height of the head over that of the picture
 MARK = 11.0  # size of marks [units]
 FLASH, SPREAD = 0.5, 0.45  # duration of the ring at an event [s of film], and its final radius in radii of the hoop
@@ -46,59 +47,45 @@ def arrow_look(theme: Theme, unit: float) -> dict[str, Any]:
 class Head:
     """Texts and keys of a film: heights of head and foot, and places of the texts [pixels].
 
-    side: whether texts are in the views, one each.
+    side: whether texts are in the views, one each. The captions are of four kinds: with the keys beside the texts, below them,
+    above the views with their texts, and without keys in a small picture.
     """
 
     def __init__(self, sheet: Sheet, theme: Theme, subject: Subject, forces: bool, side: bool = False) -> None:
-        self.sheet, self.theme, self.subject = sheet, theme, subject
-        u, (width, height) = sheet.unit, sheet.size
-        labels = subject.labels
-        self.tagged = len(labels) > 1 and not side
-        texts = 0.0 if side else ROW * max(len(labels), 2) + 4.0
-        wide = EXTRA + max(map(sheet.text_width, labels)) / u if self.tagged else STATE
+        self.sheet, self.theme, self.subject, self.forces = sheet, theme, subject, forces
+        u, (width, height), rows = sheet.unit, sheet.size, len(subject.labels)
+        self.tagged = rows > 1 and not side
+        texts, keys = (0.0 if side else ROW * max(rows, 2) + 4.0), BAR + GAP + (FORCES + GAP) * forces
         room = width / u - 2.0 * MARGIN
-        self.forces = forces and texts + KEYS < MOST_HEAD * height / u
-        self.bar = BAR + GAP + FORCES * self.forces < room and texts + KEYS < MOST_HEAD * height / u
-        keys = (BAR + GAP) * self.bar + (FORCES + GAP) * self.forces
-        below = bool(texts) and wide + keys > room
-        self.head = u * (8.0 + (texts + KEYS * bool(keys) if below else max(texts, KEYS)))
+        self.keys = keys <= room and texts + KEYS < MOST_HEAD * height / u
+        beside = side or (STATE[-1] + keys <= room and not self.tagged)
+        self.head = u * (8.0 + (max(texts, KEYS) if beside or not self.keys else texts + KEYS))
         self.foot = u * FOOT
-        levels = [ROW * (row + 1) for row in range(len(labels))] if self.tagged else [60.0]
-        space = room if below else room - keys
-        self.places = [(MARGIN * u, height - level * u, space * u) for level in levels]  # and width of the texts
-        self._key_level = height - self.head
+        levels = [ROW * (row + 1) for row in range(rows)] if self.tagged else [60.0]
+        space = u * (room - keys * beside)
+        self.places = [(MARGIN * u, height - level * u, space) for level in levels]  # and width of the texts
 
     def draw_keys(self, traces: bool, newton: float) -> None:
         """Draw the keys, before the sheet is rendered; newton: length of the arrow of 1 N [pixels]."""
-        sheet, theme, u = self.sheet, self.theme, self.sheet.unit
+        sheet, theme, u, level = self.sheet, self.theme, self.sheet.unit, self.sheet.size[1] - self.head
         right = sheet.size[0] - MARGIN * u
-        if self.bar:
-            self._draw_bar((right - (BAR - 10.0) * u, self._key_level + 28.0 * u, (BAR - 28.0) * u, 12.0 * u))
-            right -= (BAR + GAP) * u
-        if self.forces:
-            self._draw_arrows((right - FORCES * u, self._key_level, FORCES * u, KEYS * u), newton)
+        if self.keys:
+            self._draw_bar((right - (BAR - 10.0) * u, level + 28.0 * u, (BAR - 28.0) * u, 12.0 * u))
+            if self.forces:
+                self._draw_arrows((right - (BAR + GAP + FORCES) * u, level, FORCES * u, KEYS * u), newton)
         line = need("matplotlib.lines", "plots").Line2D
-        handles = [line([], [], color=color, lw=3.0, label=words) for words, color in self._lines() if traces]
+        lines = {"load": theme.load, "centre of gravity": theme.visible(colors.GRAVITY_CENTER)}
+        if any(track.airborne.any() for track in self.subject.traces):
+            lines["airborne"] = theme.visible(colors.GRAVITY_CENTER_AIRBORNE)
+        handles = [line([], [], color=color, lw=3.0, label=words) for words, color in lines.items() if traces]
         kinds = {EVENTS[one.kind].noun: MARKS[one.kind] for found in self.subject.marks for one in found}
         handles += [line([], [], color=theme.ink, lw=0.0, marker=mark, ms=MARK, label=noun) for noun, mark in kinds.items()]
-        paces = {pace_words(float(rate)) for rate in self.subject.clock.rate}
-        room = sheet.size[0] - MARGIN * u - max(sheet.text_width(words, bold=True) + GAP * u for words in paces)
-        while handles:  # the last ones are dropped where there is no room
-            legend = sheet.figure.legend(
+        handles = handles[: max(0, int((sheet.size[0] / u - PACE) / KEY))]  # the first ones in a small picture
+        if handles:
+            sheet.figure.legend(
                 handles=handles, loc="lower right", ncols=len(handles), frameon=False, fontsize=FONT, labelcolor=theme.ink,
                 borderpad=0.0, borderaxespad=0.35, handlelength=1.3, handletextpad=0.35, columnspacing=0.7,
             )  # fmt: skip
-            if legend.get_window_extent(sheet.renderer).width < room:
-                return
-            legend.remove()
-            handles.pop()
-
-    def _lines(self) -> list[tuple[str, str]]:
-        theme, lines = self.theme, [("load", self.theme.load)]
-        lines.append(("centre of gravity", theme.visible(colors.GRAVITY_CENTER)))
-        if any(track.airborne.any() for track in self.subject.traces):
-            lines.append(("airborne", theme.visible(colors.GRAVITY_CENTER_AIRBORNE)))
-        return lines
 
     def _draw_bar(self, place: Rectangle) -> None:
         sheet, ink, top = self.sheet, self.theme.ink, self.subject.whole.speed
@@ -133,31 +120,23 @@ class Head:
         for (x, y, room), label in zip(() if self.tagged else self.places, self.subject.labels, strict=False):
             self.sheet.text(x, y + ROW * self.sheet.unit, self.sheet.shortened(label, room), self.theme.muted)
 
-    def draw_states(self, k: int, poses: Sequence[tuple[Poses, int]]) -> None:
-        """Write the states of all motions; poses: of each, with the index of the k-th."""
-        for row, pose in enumerate(poses):
-            self._draw_state(k, row, *pose)
+    def draw_states(self, k: int, actors: Sequence[tuple[Poses, int]]) -> None:
+        """Write mode, time, angle and velocity or label of all motions; actors: their poses, with the index of the k-th."""
+        sheet, u, last = self.sheet, self.sheet.unit, k in (0, self.subject.clock.count - 1)
+        for row, ((poses, i), (x, y, room)) in enumerate(zip(actors, self.places, strict=True)):
+            mode, label, t = str(poses.words[i]), self.subject.labels[row], float(poses.t[i])
+            self.draw_tag(np.array([x + 12.0 * u, y + 8.0 * u]), row, colors.mode_color(mode))
+            words = end_word(self.subject.motions[row], t, last) or WORDS[mode].participle
+            turned, speed = f"θ = {math.degrees(poses.angle[i]):.1f}°", f"v = {poses.velocity[i, 0]:.2f} m/s"
+            extra = sheet.shortened(label, room - STATE[3] * u) if self.tagged else speed
+            for text, start, end in zip((words, f"t = {t:.3f} s", turned, extra), STATE, STATE[1:], strict=False):
+                if end * u <= room or (self.tagged and text is extra):
+                    sheet.text(x + start * u, y, text, self.theme.ink, bold=text is words)
 
     def draw_pace(self, k: int) -> None:
         """Write the speed of the film."""
         words = pace_words(float(self.subject.clock.rate[k]))
         self.sheet.text(MARGIN * self.sheet.unit, 10.0 * self.sheet.unit, words, self.theme.ink, bold=True)
-
-    def _draw_state(self, k: int, row: int, poses: Poses, i: int) -> None:
-        """Write mode, time, angle and velocity, or the label, of the i-th pose."""
-        sheet, u, (x, y, room), mode = self.sheet, self.sheet.unit, self.places[row], str(poses.words[i])
-        self.draw_tag(np.array([x + 12.0 * u, y + 8.0 * u]), row, colors.mode_color(mode))
-        ends = end_word(self.subject.motions[row], float(poses.t[i]), k in (0, self.subject.clock.count - 1))
-        words = ends or WORDS[mode].participle
-        if MODE * u + sheet.text_width(words, bold=True) <= room:
-            sheet.text(x + MODE * u, y, words, self.theme.ink, bold=True)
-        extra = self.subject.labels[row] if self.tagged else f"v = {poses.velocity[i, 0]:.2f} m/s"
-        turned = f"θ = {math.degrees(poses.angle[i]):.1f}°"
-        for offset, words in ((TIME, f"t = {poses.t[i]:.3f} s"), (ANGLE, turned), (EXTRA, extra)):
-            shown = sheet.shortened(words, room - offset * u)
-            if not shown:
-                break
-            sheet.text(x + offset * u, y, shown, self.theme.ink)
 
     def draw_tag(self, spot: Points, row: int, fill: str) -> None:
         """Draw a disc, with the letter of a hoop where there are several in a view."""

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 
 from hophoop.animate.themes import THEMES
+from hophoop.plots.curves import PANELS
 from hophoop.scenario import InputError, describe
 from hophoop.simulation.trajectory import Trajectory
 
 CAMERAS = ("follow", "hold")
 CAMERAS_3D = ("chase", "side", "orbit", "hold")
 LAYOUTS = ("side", "overlay")
-PANELS = ("velocity", "energy", "forces", "utilization", "phase")
 MAX_SIDE = 16384
 FORCE_LENGTH, LONGEST = 1.3, 4.0  # of the arrow of the film's maximum force, in radii; of longer ones, over it
 LANE = 1.6  # between several motions in 3D, in radii
@@ -55,7 +55,7 @@ class Look:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "panels", as_tuple(self.panels))
-        _check(self, camera=CAMERAS, layout=LAYOUTS, panels=PANELS)
+        _check(self, camera=CAMERAS, layout=LAYOUTS, panels=tuple(PANELS))
 
 
 @dataclass(frozen=True)

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.animate.sheet import FONT, Bytes, Rectangle, Sheet
 from hophoop.animate.themes import Theme
-from hophoop.plots.curves import curve, values_of
+from hophoop.plots.curves import LINE, PANELS, curve, values_of
 from hophoop.results.poses import Poses
 from hophoop.simulation.trajectory import Trajectory
-from hophoop.vocabulary import colors, quantities
+from hophoop.vocabulary import quantities
 
 AHEAD = 0.28  # opacity of the future part of a curve
 
@@ -65,11 +65,12 @@ class Panels:
         """Draw the curves of a panel and its title: the quantity, and the keys of several curves in rows of `room` pixels."""
         sample, theme = self.sample, self.theme
         title, curves = PANELS[name]
+        shown = [one for one in curves if one.short]
         across = np.degrees(sample.angle) if name == "phase" else sample.t
-        for label, color, field in curves:
-            words = "damper" if label == "impacts" and motion.scenario.contact.model != "rigid" else label
-            values = values_of(field, sample, motion.scenario)
-            ax.plot(across, values, color=theme.visible(color), lw=1.8, label=words)
+        for one in shown:
+            damper = one.field == "normal_loss" and motion.scenario.contact.model != "rigid"
+            values = values_of(one.field, sample, motion.scenario)
+            ax.plot(across, values, color=theme.visible(one.color), lw=LINE, label="damper" if damper else one.short)
         if name == "utilization":
             ax.set_ylim(0.0, 1.15)
             ax.set_yticks([0.0, 0.5, 1.0])
@@ -78,7 +79,7 @@ class Panels:
         ax.tick_params(labelbottom=labelled)
         if labelled:
             ax.set_xlabel(quantities.ANGLE if name == "phase" else quantities.TIME, color=theme.ink, fontsize=FONT)
-        if len(curves) == 1:
+        if len(shown) == 1:
             ax.set_title(title, loc="left", fontsize=FONT, color=theme.ink, pad=5.0)
             return
         handles = [need("matplotlib.lines", "plots").Line2D([], [], ls="none"), *ax.get_lines()]
@@ -115,25 +116,3 @@ class Panels:
                 value = float(np.interp(t, *line.get_data()))
                 if math.isfinite(value):
                     sheet.dot(ax.transData.transform((t, value)), 8.0, line.get_color(), theme.background)
-
-
-# Title and curves of each panel: label, colour and quantity.
-PANELS: Final[dict[str, tuple[str, tuple[tuple[str, str, str], ...]]]] = {
-    "velocity": (quantities.VELOCITY, (("v", colors.CENTER_SPEED, "vx"), ("Rθ̇", colors.ROTATION_SPEED, "rotation"))),
-    "energy": (
-        quantities.ENERGY,
-        (
-            ("kinetic", colors.KINETIC, "kinetic"),
-            ("potential", colors.POTENTIAL, "potential"),
-            ("sum", colors.TOTAL, "total"),
-            ("friction", colors.FRICTION_LOSS, "friction_loss"),
-            ("impacts", colors.IMPACT_LOSS, "normal_loss"),
-        ),
-    ),
-    "forces": (
-        quantities.FORCE,
-        (("normal", colors.NORMAL_FORCE, "normal_force"), ("friction", colors.FRICTION_FORCE, "friction_force")),
-    ),
-    "utilization": (quantities.UTILIZATION, (("|F| / μN", colors.FRICTION_FORCE, "utilization"),)),
-    "phase": ("θ̇ (rad/s)", (("θ̇", colors.BLACK, "omega"),)),
-}

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,7 +16,6 @@ from hophoop.vocabulary import colors
 
 STIFFNESS = 1e6  # of the compliant contact [m g / R]
 _LOST = "Energy lost in the landing (J)"
-_PARTS = (("o", colors.IMPACT_LOSS, "normal"), ("s", colors.FRICTION_LOSS, "friction"))
 
 
 def landing_against_restitution(restitutions: ArrayLike, ax: Axes) -> Axes:
@@ -28,8 +26,10 @@ def landing_against_restitution(restitutions: ArrayLike, ax: Axes) -> Axes:
         ax.plot(e, [one.normal for one in rigid], dashes, color=colors.IMPACT_LOSS, lw=1.2)
         ax.plot(e, [one.tangential for one in rigid], dashes, color=colors.FRICTION_LOSS, lw=1.2)
         ax.plot([], [], dashes, color=colors.BLACK, lw=1.2, label=f"rigid, {law.capitalize()}")
-    soft = [landing(simulate(with_contact(touch_scenario(value), STIFFNESS))) for value in e]
-    draw_losses(ax, e, soft, line="")
+    soft = [landing(simulate(compliant(touch_scenario(value)))) for value in e]
+    for mark, color, part in (("o", colors.IMPACT_LOSS, "normal"), ("s", colors.FRICTION_LOSS, "tangential")):
+        lost = [getattr(one, part) for one in soft]
+        ax.plot(e, lost, mark, color=color, ms=4, label=f"compliant, {'friction' if part == 'tangential' else part}")
     finish_losses(ax, "Restitution $e$")
     return ax
 
@@ -39,7 +39,7 @@ def energy_balance(ax_rigid: Axes, ax_soft: Axes) -> None:
     scenario = landing_scenario()
     for ax, one, title in (
         (ax_rigid, scenario, "rigid, $e$ = 0"),
-        (ax_soft, with_contact(scenario, STIFFNESS), r"compliant, $k = 10^{6}\,mg/R$"),
+        (ax_soft, compliant(scenario), r"compliant, $k = 10^{6}\,mg/R$"),
     ):
         energies(simulate(one), "angle", ax=ax)
         ax.set_title(title, fontsize=11, loc="left", pad=24)  # space for the ribbon and its marks
@@ -60,16 +60,13 @@ def touch_scenario(restitution: float = 0.0, impact_law: str = "stronge") -> Sce
     whole = landing_scenario(restitution, impact_law)
     touch = simulate(whole).find("impact")[0]
     start = Start(angle=touch.angle, vx=touch.before.vx, vy=touch.before.vy, omega=touch.before.omega)
-    return whole.model_copy(update={"start": start.to_dict(), "duration": 0.05})
+    return whole.with_values({"start": start, "duration": 0.05})
 
 
-def with_contact(scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any) -> Scenario:
-    """Return a scenario with compliant contact: stiffness over m g / R, slip speed over √(g R); others as in `Compliant`."""
-    hoop, gravity = scenario.hoop, scenario.plane.gravity
-    if slip_speed is not None:
-        others["slip_speed"] = slip_speed * math.sqrt(gravity * hoop.radius)
-    contact = Compliant(stiffness=stiffness * hoop.mass * gravity / hoop.radius, **others)
-    return scenario.model_copy(update={"contact": contact.to_dict()})
+def compliant(scenario: Scenario) -> Scenario:
+    """Return a scenario with compliant contact."""
+    hoop = scenario.hoop
+    return scenario.replace("contact", Compliant(stiffness=STIFFNESS * hoop.mass * scenario.plane.gravity / hoop.radius))
 
 
 class Landing(NamedTuple):
@@ -99,14 +96,6 @@ def landing(motion: Trajectory, within: float = 0.02) -> Landing:
         after.damping - before.damping + after.spring,  # the energy of the spring is lost after the lift-off
         after.friction - before.friction,
     )
-
-
-def draw_losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: str = "compliant") -> None:
-    """Plot both losses of some landings against a quantity."""
-    face = "white" if line == ":" else None
-    for mark, color, part in _PARTS:
-        lost = [one.normal if part == "normal" else one.tangential for one in landings]
-        ax.plot(at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face)
 
 
 def finish_losses(ax: Axes, across: str) -> None:

@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import json
-import multiprocessing
-import shutil
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from itertools import count
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 from hophoop._support.extras import MissingExtra, need
 from hophoop._support.files import replacing
-from hophoop._support.stopping import ignored_by_children, temporary
 from hophoop._version import __version__
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, draw_figure
+from hophoop.article.films import started_films
 from hophoop.article.runs import Runs
 from hophoop.article.statement import Statement
 from hophoop.article.statements import STATED, statements
@@ -65,7 +62,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     progress : callable, optional
         Called with the name of a stage ('statements', 'figures', 'films'), the number of steps done and of all.
     with_films : bool, default True
-        Whether to make films, if the extra ``films`` is installed, and the one in 3D with ``films3d``. Another process makes
+        Whether to make films, if the extra ``films`` is installed, and the one in 3D with ``films3d``. Other processes make
         them, so a script that calls this needs the usual ``if __name__ == "__main__":``.
 
     Returns
@@ -90,7 +87,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
         if with_films:
             try:
                 # in parallel with figures and statements, which take as long
-                finish, reason = open_ones.enter_context(_films(folder / "films")), ""
+                finish, reason = open_ones.enter_context(started_films(folder / "films")), ""
             except MissingExtra as error:
                 reason = str(error)
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
@@ -106,58 +103,10 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
         checked = statements(runs, lambda key: say("statements", next(done), len(STATED)))
         _write_json(folder, checked)
         if finish is not None:
-            made = finish(say)
+            made = finish(lambda done, total: say("films", done, total))
     with replacing(folder / "index.html") as path:
         path.write_text(report.page(checked, folder, made, runs), encoding="utf-8")
     return Reproduction(folder, checked, tuple(made), reason)
-
-
-@contextmanager
-def _films(out: Path) -> Iterator[Callable[[Progress], list[Path]]]:
-    """Start the films in another process; the context has a function that waits for them and returns their paths."""
-    need("av", "films")
-    from hophoop.animate.article import article_steps, make_film
-
-    fresh = out.with_name(f".{out.name}-new")  # until all are complete
-    shutil.rmtree(fresh, ignore_errors=True)  # left by a killed process
-    steps = article_steps()
-    context = multiprocessing.get_context("spawn")
-    made, sender = context.Pipe(duplex=False)
-    other = context.Process(target=_make_films, args=(fresh, sender), daemon=True)
-
-    def finish(progress: Progress) -> list[Path]:
-        for done, (film, suffix) in enumerate(steps):
-            try:
-                made.recv()
-            except EOFError:  # the other process was killed, or failed
-                make_film(film, suffix, fresh)
-            progress("films", done + 1, len(steps))
-        out.mkdir(exist_ok=True)
-        for still in fresh.glob("*.png"):
-            still.replace(out / still.name)
-        return [(fresh / f"{film.name}.{suffix}").replace(out / f"{film.name}.{suffix}") for film, suffix in steps]
-
-    with temporary(fresh):
-        fresh.mkdir(parents=True)
-        try:
-            with ignored_by_children():
-                other.start()
-            sender.close()
-            yield finish
-        finally:
-            if other.pid is not None:
-                other.kill()
-                other.join()
-
-
-def _make_films(folder: Path, sender: Connection) -> None:
-    """Make the films one by one and report each, as long as the process that started this one lives."""
-    from hophoop.animate.article import article_steps, make_film
-
-    with suppress(BrokenPipeError):
-        for film, suffix in article_steps():
-            make_film(film, suffix, folder)
-            sender.send(film.name)
 
 
 def _write_json(folder: Path, checked: tuple[Statement, ...]) -> None:

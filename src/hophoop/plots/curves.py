@@ -1,11 +1,11 @@
-"""A motion as curves: dense samples with both sides of every event, and its phases."""
+"""The table of curves, and a motion as curves: dense samples with both sides of every event, and its phases."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
 from itertools import pairwise
-from typing import Any
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +13,57 @@ from numpy.typing import NDArray
 from hophoop.results.records import ArraySample, Sample
 from hophoop.scenario.scenario import Scenario, time_unit
 from hophoop.simulation.trajectory import Trajectory
+from hophoop.vocabulary import colors, quantities
 from hophoop.vocabulary.names import coming_rotation, mode_word, mode_words
 
 # Samples per unit of time √(R/g); about 470 per second for the reference hoop.
 DENSITY = 150
 FEWEST, MOST = 600, 40_000
+
+
+LINE, THIN, BROKEN = 1.8, 1.0, (0, (4, 1.6))
+
+
+class Curve(NamedTuple):
+    """A curve of figures and of panels of films: its quantity, see `values_of`, what it shows, and how."""
+
+    field: str
+    label: str
+    color: str
+    dashes: Any = "-"  # in figures
+    short: str = ""  # label in a panel, which shows only curves that have one
+    width: float = LINE
+    always: bool = True  # in figures also where it is zero throughout
+
+
+VELOCITIES = (
+    Curve("vx", "centre, $v$", colors.CENTER_SPEED, short="v"),
+    Curve("rotation", r"rotation, $R\dot\theta$", colors.ROTATION_SPEED, BROKEN, "Rθ̇"),
+)
+ENERGIES = (
+    Curve("kinetic", "kinetic", colors.KINETIC, short="kinetic"),
+    Curve("potential", "potential", colors.POTENTIAL, BROKEN, "potential"),
+    Curve("total", "kinetic + potential", colors.TOTAL, (0, (7, 1.5, 1.2, 1.5)), "sum"),
+    Curve("friction_loss", "lost to friction", colors.FRICTION_LOSS, (0, (1.2, 1.2)), "friction", always=False),
+    # its label depends on the contact
+    Curve("normal_loss", "", colors.IMPACT_LOSS, (0, (3, 1.2, 1, 1.2, 1, 1.2)), "impacts", always=False),
+    Curve("rolling_resistance", "lost to rolling resistance", colors.GRAY, (0, (2, 1, 1, 1)), always=False),
+    Curve("spring", "in the contact's spring", colors.GRAY, width=THIN, always=False),
+)
+FORCES = (
+    Curve("normal_force", "normal force", colors.NORMAL_FORCE, short="normal"),
+    Curve("friction_force", "friction", colors.FRICTION_FORCE, short="friction"),
+)
+UTILIZATION = (Curve("signed_utilization", "", colors.FRICTION_FORCE),)
+GAP = (Curve("height", "", colors.BLACK),)
+# of films: title and curves of each panel
+PANELS: Final[dict[str, tuple[str, tuple[Curve, ...]]]] = {
+    "velocity": (quantities.VELOCITY, VELOCITIES),
+    "energy": (quantities.ENERGY, ENERGIES),
+    "forces": (quantities.FORCE, FORCES),
+    "utilization": (quantities.UTILIZATION, (Curve("utilization", "", colors.FRICTION_FORCE, short="|F| / μN"),)),
+    "phase": ("θ̇ (rad/s)", (Curve("omega", "", colors.BLACK, short="θ̇"),)),
+}
 
 
 @dataclass(frozen=True)

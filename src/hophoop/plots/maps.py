@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     import xarray
 
 SIZE = (8.2, 5.4)
-LABELLED = 0.012  # minimum share of the map for a region's name inside it
 NOT_ALLOWED_COLOR = "#FFFFFF00"  # transparent
 
 
@@ -40,7 +39,6 @@ def motion_map(
     borders: Sequence[Border] = (),
     painleve: bool = True,
     most: int = 16,
-    names: bool = True,
 ) -> Axes:
     """Draw a map of two parameters: its classes as coloured regions, or a number as a field.
 
@@ -62,8 +60,6 @@ def motion_map(
         Whether Painlevé's region is shown.
     most : int, default 16
         Maximum number of classes in the legend; one line summarizes the rest.
-    names : bool, default True
-        Whether large regions have their class written into them.
 
     Returns
     -------
@@ -88,9 +84,10 @@ def motion_map(
         raise InputError("the map's axes must be numbers.")
     ax = new_axes(ax, SIZE)
     if "flag_meanings" in array.attrs:
-        _classes(ax, quantity, x, y, array.values, words_of(array), most)
+        keys = _classes(ax, quantity, x, y, array.values, words_of(array), most)
+        place: dict[str, Any] = {"bbox_to_anchor": (1.01, 1.01), "borderaxespad": 0.0, "frameon": False}
     else:
-        _field(ax, x, y, array)
+        keys, place = _field(ax, x, y, array), {"framealpha": 0.85, "edgecolor": "none"}
     for border in borders:
         _border(ax, border, across)
     for axis, name, values in ((ax.xaxis, across, x), (ax.yaxis, up, y)):
@@ -99,10 +96,12 @@ def motion_map(
             getattr(ax, f"set_{axis.axis_name}scale")("log")
     ax.set_xlim(x[0], x[-1])
     ax.set_ylim(y[0], y[-1])
-    if names and "flag_meanings" in array.attrs:
-        _names(ax, quantity, x, y, array.values, words_of(array))
     if painleve:
-        _painleve(ax, dataset, x, y)
+        keys += _painleve(ax, dataset, x, y)
+    if keys:
+        ax.legend(
+            handles=keys, loc="upper left", fontsize=SMALL, handlelength=1.3, handleheight=1.1, labelspacing=0.35, **place
+        )
     title = _title(dataset, (up, across))
     if title:
         ax.set_title(title, fontsize=9.5, loc="left")
@@ -128,7 +127,8 @@ def _mesh(ax: Axes, x: Any, y: Any, values: Any, **options: Any) -> Any:
     return ax.pcolormesh(x, y, values, shading="nearest", rasterized=True, **options)
 
 
-def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int) -> None:
+def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int) -> list[Any]:
+    """Draw the regions of the classes, and return the keys to their colours."""
     matplotlib_colors = need("matplotlib.colors", "plots")
     paint = [class_color(word, quantity) for word in words]
     scale = matplotlib_colors.ListedColormap([NOT_ALLOWED_COLOR, *paint])
@@ -138,10 +138,10 @@ def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words
     order = [int(k) for k in np.argsort(-shares, kind="stable") if counts[k]]
     spaced = words if quantity == SEQUENCE else [plain(word) for word in words]
     entries = [(spaced[k], paint[k], float(shares[k])) for k in order]
-    _legend(ax, entries, most, bool((codes < 0).any()))
+    return _keys(entries, most, bool((codes < 0).any()))
 
 
-def _legend(ax: Axes, entries: list[tuple[str, str, float]], most: int, outside: bool) -> None:
+def _keys(entries: list[tuple[str, str, float]], most: int, outside: bool) -> list[Any]:
     patch = need("matplotlib.patches", "plots").Patch
     shown, rest = entries[:most], entries[most:]
     if len(rest) == 1:
@@ -155,10 +155,7 @@ def _legend(ax: Axes, entries: list[tuple[str, str, float]], most: int, outside:
         handles.append(patch(facecolor="none", label=f"{len(rest)} more, together {_percent(together)}"))
     if outside:
         handles.append(patch(facecolor="white", edgecolor="black", linewidth=0.4, label="not allowed"))
-    ax.legend(
-        handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.01), frameon=False, fontsize=SMALL,
-        handlelength=1.3, handleheight=1.1, labelspacing=0.35, borderaxespad=0.0,
-    )  # fmt: skip
+    return handles
 
 
 def _percent(share: float) -> str:
@@ -166,43 +163,8 @@ def _percent(share: float) -> str:
     return f"{percent:.1f} %" if percent >= 0.1 else (f"{percent:.2g} %" if percent >= 0.01 else "< 0.01 %")
 
 
-def _names(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str]) -> None:
-    for k, word in enumerate(words):
-        if np.mean(codes == k) >= LABELLED:
-            spaced = word if quantity == SEQUENCE else plain(word)
-            _name(ax, x, y, codes == k, spaced, class_color(word, quantity))
-
-
-def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: str) -> None:
-    """Write the class's name where its region is widest, if it fits there; the axes may be uneven."""
-    depth = _depth(mask)
-    i, j = np.unravel_index(int(np.argmax(depth)), depth.shape)
-    reach = int(depth[i, j])
-    rows, columns = (np.clip([k - reach, k + reach], 0, n - 1) for k, n in ((i, y.size), (j, x.size)))
-    corners = (ax.transData + ax.transAxes.inverted()).transform(np.stack([x[columns], y[rows]], axis=-1))
-    wide, high = np.abs(corners[1] - corners[0])
-    # a letter is about 1.3 % of the picture's width, and 1.5 times as high
-    if wide < 0.013 * len(word) * 0.8 or high < 0.035:
-        return
-    red, green, blue = need("matplotlib.colors", "plots").to_rgb(color)
-    ink = "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else "black"
-    ax.text(x[j], y[i], word, ha="center", va="center", fontsize=SMALL, color=ink)
-
-
-def _depth(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """Return the half width of the largest square around each cell inside its region [cells]."""
-    depth = np.zeros(mask.shape, np.int64)
-    inner = np.pad(mask, 1)
-    while inner.any():
-        depth += inner[1:-1, 1:-1]
-        shrunk = inner.copy()
-        for axis in (0, 1):
-            shrunk &= np.roll(shrunk, 1, axis) & np.roll(shrunk, -1, axis)
-        inner = shrunk
-    return depth
-
-
-def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
+def _field(ax: Axes, x: Any, y: Any, array: Any) -> list[Any]:
+    """Draw a number as a field with its scale, and return the key to cells without a number."""
     values = array.values.astype(float)
     ax.set_facecolor(colors.LIGHT_GRAY)
     mesh = _mesh(ax, x, y, np.ma.masked_invalid(values), cmap="viridis")
@@ -211,9 +173,8 @@ def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
     bar = ax.figure.colorbar(mesh, ax=ax, pad=0.02)
     bar.set_label(with_unit(str(label), unit))
     bar.outline.set_visible(False)
-    if np.isnan(values).any():
-        patch = need("matplotlib.patches", "plots").Patch(facecolor=colors.LIGHT_GRAY, label="none")
-        ax.legend(handles=[patch], loc="upper left", fontsize=SMALL, framealpha=0.85, edgecolor="none")
+    patch = need("matplotlib.patches", "plots").Patch
+    return [patch(facecolor=colors.LIGHT_GRAY, label="none")] if np.isnan(values).any() else []
 
 
 def _border(ax: Axes, border: Border, across: str) -> None:
@@ -221,31 +182,24 @@ def _border(ax: Axes, border: Border, across: str) -> None:
     ax.plot(first, second, color="black", lw=0.7, solid_capstyle="round", zorder=3)
 
 
-def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
+def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> list[Any]:
+    """Draw the minimum friction for the paradox and hatch the motions that meet it; return the keys to both."""
+    keys: list[Any] = []
     excess = _painleve_excess(dataset)
     if excess is not None and (excess > 0).any() and (excess < 0).any():
-        line = ax.contour(x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4)
-        halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
-        place = _free_place(ax, np.concatenate([path.vertices for path in line.get_paths()]))
-        for text in ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6, manual=[place]):
-            text.set_path_effects([halo])
+        ax.contour(x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4)
+        keys.append(need("matplotlib.lines", "plots").Line2D([], [], color="black", lw=1.1, ls="--", label="Painlevé"))
     if "painleve" in dataset:
         met = dataset["painleve"].values == 1
         if met.any():
             hatched = ax.contourf(x, y, met.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=4)
             hatched.set_edgecolor((0.0, 0.0, 0.0, 0.55))
             hatched.set_linewidth(0.0)
-
-
-def _free_place(ax: Axes, points: NDArray[np.float64]) -> tuple[float, float]:
-    """Return the point that is farthest from the names in the picture and not at its edge."""
-    to_axes = ax.transData + ax.transAxes.inverted()
-    places = to_axes.transform(points)
-    taken = to_axes.transform([text.get_position() for text in ax.texts]) if ax.texts else np.full((1, 2), 2.0)
-    room = np.min(np.hypot(*(places[:, None] - taken[None]).T), axis=0)
-    room[(np.abs(places - 0.5) > 0.38).any(axis=1)] -= 10.0
-    x, y = points[int(np.argmax(room))]
-    return float(x), float(y)
+            patch = need("matplotlib.patches", "plots").Patch
+            keys.append(
+                patch(facecolor="none", edgecolor=(0.0, 0.0, 0.0, 0.55), lw=0.0, hatch="////", label="meets the paradox")
+            )
+    return keys
 
 
 def _painleve_excess(dataset: Any) -> NDArray[np.float64] | None:

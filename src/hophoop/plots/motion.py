@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import cycle
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from hophoop.plots.bands import draw_bands
-from hophoop.plots.curves import curve, values_of
-from hophoop.plots.style import LINE, Against, Axes, abscissa, as_list, check_against, finish, new_axes, show_modes
+from hophoop.plots.curves import ENERGIES, FORCES, GAP, UTILIZATION, VELOCITIES, Curve, curve, values_of
+from hophoop.plots.style import Against, Axes, abscissa, as_list, check_against, finish, new_axes, show_modes
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
@@ -20,39 +20,6 @@ if TYPE_CHECKING:
     from hophoop.derivatives.results.uncertainty import Uncertainty
 
 DASHES = ("-", (0, (5, 2)), (0, (1, 1.4)), (0, (6, 2, 1, 2)))  # of several motions
-BROKEN, THIN = (0, (4, 1.6)), 1.0
-
-
-class Curve(NamedTuple):
-    """A line of a figure: its field of a sample, what it shows, and how."""
-
-    field: str
-    label: str
-    color: str
-    dashes: Any = "-"
-    width: float = LINE
-    always: bool = True  # also where it is zero throughout
-
-
-ENERGIES = (
-    Curve("kinetic", "kinetic", colors.KINETIC),
-    Curve("potential", "potential", colors.POTENTIAL, BROKEN),
-    Curve("total", "kinetic + potential", colors.TOTAL, (0, (7, 1.5, 1.2, 1.5))),
-    Curve("friction_loss", "lost to friction", colors.FRICTION_LOSS, (0, (1.2, 1.2)), always=False),
-    Curve("normal_loss", "", colors.IMPACT_LOSS, (0, (3, 1.2, 1, 1.2, 1, 1.2)), always=False),
-    Curve("rolling_resistance", "lost to rolling resistance", colors.GRAY, (0, (2, 1, 1, 1)), always=False),
-    Curve("spring", "in the contact's spring", colors.GRAY, width=THIN, always=False),
-)
-VELOCITIES = (
-    Curve("vx", "centre, $v$", colors.CENTER_SPEED),
-    Curve("rotation", r"rotation, $R\dot\theta$", colors.ROTATION_SPEED, BROKEN),
-)
-USE = (Curve("signed_utilization", "", colors.FRICTION_FORCE),)
-GAP = (Curve("height", "", colors.BLACK),)
-FORCES = (
-    Curve("normal_force", "normal force", colors.NORMAL_FORCE),
-    Curve("friction_force", "friction", colors.FRICTION_FORCE),
-)
 
 
 def velocities(
@@ -190,7 +157,7 @@ def friction_utilization(
     In slip μ is the kinetic friction, otherwise the static one, so that 1 is the limit in both cases.
     """
     label = rf"{quantities.UTILIZATION}, $F/(\mu N)$"
-    ax = _draw(motions, USE, against, ax, label, modes, labels, zero=True, limits=(-1.0, 1.0))
+    ax = _draw(motions, UTILIZATION, against, ax, label, modes, labels, zero=True, limits=(-1.0, 1.0))
     ax.set_ylim(-1.15, 1.15)
     return ax
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve, phases
+from hophoop.plots.hoop import HoopArtist
 from hophoop.plots.style import Axes, new_axes
 from hophoop.results.poses import Floats, Poses, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop, InputError
@@ -62,7 +63,10 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
     ground(ax, slope, low[0], high[0], radius)
     moments = _pose_times(motion, radius) if times is None else [float(t) for t in times]
     for t in moments:
-        _hoop(ax, motion, t, radius)
+        pose, ink = poses_of(motion, t), colors.mode_color(_word(motion, t))
+        drawn = HoopArtist(ax, hoop, slope, ring=1.6, load=7.0, line=ink, alpha=0.9)
+        drawn.pose(pose.center[0], float(pose.angle[0]))
+        drawn.paint(ink)
     draw_traces(ax, poses, zorder=4)
     frame(ax, low, high, slope)
     legend_above(ax, mode_keys(_word(motion, t) for t in moments))
@@ -143,15 +147,6 @@ def _with_every_word(motion: Trajectory, times: list[float]) -> list[float]:
     return sorted([*times, *(t for _, t in longest.values())])
 
 
-def _hoop(ax: Axes, motion: Trajectory, t: float, radius: float) -> None:
-    circle = need("matplotlib.patches", "plots").Circle
-    pose = poses_of(motion, t)
-    color = colors.mode_color(_word(motion, t))
-    ax.add_patch(circle(tuple(pose.center[0]), radius, fill=False, ec=color, lw=1.6, alpha=0.9, zorder=2))
-    ax.plot(*zip(pose.center[0], pose.load[0], strict=True), color=color, lw=0.8, alpha=0.7, zorder=2)
-    ax.plot(*pose.load[0], "o", color=colors.LOAD, ms=6, zorder=6)
-
-
 def ground(ax: Axes, slope: float, low: float, high: float, radius: float) -> None:
     """Draw the plane as a line with a band below it."""
     reach = max(abs(low), abs(high)) / math.cos(slope) + 2.0 * radius
@@ -191,20 +186,23 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
         raise InputError.of_field("angle", angle, "a finite number")
     hoop = Hoop() if hoop is None else hoop
     ax = new_axes(ax, (5.6, 3.6))
-    patches = need("matplotlib.patches", "plots")
     sine, cosine = math.sin(angle), math.cos(angle)
     eps = hoop.eccentricity
     load = load_distance(hoop) / hoop.radius
     ax.fill_between([-2.0, 2.4], -0.24, 0.0, color=colors.LIGHT_GRAY, alpha=0.6, lw=0)
     ax.plot([-2.0, 2.4], [0.0, 0.0], color=colors.BLACK, lw=1.2)
-    ax.add_patch(patches.Circle((0.0, 1.0), 1.0, fill=False, ec="#3A4A5A", lw=4.0))
+    drawn = HoopArtist(ax, hoop, 0.0, ring=4.0, load=16.0, line="none")
+    drawn.pose((0.0, 1.0), angle, 1.0 / hoop.radius)
+    drawn.paint("#3A4A5A")
     ideal = hoop.load_fraction is not None
     green, load_words = colors.GRAVITY_CENTER, r"load, $\gamma m$" if ideal else "load"
     # θ from the outward normal to the line from C to G
     dashed: dict[str, Any] = {"color": colors.GRAY, "lw": 0.9, "ls": (0, (6, 2, 1, 2))}
     ax.plot([0.0, 0.0], [1.0, 2.3], **dashed)
     ax.plot([0.0, load * sine], [1.0, 1.0 + load * cosine], **dashed)
-    ax.add_patch(patches.Arc((0.0, 1.0), 0.9, 0.9, theta1=90.0 - math.degrees(angle), theta2=90.0, lw=1.2))
+    ax.add_patch(
+        need("matplotlib.patches", "plots").Arc((0.0, 1.0), 0.9, 0.9, theta1=90.0 - math.degrees(angle), theta2=90.0, lw=1.2)
+    )
     tip, tail = ((0.45 * math.sin(angle - less), 1.0 + 0.45 * math.cos(angle - less)) for less in (0.02, 0.2))
     for head, foot, color, width in (
         (tip, tail, colors.BLACK, 0.0),
@@ -224,12 +222,8 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
             "color": color,
         }
         ax.annotate("", head, foot, arrowprops=look)
-    for along, color, fill, size in (
-        (0.0, colors.BLACK, "white", 5),
-        (load, colors.LOAD, colors.LOAD, 15),
-        (eps, green, green, 8),
-    ):
-        ax.plot(along * sine, 1.0 + along * cosine, "o", color=color, mfc=fill, ms=size, mew=1.3 if fill == "white" else 1.0)
+    ax.plot(0.0, 1.0, "o", color=colors.BLACK, mfc="white", ms=5, mew=1.3)
+    ax.plot(eps * sine, 1.0 + eps * cosine, "o", color=green, ms=8)
     middle = (0.56 * math.sin(0.5 * angle), 1.0 + 0.56 * math.cos(0.5 * angle))
     for (x, y), words, size, color, across, up in (
         (middle, r"$\theta$", 14, colors.BLACK, "center", "center"),

@@ -9,6 +9,7 @@ import numpy as np
 
 from hophoop._support.extras import need
 from hophoop.plots.curves import curve
+from hophoop.plots.hoop import AROUND, HoopArtist
 from hophoop.plots.path import draw_traces, frame, ground, legend_above, mode_keys
 from hophoop.plots.style import Axes, new_axes
 from hophoop.results.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
@@ -18,7 +19,6 @@ from hophoop.vocabulary import colors, quantities
 
 FLASHES = 12  # approximate default
 MOST_FLASHES = 400
-PIECES = 120  # of a ring, one colour each
 FIRST, LAST = 0.35, 1.0  # opacity of the first and last hoop
 WIDTH = 10.0  # inches
 
@@ -122,46 +122,24 @@ def _round(step: float) -> float:
 
 
 def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> None:
-    collections = need("matplotlib.collections", "plots")
-    radius, slope = motion.scenario.hoop.radius, motion.scenario.plane.slope
+    hoop, slope = motion.scenario.hoop, motion.scenario.plane.slope
     opacity = np.linspace(FIRST, LAST, len(flashes.t)) if len(flashes.t) > 1 else np.array([LAST])
-    angles = np.linspace(0.0, 2.0 * math.pi, PIECES, endpoint=False)
-    speeds = rim_speeds(flashes, angles, radius)
-    top = float(speeds.max()) or 1.0
     shades = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP]
-    circle = radius * np.stack([np.sin(angles + slope), np.cos(angles + slope)], axis=-1)
+    speeds = rim_speeds(flashes, AROUND, hoop.radius)
+    top = float(speeds.max()) or 1.0
     for i, alpha in enumerate(opacity):
-        points = flashes.center[i] + circle
-        # 3 points per piece: neighbours overlap, which hides seams
-        pieces = np.stack([np.roll(points, 1, axis=0), points, np.roll(points, -1, axis=0)], axis=1)
-        if color == "speed":
-            paint = _over_white(shades(speeds[i] / top)[:, :3], alpha)
-        else:
-            ink = colors.mode_color(str(flashes.words[i]))
-            paint = _over_white(np.array([colors.rgb(ink)]) / 255.0, alpha)
-        ax.add_collection(
-            collections.LineCollection(pieces, colors=paint, linewidths=2.6, capstyle="butt", zorder=2.0 + 0.01 * i),
-            autolim=False,
-        )
-        ax.plot(
-            *zip(flashes.center[i], flashes.load[i], strict=True),
-            color=colors.GRAY,
-            lw=0.6,
-            alpha=0.6 * alpha,
-            zorder=2,
-        )
-        ax.plot(*flashes.load[i], "o", color=colors.LOAD, ms=6.5, alpha=alpha, mew=0, zorder=7)
+        drawn = HoopArtist(
+            ax, hoop, slope, ring=2.6, load=6.5, line=colors.GRAY, alpha=float(alpha), pieces=color == "speed",
+            zorder=2.0 + 0.01 * i,
+        )  # fmt: skip
+        drawn.pose(flashes.center[i], float(flashes.angle[i]))
+        drawn.paint(shades(speeds[i] / top) if color == "speed" else colors.mode_color(str(flashes.words[i])))
     if color == "speed":
         scale = need("matplotlib.cm", "plots").ScalarMappable(need("matplotlib.colors", "plots").Normalize(0.0, top), shades)
         ax.figure.colorbar(
             scale, ax=ax, orientation="horizontal", shrink=0.4, aspect=40, pad=0.02,
             label=quantities.POINT_SPEED,
         )  # fmt: skip
-
-
-def _over_white(paint: Floats, alpha: float) -> Floats:
-    # like opacity on paper, but without adding up where pieces overlap
-    return alpha * paint + (1.0 - alpha)
 
 
 def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> float:

@@ -22,7 +22,6 @@ else:
 Against = Literal["time", "angle"]
 
 SIZE = (7.2, 4.0)
-LINE = 1.8
 SMALL = 8.5
 MOST_LINES = 12  # at take-offs or landings; more would hide the curves
 
