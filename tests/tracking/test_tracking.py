@@ -27,6 +27,8 @@ FILMS = {
     "tilted": (Film(frames=40, first=0.15, tilt_deg=(6.0, -8.0), row_delay=1.5e-5, rate=120.0, shutter=1 / 500), 4e-3),
     # light on dark; the rim is cut by the edge of the picture at first; the picture is not level
     "light": (Film(frames=36, light=True, origin=(25.0, 225.0), roll_deg=2.0, marker_size=0.04), 5e-3),
+    # so far out of axis that the rim is an ellipse, whose width in the picture changes by a fifth
+    "steep": (Film(frames=36, rate=120.0, first=0.15, tilt_deg=(4.0, 20.0), focal=600.0), 4e-3),
     # lost frames at the start, in the middle and at the end of uneven times, with a rolling shutter
     "lost": (
         Film(frames=30, rate=300.0, row_delay=1.2e-5, uneven=0.5, without=((0, 2), (12, 13), (18, 21), (29, 30))), 5e-3,
@@ -38,7 +40,7 @@ FILMS = {
         1.5e-3,
     ),
 }  # fmt: skip
-MARKS = {"tilted": pytest.mark.long, "light": pytest.mark.long, "phone": pytest.mark.slow}
+MARKS = {"tilted": pytest.mark.long, "steep": pytest.mark.long, "light": pytest.mark.long, "phone": pytest.mark.slow}
 
 
 @pytest.fixture(scope="session")
@@ -114,7 +116,7 @@ def test_a_lens_out_of_axis_with_a_rolling_shutter(films):
     # in metres: without the tilt the hoop would grow by a tenth on its way
     state = MOTION.at(track.t + film.first)
     assert np.ptp(track.centre - np.stack([state.x, state.height], axis=-1), axis=0) == pytest.approx([0.0, 0.0], abs=4e-3)
-    assert np.nanmax(flat.centre[:, 0] - state.x) - np.nanmin(flat.centre[:, 0] - state.x) > 4e-2
+    assert np.nanmax(flat.centre[:, 0] - state.x) - np.nanmin(flat.centre[:, 0] - state.x) > 2e-2
     # without the delay, the times differ by the row of the centre, and the marker's row is exposed at another time
     assert track.t - early.t == pytest.approx(film.row_delay * track.pixel[:, 1], rel=0.02)
     good, bad = (np.abs(np.nanmean(errors(one, film), axis=1)) for one in (track, early))
@@ -169,11 +171,11 @@ def test_what_was_found_is_drawn_where_it_is(films, tmp_path):
 
 
 def test_memory_does_not_grow_with_length(films):
-    few = sample_pictures(films("hidden"), None, fewest=2, most=3)
-    assert 3 <= len(few) <= 6
-    steps = np.diff([one.row for one, _ in few])
-    assert set(steps) == {steps[0]}
-    assert all(after is not None and after.row == one.row + 1 for one, after in few[:-1])
+    few = sample_pictures(films("hidden"), None, least=3)
+    assert [one.row for one in few] == [0, 13, 26, 39]
+    assert [one.row for one in sample_pictures(films("hidden"), None, 0.05, 0.1, least=30)] == [
+        k for k, t in enumerate(frame_times(FILMS["hidden"][0])) if 0.05 <= t <= 0.1
+    ]
 
 
 # --- doubts, and what goes wrong is one sentence ---------------------------------------------------
@@ -269,6 +271,17 @@ def test_a_robust_circle_does_not_mind_strangers():
     assert fit.circle == pytest.approx((30.0, -12.0, 60.0), abs=0.05)
     assert not fit.inside[size > 62.0].any()
     assert np.sqrt(fit.covariance[0, 0]) == pytest.approx(0.15 * np.sqrt(2 / 200), rel=0.5)
+
+
+def test_the_picture_of_a_tilted_circle_is_an_oval():
+    """Of which a part is enough, if the rest of the film has shown its shape."""
+    camera, around = Camera(640, 360, 500.0, 0.1, 0.4), np.linspace(0, 2 * np.pi, 181)[:-1]
+    points = camera.to_picture(60.0 * np.stack([np.cos(around), np.sin(around)], axis=-1) + [40.0, 10.0])
+    start = Circle(*points.mean(axis=0), 60.0)
+    flat, whole = (robust_circle(points, start, 8.0, None, (0.0, 0.0, oval)) for oval in (0.0, 2.0))
+    assert flat.spread > 1.0 > 0.2 > whole.spread
+    part = robust_circle(points[50:120], whole.circle, 8.0, (whole.circle.radius, 0.1), (*whole.oval, 0.1))
+    assert part.circle == pytest.approx(whole.circle, abs=0.2)
 
 
 def test_the_ground_is_under_the_lowest_places():

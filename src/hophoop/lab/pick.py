@@ -51,7 +51,7 @@ def pick(video: str | Path, hints: Hints | None = None, show: Callable[[str], An
         If PyAV is missing.
     """
     known = hints or Hints()
-    stills = [picture for picture, _ in sample_pictures(video, known.rate)]
+    stills = sample_pictures(video, known.rate)
     page = Page(stills, known, Path(video).name)
     server = ThreadingHTTPServer((LOOPBACK, 0), partial(_Answer, page))
     thread = threading.Thread(target=server.serve_forever, daemon=True)

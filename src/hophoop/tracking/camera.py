@@ -7,6 +7,8 @@ the optical axis meets the plane. Without tilt a rectified pixel is a pixel.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import product
 from typing import Annotated
 
 import numpy as np
@@ -23,7 +25,9 @@ USUAL_FOCAL = 0.9  # of a phone, over the width of its picture; error 30 %
 FOCAL_SPREAD = 0.3
 TILT_SPREAD = 0.25  # prior of a tilt [rad]
 RADIUS_ERROR = 0.07  # of a picture [pixel]
-WORTH = 30.0  # minimum reduction of the sum of squares over the variance by a significant tilt
+STARTS = (-0.12, -0.04, 0.04, 0.12)  # tilts from which the search starts [rad]
+LIMITS = ((-0.5, -0.5, -1.2), (0.5, 0.5, 1.2))  # of tilts [rad] and of the logarithm of the focal length
+WORTH = 60.0  # minimum reduction of the sum of squares over the variance by a significant tilt
 
 
 @dataclass(frozen=True)
@@ -90,28 +94,27 @@ def _through(matrix: Floats, points: Floats) -> Floats:
     return np.asarray(seen[..., :2] / seen[..., 2:])
 
 
-def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[Camera, bool]:
+def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> Camera:
     """Find the tilt with which all images of one circle have the same radius.
 
     camera: the picture's size and an initial focal length; edges: shape (n, 2), points of the rim in several pictures [pixel];
-    focal_known: whether the focal length is known; tilted: whether the tilt is significant; otherwise the camera is as given.
+    focal_known: whether the focal length is known; camera: as given if no tilt is significant.
     """
-    optimize = need("scipy.optimize", "track")
-    first = camera.focal
     edges = [points[:: max(1, len(points) // 60)] for points in edges]
     scatter = _scatter(camera, edges)
     # blur and coding add an error of the radius to that of its points
     error = np.sqrt(scatter**2 / np.array([len(points) for points in edges]) + RADIUS_ERROR**2)
 
     def of(values: Floats) -> Camera:
-        return replace(camera, tilt_x=values[0], tilt_y=values[1], focal=first * np.exp(0.0 if focal_known else values[2]))
+        longer = 1.0 if focal_known else np.exp(values[2])
+        return replace(camera, tilt_x=values[0], tilt_y=values[1], focal=camera.focal * longer)
 
     def residuals(values: Floats) -> Floats:
         now = of(values)
         fits = [fit_circle(now.to_plane(points)) for points in edges]
         radii = np.array([fit[2] for fit in fits])
-        prior = np.array([values[0] / TILT_SPREAD, values[1] / TILT_SPREAD, values[2] / FOCAL_SPREAD])
         off = (radii - np.average(radii, weights=error**-2)) / error
+        prior = values / [TILT_SPREAD, TILT_SPREAD, FOCAL_SPREAD]
         result: Floats = np.concatenate([*(fit[3] / scatter for fit in fits), off, prior])
         return result
 
@@ -119,16 +122,10 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[
         return float((2.0 * (np.sqrt(1.0 + residuals(values) ** 2) - 1.0)).sum())
 
     # the shape of a circle does not show which side is nearer; only its size across the picture does
-    starts = [np.array([a, b, 0.0]) for a in (-0.12, -0.04, 0.04, 0.12) for b in (-0.12, -0.04, 0.04, 0.12)]
-    limits = ([-0.5, -0.5, -1.2], [0.5, 0.5, 1.2])
-    found = [
-        optimize.least_squares(residuals, start, loss="soft_l1", bounds=limits, max_nfev=12, xtol=1e-5, ftol=1e-5)
-        for start in sorted(starts, key=cost)[:2]
-    ]
-    best = min(found, key=lambda one: float(one.cost))
-    if cost(np.zeros(3)) - 2.0 * best.cost < WORTH:
-        return camera, False
-    return of(best.x), True
+    starts = sorted((np.array([*tilt, 0.0]) for tilt in product(STARTS, STARTS)), key=cost)
+    solve = partial(need("scipy.optimize", "track").least_squares, residuals, loss="soft_l1", bounds=LIMITS, max_nfev=12)
+    best = min((solve(start, xtol=1e-5, ftol=1e-5) for start in starts[:2]), key=lambda one: float(one.cost))
+    return of(best.x) if cost(np.zeros(3)) - 2.0 * best.cost > WORTH else camera
 
 
 def _scatter(camera: Camera, edges: list[Floats]) -> float:

@@ -43,23 +43,34 @@ class CircleFit(NamedTuple):
     covariance: Floats  # of x, y and radius [pixel²]
     inside: NDArray[np.bool_]  # points on the circle
     spread: float  # of those points about it [pixel]
+    oval: tuple[float, float]  # amplitudes of the cosine and sine, twice around, of its radius [pixel]
 
 
-def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[float, float] | None) -> CircleFit | None:
+def robust_circle(
+    points: Floats,
+    start: Circle,
+    reach: float,
+    expected: tuple[float, float] | None,
+    oval: tuple[float, float, float] = (0.0, 0.0, 0.0),
+) -> CircleFit | None:
     """Fit a circle geometrically to most of the points, with Tukey's weights.
 
     points shape (n, 2) [pixel]; reach: points further than this from the start are ignored [pixel]; expected: known radius and
-    its error, for a fit to a part of the rim [pixel]; fit: None if the points are not on a circle.
+    its error, for a fit to a part of the rim [pixel]; oval: expected amplitudes and their error, for the ellipse that is the
+    picture of a tilted circle [pixel]; fit: None if the points are not on a circle.
     """
-    x, y, radius = start
-    width = reach
-    weight = np.zeros(len(points))
-    normal: Floats = np.eye(3)
-    scatter = reach
+    radius, error = expected or (0.0, np.inf)
+    free = 5 if oval[2] else 3
+    found, goal = np.array([*start, *oval[:2]])[:free], np.array([0.0, 0.0, radius, *oval[:2]])[:free]
+    hold = np.array([np.inf, np.inf, error, oval[2], oval[2]])[:free] ** -2.0
+    width, scatter = reach, reach
+    weight, normal = np.zeros(len(points)), np.eye(free)
     for _ in range(10):
-        away = points - (x, y)
+        away = points - found[:2]
         distance = np.maximum(np.hypot(*away.T), 1e-9)
-        off = distance - radius
+        cos, sin = away.T / distance
+        jacobian = np.stack([cos, sin, np.ones(len(points)), cos**2 - sin**2, 2.0 * cos * sin], axis=-1)[:, :free]
+        off = distance - jacobian[:, 2:] @ found[2:]
         near = np.abs(off) < width
         if near.sum() < 8:
             return None
@@ -67,22 +78,18 @@ def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[f
         scatter = max(spread(off[near]), 0.03)
         scale = max(4.685 * scatter, 0.3)
         weight = np.where(np.abs(off) < scale, (1.0 - (off / scale) ** 2) ** 2, 0.0)
-        jacobian = np.column_stack([away / distance[:, None], np.ones(len(points))])
         normal = jacobian.T @ (weight[:, None] * jacobian)
-        right = jacobian.T @ (weight * off)
-        if expected is not None:
-            hold = (scatter / expected[1]) ** 2
-            normal[2, 2] += hold
-            right[2] += hold * (expected[0] - radius)
-        if np.linalg.det(normal) <= 1e-4 * float(np.trace(normal)) ** 2:
+        if np.linalg.det(normal[:3, :3]) <= 1e-4 * float(np.trace(normal[:3, :3])) ** 2:
             return None  # an arc too short to distinguish from a line
-        step = np.linalg.solve(normal, right)
-        x, y, radius = x + float(step[0]), y + float(step[1]), radius + float(step[2])
+        normal += np.diag(scatter**2 * hold)
+        step = np.linalg.solve(normal, jacobian.T @ (weight * off) + scatter**2 * hold * (goal - found))
+        found += step
         width = max(3.0 * scatter, 1.0)
         if np.abs(step).max() < 1e-3:
             break
-    covariance = np.asarray(scatter**2 * np.linalg.inv(normal), dtype=float)
-    return CircleFit(Circle(x, y, radius), covariance, weight > 0.0, scatter)
+    covariance = np.asarray(scatter**2 * np.linalg.inv(normal)[:3, :3], dtype=float)
+    x, y, radius, cos2, sin2 = [*found.tolist(), 0.0, 0.0][:5]
+    return CircleFit(Circle(x, y, radius), covariance, weight > 0.0, scatter, (cos2, sin2))
 
 
 def ransac_circles(

@@ -11,6 +11,7 @@ from hophoop._support.extras import need
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import Camera
 from hophoop.tracking.circle import Circle
+from hophoop.tracking.rim import Rim, find_disc
 from hophoop.tracking.video import Picture
 
 Floats = NDArray[np.float64]
@@ -23,32 +24,28 @@ LEAST_CHROMA = 16.0  # minimum, to distinguish a colour from gray
 PALE = 18.0  # minimum chroma of a marker above its surroundings
 FEWEST = 3.0  # minimum chroma samples of a marker
 INSIDE, OUTSIDE = 0.15, 1.12  # distances of a marker from the centre, over the radius
+AREAS = (0.55, 1.7)  # area of a visible marker over its usual area
+NEAR = 0.09  # tolerance of its distance from the centre, over the radius
+MOST_SPOTS = 3  # in a picture
 
 
 class Marker(NamedTuple):
-    """Colour, position and size of the marker."""
+    """Colour and position of the marker."""
 
     blue: float  # its chroma
     red: float
-    ratio: float  # distance from the centre over the radius; nan if unknown
-    area: float  # sum of its weights in samples of chroma; nan if unknown
+    ratio: float = float("nan")  # distance from the centre over the radius in the picture
 
 
 class Spot(NamedTuple):
     """A patch of colour on the hoop in a picture."""
 
-    x: float  # in rectified pixels
+    x: float  # [pixel]
     y: float
-    row: float  # of the picture [pixel]
     blue: float  # its chroma
     red: float
-    ratio: float  # distance from the centre over the radius
-    area: float  # sum of its weights
-
-    @property
-    def radius(self) -> float:
-        """Radius of a disc of that area; a sample of chroma is four pixels [pixel]."""
-        return float(np.sqrt(4.0 * self.area / np.pi))
+    ratio: float  # distance from the centre over the radius in the picture
+    area: float  # samples of chroma, by their weights
 
 
 def colour_chroma(text: str) -> tuple[float, float]:
@@ -75,89 +72,27 @@ def colour_chroma(text: str) -> tuple[float, float]:
     return blue, red
 
 
-class _Patch(NamedTuple):
-    """Samples of chroma in the box around a circle."""
+def learn_marker(seen: list[tuple[Picture, Rim]], color: str) -> Marker | None:
+    """Find the patch of colour at a constant distance from the moving centre.
 
-    blue: Floats
-    red: Floats
-    rows: Floats  # of the picture [pixel]
-    points: Floats  # [rectified pixels]
-    ratio: Floats  # distance from the centre over the radius
-
-
-def _patch(picture: Picture, camera: Camera, circle: Circle) -> _Patch | None:
-    around = np.linspace(0, 2 * np.pi, 33)
-    rim = np.array([circle.x, circle.y]) + OUTSIDE * circle.radius * np.stack([np.cos(around), np.sin(around)], axis=-1)
-    box = camera.to_picture(rim) / 2
-    tall, wide = picture.blue.shape
-    left, top = np.floor(box.min(axis=0)).astype(int).clip(0, [wide, tall])
-    right, bottom = (np.ceil(box.max(axis=0)).astype(int) + 1).clip(0, [wide, tall])
-    if right - left < 3 or bottom - top < 3:
-        return None
-    cut = np.s_[top:bottom, left:right]
-    columns, rows = np.meshgrid(
-        np.arange(left, right) * 2.0 + picture.chroma[0], np.arange(top, bottom) * 2.0 + picture.chroma[1]
-    )
-    points = camera.to_plane(np.stack([columns, rows], axis=-1))
-    ratio = np.hypot(points[..., 0] - circle.x, points[..., 1] - circle.y) / circle.radius
-    blue, red = picture.blue[cut].astype(float) - 128, picture.red[cut].astype(float) - 128
-    return _Patch(blue, red, rows, points, ratio)
-
-
-def _spots_of(patch: _Patch, circle: Circle, weight: Floats) -> list[Spot]:
-    """Return connected regions with a weight, the largest first, at the mean of their samples."""
-    ndimage = need("scipy.ndimage", "track")
-    labels, _ = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
-    samples = np.stack([patch.points[..., 0], patch.points[..., 1], patch.rows, patch.blue, patch.red], axis=-1)
-    result = []
-    for k, box in enumerate(ndimage.find_objects(labels), 1):
-        own = np.where(labels[box] == k, weight[box], 0.0)
-        area = float(own.sum())
-        if area >= FEWEST:
-            x, y, row, blue, red = (np.einsum("ij,ijk->k", own, samples[box]) / area).tolist()
-            result.append(Spot(x, y, row, blue, red, float(np.hypot(x - circle.x, y - circle.y) / circle.radius), area))
-    return sorted(result, key=lambda spot: -spot.area)
-
-
-def spots(picture: Picture, camera: Camera, circle: Circle, marker: Marker) -> list[Spot]:
-    """Find patches of the marker's colour at its distance from the centre, the largest first."""
-    patch = _patch(picture, camera, circle)
-    if patch is None:
-        return []
-    size = float(np.hypot(marker.blue, marker.red))
-    along = (patch.blue * marker.blue + patch.red * marker.red) / size
-    across = np.abs(patch.blue * marker.red - patch.red * marker.blue) / size
-    # a ramp about half of the full colour, so that blur and subsampled chroma do not move the centroid
-    weight = ((along - 0.6 * np.maximum(across - 0.15 * size, 0.0)) / size - 0.25).clip(0.0, 0.5) * 2.0
-    if np.isfinite(marker.ratio):
-        near = np.abs(patch.ratio - marker.ratio) < max(0.2, 8.0 / circle.radius)
-    else:
-        near = patch.ratio < OUTSIDE
-    return _spots_of(patch, circle, np.where(near, weight, 0.0))
-
-
-def find_marker(seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker | None:
-    """Find the coloured patch at a constant distance from the moving centre.
-
-    seen: pictures with the hoop in them; marker: None if there is no such patch in at least half of the pictures.
+    seen: stills with the hoop in them; color: auto, none or the marker's; marker: None if there is no such patch in at least
+    half of the stills.
     """
-    found: list[tuple[int, Spot]] = []
-    for frame, (picture, circle) in enumerate(seen):
-        patch = _patch(picture, camera, circle)
-        if patch is not None:
-            chroma = np.hypot(patch.blue - np.median(patch.blue), patch.red - np.median(patch.red))
-            chroma[(patch.ratio >= OUTSIDE) | (patch.ratio <= INSIDE)] = 0.0
-            most = float(chroma.max())
-            weight = np.where(chroma > max(PALE, 0.45 * most), chroma / max(most, PALE), 0.0)
-            found += [(frame, spot) for spot in _spots_of(patch, circle, weight)]
+    if color == "none":
+        return None
+    given = None if color == "auto" else Marker(*colour_chroma(color))
+    found = [(k, spot) for k, (still, rim) in enumerate(seen) for spot in spots(still, rim.circle, given)]
     best: dict[int, Spot] = {}
     for _, seed in found:
-        alike = {frame: spot for frame, spot in found if _alike(spot, seed)}
-        best = max(best, alike, key=len)
-    if len(best) < max(2, 0.5 * len(seen)):
+        best = max(best, {k: spot for k, spot in found if _alike(spot, seed)}, key=len)
+    if given is not None and not best:
+        raise InputError(
+            f"marker_color = {color!r}: no patch of that colour was seen on the hoop.", field="marker_color", value=color
+        )
+    if given is None and len(best) < max(2, 0.5 * len(seen)):
         return None
-    blue, red, ratio = np.median([(spot.blue, spot.red, spot.ratio) for spot in best.values()], axis=0).tolist()
-    return refine_marker(Marker(blue, red, ratio, np.nan), seen, camera)
+    usual = Marker(*np.median([(spot.blue, spot.red, spot.ratio) for spot in best.values()], axis=0).tolist())
+    return usual if given is None else given._replace(ratio=usual.ratio)
 
 
 def _alike(one: Spot, other: Spot) -> bool:
@@ -166,10 +101,96 @@ def _alike(one: Spot, other: Spot) -> bool:
     return bool(apart < max(0.3 * size, 10.0) and abs(one.ratio - other.ratio) < 0.08)
 
 
-def refine_marker(marker: Marker, seen: list[tuple[Picture, Circle]], camera: Camera) -> Marker:
-    """Return the marker with its median distance and size."""
-    largest = [found[0] for picture, circle in seen if (found := spots(picture, camera, circle, marker))]
-    if not largest:
-        return marker
-    ratio, area = np.median([(spot.ratio, spot.area) for spot in largest], axis=0).tolist()
-    return marker._replace(ratio=ratio, area=area)
+def spots(picture: Picture, circle: Circle, marker: Marker | None) -> list[Spot]:
+    """Find patches of the marker's colour at its distance from the centre, or of any colour if it is unknown.
+
+    spots: the largest first, each at the mean of its samples.
+    """
+    ndimage = need("scipy.ndimage", "track")
+    reach = OUTSIDE * circle.radius
+    rows, columns = (
+        slice(max(int((middle - reach) / 2), 0), max(int((middle + reach) / 2) + 2, 0)) for middle in (circle.y, circle.x)
+    )
+    blue, red = (plane[rows, columns].astype(float) - 128 for plane in (picture.blue, picture.red))
+    if min(blue.shape) < 3:
+        return []
+    y, x = (2.0 * place for place in np.mgrid[rows, columns][:, : blue.shape[0], : blue.shape[1]])
+    x, y = x + picture.chroma[0], y + picture.chroma[1]
+    ratio = np.hypot(x - circle.x, y - circle.y) / circle.radius
+    weight = _above_surroundings(blue, red, ratio) if marker is None else _like(marker, blue, red, ratio, circle.radius)
+    labels, _ = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
+    samples, found = np.stack([x, y, blue, red], axis=-1), []
+    for k, box in enumerate(ndimage.find_objects(labels), 1):
+        own = np.where(labels[box] == k, weight[box], 0.0)
+        area = float(own.sum())
+        if area >= FEWEST:
+            u, v, cb, cr = (np.einsum("ij,ijk->k", own, samples[box]) / area).tolist()
+            found.append(Spot(u, v, cb, cr, float(np.hypot(u - circle.x, v - circle.y)) / circle.radius, area))
+    return sorted(found, key=lambda spot: -spot.area)
+
+
+def _above_surroundings(blue: Floats, red: Floats, ratio: Floats) -> Floats:
+    """Weights of samples by their chroma above the median."""
+    chroma = np.hypot(blue - np.median(blue), red - np.median(red))
+    chroma[(ratio >= OUTSIDE) | (ratio <= INSIDE)] = 0.0
+    most = float(chroma.max())
+    return np.where(chroma > max(PALE, 0.45 * most), chroma / max(most, PALE), 0.0)
+
+
+def _like(marker: Marker, blue: Floats, red: Floats, ratio: Floats, radius: float) -> Floats:
+    """Weights of samples by their likeness to the marker's colour; radius [pixel]."""
+    size = float(np.hypot(marker.blue, marker.red))
+    along = (blue * marker.blue + red * marker.red) / size
+    across = np.abs(blue * marker.red - red * marker.blue) / size
+    # a ramp about half of the full colour, so that blur and subsampled chroma do not move the centroid
+    weight = ((along - 0.6 * np.maximum(across - 0.15 * size, 0.0)) / size - 0.25).clip(0.0, 0.5) * 2.0
+    known = np.isfinite(marker.ratio)
+    near = np.abs(ratio - marker.ratio) < max(0.2, 8.0 / radius) if known else ratio < OUTSIDE
+    return np.where(near, weight, 0.0)
+
+
+def outlined(picture: Picture, spot: Spot) -> Spot:
+    """Return a spot at the centre of its outline, if that is a disc."""
+    disc = find_disc(picture.luma, Circle(spot.x, spot.y, float(np.sqrt(4.0 * spot.area / np.pi))))  # a sample is four pixels
+    return spot if disc is None else spot._replace(x=disc.x, y=disc.y)
+
+
+def choose_spots(found: list[list[Spot]], camera: Camera, circle: Floats) -> Floats:
+    """Return the place of the marker in each frame: the patch of its usual size at its usual distance from the centre.
+
+    found: spots of each frame, the largest first; circle: shape (n, 3) [rectified pixels]; places: shape (n, 2), nan where
+    there is none [pixel].
+    """
+    places, seen = np.full((len(found), 2), np.nan), []
+    for k, those in enumerate(found):
+        for spot in those if np.isfinite(circle[k, 0]) else []:
+            away = camera.to_plane(np.array(spot[:2])) - circle[k, :2]
+            seen.append((k, spot, np.hypot(*away) / circle[k, 2]))
+    if not seen:
+        return places
+    first = {k: (ratio, spot.area) for k, spot, ratio in reversed(seen)}
+    usual, area = np.median(list(first.values()), axis=0)
+    best: dict[int, float] = {}
+    for k, spot, ratio in seen:
+        share, off = spot.area / area, abs(ratio - usual)
+        cost = abs(np.log(share)) + off / NEAR
+        if AREAS[0] < share < AREAS[1] and off < max(NEAR, 3.0 / circle[k, 2]) and cost < best.get(k, np.inf):
+            best[k], places[k] = cost, spot[:2]
+    return places
+
+
+def count_revolutions(t: Floats, angle: Floats) -> tuple[Floats, float | None]:
+    """Return an angle without jumps, each next to where the two before it lead, and the time after which revolutions may miss.
+
+    t, angle: shape (n,), nan where unknown [s], [rad].
+    """
+    whole, doubt, omega, last = angle.copy(), None, 0.0, None
+    for k in np.flatnonzero(np.isfinite(angle)):
+        if last is not None:
+            wait = t[k] - t[last]
+            whole[k] += 2 * np.pi * np.round((whole[last] + omega * wait - angle[k]) / (2 * np.pi))
+            if doubt is None and k > last + 1 and abs(omega) * wait > 0.5 * np.pi:
+                doubt = float(t[k])
+            omega = (whole[k] - whole[last]) / wait
+        last = k
+    return whole, doubt

@@ -26,6 +26,8 @@ Floats = NDArray[np.float64]
 CENTRED_CHROMA = ("mjpeg",)
 TICKS = 90_000  # of a written film, per second
 ROUNDED = 1.05  # range of the differences from a grid of ticks that are rounded from it, with the error of its step [ticks]
+STILLS = 16  # pictures of a sample, or up to twice as many: of 3840 × 2160 they take up to 400 MB
+ALIKE = 1e-6  # difference of equal times [s]
 SMALLEST, LARGEST = 32, 16384  # side of a picture [pixel]
 
 
@@ -184,37 +186,25 @@ def _plane(plane: Any) -> Bytes:
 
 
 def sample_pictures(
-    path: str | Path,
-    rate: float | None,
-    since: float | None = None,
-    until: float | None = None,
-    *,
-    most_bytes: float = 2e8,
-    fewest: int = 8,
-    most: int = 16,
-) -> list[tuple[Picture, Picture | None]]:
-    """Return pictures spread evenly over a video, in memory that does not grow with its length.
+    path: str | Path, rate: float | None, since: float | None = None, until: float | None = None, least: int = STILLS
+) -> list[Picture]:
+    """Return the first picture of a video and every n-th after it, in memory that does not grow with its length.
 
-    rate, since, until: as in `pictures`; most_bytes: maximum memory, unless `fewest` pictures take more [1]; fewest, most:
-    there are from `fewest` to twice `most` pictures; all if the video has fewer [1]; pictures: the first one and every n-th
-    after it, each with the next picture.
+    rate, since, until: as in `pictures`; least: there are as many pictures or up to twice as many, or all [1].
     """
-    result: list[tuple[Picture, Picture | None]] = []
-    stride, limit, seen = 1, 2 * most, 0
-    for seen, picture in enumerate(pictures(path, rate, since, until), 1):
-        if not result:
-            limit = 2 * max(fewest, min(most, int(most_bytes / (6 * picture.luma.nbytes))))
-        if (seen - 2) % stride == 0 and result:
-            result[-1] = (result[-1][0], picture)
-        if (seen - 1) % stride == 0:
-            if len(result) >= limit:
-                result, stride = result[::2], 2 * stride
-            if (seen - 1) % stride == 0:
-                result.append((picture, None))
-    if seen < 3:
+    t = picture_times(path, rate, since, until)
+    wanted = t[:: max(1, len(t) // least)]
+    found: list[Picture] = []
+    for picture in pictures(path, rate, since, until):
+        if len(found) == len(wanted):
+            break
+        if picture.t > wanted[len(found)] - ALIKE:
+            found.append(picture)
+    if len(found) < 3:
         window = ("" if since is None else f" from {since:g} s on") + ("" if until is None else f" up to {until:g} s")
-        raise InputError(f"{path} has {seen} frame{'s' if seen != 1 else ''}{window}; tracking needs at least 3.")
-    return result
+        count = f"{len(found)} frame{'s' if len(found) != 1 else ''}"
+        raise InputError(f"{path} has {count}{window}; tracking needs at least 3.")
+    return found
 
 
 def rgb(picture: Picture) -> Bytes:

@@ -1,0 +1,89 @@
+"""Look at each picture of a film: the rim and the marker in it, in its own pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import InputError
+from hophoop.tracking.circle import Circle
+from hophoop.tracking.hints import Hints
+from hophoop.tracking.marker import Spot, learn_marker, outlined, spots
+from hophoop.tracking.rim import Rim, find_rim
+from hophoop.tracking.search import Search, detect, learn_hoop
+from hophoop.tracking.video import Picture, picture_times, pictures, sample_pictures
+
+Floats = NDArray[np.float64]
+
+LONGEST = 120.0  # film without a window that is tracked [s]
+FORGET = 0.25  # without the hoop, after which its velocity is unknown [s]
+LEAST_REACH = 9.0  # [pixel]
+STEADY = 0.004, 0.0003  # changes of the radius and of the oval from picture to picture, over the radius
+MOST_SPOTS = 3  # of the marker's colour in a picture
+
+
+class Seen(NamedTuple):
+    """What the pictures of a film show."""
+
+    t: Floats  # from the file [s]
+    rims: list[Rim | None]
+    spots: list[list[Spot]]  # of the marker's colour, the largest first
+    changes: Floats  # mean change of luma from the picture before [1]
+    size: tuple[int, int]  # width and height [pixel]
+    first: int  # number of the first picture in the film
+    marker: tuple[float, float] | None  # chroma of the marker
+
+
+def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], None] | None) -> Seen:
+    """Look for the hoop and its marker in each picture of a film."""
+    source, window = Path(video).name, (hints.rate, hints.since, hints.until)
+    span = picture_times(video, *window)
+    if len(span) and span[-1] - span[0] > LONGEST:
+        raise InputError(
+            f"{source} lasts {span[-1] - span[0]:.0f} s, and a hoop moves freely for seconds: say from when until when, "
+            "such as by --from 12.5 --to 15 (since and until in Hints)."
+        )
+    stills = sample_pictures(video, *window)
+    size = stills[0].size
+    search, shown = learn_hoop(stills, hints, source)
+    marker = learn_marker(shown, hints.marker_color)
+    times, rims, found, changes, first = [], [], [], [], 0
+    last: list[tuple[float, Rim]] = []
+    before = None
+    for k, picture in enumerate(pictures(video, *window)):
+        if picture.size != size:
+            raise InputError(f"{source} has pictures of different sizes.")
+        rim = _follow(picture, search, [one for one in last if picture.t - one[0] < FORGET])
+        those: list[Spot] = []
+        if rim is not None:
+            last = [*last[-1:], (picture.t, rim)]
+            those = spots(picture, rim.circle, marker)[:MOST_SPOTS] if marker is not None else []
+        small = picture.luma[::2, ::2].astype(np.int16)
+        changes.append(np.nan if before is None else float(np.abs(small - before).mean()))
+        before, first = small, picture.row - k
+        times.append(picture.t)
+        rims.append(rim)
+        found.append([outlined(picture, spot) for spot in those])
+        if progress is not None:
+            progress(k + 1, len(span))
+    return Seen(np.array(times), rims, found, np.array(changes), size, first, None if marker is None else marker[:2])
+
+
+def _follow(picture: Picture, search: Search, last: list[tuple[float, Rim]]) -> Rim | None:
+    """Find the rim where the last ones, up to two, lead, or anywhere in the picture."""
+    if last:
+        t, before = last[-1]
+        x, y, radius = before.circle
+        way, reach = np.zeros(2), 0.3 * radius  # the first velocity is unknown
+        if len(last) == 2:
+            way = (np.array([x, y]) - last[0][1].circle[:2]) * (picture.t - t) / (t - last[0][0])
+            reach = min(LEAST_REACH + 0.6 * float(np.hypot(*way)), 0.45 * radius)  # an impact may stop the hoop
+        start, expected = Circle(x + float(way[0]), y + float(way[1]), radius), (radius, STEADY[0] * radius)
+        rim = find_rim(picture.luma, start, search.sign, reach, expected, (*before.oval, STEADY[1] * radius))
+        if rim is not None:
+            return rim
+    return detect(picture.luma, search)

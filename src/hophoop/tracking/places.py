@@ -1,0 +1,103 @@
+"""Where centre and marker are in each picture, with one camera and one radius for the whole film."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import InputError
+from hophoop.tracking.camera import USUAL_FOCAL, Camera, fit_camera
+from hophoop.tracking.circle import Circle, CircleFit, fit_circle, robust_circle
+from hophoop.tracking.hints import Hints
+from hophoop.tracking.looking import Seen
+from hophoop.tracking.marker import choose_spots, count_revolutions
+from hophoop.tracking.rim import RAYS, WANTED, Rim
+
+Floats = NDArray[np.float64]
+
+MOST_FOR_CAMERA = 14
+WHOLE = 0.6  # share of a rim in the picture that gives its radius
+TIGHT = 0.004  # relative error of the radius of all pictures
+UNLIKE = 0.1  # relative difference from it that no picture of the hoop has, also through a lens that distorts
+FAR = 0.1  # distance of an edge from the first circle through it, over the radius, above which it is none of the rim's
+
+
+class Places(NamedTuple):
+    """Centre and marker in each frame, in rectified pixels, nan where nothing was found."""
+
+    camera: Camera
+    tilt: tuple[float, float]  # of the camera, if it was found in the film, otherwise 0 [rad]
+    t: Floats  # of the exposure of the centre's row, from the file [s]
+    circle: Floats  # shape (n, 3)
+    covariance: Floats  # of the centre: xx, xy, yy
+    agreement: Floats  # share of the whole rim that is seen [1]
+    arrow: Floats  # from the centre to the marker, at the exposure of its row, shape (n, 2)
+    late: Floats  # delay of that after the centre's row [s]
+    angle: Floats  # of the arrow from up, clockwise, without jumps [rad]
+    marker_pixel: Floats  # shape (n, 2) [pixel]
+    doubtful: float | None  # time after which whole revolutions may be missing [s]
+
+
+def find_places(seen: Seen, hints: Hints, source: str) -> Places:
+    """Find camera, radius and marker in what the pictures show; source: name of the film."""
+    rims = {k: rim for k, rim in enumerate(seen.rims) if rim is not None}
+    _require_frames(len(rims), source)
+    edges = _upright(seen.t, rims, hints.row_delay)
+    camera, tilt = _camera(seen.size, edges, hints)
+    circle, covariance, agreement = _circles(camera, rims, edges, len(seen.t))
+    there = np.isfinite(agreement)
+    _require_frames(int(there.sum()), source)
+    row = camera.to_picture(circle[:, :2])[:, 1]
+    t = seen.t + 0.5 * hints.exposure + hints.row_delay * np.interp(seen.t, seen.t[there], row[there])
+    pixel = choose_spots(seen.spots, camera, circle)
+    arrow = camera.to_plane(pixel) - circle[:, :2]
+    angle, doubtful = count_revolutions(t, np.arctan2(*arrow.T))
+    late = hints.row_delay * (pixel[:, 1] - row)
+    return Places(camera, tilt, t, circle, covariance, agreement, arrow, late, angle, pixel, doubtful)
+
+
+def _require_frames(count: int, source: str) -> None:
+    if count < 3:
+        raise InputError(f"{source} shows the hoop in {count} frames; tracking needs at least 3.")
+
+
+def _upright(t: Floats, rims: dict[int, Rim], row_delay: float) -> list[Floats]:
+    """Return the edges of rims at the exposure of the centre's row: a rolling shutter shears what moves [pixel]."""
+    centres = np.array([rim.circle[:2] for rim in rims.values()])
+    shear = row_delay * np.gradient(centres, t[[*rims]], axis=0)  # [pixel per row]
+    return [
+        rim.points - np.outer(rim.points[:, 1] - rim.circle.y, lean) for rim, lean in zip(rims.values(), shear, strict=True)
+    ]
+
+
+def _camera(size: tuple[int, int], edges: list[Floats], hints: Hints) -> tuple[Camera, tuple[float, float]]:
+    """Return the camera as hinted, or tilted as found, so that the rim has one radius; and what was found."""
+    camera = Camera(*size, hints.focal or USUAL_FOCAL * max(size), *(hints.tilt or (0.0, 0.0)))
+    if hints.tilt is not None or len(edges) < 4:
+        return camera, (0.0, 0.0)
+    chosen = np.unique(np.linspace(0, len(edges) - 1, MOST_FOR_CAMERA).astype(int))
+    camera = fit_camera(camera, [edges[k] for k in chosen], hints.focal is not None)
+    return camera, (camera.tilt_x, camera.tilt_y)
+
+
+def _circles(camera: Camera, rims: dict[int, Rim], edges: list[Floats], count: int) -> tuple[Floats, Floats, Floats]:
+    """Fit circles of one radius to the edges; return circles, covariances and agreement of all frames."""
+    flat = [camera.to_plane(points) for points in edges]
+    whole = [points for points in flat if len(points) > WHOLE * RAYS] or flat
+    sizes = [fit.circle.radius for points in whole if (fit := _fit(points, None)) is not None]
+    size = float(np.median(sizes or [rim.circle.radius for rim in rims.values()]))
+    found = np.full((count, 7), np.nan)
+    for (k, rim), points in zip(rims.items(), flat, strict=True):
+        fit = _fit(points, (size, TIGHT * size))
+        if fit is None or fit.inside.sum() < WANTED * rim.looked or abs(fit.circle.radius - size) > UNLIKE * size:
+            continue
+        own = fit.covariance
+        found[k] = [*fit.circle, own[0, 0], own[0, 1], own[1, 1], fit.inside.sum() / RAYS]
+    return found[:, :3], found[:, 3:6], found[:, 6]
+
+
+def _fit(points: Floats, expected: tuple[float, float] | None) -> CircleFit | None:
+    start = Circle(*fit_circle(points)[:3])
+    return robust_circle(points, start, FAR * start.radius, expected)

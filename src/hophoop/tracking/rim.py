@@ -1,0 +1,139 @@
+"""The rim in a picture: the steepest point on each ray from the centre, to a fraction of a pixel, and a circle through them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._support.extras import need
+from hophoop.tracking.circle import Circle, CircleFit, robust_circle
+from hophoop.tracking.video import Bytes
+
+Floats = NDArray[np.float64]
+
+RAYS = 180
+ANGLES = (np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS
+DIRECTIONS = np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=-1)
+STEP = 0.5  # between samples of a ray [pixel]
+WIDE = 2.5  # distance from the steepest sample up to which samples count for its position [pixel]
+WEAKEST = 4.0  # rise of luma over two pixels that counts as an edge
+CLOSE = (4.0, 0.04)  # reach of the last search [pixel], and over the radius
+OVAL = 0.03  # amplitude by which a rim is no circle, over the radius: a tilted hoop is an ellipse in the picture
+WANTED = 0.5  # share of the visible rim that must agree
+SEEN = 0.22  # share of the rim that must lie in the picture
+SMALLEST = 9.0  # radius [pixel]
+
+
+class Rim(NamedTuple):
+    """A rim found in a picture."""
+
+    circle: Circle
+    points: Floats  # of its outer edge, shape (n, 2) [pixel]
+    looked: int  # rays that lie in the picture
+    sign: int  # 1 dark, −1 light
+    oval: tuple[float, float]  # as in `CircleFit`
+
+    @property
+    def share(self) -> float:
+        """Share of the visible rim that agrees [1]."""
+        return len(self.points) / self.looked
+
+
+def profile(luma: Bytes, circle: Circle, offsets: Floats) -> Floats:
+    """Sample luma along rays, shape (RAYS, k); nan outside the picture.
+
+    luma shape (height, width) [1]; offsets: shape (k,), from the circle, outwards [pixel].
+    """
+    x, y = ((circle.radius + offsets) * along[:, None] for along in DIRECTIONS.T)
+    sample = need("scipy.ndimage", "track").map_coordinates
+    values: Floats = sample(luma, [circle.y + y, circle.x + x], output=np.float32, order=1, cval=np.nan)
+    return values
+
+
+def edges(luma: Bytes, circle: Circle, sign: int, reach: float) -> tuple[Floats, int]:
+    """Find the steepest point on each ray near a circle.
+
+    luma shape (height, width) [1]; sign: 1 if luma rises outwards, as at a dark hoop; 0 for edges of either sign; reach:
+    maximum distance from the circle [pixel]; points: shape (n, 2), one per ray that has it [pixel]; looked: number of rays
+    that lie in the picture.
+    """
+    offsets = np.arange(-reach - 1.0, reach + 1.0 + 0.5 * STEP, STEP)
+    values = profile(luma, circle, offsets)
+    rise, offsets = values[:, 4:] - values[:, :-4], offsets[2:-2]
+    there = np.isfinite(rise).all(axis=1)
+    rise = np.nan_to_num(sign * rise if sign else np.abs(rise)).clip(0.0)
+    best = np.argmax(rise * (1.0 - 0.4 * (offsets / (reach + 1.0)) ** 2), axis=1)[:, None]
+    strength = np.take_along_axis(rise, best, axis=1)
+    least = 0.25 * float(np.median(strength[there])) if there.any() else 0.0
+    good = there & (strength[:, 0] >= max(WEAKEST, least))
+    # only the peak around the steepest point, not a neighbouring one
+    weight = np.where((np.abs(offsets - offsets[best]) <= WIDE) & (rise > 0.2 * strength), rise, 0.0)
+    mean = (weight * offsets).sum(axis=1) / np.maximum(weight.sum(axis=1), 1e-9)
+    points = [circle.x, circle.y] + (circle.radius + mean)[:, None] * DIRECTIONS
+    return points[good], int(there.sum())
+
+
+def find_rim(
+    luma: Bytes,
+    circle: Circle,
+    sign: int,
+    reach: float,
+    expected: tuple[float, float] | None,
+    oval: tuple[float, float, float],
+) -> Rim | None:
+    """Find the rim near a circle; None if too little of it agrees.
+
+    luma shape (height, width) [1]; circle: start of the search; sign: 1 for a dark hoop; reach: maximum distance from the
+    circle [pixel]; expected: radius and its error [pixel]; oval: as in `robust_circle` [pixel].
+    """
+    fit: CircleFit | None = None
+    for close in (reach, max(CLOSE[0], CLOSE[1] * circle.radius)):
+        points, looked = edges(luma, circle, sign, close)
+        fit = robust_circle(points, circle, close + 2.0, expected, oval)
+        if fit is None or looked < SEEN * RAYS:
+            return None
+        circle = fit.circle
+    assert fit is not None
+    rim, size = Rim(circle, points[fit.inside], looked, sign, fit.oval), circle.radius
+    if rim.share < WANTED or size < SMALLEST or fit.spread > max(0.8, 0.02 * size):
+        return None
+    alike = expected is None or abs(size - expected[0]) < 4.0 * expected[1] + 0.02 * expected[0]
+    return rim if alike else None
+
+
+def confirm(luma: Bytes, circle: Circle, sign: int, expected: tuple[float, float] | None) -> Rim | None:
+    """Find a rim whose outer edge is near a circle, which may be its inner edge or off by a few pixels.
+
+    luma shape (height, width) [1]; sign: 1 dark, −1 light, 0 unknown; expected: radius and its error [pixel].
+    """
+    span = max(0.2 * circle.radius, 6.0)
+    offsets = np.arange(-span, span + 0.5)
+    values = profile(luma, circle, offsets)
+    seen = np.isfinite(values).all(axis=1)
+    if seen.mean() < SEEN:
+        return None
+    rise = np.gradient(np.median(values[seen], axis=0))
+    steep = sign * rise if sign else np.abs(rise)
+    before, here, after = steep[:-2], steep[1:-1], steep[2:]
+    peaks = np.flatnonzero((here >= before) & (here > after) & (here >= max(0.4 * np.abs(rise).max(), 1.0))) + 1
+    if not len(peaks):
+        return None
+    outer = circle._replace(radius=circle.radius + float(offsets[peaks[-1]]))  # the outermost edge is the outside of the rim
+    sign, reach = (1 if rise[peaks[-1]] > 0 else -1), max(5.0, 0.06 * outer.radius)
+    return find_rim(luma, outer, sign, reach, expected, (0.0, 0.0, OVAL * outer.radius))
+
+
+def find_disc(luma: Bytes, circle: Circle) -> Circle | None:
+    """Find a round patch by its outline in luma, which is finer than chroma.
+
+    luma shape (height, width) [1]; circle: position by its colour; disc: None if the outline is not that of a disc.
+    """
+    reach = min(max(2.0, 0.35 * circle.radius), 4.0)
+    points, _ = edges(luma, circle, 0, reach)
+    fit = robust_circle(points, circle, reach + 1.0, (circle.radius, 0.1 * circle.radius))
+    if fit is None or fit.inside.sum() < 0.6 * RAYS or fit.spread > max(0.3, 0.08 * circle.radius):
+        return None
+    away = np.hypot(fit.circle.x - circle.x, fit.circle.y - circle.y)
+    return fit.circle if away < 0.3 + 0.1 * circle.radius else None

@@ -1,0 +1,154 @@
+"""Search of the hoop in a picture without a prediction, by motion or contrast; what the stills of a film show of it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._support.extras import need
+from hophoop.scenario import InputError
+from hophoop.tracking.circle import Circle, ransac_circles
+from hophoop.tracking.hints import Hints
+from hophoop.tracking.rim import SMALLEST, Rim, confirm
+from hophoop.tracking.video import Bytes, Picture
+
+Floats = NDArray[np.float64]
+
+WIDTH = 640  # of the downsampled picture for the search [pixel]
+MOVED = 14.0  # change of luma that counts as motion
+CONTRAST = 18.0  # difference from the surroundings that counts as dark or light
+MOST_POINTS = 600
+COMPONENTS = 5
+CERTAIN = 0.8  # share of a rim that ends the search
+ALIKE = 0.12  # relative difference of radii in different pictures
+STILL = 0.02  # distance over the radius below which a circle belongs to the background
+
+
+class Search(NamedTuple):
+    """What is known of the hoop before it is looked for in a picture."""
+
+    background: Floats | None  # downsampled luma without the hoop, for a search by motion; None for a search by contrast
+    sign: int  # 1 dark, −1 light, 0 unknown
+    expected: tuple[float, float] | None = None  # radius and its error [pixel]
+
+
+def learn_hoop(stills: list[Picture], hints: Hints, source: str) -> tuple[Search, list[tuple[Picture, Rim]]]:
+    """Find the hoop in stills of a film: a search that knows its size and tone, and the stills that show it.
+
+    source: name of the film.
+    """
+    sign = {"dark": 1, "light": -1}.get(hints.ring, 0)
+    start = _with_hint(Search(None, sign), stills, hints)
+    background = np.median([downsample(still.luma) for still in stills], axis=0)
+    best: list[tuple[Picture, Rim]] = []
+    for search in (start._replace(background=background), start):
+        found = [(still, rim) for still in stills if (rim := detect(still.luma, search)) is not None]
+        alike = _most_alike(found)
+        if len(alike) > len(best):
+            best, known = alike, search
+        if len(best) >= max(2, 0.1 * len(stills)):
+            break
+    if len(best) < 2:
+        raise InputError(
+            f"{source} shows no hoop that could be followed; a hint may help: its centre and radius in a frame, "
+            f"or whether it is dark or light."
+        )
+    x, y, radius = np.transpose([rim.circle for _, rim in best])
+    size = float(np.median(radius))
+    if max(np.ptp(x), np.ptp(y)) < STILL * size:
+        raise InputError(f"{source} shows a circle that does not move, but no hoop.")
+    error = max(0.25 * ALIKE * size, 0.25 * float(np.ptp(radius)))  # a tilted hoop has other sizes at either side
+    return known._replace(sign=best[0][1].sign, expected=(size, error)), best
+
+
+def _with_hint(search: Search, stills: list[Picture], hints: Hints) -> Search:
+    """Return a search that knows size and tone of the hoop at the hinted centre."""
+    if hints.centre is None or hints.rim is None:
+        return search
+    still = min(stills, key=lambda one: abs(one.t - hints.at))
+    rim = confirm(still.luma, Circle(*hints.centre, hints.rim), search.sign, None)
+    if rim is None:
+        raise InputError(
+            f"centre = {hints.centre[0]:g}, {hints.centre[1]:g} and a rim of {hints.rim:g} pixels show no rim "
+            f"in the frame at {still.t:.3f} s.",
+            field="centre",
+            value=hints.centre,
+        )
+    return search._replace(sign=rim.sign, expected=(rim.circle.radius, 0.25 * ALIKE * rim.circle.radius))
+
+
+def _most_alike(found: list[tuple[Picture, Rim]]) -> list[tuple[Picture, Rim]]:
+    """Return the largest group of one size and one tone, of equal ones the best."""
+
+    def alike(one: Rim, other: Rim) -> bool:
+        size = other.circle.radius
+        return one.sign == other.sign and abs(one.circle.radius - size) < ALIKE * size
+
+    groups = ([pair for pair in found if alike(pair[1], seed)] for _, seed in found)
+    return max(groups, key=lambda group: (len(group), sum(rim.share for _, rim in group)), default=[])
+
+
+# --- one picture -----------------------------------------------------------------------------------
+
+
+def _reduction(luma: Bytes) -> int:
+    """Factor of downsampling [1]."""
+    return max(1, round(len(luma[0]) / WIDTH))
+
+
+def downsample(luma: Bytes) -> Floats:
+    """Reduce a picture to about `WIDTH`: each pixel is the mean of a square."""
+    by = _reduction(luma)
+    tall, wide = luma.shape[0] // by, luma.shape[1] // by
+    blocks = luma[: tall * by, : wide * by].reshape(tall, by, wide, by)
+    result: Floats = blocks.mean(axis=(1, 3), dtype=np.float32)
+    return result
+
+
+def detect(luma: Bytes, search: Search) -> Rim | None:
+    """Find the hoop in a picture.
+
+    luma shape (height, width) [1].
+    """
+    small, by, rng = downsample(luma), _reduction(luma), np.random.default_rng(0)
+    sizes = (SMALLEST / by + 3.0, 0.6 * max(small.shape))
+    if search.expected is not None:
+        size, error = search.expected
+        sizes = ((0.96 * size - 2.0 * error) / by, (1.04 * size + 2.0 * error) / by)
+    best: Rim | None = None
+    for mask in _masks(small, search.background):
+        for points in _outlines(mask, sizes[0]):
+            some = rng.choice(points, min(len(points), MOST_POINTS), replace=False)
+            for share, (x, y, radius) in ransac_circles(some, sizes, (small.shape[1], small.shape[0]), rng):
+                if share < 0.3:
+                    break
+                circle = Circle((x + 0.5) * by - 0.5, (y + 0.5) * by - 0.5, radius * by)
+                rim = confirm(luma, circle, search.sign, search.expected)
+                if rim is not None and (best is None or rim.share > best.share):
+                    best = rim
+                if best is not None and best.share > CERTAIN:
+                    return best
+    return best
+
+
+def _masks(small: Floats, background: Floats | None) -> list[NDArray[np.bool_]]:
+    if background is not None:
+        return [np.abs(small - background) > MOVED]
+    around = need("scipy.ndimage", "track").gaussian_filter(small, 0.05 * small.shape[1])
+    return [small < around - CONTRAST, small > around + CONTRAST]
+
+
+def _outlines(mask: NDArray[np.bool_], least: float) -> list[Floats]:
+    """Return outlines of the largest components, and of all of them together."""
+    ndimage = need("scipy.ndimage", "track")
+    labels, count = ndimage.label(mask, structure=np.ones((3, 3)))
+    if not count:
+        return []
+    sizes = np.array([max(side.stop - side.start for side in box) for box in ndimage.find_objects(labels)])
+    rows, columns = np.nonzero(mask & ~ndimage.binary_erosion(mask, border_value=1))
+    points, own = np.column_stack([columns, rows]).astype(float), labels[rows, columns]
+    largest = [points[own == k + 1] for k in np.argsort(-sizes)[:COMPONENTS] if sizes[k] >= 2 * least]
+    wide = np.flatnonzero(sizes >= 3) + 1
+    return [*largest, *([points[np.isin(own, wide)]] if len(wide) > 1 else [])]
