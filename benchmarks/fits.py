@@ -66,7 +66,7 @@ def measure(kind: str, sets: int, seed: int, spoilt: int | None = None) -> Itera
     for k in range(sets):
         track = drawn(kind, seed + k)
         for mistake in ("", *(NAMED if spoilt is None or k < spoilt else ())):
-            fit = hh.fit(spoiled(track, mistake, 1 - 2 * (k % 2)) if mistake else track)
+            fit = hh.fit(spoiled(track, mistake, 1 - 2 * ((seed + k) % 2)) if mistake else track)
             said = fit.sentences()
             yield {
                 "kind": kind,
@@ -95,6 +95,8 @@ def summary(rows: list[dict[str, Any]]) -> list[str]:
         )
     for mistake in ("", *NAMED):
         own = [row for row in rows if row["mistake"] == mistake]
+        if not own:
+            continue
         believed = [row for row in own if row["usable"]]
         sure = sum(all(within(row, name) for name in TRUTH) for row in believed)
         chi = np.quantile([row["reduced"] for row in own], [0.0, 0.5, 1.0])

@@ -68,7 +68,7 @@ def sideways(track):
     [
         ("right", {"centre": 100.0}, "are lengths in cm"),
         ("right", {"angle": np.degrees(1.0)}, "is it in degrees"),
-        ("right", {"radius": 100.0}, "is it in degrees (--angle-unit deg), or the radius in cm"),
+        ("right", {"radius": 100.0}, "with a radius of 0.3 m: is the radius in m"),
         ("right", {"centre": [1.0, -1.0]}, "does y count downwards"),
         ("right", {"centre": [-1.0, -1.0], "zero": np.pi}, "is the film upside down"),
         ("left", {"angle": -1.0}, "the angle counts clockwise"),
@@ -112,4 +112,7 @@ def test_a_fit_that_is_not_good_asks_and_leaves_the_details_out():
 
 def test_a_fit_without_a_usual_mistake_says_so():
     found = hh.fit(TRACKS["right"], fixed={"gamma": 0.1})
-    assert "None of the usual mistakes explains that (tried: axes, times, the radius" in found.sentences()[-1]
+    assert (
+        "None of the usual mistakes explains that (tried: times, the radius, the scale, units, axes, the zero"
+        in found.sentences()[-1]
+    )

@@ -54,12 +54,10 @@ def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
     assert with_scatter(track, Sigma(omegas=0.1), rough) == (track, {})
 
 
-OFTEN = ("table30", "phone50")  # of the kinds that classes have; the others take minutes each
-
-
+@pytest.mark.random
 @pytest.mark.slow
 @pytest.mark.timeout(1200)
-@pytest.mark.parametrize("kind", [pytest.param(kind, marks=[pytest.mark.random] * (kind in OFTEN)) for kind in KINDS])
+@pytest.mark.parametrize("kind", KINDS)
 def test_errors_of_drawn_records_are_as_large_as_they_say(kind):
     """Ten of each, two of them spoiled as well; `benchmarks/fits.py` measures a hundred."""
     rows = list(measure(kind, 10, 100, spoilt=2))
@@ -68,4 +66,4 @@ def test_errors_of_drawn_records_are_as_large_as_they_say(kind):
     assert sum(all(within(row, name) for name in TRUTH) for row in right) >= 9
     assert not any(row["good"] for row in rows if row["mistake"])
     wrong = [row for row in rows if row["mistake"] and not row["usable"]]
-    assert sum(row["named"] for row in wrong) >= 0.5 * len(wrong)
+    assert sum(row["named"] for row in wrong) >= len(wrong) - 1

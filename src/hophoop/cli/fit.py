@@ -74,7 +74,7 @@ def fit(
     fixed : --fix NAME=VALUE
         A known parameter.
     free : NAME
-        Fit also rolling_resistance, slope, scale, tilt, origin_y, row_delay, marker_angle or marker_ratio.
+        Fit also rolling_resistance, slope, scale, stretch, tilt, origin_y, row_delay, marker_angle or marker_ratio.
     bounds : --bound NAME=LOW:HIGH
         Range of a parameter.
     tied : --tie NAME=EXPRESSION

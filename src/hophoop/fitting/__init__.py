@@ -2,8 +2,8 @@
 
 from hophoop.fitting.backdrop import Backdrop, backdrop
 from hophoop.fitting.fitting import fit
-from hophoop.fitting.planning import Plan, plan
+from hophoop.fitting.planning import plan
 from hophoop.fitting.reporting import report
 from hophoop.fitting.result import Fit, load_fit
 
-__all__ = ["fit", "Fit", "load_fit", "report", "plan", "Plan", "backdrop", "Backdrop"]
+__all__ = ["fit", "Fit", "load_fit", "report", "plan", "backdrop", "Backdrop"]

@@ -16,9 +16,9 @@ from hophoop.tracking.scatter import spread, third_differences
 Floats = NDArray[np.float64]
 
 FEWEST = 12  # measured numbers
-LONGEST = 0.98  # maximum correlation of errors from one frame to the next
 PLACE_ERROR = 0.01  # error that depends on the position in the picture: coding, background, sensor, lens [pixel]
 GYROSCOPE = 0.005  # minimum error of an angular velocity whose error is unknown: the usual noise in a phone [rad/s]
+LEAST_ROTATION = 1e-3  # error of a rotation from a gyroscope [rad]
 ROUNDED = 0.75  # maximum distance of rounded times from an even grid, over their last decimal
 PATCH = 40.0  # length over which that error changes [pixel]
 GIVE = "give --sigma, --sigma-angle or --sigma-omega (sigma= and the like in fit)"
@@ -28,21 +28,6 @@ KINDS = {
     "angles": (("angle",), ("angle_error",)),
     "omegas": (("omega",), ("omega_error",)),
 }
-
-
-class Autocorrelation(NamedTuple):
-    """Autocorrelation of errors: share × fade^n between frames n apart."""
-
-    share: float
-    fade: float
-
-    @property
-    def frames(self) -> float:
-        """Number of frames with the information of one frame of independent errors [1]."""
-        return 1.0 + 2.0 * self.share * self.fade / (1.0 - self.fade)
-
-
-NONE = Autocorrelation(0.0, 0.0)
 
 
 class Sigma(NamedTuple):
@@ -61,7 +46,7 @@ class Channel(NamedTuple):
     values: Floats
     errors: Floats
     known: bool = True  # whether the data have errors; otherwise they are estimated from the scatter
-    autocorrelation: Autocorrelation = NONE  # known of its errors in advance
+    frames: float = 1.0  # with the information of one of independent errors, as far as known in advance
 
 
 def channels_of(track: Track, sigma: Sigma) -> tuple[Channel, ...]:
@@ -92,23 +77,36 @@ def channels_of(track: Track, sigma: Sigma) -> tuple[Channel, ...]:
         known = np.isfinite(own) & (own > 0)
         if not known.all():
             own = np.where(known, own, scatter([(track.t[rows], values[rows])], name))
-        memory = _by_place(track, name, float(np.median(own)))
-        result.append(Channel(name, rows, values[rows], own, bool(known.all()), memory))
+        frames = _frames_in_place(track, name, float(np.median(own)))
+        result.append(Channel(name, rows, values[rows], own, bool(known.all()), frames))
     if sum(len(channel.rows) for channel in result) < FEWEST:
         raise InputError("The track has the hoop in too few frames to fit anything.")
     return tuple(result)
 
 
-def _by_place(track: Track, name: str, error: float) -> Autocorrelation:
-    """Autocorrelation of the errors that depend on the position in the picture."""
+def _frames_in_place(track: Track, name: str, error: float) -> float:
+    """Return the frames with the information of one, by the share of errors that depend on the place in the picture [1]."""
     view = track.view
     steps = np.hypot(*np.diff(track.pixel, axis=0).T)
     if view is None or name == "omega" or not np.isfinite(steps).any():
-        return NONE
+        return 1.0
     size = PLACE_ERROR / view.scale
     if name == "angle":
         size /= track.radius * (view.marker_ratio if np.isfinite(view.marker_ratio) else 1.0)
-    return Autocorrelation(min((size / error) ** 2, 1.0), min(float(np.exp(-np.nanmean(steps) / PATCH)), LONGEST))
+    return 1.0 + 2.0 * min((size / error) ** 2, 1.0) * PATCH / max(float(np.nanmean(steps)), 1.0)
+
+
+def rotation(omega: Channel, t: Floats) -> Channel:
+    """Return the rotation since the first value instead of an angular velocity: at an impact it does not jump.
+
+    Between two values its error is up to that of the greatest jump.
+
+    t: of the rows [s].
+    """
+    steps, times = np.diff(omega.values), np.diff(t[omega.rows])
+    turned = np.concatenate([[0.0], np.cumsum((omega.values[:-1] + 0.5 * steps) * times)])
+    error = max(0.25 * float(np.abs(steps).max() * np.median(times)), LEAST_ROTATION)
+    return Channel("angle", omega.rows, turned, np.full(len(turned), error))
 
 
 def evened(track: Track) -> tuple[Track, dict[str, float]]:

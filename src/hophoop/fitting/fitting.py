@@ -17,9 +17,9 @@ from hophoop.fitting.judging import correlations, least_static_friction, misfits
 from hophoop.fitting.limits import least_friction, unobserved, with_limits
 from hophoop.fitting.mistakes import likely_mistakes, shutter
 from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
-from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
+from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.result import Fit
-from hophoop.fitting.solving import best_of, changed, free_of, parameters
+from hophoop.fitting.solving import best_of, changed, free_of, lowest, parameters
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
 from hophoop.tracking.hints import require_above_0
@@ -92,9 +92,9 @@ def fit(
     fixed : dict, optional
         Known parameters and their values [SI units].
     free : sequence of str, optional
-        Parameters to fit in addition to the usual ones: rolling_resistance, slope, scale, tilt, origin_y, row_delay,
-        marker_angle, marker_ratio. With the track of a film, slope, scale, tilt and origin_y are always fitted, with the film's
-        estimates as priors; those named here have no prior.
+        Parameters to fit in addition to the usual ones: rolling_resistance, slope, scale, stretch, tilt, origin_y,
+        row_delay, marker_angle, marker_ratio. With the track of a film, slope, scale, stretch, tilt and origin_y are always
+        fitted, with the film's estimates as priors; those named here have no prior.
     bounds : dict, optional
         Minimum and maximum values of parameters [SI units].
     tied : dict, optional
@@ -166,7 +166,7 @@ def fit_alone(track: Track, how: Settings) -> Fit:
     problem, params, starts = _posed(track, how)
     (run,) = problem.runs
     if not all(channel.known for channel in run.channels):
-        values = best_of(problem, params, starts, how.robust)[0].minimum.values
+        values = lowest(problem, params, starts, how.robust)[0].values
         places = run.places(run.motion(values), values)
         off = {one.name: one.values - places[one.name][one.rows] for one in run.channels}
         track, scatter = with_scatter(track, how.sigma, off)
@@ -175,8 +175,29 @@ def fit_alone(track: Track, how: Settings) -> Fit:
     return _fit_of(problem, params, starts, (track,), how, [derived])
 
 
+def fit_near(track: Track, how: Settings, values: Mapping[str, float]) -> Fit:
+    """Fit one run whose data have errors, from values near its parameters."""
+    run, params = _run_and_parameters(track, how)
+    start = Candidate(changed(params, values).valuesdict(), "", 0.0)
+    return _fit_of(problem_of([run]), params, [start], (track,), how, [{}])
+
+
 def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters, list[Candidate]]:
     """Return the problem of one run, its parameters, and starts of a fit."""
+    run, params = _run_and_parameters(track, how)
+    values = params.valuesdict()
+    first = {name: one if params[name].vary else values[name] for name, one in guess(run, values).items()}
+    problem = problem_of([run])
+    if len(free_of(params)) >= problem.count:
+        raise InputError(f"{len(free_of(params))} parameters cannot be fitted to {problem.count} numbers.")
+    starts = candidates(run, first, set(free_of(params)), how.seed)
+    if not starts:
+        raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
+    return problem, params, starts
+
+
+def _run_and_parameters(track: Track, how: Settings) -> tuple[Run, Parameters]:
+    """Return one run with its priors, and its parameters."""
     run = run_of(track, how.hoop, "rolling" if how.start == "auto" else how.start, how.plane, how.sigma)
     if run.t[-1] > LONGEST:
         raise InputError(
@@ -189,16 +210,7 @@ def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters, list[Candi
     params = _parameters(problem_of([run]), values, usual, how)
     # parameters that the caller frees have no prior
     priors = {name: prior for name, prior in shared_errors(track).items() if params[name].vary and name not in how.free}
-    run = replace(run, priors=priors)
-    values = params.valuesdict()
-    first = {name: one if params[name].vary else values[name] for name, one in guess(run, values).items()}
-    problem = problem_of([run])
-    if len(free_of(params)) >= problem.count:
-        raise InputError(f"{len(free_of(params))} parameters cannot be fitted to {problem.count} numbers.")
-    starts = candidates(run, first, set(free_of(params)), how.seed)
-    if not starts:
-        raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
-    return problem, params, starts
+    return replace(run, priors=priors), params
 
 
 def _fit_together(alone: list[Fit], how: Settings) -> Fit:

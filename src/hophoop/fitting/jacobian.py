@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.derivatives.results.propagation import propagate
-from hophoop.fitting.parameters import PATHS, spec
+from hophoop.fitting.parameters import PATHS, TIMED, spec
 from hophoop.fitting.problem import Problem, Run
 
 Floats = NDArray[np.float64]
@@ -35,25 +35,29 @@ def exact_slopes(problem: Problem, values: Mapping[str, float], names: Sequence[
 
 
 def _of_run(run: Run, values: dict[str, float], names: list[str]) -> Floats:
-    """Columns of one run; the motion does not change with the parameters of camera and marker."""
+    """Columns of one run: the data follow the changes of the state and of the camera, shape (count, len(names))."""
     motion = run.motion(values)
     times = run.moments(motion, values)
-    here, paths = motion.at(times), tuple(dict.fromkeys(path for name in names for path in PATHS.get(name, ())))
+    steps = np.array([[STEP if name in PATHS else spec(name).step] for name in names])
+    here, changes = motion.at(times), {field: np.zeros((len(names), len(times))) for field in FIELDS}
+    paths = tuple(dict.fromkeys(path for name in names for path in PATHS.get(name, ())))
     rated = propagate(motion, paths).at_times(times, FIELDS) if paths else {}
-    result = np.zeros((run.count, len(names)))
     for k, name in enumerate(names):
-        change = {
-            field: sum(rates[:, paths.index(path)] for path in PATHS.get(name, ())) for field, (_, rates) in rated.items()
-        }
-        step, ends = STEP if name in PATHS else spec(name).step, []
-        for side in (step, -step):
-            other = {**values, name: values[name] + side}
-            if name in PATHS:
-                moved = SimpleNamespace(**{field: getattr(here, field) + side * change[field] for field in FIELDS})
-                ends.append(run.distances(run.seen(moved, other), other))
-            else:
-                ends.append(run.distances(run.places(motion, other), other))
-        result[:, k] = (ends[0] - ends[1]) / (2.0 * step)
-        if not all(np.isfinite(rates).all() for rates in change.values()):
-            result[:, k] = np.nan
-    return result
+        if name in TIMED:  # the motion is the same, seen at other times
+            later, earlier = (
+                motion.at(run.moments(motion, values | {name: values[name] + side})) for side in (steps[k, 0], -steps[k, 0])
+            )
+        for field in FIELDS:
+            for path in PATHS.get(name, ()):
+                changes[field][k] += rated[field][1][:, paths.index(path)]
+            if name in TIMED:
+                changes[field][k] = (getattr(later, field) - getattr(earlier, field)) / (2.0 * steps[k, 0])
+
+    def residuals(side: int) -> Floats:
+        moved = {field: getattr(here, field) + side * steps * changes[field] for field in FIELDS}
+        others = {name: values[name] + side * steps * (np.array(names)[:, None] == name) for name in values}
+        return run.distances(run.seen(SimpleNamespace(**moved), others), others)
+
+    result = (residuals(1) - residuals(-1)) / (2.0 * steps)
+    known = np.all([np.isfinite(change).all(axis=1) for change in changes.values()], axis=0)
+    return np.where(known, result.T, np.nan)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.fitting.covariance import ROUNDING
 from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.problem import Problem
 from hophoop.fitting.solving import Solution
@@ -105,7 +106,7 @@ def misfits(problem: Problem, motions: list[Trajectory], residuals: Floats) -> l
         phase = np.array([PHASES[letter] for letter in modes])
         for word in dict.fromkeys(phase.tolist()):
             part = residuals[piece][phase == word]
-            if len(part) >= FEWEST and (deviation := runs_deviation(part)) < RUNS:
+            if len(part) >= FEWEST and (part**2).mean() > ROUNDING and (deviation := runs_deviation(part)) < RUNS:
                 spread = float(np.sqrt((part**2).mean()))
                 found.append({"run": k, "quantity": channel.name, "phase": word, "deviation": deviation, "spread": spread})
     return found

@@ -27,11 +27,3 @@ def influence(residuals: Floats) -> Floats:
     residuals [standard deviations]; pull: for small residuals the residual itself [1].
     """
     return np.asarray(residuals / np.sqrt(1.0 + (residuals / SOFT) ** 2), dtype=float)
-
-
-def influence_slope(residuals: Floats) -> Floats:
-    """Return the derivative of `influence`.
-
-    residuals [standard deviations]; slope: 1 at 0 [1].
-    """
-    return np.asarray((1.0 + (residuals / SOFT) ** 2) ** -1.5, dtype=float)

@@ -2,35 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._support.extras import need
 from hophoop.fitting.channels import Channel, Sigma
-from hophoop.fitting.guess import SLIPS, candidates, guess, rates_of, start_kind
-from hophoop.fitting.parameters import SHARED, spec
+from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
+from hophoop.fitting.parameters import FACTORS, SHARED, spec
 from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of
-from hophoop.fitting.solving import Solution, minimize, parameters, spread_of
+from hophoop.fitting.solving import Solution, minimize, parameters, smoothed, spread_of
 from hophoop.scenario import InputError
 from hophoop.tracking import Track
 
 Floats = NDArray[np.float64]
 
-FAR_OFF = 8.0  # factor by which lengths or gravity are off that no loss of energy explains
-LEAST_RISE = 0.02  # of the centre, over the radius, that is a hop
 TOP = 4  # greatest values in a row that are equal of a sensor at its limit
-TIMES = (1e-9, 1e-6, 1e-3, 1 / 8, 1 / 4, 1 / 2, 5 / 6, 6 / 5, 2.0, 4.0, 8.0, 1e3, 1e6, 1e9)  # usual factors of times
-STEP = 0.05
-NEAR = (1.05, 0.95, 1.1, 0.9, 1.15, 0.85, 1.2, 0.8)  # other factors of the times, or of the radius
-FEW_STEPS, CLOSE = 7, 1e-3  # of the search for this factor, and its accuracy
+CLOSE = tuple(np.arange(0.8, 1.225, 0.05).round(2).tolist())  # factors of the times, or of the radius, near which one is fitted
+TIMES = (1e-9, 1e-6, 1e-3, 1 / 8, 1 / 4, 1 / 2, *CLOSE, 2.0, 4.0, 8.0, 1e3, 1e6, 1e9)
+SIZES = (0.5, *CLOSE, 2.0)
+UNITS = (0.01, 0.001)  # cm and mm in m
 DRAWS = 24  # motions of a trial
-POLISHED, STARTED, CALLS = 4, 2, 40  # trials that are minimized, starts of each, and calls of the motion
+POLISHED, STARTED, CALLS = 2, 2, 30  # trials of each kind that are minimized, starts of each, and calls of the motion
 GOOD = 4.0  # cost over the number of data of a motion that fits after so few calls
-WELL = 1.5  # of one that fits so well that no other times or radius are searched
 ALIKE = 3.0  # times the cost of the best, of others that are named as well
 WORSE = 20.0  # times the cost of a window, of the whole record
 SHORTEST, LONGEST = 0.05, 30.0  # motion that is tried [s]
@@ -44,10 +40,50 @@ class Trial(NamedTuple):
     """A run without one mistake."""
 
     kind: str
-    words: str  # after 'A motion fits '
+    words: str  # after 'A motion fits ', with a place for the size
     advice: str
     run: Run
     extra: str = ""  # a parameter that is free in addition
+    size: float = 1.0  # the factor of the times, or the radius [m]
+    near: bool = False  # whether the fit's values may be near
+
+
+class Asked(NamedTuple):
+    """What the trials have in common."""
+
+    track: Track
+    sigma: Sigma  # given standard deviations
+    values: dict[str, float]  # of the fit
+    held: dict[str, float]  # shared parameters that are not free
+
+    def starts(self, trial: Trial) -> tuple[Run, list[str], list[Candidate]]:
+        """Return the run of a trial, its free parameters, and drawn motions, the best first."""
+        if trial.run.t[-1] > LONGEST:
+            return trial.run, [], []
+        run = replace(trial.run, start=start_kind(trial.run), priors={}, factor=trial.extra if trial.extra in FACTORS else "")
+        values, free = defaults(run, self.track)
+        values, free = values | self.held, (free - self.held.keys()) | {trial.extra} - {""}
+        first = values | {name: value for name, value in guess(run, values).items() if name in free}
+        return run, sorted(free), candidates(run, first, free, draws=DRAWS)
+
+    def drawn(self, trial: Trial) -> float:
+        """Return the cost of the best drawn motion over the number of data [1]."""
+        run, _, starts = self.starts(trial)
+        return starts[0].cost / run.count if starts else np.inf
+
+    def fitted(self, trial: Trial) -> tuple[float, Trial]:
+        """Return the cost of the best motion over the number of data, about 1 where a motion fits, and the trial's size."""
+        run, free, starts = self.starts(trial)
+        first = [one.values for one in starts[:STARTED]]
+        if starts and trial.near:
+            first.append(first[0] | self.values)
+        problem = problem_of([run])
+        params = [smoothed(problem, parameters(values, free), True, CALLS) for values in first]
+        found = [minimize(problem, one, True, CALLS) for one in params]
+        if not found:
+            return np.inf, trial
+        best = min(found, key=lambda one: one.cost)
+        return best.cost / run.count, trial._replace(size=trial.size * best.values.get(run.factor, 1.0))
 
 
 def likely_mistakes(
@@ -57,26 +93,29 @@ def likely_mistakes(
 
     values, free: of the fit of this run; cost: of it, over the number of data [1]; sigma: given standard deviations.
     """
-    held = {name: values[name] for name in run.names if name in SHARED and name not in free}
-    shown = _shown(run)
-    if shown:
-        return [shown], []
+    asked = Asked(track, sigma, values, {name: values[name] for name in run.names if name in SHARED and name not in free})
+    if limit := next(
+        (said for one in run.channels if one.name == "omega" and (said := _of_limit(run.t[one.rows], one.values))), ""
+    ):
+        return [limit], []
     trials = _trials(run)
-    costs = _costs(trials, track, held)
-    if not costs or costs[0][0] > WELL:
-        # both: a record of a phone hardly tells one from the other
-        near = (_nearby(run, values, free, kind, track, held) for kind in ("radius", "times"))
-        costs = sorted([*costs, *near], key=lambda pair: pair[0])
-    tried = list(dict.fromkeys([*(["axes"] if run.measured & {"x", "y"} else []), *(one.kind for one in trials)]))
-    best = costs[0][0]
+    drawn = sorted(((asked.drawn(trial), trial) for trial in trials), key=lambda pair: pair[0])
+    tried = list(dict.fromkeys(one.kind for one in trials))
+    costs = []
+    for kind in tried:
+        likely = [trial for at, trial in drawn if trial.kind == kind and at < np.inf]
+        costs += [asked.fitted(trial) for k, trial in enumerate(likely) if k < POLISHED or trial.near]
+    costs.sort(key=lambda pair: pair[0])
+    best = costs[0][0] if costs else np.inf
     if best < min(GOOD, cost / ALIKE):
         # the best of each kind, and others that the data hardly tell from it
         alike = {one.kind: one for at, one in reversed(costs) if at <= ALIKE * best}
         first, *others = sorted(alike.values(), key=[one for _, one in costs].index)
-        return [f"A motion fits {' or '.join(one.words for one in (first, *others))}: {first.advice}"], tried
+        words = " or ".join(one.words.format(one.size) for one in (first, *others))
+        return [f"A motion fits {words}: {first.advice}"], tried
     if cost < WORSE:
         return [], tried
-    return _window(run, track, sigma, held, min(GOOD, cost / WORSE)), [*tried, "the window"]
+    return _window(run, asked, min(GOOD, cost / WORSE)), [*tried, "the window"]
 
 
 def shutter(problem: Problem, solution: Solution, tracks: Sequence[Track], robust: bool) -> list[str]:
@@ -100,21 +139,6 @@ def shutter(problem: Problem, solution: Solution, tracks: Sequence[Track], robus
     ]
 
 
-def _shown(run: Run) -> str:
-    """Return the question about axes, units or the sensor that the data show without a fit; '' if none."""
-    x, y, angle = (rates_of(run, name) for name in ("x", "y", "angle"))
-    if x is not None and y is not None and np.ptp(y.value) > max(2.0 * run.radius, np.ptp(x.value)):
-        return "The centre moves more along y than along x: is the film sideways, or are x and y exchanged?"
-    if y is not None and _hops_down(y.value, run):
-        return "The centre jumps down and not up: does y count downwards, or is the film upside down? y is the height."
-    if x is not None and angle is not None:
-        place = np.interp(angle.t, x.t, x.value)
-        ratio = float(np.polyfit(angle.value, place, 1)[0]) / run.radius if np.ptp(angle.value) else np.inf
-        if said := _of_units(ratio):
-            return said[0]
-    return next((_of_limit(run.t[one.rows], one.values) for one in run.channels if one.name == "omega"), "")
-
-
 def _of_limit(t: Floats, omega: Floats) -> str:
     """Return what there is to say of a gyroscope at its limit; '' if it is not."""
     top = float(np.abs(omega).max())
@@ -128,147 +152,83 @@ def _of_limit(t: Floats, omega: Floats) -> str:
     )
 
 
-def _hops_down(height: Floats, problem: Run) -> bool:
-    """True if the centre leaves its usual height downwards."""
-    low, usual, high = np.quantile(height, [0.02, 0.5, 0.98])
-    noise = next(float(np.median(one.errors)) for one in problem.channels if one.name == "y")
-    return bool(usual - low > max(2.0 * (high - usual), LEAST_RISE * problem.radius, SLIPS * noise))
+def _changed(run: Run, sizes: Mapping[str, float], radius: float = 1.0, time: float = 1.0, zero: float = 0.0) -> Run:
+    """Return a run with other channels, radius and times [factors], and another zero of the angle [rad].
 
-
-def _of_units(ratio: float) -> list[str]:
-    """Ask about units, and the direction of the angle; `ratio` is the way of the centre over radius and angle, about 1."""
-    if abs(ratio) > FAR_OFF:
-        return [
-            f"The centre goes {abs(ratio):.2g} times as far as radius and angle let it: are lengths in cm or pixels? "
-            "Name the columns x (cm), y (cm); the radius is in m."
-        ]
-    if abs(ratio) < 1.0 / FAR_OFF:
-        return [
-            f"The angle goes {1.0 / max(abs(ratio), 1e-9):.2g} times as far as radius and x let it: is it in degrees "
-            "(--angle-unit deg), or the radius in cm? The radius is in m."
-        ]
-    if ratio < 0:
-        return ["x grows while the angle falls: the angle counts clockwise if x counts to the right. Does yours?"]
-    return []
-
-
-def _run_with(
-    run: Run, time: float = 1.0, length: float = 1.0, radius: float = 1.0, zero: float = 0.0, rate: float = 1.0
-) -> Run:
-    """Return a run with other times, lengths, radius, angular velocities [factors] and another zero of the angle [rad]."""
-    # a sensor has a clock of its own; among places an angular velocity comes from their times
-    turning = rate / time if len(run.channels) > 1 else rate
+    sizes: factors of channels by name.
+    """
 
     def channel(one: Channel) -> Channel:
-        if one.name == "angle":
-            return one._replace(values=one.values - zero)
-        factor = turning if one.name == "omega" else length
-        return one._replace(values=factor * one.values, errors=factor * one.errors)
+        size, shift = sizes.get(one.name, 1.0), zero if one.name == "angle" else 0.0
+        # a sensor has a clock of its own; among places an angular velocity comes from their times
+        size /= time if one.name == "omega" and len(run.channels) > 1 else 1.0
+        return one._replace(values=size * one.values - shift, errors=abs(size) * one.errors)
 
-    channels, size = tuple(channel(one) for one in run.channels), radius * run.radius
-    hoop = run.hoop and run.hoop.model_copy(update={"radius": size})
-    return replace(run, t=time * run.t, channels=channels, radius=size, hoop=hoop, priors={})
-
-
-def _of_times(run: Run, factor: float) -> Trial:
-    slow = "is the film in slow motion? Give the frames per second as taken, hophoop track --rate 240, or correct the times."
-    fast = "are frames per second (--rate) and times right, in s?"
-    advice = slow if 1e-3 < factor < 0.8 else fast
-    return Trial("times", f"with times multiplied by {factor:.3g}", advice, _run_with(run, time=factor))
+    hoop = run.hoop and run.hoop.model_copy(update={"radius": radius * run.radius})
+    return replace(run, t=time * run.t, channels=tuple(map(channel, run.channels)), radius=radius * run.radius, hoop=hoop)
 
 
-def _of_radius(run: Run, factor: float, length: float = 1.0) -> Trial:
-    advice = (
-        "is the radius in m, and no diameter?" if not min(NEAR) < factor < max(NEAR) else "measure the outer radius of the rim."
-    )
-    words = f"with a radius of {factor * run.radius:.3g} m"
-    return Trial("the radius", words, advice, _run_with(run, length=length, radius=factor))
+def _exchanged(run: Run) -> Run:
+    """Return a run with x and y exchanged."""
+    other = {"x": "y", "y": "x"}
+    return replace(run, channels=tuple(one._replace(name=other.get(one.name, one.name)) for one in run.channels))
 
 
 def _trials(run: Run) -> list[Trial]:
     """Return the run without each usual mistake that its kind of record may have."""
     measured = run.measured
-    found = [_of_times(run, one) for one in TIMES if SHORTEST < one * run.t[-1] < LONGEST]
-    found += [_of_radius(run, one) for one in (0.5, 2.0)]
-    if measured & {"x", "marker_x"}:
-        found += [_of_radius(run, one, one) for one in (0.01, 0.001)]
+    found = []
+    for factor in TIMES:
+        slow = (
+            "is the film in slow motion? Give the frames per second as taken, hophoop track --rate 240, or correct the times."
+        )
+        advice = slow if 1e-3 < factor < 0.8 else "are frames per second (--rate) and times right, in s?"
+        if SHORTEST < factor * run.t[-1] < LONGEST:
+            other = _changed(run, {}, time=factor)
+            found.append(Trial("times", "with times multiplied by {:.3g}", advice, other, "times", factor, factor == 1.0))
+    lengths = dict.fromkeys(("x", "y", "marker_x", "marker_y"), 1.0)
+    for factor in (*SIZES, *UNITS):
+        advice = "measure the outer radius of the rim." if factor in CLOSE else "is the radius in m, and no diameter?"
+        other = _changed(run, {}, radius=factor)
+        found.append(Trial("the radius", "with a radius of {:.3g} m", advice, other, "radius", other.radius, factor == 1.0))
+    degrees = np.radians(1.0)
+    if measured & lengths.keys():
         found.append(Trial("the scale", "with other lengths", "is the scale of lengths right?", run, "scale"))
-        if "angle" not in measured:
-            units = "are lengths in cm or mm? Name the columns x (cm), y (cm)."
-            found += [
-                Trial("units", f"with lengths multiplied by {one:g}", units, _run_with(run, length=one))
-                for one in (0.01, 0.001)
-            ]
-    else:
-        found += [_of_radius(run, one) for one in (0.01, 0.001)]
+        for factor in UNITS:
+            small, words = dict.fromkeys(lengths, factor), f"with lengths multiplied by {factor:g}"
+            units = "are lengths in cm, mm or pixels? Name the columns x (cm), y (cm); the radius is in m."
+            found.append(Trial("units", words, units, _changed(run, small)))
+            both = "is the radius in m, and are lengths in cm or mm?"
+            found.append(Trial("units", f"{words} and the radius, too", both, _changed(run, small, radius=factor)))
+    if {"x", "y"} <= measured:
+        turned = "with x and y exchanged", "is the film sideways, or are x and y exchanged?"
+        found.append(Trial("axes", *turned, _exchanged(run)))
+        down = "with y in the other direction", "does y count downwards? y is the height."
+        found.append(Trial("axes", *down, _changed(run, {"y": -1.0})))
+        over = "with x and y in the other direction", "is the film upside down?"
+        found.append(Trial("axes", *over, _changed(run, {"x": -1.0, "y": -1.0}, zero=np.pi)))
     if "angle" in measured:
+        back = "with the angle in the other direction", "the angle counts clockwise if x counts to the right. Does yours?"
+        found.append(Trial("axes", *back, _changed(run, {"angle": -1.0})))
+        unit = "with the angle in degrees", "is it in degrees (--angle-unit deg)?"
+        found.append(Trial("units", *unit, _changed(run, {"angle": degrees})))
         top = "is your angle zero with the load at the top? A known difference is --fix marker_angle=…, in rad."
         found += [
-            Trial("the zero of the angle", "with another zero of the angle", top, _run_with(run, zero=one), "marker_angle")
+            Trial("the zero of the angle", "with another zero of the angle", top, _changed(run, {}, zero=one), "marker_angle")
             for one in np.radians(range(45, 360, 45))
         ]
     if "omega" in measured:
-        degrees = "with angular velocities in degrees per second", "name their unit in the head, or give --angle-unit deg."
-        found.append(Trial("units", *degrees, _run_with(run, rate=np.radians(1.0))))
+        unit = "with angular velocities in degrees per second", "name their unit in the head, or give --angle-unit deg."
+        found.append(Trial("units", *unit, _changed(run, {"omega": degrees})))
     return found
 
 
-def _nearby(
-    run: Run, values: dict[str, float], free: Sequence[str], kind: str, track: Track, held: dict[str, float]
-) -> tuple[float, Trial]:
-    """Return the run with the times, or the radius, with which a motion fits best, and its cost over the number of data.
-
-    values, free: of the fit, near which there may be a minimum as well; held: parameters by name.
-    """
-    make = _of_times if kind == "times" else _of_radius
-
-    def cost(factor: float) -> float:
-        trial = make(run, factor)
-        near = minimize(problem_of([trial.run]), parameters(values, free), True, CALLS).cost / run.count
-        return min(near, _cost(trial, track, held, polish=True))
-
-    middle, lowest = 1.0, np.inf  # valleys are narrow: first which one, then where its bottom is
-    for factor in NEAR:
-        here = cost(factor)
-        if here < lowest:
-            middle, lowest = factor, here
-        if lowest < GOOD:
-            break
-    found = need("scipy.optimize", "fit").minimize_scalar(
-        cost, bounds=(middle - STEP, middle + STEP), method="bounded", options={"maxiter": FEW_STEPS, "xatol": CLOSE}
-    )
-    return float(found.fun), make(run, float(found.x))
-
-
-def _cost(trial: Trial, track: Track, held: dict[str, float], polish: bool) -> float:
-    """Return the cost of the best motion over the number of data, about 1 where a motion fits; held: parameters by name."""
-    if trial.run.t[-1] > LONGEST:
-        return np.inf
-    run = replace(trial.run, start=start_kind(trial.run), priors={})
-    values, free = defaults(run, track)
-    values, free = values | held, (free - held.keys()) | {trial.extra} - {""}
-    first = values | {name: value for name, value in guess(run, values).items() if name in free}
-    starts = candidates(run, first, free, draws=DRAWS)
-    if not starts:
-        return np.inf
-    if not polish:
-        return starts[0].cost / run.count
-    problem, names = problem_of([run]), sorted(free)
-    lowest = (minimize(problem, parameters(one.values, names), True, CALLS).cost for one in starts[:STARTED])
-    return min(lowest) / run.count
-
-
-def _costs(trials: list[Trial], track: Track, held: dict[str, float]) -> list[tuple[float, Trial]]:
-    """Return the costs of the trials that are the best by drawn motions, the best first."""
-    order = sorted(trials, key=lambda trial: _cost(trial, track, held, polish=False))[:POLISHED]
-    return sorted(((_cost(trial, track, held, polish=True), trial) for trial in order), key=lambda pair: pair[0])
-
-
-def _window(run: Run, track: Track, sigma: Sigma, held: dict[str, float], allowed: float) -> list[str]:
+def _window(run: Run, asked: Asked, allowed: float) -> list[str]:
     """Name the longest part of the data that is free motion, such as between a hand and a catch.
 
-    held: parameters by name; allowed: cost over the number of data [1].
+    allowed: cost over the number of data [1].
     """
+    track = asked.track
     hoop = run.hoop or ("general" if run.general else "ideal")
     begin, end = float(track.t[0]), float(track.t[-1])
     step = 0.1 * np.ceil((end - begin) / PARTS / 0.1)
@@ -276,12 +236,12 @@ def _window(run: Run, track: Track, sigma: Sigma, held: dict[str, float], allowe
 
     def free(first: int, last: int) -> bool:
         try:
-            own = run_of(track.between(places[first] - 1e-9, places[last] + 1e-9), hoop, run.start, run.plane, sigma)
+            own = run_of(track.between(places[first] - 1e-9, places[last] + 1e-9), hoop, run.start, run.plane, asked.sigma)
         except InputError:  # too few data
             return False
         if own.count < NUMBERS or _way(own) < MOVES:
             return False
-        return _cost(Trial("", "", "", own), track, held, polish=True) < allowed
+        return asked.fitted(Trial("", "", "", own))[0] < allowed
 
     found, before = (0, 0), False
     for first in range(len(places) - PIECE):

@@ -33,6 +33,7 @@ PARAMETERS: dict[str, ParameterSpec] = {
     "vy0": ParameterSpec("m/s", "velocity of the centre away from the plane in the first frame", -INFINITE, INFINITE, 1e-6),
     "omega0": ParameterSpec("rad/s", "angular velocity in the first frame", -INFINITE, INFINITE, 1e-6),
     "scale": ParameterSpec("1", "length in the data over length", 0.5, 2.0, 1e-6),
+    "stretch": ParameterSpec("1/m", "relative change of the scale along the plane", -0.1, 0.1, 1e-6),
     "tilt": ParameterSpec("rad", "angle by which the plane rises along x of the data", -1.0, 1.0, 1e-6),
     "origin_y": ParameterSpec("m", "height of the plane in the data at x = 0", -INFINITE, INFINITE, 1e-6),
     "row_delay": ParameterSpec("s", "delay of the exposure from row to row, beyond the track's", -1e-3, 1e-3, 1e-8),
@@ -40,6 +41,11 @@ PARAMETERS: dict[str, ParameterSpec] = {
     "marker_ratio": ParameterSpec("1", "distance of the marker from the centre over the radius", 0.01, 1.5, 1e-6),
     "omega_offset": ParameterSpec("rad/s", "offset of the measured angular velocity", -INFINITE, INFINITE, 1e-6),
 }  # fmt: skip
+# Factors of the data of which a trial fits one: no parameters of a fit.
+FACTORS = {
+    "times": ParameterSpec("1", "true times over those of the data", 0.8, 1.25, 1e-6),
+    "radius": ParameterSpec("1", "true radius over the given one", 0.8, 1.25, 1e-6),
+}
 # Parameters that several runs of a hoop have in common; each run has its own of the others.
 SHARED = ("gamma", "eccentricity", "inertia_ratio", "mu_kinetic", "mu_excess", "restitution", "rolling_resistance")
 # Numbers of the scenario that change with a parameter by the same amount.
@@ -60,6 +66,7 @@ PATHS: dict[str, tuple[str, ...]] = {
     "vy0": ("start.vy",),
     "omega0": ("start.omega",),
 }
+TIMED = ("row_delay", *FACTORS)  # parameters that change the times at which the motion is seen
 # Kinds of motion in the first frame, with their parameters.
 STARTS = {
     "rolling": ("x0", "angle0", "speed"),
@@ -82,7 +89,7 @@ STATIC = ParameterSpec("1", "static friction, the sum of the two", 0.0, 5.0, 1e-
 def spec(name: str) -> ParameterSpec:
     """Return the parameter of a name, which may have the number of its run, such as speed_2; or mu_static."""
     base, _, number = name.rpartition("_")
-    return STATIC if name == "mu_static" else PARAMETERS[base if number.isdigit() and name not in PARAMETERS else name]
+    return STATIC if name == "mu_static" else (PARAMETERS | FACTORS)[base if number.isdigit() else name]
 
 
 def parts_of(name: str) -> tuple[str, ...]:

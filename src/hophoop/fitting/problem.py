@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.fitting.channels import Channel, Sigma, channels_of
-from hophoop.fitting.parameters import SHARED, STARTS
+from hophoop.fitting.parameters import FACTORS, SHARED, STARTS
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
@@ -21,6 +21,7 @@ Values = dict[str, float]
 
 FAR = 1e4  # residual of an impossible motion [standard deviations]
 SAME = 1e-6  # relative difference of radii that is rounding
+RIM_ERROR = 0.1  # error of the rim's radius that changes along the film [pixel]
 BEYOND = 1.0 + 1e-9  # duration of the motion over that of the data
 
 
@@ -48,6 +49,7 @@ class Run:
     plane: Plane  # gravity and the impact law
     priors: Mapping[str, Prior] = field(default_factory=dict)  # each counts as a measured number
     suffix: str = ""  # of its own parameters, among several runs
+    factor: str = ""  # a key of FACTORS that a trial fits as well
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -55,8 +57,8 @@ class Run:
         hoop = () if self.hoop is not None else ("eccentricity", "inertia_ratio") if self.general else ("gamma",)
         return (
             *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", "rolling_resistance", *STARTS[self.start],
-            "scale", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
-            *(["omega_offset"] if "omega" in self.measured else []),
+            "scale", "stretch", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
+            *(["omega_offset"] if "omega" in self.measured else []), *([self.factor] if self.factor else []),
         )  # fmt: skip
 
     @property
@@ -102,7 +104,12 @@ class Run:
         # 'x0' is the field 'x' of a start, and 'speed' the field 'speed'
         start = Start(**{name.removesuffix("0"): values[name] for name in STARTS[self.start]})
         margin = abs(values["row_delay"]) * (float(np.ptp(self.rows)) if self.rows is not None else 0.0)
-        return Scenario(hoop=hoop, plane=plane, start=start, duration=float(self.t[-1]) * BEYOND + margin)
+        duration = float(self.t[-1]) * self.pace(values) * BEYOND + margin
+        return Scenario(hoop=hoop, plane=plane, start=start, duration=duration)
+
+    def pace(self, values: Mapping[str, Any]) -> Any:
+        """Time of the motion over that of the data [1]: a hoop of another radius moves alike, at times as its root."""
+        return values.get("times", 1.0) / np.sqrt(values.get("radius", 1.0))
 
     def motion(self, values: Values) -> Trajectory:
         """Compute the motion of parameters."""
@@ -111,7 +118,7 @@ class Run:
     def moments(self, motion: Trajectory, values: Values) -> Floats:
         """Times of the motion at which the centre was exposed in each frame, shape (n,) [s]."""
         times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
-        return np.clip(times, 0.0, motion.duration)
+        return np.asarray(np.clip(times * self.pace(values), 0.0, motion.duration))
 
     def places(self, motion: Trajectory, values: Values) -> dict[str, Floats]:
         """Predicted data of a motion in each frame, by name of the channel [m, rad or rad/s]."""
@@ -121,15 +128,18 @@ class Run:
         """Predicted data of states (x, height, angle, omega), by name of the channel [m, rad or rad/s]."""
         reach = values["marker_ratio"] * self.radius
         marked = state.angle + values["marker_angle"]
-        x, y = state.x, state.height + self.radius
-        cos, sin = values["scale"] * np.cos(values["tilt"]), values["scale"] * np.sin(values["tilt"])
+        x, y = state.x * (1.0 + values["stretch"] * state.x), state.height + self.radius
+        size = values["scale"] * values.get("radius", 1.0)
+        cos, sin = size * np.cos(values["tilt"]), size * np.sin(values["tilt"])
 
         def rotate(a: Floats, b: Floats) -> tuple[Floats, Floats]:
             return cos * a - sin * b, values["origin_y"] + sin * a + cos * b
 
         first, second = rotate(x, y)
         third, fourth = rotate(x + reach * np.sin(marked), y + reach * np.cos(marked))
-        omega = state.omega + values.get("omega_offset", 0.0)
+        # a sensor has a clock of its own; among places an angular velocity comes from their times
+        pace = self.pace(values) if len(self.channels) > 1 else self.pace(values) / values.get("times", 1.0)
+        omega = pace * state.omega + values.get("omega_offset", 0.0)
         return {
             "x": first,
             "y": second,
@@ -149,9 +159,9 @@ class Run:
 
     def distances(self, places: dict[str, Floats], values: Values) -> Floats:
         """Return data minus predicted data, and priors minus values, shape (count,) [standard deviations]."""
-        parts = [(channel.values - places[channel.name][channel.rows]) / channel.errors for channel in self.channels]
-        parts.append(np.array([(prior.value - values[name]) / prior.error for name, prior in self.priors.items()]))
-        return np.nan_to_num(np.concatenate(parts), nan=FAR, posinf=FAR, neginf=-FAR)
+        parts = [(channel.values - places[channel.name][..., channel.rows]) / channel.errors for channel in self.channels]
+        parts += [np.atleast_1d((prior.value - values[name]) / prior.error) for name, prior in self.priors.items()]
+        return np.nan_to_num(np.concatenate(parts, axis=-1), nan=FAR, posinf=FAR, neginf=-FAR)
 
 
 class Piece(NamedTuple):
@@ -248,7 +258,14 @@ def shared_errors(track: Track) -> dict[str, Prior]:
     view, found = track.view, {}
     if view is not None and track.placed:
         height = float(np.hypot(view.height_error, view.scale_error * track.radius))
-        found = {"scale": Prior(1.0, view.scale_error), "origin_y": Prior(0.0, height), "tilt": Prior(0.0, view.rise_error)}
+        # the tilt of the plane of motion is found from sizes of the rim
+        stretch = RIM_ERROR / (view.scale * track.radius * float(np.nanmax(track.centre[:, 0]) - np.nanmin(track.centre[:, 0])))
+        found = {
+            "stretch": Prior(0.0, stretch),
+            "scale": Prior(1.0, view.scale_error),
+            "origin_y": Prior(0.0, height),
+            "tilt": Prior(0.0, view.rise_error),
+        }
         found["slope"] = Prior(track.slope, track.slope_error)
     return {name: prior for name, prior in found.items() if np.isfinite(prior).all() and prior.error > 0}
 
@@ -260,11 +277,12 @@ def defaults(run: Run, track: Track) -> tuple[Values, set[str]]:
         "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
         "rolling_resistance": run.plane.rolling_resistance,
         "speed": 1.0, "vx0": 1.0, "omega0": 1.0 / run.radius, "scale": 1.0, "marker_ratio": 1.0,
+        **dict.fromkeys(FACTORS, 1.0),
     }  # fmt: skip
     if track.view is not None and np.isfinite(track.view.marker_ratio):
         values["marker_ratio"] = track.view.marker_ratio
     free = {"gamma", "eccentricity", "inertia_ratio", "mu_kinetic", "mu_excess", "restitution", *STARTS[run.start]}
-    free |= {"omega_offset", *shared_errors(track)}
+    free |= {"omega_offset", run.factor, *shared_errors(track)}
     if not track.placed:
         free |= {"tilt", "origin_y"}
     if not run.measured & {"x", "marker_x"}:

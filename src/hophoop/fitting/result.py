@@ -14,7 +14,7 @@ from hophoop._support import tables
 from hophoop._support.extras import need
 from hophoop._version import __version__
 from hophoop.fitting.channels import KINDS, Sigma
-from hophoop.fitting.covariance import autocorrelations
+from hophoop.fitting.covariance import correlated_frames
 from hophoop.fitting.judging import WORDS, sequence_of
 from hophoop.fitting.parameters import SHARED, parts_of, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
@@ -155,6 +155,16 @@ class Fit:
         variance = float(self.covariance[np.ix_(places, places)].sum())
         # a singular problem has negative variances
         return self.inflation * variance**0.5 if variance >= 0 else float("nan")
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Standard deviations of the fitted parameters that the data determine [SI units]."""
+        return {name: self.error(name) for name in self.free}
+
+    @property
+    def least_static_friction(self) -> float:
+        """Lower limit of the static friction at 95 %, if the hoop never slips; otherwise nan [1]."""
+        return self.limits.get("mu_static", ("", np.nan))[1]
 
     @cached_property
     def problem(self) -> Problem:
@@ -356,12 +366,12 @@ class Fit:
                 f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
                 f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
             )
-        memories = autocorrelations(self.problem, self.problem.residuals(self.values), self.settings["robust"])
-        for piece, memory in zip(self.problem.pieces, memories, strict=True):
-            if memory.share:
+        memory = correlated_frames(self.problem, self.problem.residuals(self.values), self.settings["robust"])
+        for piece, frames in zip(self.problem.pieces, memory, strict=True):
+            if frames > 1.0:
                 said.append(
-                    f"Errors of {WORDS[piece.channel.name]} are correlated ({memory.frames:.1f} frames have the information of "
-                    "one); the uncertainties include that."
+                    f"Errors of {WORDS[piece.channel.name]} are correlated ({frames:.1f} frames have the information of one); "
+                    "the uncertainties include that."
                 )
         return said
 
@@ -378,7 +388,7 @@ class Fit:
             "schema": SCHEMA,
             "version": __version__,
             **{name: getattr(self, name) for name in (*kept, "notes", "settings")},
-            "errors": {name: self.error(name) for name in self.free},
+            "errors": self.errors,
             "covariance": self.covariance.tolist(),
             "scenario": self.scenario.to_dict(),
             "tracks": [track.to_dict() for track in self.tracks],
@@ -406,8 +416,8 @@ class Fit:
         return tables.html(self.rows(), left=(0, 2), before=[" ".join(self.sentences())])
 
     def __repr__(self) -> str:
-        some = ", ".join(f"{name} = {format_value(self.values[name], self.error(name))}" for name in self.free[:4])
-        return f"<Fit of {self.source}: {some}, χ²/dof = {self.reduced:.2f}>"
+        found = [row for row in self.rows() if not row[1].endswith(GIVEN)]
+        return tables.report(f"Fit of {self.source}", found, self.sentences()[:1], left=(0, 1, 2))
 
     @property
     def source(self) -> str:

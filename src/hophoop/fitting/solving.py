@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.extras import need
+from hophoop.fitting.channels import rotation
 from hophoop.fitting.covariance import covariance_of
 from hophoop.fitting.guess import SPREADS, Candidate, candidates
 from hophoop.fitting.jacobian import exact_slopes
@@ -24,10 +26,9 @@ Floats = NDArray[np.float64]
 
 FIRST_CALLS, MOST_CALLS = 12, 100  # maximum calls of the motion, in a first and in the last minimization
 BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter without effect
-WALK = 15  # steps along a parameter
 SHORTEST = 100  # numbers of a part of a record that is fitted for a start
-ROUNDS = 4  # of walks, while they help and the data are not explained
-WORTH_TRYING, MOST_WALKS = 4.0, 4  # maximum factor of the cost of a step, and maximum number of such starts
+ROUNDS = 4  # of other starts, while they help and the data are not explained
+WORTH_TRYING = 4.0  # maximum factor of the cost of a start without slip
 ASIDE = (-12.0, -4.0, 4.0, 12.0)  # distances of other starts from a minimum [standard deviations]
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
 ENOUGH = 1.0  # friction with which most motions never slip
@@ -224,8 +225,23 @@ def approach(problem: Problem, params: Parameters, robust: bool) -> tuple[Minimu
     return minimize(problem, held(params, {name: params[name].value for name in blind}), robust), blind
 
 
-def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], robust: bool) -> tuple[Solution, list[str]]:
-    """Find the lowest minimum from several starts, and the parameters without effect there."""
+def smoothed(problem: Problem, params: Parameters, robust: bool, most: int = FIRST_CALLS) -> Parameters:
+    """Return parameters with which the rotation fits, where there are angular velocities alone; else the same.
+
+    An angular velocity jumps at an impact, so the sum of squares has a step wherever an impact passes a measured value.
+    """
+    if any(run.measured != {"omega"} for run in problem.runs):
+        return params
+    runs = [replace(run, channels=(rotation(run.channels[0], run.t),)) for run in problem.runs]
+    there = params.copy()
+    for run in runs:  # the rotation counts from the first value
+        there[run.named("marker_angle")].set(-there[run.named("angle0")].value, vary=True)
+    found = minimize(Problem(tuple(runs)), there, robust, most).values
+    return changed(params, found | {name: params[name].value for name in params if name.startswith("marker_angle")})
+
+
+def lowest(problem: Problem, params: Parameters, starts: Sequence[Candidate], robust: bool) -> tuple[Minimum, list[str]]:
+    """Return the lowest of approximate minima from several starts, and the parameters without effect there."""
     found: list[tuple[Minimum, list[str]]] = []
     explained = False
     tried: set[str] = set()
@@ -233,14 +249,18 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
         # another sequence may explain the data better, also if they are explained to their scatter
         if explained and start.sequence in tried:
             continue
-        found.append(approach(problem, changed(params, start.values), robust))
+        found.append(approach(problem, smoothed(problem, changed(params, start.values), robust), robust))
         tried.add(start.sequence)
         explained = explained or found[-1][0].cost < EXPLAINED * problem.count
-    best, blind = min(found, key=lambda pair: pair[0].cost)
+    return min(found, key=lambda pair: pair[0].cost)
+
+
+def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], robust: bool) -> tuple[Solution, list[str]]:
+    """Find the lowest minimum from several starts, and the parameters without effect there."""
+    best, blind = lowest(problem, params, starts, robust)
     for k in range(1, ROUNDS + 1):
         cost = best.cost
-        others = _other_starts(problem, params, best, robust, k)
-        for values in (*_walks(problem, params, best, robust), *others):
+        for values in _other_starts(problem, params, best, robust, k):
             other = approach(problem, changed(params, values), robust)
             if other[0].cost < best.cost - 1e-6:
                 best, blind = other
@@ -324,24 +344,3 @@ def slips(problem: Problem, values: Mapping[str, float]) -> bool:
         return any({"S", "K"} & set(motion.sequence) for motion in problem.motions(values))
     except InputError:
         return True
-
-
-def _walks(problem: Problem, params: Parameters, best: Minimum, robust: bool) -> list[dict[str, float]]:
-    """Other starts: along each parameter of the contact, the two lowest values apart from the minimum.
-
-    Along these the sum of squares has steps and plateaus, such as restitution so small that nothing bounces.
-    """
-    result, there = [], changed(params, best.values)
-    for name, (low, high) in SPREADS.items():
-        one = there[name]
-        if not one.vary:
-            continue
-        costs = []
-        for value in np.linspace(max(low, one.min), min(high, one.max), WALK).tolist():
-            one.value = value
-            costs.append((cost_of(problem, there, robust), value))
-        one.value = best.values[name]
-        for cost, value in sorted(costs)[:2]:
-            if cost < WORTH_TRYING * best.cost:
-                result.append((cost, {**best.values, name: value}))
-    return [values for _, values in sorted(result, key=lambda pair: pair[0])[:MOST_WALKS]]
