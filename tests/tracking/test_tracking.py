@@ -395,6 +395,17 @@ def test_an_even_grid_is_what_all_times_round_to(ticks, usual, step):
     assert even_step(ticks, usual) == pytest.approx(step, abs=1.0 / len(ticks))  # rounding leaves as much open
 
 
+def test_pictures_of_different_sizes_are_refused(tmp_path, shorts):
+    narrow = [planes(picture[:, :160]) for picture in frames(MOTION, dataclasses.replace(SHORT, frames=12))]
+    parts = [
+        encode(tmp_path / f"{k}.h264", size, pictures, np.arange(12) * STEP)
+        for k, (size, pictures) in enumerate((((320, 192), shorts[:12]), ((160, 192), narrow)))
+    ]
+    (tmp_path / "film.h264").write_bytes(b"".join(part.read_bytes() for part in parts))
+    with pytest.raises(ValueError, match=r"film\.h264 has pictures of different sizes"):
+        hh.track(tmp_path / "film.h264", RADIUS, Hints(rate=60.0))
+
+
 def test_a_film_of_minutes_asks_for_a_window_at_once(tmp_path, shorts):
     film = encode(tmp_path / "film.mp4", SHORT.size, shorts[:4], np.arange(4) * 200 * TICKS)
     with pytest.raises(ValueError, match=r"film.mp4 lasts 600 s, .* --from 12.5 --to 15"):

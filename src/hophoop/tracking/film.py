@@ -14,7 +14,7 @@ from hophoop.tracking.hints import Hints, require_above_0
 from hophoop.tracking.looking import Seen, look
 from hophoop.tracking.places import Places, find_places
 from hophoop.tracking.scatter import spread, third_differences
-from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, track_of
+from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, along, track_of
 
 Floats = NDArray[np.float64]
 
@@ -107,9 +107,7 @@ def _track(places: Places, notes: list[str], seen: Seen, hints: Hints, radius: f
         line = line_through(ends[0], ends[1], size)
     else:
         line = ground_line(circle[there, :2], np.sqrt(places.covariance[there, 2]), size)
-    cos, sin = np.cos(line.angle), np.sin(line.angle)
-    turn = np.array([[cos, sin], [-sin, cos]])  # from the picture's axes to those of the plane
-    base = np.array([line.x, line.y])
+    turn, base = along(line.angle), np.array([line.x, line.y])
     origin = base + ((circle[there][0, :2] - base) @ turn[0]) * turn[0]
     place = (circle[:, :2] - origin) @ turn.T / scale + [0.0, radius]
     variances = np.einsum("ik,nkl,il->ni", turn, places.covariance[:, [[0, 1], [1, 2]]], turn)

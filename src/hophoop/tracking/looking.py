@@ -48,15 +48,12 @@ def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], 
             "such as by --from 12.5 --to 15 (since and until in Hints)."
         )
     stills = sample_pictures(video, *window)
-    size = stills[0].size
     search, shown = learn_hoop(stills, hints, source)
     marker = learn_marker(shown, hints.marker_color)
     times, rims, found, changes, first = [], [], [], [], 0
     last: list[tuple[float, Rim]] = []
     before = None
     for k, picture in enumerate(pictures(video, *window)):
-        if picture.size != size:
-            raise InputError(f"{source} has pictures of different sizes.")
         rim = _follow(picture, search, [one for one in last if picture.t - one[0] < FORGET])
         those: list[Spot] = []
         if rim is not None:
@@ -70,7 +67,7 @@ def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], 
         found.append([outlined(picture, spot) for spot in those])
         if progress is not None:
             progress(k + 1, len(span))
-    return Seen(np.array(times), rims, found, np.array(changes), size, first, None if marker is None else marker[:2])
+    return Seen(np.array(times), rims, found, np.array(changes), stills[0].size, first, None if marker is None else marker[:2])
 
 
 def _follow(picture: Picture, search: Search, last: list[tuple[float, Rim]]) -> Rim | None:

@@ -90,9 +90,7 @@ class View:
         pixels : ndarray, shape (…, 2)
             Column and row [pixel].
         """
-        x, y = self.scale * points[..., 0], self.scale * (points[..., 1] - radius)
-        cos, sin = np.cos(self.rise), np.sin(self.rise)
-        return self.camera.to_picture(np.stack([self.x + x * cos - y * sin, self.y + x * sin + y * cos], axis=-1))
+        return self.camera.to_picture([self.x, self.y] + self.scale * (points - [0.0, radius]) @ along(self.rise))
 
     def to_plane(self, pixels: Floats, radius: float) -> Floats:
         """Return the points of the plane at pixels, the inverse of `to_picture`.
@@ -110,9 +108,13 @@ class View:
             Along the plane and above it [m].
         """
         away = (self.camera.to_plane(pixels) - [self.x, self.y]) / self.scale
-        cos, sin = np.cos(self.rise), np.sin(self.rise)
-        x, y = away[..., 0], away[..., 1]
-        return np.stack([x * cos + y * sin, -x * sin + y * cos + radius], axis=-1)
+        return np.asarray(away @ along(self.rise).T + [0.0, radius])
+
+
+def along(rise: float) -> Floats:
+    """Rows of unit vectors along the plane and away from it, in the picture's axes; rise: of the plane [rad]."""
+    cos, sin = np.cos(rise), np.sin(rise)
+    return np.array([[cos, sin], [-sin, cos]])
 
 
 # Columns of a table: attribute and index, unit.

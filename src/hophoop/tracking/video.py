@@ -62,6 +62,7 @@ def pictures(
         stream.thread_type = "AUTO"
         aspect = float(stream.sample_aspect_ratio or 1.0)
         row, first, last = 0, None, -1.0
+        size: tuple[int, int] | None = None
         for frame in box.decode(stream):
             if rate is None and frame.pts is None:
                 raise InputError(f"{file} has no times of its frames: give the rate, in frames per second.")
@@ -72,7 +73,11 @@ def pictures(
             if until is not None and t > until:
                 break
             if since is None or t >= since:
-                yield _picture(frame, row, t, aspect, stream.codec_context.name in CENTRED_CHROMA, file)
+                picture = _picture(frame, row, t, aspect, stream.codec_context.name in CENTRED_CHROMA, file)
+                size = size or picture.size
+                if picture.size != size:
+                    raise InputError(f"{file} has pictures of different sizes.")
+                yield picture
             row, last = row + 1, t
 
 
