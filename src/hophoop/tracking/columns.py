@@ -150,11 +150,7 @@ def split(layout: Layout, name: str) -> Table:
     if first is None:
         raise InputError(f"{name} has no {'table' if len(rows) < 2 else 'row of numbers'}.")
     last = max(k for k, row in enumerate(rows) if _is_data(row)) + 1
-    most = max(map(len, rows[first:last]))
-    body = pandas.DataFrame([row + [""] * (most - len(row)) for row in rows[first:last]], dtype=object).apply(
-        lambda cells: cells.str.strip()
-    )
-    body = body.mask(body.apply(lambda cells: cells.str.lower().isin(EMPTY))).replace({GROUPS: ""}, regex=True)
+    body = pandas.DataFrame(dict(enumerate(zip_longest(*rows[first:last], fillvalue=""))), dtype=object).apply(_stripped)
     width = 1 + max(k for k in body if body[k].notna().any())
     short = [len(row) < width for row in rows[first:last]]
     if not layout.separator and any(short):
@@ -167,7 +163,13 @@ def split(layout: Layout, name: str) -> Table:
         comments = [comment for comment, _ in layout.lines[: layout.lines.index(lines[first])]]
         above = [cells for comment in comments if len(cells := _divided(comment, width, layout.separator)) == width][-1:]
     comments = [comment for comment, _ in lines[first:last]]
-    return Table(above, body, comments, " ".join(cell for row in rows[last:] for cell in row), layout.separator)
+    return Table(above, body[range(width)], comments, " ".join(cell for row in rows[last:] for cell in row), layout.separator)
+
+
+def _stripped(cells: Any) -> Any:
+    """Return the cells of a column without blanks and signs that group digits, nan for empty ones."""
+    cells = cells.str.strip().str.replace(GROUPS, "", regex=True)
+    return cells.mask(cells.str.lower().isin(EMPTY))
 
 
 def _divided(line: str, width: int, sign: str = "") -> list[str]:
@@ -267,16 +269,17 @@ def _plain(text: str) -> str:
 
 def columns(table: Table, names: list[Head], name: str, rate: float | None) -> tuple[list[Column], list[str]]:
     """Return the columns of a table under their names, and remarks on signs that group digits."""
-    wide = 1 + max(k for k in table.body if table.body[k].notna().any())
+    wide = len(table.body.columns)
     if names and wide > len(names):
         raise InputError(
             f"{name} has a row of {wide} cells under {len(names)} names: a comma can divide cells or numbers, not both. "
             "Save it with semicolons."
         )
     decimal, notes = _decimal_sign(table, name)
-    result = []
-    for k, head in enumerate(names or [Head("")] * wide):
-        cells = table.body.get(k, default=table.body[0].mask(table.body[0].notna()))
+    result, names = [], names or [Head("")] * wide
+    body = table.body.reindex(columns=range(len(names))).astype(object)
+    for k, head in enumerate(names):
+        cells = body[k]
         known, label = cells.dropna(), head.label or f"column {k + 1}"
         if len(known) and known.str.fullmatch(CLOCK).all():
             numbers, counted = _clock(known, rate, name, label)
