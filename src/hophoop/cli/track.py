@@ -87,6 +87,7 @@ def track(
 
 
 def _write(found: Any, video: Path, out: Path | None, save: Path | None, overlay: Path | None, quiet: bool) -> None:
+    from hophoop._support.extras import need
     from hophoop._support.files import replacing
     from hophoop._support.progress import bar
     from hophoop.cli import say
@@ -98,7 +99,7 @@ def _write(found: Any, video: Path, out: Path | None, save: Path | None, overlay
         found.save(out / "track.json")
         found.save(out / "track.csv")
         with replacing(out / "track.svg") as figure:
-            plot(found).savefig(figure)
+            plot(found, need("matplotlib.figure", "track").Figure()).savefig(figure)
         overlay = overlay or out / "overlay.mp4"
     if save is not None:
         found.save(save)

@@ -131,7 +131,9 @@ def _page(fit: Fit, film: str | None) -> str:
 def _svg(rows: list[Row]) -> str:
     """Return a figure of residuals as an element of a page."""
     with io.StringIO() as stream, need("matplotlib", "fit").rc_context({"svg.fonttype": "none"}):
-        over_time(rows).savefig(stream, format="svg", transparent=True, metadata={"Date": None})
+        over_time(rows, need("matplotlib.figure", "fit").Figure()).savefig(
+            stream, format="svg", transparent=True, metadata={"Date": None}
+        )
         return stream.getvalue().partition("<!DOCTYPE")[2].partition(">\n")[2]
 
 

@@ -34,10 +34,10 @@ class Row(NamedTuple):
     ribbon: Sequence[tuple[float, float, str]] = ()  # pieces of time [s] and their colour
 
 
-def over_time(rows: Sequence[Row]) -> Figure:
-    """Draw quantities as dots over one axis of time."""
-    new = need("matplotlib.figure", "plots").Figure
-    figure: Figure = new(figsize=(WIDTH, 0.4 + HEIGHT * len(rows)), layout="constrained")
+def over_time(rows: Sequence[Row], figure: Figure) -> Figure:
+    """Draw quantities as dots over one axis of time, into an empty figure."""
+    figure.set_layout_engine("constrained")
+    figure.set_size_inches(WIDTH, 0.4 + HEIGHT * len(rows))
     for row, ax in zip(rows, figure.subplots(len(rows), sharex=True, squeeze=False).flat, strict=True):
         ax.plot(row.t, row.values, ".", color=colors.GREEN, ms=3.5)
         ax.set_title(row.label, loc="left", fontsize=SMALL + 1)
@@ -51,12 +51,14 @@ def over_time(rows: Sequence[Row]) -> Figure:
     return figure
 
 
-def track(found: Track) -> Figure:
+def track(found: Track, figure: Figure | None = None) -> Figure:
     """Draw what a track has over time: x, height of the rim above the plane, angle, angular velocity.
 
     Parameters
     ----------
     found : Track
+    figure : matplotlib.figure.Figure, optional
+        An empty one; by default a new one.
 
     Returns
     -------
@@ -73,4 +75,5 @@ def track(found: Track) -> Figure:
         "Angle (°)": np.degrees(found.angle),
         "Angular velocity (rad/s)": found.omega,
     }
-    return over_time([Row(label, found.t, values) for label, values in known.items() if np.isfinite(values).any()])
+    rows = [Row(label, found.t, values) for label, values in known.items() if np.isfinite(values).any()]
+    return over_time(rows, figure or need("matplotlib.pyplot", "plots").figure())

@@ -45,7 +45,8 @@ def learn_hoop(stills: list[Picture], hints: Hints, source: str) -> tuple[Search
     best: list[tuple[Picture, Rim]] = []
     for search in (start._replace(background=background), start):
         found = [(still, rim) for still in stills if (rim := detect(still.luma, search)) is not None]
-        alike = _most_alike(found)
+        groups = ([pair for pair in found if _alike(pair[1], seed)] for _, seed in found)
+        alike = max(groups, key=lambda group: (len(group), sum(rim.share for _, rim in group)), default=[])
         if len(alike) > len(best):
             best, known = alike, search
         if len(best) >= max(2, 0.1 * len(stills)):
@@ -79,15 +80,10 @@ def _with_hint(search: Search, stills: list[Picture], hints: Hints) -> Search:
     return search._replace(sign=rim.sign, expected=(rim.circle.radius, 0.25 * ALIKE * rim.circle.radius))
 
 
-def _most_alike(found: list[tuple[Picture, Rim]]) -> list[tuple[Picture, Rim]]:
-    """Return the largest group of one size and one tone, of equal ones the best."""
-
-    def alike(one: Rim, other: Rim) -> bool:
-        size = other.circle.radius
-        return one.sign == other.sign and abs(one.circle.radius - size) < ALIKE * size
-
-    groups = ([pair for pair in found if alike(pair[1], seed)] for _, seed in found)
-    return max(groups, key=lambda group: (len(group), sum(rim.share for _, rim in group)), default=[])
+def _alike(one: Rim, other: Rim) -> bool:
+    """Return True for rims of one size and one tone."""
+    size = other.circle.radius
+    return one.sign == other.sign and abs(one.circle.radius - size) < ALIKE * size
 
 
 # --- one picture -----------------------------------------------------------------------------------
