@@ -153,11 +153,13 @@ def test_landings_and_the_bottom_give_the_same_doubling():
 
 
 def test_a_branch_goes_on_where_the_mode_after_the_landing_changes(gear):
-    (border,) = of_kind(gear, "border collision")
-    assert border.event == "impact: slip just stops: KRSH | RSH"
-    assert border.multipliers[0] == pytest.approx(border.multipliers[1], rel=1e-6)
-    assert {len(point.place) for point in gear.points} == {3, 4}
-    assert (gear.special[-1].kind, gear.special[-1].event) == ("end", "phase vanishes")
+    borders = of_kind(gear, "border collision")
+    assert [border.event for border in borders] == [
+        "impact: slip just stops: KRSH | RSH", "phase vanishes: RSH | SH", "phase vanishes: SH | H"
+    ]  # fmt: skip
+    for border in borders:
+        assert border.multipliers[0] == pytest.approx(border.multipliers[1], rel=1e-6)
+    assert {len(point.place) for point in gear.points} == {3, 4, 5}
     for k in (0, len(gear.points) // 2, -1):
         assert gear.gait(k).residual < 1e-12
     fold = of_kind(gear, "fold")[0]
@@ -186,7 +188,7 @@ def test_files_and_pictures(branch, gear):
     assert ax.get_xlabel() == "Slope β (°)"
     ax = hh.plots.branch(gear)
     assert ax.get_ylabel().endswith("after the landing (rad/s)")
-    assert "end" in {text.get_text() for text in ax.get_legend().get_texts()}
+    assert "period doubling" in {text.get_text() for text in ax.get_legend().get_texts()}
     assert "border collision, fold" in repr(branch)
     assert repr(of_kind(branch, "fold")[0]).startswith("<fold at plane.slope = 0.02037179")
 
@@ -229,6 +231,30 @@ def test_refusals(gait, path, bounds, message):
         gait.follow(path, bounds)
 
 
+def test_a_gait_without_a_derivative_is_not_followed():
+    """With a hop and the least restitution there are endless bounces."""
+    with pytest.raises(
+        ValueError, match=r"path = 'plane\.restitution' must be a parameter whose derivative exists at this gait"
+    ):
+        first(3.0, 2.8, gamma=0.5).follow("plane.restitution", (0.0, 0.6))
+
+
+def test_a_branch_ends_where_the_hoop_leaves_the_plane_at_the_bottom():
+    end = first(3.0, 2.8, gamma=0.5).follow("plane.slope", (0.05, 0.36)).special[-1]
+    assert (end.kind, end.event, end.parameter) == ("end", "hop vanishes", pytest.approx(0.34150477526, abs=1e-10))
+
+
+def test_a_gear_whose_slip_starts_at_once_is_that_of_single_motions(gear):
+    """Beyond 8.709°, where the first phase after the landing vanishes."""
+    for sequence in ("SH", "H"):
+        point = next(one for one in gear.points[::-1] if one.image.sequence == sequence and one.parameter > 0.1)
+        gait = point.gait
+        motion = hh.simulate(gait.scenario.replace("duration", 10.0 * gait.time), until="landings:1")
+        end = motion.events[-1]
+        assert end.t == pytest.approx(gait.time, rel=1e-12)
+        assert (end.angle - 2.0 * math.pi, end.omega) == pytest.approx((gait.state.angle, gait.state.omega), rel=1e-11)
+
+
 def test_a_branch_turns_back_at_a_corner_of_the_map():
     """With rolling resistance the gait with a hop ends against one whose landing stops the slip: no fold, but a corner."""
     found = first(3.0, 2.8, gamma=0.5).follow("plane.rolling_resistance", (0.0, 0.1))
@@ -262,7 +288,7 @@ def test_a_window_in_the_chaos():
 
 def test_a_border_of_landings_is_where_the_impact_needs_all_friction(gear):
     """To 1e-10°: there the share of friction that the impact of the gait above it needs is 1, extrapolated from two gaits."""
-    (border,) = of_kind(gear, "border collision")
+    border = of_kind(gear, "border collision")[0]
     slopes, shares = [], []
     for offset in (1e-6, 2e-6):
         case = border.gait.scenario.replace("plane.slope", border.parameter + math.radians(offset))

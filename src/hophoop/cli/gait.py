@@ -92,7 +92,7 @@ def gait(
 
 def _range(scenario: Scenario, text: str) -> tuple[str, tuple[float, float]]:
     """Return path and range of --follow; refuse what cannot be followed before the search, which takes seconds."""
-    from hophoop.gaits.branch import range_of
+    from hophoop.gaits.following import range_of
 
     wanted = "PATH=LOW:HIGH, such as plane.slope=0.001:0.1"
     path, span = assigned("--follow", text, wanted)

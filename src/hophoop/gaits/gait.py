@@ -177,7 +177,7 @@ class Gait:
         ValueError
             If the path is no parameter that can be followed, or the range does not hold the gait's value.
         """
-        from hophoop.gaits.branch import follow
+        from hophoop.gaits.following import follow
 
         return follow(self, path, bounds, progress)
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import pairwise, product, takewhile
+from functools import cached_property, lru_cache, partial
+from itertools import pairwise
 from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.gaits.computing import FOREVER, PANELS, check, new_buffers, passages
+from hophoop.gaits.differences import Floats, Values, derivative_matrix, difference
 from hophoop.gaits.kernels.layout import BRANCHES, INTEGERS, MODE, OMEGA, SECTIONS, SLIP, THETA, TURNS, VY, Request
 from hophoop.gaits.kernels.passages import follow_passages
 from hophoop.gaits.results import Lyapunov, Passages
@@ -35,23 +35,15 @@ from hophoop.scenario import InputError, Scenario, Start, cell_of
 from hophoop.scenario.paths import parameter
 from hophoop.vocabulary.parameters import PARAMETERS
 
-Floats = NDArray[np.float64]
-Values = Callable[[float], "Floats | None"]  # of a map at a distance from a point; None on another piece
-
 NAMES: tuple[str, ...] = ("angle", "omega", "slip", "vy")
 PLACES: tuple[int, ...] = (THETA, OMEGA, SLIP, VY)  # their columns
 FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits are looked for
 ON_SECTION = 1e-9  # rad: within it a start is on the section
-WIDE, WIDTHS, USUAL, NARROW = 2.0**-6, 12, 2.0**-10, 2.0**-27  # steps: first ones of exact derivatives, of others, the least
-SIDED = (2.0**-13, 2.0**-16, 2.0**-19)  # first steps of one-sided differences
+NARROW = 2.0**-27  # distance at which another piece is next to a point
 BESIDE = 2.0**-20  # of the neighbours of a Lyapunov exponent
-OBLIQUE = (4.0, -4.0, 64.0, -64.0)  # of another direction, in which a piece is wide where it is narrow in one
-LEVELS = 6  # of extrapolation
-CLOSE, BETTER, GOOD, KNOWN = 1e-10, 1e-8, 1e-6, 1e-3  # estimated errors: at which steps are enough, and the largest
-NODES, DEGREE = 32, 10  # of polynomials of exact derivatives
-ROUNDING = 1e-15  # of the map
 SOLVED, NEARLY = 1e-13, 1e-11  # largest differences of a fixed point from its image, sought and accepted
 STEPS = 25  # of Newton's method
+MOST_BODIES = 8  # kept, with their values of the parameter
 SLOW = 0.1  # of a difference that is left by a step: then the derivative is computed again
 PHASES = 8 * INTEGERS  # bytes of the phases in a word
 BATCHES, TRANSIENT = 20, 0.1  # of the passages of a Lyapunov exponent, and the share that is left out
@@ -188,19 +180,17 @@ class SectionMap:
         self._scratch, self._buffers = new_scratch(), new_buffers(max(period, 3))
         self._cell = np.array(cell_of(scenario), dtype=float)
         self._columns = COLUMNS_OF.get(path) or ([CELL.index(PARAMETERS[path].column)] if path else [])
-        self._bodies: dict[float, Body | None] = {}
+        self._body = lru_cache(MOST_BODIES)(self._new_body)
 
-    def _body(self, value: float) -> Body | None:
+    def _new_body(self, value: float) -> Body | None:
         """Return hoop and plane at a value of the parameter, or None if it is not allowed."""
-        if value not in self._bodies:
-            number, cell = value * self.scale, self._cell.copy()
-            cell[self._columns] = number
-            if self.path == LOAD:
-                cell[Cell.INERTIA_RATIO] = ideal_inertia(number)
-            span = PARAMETERS[self.path].range if self.path else None
-            allowed = (span is None or span.holds(number)) and refusal(cell, ())[0] == Refusal.NONE
-            self._bodies = {value: body_of(cell.tolist()) if allowed else None, **dict(list(self._bodies.items())[:8])}
-        return self._bodies[value]
+        number, cell = value * self.scale, self._cell.copy()
+        cell[self._columns] = number
+        if self.path == LOAD:
+            cell[Cell.INERTIA_RATIO] = ideal_inertia(number)
+        span = PARAMETERS[self.path].range if self.path else None
+        allowed = (span is None or span.holds(number)) and refusal(cell, ())[0] == Refusal.NONE
+        return body_of(cell.tolist()) if allowed else None
 
     def _count(self, mode: int, point: Floats, most: int) -> int:
         """Compute the passages that follow a point into the buffers; return their number."""
@@ -269,31 +259,13 @@ class SectionMap:
         mode, place, count = self._code, point, len(self.names)
         whole = np.eye(len(point))
         for passage in image.passages:
-            matrix = self.passage_rates(mode, place, passage, np.eye(len(place)), exact=exact, across=across, sided=sided)
+            after = passage.place(self.section)
+            word = self._word_beside(mode, place, passage.word) if across else passage.word
+            shifted = partial(self.along, mode, place, after, word)
+            matrix = derivative_matrix(shifted, len(place), len(after), exact=exact, sided=sided)
             whole = np.vstack([matrix @ whole, np.eye(len(point))[count:]])
-            mode, place = passage.mode, np.append(passage.place(self.section), point[count:])
+            mode, place = passage.mode, np.append(after, point[count:])
         return whole[: len(whole) - len(point) + count]
-
-    def passage_rates(
-        self, mode: int, point: Floats, passage: Passage, directions: Floats, *, exact: bool = False, across: bool = False,
-        sided: bool = True,
-    ) -> Floats:  # fmt: skip
-        """Return the derivatives of the passage that follows a point, one column for each row of directions."""
-        after, word = passage.place(self.section), passage.word
-        if across:
-            word = next(self._words_beside(mode, point, word), word)
-
-        def shifted(direction: Floats) -> Values:
-            return self.along(mode, point, after, word, direction)
-
-        good = BETTER if self.path else GOOD  # a branch is followed up to its borders
-        columns = [difference(shifted(direction), len(after), exact=exact, sided=sided, good=good) for direction in directions]
-        known = [k for k, column in enumerate(columns) if np.isfinite(column).all()]
-        for k, i, share in product(range(len(columns)), known, OBLIQUE if self.path else ()):  # between two borders of a branch
-            if not np.isfinite(columns[k]).all():
-                at = shifted(directions[k] + share * directions[i])
-                columns[k] = difference(at, len(after), good=good) - share * columns[i]
-        return np.column_stack(columns)
 
     def along(self, mode: int, point: Floats, after: Floats, word: bytes, direction: Floats) -> Values:
         """Return the change of the next passage from one with a distance along a direction, as far as it has the same word."""
@@ -304,13 +276,13 @@ class SectionMap:
 
         return at
 
-    def _words_beside(self, mode: int, point: Floats, word: bytes) -> Iterator[bytes]:
-        """Yield the other words next to a point."""
-        for shift in np.eye(len(point)):
-            for sign in (1.0, -1.0):
-                found = self._from(mode, point + sign * NARROW * shift, 1)
-                if found and found[0].word != word:
-                    yield found[0].word
+    def _word_beside(self, mode: int, point: Floats, word: bytes) -> bytes:
+        """Return another word next to a point; the same one if there is none."""
+        for shift in (*np.eye(len(point)), *-np.eye(len(point))):
+            found = self._from(mode, point + NARROW * shift, 1)
+            if found and found[0].word != word:
+                return found[0].word
+        return word
 
     # --- fixed points ------------------------------------------------------------------------------
 
@@ -332,12 +304,13 @@ class SectionMap:
             if normal is not None:
                 excess = np.append(excess, normal @ (place - point))
             size = float(np.abs(excess).max())
-            if size < SOLVED:
+            slow = size > SLOW * last
+            if size < SOLVED or (fresh and last <= size < NEARLY):
                 return place, image
-            if fresh and size >= last and (size < NEARLY or not patient):
-                return (place, image) if size < NEARLY else None
-            fresh = rates is None or size > SLOW * last
-            if rates is None or fresh:
+            if fresh and size >= last and not patient:
+                return None
+            fresh = rates is None or slow
+            if rates is None or slow:
                 rates = self.rates(image, place)
             by_point = rates - np.eye(count, len(place))
             if normal is not None:
@@ -346,10 +319,8 @@ class SectionMap:
                 step = np.linalg.solve(by_point, -excess)
             except np.linalg.LinAlgError:
                 return None
-            if not np.abs(step).max() < 1.0:
-                return None
-            if np.abs(step).max() < SOLVED:
-                return place, image
+            if not np.abs(step).max() < 1.0:  # also without a derivative, next to a border
+                return (place, image) if size < NEARLY else None
             place, last = place + step, size
         return None
 
@@ -380,74 +351,6 @@ def word_of(section: str, row: Floats, packed: NDArray[np.uint64]) -> bytes:
     """Return the phases since the last passage, the branches of impacts, the mode, and at the bottom the way of rotation."""
     way = section == "bottom" and bool(row[OMEGA] > 0.0)
     return packed.tobytes() + row[[BRANCHES, MODE]].tobytes() + bytes([way])
-
-
-def difference(at: Values, size: int, *, exact: bool = False, sided: bool = True, good: float = GOOD) -> Floats:
-    """Return the derivative at 0 of a function that is 0 there, by differences extrapolated to distance 0; nan without one.
-
-    They are central where the function exists on both sides at some distance, else one-sided, in powers of the root of the
-    distance: a hop or a phase opens with them.
-    """
-    best = _fitted(at) if exact else None
-    error = KNOWN if best is None else 0.0
-    steps = [*((USUAL / 8.0**k, 0.0) for k in range(6)), *(product(SIDED, (1.0, -1.0)) if sided else ())]
-    for step, way in steps:
-        if error < good:
-            break
-        found, now = _extrapolated(at, step, way)
-        if now < error:
-            best, error = found, now
-    return np.full(size, math.nan) if best is None else best
-
-
-def _fitted(at: Values) -> Floats | None:
-    """Return the derivative at 0 of a polynomial through many values: of the distance to which it leaves least to rounding."""
-    nodes = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)
-    powers = np.vander(nodes, DEGREE + 1, increasing=True)
-    best, error = None, KNOWN
-    for level in range(WIDTHS):
-        step = WIDE / 2.0**level
-        values = list(takewhile(lambda value: value is not None, (at(float(step * node)) for node in nodes)))
-        if len(values) < NODES:
-            continue
-        found = np.linalg.lstsq(powers, np.array(values), rcond=None)[0]
-        slope = found[1] / step
-        off = np.std(powers @ found - np.array(values), axis=0) / step
-        now = float((off / (1.0 + np.abs(slope))).max())
-        if best is not None and now > error:
-            break
-        if now < error:
-            best, error = slope, now
-    return best
-
-
-def _extrapolated(at: Values, step: float, way: float) -> tuple[Floats | None, float]:
-    """Return the derivative at 0 by quotients of ever smaller steps, to both sides or one way, and its estimated error.
-
-    By Ridders' rule: the errors of central quotients are even powers of the step, those of others powers of its root.
-    """
-    shrink, base, close = (4.0, 2.0, 0.0) if way else (2.0, 4.0, CLOSE)
-    table: list[Floats] = []
-    best, error = None, math.inf
-    for level in range(LEVELS):
-        width = step / shrink**level
-        ahead, back = at(width * (way or 1.0)), None if way else at(-width)
-        if ahead is None or (back is None and not way):
-            break
-        row = [ahead / (way * width) if back is None else (ahead - back) / (2.0 * width)]
-        for k, before in enumerate(table):
-            row.append(row[k] + (row[k] - before) / (base ** (k + 1) - 1.0))
-        if level:
-            change = float(np.abs(row[-1] - row[-2]).max()) / (1.0 + float(np.abs(row[-1]).max()))
-            now = change + ROUNDING / width
-            if best is not None and now > error:
-                break
-            if now < error:
-                best, error = row[-1], now
-            if change ** (1.0 + 1.0 / level) < close:
-                break
-        table = row
-    return best, error
 
 
 def eigenvalues(matrix: Floats) -> Floats | NDArray[np.complex128]:
@@ -542,22 +445,21 @@ def lyapunov_of(found: Passages) -> Lyapunov:
     vector: Floats | None = None
     growth = []
     for before, after in pairwise(image.passages[int(TRANSIENT * len(found)) :]):
-        point = before.place(found.section)
+        point, place = before.place(found.section), after.place(found.section)
         if vector is None or len(vector) != len(point):
             vector = np.ones(len(point)) / math.sqrt(len(point))
-        at = image_of.along(before.mode, point, after.place(found.section), after.word, vector)
+        at = image_of.along(before.mode, point, place, after.word, vector)
         ahead, back = at(BESIDE), at(-BESIDE)
-        changed = (
-            difference(at, len(after.place(found.section)))
-            if ahead is None or back is None
-            else (ahead - back) / (2.0 * BESIDE)
-        )
+        if ahead is None or back is None:
+            changed = difference(at, len(place))
+        else:
+            changed = (ahead - back) / (2.0 * BESIDE)
         size = float(np.linalg.norm(changed))
-        if not 0.0 < size < math.inf:
+        if 0.0 < size < math.inf:
+            growth.append(math.log(size))
+            vector = changed / size
+        else:
             vector = None
-            continue
-        growth.append(math.log(size))
-        vector = changed / size
     if len(growth) < 2:
         return Lyapunov(math.nan, math.nan, len(growth))
     batches = [float(np.mean(batch)) for batch in np.array_split(growth, min(BATCHES, len(growth)))]

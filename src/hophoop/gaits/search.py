@@ -11,9 +11,11 @@ import numpy as np
 from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.gait import Gait, residual_of
-from hophoop.gaits.maps import FASTEST, SectionMap, slowest_over_top
+from hophoop.gaits.kernels.layout import MODE, T
+from hophoop.gaits.maps import FASTEST, PLACES, SectionMap, slowest_over_top
 from hophoop.gaits.results import Passages
 from hophoop.gaits.return_map import Piece, pieces
+from hophoop.kernel.numerics.arithmetic import TWO_PI
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.vocabulary.names import Fate
@@ -167,13 +169,12 @@ def _gait(scenario: Scenario, section: str, period: int) -> Gait | None:
 
 def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[Gait]:
     """Yield the gaits on which motions settle or which they come near, in slip at the bottom or at landings."""
-    units = Units.of_scenario(scenario)
-    speed = units.of("omega") * scenario.hoop.radius
+    speed = Units.of_scenario(scenario).of("omega") * scenario.hoop.radius
     ahead = math.copysign(1.0, scenario.plane.slope)
     for omega in np.geomspace(*bounds, STARTS):
         tried = scenario.replace("start", Start.rolling(float(ahead * omega * speed), angle=math.pi))
         found = passages(tried, PATIENCE, section=section, until_decided=True)
-        places = _near_returns(found, period, units)
+        places = _near_returns(found, period)
         if found.decided == Fate.GAIT and found.period == period:
             places.append(len(found) - 1)
         for place in places:
@@ -183,19 +184,16 @@ def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], secti
                     yield gait
 
 
-def _near_returns(found: Passages, period: int, units: Units) -> list[int]:
+def _near_returns(found: Passages, period: int) -> list[int]:
     """Return a few early passages which the motion comes nearest to again after a period."""
-    count = min(EARLY, len(found)) - period
-    if count < 1:
+    rows = found.numbers[:EARLY]
+    if len(rows) <= period:
         return []
-    off = np.zeros(count)
-    for name in ("omega", "slip", "vy", "angle"):
-        values = np.asarray(getattr(found, name)[: count + period], float) / units.of(name)
-        change = values[period:] - values[:-period]
-        off = np.maximum(off, np.abs(np.remainder(change + math.pi, 2.0 * math.pi) - math.pi if name == "angle" else change))
-    modes = np.array(found.mode[: count + period])
-    times = np.asarray(found.t[: count + period], float)
-    off[(modes[period:] != modes[:-period]) | (times[period:] - times[:-period] < SHORTEST * units.time)] = math.inf
+    one, other = rows[:-period], rows[period:]
+    change = other[:, [*PLACES]] - one[:, [*PLACES]]
+    change[:, 0] = np.remainder(change[:, 0] + math.pi, TWO_PI) - math.pi
+    off = np.abs(change).max(axis=1)
+    off[(other[:, MODE] != one[:, MODE]) | (other[:, T] - one[:, T] < SHORTEST)] = math.inf
     walled = np.concatenate([[math.inf], off, [math.inf]])
     nearest = np.flatnonzero((off < NEAR_RETURN) & (off <= walled[:-2]) & (off < walled[2:]))
     return [int(k) for k in nearest[np.argsort(off[nearest], kind="stable")][:RETURNS]]
