@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import copy
 import csv
 import json
 import math
 import os
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -166,36 +168,22 @@ def test_bits_that_this_machine_does_not_get_are_told(motion, tmp_path):
 # --- what to cite ----------------------------------------------------------------------------------
 
 
-def test_the_library_reads_as_people_write():
-    works = cite.references()
-    assert str(works["Gomez2012"]).startswith("R. W. Gómez and J. J. Hernández-Gómez and V. Marquina (2012).")
-    assert "Várkonyi" in str(works["ChampneysVarkonyi2016"])
-    for work in works.values():
-        assert not set(str(work)) & set("{}\\")
-        assert work.bibtex.startswith(f"@{work.kind}{{{work.key},\n")
+def test_what_to_cite_is_citation_cff_with_the_version_of_the_motion(motion):
+    entry = cite.cite()
+    file = (Path(__file__).parents[1] / "CITATION.cff").read_text(encoding="utf-8")
+    for name, field in (("title", "title"), ("  - name", "author"), ("version", "version"), ("license", "license")):
+        (said,) = re.findall(rf'^{name}: "?([^"\n]*)"?$', file, re.MULTILINE)
+        assert re.search(rf"^  {field} = {{{{?{re.escape(said)}}}?}},$", entry, re.MULTILINE), field
+    older = copy.copy(motion)
+    older.version = "0.0.9"
+    assert cite.cite(motion) == entry
+    assert cite.cite(older) == entry.replace(hh.__version__, "0.0.9")
 
 
-def test_a_run_cites_what_it_rests_on(motion):
-    def keys(**scenario):
-        return {work.key for work in cite.cite(hh.simulate(hh.Scenario.from_dict(scenario)))}
-
-    works = cite.cite(motion)
-    assert {"hophoop", "Theron2000", "TheronMaritz2008", "Routh1877", "Stronge2000"} <= {work.key for work in works}
-    assert all(work.reason for work in works)
-    assert "Gomez2012" in keys(plane={"slope": 0.2})
-    assert "Littlewood1953" in keys(hoop={"load_fraction": 1.0})
-    assert "Stronge2000" not in keys(plane={"impact_law": "poisson", "restitution": 0.5})
-    assert "Painleve1895" in keys(plane={"mu": 2.0}, start={"angle": 0.6, "vx": -1.0, "omega": 1.0})
-    assert "Sonnerlind2023" in keys(contact={"model": "compliant"}, duration=0.1)
-
-
-def test_bibtex_comes_back_as_it_was(motion, tmp_path, monkeypatch):
-    text = cite.bibtex(motion)
-    assert "% the program that computed the motion\n@software{hophoop," in text
-    (tmp_path / "references.bib").write_text(text, encoding="utf-8")
-    monkeypatch.setattr(cite, "_path", lambda: tmp_path / "references.bib")
-    cite._library.cache_clear()
-    read = cite.references()
-    monkeypatch.undo()
-    cite._library.cache_clear()
-    assert [(work.key, work.fields) for work in read.values()] == [(work.key, work.fields) for work in cite.cite(motion)]
+def test_the_page_on_citing_names_works_of_the_bibliography():
+    """In the table of what a motion rests on."""
+    docs = Path(__file__).parents[1] / "docs"
+    known = set(re.findall(r"^@\w+{(\w+),", (docs / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
+    named = re.findall(r"{cite:t}`(\w+)`", (docs / "howto" / "cite.md").read_text(encoding="utf-8"))
+    assert len(named) > 12
+    assert set(named) <= known

@@ -1,8 +1,8 @@
 """The command line: each command parses, calls one public function and prints.
 
-A command is a function in a module of the same name: `hophoop map` is `map` in ``cli/map.py``; its docstring lists its options,
-see ``cli/_options.py``. They are made for the command that runs, and heavy imports are inside the functions, so that
-``hophoop --help`` is fast.
+A command is a function in a module of the same name: `hophoop map` is `map` in ``cli/map.py``; three short ones are in
+``cli/short.py``. Its docstring lists its options, see ``cli/_options.py``. Options are made for the command that runs, and
+heavy imports are inside the functions, so that ``hophoop --help`` is fast.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from hophoop._support.stopping import stop_on_signals
 # In the order of --help.
 COMMANDS = ("run", "lab", "animate", "map", "track", "fit", "plan")
 RESEARCH = ("theory", "prove", "gait", "diagram", "reproduce")
+SHORT = ("plan", "theory", "reproduce")
 
 DONE, NO_ANSWER, BAD_INPUT, DEFECT, STOPPED = 0, 1, 2, 70, 130
 # in errors of Python and of the system where memory is short
@@ -75,7 +76,7 @@ class Commands(TyperGroup):
 
 def command_of(name: str, brief: bool = False) -> Any:
     """Return the command of a name; a brief one has no options."""
-    module = import_module(f"hophoop.cli.{name}")
+    module = import_module(f"hophoop.cli.{'short' if name in SHORT else name}")
     function = getattr(module, name)
     from hophoop.cli._options import declared, summary
 

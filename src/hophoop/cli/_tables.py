@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from typing import Literal
 
 from rich import box
 from rich.console import Console
@@ -28,31 +29,6 @@ def verdict(word: str) -> Text:
     return Text(word, VERDICT_STYLES[word])
 
 
-def table_of(
-    titles: Sequence[str],
-    rows: Iterable[Iterable[str | Text]],
-    *,
-    right: Collection[str] = (),
-    wrap: Collection[str] = (),
-) -> Table:
-    """Table in the style of all commands.
-
-    `right` are the columns of numbers, aligned on the right; `wrap` those whose cells may take several lines.
-    """
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for title in titles:
-        table.add_column(
-            title,
-            justify="right" if title in right else "left",
-            no_wrap=title not in wrap,
-            overflow="fold" if title in wrap else "ellipsis",
-        )
-    for row in rows:
-        # as Text, since [1] in a cell is no markup
-        table.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in row))
-    return table
-
-
 def print_table(
     titles: Sequence[str],
     rows: Iterable[Iterable[str | Text]],
@@ -62,48 +38,38 @@ def print_table(
     right: Collection[str] = (),
     wrap: Collection[str] = (),
 ) -> None:
-    """Print a table that fits, and name the columns that are left out for it; the rest is as in `table_of`.
+    """Print a table that fits, and name the columns that are left out for it.
 
-    `width` is that of a pipe; `spare` are the columns to leave out, in this order: by default all but the first, from the last.
-    Where this is not enough, cells take several lines, since cut numbers are useless.
+    `width` is that of a pipe; `spare` are the columns to leave out, in this order: by default all but the first, from the last;
+    `right` are the columns of numbers, aligned on the right; `wrap` those whose cells may take several lines. Where nothing
+    else helps, Rich folds the cells of all columns, since cut numbers are useless.
     """
-    console = console_of(width)
-    cells = [list(row) for row in rows]
-    missing: list[str] = []
-    left_out = list(titles[:0:-1] if spare is None else spare)
-    while True:
-        kept = [k for k, title in enumerate(titles) if title not in missing]
-        shown = [[row[k] for k in kept] for row in cells]
-        table = table_of([titles[k] for k in kept], shown, right=right, wrap=wrap)
-        if _least_width(table, console) <= console.width or not left_out:
-            break
+    console, cells = console_of(width), [list(row) for row in rows]
+    needed = {title: _least_width([title, *(str(row[k]) for row in cells)], title in wrap) for k, title in enumerate(titles)}
+    left_out, missing = list(titles[:0:-1] if spare is None else spare), []
+    while (narrow := sum(needed.values()) + 3 * len(needed) - 1 > console.width) and left_out:  # with lines and padding
         missing.append(left_out.pop(0))
-    if _least_width(table, console) > console.width:
-        for column in table.columns:
-            column.no_wrap, column.overflow = False, "fold"
+        del needed[missing[-1]]
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for title in needed:
+        side: Literal["left", "right"] = "right" if title in right else "left"
+        table.add_column(title, justify=side, no_wrap=not narrow and title not in wrap, overflow="fold")
+    for row in cells:
+        # as Text, since [1] in a cell is no markup
+        shown = (cell for title, cell in zip(titles, row, strict=True) if title in needed)
+        table.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in shown))
     console.print(table)
     if missing:
         console.print(f"Not shown for want of width: {', '.join(missing)}.\n")
 
 
-def _least_width(table: Table, console: Console) -> int:
-    """Return the width in which only the columns that may wrap do, between words."""
+def _least_width(texts: Iterable[str], wrap: bool) -> int:
+    """Return the width of the widest of some texts, or of their words if they may be wrapped between them."""
     from rich.cells import cell_len
-    from rich.measure import Measurement
 
-    width = Measurement.get(console, console.options.update(width=10_000), table).maximum
-    for column in table.columns:
-        if not column.no_wrap:
-            texts = [str(cell) for cell in (column.header, *column.cells)]
-            width -= max(map(cell_len, texts)) - max(cell_len(word) for text in texts for word in text.split() or [""])
-    return width
+    return max(map(cell_len, [part for text in texts for part in (text.split() if wrap else [text])]), default=0)
 
 
 def print_parameters(rows: Iterable[tuple[str, str, str]]) -> None:
     """Print parameters with their values and meanings."""
     print_table(("parameter", "value", "meaning"), rows, 200, ("meaning",), wrap=("meaning",))
-
-
-def print_comparison(rows: Sequence[Sequence[str]]) -> None:
-    """Print a table whose first row is its head."""
-    print_table(rows[0], rows[1:], 200, ())

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from hophoop.cli._output import check_outputs, print_json
-from hophoop.cli._tables import print_comparison, print_parameters
+from hophoop.cli._tables import print_parameters, print_table
 
 
 def fit(
@@ -128,7 +128,8 @@ def _show(found: Any, json: bool) -> None:
         typer.echo(sentence)
     print_parameters(found.rows())
     if found.alone:
-        print_comparison(found.comparison())
+        titles, *rows = found.comparison()
+        print_table(titles, rows, 200, ())
     for sentence in ("Details", *found.details()):
         typer.echo(sentence)
 

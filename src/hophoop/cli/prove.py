@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from hophoop.cli._output import print_json
+from hophoop.cli._output import print_json, write_json
+from hophoop.cli._tables import print_table
 
 if TYPE_CHECKING:
-    from hophoop.prove import Proof
+    from hophoop.prove import Proof, ProvedNumber
     from hophoop.results.records import EventRecord
+
+ALL = "all"
 
 
 def prove(
@@ -47,7 +50,6 @@ def prove(
     """
     from hophoop.cli import NO_ANSWER, say
     from hophoop.cli._output import check_outputs
-    from hophoop.cli._thresholds import prove_thresholds
     from hophoop.prove import prove as proof_of
     from hophoop.scenario import InputError
 
@@ -55,7 +57,7 @@ def prove(
         raise InputError("--thresholds cannot be given together with --seconds.")
     check_outputs({"--out": (out, ())}, file)
     if thresholds is not None:
-        prove_thresholds(scenario, thresholds, digits, out, json)
+        _prove_thresholds(scenario, thresholds, digits, out, json)
         return
     proof = proof_of(scenario, digits, until, seconds=seconds)
     if out is not None:
@@ -83,3 +85,48 @@ def _show(proof: Proof) -> None:
     typer.echo(f"phases  {proof.sequence}\nverdict {proof.verdict}")
     if proof.proved:
         typer.echo(f"status  {proof.status.replace('_', ' ')}\ndigits  {proof.digits_proved}")
+
+
+def _prove_thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bool) -> None:
+    """Prove critical speeds and thresholds; status 1 if one of them is not proved."""
+    from hophoop._version import __version__
+    from hophoop.cli import NO_ANSWER, say
+    from hophoop.prove.thresholds import KEYS, decided
+    from hophoop.scenario import InputError
+
+    wanted = list(KEYS) if text == ALL else text.split(",")
+    unknown = [key for key in wanted if key not in KEYS]
+    if unknown:
+        raise InputError(f"--thresholds has {unknown[0]!r}, which must be {ALL} or names of {', '.join(KEYS)}.")
+    numbers, reasons = decided(scenario, digits, wanted)
+    result = {
+        "schema": "hophoop-thresholds/1",
+        "version": __version__,
+        "scenario": scenario.to_dict(),
+        "thresholds": [_as_json(number) for number in numbers],
+    }
+    if out is not None:
+        write_json(result, out, indent=1)
+    if json:
+        print_json(result, indent=None)
+    else:
+        rows = [
+            (number.key, str(number.enclosure), "" if number.unit == "1" else number.unit, number.statement)
+            for number in numbers
+        ]
+        titles = ("threshold", "proved", "unit", "statement")
+        print_table(titles, rows, 200, ("statement", "unit"), wrap=("unit", "statement"))
+    for key, why in reasons.items():
+        say(f"Undecided: {key}: {why}.")
+    if reasons:
+        raise typer.Exit(NO_ANSWER)
+
+
+def _as_json(number: ProvedNumber) -> dict[str, str]:
+    return {
+        "key": number.key,
+        "statement": number.statement,
+        "unit": number.unit,
+        "middle": str(number.enclosure.middle),
+        "radius": str(number.enclosure.radius),
+    }

@@ -297,19 +297,12 @@ STATUSES: Final = {status.name.lower(): facts for status, facts in _STATUSES.ite
 # --- laws of impact ---------------------------------------------------------------------------------
 
 
-class LawFacts(NamedTuple):
-    """Facts about a law of impact, which ends its restitution."""
-
-    label: str  # in the lab
-    reference: tuple[str, str] | None = None  # key of the reference, and what it is cited for
-
-
-LAWS: Final[dict[ImpactLaw, LawFacts]] = {
-    ImpactLaw.STRONGE: LawFacts("Stronge (energy)", ("Stronge2000", "energetic restitution")),
-    ImpactLaw.NEWTON: LawFacts("Newton (velocity)"),
-    ImpactLaw.POISSON: LawFacts("Poisson (impulse)"),
+LAWS: Final = {
+    ImpactLaw.STRONGE: "Stronge (energy)",
+    ImpactLaw.NEWTON: "Newton (velocity)",
+    ImpactLaw.POISSON: "Poisson (impulse)",
 }
-"""The default first."""
+"""Labels in the lab; the default first."""
 LAW_CODES: Final = {law.name.lower(): int(law) for law in LAWS}
 """The kernels' numbers by name in scenarios."""
 NAMED_LAWS: Final = f"{', '.join(list(LAW_CODES)[:-1])} or {list(LAW_CODES)[-1]}"

@@ -192,7 +192,7 @@ TABLE: Final = (
     Parameter(
         "plane.impact_law", "Law of restitution", WORD, next(iter(LAWS)).name.lower(), label="Law of impact",
         options=(Option("--law", f"Law of impact: {NAMED_LAWS}.", rare=True),),
-        choices=tuple((law.name.lower(), LAWS[law].label) for law in sorted(LAWS, reverse=True)),
+        choices=tuple((law.name.lower(), LAWS[law]) for law in sorted(LAWS, reverse=True)),
     ),
     Parameter(
         "plane.painleve", "What follows an indeterminate contact", WORD, "flight", label="Painlevé: two solutions",
