@@ -88,11 +88,10 @@ def _at_one_time(places: Places) -> Places:
     velocity = np.gradient(places.circle[there, :2], t[there], axis=0)
     omega = np.gradient(angle[there], t[there])
     straight = arrow[there] - velocity * late[there, None]
-    turned = np.exp(1j * omega * late[there])  # the rotation to undo, counterclockwise
-    back = (straight[:, 0] + 1j * straight[:, 1]) * turned
-    arrow[there] = np.column_stack([back.real, back.imag])
-    bare = np.arctan2(back.real, back.imag)
-    angle[there] = bare + 2 * np.pi * np.round((angle[there] - bare) / (2 * np.pi))
+    bare = np.arctan2(*straight.T)
+    whole = bare + 2 * np.pi * np.round((angle[there] - bare) / (2 * np.pi))
+    angle[there] = whole - omega * late[there]
+    arrow[there] = np.hypot(*straight.T)[:, None] * np.stack([np.sin(angle[there]), np.cos(angle[there])], axis=-1)
     return places
 
 

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.camera import Camera
 from hophoop.tracking.circle import Circle
 from hophoop.tracking.rim import Rim, find_disc
 from hophoop.tracking.video import Picture
@@ -25,7 +24,7 @@ PALE = 18.0  # minimum chroma of a marker above its surroundings
 FEWEST = 3.0  # minimum chroma samples of a marker
 INSIDE, OUTSIDE = 0.15, 1.12  # distances of a marker from the centre, over the radius
 AREAS = (0.55, 1.7)  # area of a visible marker over its usual area
-NEAR = 0.09  # tolerance of its distance from the centre, over the radius
+NEAR = 0.12  # tolerance of its distance from the centre in the picture, over the radius
 MOST_SPOTS = 3  # in a picture
 
 
@@ -155,27 +154,24 @@ def outlined(picture: Picture, spot: Spot) -> Spot:
     return spot if disc is None else spot._replace(x=disc.x, y=disc.y)
 
 
-def choose_spots(found: list[list[Spot]], camera: Camera, circle: Floats) -> Floats:
+def choose_spots(found: list[list[Spot]]) -> Floats:
     """Return the place of the marker in each frame: the patch of its usual size at its usual distance from the centre.
 
-    found: spots of each frame, the largest first; circle: shape (n, 3) [rectified pixels]; places: shape (n, 2), nan where
-    there is none [pixel].
+    found: spots of each frame, the largest first; places: shape (n, 2), nan where there is none [pixel].
     """
-    places, seen = np.full((len(found), 2), np.nan), []
-    for k, those in enumerate(found):
-        for spot in those if np.isfinite(circle[k, 0]) else []:
-            away = camera.to_plane(np.array(spot[:2])) - circle[k, :2]
-            seen.append((k, spot, np.hypot(*away) / circle[k, 2]))
-    if not seen:
-        return places
-    first = {k: (ratio, spot.area) for k, spot, ratio in reversed(seen)}
-    usual, area = np.median(list(first.values()), axis=0)
-    best: dict[int, float] = {}
-    for k, spot, ratio in seen:
-        share, off = spot.area / area, abs(ratio - usual)
-        cost = abs(np.log(share)) + off / NEAR
-        if AREAS[0] < share < AREAS[1] and off < max(NEAR, 3.0 / circle[k, 2]) and cost < best.get(k, np.inf):
-            best[k], places[k] = cost, spot[:2]
+    places = np.full((len(found), 2), np.nan)
+    usual = [(those[0].ratio, those[0].area) for those in found if those]
+    ratio, area = np.median(usual or [(np.nan, np.nan)], axis=0)
+
+    def unlike(spot: Spot) -> float:
+        share, off = spot.area / area, abs(spot.ratio - ratio)
+        fits = AREAS[0] < share < AREAS[1] and off < NEAR
+        return abs(np.log(share)) + off / NEAR if fits else np.inf
+
+    for place, those in zip(places, found, strict=True):
+        best = min(those, key=unlike, default=None)
+        if best is not None and unlike(best) < np.inf:
+            place[:] = best[:2]
     return places
 
 

@@ -51,7 +51,7 @@ def find_places(seen: Seen, hints: Hints, source: str) -> Places:
     _require_frames(int(there.sum()), source)
     row = camera.to_picture(circle[:, :2])[:, 1]
     t = seen.t + 0.5 * hints.exposure + hints.row_delay * np.interp(seen.t, seen.t[there], row[there])
-    pixel = choose_spots(seen.spots, camera, circle)
+    pixel = np.where(there[:, None], choose_spots(seen.spots), np.nan)
     arrow = camera.to_plane(pixel) - circle[:, :2]
     angle, doubtful = count_revolutions(t, np.arctan2(*arrow.T))
     late = hints.row_delay * (pixel[:, 1] - row)
