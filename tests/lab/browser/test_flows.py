@@ -57,7 +57,7 @@ def went_to(number):
 
 
 def copied(button):
-    return ["click .menu summary", f"button {button}", "until text('.toast') === 'Link copied.'"]
+    return ["click .share summary", f"button {button}", "until text('.toast') === 'Link copied.'"]
 
 
 OTHER_BITS = (
@@ -221,7 +221,7 @@ FLOWS = {
         "is document.activeElement.textContent === 'Skip to the player'",
         "press Enter",
         "is document.activeElement.className === 'timeline'",
-        "click .menu summary",
+        "click .share summary",
         "press Escape",
         "click .learn summary",
         "press Escape",

@@ -42,7 +42,7 @@ def phone_in(language):
         *(f'is {IN_WINDOW}(first("{one}").getBoundingClientRect())' for one in shown),
         *(
             step
-            for menu in (".menu", ".learn")
+            for menu in (".share", ".learn")
             for step in (
                 f"click {menu} summary",
                 f"is {IN_WINDOW}(first('{menu} .menu-body').getBoundingClientRect())",

@@ -71,7 +71,7 @@ export class Extras {
   tools = h("div", { class: "buttons tools" }, [...this.switches.keys()]);
   menu = h(
     "details",
-    { class: "learn" },
+    { class: "menu learn" },
     h("summary", { class: "button" }, "menu.learn"),
     h(
       "div",

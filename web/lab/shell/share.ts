@@ -17,7 +17,7 @@ const FILES = [
 export class Share {
   menu = h(
     "details",
-    { class: "menu" },
+    { class: "menu share" },
     h(
       "summary",
       { class: "button", "aria-label": "save.menu" },
