@@ -215,8 +215,6 @@ interface SceneData {
 
 // --- The page without a server: what it needs of the kernel that is compiled to WebAssembly -------------------------
 
-type MaybeLater<T> = T | Promise<T>;
-
 // A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
 interface Given extends Omit<CheckedPlane, "mu"> {
   radius: number;
@@ -238,22 +236,8 @@ interface Given extends Omit<CheckedPlane, "mu"> {
   contact: CompliantContact | null; // null for rigid contact
 }
 
-// What checking a scenario needs of mechanics. All at once: nothing is awaited while a scenario is read.
-interface Mechanics {
-  /** κ of a thin ring with a point load, as Python's `Hoop` has it. */
-  ideal(load_fraction: number): number;
-  /** Python's `combine`, and how far each part reaches from the centre [m]. */
-  combine(
-    radius: number,
-    parts: WholePart[],
-  ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
-  /** The columns of a film at one time, from the pieces of the motion. */
-  instant(given: Given, pieces: Uint8Array, time: number): Record<string, Column>;
-  /** The first rule of the kernel that a scenario breaks, 0 for none, and the number that its sentence needs. */
-  refused(given: Given): [code: number, number: number];
-  /** What a compliant contact chooses by itself, in SI units. */
-  chosen(given: Given): Record<string, number>;
-}
+/** What checking a scenario needs of mechanics. All at once: nothing is awaited while a scenario is read. */
+type Mechanics = Pick<import("./kernel/module.ts").HoopModule, "ideal" | "combine" | "instant" | "refused" | "chosen">;
 
 // As Trajectory.to_dict has it.
 interface ComputedMotion {
@@ -305,15 +289,8 @@ type Calls = Pick<
   "film" | "motion" | "columns" | "samples" | "thresholds" | "regions" | "fate" | "map"
 >;
 
-// The module; an answer may be a promise (a worker), and `signal` stops what is no longer wanted.
-interface Kernel {
-  limit?: number; // milliseconds that an answer may take
-  ask<Call extends keyof Calls>(
-    call: Call,
-    values: Parameters<Calls[Call]>,
-    signal?: AbortSignal,
-  ): MaybeLater<ReturnType<Calls[Call]>>;
-}
+/** What answers by workers; tests have another one. */
+type Kernel = Pick<import("./kernel/kernel.ts").WorkerKernel, "ask" | "limit">;
 
 // What becomes of a motion in the end; nan is what it has not [SI].
 interface Fate {

@@ -16,7 +16,6 @@ ODD = [
     {"a": 1.5, "b": None}, -1, 0, 0.5, 1e-300, 1e300, 123456789012345680000, 1e21, "x" * 80, 2.5, 1.0000000000000002, -0.0, [],
 ]  # fmt: skip
 ODD_KEYS = ["gama", "radious", "Radius", "speeds", "__proto__", "constructor", "mu static", "x" * 70, "h\u00f6he", "toString"]
-ODD_PATHS = ["foo", "foo.bar", "duration.x", "plane.", "hoop.radius.x", "hoop.parts.9.mass", "start.__proto__"]
 NUMBERS = [
     "1", "0.5", "-0", "1e3", " 2 ", "+3.25", ".5", "5.", "Infinity", "-inf", "nan", "0x10", "1e", "", "abc", "1e400",
 ]  # fmt: skip
@@ -94,13 +93,14 @@ def query(random: Random, odd: float) -> str:
 
 
 def changes(random: Random, odd: float) -> list[Any]:
-    """Changes to a scenario: of numbers or of whole sections, and of what there is not."""
-    keys = scenario(random, odd)
-    known = flat(keys) if random.random() < 0.8 else [item for item in keys.items() if isinstance(item[1], dict)]
+    """Changes as sliders, choices and the table of parts make them, with some chance of an odd value."""
+    keys = {"duration": 1.0, **scenario(random, 0.0)}
+    known = [
+        (f"{section}.{name}", one) for section, table in keys.items() if isinstance(table, dict) for name, one in table.items()
+    ]
+    known.append(("duration", keys["duration"]))
     made = random.sample(known, min(len(known), random.choice([1, 1, 2, 3])))
-    if random.random() < 0.3 * odd:
-        made.append((random.choice(ODD_PATHS), random.choice(ODD)))
-    return [list(change) for change in made]
+    return [[path, random.choice(ODD) if random.random() < 0.3 * odd else one] for path, one in made]
 
 
 def request(seed: int) -> dict[str, Any]:

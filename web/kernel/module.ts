@@ -17,7 +17,7 @@ const finite = (value: number) => (Number.isFinite(value) ? value : null);
 /** What is left in memory of the motion that was computed last. */
 export type Computed = ReturnType<HoopModule["compute"]>;
 
-export class HoopModule implements Mechanics {
+export class HoopModule {
   kept: { pieces: Uint8Array; place: number }[] = [];
   turn = 0;
   exports: any;
@@ -215,6 +215,7 @@ export class HoopModule implements Mechanics {
 
   // --- mechanics that checking a scenario needs -------------------------------------------------
 
+  /** κ of a thin ring with a point load, as Python's `Hoop` has it. */
   ideal(loadFraction: number) {
     return this.answer("ideal_hoop", 1, loadFraction)[0];
   }
@@ -228,6 +229,7 @@ export class HoopModule implements Mechanics {
     return this.answer("refused", 2, ...asked) as [number, number];
   }
 
+  /** A hoop of parts, as Python's `combine`, and how far each part reaches from the centre [m]. */
   combine(radius: number, parts: WholePart[]) {
     const { memory } = this;
     const rows = memory.put("parts", parts.flatMap(rowOf));
@@ -316,7 +318,7 @@ function sequenceOf(events: MotionEvent[]) {
 
 // --- The module's memory: room for numbers, and views of it that follow when it grows
 
-export class Memory {
+class Memory {
   rooms: Map<string, { place: number; bytes: number }> = new Map();
 
   /** `exports`: of the module. */
@@ -347,7 +349,7 @@ export class Memory {
 
 // --- Sequences of modes, unpacked from the numbers into which the kernel packs them
 
-export function sequencesOf(keys: BigUint64Array, count: number): MapValues {
+function sequencesOf(keys: BigUint64Array, count: number): MapValues {
   const codes: Map<string, number> = new Map();
   const values = new Float64Array(count);
   for (let k = 0; k < count; k++) {

@@ -25,7 +25,7 @@ function answer({ data: { number, compiled, call, values } }: MessageEvent) {
     const found = (module as any)[call](...values);
     self.postMessage({ number, answer: found }, { transfer: buffersOf(found) });
   } catch (error) {
-    self.postMessage({ number, error: (error as Error).message });
+    self.postMessage({ number, error: error.message });
   }
 }
 

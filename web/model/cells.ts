@@ -124,7 +124,7 @@ export function classColor(name: string, quantity: string): string {
 }
 
 /** A class in words. */
-export function classText(name: string, quantity: string): Message {
+function classText(name: string, quantity: string): Message {
   if (quantity !== SEQUENCE) return `class.${name}`;
   const { letters: known, modes } = tables.words;
   const letters = [...name].map((letter) => (letter === "+" ? "…" : `mode.${modes[known.indexOf(letter)]}`));

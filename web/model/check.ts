@@ -13,9 +13,6 @@ export class InputError extends Refused {
   name = "InputError";
 }
 
-/** The request is valid, but asks for more than the lab computes at a time. */
-export class TooMuch extends InputError {}
-
 /** A sentence of Python's, with its values. */
 export const say = (name: string, values: Record<string, any> = {}): Phrase => ({
   key: `refusal.${name}`,

@@ -1,6 +1,6 @@
 // What is asked for: a scenario or its link, with changes, within what a page computes.
 
-import { InputError, TooMuch } from "./check.ts";
+import { InputError } from "./check.ts";
 import { contradiction } from "./paths.ts";
 import { fromDict, fromQuery, withValues } from "./scenario.ts";
 import { tables } from "./tables.ts";
@@ -24,21 +24,6 @@ export function asked(
   return values.size ? withValues(checked, values, mechanics) : checked;
 }
 
-/** The same with the other keys of a call. */
-export function requested(
-  { scenario, query, changes = [], ...options }: Record<string, any>,
-  mechanics: Mechanics,
-): Record<string, any> & { checked: Checked } {
-  if (changes.length > limits.changes) {
-    throw new TooMuch(labText("too_many_changes", { pairs: changes.length, most: limits.changes }));
-  }
-  const { x, y } = options;
-  if (x && x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
-  const cells = x ? x.cells * y.cells : 0;
-  if (cells > limits.cells) throw new TooMuch(labText("too_many_cells", { cells, most: limits.cells }));
-  return { ...options, checked: asked({ scenario, query, changes }, mechanics) };
-}
-
 // --- What one answer of the page may cost, as lab/limits.py has it; what takes longer than 10 s is stopped by the worker
 
 const { lab, limits } = tables;
@@ -57,9 +42,9 @@ export const doubtText = (time: number) => labText("doubt", { time: general(time
 /** The scenario with its events bounded; what is more than a page computes is refused. */
 export function within(checked: Checked, events = limits.events): Checked {
   const { duration, hoop, contact } = checked;
-  if (duration > limits.duration) throw new TooMuch(labText("too_long", { duration, most: limits.duration }));
+  if (duration > limits.duration) throw new InputError(labText("too_long", { duration, most: limits.duration }));
   const parts = hoop.parts?.length ?? 0;
-  if (parts > limits.parts) throw new TooMuch(labText("too_many_parts", { parts, most: limits.parts }));
+  if (parts > limits.parts) throw new InputError(labText("too_many_parts", { parts, most: limits.parts }));
   if (contact.max_events <= events) return checked;
   return { ...checked, contact: { ...contact, max_events: events } };
 }

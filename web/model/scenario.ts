@@ -47,11 +47,11 @@ export const withValues = (checked: Checked, values: Map<string, any>, mechanics
 
 /** `values`: by path. */
 function keysWith(checked: Checked, values: Map<string, any>, mechanics: Mechanics) {
-  return replaced(checked, toDict(checked), values, (name, data) => {
+  return replaced(checked, toDict(checked), values, (keys) => {
     const found: Phrase[] = [];
-    const one = readSection(name, data, mechanics, found);
+    const hoop = readSection("hoop", keys, mechanics, found);
     if (found.length) throw new InputError(whole(found));
-    return one;
+    return hoop;
   });
 }
 

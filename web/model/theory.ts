@@ -5,7 +5,7 @@ import { general } from "./text.ts";
 import { listed } from "../words/texts.ts";
 import { degrees } from "./words.ts";
 
-export type Threshold = { key: string; label: Message; value: number | null; unit: string; text: Message };
+type Threshold = { key: string; label: Message; value: number | null; unit: string; text: Message };
 
 export function thresholds({ hoop, plane }: Checked, known: TheoryNumbers): Threshold[] {
   const found: Threshold[] = [];

@@ -9,7 +9,7 @@ const MOST_TOLD = 400;
 const [, SPIN, SKID, FLIGHT, SKIM] = modes;
 
 /** A motion to be told: its events, how it ended, and how it turns at a time between them. */
-export type Told = { events: MotionEvent[]; status: MotionStatus; omega: (number: number) => number };
+type Told = { events: MotionEvent[]; status: MotionStatus; omega: (number: number) => number };
 
 /**
  * Whether the hoop slips but does not turn yet: the word for what follows is that of how it turns halfway to the next
@@ -154,7 +154,7 @@ function wordAfter(motion: Told, number: number): string {
 }
 
 /** What the hoop does: in slip it spins where the rim turns too fast for the way it goes, else it skids. */
-export function modeWord(letter: string, omega: number): string {
+function modeWord(letter: string, omega: number): string {
   if (letter === "S") return omega > 0 ? SPIN : SKID;
   if (letter === "K") return omega < 0 ? SPIN : SKID;
   return modes[letters.indexOf(letter)];

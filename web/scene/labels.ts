@@ -1,7 +1,7 @@
 // What is written over the picture: metres on the plane, take-offs, impacts and jams, the letters of several hoops.
 
 import type { Stage3D } from "../lab/player/stage3d.ts";
-import type { Written } from "./film.ts";
+import type { Written } from "./main.ts";
 
 const FLASH = 0.5; // how long a ring spreads [s of film]
 const SPREAD = 0.45; // how far, in radii of the hoop

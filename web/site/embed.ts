@@ -70,7 +70,7 @@ spoken();
 
 // --- A QR code as an SVG: dark on light whatever the page's colours, since cameras read it so
 
-export function qrcode(text: string) {
+function qrcode(text: string) {
   const code = qr(0, "M");
   code.addData(text);
   code.make();

@@ -57,7 +57,7 @@ class HophoopMotion extends HTMLElement {
       this.lab = await mount(root, here, this.scenario, this.panels);
       if (this.lab) this.dispatchEvent(new Event("ready"));
     } catch (error) {
-      root.textContent = (error as Error).message; // of the browser: the page's words are in the script that is missing
+      root.textContent = error.message; // of the browser: the page's words are in the script that is missing
     }
     this.starting = false;
   }

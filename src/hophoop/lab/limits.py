@@ -11,16 +11,11 @@ DURATION: Final = 600.0  # of a motion [s]
 EVENTS: Final = 20_000  # of a motion [1]
 PARTS: Final = 64  # of a hoop [1]
 SAMPLES: Final = 20_001  # rows of a table of states [1]
-CELLS: Final = 131_072  # of a map [1]
 CELL_EVENTS: Final = 2000  # of a motion in a map [1]
-CHANGES: Final = 200  # of a scenario in one request [1]
 
 LAB: Final[dict[str, str]] = {
     "too_long": "duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",
     "too_many_parts": "hoop.parts has {parts} parts and must have at most {most} in the lab.",
-    "too_many_changes": "changes has {pairs} pairs and must have at most {most} in the lab.",
-    "too_many_cells": "x.cells times y.cells = {cells} must be at most {most} in the lab.",
-    "equal_axes": "x.path and y.path are both {path!r} and must differ.",
     "two_axes": TWO_AXES,
     "rigid_maps": "contact.model = 'compliant' must be 'rigid' for a map.",
     "doubt": "After {time} s doubles cannot decide what happens next. Run it with `--digits 30` for the exact answer.",

@@ -67,8 +67,10 @@ COLORS = (
     "GRAVITY_CENTER", "CENTER_SPEED", "ROTATION_SPEED", "KINETIC", "POTENTIAL", "FRICTION_LOSS", "IMPACT_LOSS", "NORMAL_FORCE",
     "FRICTION_FORCE", "LIMIT",
 )  # fmt: skip
+# Sentences about paths that the page does not send; those about other problems are in one key.
+UNSEEN: Final = {"two_ways", "no_section_parts", "not_there", "no_parameter", "other_problem", "other_problems"}
 # Bounds that the page keeps as well.
-LIMITS = ("DURATION", "EVENTS", "PARTS", "SAMPLES", "CELLS", "CELL_EVENTS", "CHANGES")
+LIMITS = ("DURATION", "EVENTS", "PARTS", "SAMPLES", "CELL_EVENTS")
 
 
 def tables() -> dict[str, Any]:
@@ -86,7 +88,7 @@ def tables() -> dict[str, Any]:
         "schema": SCHEMA,
         "scenario": _scenario(),
         # the sentences are in words/; here is how their values are written
-        "texts": {name: _places(said) for name, said in TEXTS.items()},
+        "texts": {name: _places(said) for name, said in TEXTS.items() if name not in UNSEEN},
         "words": {
             "letters": "".join(MODE_LETTERS),
             "modes": names.MODE_WORDS,
@@ -137,7 +139,7 @@ def english() -> dict[str, str | dict[str, str]]:
         "reason.sided": SIDED,
         **{f"quantity.{name}": label for name, (label, _) in MAP_QUANTITIES.items()},
         **{f"gravity.{name.lower()}": name for name, _ in GRAVITIES},
-        **{f"refusal.{name}": text for name, text in TEXTS.items() if not name.startswith("other_problem")},
+        **{f"refusal.{name}": text for name, text in TEXTS.items() if name not in UNSEEN},
         **{f"lab.{name}": text for name, text in LAB.items()},
     }
     for row in TABLE:

@@ -25,10 +25,14 @@ export class Backend {
     readonly base: string | null = null,
   ) {}
 
+  checked(asked: Asked) {
+    return model.asked(asked, this.mechanics);
+  }
+
   /** The motion of a scenario for the player. `bounded`: whether it must be one that a page computes. */
   async film(asked: Asked, signal?: AbortSignal, bounded = true): Promise<FilmReply> {
     signal?.throwIfAborted();
-    const checked = model.asked(asked, this.mechanics);
+    const checked = this.checked(asked);
     const given = model.given(bounded ? model.within(checked) : checked);
     const { motion, columns, pieces } = await this.kernel.ask("film", [given], signal);
     const { doubt } = motion;
@@ -48,7 +52,7 @@ export class Backend {
 
   /** A part of a motion, for a film that is too long to be as dense as it is seen. `window`: times from and to. */
   async samples(scenario: any, window: [number, number], signal?: AbortSignal) {
-    const checked = model.asked({ scenario }, this.mechanics);
+    const checked = this.checked({ scenario });
     return this.kernel.ask("columns", [model.given(model.within(checked)), window], signal);
   }
 
@@ -63,21 +67,21 @@ export class Backend {
 
   /** The Python and the file of a scenario. */
   code(scenario: any) {
-    const checked = model.asked({ scenario }, this.mechanics);
+    const checked = this.checked({ scenario });
     return { python: model.pythonCode(checked), toml: model.toToml(checked) };
   }
 
   /** What theory says of the hoop of a scenario. */
   async theory(scenario: any, signal?: AbortSignal) {
     signal?.throwIfAborted();
-    const checked = model.asked({ scenario }, this.mechanics);
+    const checked = this.checked({ scenario });
     return model.thresholds(checked, await this.kernel.ask("thresholds", [model.given(checked)], signal));
   }
 
   /** The modes that follow in the (θ, θ̇) plane. `window`: of θ and of θ̇. */
   async regions(scenario: any, window: [number, number, number, number], signal?: AbortSignal) {
     signal?.throwIfAborted();
-    const given = model.given(model.asked({ scenario }, this.mechanics));
+    const given = model.given(this.checked({ scenario }));
     return this.kernel.ask("regions", [given, window, REGION_COLUMNS, REGION_ROWS], signal);
   }
 
@@ -95,7 +99,7 @@ export class Backend {
     if (scenario.contact.model !== "rigid") throw new model.InputError(model.labText("compliant_changes"));
     const allowed = (offset: number) => {
       try {
-        return model.within(model.asked({ scenario, changes: [[path, value + offset]] }, this.mechanics));
+        return model.within(this.checked({ scenario, changes: [[path, value + offset]] }));
       } catch (error) {
         if (error instanceof model.InputError) return null;
         throw error;
@@ -109,22 +113,24 @@ export class Backend {
 
   /** What becomes of the motion in the end. */
   async fate(scenario: any, signal?: AbortSignal): Promise<Fate> {
-    const given = model.given(model.asked({ scenario }, this.mechanics));
+    const given = model.given(this.checked({ scenario }));
     if (given.contact || !given.gravity) throw new model.InputError({ key: "ending.needs" });
     return this.kernel.ask("fate", [given, PASSAGES], signal);
   }
 
   /** A map over two parameters. */
-  async map(asked: Asked & { x: any; y: any; what: string }, signal?: AbortSignal): Promise<Reply<MapHeader>> {
+  async map(
+    { x, y, what, ...asked }: Asked & { x: any; y: any; what: string },
+    signal?: AbortSignal,
+  ): Promise<Reply<MapHeader>> {
     signal?.throwIfAborted();
-    const { checked, x, y, what } = model.requested(asked, this.mechanics);
-    const base = model.withinMap(checked, { x, y });
+    const base = model.withinMap(this.checked(asked), { x, y });
     const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
     return model.mapReply({ x, y, what }, await this.kernel.ask("map", [cells, what, model.spanOf(what)], signal));
   }
 
   async file(name: string, query: string) {
-    const asked = model.asked({ query }, this.mechanics);
+    const asked = this.checked({ query });
     return new Blob([await this.fileText(name, asked)], { type: FILES[name] });
   }
 

@@ -58,6 +58,6 @@ export const SPEED_TEXTS = SPEED_COLORS.map((color) => `rgb(${color.join(",")})`
 export const SPEED_GRADIENT = `linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})`;
 
 // What tells two hoops apart, beside their letters; neither is the colour of a mode or of a quantity.
-export const HOOP_INKS = ["#123a8c", "#8a6d00"];
+const HOOP_INKS = ["#123a8c", "#8a6d00"];
 
 export const hoopInk = (lane: number, dark: boolean) => readable(HOOP_INKS[lane], dark);

@@ -37,7 +37,7 @@ export function follow(
  * Two fingers zoom: `zoom` gets the factor by which they have spread and the point between them. The function that
  * comes back tells whether two fingers are down; what one finger does has to wait then.
  */
-export function pinch(element: HTMLElement, zoom: (factor: number, at: Point) => void) {
+function pinch(element: HTMLElement, zoom: (factor: number, at: Point) => void) {
   const fingers: Map<number, PointerEvent> = new Map();
   let before: { span: number; clientX: number; clientY: number } | null = null;
   const measured = () => {

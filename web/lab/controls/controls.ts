@@ -7,7 +7,7 @@ import { clamp } from "../common/clamp.ts";
 import { show, sizeOf, withUnit } from "../common/numbers.ts";
 import { Parts, partsLike } from "./parts.ts";
 import { t } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
+import type { Motions } from "../player/motions.ts";
 
 const CONTACT = ["model", "law", "friction", "stiffness", "slip_speed", "restitution"];
 const ADVANCED = ["plane.painleve", "plane.impact_law", ...CONTACT.map((name) => `contact.${name}`)];
@@ -127,8 +127,7 @@ export class Controls {
   film: Film;
   broken: Entry | null = null; // a rule between fields, by the value of this one
 
-  onchange = (changes: Change[], commit = true) => this.lab.motions.change(changes, commit);
-  setup = this.lab.setup.controls;
+  onchange = (changes: Change[], commit = true) => this.motions.change(changes, commit);
   sliders = new Map(
     Object.values(this.setup.groups)
       .flat()
@@ -194,10 +193,15 @@ export class Controls {
     ),
     this.start,
     // what few visitors ask for; closed at first
-    this.group("controls.advanced", ...ADVANCED.map((path) => this.at(path)), this.lab.story.fingerprint),
+    this.group("controls.advanced", ...ADVANCED.map((path) => this.at(path)), this.fingerprint),
   );
 
-  constructor(readonly lab: Pick<Lab, "motions" | "setup" | "story">) {}
+  /** `fingerprint`: of the motion, shown with what few visitors ask for. */
+  constructor(
+    readonly motions: Motions,
+    readonly setup: ControlsInfo,
+    readonly fingerprint: HTMLElement,
+  ) {}
 
   at(path: string) {
     const found = this.sliders.get(path) ?? this.choices.get(path);

@@ -55,7 +55,7 @@ export function refusal(
   return { key: "controls.value_out_of_range", values };
 }
 
-export interface FieldInfo {
+interface FieldInfo {
   label: string;
   unit: string;
   range?: NumberRange; // in the field's unit

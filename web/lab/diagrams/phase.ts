@@ -70,7 +70,7 @@ export class PhasePlane extends Diagram {
       this.pictures = [this.pictures[0], part];
       this.redraw();
     } catch (error) {
-      if ((error as Error).name !== "AbortError") throw error;
+      if (error.name !== "AbortError") throw error;
     }
   }
 
@@ -281,7 +281,7 @@ export class PhasePlane extends Diagram {
 const { letters } = tables.words;
 
 /** `codes`: by rows; `colors`: of the modes. */
-export function pictureOf(codes: Column, columns: number, colors: Record<string, string>) {
+function pictureOf(codes: Column, columns: number, colors: Record<string, string>) {
   const rows = codes.length / columns;
   const picture = h("canvas", { width: columns, height: rows });
   const image = new ImageData(columns, rows);
@@ -300,7 +300,7 @@ export function pictureOf(codes: Column, columns: number, colors: Record<string,
 const BOTH = 2;
 
 /** Where slip meets the paradox, for θ̇ < 0 and for θ̇ > 0: hatched one way for spin and the other for skid. */
-export function hatch(context: CanvasRenderingContext2D, plane: PhasePlane, paradox: Column) {
+function hatch(context: CanvasRenderingContext2D, plane: PhasePlane, paradox: Column) {
   const columns = paradox.length / 2;
   const [top, middle, bottom] = [TOP, clamp(plane.y(0), TOP, TOP + plane.box.height), TOP + plane.box.height];
   context.strokeStyle = faded(plane.look.dark ? "#ffffff" : "#000000", 0.28);

@@ -12,7 +12,7 @@ import { follow, placeOn, zoomable } from "../common/pointer.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { name, t } from "../words/words.ts";
 
-export type Drawn = Curve & { film: Film; lane: number; number: number };
+type Drawn = Curve & { film: Film; lane: number; number: number };
 
 export class Plot extends Diagram {
   range: number[];
@@ -333,7 +333,7 @@ export class Plot extends Diagram {
 // --- The axes of a diagram: their place, their ends, their numbers
 
 /** From where to where an axis upwards goes for finite values. */
-export function heightsOf(values: number[]) {
+function heightsOf(values: number[]) {
   if (!values.length) return [0, 1];
   const sorted = Float64Array.from(values).sort();
   let [low, high] = [sorted[0], sorted[sorted.length - 1]];

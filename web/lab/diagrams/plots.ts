@@ -136,10 +136,10 @@ export class Plots {
 // --- A diagram of the visitor's own choice: any quantity upwards; what stands across is chosen for all diagrams
 
 /** Options of a list of quantities. */
-export const optionsOf = (words: (quantity: Quantity) => Message) =>
+const optionsOf = (words: (quantity: Quantity) => Message) =>
   Object.entries(QUANTITIES).map(([key, quantity]) => h("option", { value: key }, words(quantity)));
 
-export function ownPlot(shared: PlotShared): Plot {
+function ownPlot(shared: PlotShared): Plot {
   let key = "height";
   const plot = new Plot(
     {

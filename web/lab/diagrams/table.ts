@@ -5,7 +5,8 @@ import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { bring } from "../shell/page.ts";
 import { current, local, t } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
+import type { Motions } from "../player/motions.ts";
+import type { Theme } from "../shell/theme.ts";
 
 const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -13,7 +14,7 @@ const MOST = 601; // rows
 const DIGITS = 9; // in a file
 
 /** The rows of the table: at equal steps, with the state at each time. `step`: in seconds. */
-export function rowsOf(film: Film, columns: string[], step: number) {
+function rowsOf(film: Film, columns: string[], step: number) {
   const count = Math.min(Math.floor(film.duration / step + 1e-9) + 1, MOST);
   const rows = [];
   for (let k = 0; k < count; k++) {
@@ -72,7 +73,11 @@ export class Table {
     ),
   );
 
-  constructor(readonly lab: Pick<Lab, "clock" | "film" | "theme">) {
+  constructor(
+    readonly clock: Clock,
+    readonly motions: Motions,
+    readonly theme: Theme,
+  ) {
     this.step.value = "0.1";
   }
 
@@ -94,7 +99,7 @@ export class Table {
   open(open: boolean) {
     this.element.hidden = !open;
     if (!open) return;
-    this.draw(this.lab.film());
+    this.draw(this.motions.film());
     this.step.focus({ preventScroll: true });
     bring(this.element);
   }
@@ -108,7 +113,7 @@ export class Table {
   fill() {
     const { film, columns } = this;
     const step = Number(this.step.value);
-    const names = this.lab.theme.colors.mode_names;
+    const names = this.theme.colors.mode_names;
     const units = columns.map((key) => QUANTITIES[key]);
     this.head.replaceChildren(
       h(
@@ -125,7 +130,7 @@ export class Table {
       time,
       row: h(
         "tr",
-        { onclick: () => this.lab.clock.seek(time) },
+        { onclick: () => this.clock.seek(time) },
         values.map((value, i) => (i === 0 ? h("th", { scope: "row" }, show(value, 4)) : h("td", {}, show(value, 4)))),
         h("td", { class: "table-mode" }, names[mode]),
       ),
@@ -135,7 +140,7 @@ export class Table {
     const more = { key: "table.shortened", values: { count: MOST } };
     this.choice.hidden = current() === "en"; // whose spreadsheets read the plain file
     say(this.caption, whole ? film.summary : [film.summary, " ", more]);
-    this.cursor(this.lab.clock.time);
+    this.cursor(this.clock.time);
   }
 
   cursor(time: number) {

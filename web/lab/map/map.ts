@@ -7,7 +7,8 @@ import { AXES, cross, MapAxes, otherStart } from "./map_axes.ts";
 import { cellAt, layerOf, legendOf, paint, stacked, textAt } from "./map_layers.ts";
 import { messageOf } from "../words/words.ts";
 import { clamp } from "../common/clamp.ts";
-import type { Lab } from "../shell/lab.ts";
+import type { Motions } from "../player/motions.ts";
+import type { Story } from "../player/story.ts";
 
 const LEVELS = [
   [24, 16],
@@ -30,7 +31,7 @@ export class MotionMap {
   layers: MapLayer[] = [];
   // only a map that is looked at is computed
   seen = false;
-  axes = new MapAxes(this.lab.setup.controls.map_axes);
+  axes = new MapAxes(this.setup.controls.map_axes);
   selects: Record<AxisName, HTMLSelectElement> = { x: this.pick("x"), y: this.pick("y") };
   quantity = h(
     "select",
@@ -41,7 +42,7 @@ export class MotionMap {
         this.refresh();
       },
     },
-    this.lab.setup.map_quantities.map((name) => h("option", { value: name }, `quantity.${name}`)),
+    this.setup.map_quantities.map((name) => h("option", { value: name }, `quantity.${name}`)),
   );
   canvas = h("canvas", { class: "plot-canvas" });
   tip = h("div", { class: "tip", hidden: true });
@@ -82,7 +83,15 @@ export class MotionMap {
     if (this.seen && this.stale) this.refresh();
   });
 
-  constructor(readonly lab: Pick<Lab, "address" | "backend" | "clock" | "motions" | "setup" | "story">) {
+  /** `moved`: called when it shows something else. */
+  constructor(
+    readonly setup: Setup,
+    readonly backend: Backend,
+    readonly clock: Clock,
+    readonly motions: Motions,
+    readonly story: Story,
+    readonly moved: () => void,
+  ) {
     takeHands(this);
     this.watch.observe(this.body);
     this.syncSelects();
@@ -154,7 +163,7 @@ export class MotionMap {
 
   async refresh() {
     if (!this.film) return;
-    this.lab.address?.soon();
+    this.moved();
     if (!this.seen) {
       this.stale = true;
       return;
@@ -176,7 +185,7 @@ export class MotionMap {
         say(this.state, { key: "map.computing", values: { count: x * y } });
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
-        const reply = await this.lab.backend.map(body, signal);
+        const reply = await this.backend.map(body, signal);
         const layer = layerOf(reply);
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
@@ -188,7 +197,7 @@ export class MotionMap {
         this.level = level + 1;
       }
     } catch (error) {
-      if ((error as Error).name === "AbortError") return;
+      if (error.name === "AbortError") return;
       say(this.state, messageOf(error));
     }
   }
@@ -237,8 +246,8 @@ export class MotionMap {
   take(place: Place) {
     const cell = cellAt(this.layers, place);
     const value = (name: AxisName) => (cell ? this.axes.round(name, cell[name], place[name]) : place[name]);
-    this.lab.clock.time = 0;
-    this.lab.motions.change(
+    this.clock.time = 0;
+    this.motions.change(
       AXES.map((name) => [this.axes.paths[name], value(name)]),
       true,
     );
@@ -262,7 +271,7 @@ const WAYS: Record<string, [number, number]> = {
 };
 const STEPS = 48; // of the arrow keys across a map
 
-export function takeHands(map: MotionMap) {
+function takeHands(map: MotionMap) {
   const { body } = map;
   let dragging = false;
   const pinched = zoomable(body, {
@@ -333,7 +342,7 @@ function key(map: MotionMap, event: KeyboardEvent) {
       y: clamp(place.y + (dy * (y[1] - y[0])) / STEPS, y[0], y[1]),
     };
     map.state.textContent = map.said(map.pointed);
-    map.lab.story.say(map.said(map.pointed));
+    map.story.say(map.said(map.pointed));
   } else if (event.key === "Enter") map.take(place);
   else return;
   event.preventDefault();

@@ -3,7 +3,8 @@
 import { h, say } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { messageOf } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
+import type { Motions } from "./motions.ts";
+import type { Story } from "./story.ts";
 
 export class Ending {
   asked: AbortController | null = null;
@@ -14,11 +15,16 @@ export class Ending {
   gait = h("button", { hidden: true, onclick: () => this.take() }, "ending.show");
   element = h("p", { class: "ending" }, this.ask, " ", this.answer, " ", this.gait);
 
-  constructor(readonly lab: Pick<Lab, "backend" | "clock" | "film" | "motions" | "story">) {}
+  constructor(
+    readonly backend: Backend,
+    readonly clock: Clock,
+    readonly motions: Motions,
+    readonly story: Story,
+  ) {}
 
   /** Another motion has another end. */
   changed() {
-    if (this.lab.film().scenario === this.of) return;
+    if (this.motions.film().scenario === this.of) return;
     this.asked?.abort();
     this.of = this.known = null;
     this.gait.hidden = true;
@@ -28,28 +34,28 @@ export class Ending {
   async fetch() {
     this.asked?.abort();
     this.asked = new AbortController();
-    const { scenario } = this.lab.film();
+    const { scenario } = this.motions.film();
     this.of = scenario;
     say(this.answer, "ending.computing");
     let said: Message;
     try {
-      this.known = await this.lab.backend.fate(scenario, this.asked.signal);
+      this.known = await this.backend.fate(scenario, this.asked.signal);
       said = textOf(this.known);
     } catch (error) {
-      if ((error as Error).name === "AbortError") return;
+      if (error.name === "AbortError") return;
       said = messageOf(error);
     }
     say(this.answer, said);
     this.gait.hidden = !Number.isFinite(this.known?.final_omega);
-    this.lab.story.say(said);
+    this.story.say(said);
   }
 
   /** Start on the gait, with the load at the bottom. */
   take() {
-    const { hoop } = this.lab.film().scenario;
+    const { hoop } = this.motions.film().scenario;
     const speed = (this.known as Fate).final_omega * hoop.radius;
-    this.lab.clock.time = 0;
-    this.lab.motions.change(
+    this.clock.time = 0;
+    this.motions.change(
       [
         ["start.angle", Math.PI],
         ["start.speed", speed],

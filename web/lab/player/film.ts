@@ -3,7 +3,7 @@
 import { tables } from "../../model/tables.ts";
 import { clamp } from "../common/clamp.ts";
 
-export const MODE_LETTERS: string = tables.words.letters;
+const MODE_LETTERS: string = tables.words.letters;
 
 const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks
 const STRETCH = 10; // seconds of a film that have one scale of rim speeds

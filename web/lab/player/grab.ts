@@ -15,7 +15,7 @@ const TURN = 2 * Math.PI;
 export type Held = { angle: number; height: number; vx: number; vy: number; omega: number; slope: number };
 export type Grip = "load" | "hoop" | "plane";
 
-export const wrapped = (angle: number) => angle - TURN * Math.round(angle / TURN);
+const wrapped = (angle: number) => angle - TURN * Math.round(angle / TURN);
 
 /**
  * The hoop as keys take it: at rest, but with its speed at its start. A load that is turned by keys keeps the hoop's

@@ -8,7 +8,9 @@ import { clamp } from "../common/clamp.ts";
 import { DEGREE, degrees, length, show } from "../common/numbers.ts";
 import { follow, placeOn } from "../common/pointer.ts";
 import { t } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
+import type { Motions } from "./motions.ts";
+import type { Notice } from "../shell/notice.ts";
+import type { Stage } from "./stage.ts";
 import type { Scene } from "./scene2d.ts";
 
 const REST = 700; // milliseconds after the last key until the start counts as chosen
@@ -42,8 +44,16 @@ export class Grips {
   );
   settle = once(() => this.chosen(false), REST);
 
-  constructor(readonly lab: Pick<Lab, "clock" | "film" | "mark" | "motions" | "notice" | "request" | "stage">) {
-    const { flat, plane } = lab.stage;
+  /** `mark`: whether a hand holds the hoop; `request`: another picture. */
+  constructor(
+    readonly clock: Clock,
+    readonly motions: Motions,
+    readonly stage: Stage,
+    readonly notice: Notice,
+    readonly mark: (held: boolean) => void,
+    readonly request: () => void,
+  ) {
+    const { flat, plane } = stage;
     // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
     flat.grab = (event) => this.take(event);
     plane.addEventListener("pointermove", (event) => this.hover(event));
@@ -66,17 +76,16 @@ export class Grips {
   }
 
   view() {
-    return this.lab.stage.flat.views[this.lab.motions.active];
+    return this.stage.flat.views[this.motions.active];
   }
 
   /** Where the hoop can be taken follows the picture. */
   draw() {
-    const { lab } = this;
     const view = this.view();
-    const seen = Boolean(view) && !lab.stage.options.three;
+    const seen = Boolean(view) && !this.stage.options.three;
     this.element.hidden = !seen;
     if (!seen) return;
-    this.element.classList.toggle("running", lab.clock.playing);
+    this.element.classList.toggle("running", this.clock.playing);
     const { film, scale } = view;
     const R = film.radius;
     const [center, load] = [view.ray(0), view.ray(R)];
@@ -95,12 +104,12 @@ export class Grips {
       place.hidden = x < 0 || y < 0 || x > view.width || y > view.height;
     }
     if (!this.hint.hidden) this.placeHint(load[0], view.top + load[1]);
-    if (!lab.clock.playing) this.tell(film);
+    if (!this.clock.playing) this.tell(film);
   }
 
   /** Above the load, clear of the load itself and of the numbers on the picture. */
   placeHint(x: number, y: number) {
-    const { stage } = this.lab;
+    const { stage } = this;
     const { offsetWidth, offsetHeight } = stage.element;
     const taken = [...stage.covered(), new DOMRect(x - LOAD, y - LOAD, 2 * LOAD, 2 * LOAD)];
     const size = this.hint.getBoundingClientRect();
@@ -117,7 +126,7 @@ export class Grips {
 
   /** The values for a screen reader: those of the start that is held or shown. */
   tell(film: Film) {
-    const held = this.pull?.held ?? this.held ?? taken("hoop", film, this.lab.clock.time);
+    const held = this.pull?.held ?? this.held ?? taken("hoop", film, this.clock.time);
     const texts = {
       load: degrees(held.angle),
       hoop: t("hand.state", { height: length(held.height), speed: show(held.vx, 3) }),
@@ -151,22 +160,21 @@ export class Grips {
     if (this.pull) return;
     const grip = event && event.pointerType !== "touch" ? this.under(event) : null;
     for (const [name, place] of this.places) place.classList.toggle("near", name === grip);
-    this.lab.stage.plane.style.cursor = grip ? "grab" : "";
+    this.stage.plane.style.cursor = grip ? "grab" : "";
   }
 
   /** Returns whether the hoop is taken, not the picture. */
   take(event: PointerEvent): boolean {
     const grip = this.under(event);
     if (!grip || event.button > 0 || this.pull) return false;
-    const { lab } = this;
-    const { flat, plane } = lab.stage;
+    const { flat, plane } = this.stage;
     const place = this.places.get(grip) as HTMLElement;
     const view = this.view();
     const inside = (other: PointerEvent): Point => {
       const [clientX, y] = placeOn(plane, other);
       return { clientX, clientY: y - view.top };
     };
-    const pull = new Pull(grip, lab.film(), lab.clock.time, view, inside(event));
+    const pull = new Pull(grip, this.motions.film(), this.clock.time, view, inside(event));
     const shift = [...flat.shift];
     let [moved, left] = [false, false];
     this.pull = pull;
@@ -226,12 +234,11 @@ export class Grips {
 
   key(grip: Grip, event: KeyboardEvent) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const { lab } = this;
     if (event.key === "Escape" && this.held) this.back();
     else if (event.key === "Enter") this.chosen(true);
     else {
-      this.held ??= taken(grip, lab.film(), lab.clock.time);
-      const next = keyed(grip, event.key, event.shiftKey, this.held, lab.film());
+      this.held ??= taken(grip, this.motions.film(), this.clock.time);
+      const next = keyed(grip, event.key, event.shiftKey, this.held, this.motions.film());
       if (!next) return;
       if (this.before === null) {
         this.hold();
@@ -247,19 +254,18 @@ export class Grips {
   }
 
   hold() {
-    this.lab.clock.play(false);
-    this.before = this.lab.film().query;
+    this.clock.play(false);
+    this.before = this.motions.film().query;
   }
 
   begin() {
-    const { lab } = this;
-    lab.stage.options.ahead = true;
-    lab.clock.seek(0);
-    lab.mark("holding", true);
+    this.stage.options.ahead = true;
+    this.clock.seek(0);
+    this.mark(true);
   }
 
   change(grip: Grip, held: Held, commit: boolean) {
-    this.lab.motions.change(changesFor(grip, held, this.lab.film()), commit);
+    this.motions.change(changesFor(grip, held, this.motions.film()), commit);
   }
 
   show(grip: Grip, held: Held) {
@@ -274,47 +280,46 @@ export class Grips {
 
   /** The keys have chosen a start. */
   chosen(play: boolean) {
-    if (this.held && this.before !== null) this.lab.motions.change([], true);
+    if (this.held && this.before !== null) this.motions.change([], true);
     this.end(play);
   }
 
   end(play: boolean) {
-    const { lab } = this;
     this.held = null;
     this.before = null;
     this.tip.hidden = true;
-    lab.stage.options.ahead = false;
-    lab.mark("holding", false);
-    if (play) lab.clock.seek(0);
-    if (play) lab.clock.run();
-    lab.request();
+    this.stage.options.ahead = false;
+    this.mark(false);
+    if (play) this.clock.seek(0);
+    if (play) this.clock.run();
+    this.request();
   }
 
   /** As it was before the hand came. */
   async back() {
-    const { lab, before } = this;
+    const { before } = this;
     this.end(false);
     if (before === null) return;
-    const lane = lab.motions.lanes[lab.motions.active];
+    const lane = this.motions.lanes[this.motions.active];
     lane.pending = null;
     // what is under way must not come after it
     while (lane.busy) await new Promise((resolve) => requestAnimationFrame(resolve));
     try {
-      lab.motions.replace(await lab.motions.ask({ query: before }));
+      this.motions.replace(await this.motions.ask({ query: before }));
     } catch (error) {
-      lab.notice.fail(error as Error);
+      this.notice.fail(error);
     }
   }
 
   /** The picture follows the hoop again. */
   comeBack(home: number[]) {
-    const { flat } = this.lab.stage;
+    const { flat } = this.stage;
     const still = calm();
     const step = () => {
       if (this.pull) return;
       const left = flat.shift[0] - home[0];
       flat.shift = Math.abs(left) < 1 || still ? [...home] : [home[0] + 0.82 * left, home[1]];
-      this.lab.request();
+      this.request();
       if (flat.shift[0] !== home[0]) requestAnimationFrame(step);
     };
     step();
@@ -324,7 +329,7 @@ export class Grips {
 // --- Where a hint is put on the picture: next to what it is about, and clear of what else is there
 
 /** The edges of a box, in pixels. */
-export type Edges = { left: number; right: number; top: number; bottom: number };
+type Edges = { left: number; right: number; top: number; bottom: number };
 
 const GAP = 4; // pixels
 

@@ -10,7 +10,7 @@ import type { Lab } from "../shell/lab.ts";
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under
  * way.
  */
-export type Lane = {
+type Lane = {
   film: Film;
   busy?: boolean;
   pending?: Change[] | null;
@@ -91,7 +91,7 @@ export class Motions {
       if (this.lanes.includes(lane)) this.lab.changed(since);
     } catch (error) {
       if (error instanceof Stopped) lane.pending = null;
-      if (this.lanes.includes(lane)) this.lab.failed(error as Error, changes);
+      if (this.lanes.includes(lane)) this.lab.failed(error, changes);
     } finally {
       lane.busy = false;
     }

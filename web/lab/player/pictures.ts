@@ -31,7 +31,7 @@ export async function png(lab: Shown): Promise<Blob> {
 export async function svg(lab: Shown) {
   if (lab.stage.options.three) throw new Error("save.no_svg_in_space");
   const { width, height } = lab.stage.canvas().getBoundingClientRect();
-  const { Context } = await fetched(import("svgcanvas"));
+  const { Context } = await fetched(import("./svg.ts"));
   const context = new Context({ width, height, document });
   background(context, lab, width, height);
   flat(context, lab, width, height);
@@ -40,7 +40,7 @@ export async function svg(lab: Shown) {
 }
 
 /** A copy of what is on the screen, as a film takes it. */
-export function copyInto(lab: Shown, canvas: HTMLCanvasElement) {
+function copyInto(lab: Shown, canvas: HTMLCanvasElement) {
   const source = lab.stage.canvas();
   const { width, height } = source.getBoundingClientRect();
   const context = pen(canvas);

@@ -18,7 +18,7 @@ export function heard(film: Film, time: number): { tone: number; pitch: number; 
 }
 
 /** How hard the landings between two times are: the speed downwards, over that of a fall from a radius. */
-export function knocks(film: Film, from: number, to: number) {
+function knocks(film: Film, from: number, to: number) {
   const scale = Math.sqrt(2 * (film.gravity || 9.81) * film.radius);
   return film.events
     .filter(({ kind, t }) => kind === "impact" && t > from && t <= to)

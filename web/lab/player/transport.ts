@@ -6,7 +6,10 @@ import { icon } from "../common/icons.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { eventWord, leaves } from "./marks.ts";
 import { name } from "../words/words.ts";
-import type { Lab } from "../shell/lab.ts";
+import type { Motions } from "./motions.ts";
+import type { Notice } from "../shell/notice.ts";
+import type { Stage } from "./stage.ts";
+import type { Story } from "./story.ts";
 
 const STEP = 1 / 60; // seconds
 
@@ -23,7 +26,6 @@ const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-h
 export class Transport {
   titled = "";
 
-  clock = this.lab.clock;
   playButton = button(icon("play"), "player.play", () => this.clock.play(), { class: "play" });
   speeds = h(
     "select",
@@ -38,7 +40,7 @@ export class Transport {
   switches = new Map(
     SWITCHES.map(([name, label, title]) => [
       name,
-      h("button", { class: "switch", title, onclick: () => this.lab.toggle(name) }, label),
+      h("button", { class: "switch", title, onclick: () => this.toggle(name) }, label),
     ]),
   );
   row = h("div", { class: "buttons switches" }, [...this.switches.values()]);
@@ -65,13 +67,20 @@ export class Transport {
     this.row,
   );
 
-  constructor(readonly lab: Pick<Lab, "clock" | "films" | "notice" | "stage" | "story" | "toggle">) {
+  constructor(
+    readonly clock: Clock,
+    readonly motions: Motions,
+    readonly stage: Stage,
+    readonly story: Story,
+    readonly notice: Notice,
+    readonly toggle: (name: keyof StageOptions) => void,
+  ) {
     this.speeds.value = "1";
   }
 
   show() {
     const { clock, playButton } = this;
-    const { options } = this.lab.stage;
+    const { options } = this.stage;
     for (const [name, box] of this.switches) box.ariaPressed = String(options[name]);
     const title = clock.playing ? "player.pause" : "player.play";
     if (this.titled !== title) {
@@ -91,8 +100,8 @@ export class Transport {
   /** To the next event of all films, or of one kind; where there is none of that kind any more, to its first. */
   jump(way: -1 | 1, kind: "takeoff" | "impact" | null = null) {
     this.clock.playing = false;
-    const { notice, story } = this.lab;
-    const films = this.lab.films();
+    const { notice, story } = this;
+    const films = this.motions.films();
     const all = films
       .flatMap((film, lane) => film.events.map((event) => ({ event, lane })))
       .filter(({ event }) => !kind || (kind === "impact" ? event.kind === kind : leaves(event)))

@@ -1,10 +1,9 @@
 // What a little more of a parameter would do: arrows in the picture, and what changes in words and numbers.
 
-import { Changes, sentences, signed } from "./changes.ts";
+import { Changes, sentences, signed, arrowsOf, drawArrows, magnified, type Arrow } from "./changes.ts";
 import { h, headed, once, say } from "../common/dom.ts";
 import { eventWord } from "../player/marks.ts";
 import { show, sizeOf, withUnit } from "../common/numbers.ts";
-import { arrowsOf, drawArrows, magnified, type Arrow } from "../player/scene_arrows.ts";
 import { messageOf } from "../words/words.ts";
 import type { Lab } from "../shell/lab.ts";
 
@@ -184,7 +183,7 @@ export class More {
       this.factor = 0; // until they are drawn
       this.tell();
     } catch (error) {
-      if ((error as Error).name !== "AbortError" && !signal.aborted) this.refuse(messageOf(error));
+      if (error.name !== "AbortError" && !signal.aborted) this.refuse(messageOf(error));
     }
     lab.request();
     return undefined;

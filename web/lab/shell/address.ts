@@ -128,7 +128,7 @@ export class Address {
   /** Links as far as they can be read; what is wrong in them is said, and the address stays as it is. */
   read(links: string[]) {
     const { notice, backend } = this.lab;
-    const found = links.map((link) => backend.readable?.(link) ?? { query: link, foreign: [], error: null });
+    const found = links.map((link) => backend.readable(link));
     const error = found.find((one) => one.error)?.error;
     const foreign = found.flatMap((one) => one.foreign);
     this.held = Boolean(error);

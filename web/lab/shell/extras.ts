@@ -17,22 +17,23 @@ import type { Lab } from "./lab.ts";
 const LONG = 60; // letters of a motion's name
 
 /** What the parts of the page need that are made here. */
-type Around = Grips["lab"] &
-  Visit["lab"] &
-  More["lab"] &
-  Challenges["lab"] &
-  Table["lab"] &
-  Present["lab"] &
-  Pick<Lab, "hosted" | "about" | "known">;
+type Around = Visit["lab"] & More["lab"] & Present["lab"] & Pick<Lab, "hosted" | "about" | "known" | "load" | "theme">;
 
 export class Extras {
   clock = this.lab.clock;
-  grips = new Grips(this.lab);
+  grips = new Grips(
+    this.clock,
+    this.lab.motions,
+    this.lab.stage,
+    this.lab.notice,
+    (held) => this.lab.mark("holding", held),
+    () => this.lab.request(),
+  );
   sound = new Sound();
   present = new Present(this.lab);
-  challenges = new Challenges(this.lab);
+  challenges = new Challenges(this.lab.motions, this.lab.stage, (query) => this.lab.load(query));
   visit = new Visit(this.lab);
-  table = new Table(this.lab);
+  table = new Table(this.clock, this.lab.motions, this.lab.theme);
   more = new More(this.lab);
   teach = teachDialog(
     (query) => this.lab.load(query),

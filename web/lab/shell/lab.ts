@@ -60,15 +60,15 @@ export class Lab {
     this.request();
     this.address?.soon();
   });
-  transport = new Transport(this);
   timeline = new Timeline(this.clock);
   story = new Story(this.clock);
-  ending = new Ending(this);
+  transport = new Transport(this.clock, this.motions, this.stage, this.story, this.notice, (name) => this.toggle(name));
+  ending = new Ending(this.backend, this.clock, this.motions, this.story);
   theory = new Theory();
   plots = new Plots(this.clock, this.setup.colors);
   phase = new PhasePlane(this.backend, this.clock, this.setup.colors);
-  map = new MotionMap(this);
-  controls = new Controls(this);
+  map = new MotionMap(this.setup, this.backend, this.clock, this.motions, this.story, () => this.address?.soon());
+  controls = new Controls(this.motions, this.setup.controls, this.story.fingerprint);
   share = new Share(this);
   singleKeys: SingleKeys;
   help: HTMLDialogElement;
@@ -247,7 +247,7 @@ export class Lab {
       this.motions.replace(reply);
       this.story.announce(this.films());
     } catch (error) {
-      this.failed(error as Error);
+      this.failed(error);
     }
   }
 
@@ -268,7 +268,7 @@ export class Lab {
       this.clock.time = 0;
       this.motions.replace(reply);
     } catch (error) {
-      this.notice.fail(error as Error);
+      this.notice.fail(error);
     }
   }
 
@@ -382,7 +382,7 @@ export class Lab {
       this.theory.draw(await this.backend.theory(scenario, signal), this.motions.name());
       await this.phase.fetch(scenario, signal);
     } catch (error) {
-      if ((error as Error).name !== "AbortError") this.theory.draw([{ label: "–", text: messageOf(error) }]);
+      if (error.name !== "AbortError") this.theory.draw([{ label: "–", text: messageOf(error) }]);
     }
   }
 

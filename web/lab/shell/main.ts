@@ -81,7 +81,7 @@ async function open(root: HTMLElement, backend: Backend | null, own: string) {
     // a link that holds no scenario: say so, and show the reference case
     address.held = true;
     await lab.open([""]);
-    lab.notice.fail(error as Error);
+    lab.notice.fail(error);
   }
 }
 
@@ -152,7 +152,7 @@ export { speakFrom };
 // --- What a page answers with, once the kernel that it computes with is there
 
 /** `base`: what links begin with, where there are any to share. */
-export async function backendOf(loading: Promise<WorkerKernel>, base: string | null) {
+async function backendOf(loading: Promise<WorkerKernel>, base: string | null) {
   const kernel = await loading.catch((error) => {
     throw typeof WebAssembly === "object" && !(error instanceof WebAssembly.CompileError) ? error : unable(error);
   });
@@ -164,7 +164,7 @@ const unable = ({ message }: Error) =>
   new Error(/content security|\bcsp\b/i.test(message) ? "page.wasm_forbidden" : "page.wasm_missing");
 
 // The page without a network: the browser keeps its files once they have been there.
-export function keepOffline(script: string) {
+function keepOffline(script: string) {
   // a page that is opened from a disk, or embedded, does without
   navigator.serviceWorker
     ?.register(script)
@@ -177,7 +177,7 @@ export function keepOffline(script: string) {
 const PATIENCE = 20_000; // milliseconds
 
 /** The part of an anywidget model that is used. */
-export type Model = {
+type Model = {
   get(name: string): any;
   set(name: string, value: unknown): void;
   save_changes(): void;
@@ -186,7 +186,7 @@ export type Model = {
   off(name: string, listener: (...values: any[]) => void): void;
 };
 
-export class NotebookKernel {
+class NotebookKernel {
   constructor(readonly model: Model) {}
 
   /** Several views of one widget share its messages; each answers to its own. */

@@ -124,7 +124,7 @@ export function bring(element: HTMLElement) {
 }
 
 /** Returns what stands before the player and tells where it would be. */
-export function keepInSight(player: HTMLElement, changed: () => void): { edge: HTMLElement; close: () => void } {
+function keepInSight(player: HTMLElement, changed: () => void): { edge: HTMLElement; close: () => void } {
   const edge = h("div", { class: "edge", "aria-hidden": "true" });
   const watch = new IntersectionObserver(([entry]) => {
     const stuck = !entry.isIntersecting && entry.boundingClientRect.top < 0;

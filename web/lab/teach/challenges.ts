@@ -4,7 +4,8 @@ import { h, say } from "../common/dom.ts";
 import { recall, remember } from "../shell/memory.ts";
 import { spoken } from "../words/words.ts";
 import { DEGREE, degrees, length } from "../common/numbers.ts";
-import type { Lab } from "../shell/lab.ts";
+import type { Motions } from "../player/motions.ts";
+import type { Stage } from "../player/stage.ts";
 
 const KEY = "hophoop-best-";
 
@@ -47,7 +48,11 @@ export class Challenges {
     ),
   );
 
-  constructor(readonly lab: Pick<Lab, "film" | "load" | "stage">) {}
+  constructor(
+    readonly motions: Motions,
+    readonly stage: Stage,
+    readonly load: (query: string) => Promise<void>,
+  ) {}
 
   open() {
     this.element.hidden = false;
@@ -72,7 +77,7 @@ export class Challenges {
   begin() {
     if (!this.goal) return;
     this.solved.delete(this.goal.key);
-    this.lab.load(this.goal.start);
+    this.load(this.goal.start);
   }
 
   /** A solution that is shown is not the visitor's: it does not count, and nothing that is made of it. */
@@ -80,22 +85,22 @@ export class Challenges {
     const { goal } = this;
     if (!goal) return;
     this.solved.add(goal.key);
-    await this.lab.load(goal.best);
-    this.solutions.add(this.lab.film().query);
+    await this.load(goal.best);
+    this.solutions.add(this.motions.film().query);
   }
 
   /** Another motion is there: its score. A start that is still in the hand does not count. */
   changed() {
     const { goal } = this;
     if (!goal) return;
-    const { points, text, values = {} } = goal.score(this.lab.film());
-    const counts = !this.solved.has(goal.key) && !this.solutions.has(this.lab.film().query);
+    const { points, text, values = {} } = goal.score(this.motions.film());
+    const counts = !this.solved.has(goal.key) && !this.solutions.has(this.motions.film().query);
     this.meter.value = points;
     const key = counts ? "challenge.points" : "challenge.points_not_counted";
     const said = { key, values: { stars: drawn(points), count: points, what: { key: text, values } } };
     if (this.result.textContent !== spoken(said)) say(this.result, said);
     const kept = Number(recall(KEY + goal.key) ?? 0);
-    const best = counts && !this.lab.stage.options.ahead ? Math.max(kept, points) : kept;
+    const best = counts && !this.stage.options.ahead ? Math.max(kept, points) : kept;
     if (best > kept) remember(KEY + goal.key, String(best));
     say(this.kept, { key: "challenge.own_best", values: { count: best } });
   }
@@ -103,12 +108,12 @@ export class Challenges {
 
 // --- The challenges: what counts, and how a computed motion is scored. Pure functions of the motion; no hand is in them
 
-export interface Score {
+interface Score {
   points: number; // from 0 to 100
   text: string; // what was reached, with {places}
   values?: Record<string, string>;
 }
-export interface Goal {
+interface Goal {
   key: string;
   title: string;
   text: string;
@@ -152,7 +157,7 @@ const HIGHEST = 1.596;
 const HIGHEST_CLEAN = 0.37;
 const LEAST = 0.05; // metres: a hop that can be seen
 
-export const GOALS: Goal[] = [
+const GOALS: Goal[] = [
   {
     key: "highest",
     title: "challenge.highest",
@@ -219,4 +224,4 @@ export const GOALS: Goal[] = [
   },
 ];
 
-export const stars = (points: number) => (points >= 95 ? 3 : points >= 75 ? 2 : points >= 40 ? 1 : 0);
+const stars = (points: number) => (points >= 95 ? 3 : points >= 75 ? 2 : points >= 40 ? 1 : 0);

@@ -104,7 +104,7 @@ export class Visit {
       lab.motions.note();
       this.fill(number);
     } catch (error) {
-      lab.notice.fail(error as Error);
+      lab.notice.fail(error);
     }
   }
 

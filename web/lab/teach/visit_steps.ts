@@ -4,7 +4,7 @@ import { modulo } from "../common/clamp.ts";
 import { DEGREE, degrees, show } from "../common/numbers.ts";
 import { choices, dial, sketch, type Guess } from "./predict.ts";
 
-export interface Answer {
+interface Answer {
   truth: any; // what the guess is compared with
   text: string; // what happened, with {places}
   values?: Record<string, string>;
@@ -28,7 +28,7 @@ const first = (film: Film, kind: string) => film.events.find((event) => event.ki
 const inTurn = (angle: number) => degrees(modulo(angle, WHOLE));
 
 /** A quantity at equal steps of the first turn. */
-export function overTurn(film: Film, column: string, steps = 72) {
+function overTurn(film: Film, column: string, steps = 72) {
   const { angle } = film.columns;
   const values = film.columns[column];
   const found = [];
