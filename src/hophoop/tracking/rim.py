@@ -21,6 +21,7 @@ WIDE = 2.5  # distance from the steepest sample up to which samples count for it
 WEAKEST = 4.0  # rise of luma over two pixels that counts as an edge
 CLOSE = (4.0, 0.04)  # reach of the last search [pixel], and over the radius
 OVAL = 0.03  # amplitude by which a rim is no circle, over the radius: a tilted hoop is an ellipse in the picture
+NEARBY = 0.15  # distance of the outer edge from a circle that was found, over the radius
 WANTED = 0.5  # share of the visible rim that must agree
 SEEN = 0.22  # share of the rim that must lie in the picture
 SMALLEST = 9.0  # radius [pixel]
@@ -108,21 +109,10 @@ def confirm(luma: Bytes, circle: Circle, sign: int, expected: tuple[float, float
 
     luma shape (height, width) [1]; sign: 1 dark, −1 light, 0 unknown; expected: radius and its error [pixel].
     """
-    span = max(0.2 * circle.radius, 6.0)
-    offsets = np.arange(-span, span + 0.5)
-    values = profile(luma, circle, offsets)
-    seen = np.isfinite(values).all(axis=1)
-    if seen.mean() < SEEN:
-        return None
-    rise = np.gradient(np.median(values[seen], axis=0))
-    steep = sign * rise if sign else np.abs(rise)
-    before, here, after = steep[:-2], steep[1:-1], steep[2:]
-    peaks = np.flatnonzero((here >= before) & (here > after) & (here >= max(0.4 * np.abs(rise).max(), 1.0))) + 1
-    if not len(peaks):
-        return None
-    outer = circle._replace(radius=circle.radius + float(offsets[peaks[-1]]))  # the outermost edge is the outside of the rim
-    sign, reach = (1 if rise[peaks[-1]] > 0 else -1), max(5.0, 0.06 * outer.radius)
-    return find_rim(luma, outer, sign, reach, expected, (0.0, 0.0, OVAL * outer.radius))
+    reach, oval = max(6.0, NEARBY * circle.radius), (0.0, 0.0, OVAL * circle.radius)
+    found = [find_rim(luma, circle, one, reach, expected, oval) for one in ((sign,) if sign else (1, -1))]
+    # the outer one of both edges is the outside of the rim
+    return max((rim for rim in found if rim is not None), key=lambda rim: rim.circle.radius, default=None)
 
 
 def find_disc(luma: Bytes, circle: Circle) -> Circle | None:
