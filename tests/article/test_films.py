@@ -1,6 +1,10 @@
 """The films of the article, small here, and of its runs."""
 
 import multiprocessing
+import os
+import signal
+import subprocess
+import sys
 
 import pytest
 from PIL import Image
@@ -55,6 +59,26 @@ def test_an_error_ends_the_other_processes_and_leaves_nothing(tmp_path, short):
         raise RuntimeError("elsewhere")
     assert not multiprocessing.active_children()
     assert not list(tmp_path.iterdir())
+
+
+KILLED = """
+import multiprocessing, os, signal
+from concurrent.futures import ProcessPoolExecutor
+from hophoop.article.films import _end_with_parent
+if __name__ == "__main__":
+    pool = ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), initializer=_end_with_parent)
+    print(pool.submit(os.getpid).result(), flush=True)
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="SIGKILL")
+def test_no_process_outlives_the_one_that_started_it(tmp_path):
+    (tmp_path / "killed.py").write_text(KILLED, encoding="utf-8")
+    # waits until the other one has closed the pipe as well
+    done = subprocess.run([sys.executable, tmp_path / "killed.py"], stdout=subprocess.PIPE, text=True, check=False, timeout=60)
+    assert done.returncode == -signal.SIGKILL
+    assert int(done.stdout) > 0
 
 
 def test_the_runs_are_the_articles():
