@@ -43,7 +43,8 @@ def _attributes(thing: Any) -> list[Any]:
     return [(name, np.ravel(np.asarray(thing.attrs[name])).tolist()) for name in sorted(thing.attrs) if name not in _OF_FORMATS]
 
 
-# A line at the end of a file, after the part that HDF5 reads: its library can crash on damaged bytes.
+# A line at the end of a file, after the part that HDF5 reads. Without it netCDF4 1.7.2 crashes on 2 of 201 damaged files.
+# Without the checksum above one bit in the attributes of a Zarr store gives another scenario: the format checks only chunks.
 _SEAL, _DIGITS = b"\nhophoop sha256 ", 64
 _LENGTH = len(_SEAL) + _DIGITS + 1
 
