@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -66,6 +67,13 @@ def test_a_landing_after_millions_of_turns_takes_few_steps():
 def kept(index: int) -> hh.Scenario:
     """A scenario that a night found."""
     return hh.Scenario.load(Path(__file__).parents[1] / "data" / "once_open" / f"{index}.toml")
+
+
+def test_a_compliant_motion_has_no_doubt():
+    """Rigid contact of the same scenario is on the boundary of two classes."""
+    scenario = hh.Scenario(start=hh.Start.rolling(float(hh.theory.immediate_hop_speed(hh.Hoop()))), duration=0.1)
+    assert hh.simulate(scenario).doubt < 0.1
+    assert hh.simulate(scenario.replace("contact", hh.Compliant())).doubt == math.inf
 
 
 def test_an_angle_keeps_its_digits_through_a_flight_of_many_turns():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -23,7 +24,7 @@ from hophoop.results.records import (
     event_record,
 )
 from hophoop.results.units import Units
-from hophoop.scenario import InputError, Scenario
+from hophoop.scenario import InputError, Rigid, Scenario
 from hophoop.vocabulary.names import STATUSES, plain, sequence_of
 from hophoop.vocabulary.quantities import LOSSES
 
@@ -288,7 +289,9 @@ class Trajectory:
             from hophoop.simulation.rigid import simulate_rigid
             from hophoop.simulation.until import NOTHING, read_until
 
-            self._doubt = simulate_rigid(self.scenario, NOTHING if self.until is None else read_until(self.until)).doubt
+            rigid = isinstance(self.scenario.contact, Rigid)
+            until = NOTHING if self.until is None else read_until(self.until)
+            self._doubt = simulate_rigid(self.scenario, until).doubt if rigid else math.inf
         return self._doubt
 
     def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
