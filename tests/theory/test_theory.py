@@ -134,8 +134,8 @@ def test_needed_friction_is_the_largest_ratio(hoop, part, slope):
 # --- times -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("speed", [1e-12, 1e-6, 2.0, 30.0])
-@pytest.mark.parametrize("hoop", [GENERAL, hh.Hoop.ideal(0.999)])
+@pytest.mark.parametrize("speed", [1e-12, 1e-6, 0.4, 2.0])
+@pytest.mark.parametrize("hoop", [GENERAL, hh.Hoop.ideal(0.5)])
 def test_times_are_elliptic_integrals(hoop, speed):
     angles = np.array([1e-9, 0.3, 2.0, math.pi, 4.0, TURN - 1e-3, TURN, 20.0])
     with mp.workdps(40):
@@ -144,20 +144,32 @@ def test_times_are_elliptic_integrals(hoop, speed):
         )
     found = theory.rolling_time(angles, hoop, speed)
     # near 2π an angle has only 1e-15 to say how far the top is
-    np.testing.assert_allclose(found[:5], expected[:5], rtol=1e-13)
+    np.testing.assert_allclose(found[:5], expected[:5], rtol=2e-13, atol=1e-16)
     if speed >= 1e-6:
-        np.testing.assert_allclose(found, expected, rtol=1e-9)
+        np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-16)
     assert theory.rolling_period(hoop, speed) == pytest.approx(whole, rel=2e-13)
     assert theory.rolling_period(hoop, -speed) == theory.rolling_period(hoop, speed)
     assert theory.rolling_time(-angles[1], hoop, speed) == -found[1]
+
+
+def test_a_hoop_that_leaves_the_plane_has_no_time_of_rolling():
+    """At once, without gravity or from an immediate hop on; on the way, where the plane would have to pull it; in rocking."""
+    hop = theory.immediate_hop_speed(REFERENCE)
+    assert np.isnan(theory.rolling_period(REFERENCE, [1.001 * hop, -1.001 * hop, 10.0 * hop])).all()
+    assert math.isnan(theory.rolling_time(0.5, REFERENCE, 1.0, hh.Plane(gravity=0.0)))
+    light, late = hh.Hoop.ideal(0.97), np.array([1.0, 2.5, TURN])
+    pulls = theory.rolling_forces(np.linspace(0.0, math.pi, 200), light, 1.0).normal < 0.0
+    assert pulls.any()
+    np.testing.assert_array_equal(np.isnan(theory.rolling_time(late, light, 1.0)), [False, True, True])
+    assert math.isnan(theory.rocking_period(0.1, light))
 
 
 def test_time_on_a_slope_is_the_integral():
     def rate(theta):
         return 1.0 / theory.rolling_speed(theta, GENERAL, 0.4, DOWNHILL)
 
-    expected, _ = integrate.quad(rate, 0.0, 15.0, epsabs=0, epsrel=1e-13, limit=400)
-    assert theory.rolling_time(15.0, GENERAL, 0.4, DOWNHILL) == pytest.approx(expected, rel=1e-12)
+    expected, _ = integrate.quad(rate, 0.0, 5.0, epsabs=0, epsrel=1e-13, limit=400)
+    assert theory.rolling_time(5.0, GENERAL, 0.4, DOWNHILL) == pytest.approx(expected, rel=1e-12)
 
 
 def test_rest_and_start_from_rest():

@@ -1,4 +1,4 @@
-"""Pure rolling: speed, forces, friction used and energies in closed form, time by quadrature.
+"""Pure rolling: speed, forces, friction used and energies in closed form, times by the motion on infinite friction.
 
 All motions are named by v0, the velocity of the centre at θ = 0. Friction has no say here: the formulas tell
 what rolling would be, and `friction_utilization` whether friction allows it. An angle counts as reached when
@@ -14,12 +14,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop.kernel.native import compiled
+from hophoop.kernel.physics import Body, Event, Mode, Status
+from hophoop.kernel.records import EVENT, SEGMENT, STOP_AT_TURN, start_state, thread_scratch
+from hophoop.kernel.steps import BY_RULE, run
 from hophoop.results.records import utilization_of
 from hophoop.scenario import Hoop, Plane
 from hophoop.theory._columns import Columns, Floats
 from hophoop.theory.kernels import rolling as kernels
 from hophoop.theory.kernels.arcs import TURN
 
+EVENTS = 8  # a start, a turning point or rest, and the end
+ANY_TIME = 1e9
+REACHED = 1e-12  # relative: the angle at the end of a motion that gets there
 LEVEL_ONLY = "plane.slope must be 0 here, where the speed has a largest value."
 
 
@@ -321,6 +327,41 @@ def needed_friction(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Needed
     return NeededFriction(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
 
 
+def _rolled(body: Body, angle: float, rate: float, span: float) -> Any:
+    """Events of a hoop that rolls on infinite friction up to the span or a turning point; None if it leaves the plane."""
+    start = start_state(0.0, 0.0, float(angle), 0.0, 0.0, float(rate))
+    events, body = np.empty(EVENTS, EVENT), body._replace(mu_s=math.inf, mu_k=math.inf)
+    status, count, _ = compiled(run)(
+        body, start, BY_RULE, ANY_TIME, float(span), STOP_AT_TURN, events, np.empty(0, SEGMENT), thread_scratch()
+    )
+    rolls = status in (Status.COMPLETED, Status.AT_REST) and np.all(events["after_mode"][:count] == Mode.ROLL)
+    return events[:count] if rolls else None
+
+
+def _time_to(body: Body, angle: float, speed: float) -> float:
+    """Time from θ = 0 to an angle."""
+    if angle == 0.0:
+        return 0.0
+    way = 1.0 if angle * speed >= 0.0 else -1.0  # the past is the future of the hoop that rolls the other way
+    events = _rolled(body, 0.0, way * speed, abs(angle))
+    if events is None:
+        return math.nan
+    end = events[-1]
+    if Event.REST in events["kind"]:
+        return math.inf
+    return float(way * end["t"]) if abs(end["angle"] - angle) <= REACHED * abs(angle) else math.nan
+
+
+def _period(body: Body, angle: float) -> float:
+    """Period of rocking from rest at an angle."""
+    events = _rolled(body, angle, 0.0, TURN)
+    if events is None:
+        return math.nan
+    if Event.REST in events["kind"]:
+        return math.inf
+    return float(2.0 * events["t"][-1]) if Event.TURN in events["kind"] else math.nan
+
+
 def rolling_time(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     """Time in which the hoop rolls from θ = 0 to an angle.
 
@@ -336,7 +377,7 @@ def rolling_time(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Pla
     Returns
     -------
     time : float or ndarray
-        [s]; nan where the hoop does not get to theta, inf where it stays at θ = 0 for ever.
+        [s]; nan where the hoop does not get to theta or leaves the plane on the way, inf where it stays at θ = 0 for ever.
 
     Raises
     ------
@@ -345,8 +386,8 @@ def rolling_time(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Pla
 
     Notes
     -----
-    The integral ∫dθ/θ̇, elliptic on the level, is done on Gauss panels, halved until they are
-    resolved.
+    The integral ∫dθ/θ̇, elliptic on the level, is that of the simulated motion on infinite friction. Such a hoop rolls until the
+    plane would have to pull it.
 
     Examples
     --------
@@ -355,9 +396,8 @@ def rolling_time(theta: ArrayLike, hoop: Hoop, v0: ArrayLike, plane: Plane = Pla
     0.888579754
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
-    times = cases.new()
-    compiled(kernels.times)(cases.body, cases["theta"], cases.of_speed("v0"), times)
-    return cases.shaped(times * cases.time)
+    times = [_time_to(cases.body, *case) for case in zip(cases["theta"], cases.of_speed("v0"), strict=True)]
+    return cases.shaped(np.array(times) * cases.time)
 
 
 def rolling_period(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
@@ -373,7 +413,7 @@ def rolling_period(hoop: Hoop, v0: ArrayLike, plane: Plane = Plane()) -> Any:
     Returns
     -------
     period : float or ndarray
-        [s]; nan where the hoop turns back, inf where it rests for ever at θ = 0.
+        [s]; nan where the hoop turns back or leaves the plane, inf where it rests for ever at θ = 0.
 
     Raises
     ------
@@ -402,7 +442,7 @@ def rocking_period(theta: ArrayLike, hoop: Hoop, plane: Plane = Plane()) -> Any:
     Returns
     -------
     period : float or ndarray
-        [s]; inf where it stays for ever, nan where the hoop rolls away and never comes back.
+        [s]; inf where it stays for ever, nan where the hoop rolls away and never comes back, or leaves the plane.
 
     Raises
     ------
@@ -416,6 +456,5 @@ def rocking_period(theta: ArrayLike, hoop: Hoop, plane: Plane = Plane()) -> Any:
     3.062349059
     """
     cases = Columns(hoop, plane, theta=theta)
-    periods = cases.new()
-    compiled(kernels.rocking_periods)(cases.body, cases["theta"], periods)
-    return cases.shaped(periods * cases.time)
+    periods = [_period(cases.body, angle) for angle in cases["theta"]]
+    return cases.shaped(np.array(periods) * cases.time)

@@ -163,7 +163,7 @@ def _row(key: str, words: str, unit: str, quantity: Callable[..., Any], *argumen
         return Quantity(key, words, unit, None, str(error))
     note = ""
     if math.isnan(value):
-        note = "not within the first turn" if key in ("slip_angle", "hop_angle") else "does not get that far"
+        note = "not within the first turn" if key in ("slip_angle", "hop_angle") else "turns back or leaves the plane"
         return Quantity(key, words, unit, None, note)
     if math.isinf(value):
         note = "never" if key.endswith("speed") else ""

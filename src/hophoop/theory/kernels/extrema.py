@@ -17,7 +17,6 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing_after
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.physics import cone_weights, rolling_forces, rolling_inertia, rolling_u
-from hophoop.theory.kernels.arcs import relative_tail
 
 # What is maximised; side = +1 for friction that pushes ahead (F > 0), −1 back.
 FORCE_ANGLE, SPEED_ANGLE = 0, 1
@@ -27,6 +26,19 @@ RESOLVED = 1e-11
 NARROWEST = 1e-14  # rad
 FLAT = 1e-14
 MOST = 100_000
+
+
+def relative_tail(series, scale):
+    """The last coefficients of a Chebyshev series relative to the largest one or `scale`; nan where one is."""
+    end = 0.0
+    for k in range(ORDER):
+        size = abs(series[k])
+        if not size < math.inf:
+            return math.nan
+        scale = max(scale, size)
+        if k >= ORDER - 3:
+            end = max(end, size)
+    return end / scale if scale > 0.0 else 0.0
 
 
 def force_angle(body, w, th, side):

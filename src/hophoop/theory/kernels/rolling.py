@@ -8,7 +8,7 @@ from hophoop.kernel.numerics.arcs import arccosine, arcsine
 from hophoop.kernel.numerics.circular import cosine, sine_and_cosine, tangent
 from hophoop.kernel.physics import cone_weights, rolling_forces, rolling_inertia, rolling_u
 from hophoop.kernel.records import new_scratch
-from hophoop.theory.kernels.arcs import TURN, blocking, rocking_time, time_from_top, turning_point
+from hophoop.theory.kernels.arcs import TURN, blocking, turning_point
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, highest
 
 
@@ -31,23 +31,6 @@ def kinetic(body, angles, rates, out):
     for k in range(angles.shape[0]):
         inertia = rolling_inertia(body, cosine(angles[k]))
         out[k] = 0.5 * inertia * rates[k] * rates[k]
-
-
-def times(body, angles, speeds, out):
-    for k in range(angles.shape[0]):
-        w = speeds[k] * speeds[k]
-        if angles[k] == 0.0:
-            out[k] = 0.0
-        elif math.isnan(blocking(body, 0.0, w, angles[k])):
-            time = time_from_top(body, w, angles[k])
-            out[k] = -time if speeds[k] * angles[k] < 0.0 else time
-        else:
-            out[k] = math.nan
-
-
-def rocking_periods(body, angles, out):
-    for k in range(angles.shape[0]):
-        out[k] = rocking_time(body, angles[k])
 
 
 def needed_friction(body, speed, scratch):
