@@ -1,7 +1,6 @@
 """Formulas of contact space, with rolling resistance, each against Newton's and Euler's equations solved as they stand."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +9,6 @@ from mpmath import mp, mpf
 from hophoop.kernel.physics import contact
 from newton_euler import BODIES, STATES, accelerations, case_of, responses
 from oracles import mechanics, series
-from random_scenarios import at_painleve
 
 
 def near(value):
@@ -35,8 +33,7 @@ def test_forces(body, f, th, om):
         assert contact.slip_motion(body, s, c, u, sigma, rho) == near((alpha, normal, ax - alpha))
         assert contact.acceleration_in_contact(body, s, c, om, sigma) == near(alpha)
         # N = −f_n/p_σ
-        exact = contact.exact_slip_coefficients(body, th, 0.0, sigma, rho)[1]
-        for stiffness in (contact.kappa_p_sigma(body, s, c, sigma, rho), exact):
+        for stiffness in (contact.kappa_p_sigma(body, s, c, sigma, rho), contact.slip_coefficients(body, s, c, sigma, rho)[1]):
             assert normal * stiffness == near(-opening * body.kap)
 
 
@@ -93,20 +90,3 @@ def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
             assert contact.rolling_acceleration(body, s, c, u, 0.0) == pytest.approx(float(roll.omega[1]), rel=1e-12)
             rate = float(skid.vx[1] - skid.omega[1])
             assert contact.slip_motion(body, s, c, u, 1.0, 0.0)[2] == pytest.approx(rate, rel=1e-12)
-
-
-@pytest.mark.parametrize("index", [4, 85, 107, 157, 288, 446])
-def test_stiffness_at_the_threshold_of_painleves_paradox(index):
-    """κ p_σ beside zero, where doubles have lost its sign: against 40 digits."""
-    scenario = at_painleve(index)
-    body, th = scenario.to_body(), scenario.start.angle
-    with mp.workdps(40):
-        kap = 1 - mpf(body.eps) ** 2 if body.ideal else mpf(body.kap)
-        parameters = series.Parameters(replace(case_of(body), inertia_ratio=kap))
-        _, stiffness, q = (float(kap * rate) for rate in parameters.response(mpf(th), -mpf(body.mu_k), mpf(1)))
-    assert abs(stiffness) < 1e-15
-    for found in (
-        contact.exact_slip_coefficients(body, th, 0.0, 1, 0.0),
-        contact.slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0),
-    ):
-        assert found == (pytest.approx(q, rel=1e-14), pytest.approx(stiffness, rel=1e-12, abs=0.0))

@@ -11,7 +11,6 @@ import hophoop as hh
 from hophoop.precise import compare
 from oracle_program import simulate
 from oracles.cases import JAM
-from random_scenarios import at_painleve
 
 
 class Asked(NamedTuple):
@@ -94,12 +93,6 @@ def agree(scenario, least):
 def test_digits(name):
     asked = MOTIONS[name]
     agree(hh.Scenario(**dict(zip(("hoop", "plane", "start", "duration"), asked, strict=False))), asked.least)
-
-
-@pytest.mark.parametrize(("index", "least"), [(4, 11.0), (85, 13.0), (107, 14.0), (157, 14.0), (288, 14.0), (446, 12.0)])
-def test_slip_from_painleves_threshold_itself(index, least):
-    """Within 4 units in the last place of it: the sign of κ p_σ decides whether it jams, turns, or is thrown up by 1e-9."""
-    agree(at_painleve(index), least)
 
 
 def test_a_jam_with_resistance():

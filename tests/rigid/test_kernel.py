@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.records.layout import PANEL_LIMIT, STOP_AT_TAKEOFF, STOP_AT_TURN, new_scratch
 from hophoop.kernel.rigid import run as kernel
@@ -22,7 +23,7 @@ UNDETERMINED = int(Status.UNDETERMINED)
 def begin(body, state):
     """(first phase, its events)."""
     log, scratch = log_of()
-    phase = kernel.begin(body, state, kernel.BY_RULE, log, scratch)
+    phase = kernel.begin(body, state, kernel.BY_RULE, log)
     return phase, moves(log.events[: scratch.counts[0]])
 
 
@@ -53,14 +54,14 @@ def begin(body, state):
 def test_the_first_phase(body, state, before, mode, status):
     phase, events = begin(body, state)
     assert events == [(Event.START, before, mode)]
-    assert phase == Phase(mode, state, status == GOING, START_LEVEL, Ending.CONTINUES, status)
+    assert phase == Phase(mode, state, status == GOING, START_LEVEL, Ending.CONTINUES, status, NONE)
 
 
 @pytest.mark.parametrize(("angle", "om"), [(1.5, 0.25), (3.0, 0.0), (3.0, 1.0)])
 def test_a_massless_hoop_skims_from_the_start_where_it_would_need_more_than_there_is(angle, om):
     phase, events = begin(MASSLESS, state_of(angle, om))
     assert events == [(Event.START, NOWHERE, ROLL), (Event.SKIM, ROLL, SKIM)]
-    assert phase == Phase(SKIM, state_of(angle, om), True, START_LEVEL, Ending.CONTINUES, GOING)
+    assert phase == Phase(SKIM, state_of(angle, om), True, START_LEVEL, Ending.CONTINUES, GOING, NONE)
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.5])

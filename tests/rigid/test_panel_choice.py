@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 import pytest
-from scipy.optimize import brentq
 
-from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, PanelStart, leaving_panel, linear_panel
+from hophoop.kernel.panels.anchor import NONE, rolling_anchor
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, leaving_panel, linear_panel
 from hophoop.kernel.records.layout import PANELS, new_scratch
 from hophoop.kernel.rigid import panel_choice
 from newton_euler import accelerations
@@ -19,14 +19,21 @@ SIDES = pytest.mark.parametrize("side", [1.0, -1.0])
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
 
 
+def anchor_of(body, sigma, state):
+    return rolling_anchor(body, state, *sines_of(state)) if sigma == 0 else NONE
+
+
 def begin_of(body, sigma, state):
-    return panel_choice.panel_start(body, sigma, state, *sines_of(state), new_scratch())
+    s, c = sines_of(state)
+    return panel_choice.panel_start(body, sigma, anchor_of(body, sigma, state), state, s, c)
 
 
 def chosen(body, sigma, state, level=2):
     """(panel, totals, level of the next one, how many were tried)."""
     scratch = new_scratch()
-    panel, totals, after = panel_choice.choose_panel(body, sigma, state, *sines_of(state), level, scratch)
+    panel, totals, after = panel_choice.choose_panel(
+        body, sigma, anchor_of(body, sigma, state), state, *sines_of(state), level, scratch
+    )
     return panel, totals, after, scratch.counts[PANELS]
 
 
@@ -37,25 +44,6 @@ def test_how_much_narrower_the_next_panel_is():
         assert narrower(7, size) == 7 + more
     for power, more in ((0.5, 1), (7.5, 1), (8.5, 2), (23.5, 3), (24.5, 4), (36.5, 4)):
         assert narrower(7, RESOLVED * 2.0**power) == 7 + more
-
-
-@pytest.mark.parametrize(
-    ("sigma", "way", "kappa_p_sigma", "u", "part"),
-    [
-        (1, 1.0, 1e-15, 4.0, 1e3),
-        (1, 1.0, 1e-15, 0.25, 4e3),
-        (1, 1.0, 1e-310, 4.0, 1e288),
-        (1, -1.0, 1e-15, 4.0, 1.0),
-        (1, 1.0, 0.0, 4.0, 1.0),
-        (-1, -1.0, 1e-15, 4.0, 1e3),
-        (-1, 1.0, 1e-15, 4.0, 1.0),
-    ],
-)
-def test_how_much_narrower_slip_is_that_begins_beside_p_sigma_of_zero(sigma, way, kappa_p_sigma, u, part):
-    """By as much as κ p_σ, or that times θ̇², is below 10⁻¹²; only where p_σ grows, here by 0.035 with θ."""
-    begin = PanelStart(0.0, 0.0, -0.6 * sigma, 0.8, 0.0, 0.0, 0.5 * sigma, kappa_p_sigma, u, 1.0)
-    found = panel_choice.extra_levels_near_singularity(body_of(0.5, 0.75, mu=0.5), sigma, way, begin)
-    assert found == math.ceil(2.0 * math.log2(part))
 
 
 # turning points
@@ -82,26 +70,9 @@ def test_a_turning_point_of_rolling_is_found(side, resist):
         (0.0, 3.0, 2, 0.0),
     ):
         scratch, state = new_scratch(), start_before(math.pi + side * off, side * ahead)
-        panel = linear_panel(0, level, side, begin_of(body, 0, state))
+        panel = linear_panel(begin_of(body, 0, state), level)
         totals = panel_choice.solve(body, panel, scratch.work)
         assert panel_choice.turning_point_ahead(body, panel, totals, scratch) == pytest.approx(found, rel=1e-10), (ahead, level)
-
-
-@SIDES
-@pytest.mark.parametrize(("off", "ahead"), [(0.25, 0.05), (1.5, 0.3), (2.5, 0.1), (3.1, 0.01)])
-def test_a_panel_up_to_a_turning_point_begins_with_the_speed_there(side, off, ahead):
-    """Whatever is known of the place, the panel finds the right one; a quarter of a swing is never resolved."""
-    for known in (0.5, 1.0, 1.25):
-        scratch, state = new_scratch(), start_before(math.pi + side * off, side * ahead)
-        before = linear_panel(0, 2, side, begin_of(HALF, 0, state))
-        panel, totals = panel_choice.solve_arrival(HALF, before, ahead * known, scratch.work)
-        assert (panel.kind, panel.extent) == (ARRIVE, pytest.approx(ahead, rel=1e-11))
-        assert totals.u == pytest.approx(state.om**2, rel=4e-15)
-        assert totals.tail <= RESOLVED
-    before = linear_panel(0, 2, side, begin_of(HALF, 0, start_before(math.pi, side * ahead)))
-    panel, totals = panel_choice.solve_arrival(HALF, before, ahead, scratch.work)
-    assert (panel.kind, panel.extent) == (ARRIVE, ahead)
-    assert totals.tail > RESOLVED
 
 
 # the panel
@@ -116,27 +87,6 @@ def test_the_first_panel_from_rest(side):
         assert panel.extent == 0.4 * 0.5 ** (tried - 1)
         assert narrowest < panel.extent < max(off, 0.4)
         assert totals.tail <= RESOLVED
-
-
-def test_the_first_panel_of_slip_from_rest():
-    """0.4 rad, unless the slip ends in too small a part of that: then 16 times the angle until then."""
-    body = body_of(0.5, 0.75, mu=0.5, slope=0.125)
-    along, _, alpha, _, _ = accelerations(body, 1.0, 0.0, 1)
-    rate = along - alpha
-    share = math.sqrt(0.4e-14 / (0.5 * alpha)) * -rate
-    for vt, extent in (
-        (1e-9, 8.0 * alpha * (1e-9 / rate) ** 2),
-        (math.sqrt(0.99) * share, 16.0 * 0.4 * 0.99e-14),
-        (math.sqrt(1.01) * share, 0.4),
-        (1.0, 0.4),
-        (1e-155, 1e-300),
-        (0.0, 0.4),
-    ):
-        state = state_of(1.0, 0.0, vt)
-        assert panel_choice.first_extent(body, 1, vt, begin_of(body, 1, state)) == pytest.approx(extent, rel=1e-12)
-    # slip that the slope drives does not end
-    body = body_of(0.5, 0.75, mu=0.125, slope=0.75)
-    assert panel_choice.first_extent(body, 1, 1e-9, begin_of(body, 1, state_of(1.0, 0.0, 1e-9))) == 0.4
 
 
 @pytest.mark.parametrize(
@@ -190,23 +140,6 @@ def test_a_hoop_that_begins_slowly_has_a_narrow_panel(om, most, sigma, side):
     assert tried <= 2
 
 
-@pytest.mark.parametrize("sigma", [1, -1])
-def test_slip_that_begins_beside_p_sigma_of_zero_has_a_narrow_panel(sigma):
-    """Of the scale on which κ p_σ grows from what it is; narrower than the tables go."""
-    body = body_of(mu=1.3)
-
-    def firm(th):
-        return begin_of(body, sigma, state_of(sigma * th, 2.0 * sigma, sigma)).kappa_p_sigma
-
-    th = brentq(firm, -0.7, -0.1, xtol=1e-16)
-    while not firm(th) > 0.0:
-        th = math.nextafter(th, 0.0)
-    assert firm(th) < 1e-15
-    panel, totals, _, _ = chosen(body, sigma, state_of(sigma * th, 2.0 * sigma, sigma))
-    assert totals.tail <= RESOLVED
-    assert panel.level > 96
-
-
 def test_a_panel_that_outlasts_the_motion_is_made_shorter():
     """Where it takes 64 times the time that is left, and 64 √(R/g); it then takes about 4 times what is left, at least."""
 
@@ -215,12 +148,12 @@ def test_a_panel_that_outlasts_the_motion_is_made_shorter():
 
     def shortened(panel, left):
         totals = panel_choice.solve(body, panel, scratch.work)
-        return panel_choice.narrow_to_time(body, panel, totals, state, left, scratch)
+        return panel_choice.narrow_to_time(body, anchor_of(body, 0, state), panel, totals, state, left, scratch)
 
     body = body_of(0.0, gravity=0.0)
     for om, left, most in ((1e-5, 1.0, 5.7), (1e-9, 30.0, 5.7), (-1e-150, 1e-2, 5.7)):
         scratch, state, begin = begun(body, om)
-        panel = linear_panel(0, 0, math.copysign(1.0, om), begin)
+        panel = linear_panel(begin, 0)
         totals = panel_choice.solve(body, panel, scratch.work)
         for time, outlasts in ((64.1, True), (63.9, False)):
             assert panel_choice.exceeds_time_left(totals._replace(time=time * max(left, 1.0)), left) is outlasts
@@ -230,8 +163,8 @@ def test_a_panel_that_outlasts_the_motion_is_made_shorter():
         assert 4.0 * left <= totals.time < most * left
     for om, left, level in ((1e-300, 1e-8, 2000), (2.0, 30.0, 0)):  # the narrowest and the widest there is
         scratch, state, begin = begun(body, om)
-        assert shortened(linear_panel(0, 0, 1.0, begin), left)[0].level == level
+        assert shortened(linear_panel(begin, 0), left)[0].level == level
     body = body_of(0.0, slope=1e-8)
     scratch, state, begin = begun(body, 0.0)
-    short, totals = shortened(leaving_panel(0, 1.0, 0.4, begin), 0.25)
+    short, totals = shortened(leaving_panel(begin, 0.4), 0.25)
     assert (short.kind, short.direction, totals.time) == (LEAVE, 1.0, pytest.approx(1.0, rel=1e-13))

@@ -11,6 +11,7 @@ from numpy.polynomial import chebyshev
 
 from hophoop.kernel.numerics.collocation import NOT_FOUND
 from hophoop.kernel.numerics.tables import NODES
+from hophoop.kernel.panels.anchor import rolling_anchor
 from hophoop.kernel.panels.panel import COSINE, SLIP, U, linear_panel
 from hophoop.kernel.records.layout import new_scratch
 from hophoop.kernel.rigid import panel_choice, panel_events
@@ -176,8 +177,8 @@ def test_slip_beside_its_begin(slip, load, given, found):
 def rolled(body, th, om, level=0):
     """(panel, totals, scratch) of a solved panel of rolling."""
     state, scratch = state_of(th, om), new_scratch()
-    begin = panel_choice.panel_start(body, 0, state, *sines_of(state), scratch)
-    panel = linear_panel(0, level, math.copysign(1.0, om), begin)
+    begin = panel_choice.panel_start(body, 0, rolling_anchor(body, state, *sines_of(state)), state, *sines_of(state))
+    panel = linear_panel(begin, level)
     return panel, panel_choice.solve(body, panel, scratch.work), scratch
 
 

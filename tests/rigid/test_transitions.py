@@ -12,7 +12,6 @@ import hophoop as hh
 from hophoop.kernel.native import forced
 from hophoop.kernel.physics.body import Event
 from hophoop.kernel.physics.contact import slip_coefficients
-from hophoop.kernel.physics.impacts import impact
 from hophoop.kernel.physics.modes import UNDECIDED
 from hophoop.kernel.records.writing import event_without_jump
 from hophoop.kernel.rigid.transitions import collide, end_bounces, leave_cone, resolve_mode, resolve_painleve_singularity
@@ -142,7 +141,7 @@ STEEP = body_of(mu=1.3)
 
 def singular(body, near=(-0.7, -0.1)):
     """θ where κ p_σ = 0 for slip ahead, approached with falling θ."""
-    return brentq(lambda th: slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), 1, 0.0)[1], *near, xtol=1e-16)
+    return brentq(lambda th: slip_coefficients(body, math.sin(th), math.cos(th), 1, 0.0)[1], *near, xtol=1e-16)
 
 
 @SIDES
@@ -152,24 +151,6 @@ def test_a_paradox_is_of_the_slip_before_it(side):
     for speed in (0.5, 1.0):
         _, events, _ = resolved(STEEP, state_of(-side * 0.7, 0.1, side * speed), Event.START, -1)
         assert events[:2] == [(Event.START, -1, slip), (Event.PAINLEVE_INCONSISTENT, slip, slip)]
-
-
-@SIDES
-def test_an_impact_within_contact_has_p_sigma_with_all_its_digits(side):
-    """Where that of sin θ and cos θ has none."""
-    body = body_of(mu=1.0)
-
-    def stiffness(th):
-        return slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), side, 0.0)[1]
-
-    zero = singular(body, (-1.2, -0.9))
-    th = side * next(one for one in (zero, np.nextafter(zero, -2.0), np.nextafter(zero, 0.0)) if stiffness(side * one) <= 0.0)
-    exact = stiffness(th) / body.kap
-    assert -1e-14 < exact <= 0.0
-    after, cause = collide(body, 0.0, state_of(th, 0.1, side * 0.7), Event.IMPACT, SKID, 0)
-    found = impact(body, 0.0, math.sin(th), math.cos(th), side * 0.7, 0.0, exact)
-    assert (after.vt, after.vn, after.om - 0.1, cause.p_n, cause.p_t) == pytest.approx(found[:5], rel=1e-15)
-    assert cause.p_n != impact(body, 0.0, math.sin(th), math.cos(th), side * 0.7, 0.0)[3] or exact == 0.0
 
 
 def at_singularity(state, mode=SKID):

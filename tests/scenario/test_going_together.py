@@ -56,12 +56,6 @@ def test_only_a_resistance_that_is_there_is_written():
     assert hh.Plane(rolling_resistance=0.01).to_dict()["rolling_resistance"] == 0.01
 
 
-def test_only_an_ideal_hoop_has_the_inertia_of_one():
-    alike = hh.Hoop(eccentricity=0.75, inertia_ratio=0.4375)
-    parts = hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.5, 1.0)])
-    assert [hh.Scenario(hoop=hoop).to_body().ideal for hoop in (hh.Hoop(), alike, parts)] == [True, False, False]
-
-
 def test_a_part_may_reach_beyond_the_rim_by_what_rounding_does():
     reach, ring = 1.0 + 1e-12, hh.Ring(1.0, 0.9, 1.0)
     hh.Hoop.from_parts(1.0, [ring, hh.PointMass(1.0, reach)])

@@ -25,7 +25,7 @@ STATE_ROWS = 10
 BEFORE_OM, BEFORE_VT, BEFORE_VN, P_N, P_T = range(STATE_ROWS, STATE_ROWS + 5)
 EVENT_ROWS = STATE_ROWS + 5
 
-STILL = Body(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, False, 0.0, False, 0.0)  # the tangent of a body that does not change
+STILL = Body(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, False, 0.0, 0.0)  # the tangent of a body that does not change
 
 
 @inline
@@ -34,7 +34,7 @@ def body_tangent(parameter_tangents: Any, k: int) -> Body:
     return Body(
         parameter_tangents[EPS, k], parameter_tangents[KAP, k], parameter_tangents[MU_S, k], parameter_tangents[MU_K, k],
         parameter_tangents[GN, k], parameter_tangents[GT, k], parameter_tangents[REST, k], 0, False, 0.0,
-        False, parameter_tangents[RESIST, k],
+        parameter_tangents[RESIST, k],
     )  # fmt: skip
 
 

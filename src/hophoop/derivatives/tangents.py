@@ -47,10 +47,10 @@ from hophoop.derivatives.layout import (
 )
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, skims_plane
 from hophoop.derivatives.pieces.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
-from hophoop.kernel.native import noinline
+from hophoop.kernel.native import noinline, replaced
 from hophoop.kernel.numerics.circular import sine, sine_cosine
 from hophoop.kernel.physics import Event, Mode, impact, slip_direction
-from hophoop.kernel.records import state_of, with_velocities
+from hophoop.kernel.records import state_of
 from hophoop.kernel.steps import FLY, HOLD, LINEAR, SKIMMING
 
 
@@ -152,7 +152,7 @@ def meet_event(body, row, past, t_end, parameter_tangents, tangents, event_tange
     kind = row["kind"]
     mode = row["before_mode"]
     after = state_of(row)
-    before = with_velocities(after, row["before_slip"], row["before_vy"], row["before_omega"])
+    before = replaced(after, vt=row["before_slip"], vn=row["before_vy"], om=row["before_omega"])
     if kind == Event.IMPACT and mode == Mode.SKIM:
         tangents[:] = past.fresh
         follow_strike(body, state_of(piece), parameter_tangents, tangents, event_tangents)
@@ -218,7 +218,7 @@ def pass_apex(body, row, piece, parameter_tangents, tangents, event_tangents, re
     """Propagate all directions from the start of a flight to its apex, an event inside it."""
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]
     state = follow_without_panel(body, piece, tau, parameter_tangents, tangents)
-    state = with_velocities(state, state.vt, 0.0, state.om)
+    state = replaced(state, vn=0.0)
     rates = accelerations(body, Mode.FLIGHT, state, 0.0)
     meet_row(VN, rates[2], 1e-300 + body.gn + state.om * state.om, state, rates, tangents, reasons)
     keep_before(tangents, event_tangents)

@@ -1,16 +1,12 @@
 """Panels and steps of a rigid motion: what other packages call, differentiate, or run over numbers of another kind."""
 
 from hophoop.kernel.panels.anchor import (
-    LARGEST_PSI,
     NONE,
     has_equilibria,
-    offset_from,
     rolling_anchor,
     rolling_panel_start,
     rolling_stable_equilibrium,
     rolling_unstable_equilibrium,
-    slip_arm_at,
-    slip_unstable_equilibrium,
 )
 from hophoop.kernel.panels.landing import Flight, downcrossing_between, landing_time_bound, moment_of
 from hophoop.kernel.panels.panel import (

@@ -77,5 +77,4 @@ def numbers_of(ctx: MPContext) -> dict[str, Any]:
         "sine_cosine": lambda th, low: sine_and_cosine(th),
         "sine_cosine_change": sine_cosine_change,
         "plus": lambda high, low, value: (high + value, low),
-        "NEARLY": ctx.zero,  # κ p_σ has all its digits
     }

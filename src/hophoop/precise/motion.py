@@ -11,6 +11,7 @@ from hophoop.kernel.records import PendingEvent, State, event_without_jump
 from hophoop.kernel.steps import (
     BY_RULE,
     GOING,
+    NONE,
     Ending,
     Limits,
     Phase,
@@ -106,7 +107,8 @@ class Run:
             "resolve_painleve_singularity": self.jam,
             "write_event": self.write,
             "write_segment": lambda *arguments: None,
-            "set_anchor": lambda body, sigma, state, *rest: state,
+            "rolling_anchor": lambda body, state, s, c: NONE,
+            "doubt_rest": lambda body, sigma, state, until, log: None,
             "mode_is_in_doubt": lambda body, state: False,
             "record_doubt": lambda doubt, t: None,
             "sign_beyond": self.judge.sign_beyond,
@@ -119,7 +121,7 @@ class Run:
         body, given = self.body, self.problem.mode
         limits = self.limits()
         try:
-            phase = self.kernels(begin)(body, body.start(), BY_RULE if given is None else given, self, None)
+            phase = self.kernels(begin)(body, body.start(), BY_RULE if given is None else given, self)
             while phase.status == GOING:
                 phase = self.flight(phase) if phase.mode == Mode.FLIGHT else self.contact(phase, limits)
             self.status, self.ending = Status(phase.status), Ending(phase.ending)
@@ -185,11 +187,11 @@ class Run:
             following = following._replace(state=self.swing())
         return following
 
-    def advance(self, body: Body, phase: Phase, limits: Limits, log: Any, scratch: Any) -> tuple[Ending, State, int]:
-        """Return what `contact_step` asks for: the ending of a contact, the state there, and a level of panels."""
+    def advance(self, body: Body, phase: Phase, limits: Limits, log: Any, scratch: Any) -> Phase:
+        """Return what `contact_step` asks for: the phase with the state at the end of a contact."""
         sigma, state = slip_direction(phase.mode), phase.state
         if state.om == 0 and self.is_equilibrium(body, sigma, state):
-            return Ending.REST, state, 0
+            return phase._replace(state=state, ending=Ending.REST)
         zeros = 0
         if sigma == 0:
             state = state._replace(vt=body.zero)
@@ -197,7 +199,8 @@ class Run:
             zeros = vanishing_slip_derivatives(body, phase)
             if zeros == 1 and len(self.records) == 1 and self.problem.mode is not None:  # it has just left the cone
                 zeros = 2 if body.mu_s == body.mu_k else 1
-        return *advance(body, self.judge, sigma, state, zeros, limits.t_end), 0
+        ending, state = advance(body, self.judge, sigma, state, zeros, limits.t_end)
+        return phase._replace(state=state, ending=ending, begins=False)
 
     def jam(self, body: Body, mode: int, state: State, log: Any) -> tuple[bool, int, State]:
         """Return what follows slip that has run into p_σ = 0 with N → ∞: nothing."""

@@ -12,7 +12,6 @@ from mpmath import MPContext
 
 from hophoop.kernel.physics import MODE_LETTERS
 from hophoop.kernel.records import State
-from hophoop.kernel.steps import NONE
 from hophoop.precise.kernels import Kernels, Number, numbers_of
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
@@ -202,4 +201,4 @@ class Body:
         x, y = self.number(problem.x / problem.radius), self.number(problem.height / problem.radius)
         vt, vn = self.number(problem.slip) / speed, self.number(problem.vy) / speed
         th, om = self.number(problem.angle), self.number(problem.omega) * self.time
-        return State(zero, zero, x, zero, y, zero, th, zero, vt, vn, om, zero, zero, zero, zero, NONE)
+        return State(zero, zero, x, zero, y, zero, th, zero, vt, vn, om, zero, zero, zero, zero)

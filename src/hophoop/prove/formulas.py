@@ -54,7 +54,7 @@ FORMULAS: tuple[Callable[..., Any], ...] = (
     slip_displacement, slip_motion, slip_rates, slip_torque_arm, stick_rates, torque_at_rest, vanishing_slip_derivatives,
 )  # fmt: skip
 # What is a tolerance in doubles: balls compare exactly. Any other float that is not a small multiple of 1/4 is refused.
-TOLERANCES = ("NEARLY", "TIE", "ZERO", "GAIN_FLOOR", "ROUNDING", "SMALLEST_SQUARE", "RISING", "CLOSE")
+TOLERANCES = ("TIE", "ZERO", "GAIN_FLOOR", "ROUNDING", "SMALLEST_SQUARE", "RISING", "CLOSE")
 LITERALS = {1e-9, 1e-13}  # of `impact`, and of `flight_start`
 COARSEST, MOST = 0.25, 4.0
 

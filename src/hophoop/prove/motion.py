@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
+from hophoop.kernel.steps import NONE
 from hophoop.precise import motion, problem
 from hophoop.precise.problem import Problem
 from hophoop.prove.contact import advance
@@ -95,8 +96,9 @@ class Run(motion.Run):
         self.turns: list[State] = []
         names = body.names | {
             "advance_contact": self.advance, "is_equilibrium": self.is_equilibrium, "is_last_bounce": self.is_last_bounce,
-            "end_bounces": self.end_bounces, "exact_slip_coefficients": never, "resolve_painleve_singularity": never,
-            "begin_massless": never, "begin_skim": never, "set_anchor": lambda body, sigma, state, *rest: state,
+            "end_bounces": self.end_bounces, "resolve_painleve_singularity": never,
+            "begin_massless": never, "begin_skim": never, "rolling_anchor": lambda body, state, s, c: NONE,
+            "doubt_rest": lambda body, sigma, state, until, log: None,
             "write_event": self.write, "write_segment": lambda *given: None, "mode_is_in_doubt": lambda body, state: False,
             "record_doubt": lambda doubt, t: None,
         }  # fmt: skip
@@ -135,16 +137,17 @@ class Run(motion.Run):
             return self.body.of.land(self.body, state, self)
         return end_motion(phase, Mode.FLIGHT, state._replace(t=self.t_end), Ending.TIME_LIMIT, Status.COMPLETED)
 
-    def advance(self, body: Any, phase: Any, limits: Any, log: Any, scratch: Any) -> tuple[Ending, State, int]:
+    def advance(self, body: Any, phase: Any, limits: Any, log: Any, scratch: Any) -> Any:
         """What `contact_step` asks for."""
         sigma, state = slip_direction(phase.mode), phase.state
         if state.om == 0 and self.is_equilibrium(body, sigma, state):
-            return Ending.REST, state, 0
+            return phase._replace(ending=Ending.REST)
         if sigma == 0:
             state = state._replace(vt=ball(0))
         zeros = self.body.of.vanishing_slip_derivatives(body, phase) if sigma and phase.begins else 0
         end, origin = (ball(math.inf), rational(self.problem.angle)) if self.revolution else (self.t_end, None)
-        return *advance(body, sigma, state, zeros, end, origin), 0
+        ending, state = advance(body, sigma, state, zeros, end, origin)
+        return phase._replace(state=state, ending=ending, begins=False)
 
     # --- endless bounces -----------------------------------------------------------------------
 

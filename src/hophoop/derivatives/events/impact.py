@@ -36,7 +36,7 @@ class Blow(NamedTuple):
 def tangent_from(body, blow, vt, d_body, d_blow):
     """Return (what `impact` returns with the slip vt before, its tangent)."""
     rest, s, c, _, vn = blow
-    return d_impact(body, rest, s, c, vt, vn, math.nan, d_body, d_blow.rest, d_blow.s, d_blow.c, d_blow.vt, d_blow.vn)
+    return d_impact(body, rest, s, c, vt, vn, d_body, d_blow.rest, d_blow.s, d_blow.c, d_blow.vt, d_blow.vn)
 
 
 def distance(one, other):
@@ -51,7 +51,7 @@ def distance(one, other):
 def is_between_courses(body, blow):
     """Return True if the least change of an impact may change its course, and its derivatives jump there."""
     arm, lever = contact_arms(body, blow.s, blow.c)
-    after = impact(body, blow.rest, blow.s, blow.c, blow.vt, blow.vn, math.nan)[0]
+    after = impact(body, blow.rest, blow.s, blow.c, blow.vt, blow.vn)[0]
     if 0.0 < body.mu_s < math.inf and after * blow.vt <= 0.0:  # the slip stops: does friction just hold the stick?
         need = abs(stick_rates(body, arm, lever)[0])
         if abs(need - body.mu_s) <= CLOSE * (1.0 + body.mu_s):

@@ -23,21 +23,15 @@ from hophoop.kernel.physics import (
     rolling_acceleration,
     rolling_forces,
     slip_direction,
-    slip_load,
     slip_motion,
-    slip_torque_arm,
     torque_at_rest,
 )
 from hophoop.kernel.steps import (
-    LARGEST_PSI,
     Flight,
     downcrossing_between,
     moment_of,
-    offset_from,
     rolling_anchor,
     rolling_panel_start,
-    slip_arm_at,
-    slip_unstable_equilibrium,
 )
 
 d_free_acceleration = tangent_of(free_acceleration, "body", "s", "c", "u")
@@ -50,24 +44,12 @@ TOUCH = 1e-9  # of the radius: a smaller gap is none
 
 
 @noinline
-def rolling_torque(body, state, s, c, u):
+def rolling_torque(body, state, s, c):
     """Return −dV/dθ in rolling without resistance, relative to the nearest equilibrium where it is close to zero."""
     torque = torque_at_rest(body, s, c)
     if abs(torque) > NEAR_REST * (body.gn + abs(body.gt)):
         return torque
-    anchor = rolling_anchor(body, state.th, state.th_low, s, c, u)
-    return rolling_panel_start(body, anchor, state.th, state.th_low, s, c, u)[0]
-
-
-@noinline
-def slip_arm(body, sigma, state, s, c):
-    """Return q in slip without resistance, relative to the unstable equilibrium where it is close to zero there."""
-    q = slip_torque_arm(body, s, c, sigma)
-    if abs(q) > NEAR_REST or not body.eps * body.eps * (1.0 + body.mu_k * body.mu_k) > body.mu_k * body.mu_k:
-        return q
-    base, base_low = slip_unstable_equilibrium(body, sigma)
-    psi = offset_from(state.th, state.th_low, base, base_low)
-    return slip_arm_at(body, sigma, base, psi) if abs(psi) < LARGEST_PSI else q
+    return rolling_panel_start(body, rolling_anchor(body, state, s, c), state, s, c)[0]
 
 
 @noinline
@@ -82,14 +64,11 @@ def resisted_motion(body, sigma, state, way):
     if state.om != 0.0 or way == 0.0:
         rho = resistance_arm(body, s, c, state.om, sigma)
     if sigma == 0 and rho == 0.0:
-        torque = rolling_torque(body, state, s, c, u) + body.eps * s * u
+        torque = rolling_torque(body, state, s, c) + body.eps * s * u
         return torque / inertia_at_height(body, load_height(s, c)), 0.0, 0.0, 0.0
     if sigma == 0:
         return rolling_acceleration(body, s, c, u, rho), 0.0, 0.0, rho * state.om * rolling_forces(body, s, c, u, rho)[1]
     turning, normal, along = slip_motion(body, s, c, u, sigma, rho)
-    if rho == 0.0:
-        q = slip_arm(body, sigma, state, s, c)
-        turning = q * slip_load(body, c, u, body.kap + body.eps * s * q)
     return turning, along, 0.0, rho * state.om * normal
 
 

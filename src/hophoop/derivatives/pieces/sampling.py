@@ -22,7 +22,7 @@ def sample_tangents(body, pieces, clock, times, left, samples, workspace):
     scratch = workspace.scratch
     tangents = np.empty(at_segments.shape[1:])
     solved = -1
-    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for i in range(times.shape[0]):
         index = find_segment(segments["t"], times[i], left)

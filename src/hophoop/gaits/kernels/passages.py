@@ -201,7 +201,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     scratch.counts[PANEL_LIMIT] = request.panels
     numbers, words, memory = buffers.numbers, buffers.words, buffers.memory
     log = new_log(buffers.events, buffers.segments, scratch)
-    phase = begin(body, start, mode, log, scratch)
+    phase = begin(body, start, mode, log)
     log.counts[EVENTS] = 0
     memory[ROLLING_TURNS], memory[CONTACT_TURNS], memory[FASTEST] = 0.0, 0.0, fastest_of(body, phase.state)
     memory[COUNT], memory[JUMPS], memory[GAP], memory[TAKEN] = 0.0, 0.0, 0.0, 0.0
@@ -230,7 +230,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
         write_passage(phase, numbers, words, row, memory, log.doubt[0])
         if request.section != LANDING:
             cell += 1.0 if phase.state.om > 0.0 else -1.0
-            phase = continue_phase(phase, phase.state, phase.level, Ending.CONTINUES)
+            phase = continue_phase(phase, phase.state, phase.level, Ending.CONTINUES, phase.anchor)
         if fate == OPEN:
             fate, period = fate_at_passage(body, numbers, words, passages, request.section, memory)
         passages += 1

@@ -18,11 +18,12 @@ import llvmlite.binding as llvm
 import numba
 from llvmlite import ir
 from numba import types
-from numba.extending import intrinsic
+from numba.core.typing.templates import AbstractTemplate, infer_global, signature
+from numba.extending import intrinsic, lower_builtin
 
 from hophoop.kernel.build.kept import keep, kept
 from hophoop.kernel.entries import ENTRIES, Array, class_of, description, is_tuple, kernel_named, kinds_of
-from hophoop.kernel.native.marks import mark_of, source_of
+from hophoop.kernel.native.marks import mark_of, replaced, source_of
 from hophoop.kernel.native.sources import TOOLS, called, hash_of, is_kernel, name_of, own_hash, used
 
 COUNTING = re.compile(r"^ +call void @NRT_(?:incref|decref)\(.*\n", re.MULTILINE)
@@ -169,6 +170,27 @@ def _call_of(kernel: Any, callees: dict[str, tuple[Any, tuple[Any, ...], Part]])
     typed.__signature__ = own.replace(parameters=[first, *own.parameters.values()])  # type: ignore[attr-defined]
     typed.__name__ = kernel.__name__
     return intrinsic(typed)
+
+
+@infer_global(replaced)
+class _Replaced(AbstractTemplate):  # type: ignore[misc]
+    """Numba's type of a call of `replaced`."""
+
+    def generic(self, given: Any, named: Any) -> Any:
+        """Return the signature of a call: the fields have the types that they had."""
+        kind = given[0]
+        kinds = [kind.types[kind.fields.index(name)] for name in named]
+        parameters = [inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD) for name in ("values", *named)]
+        return signature(kind, kind, *kinds).replace(pysig=inspect.Signature(parameters))
+
+
+@lower_builtin(replaced, types.BaseTuple, types.VarArg(types.Any))  # type: ignore[untyped-decorator]
+def _store(context: Any, builder: Any, call: Any, arguments: Any) -> Any:
+    """Write a call of `replaced`."""
+    result, *values = arguments
+    for name, value in zip(list(call.pysig.parameters)[1:], values, strict=True):
+        result = builder.insert_value(result, value, call.return_type.fields.index(name))
+    return result
 
 
 def exported(name: str, kernel: Any, kinds: tuple[Any, ...], simple: bool) -> bytes:

@@ -6,12 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hophoop.kernel.native import replaced
 from hophoop.kernel.numerics.arithmetic import revolutions_and_rest
 from hophoop.kernel.numerics.collocation import DEPTH, ORDER
 from hophoop.kernel.numerics.tables import RADAU_LAMBDA, RADAU_NODES
 from hophoop.kernel.physics.body import IMPACT, ROLL, SKID, SPIN
 from hophoop.kernel.records.layout import EVENTS, SEGMENTS
-from hophoop.kernel.records.state import FARTHEST, moved, start_state, with_losses
+from hophoop.kernel.records.state import FARTHEST, start_state
 from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
 
 STAGES, PAIRS = len(RADAU_NODES), len(RADAU_LAMBDA)  # of Radau IIA
@@ -158,8 +159,8 @@ def mode_of(regime):
 def as_state(t, revolutions, u):
     """Return the state in the form in which events are written."""
     start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
-    there = moved(start, t, 0.0, start.x, 0.0, start.y, start.revolutions + revolutions, start.th, start.th_low)
-    return with_losses(there, u[FRICTION], 0.0, 0.0, u[ROLLING_LOSS])
+    turned = start.revolutions + revolutions
+    return replaced(start, t=t, revolutions=turned, friction=u[FRICTION], rolling_loss=u[ROLLING_LOSS])
 
 
 def write_plain_event(log, kind, before, after, t, revolutions, u):

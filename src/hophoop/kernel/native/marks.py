@@ -7,6 +7,7 @@ from types import FunctionType
 from typing import Any, TypeVar, cast
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+Values = TypeVar("Values", bound=Any)
 
 MARK, COMPILED = "__hophoop_mark__", "__hophoop_compiled__"
 
@@ -27,6 +28,11 @@ def noinline(function: Function) -> Function:
     """
     setattr(function, MARK, "noinline")
     return function
+
+
+def replaced(values: Values, **changes: Any) -> Values:
+    """Return a named tuple with other values of some fields; the build compiles a call of it to as many stores."""
+    return cast(Values, values._replace(**changes))
 
 
 def interpreted_as(other: Callable[..., Any]) -> Callable[[Function], Function]:

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.kernel.native.marks import mark_of, source_of
+from hophoop.kernel.native.marks import mark_of, replaced, source_of
 
 PACKAGE = Path(__file__).parents[2]
 # Packages and single files with kernels and their constants, and files that control their compilation.
@@ -49,8 +49,8 @@ def stamp(others: Iterable[str] = LIBRARY_TOOLS) -> str:
 
 
 def is_kernel(value: Any) -> bool:
-    """Return True for a function of this package: a kernel calls nothing else of it."""
-    return isinstance(value, FunctionType) and value.__module__.startswith("hophoop.")
+    """Return True for a function of this package; a kernel calls nothing else of it, apart from `replaced`."""
+    return isinstance(value, FunctionType) and value.__module__.startswith("hophoop.") and value is not replaced
 
 
 def used(kernel: Any) -> Iterator[tuple[str, Any]]:

@@ -17,8 +17,7 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import inline, noinline
-from hophoop.kernel.numerics.arithmetic import add, divide, negative, quick_sum, two_product, two_sum
-from hophoop.kernel.numerics.circular import exact_sine_versine
+from hophoop.kernel.numerics.arithmetic import quick_sum, two_product, two_sum
 from hophoop.kernel.numerics.tables import ARCTANGENTS, PI_HIGH, PI_LOW
 
 HALF_PI_HIGH, HALF_PI_LOW = 0.5 * PI_HIGH, 0.5 * PI_LOW
@@ -181,16 +180,3 @@ def hypotenuse(x, y):
     high, low = square_of_length(long, short)
     root, rest = root_of(high, low)
     return (root + rest) * scale
-
-
-def exact_arcsine(a):
-    """Return the angle from −π/2 to π/2 whose sine is a, abs(a) < 1; near ±1 as accurate as the sine permits."""
-    angle = (arcsine(a[0]), 0.0)
-    for _ in range(3):
-        sine, versine = exact_sine_versine(angle)
-        slope = 1.0 - versine[0]
-        if slope <= 0.0:
-            return angle
-        rest = add(a, negative(sine))
-        angle = add(angle, divide(rest, add((1.0, 0.0), negative(versine))))
-    return angle

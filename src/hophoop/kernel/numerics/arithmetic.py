@@ -167,17 +167,6 @@ def divide(a, b):
     return add(quick_sum(first, second), (rest[0] / b[0], 0.0))
 
 
-def square_root(a):
-    """Return √a for a ≥ 0."""
-    if a[0] <= 0.0:
-        return 0.0, 0.0
-    root = math.sqrt(a[0])
-    rest = add(a, negative(two_product(root, root)))
-    first = quick_sum(root, rest[0] / (2.0 * root))
-    rest = add(a, negative(multiply(first, first)))
-    return add(first, (rest[0] / (2.0 * root), 0.0))
-
-
 def _minus_revolutions(revolutions, angle):
     """Return the angle minus whole revolutions."""
     high, error = two_product(revolutions, TWO_PI)

@@ -19,7 +19,6 @@ J.-M. Muller, Elementary functions (3rd edition, 2016), chapters 6 and 11.
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 
 import numpy as np
 
@@ -30,9 +29,7 @@ from hophoop.kernel.numerics.arithmetic import (
     SPLITTER,
     TWO_PI,
     TWO_PI_LOW,
-    add,
     multiply,
-    negative,
     plus,
     two_product,
     two_sum,
@@ -291,35 +288,3 @@ def sine_cosine_change(s, c, angle):
 def sine_cosine_change_by(s, c, sine, versine):
     """Return `sine_cosine_change` for an angle given by its sine and 1 − cosine."""
     return c * sine - s * versine, -s * sine - c * versine
-
-
-# --- sine and 1 − cosine of double-doubles
-
-_TERMS = 12
-_INVERSE = [Fraction(1, math.factorial(k)) for k in range(2 * _TERMS + 2)]
-# 1/(2k+1)! and 1/(2k+2)! as double-doubles
-_ODD = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[1::2]])
-_EVEN = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[2::2]])
-_HALVINGS = 4
-
-
-def exact_sine_versine(a):
-    """Return (sin a, 1 − cos a) of an angle of up to a few revolutions."""
-    scale = 0.5**_HALVINGS
-    x = (a[0] * scale, a[1] * scale)
-    square = multiply(x, x)
-    minus = negative(square)
-    sine = (0.0, 0.0)
-    versine = (0.0, 0.0)
-    for k in range(_TERMS - 1, -1, -1):
-        sine = add(multiply(sine, minus), (_ODD[k, 0], _ODD[k, 1]))
-        versine = add(multiply(versine, minus), (_EVEN[k, 0], _EVEN[k, 1]))
-    sine = multiply(sine, x)
-    versine = multiply(versine, square)
-    for _ in range(_HALVINGS):
-        cosine = add((1.0, 0.0), negative(versine))
-        doubled = multiply(sine, cosine)
-        versine = multiply(sine, sine)
-        versine = (2.0 * versine[0], 2.0 * versine[1])
-        sine = (2.0 * doubled[0], 2.0 * doubled[1])
-    return sine, versine

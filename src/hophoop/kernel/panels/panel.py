@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.native import inline, noinline, replaced
 from hophoop.kernel.numerics.arithmetic import plus
 from hophoop.kernel.numerics.circular import SMALL, sine_and_versine, sine_cosine_change, small_series_remainders
 from hophoop.kernel.numerics.collocation import ORDER, antiderivative, integrals, remainders, total
@@ -84,7 +84,6 @@ class Totals(NamedTuple):
     u: float  # θ̇² at the end; for an ARRIVE panel, which ends at rest, at the start
     vt: float
     loss: float
-    growth: float  # slip: growth of a difference of θ̇² between two motions, from `ref` to the far end
     rolling_loss: float  # energy lost to rolling resistance
 
 
@@ -167,43 +166,22 @@ def xi_of_offset(panel, offset):
     return 1.0 - 2.0 * part if panel.kind == ARRIVE else 2.0 * part - 1.0
 
 
-class PanelStart(NamedTuple):
-    """Start of a panel, to which the functions on the panel are relative."""
-
-    th: float
-    th_low: float
-    sine: float
-    cosine: float
-    torque: float  # roll; the others as in `Panel`
-    curvature: float
-    arm: float  # slip
-    kappa_p_sigma: float
-    u: float
-    vt: float
+@inline
+def linear_panel(begin, level):
+    """Return a panel of standard width from the start of a panel."""
+    return replaced(begin, level=level, extent=width_of(level))
 
 
 @inline
-def linear_panel(sigma, level, direction, begin):
-    """Return a panel of standard width."""
-    return Panel(
-        sigma, LINEAR, level, direction, begin.th, begin.th_low, begin.sine, begin.cosine, width_of(level),
-        begin.torque, begin.curvature, begin.arm, begin.kappa_p_sigma, begin.u, begin.vt,
-    )  # fmt: skip
+def leaving_panel(begin, extent):
+    """Return a panel from the start of a panel at rest."""
+    return replaced(begin, kind=LEAVE, extent=extent, u=0.0)
 
 
 @inline
 def no_panel(kind, sigma, direction):
     """Return a placeholder for a segment without a panel: FLY, HOLD or SKIMMING."""
     return Panel(sigma, kind, 0, direction, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-
-
-@inline
-def leaving_panel(sigma, direction, extent, begin):
-    """Return a panel that starts at rest."""
-    return Panel(
-        sigma, LEAVE, 0, direction, begin.th, begin.th_low, begin.sine, begin.cosine, extent,
-        begin.torque, begin.curvature, begin.arm, begin.kappa_p_sigma, 0.0, begin.vt,
-    )  # fmt: skip
 
 
 def arriving_panel(body, before, ahead):
@@ -223,9 +201,9 @@ def arriving_panel(body, before, ahead):
         arm = before.arm + turned
         kappa_p_sigma = before.kappa_p_sigma + body.eps * (ds * arm + before.sine * turned)
     ref, low = plus(before.ref, before.ref_low, before.direction * ahead)
-    return Panel(
-        before.sigma, ARRIVE, 0, before.direction, ref, low, s, before.cosine + dc, ahead,
-        torque, curvature, arm, kappa_p_sigma, 0.0, before.vt,
+    return replaced(
+        before, kind=ARRIVE, level=0, ref=ref, ref_low=low, sine=s, cosine=before.cosine + dc, extent=ahead,
+        torque=torque, curvature=curvature, arm=arm, kappa_p_sigma=kappa_p_sigma, u=0.0,
     )  # fmt: skip
 
 

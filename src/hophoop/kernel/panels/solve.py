@@ -83,7 +83,7 @@ def u_on_panel(body, panel, sine, versine, offset):
 @inline
 def unsolved(tail, u):
     """Return the Totals of a panel that is not resolved: its error measure, and θ̇² at its far end or nan."""
-    return Totals(tail, 0.0, u, 0.0, 0.0, math.nan, 0.0)
+    return Totals(tail, 0.0, u, 0.0, 0.0, 0.0)
 
 
 @inline
@@ -133,7 +133,7 @@ def solve_roll(body, panel, work):
     u = u_on_panel(body, panel, sine, versine, far * panel.direction * panel.extent)
     if not u > 0.0:
         size = math.inf
-    return Totals(size, time, u, 0.0, 0.0, math.nan, 0.0)
+    return Totals(size, time, u, 0.0, 0.0, 0.0)
 
 
 @noinline
@@ -191,7 +191,7 @@ def solve_resisted(body, panel, work):
     size = max(size, truncation_error(work[RATE], 0.0), truncation_error(us, 0.0))
     if not size <= RESOLVED:
         return unsolved(size, u_far)
-    return Totals(size, total(work[RATE]), u_far, 0.0, 0.0, math.nan, lost)
+    return Totals(size, total(work[RATE]), u_far, 0.0, 0.0, lost)
 
 
 @inline
@@ -201,7 +201,7 @@ def solve_slip(body, panel, work):
     Returns the Totals. If the panel extends beyond a turning point only row U is meaningful, and the tail is infinite.
     """
     if not rows_are_known(work):
-        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
+        return unsolved(math.inf, math.nan)
     fill_geometry(panel, work)
     sigma = panel.sigma
     s0 = panel.sine
@@ -238,10 +238,10 @@ def solve_slip(body, panel, work):
         drive[i] = body.gn * share
     least = extremes(kappa_p_sigmas)[0]
     if not least > 0.0:
-        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
+        return unsolved(math.inf, math.nan)
     size = truncation_error(damping, 0.5)
     if not size <= RESOLVED:
-        return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
+        return unsolved(size, math.nan)
     growth = work[GROWTH]
     driven = work[DRIVEN]
     growth_far = exponential(away_from_reference(panel, damping, work[EXPONENT]))
@@ -252,7 +252,7 @@ def solve_slip(body, panel, work):
         us[i] = growth[i] * (panel.u + driven[i])
     u_far = growth_far * (panel.u + driven_far)
     if not (extremes(us)[0] > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
-        return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
+        return unsolved(math.inf, u_far)
     rates = work[RATE]
     normals = work[NORMAL]
     slip_rates = work[SLIP_RATE]
@@ -268,7 +268,7 @@ def solve_slip(body, panel, work):
     weight = body.gn + panel.u
     size = max(size, truncation_error(rates, 0.0), truncation_error(normals, max(weight, 2e-3 * body.kap * weight / least)))
     if not size <= RESOLVED:
-        return Totals(size, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
+        return unsolved(size, u_far)
     time = total(rates)
     slips = work[SLIP]
     vt = panel.vt + antiderivative(slip_rates, slips)
@@ -278,4 +278,4 @@ def solve_slip(body, panel, work):
         # without abs(), so that it stays smooth beyond the end of slip
         power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
     rolling_loss = fill_rolling_power(body, work) if body.resist > 0.0 else 0.0
-    return Totals(size, time, u_far, vt, total(power), growth_far, rolling_loss)
+    return Totals(size, time, u_far, vt, total(power), rolling_loss)

@@ -23,7 +23,6 @@ class Body(NamedTuple):
     law: int  # ImpactLaw
     painleve_impact: bool  # indeterminate Painlevé contact: impact (True) or flight (False)
     slope: float  # β, whose rounded cosine and sine are gn and gt; 0 without gravity [rad]
-    ideal: bool = False  # True if κ = 1 − ε², which `kap` rounds
     resist: float = 0.0  # rolling resistance f
 
 

@@ -10,9 +10,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import inline, noinline
-from hophoop.kernel.numerics.arithmetic import add, multiply, negative, two_product
-from hophoop.kernel.numerics.circular import exact_sine_versine
+from hophoop.kernel.native import inline
 
 
 @inline
@@ -177,43 +175,16 @@ def most_resistance(eps: float, kap: float) -> float:
     return math.sqrt(((1.0 - eps) * (1.0 - eps) + kap) * ((1.0 + eps) * (1.0 + eps) + kap)) / eps
 
 
-# --- the sign of κ p_σ near zero, in extended precision, decides whether slip has a solution
-
-NEARLY = 1e-8  # below this κ p_σ has lost half its digits
-
-
-@inline
-def exact_inertia(body):
-    """Return κ as a double-double."""
-    if body.ideal:
-        return add((1.0, 0.0), negative(two_product(body.eps, body.eps)))
-    return body.kap, 0.0
-
-
-@noinline
-def exact_slip_coefficients(body, th, th_low, sigma, rho):
-    """Return (q, κ p_σ) with all digits, treating θ and the parameters as exact numbers."""
-    sine, versine = exact_sine_versine((th, th_low))
-    lever = multiply((body.eps, 0.0), sine)
-    arm = add(add((1.0, 0.0), (body.eps, 0.0)), negative(multiply((body.eps, 0.0), versine)))
-    q = add(add(lever, multiply((sigma * body.mu_k, 0.0), arm)), (-rho, 0.0))
-    stiffness = add(exact_inertia(body), multiply(lever, q))
-    return q[0], stiffness[0]
-
-
 def kappa_p_sigma_slope(body, s, c, sigma, q):
     """Return dκp_σ/dθ."""
     return body.eps * c * q + body.eps * s * body.eps * (c - sigma * body.mu_k * s)
 
 
 @inline
-def slip_coefficients(body, th, th_low, s, c, sigma, rho):
-    """Return (q, κ p_σ) in slip of direction σ with the rolling resistance ρ, accurate also if κ p_σ is nearly zero."""
+def slip_coefficients(body, s, c, sigma, rho):
+    """Return (q, κ p_σ) in slip of direction σ with the rolling resistance ρ."""
     arm = slip_torque_arm(body, s, c, sigma) - rho
-    stiffness = body.kap + body.eps * s * arm
-    if abs(stiffness) < NEARLY:
-        return exact_slip_coefficients(body, th, th_low, sigma, rho)
-    return arm, stiffness
+    return arm, body.kap + body.eps * s * arm
 
 
 # --- friction utilization: the fraction of the available friction that acts (docs/model.md#modes)

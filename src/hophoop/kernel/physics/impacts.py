@@ -54,11 +54,10 @@ def impulse_ratio(body, arm, lever, vt):
 
 
 @noinline
-def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
+def impact(body, rest, s, c, vt, vn):
     """Return (v_t, v_n, change of θ̇, p_n, p_t, losses −∫ v_n dP_n and −∫ v_t dP_t) after an impact with restitution `rest`.
 
-    v_n = 0 before, with p_σ ≤ 0, is the impact without collision. `p_sigma` is p_σ before, where it is known to more digits
-    than (s, c) give.
+    v_n = 0 before, with p_σ ≤ 0, is the impact without collision.
     """
     arm, lever = contact_arms(body, s, c)
     collision = vn < 0.0
@@ -91,7 +90,7 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
         else:
             turn, kt, kn = slip_rates(body, arm, lever, r)
             if not collision and compression and kn < 1e-9:
-                kn = min(p_sigma if p_sigma == p_sigma else kn, 0.0)  # not above 0: only the end of the slip lets v_n rise
+                kn = min(kn, 0.0)  # not above 0: only the end of the slip lets v_n rise
         # piece: until the slip stops ...
         step = math.inf
         if vt != 0.0 and vt * kt < 0.0:

@@ -242,7 +242,7 @@ def next_mode(body, th, th_low, om, vt):
     if math.isinf(body.mu_k):  # infinite friction stops any slip at once
         return FLIGHT if opening >= 0 else INCONSISTENT
     rho = resistance_arm(body, s, c, om, sigma)
-    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma, rho)
+    _, stiffness = slip_coefficients(body, s, c, sigma, rho)
     if stiffness > 0.0:
         return slip_mode(sigma) if opening < 0 else FLIGHT
     if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 0 or body.painleve_impact):

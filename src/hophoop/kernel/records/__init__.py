@@ -48,7 +48,7 @@ from hophoop.kernel.records.layout import (
     unpacked_sequence,
 )
 from hophoop.kernel.records.refusals import Refusal, hoop_refusal, mark_refused, plane_refusal, refusal
-from hophoop.kernel.records.state import State, start_state, whole_angle, with_velocities
+from hophoop.kernel.records.state import State, start_state, whole_angle
 from hophoop.kernel.records.writing import (
     PendingEvent,
     add_letter,

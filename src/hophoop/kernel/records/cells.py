@@ -11,55 +11,21 @@ from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.physics.body import Body, scales_from
 from hophoop.kernel.records.state import start_state
 
-
-class Cell(IntEnum):
-    """Rows of the array of cells, in SI units: the only list of the numbers that the kernels take.
-
-    The rows of hoop and plane come first, in the order of the table of parameters; they alone make a body. `MODE` is −1 if the
-    rule selects it; `ALLOWED` is 0 if the values contradict each other.
+# Rows of the array of cells, in SI units: the only list of the numbers that the kernels take. The rows of hoop and plane come
+# first, in the order of the table of parameters; they alone make a body. `MODE` is −1 if the rule selects it; `ALLOWED` is 0 if
+# the values contradict each other.
+Cell = IntEnum(
+    "Cell",
     """
-
-    ECCENTRICITY = 0
-    INERTIA_RATIO = 1
-    RADIUS = 2
-    MASS = 3
-    MU_STATIC = 4
-    MU_KINETIC = 5
-    SLOPE = 6
-    GRAVITY = 7
-    RESTITUTION = 8
-    ROLLING_RESISTANCE = 9
-    LAW = 10
-    PAINLEVE_IMPACT = 11
-    IDEAL = 12
-    X = 13
-    HEIGHT = 14
-    ANGLE = 15
-    VY = 16
-    OMEGA = 17
-    SLIP = 18
-    MODE = 19
-    DURATION = 20
-    MAX_EVENTS = 21
-    ALLOWED = 22
-
-
+    ECCENTRICITY INERTIA_RATIO RADIUS MASS MU_STATIC MU_KINETIC SLOPE GRAVITY RESTITUTION ROLLING_RESISTANCE LAW
+    PAINLEVE_IMPACT IDEAL X HEIGHT ANGLE VY OMEGA SLIP MODE DURATION MAX_EVENTS ALLOWED
+    """,
+    start=0,
+)
 CELL = tuple(row.name.lower() for row in Cell)
 
-
-class Contact(IntEnum):
-    """Numbers of a compliant contact, in SI units; nan selects the default."""
-
-    LAW = 0
-    FRICTION_LAW = 1
-    STIFFNESS = 2
-    DAMPING = 3
-    RESTITUTION = 4
-    SLIP_SPEED = 5
-    TANGENTIAL_STIFFNESS = 6
-    RTOL = 7
-
-
+# Numbers of a compliant contact, in SI units; nan selects the default.
+Contact = IntEnum("Contact", "LAW FRICTION_LAW STIFFNESS DAMPING RESTITUTION SLIP_SPEED TANGENTIAL_STIFFNESS RTOL", start=0)
 CONTACT = tuple(row.name.lower() for row in Contact)
 
 
@@ -153,7 +119,6 @@ def body_of(cell):
         law=int(cell[Cell.LAW]),
         painleve_impact=cell[Cell.PAINLEVE_IMPACT] != 0.0,
         slope=weight * cell[Cell.SLOPE],
-        ideal=cell[Cell.IDEAL] != 0.0,
         resist=cell[Cell.ROLLING_RESISTANCE],
     )
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.native import inline, noinline, replaced
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI, TWO_PI_LOW, add, plus, revolutions_and_rest
-from hophoop.kernel.panels.anchor import NONE, Anchor
 
 # Maximum of abs(θ) in a revolution, so that θ keeps all its digits near the unstable equilibria on both sides.
 FARTHEST = TWO_PI - 0.5
@@ -34,62 +33,19 @@ class State(NamedTuple):
     impact_n: float
     impact_t: float
     rolling_loss: float  # energy lost to rolling resistance
-    anchor: Anchor
 
 
 @noinline
 def start_state(x, y, angle, vt, vn, om):
     """Return a state at t = 0; `angle` includes all revolutions."""
     revolutions, th, th_low = revolutions_and_rest(angle)
-    return State(0.0, 0.0, x, 0.0, y, revolutions, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0, NONE)
+    return State(0.0, 0.0, x, 0.0, y, revolutions, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0)
 
 
 @inline
 def whole_angle(state):
     """Return θ including all revolutions."""
     return state.revolutions * TWO_PI + (state.th + (state.th_low + state.revolutions * TWO_PI_LOW))
-
-
-@inline
-def moved(state, t, t_low, x, x_low, y, revolutions, th, th_low):
-    """Return the state at another time and position, with its velocities and losses."""
-    return State(
-        t, t_low, x, x_low, y, revolutions, th, th_low, state.vt, state.vn, state.om,
-        state.friction, state.impact_n, state.impact_t, state.rolling_loss, state.anchor,
-    )  # fmt: skip
-
-
-@inline
-def with_velocities(state, vt, vn, om):
-    """Return the state with other velocities."""
-    return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low, vt, vn, om,
-        state.friction, state.impact_n, state.impact_t, state.rolling_loss, state.anchor,
-    )  # fmt: skip
-
-
-@inline
-def with_losses(state, friction, impact_n, impact_t, rolling_loss):
-    """Return the state with other losses."""
-    return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low,
-        state.vt, state.vn, state.om, friction, impact_n, impact_t, rolling_loss, state.anchor,
-    )  # fmt: skip
-
-
-@inline
-def with_anchor(state, anchor):
-    """Return the state with another anchor."""
-    return State(
-        state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low,
-        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, state.rolling_loss, anchor,
-    )  # fmt: skip
-
-
-@inline
-def at_time(state, t):
-    """Return the state at exactly the time t."""
-    return moved(state, t, 0.0, state.x, state.x_low, state.y, state.revolutions, state.th, state.th_low)
 
 
 @inline
@@ -125,5 +81,4 @@ def flown(state, along, y, tau, vt, vn):
     t, t_low = later(state, tau)
     x, x_low = plus(state.x, state.x_low, along)
     revolutions, th, th_low = rotated_by(state, state.om * tau)
-    after = with_anchor(moved(state, t, t_low, x, x_low, y, revolutions, th, th_low), NONE)
-    return with_velocities(after, vt, vn, state.om)
+    return replaced(state, t=t, t_low=t_low, x=x, x_low=x_low, y=y, revolutions=revolutions, th=th, th_low=th_low, vt=vt, vn=vn)

@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop.kernel.native import inline, noinline
-from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.panels.panel import FLY, Panel, no_panel
 from hophoop.kernel.physics.body import FLIGHT
 from hophoop.kernel.records.layout import EVENTS, LETTERS_PER_INTEGER, MORE, PANEL_LIMIT, PANELS, SEGMENTS
@@ -189,7 +188,7 @@ def state_of(row):
     return State(
         row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["revolutions"], row["theta"], row["theta_low"],
         row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"],
-        row["rolling_resistance"], NONE,
+        row["rolling_resistance"],
     )  # fmt: skip
 
 

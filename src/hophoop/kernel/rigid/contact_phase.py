@@ -4,18 +4,12 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.native import inline, noinline, replaced
 from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW, add, plus
 from hophoop.kernel.numerics.circular import cosine, sine_and_cosine, sine_cosine, sine_cosine_change, sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import ORDER, antiderivative, dot, lagrange
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.panels.anchor import (
-    NONE,
-    ROLLING,
-    SLIPPING,
-    Anchor,
-    offset_from,
-)
+from hophoop.kernel.panels.anchor import rolling_anchor
 from hophoop.kernel.panels.panel import (
     ARRIVE,
     HOLD,
@@ -59,14 +53,8 @@ from hophoop.kernel.physics.modes import next_mode, slip_direction
 from hophoop.kernel.records.layout import STOP_AT_TURN
 from hophoop.kernel.records.state import (
     FARTHEST,
-    State,
-    at_time,
     later,
-    moved,
     time_left,
-    with_anchor,
-    with_losses,
-    with_velocities,
 )
 from hophoop.kernel.records.writing import (
     count_panel,
@@ -78,52 +66,79 @@ from hophoop.kernel.records.writing import (
     write_segment,
 )
 from hophoop.kernel.rigid.flight_phase import begin_skim
-from hophoop.kernel.rigid.panel_choice import choose_panel, exceeds_time_left, narrow_to_time, set_anchor
-from hophoop.kernel.rigid.panel_events import SMALLEST_SQUARE, earliest_event
+from hophoop.kernel.rigid.panel_choice import choose_panel, exceeds_time_left, narrow_to_time
+from hophoop.kernel.rigid.panel_events import CLOSE, SMALLEST_SQUARE, earliest_event
 from hophoop.kernel.rigid.phase import GOING, Ending, at_span, begin_phase, continue_phase, end_motion
-from hophoop.kernel.rigid.transitions import leave_cone, resolve_mode, resolve_painleve_singularity
+from hophoop.kernel.rigid.transitions import is_singular, leave_cone, resolve_mode, resolve_painleve_singularity
 
 STILL_ACCELERATION = 1e-15
-LOST = 1e-9  # relative error of θ̇² near the unstable equilibrium above which v_t has lost digits too
-FINEST_PREDICTED = 24  # finest level for which the next one is predicted: beyond, near p_σ = 0, truncation errors are rounding
-
-
-@noinline
-def with_turns(body, state, more):
-    """Count `more` revolutions in `revolutions` instead of in θ."""
-    th, low = add((state.th, state.th_low), (-more * TWO_PI, -more * TWO_PI_LOW))
-    after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.revolutions + more, th, low)
-    anchor = state.anchor
-    if anchor.kind == SLIPPING and body.mu_k == 0.0:
-        return after  # without friction the anchor is the same in every revolution
-    if anchor.kind == ROLLING and anchor.bend > 0.0:  # of the next revolution, which is lower on a slope
-        excess = anchor.excess + 2.0 * more * TWO_PI * body.gt
-        return with_anchor(after, Anchor(ROLLING, excess, anchor.base, anchor.base_low, anchor.bend))
-    base, base_low = add((anchor.base, anchor.base_low), (-more * TWO_PI, -more * TWO_PI_LOW))
-    return with_anchor(after, Anchor(anchor.kind, anchor.excess, base, base_low, anchor.bend))
+GROWTH = 11.5  # ln of CLOSE over the rounding of θ
+AT_TOP = 1e-280  # rad: within it of the top a motion would take 600 √(R/g) to become visible
 
 
 @inline
-def normalize_turns(body, state):
+def normalize_turns(state):
     """Move one revolution from θ into `revolutions`."""
-    return with_turns(body, state, 1.0 if state.th > 0.0 else -1.0)
+    more = 1.0 if state.th > 0.0 else -1.0
+    th, low = add((state.th, state.th_low), (-more * TWO_PI, -more * TWO_PI_LOW))
+    return replaced(state, revolutions=state.revolutions + more, th=th, th_low=low)
+
+
+@inline
+def firmness(body, sigma, s, c):
+    """Return what divides the torque in θ̈ at rest: D in rolling, κ p_σ in slip."""
+    return inertia_at_height(body, load_height(s, c)) if sigma == 0 else kappa_p_sigma(body, s, c, sigma, 0.0)
+
+
+@inline
+def instability(body, sigma, s, c):
+    """Return the slope of the torque at rest in rolling (sigma = 0) or slip, positive at an unstable equilibrium."""
+    return body.eps * body.gn * (c - sigma * body.mu_k * s) if sigma != 0 else -rest_curvature(body, s, c)
+
+
+@inline
+def has_exact_top(body, sigma):
+    """Return True if the unstable equilibrium is exactly the top: in rolling on the level, and in slip without friction."""
+    tilt = body.gt if sigma == 0 else body.mu_k
+    return tilt == 0.0 and body.eps * body.gn > 0.0 and body.resist == 0.0
 
 
 @noinline
 def is_equilibrium(body, sigma, state):
-    """Return True if θ is an equilibrium: exactly at an unstable one, within the rounding of θ at a stable one."""
-    anchor = state.anchor
-    if anchor.kind != 0 and anchor.bend > 0.0:
-        psi = offset_from(state.th, state.th_low, anchor.base, anchor.base_low)
-        # within 1e-280 rad of the top, on the level, a motion would take 600 √(R/g) to become visible
-        return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)
-    th = state.th
-    s, c = sine_and_cosine(th)
-    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else kappa_p_sigma(body, s, c, sigma, 0.0)
-    rounding = STILL_ACCELERATION * (1.0 + abs(th))
+    """Return True if θ is an equilibrium: exactly at the top, within the rounding of θ elsewhere."""
+    s, c = sine_cosine(state.th, state.th_low)
+    if has_exact_top(body, sigma) and c > 0.0:
+        return abs(s) < AT_TOP
+    firm = firmness(body, sigma, s, c)
+    rounding = STILL_ACCELERATION * (1.0 + abs(state.th))
     if firm > 0.0:
         rounding *= 1.0 + body.eps * (body.gn + abs(body.gt)) / firm
     return abs(acceleration_in_contact(body, s, c, 0.0, sigma)) <= rounding
+
+
+@noinline
+def doubt_rest(body, sigma, state, until, log):
+    """Record a doubt where the rounding of θ at an unstable equilibrium has grown to CLOSE, if the rest lasts until then."""
+    s, c = sine_cosine(state.th, state.th_low)
+    unstable = instability(body, sigma, s, c)
+    if body.resist == 0.0 and not has_exact_top(body, sigma) and unstable > 0.0:
+        t = state.t + GROWTH * math.sqrt(firmness(body, sigma, s, c) / unstable)
+        if t < until:
+            record_doubt(log.doubt, t)
+
+
+@noinline
+def passes_in_doubt(body, sigma, state, s, c):
+    """Return True if the hoop slows down so near an unstable equilibrium that rounding decides whether it passes it.
+
+    Its energy and its torque are then zero within rounding. Rolling without resistance keeps its anchor and needs no doubt.
+    """
+    firm = firmness(body, sigma, s, c)
+    unstable = instability(body, sigma, s, c)
+    if not firm * state.om * state.om < CLOSE * body.gn or unstable <= 0.0 or (body.resist > 0.0 and state.om == 0.0):
+        return False
+    alpha = acceleration_in_contact(body, s, c, state.om, sigma)
+    return alpha * state.om <= 0.0 and firm * alpha * firm * alpha <= CLOSE * unstable * body.gn
 
 
 @inline
@@ -201,87 +216,39 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     t, t_low = later(state, tau)
     x, x_low = plus(state.x, state.x_low, along)
     th, th_low = plus(panel.ref, panel.ref_low, offset)
-    return State(
-        t, t_low, x, x_low, 0.0, state.revolutions, th, th_low, vt, 0.0, om,
-        state.friction + loss, state.impact_n, state.impact_t, state.rolling_loss + rolling_loss, state.anchor,
+    return replaced(
+        state, t=t, t_low=t_low, x=x, x_low=x_low, th=th, th_low=th_low, vt=vt, om=om,
+        friction=state.friction + loss, rolling_loss=state.rolling_loss + rolling_loss,
     )  # fmt: skip
 
 
 @inline
-def propagate_anchor(body, panel, totals, xi, after):
-    """Return the state after a slip panel with its anchor propagated over the panel."""
-    anchor = after.anchor
-    if body.mu_k == 0.0:  # the difference of θ̇² between two motions is proportional to 1/(κ p)
-        s, _ = sine_cosine(after.th, after.th_low)
-        sine = panel.sine
-        if panel.kind == ARRIVE:
-            sine += sine_cosine_change(panel.sine, panel.cosine, angle_at(panel, -1.0))[0]
-        before = body.eps * sine
-        now = body.eps * s
-        growth = (body.kap + before * before) / (body.kap + now * now)
-    elif xi < 1.0:
-        return with_anchor(after, NONE)
-    else:
-        growth = 1.0 / totals.growth if panel.kind == ARRIVE else totals.growth
-    return with_anchor(after, Anchor(SLIPPING, anchor.excess * growth, anchor.base, anchor.base_low, anchor.bend))
-
-
-@noinline
-def recover_slip_velocity(body, state, u):
-    """Return the state of slip with θ̇² = u, if rounding has lost digits of θ̇ near the unstable equilibrium.
-
-    v_t follows from the velocity of the centre of gravity along the plane, which has lost no digits: only friction changes it.
-    """
-    s, c = sine_cosine(state.th, state.th_low)
-    om = math.copysign(math.sqrt(u), state.om)
-    height = load_height(s, c)
-    return with_velocities(state, state.vt + (state.om - om) * ((1.0 - body.eps) + body.eps * height), state.vn, om)
-
-
-@inline
-def at_panel_start(body, sigma, state, begins, scratch):
-    """Return (state at the start of the next panel, sin θ, cos θ), with θ̇ = 0 for underflow, and the anchor of a new phase."""
+def at_panel_start(state):
+    """Return (state at the start of the next panel, sin θ, cos θ), with θ̇ = 0 for underflow."""
     if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
-        state = with_velocities(state, state.vt, state.vn, 0.0)
+        state = replaced(state, om=0.0)
     s, c = sine_cosine(state.th, state.th_low)
-    if begins:
-        state = set_anchor(body, sigma, state, s, c, scratch)
     return state, s, c
 
 
 @inline
-def has_lost_digits(sigma, panel, state):
-    """Return True if θ̇² of slip from the anchor differs from the state's θ̇², which has lost digits to rounding."""
-    return sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u
-
-
-@inline
-def predicted_level(level, error, before):
-    """Return the level of the next panel: one finer if the truncation error grows too fast to stay resolved."""
-    return level + 1 if level < FINEST_PREDICTED and error > before and error * (error / before) > RESOLVED else level
-
-
-@inline
-def fit_to_time(body, panel, totals, state, limits, scratch):
+def fit_to_time(body, anchor, panel, totals, state, limits, scratch):
     """Return (panel, totals), with a narrower panel if this one would last much longer than the motion."""
     left = time_left(state, limits.t_end)
     if totals.tail <= RESOLVED and exceeds_time_left(totals, left):
-        return narrow_to_time(body, panel, totals, state, left, scratch)
+        return narrow_to_time(body, anchor, panel, totals, state, left, scratch)
     return panel, totals
 
 
 @inline
-def snap_to_event(body, ending, state, limits, direction):
+def snap_to_event(ending, state, limits, direction):
     """Return the state with the quantity that defines its event exact: v_t = 0, the final time or the final angle."""
     if ending == Ending.SLIP_END:
-        return with_velocities(state, 0.0, state.vn, state.om)
+        return replaced(state, vt=0.0)
     if ending == Ending.TIME_LIMIT:
-        return at_time(state, limits.t_end)
+        return replaced(state, t=limits.t_end, t_low=0.0)
     if ending == Ending.ANGLE_LIMIT:
-        after = at_span(limits, state, direction)
-        if after.revolutions != state.revolutions:  # a motion that goes on from there needs its anchor
-            after = with_anchor(after, with_turns(body, state, after.revolutions - state.revolutions).anchor)
-        return after
+        return at_span(limits, state, direction)
     return state
 
 
@@ -297,39 +264,39 @@ def vanishing_slip_derivatives(body, phase):
 def advance_contact(body, phase, limits, log, scratch):
     """Roll or slip, panel by panel, up to an event or a turning point.
 
-    Returns (ending, state, level of the next panel); the ending is CONTINUES if the log is full.
+    Returns the phase with the state there. Its ending says what has been reached, CONTINUES if the log is full.
     """
     sigma = slip_direction(phase.mode)
-    state, level, begins = phase.state, phase.level, phase.begins
+    state, level, begins, anchor = phase.state, phase.level, phase.begins, phase.anchor
     vanishing = vanishing_slip_derivatives(body, phase) if sigma != 0 else 0
     ending = Ending.CONTINUES
-    unresolved = Ending.SINGULAR if sigma != 0 else Ending.SEARCH_LIMIT
-    before = math.inf  # truncation error of the last panel
     while ending == Ending.CONTINUES and has_room(log):
         count_panel(log)
-        state, s, c = at_panel_start(body, sigma, state, begins, scratch)
+        state, s, c = at_panel_start(state)
+        if begins and sigma == 0:
+            anchor = rolling_anchor(body, state, s, c)
         if state.om == 0.0 and remains_at_rest(body, sigma, state):
-            return Ending.REST, state, level
-        panel, totals, level = choose_panel(body, sigma, state, s, c, level, scratch)
-        if has_lost_digits(sigma, panel, state):
-            state = recover_slip_velocity(body, state, panel.u)
-            continue
-        level = predicted_level(level, totals.tail, before)
-        before = totals.tail
-        panel, totals = fit_to_time(body, panel, totals, state, limits, scratch)
+            return continue_phase(phase, state, level, Ending.REST, anchor)
+        if begins and sigma != 0 and is_singular(body, sigma, state.om, s, c):
+            return continue_phase(phase, state, level, Ending.SINGULAR, anchor)
+        if anchor.bend == 0.0 and not begins and passes_in_doubt(body, sigma, state, s, c):
+            record_doubt(log.doubt, state.t)
+        panel, totals, level = choose_panel(body, sigma, anchor, state, s, c, level, scratch)
+        panel, totals = fit_to_time(body, anchor, panel, totals, state, limits, scratch)
         if not totals.tail <= RESOLVED:
-            return unresolved, state, level
+            ending = Ending.SINGULAR if sigma != 0 else Ending.SEARCH_LIMIT
+            if begins:  # next to p_σ = 0 rounding decides whether slip moves away from it
+                record_doubt(log.doubt, state.t)
+            return continue_phase(phase, state, level, ending, anchor)
         xi, ending = earliest_event(body, panel, totals, state, begins, vanishing, limits, scratch)
         if -1.0 < xi < 1.0:
             fill_inside(panel, scratch.work)
-        after = snap_to_event(body, ending, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.direction)
+        after = snap_to_event(ending, state_on_panel(body, panel, totals, state, xi, scratch), limits, panel.direction)
         if xi > -1.0:
             write_segment(log, phase.mode, panel, xi, state, after.t)
-            if after.anchor.kind == SLIPPING:
-                after = propagate_anchor(body, panel, totals, xi, after)
-        state = normalize_turns(body, after) if abs(after.th) > FARTHEST else after
+        state = normalize_turns(after) if abs(after.th) > FARTHEST else after
         begins = False
-    return ending, state, level
+    return continue_phase(phase, state, level, ending, anchor)
 
 
 def equilibrium_is_stable(body, th):
@@ -363,8 +330,7 @@ def slide_without_rotation(body, mode, state, t_end, log):
         t, t_low = t_end, 0.0
     x, x_low = plus(state.x, state.x_low, slid)
     friction = state.friction + sigma * body.mu_k * body.gn * slid
-    after = with_velocities(moved(state, t, t_low, x, x_low, 0.0, state.revolutions, state.th, state.th_low), vt, 0.0, 0.0)
-    after = with_losses(after, friction, state.impact_n, state.impact_t, state.rolling_loss)
+    after = replaced(state, t=t, t_low=t_low, x=x, x_low=x_low, vt=vt, vn=0.0, om=0.0, friction=friction)
     write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, state, after.t)
     return ending, after
 
@@ -377,8 +343,12 @@ def still_step(body, phase, state, limits, log):
         stable = 1 if equilibrium_is_stable(body, state.th) else 0
         write_event(log, event_without_jump(REST, ROLL, state), ROLL, state, 0.0, stable)
         write_segment(log, ROLL, no_panel(HOLD, 0, 0.0), 0.0, state, limits.t_end)
-        return end_motion(phase, ROLL, at_time(with_velocities(state, 0.0, 0.0, 0.0), limits.t_end), Ending.REST, AT_REST)
+        doubt_rest(body, 0, state, limits.t_end, log)
+        state = replaced(state, t=limits.t_end, t_low=0.0, vt=0.0, vn=0.0, om=0.0)
+        return end_motion(phase, ROLL, state, Ending.REST, AT_REST)
+    begin = state
     ending, state = slide_without_rotation(body, mode, state, limits.t_end, log)
+    doubt_rest(body, slip_direction(mode), begin, state.t, log)
     if ending == Ending.TIME_LIMIT:
         return end_motion(phase, mode, state, Ending.TIME_LIMIT, COMPLETED)
     if body.kap == 0.0:
@@ -418,8 +388,9 @@ def after_slip(body, phase, ending, state, log):
 
 
 @noinline
-def turning_point_step(body, phase, state, level, limits, log):
+def turning_point_step(body, phase, limits, log):
     """Return the phase after a turning point with rolling resistance, where the couple and the contact force jump."""
+    state = phase.state
     mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)
     if phase.mode == ROLL and mode == ROLL and is_equilibrium(body, 0, state):
         return still_step(body, phase, state, limits, log)
@@ -429,9 +400,9 @@ def turning_point_step(body, phase, state, level, limits, log):
     else:
         write_plain_event(log, TURN, phase.mode, phase.mode, state)
     if mode == phase.mode:
-        return continue_phase(phase, state, level, Ending.TURNING_POINT)
+        return phase
     if kind == STICK and mode != FLIGHT:
-        state = with_velocities(state, 0.0, state.vn, state.om)  # v_t and θ̇ reach zero together
+        state = replaced(state, vt=0.0)  # v_t and θ̇ reach zero together
     mode, state = resolve_mode(body, state, event_without_jump(kind, phase.mode, state), log)
     return begin_phase(mode, state, Ending.TURNING_POINT)
 
@@ -439,9 +410,10 @@ def turning_point_step(body, phase, state, level, limits, log):
 @inline
 def contact_step(body, phase, limits, log, scratch):
     """Roll or slip up to an event or a turning point, and return the next phase."""
-    ending, state, level = advance_contact(body, phase, limits, log, scratch)
+    phase = advance_contact(body, phase, limits, log, scratch)
+    ending, state = phase.ending, phase.state
     if ending == Ending.TURNING_POINT and body.resist > 0.0:
-        after = turning_point_step(body, phase, state, level, limits, log)
+        after = turning_point_step(body, phase, limits, log)
         if limits.stop & STOP_AT_TURN and after.status == GOING:
             return end_motion(after, after.mode, after.state, Ending.TURNING_POINT, COMPLETED)
         return after
@@ -450,7 +422,7 @@ def contact_step(body, phase, limits, log, scratch):
     if ending in (Ending.TIME_LIMIT, Ending.ANGLE_LIMIT) or (ending == Ending.TURNING_POINT and limits.stop & STOP_AT_TURN):
         return end_motion(phase, phase.mode, state, ending, COMPLETED)
     if ending in (Ending.CONTINUES, Ending.TURNING_POINT):
-        return continue_phase(phase, state, level, ending)
+        return phase
     if ending == Ending.REST:
         return still_step(body, phase, state, limits, log)
     if phase.mode == ROLL:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.native import inline, noinline, replaced
 from hophoop.kernel.numerics.arithmetic import PI
 from hophoop.kernel.numerics.circular import sine, sine_and_cosine, sine_cosine
 from hophoop.kernel.panels.landing import first_landing
@@ -25,7 +25,7 @@ from hophoop.kernel.physics.closed_forms import (
 from hophoop.kernel.physics.contact import free_acceleration
 from hophoop.kernel.physics.modes import UNDECIDED, slip_mode
 from hophoop.kernel.records.layout import STOP_AT_TAKEOFF
-from hophoop.kernel.records.state import at_time, flown, later, moved, time_left, with_losses, with_velocities
+from hophoop.kernel.records.state import flown, later, time_left
 from hophoop.kernel.records.writing import PendingEvent, write_event, write_flight, write_plain_event, write_segment
 from hophoop.kernel.rigid.phase import ROUNDING, Ending, angle_left, at_span, begin_phase, end_motion
 from hophoop.kernel.rigid.transitions import collide, end_bounces, resolve_mode
@@ -98,9 +98,9 @@ def fly(body, state, f_n, vanishing, limits, log):
         y = 0.0
     after = flown(state, along, y, tau, vt, vn)
     if ending == Ending.LANDING and vn > 0.0:
-        after = with_velocities(after, vt, 0.0, state.om)
+        after = replaced(after, vn=0.0)
     if ending == Ending.TIME_LIMIT:
-        after = at_time(after, limits.t_end)
+        after = replaced(after, t=limits.t_end, t_low=0.0)
     elif ending == Ending.ANGLE_LIMIT:
         after = at_span(limits, after, direction)
     write_flight(log, f_n, state, after.t)
@@ -160,7 +160,7 @@ def begin_skim(body, state, log):
         return UNDECIDED, state
     if s == 0.0:
         jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
-        state = with_velocities(state, state.vt - 2.0 * jump, state.vn, state.om + jump)
+        state = replaced(state, vt=state.vt - 2.0 * jump, om=state.om + jump)
     write_plain_event(log, SKIM_START, ROLL, SKIM, state)
     return SKIM, state
 
@@ -205,7 +205,7 @@ def skim(body, state, limits, log):
     write_segment(log, SKIM, no_panel(SKIMMING, 0, direction), STRUCK if strikes else 0.0, state, t)
     if strikes:
         x, th, vt = strike_limit(body, state.x, state.th, s, along, direction, tau)
-    after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.revolutions, th, 0.0), vt, 0.0, om)
+    after = replaced(state, t=t, t_low=t_low, x=x, x_low=0.0, y=0.0, th=th, th_low=0.0, vt=vt, vn=0.0, om=om)
     if ending == Ending.ANGLE_LIMIT:
         after = at_span(limits, after, direction)
     return ending, after, -(s * state.om + body.gn * tau)
@@ -220,7 +220,7 @@ def skim_step(body, phase, limits, log):
     along, p_n, p_t = strike(body, after.vt, vn)
     lost_n = after.impact_n + 0.5 * vn * vn
     lost_t = after.impact_t + 0.5 * (after.vt * after.vt - along * along)
-    landed = with_losses(with_velocities(after, along, 0.0, 0.0), after.friction, lost_n, lost_t, after.rolling_loss)
+    landed = replaced(after, vt=along, vn=0.0, om=0.0, impact_n=lost_n, impact_t=lost_t)
     cause = PendingEvent(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 0.0, 1)
     mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)
     if body.rest > 0.0:

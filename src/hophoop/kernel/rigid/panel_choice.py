@@ -7,21 +7,15 @@ import math
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.circular import sine, sine_cosine
 from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing
-from hophoop.kernel.numerics.exponentials import binary_logarithm, logarithm, power
-from hophoop.kernel.panels.anchor import (
-    NONE,
-    SLIPPING,
-    rolling_anchor,
-    rolling_panel_start,
-    slip_anchor,
-    slip_panel_start,
-)
+from hophoop.kernel.numerics.exponentials import binary_logarithm
+from hophoop.kernel.panels.anchor import rolling_panel_start
 from hophoop.kernel.panels.panel import (
     ENERGY,
     LEAVE,
     LEVELS,
+    LINEAR,
     RESOLVED,
-    PanelStart,
+    Panel,
     U,
     arriving_panel,
     leaving_panel,
@@ -32,65 +26,41 @@ from hophoop.kernel.panels.solve import solve_resisted, solve_roll, solve_slip, 
 from hophoop.kernel.physics.contact import (
     clamp,
     inertia_at_height,
-    kappa_p_sigma_slope,
     load_height,
     resistance_arm,
     slip_coefficients,
-    slip_motion,
 )
 from hophoop.kernel.records.layout import PANELS
-from hophoop.kernel.records.state import with_anchor
 from hophoop.kernel.rigid.phase import START_LEVEL
 
 GAIN_OF_A_LEVEL = 8.0  # one level (a factor of √2 in width) makes the last coefficient smaller by about 2^8
 WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, width of the panel after a start from rest
 SMALLEST_EXTENT = 1e-300
-# If slip from rest ends within this fraction of FIRST_EXTENT, rounding hides its end on a panel so wide: the first panel then
-# is only WIDER times the angle at which slip ends. The fraction is SOONEST, or SOON if v_t² at the end of the wide panel would
-# exceed FAST, where the friction work loses its digits too.
-SOONEST, SOON, FAST, WIDER = 1e-14, 1e-6, 1e4, 16.0
-NO_TURNING = 1e-14  # relative to v̇_t: θ̈ of slip below this is rounding next to its equilibrium
-MOST_MOVES = 8  # corrections of the position of a turning point
-START_ROUNDING = 1e-15  # relative error of θ̇² at the start of an ARRIVE panel
+ARRIVED = 1e-11  # relative: θ̇² integrated back from a turning point to the start; otherwise its place is not known well enough
 # Below this speed panels may be narrower than the tables: θ̇² changes over the angle θ̇²/θ̈.
 SLOW = 1e-3
-# If κ p_σ · min(θ̇², 1) at the start of slip is below this, panels may shrink in proportion to it.
-NEAR_SINGULAR = 1e-12
 LONG = 64.0  # panels are cut if they last longer than this times the time left (or the unit of time)
 NARROWEST = 2000
 
 
-@noinline
-def set_anchor(body, sigma, state, s, c, scratch):
-    """Return the state at the start of a phase, with the anchor of the phase; s and c are sin θ and cos θ."""
-    if body.resist > 0.0:
-        return with_anchor(state, NONE)  # rolling resistance leaves nothing conserved
-    u = state.om * state.om
-    if sigma == 0:
-        return with_anchor(state, rolling_anchor(body, state.th, state.th_low, s, c, u))
-    if body.mu_k == 0.0 and state.anchor.kind == SLIPPING:
-        return state  # without friction the anchor holds for both directions of slip
-    return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
-
-
 @inline
-def panel_start(body, sigma, state, s, c, scratch):
-    """Return the start of the next panel; s and c are sin θ and cos θ."""
+def panel_start(body, sigma, anchor, state, s, c):
+    """Return the start of the next panel, a panel without extent; s and c are sin θ and cos θ."""
     u = state.om * state.om
     torque = curvature = arm = kappa_p_sigma = 0.0
     if sigma == 0:
-        torque, curvature, u = rolling_panel_start(body, state.anchor, state.th, state.th_low, s, c, u)
+        torque, curvature, u = rolling_panel_start(body, anchor, state, s, c)
         if body.resist > 0.0:
             reach = body.resist * body.gn
             torque -= math.copysign(reach, state.om) if state.om != 0.0 else clamp(torque, reach)
     else:
-        rho = resistance_arm(body, s, c, state.om, sigma)
-        arm, kappa_p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
-        if state.anchor.kind == SLIPPING:
-            arm, u = slip_panel_start(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
-            kappa_p_sigma = body.kap + body.eps * s * arm
-    return PanelStart(state.th, state.th_low, s, c, torque, curvature, arm, kappa_p_sigma, u, state.vt)
+        arm, kappa_p_sigma = slip_coefficients(body, s, c, sigma, resistance_arm(body, s, c, state.om, sigma))
+    turning = state.om if state.om != 0.0 else torque if sigma == 0 else arm
+    direction = 1.0 if turning > 0.0 else -1.0
+    return Panel(
+        sigma, LINEAR, 0, direction, state.th, state.th_low, s, c, 0.0, torque, curvature, arm, kappa_p_sigma, u, state.vt
+    )
 
 
 @inline
@@ -116,16 +86,6 @@ def narrower_level(level, size):
         return level + 3
     more = math.ceil(binary_logarithm(size / RESOLVED) / GAIN_OF_A_LEVEL)
     return level + max(1, min(4, more))
-
-
-@noinline
-def extra_levels_near_singularity(body, sigma, direction, begin):
-    """Return the extra levels allowed to slip that starts near p_σ = 0 and moves away from it."""
-    slope = kappa_p_sigma_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
-    if slope * direction <= 0.0 or begin.kappa_p_sigma <= 0.0:
-        return 0
-    distance = max(begin.kappa_p_sigma * min(begin.u, 1.0), SMALLEST_EXTENT)
-    return math.ceil(2.0 * binary_logarithm(NEAR_SINGULAR / distance))
 
 
 @noinline
@@ -180,82 +140,36 @@ def turning_point_ahead(body, panel, totals, scratch):
             return panel.extent * 0.5 * (1.0 + xi)
         if panel.level == 0:
             return 0.0
-        begin = PanelStart(
-            panel.ref, panel.ref_low, panel.sine, panel.cosine,
-            panel.torque, panel.curvature, panel.arm, panel.kappa_p_sigma, panel.u, panel.vt,
-        )  # fmt: skip
-        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.direction, begin)
+        panel = linear_panel(panel, max(panel.level - 2, 0))
         totals = solve_noinline(body, panel, scratch.work)
     return 0.0
 
 
-@noinline
-def solve_arrival(body, before, ahead, work):
-    """Return (panel, totals) of a panel up to the turning point, about `ahead` from the start of the linear panel `before`.
-
-    `ahead` is only approximate, since it was found on an unresolved panel. The position of the turning point is corrected until
-    θ̇² at the panel's start, integrated back from it, is the given one.
-    """
-    exponent = 1.0  # d log θ̇² at the start / d log `ahead`
-    panel = arriving_panel(body, before, ahead)
-    totals = solve_noinline(body, panel, work)
-    for _ in range(MOST_MOVES):
-        if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:
-            break
-        moved = ahead * power(before.u / totals.u, 1.0 / exponent)
-        panel = arriving_panel(body, before, moved)
-        u = totals.u
-        totals = solve_noinline(body, panel, work)
-        if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:
-            exponent = min(max(logarithm(totals.u / u) / logarithm(moved / ahead), 0.25), 4.0)
-        ahead = moved
-    return panel, totals
-
-
-@noinline
-def first_extent(body, sigma, vt, begin):
-    """Return the width of the first panel to try from rest."""
-    if sigma == 0 or vt == 0.0:
-        return FIRST_EXTENT
-    rho = resistance_arm(body, begin.sine, begin.cosine, 0.0, sigma)
-    alpha, _, rate = slip_motion(body, begin.sine, begin.cosine, 0.0, sigma, rho)
-    if not rate * sigma < 0.0 or abs(alpha) <= NO_TURNING * abs(rate):
-        return FIRST_EXTENT
-    until = vt / rate
-    ahead = 0.5 * abs(alpha) * until * until
-    part = SOON if 2.0 * FIRST_EXTENT * rate * rate > FAST * abs(alpha) else SOONEST
-    return FIRST_EXTENT if ahead > part * FIRST_EXTENT else max(WIDER * ahead, SMALLEST_EXTENT)
-
-
 @inline
-def choose_panel(body, sigma, state, s, c, level, scratch):
+def choose_panel(body, sigma, anchor, state, s, c, level, scratch):
     """Return the widest resolved panel from this state; s and c are sin θ and cos θ.
 
     Returns (panel, totals, level for the next panel); totals.tail exceeds RESOLVED if no panel is resolved.
     """
     work = scratch.work
-    begin = panel_start(body, sigma, state, s, c, scratch)
+    begin = panel_start(body, sigma, anchor, state, s, c)
     if state.om == 0.0:
-        direction = 1.0 if (begin.torque if sigma == 0 else begin.arm) > 0.0 else -1.0
-        extent = first_extent(body, sigma, state.vt, begin)
+        extent = FIRST_EXTENT
         while True:  # at most about 1000 times: the extent is halved from below 1 rad
             scratch.counts[PANELS] += 1
-            panel = leaving_panel(sigma, direction, extent, begin)
+            panel = leaving_panel(begin, extent)
             totals = solve_noinline(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
             extent *= 0.5
     u = begin.u
-    direction = 1.0 if state.om > 0.0 else -1.0
     finest = LEVELS
     if u < SLOW * SLOW:
         widest, finest = slow_levels(body, sigma, begin)
         level = max(level, min(widest, finest))
-    if sigma != 0 and begin.kappa_p_sigma * min(u, 1.0) < NEAR_SINGULAR:
-        finest += extra_levels_near_singularity(body, sigma, direction, begin)
     while True:  # at most `finest` times: each pass takes a finer level
         scratch.counts[PANELS] += 1
-        panel = linear_panel(sigma, level, direction, begin)
+        panel = linear_panel(begin, level)
         totals = solve(body, panel, work)
         if totals.tail <= RESOLVED:
             return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
@@ -267,8 +181,9 @@ def choose_panel(body, sigma, state, s, c, level, scratch):
                 level = min(level + math.floor(2.0 * binary_logarithm(panel.extent / ahead)) - 3, finest)
                 continue
             if ahead > 0.0:
-                arrival, totals = solve_arrival(body, panel, ahead, work)
-                if totals.tail <= RESOLVED:
+                arrival = arriving_panel(body, panel, ahead)
+                totals = solve_noinline(body, arrival, work)
+                if totals.tail <= RESOLVED and abs(totals.u - u) <= ARRIVED * u:
                     return arrival, totals, START_LEVEL
         level = narrower_level(level, size)
         if level >= finest:
@@ -282,16 +197,14 @@ def exceeds_time_left(totals, left):
 
 
 @noinline
-def narrow_to_time(body, panel, totals, state, left, scratch):
+def narrow_to_time(body, anchor, panel, totals, state, left, scratch):
     """Return (panel, totals) of a panel narrow enough for the time left; see `exceeds_time_left`."""
     s, c = sine_cosine(state.th, state.th_low)
-    begin = panel_start(body, panel.sigma, state, s, c, scratch)
+    begin = panel_start(body, panel.sigma, anchor, state, s, c)
     if panel.kind == LEAVE:
         part = 4.0 * left / totals.time
-        extent = panel.extent * part * part
-        short = leaving_panel(panel.sigma, panel.direction, extent, begin)
+        short = leaving_panel(begin, panel.extent * part * part)
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))
-        level = min(max(math.floor(2.0 * binary_logarithm(wide)), 0), NARROWEST)
-        short = linear_panel(panel.sigma, level, panel.direction, begin)
+        short = linear_panel(begin, min(max(math.floor(2.0 * binary_logarithm(wide)), 0), NARROWEST))
     return short, solve_noinline(body, short, scratch.work)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import inline, noinline
-from hophoop.kernel.numerics.circular import sine_cosine_change_by
 from hophoop.kernel.numerics.collocation import (
     NOT_FOUND,
     ORDER,
@@ -32,11 +31,8 @@ from hophoop.kernel.panels.panel import (
     TIME,
     TIME_LEFT,
     U,
-    angle_at,
-    sine_versine_of_offset,
     xi_of_offset,
 )
-from hophoop.kernel.panels.solve import u_on_panel
 from hophoop.kernel.physics.contact import cone_weights, rolling_forces
 from hophoop.kernel.records.state import time_left
 from hophoop.kernel.records.writing import record_doubt
@@ -44,8 +40,6 @@ from hophoop.kernel.rigid.phase import ROUNDING, Ending, angle_left
 
 SMALLEST_SQUARE = 1e-290  # the square of a speed below this is close to underflow
 MARGIN_ROUNDING = 4e-16  # rounding of the margin to the friction cone, relative to the forces
-MISPLACED = 5e-13  # relative to the forces: above this the margin at a zero of its series has to be corrected
-SLOPE_STEP = 1e-6  # in ξ: step of the difference quotient
 # If the minimum at the nodes exceeds this fraction of the range, the margin has no zero on the panel: between the nodes and at
 # the ends a resolved function overshoots by less than 10 % of the range.
 FAR_FROM_ZERO = 0.25
@@ -131,35 +125,6 @@ def fill_cone_margins(body, panel, work):
         work[BACKWARD_MARGIN, i] = a * normal + b * friction
 
 
-@noinline
-def cone_margin(body, panel, side, xi):
-    """Return (margin to one side of the friction cone, size of the forces) at ξ of rolling without rolling resistance."""
-    offset = angle_at(panel, xi)
-    sine, versine = sine_versine_of_offset(panel, xi)
-    u = u_on_panel(body, panel, sine, versine, offset)
-    ds, dc = sine_cosine_change_by(panel.sine, panel.cosine, sine, versine)
-    friction, normal = rolling_forces(body, panel.sine + ds, panel.cosine + dc, u, 0.0)
-    a, b = cone_weights(body.mu_s)
-    return a * normal - side * b * friction, body.gn + abs(body.gt) + u
-
-
-@noinline
-def on_cone(body, panel, side, xi):
-    """Correct a zero of a margin's series to a zero of the margin.
-
-    A panel is resolved in time, not in its forces: for a light hoop both zeros may differ by more than rounding.
-    """
-    margin, size = cone_margin(body, panel, side, xi)
-    if not abs(margin) > MISPLACED * size:
-        return xi
-    further = xi - SLOPE_STEP if xi > 0.0 else xi + SLOPE_STEP
-    slope = (cone_margin(body, panel, side, further)[0] - margin) / (further - xi)
-    if not abs(margin) < SLOPE_STEP * abs(slope):
-        return xi
-    better = min(max(xi - margin / slope, -1.0), 1.0)
-    return better if abs(cone_margin(body, panel, side, better)[0]) < abs(margin) else xi
-
-
 @inline
 def end_of_rolling(body, panel, state, begins, scratch):
     """Return (ξ, ending) where rolling needs all available friction; ξ is NOT_FOUND if it does not."""
@@ -175,10 +140,7 @@ def end_of_rolling(body, panel, state, begins, scratch):
     side = 1.0  # of F
     if back < ahead or (back == ahead and panel.direction < 0.0):
         side = -1.0
-    xi = back if side < 0.0 else ahead
-    if -1.0 < xi < 1.0 and body.resist == 0.0:
-        xi = on_cone(body, panel, side, xi)
-    return xi, Ending.CONE_BACKWARD if side < 0.0 else Ending.CONE_FORWARD
+    return back if side < 0.0 else ahead, Ending.CONE_BACKWARD if side < 0.0 else Ending.CONE_FORWARD
 
 
 @noinline

@@ -6,11 +6,12 @@ import math
 from enum import IntEnum
 from typing import NamedTuple
 
-from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.native import inline, noinline, replaced
 from hophoop.kernel.numerics.arithmetic import PI, PI_LOW, TWO_PI, TWO_PI_LOW, add, plus, revolutions_and_rest
+from hophoop.kernel.panels.anchor import NONE, Anchor
 from hophoop.kernel.physics.body import UNDETERMINED
 from hophoop.kernel.physics.modes import UNDECIDED
-from hophoop.kernel.records.state import State, moved
+from hophoop.kernel.records.state import State
 
 GOING = -1  # status of a motion that has not ended
 START_LEVEL = 2  # level of the first panel of a phase
@@ -60,24 +61,25 @@ class Phase(NamedTuple):
     level: int  # level of the next panel's width
     ending: int  # Ending of the piece of motion before this state
     status: int  # GOING, or the Status at the end of the motion
+    anchor: Anchor  # of rolling
 
 
 @inline
 def begin_phase(mode, state, ending):
     """Start a phase; an UNDECIDED mode ends the motion."""
-    return Phase(mode, state, True, START_LEVEL, ending, UNDETERMINED if mode == UNDECIDED else GOING)
+    return Phase(mode, state, True, START_LEVEL, ending, UNDETERMINED if mode == UNDECIDED else GOING, NONE)
 
 
 @inline
-def continue_phase(phase, state, level, ending):
+def continue_phase(phase, state, level, ending, anchor):
     """Continue the phase from `state`."""
-    return Phase(phase.mode, state, False, level, ending, GOING)
+    return Phase(phase.mode, state, False, level, ending, GOING, anchor)
 
 
 @inline
 def end_motion(phase, mode, state, ending, status):
     """End the motion in a mode and state."""
-    return Phase(mode, state, False, phase.level, ending, status)
+    return Phase(mode, state, False, phase.level, ending, status, phase.anchor)
 
 
 # --- limits ------------------------------------------------------------------------------------------------------------------
@@ -171,4 +173,4 @@ def at_span(limits, state, direction):
     th, low = plus(limits.th, limits.th_low, direction * limits.span_rest)
     th, low = plus(th, low, direction * limits.span_low)
     revolutions = limits.revolutions + direction * limits.span_turns
-    return moved(state, state.t, state.t_low, state.x, state.x_low, state.y, revolutions, th, low)
+    return replaced(state, revolutions=revolutions, th=th, th_low=low)

@@ -6,6 +6,7 @@ import math
 
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.circular import cosine, sine_cosine
+from hophoop.kernel.panels.anchor import NONE, rolling_anchor
 from hophoop.kernel.panels.panel import FLY, HOLD, LINEAR, no_panel
 from hophoop.kernel.physics.body import (
     BUFFER,
@@ -34,7 +35,6 @@ from hophoop.kernel.records.layout import EVENTS, SEGMENTS, Outcome, new_scratch
 from hophoop.kernel.records.writing import count_panel, event_without_jump, has_room, new_log, write_plain_event, write_segment
 from hophoop.kernel.rigid.contact_phase import contact_step, remains_at_rest
 from hophoop.kernel.rigid.flight_phase import begin_skim, flight_step, land, skim_step
-from hophoop.kernel.rigid.panel_choice import set_anchor
 from hophoop.kernel.rigid.panel_events import CLOSE
 from hophoop.kernel.rigid.phase import (
     GOING,
@@ -67,11 +67,11 @@ def begin_massless(body, state, given, log):
         if state.y == 0.0 and state.vn == 0.0:
             mode = slip_mode(1 if state.vt > 0.0 else -1)
         write_plain_event(log, START, FLIGHT if mode == FLIGHT else -1, mode, state)
-        return Phase(mode, state, False, START_LEVEL, Ending.CONTINUES, UNDETERMINED)
+        return Phase(mode, state, False, START_LEVEL, Ending.CONTINUES, UNDETERMINED, NONE)
     mode = ROLL
     write_plain_event(log, START, -1, ROLL, state)
     if down and state.om != 0.0:  # load on the plane: the rotation has no energy, so nothing determines it
-        return Phase(mode, state, False, START_LEVEL, Ending.CONTINUES, UNDETERMINED)
+        return Phase(mode, state, False, START_LEVEL, Ending.CONTINUES, UNDETERMINED, NONE)
     if not down and not can_roll(body, state.th, state.om):
         mode, state = begin_skim(body, state, log)
     return begin_phase(mode, state, Ending.CONTINUES)
@@ -85,7 +85,7 @@ def goes_on_slipping(body, mode, state):
         return False
     s, c = sine_cosine(state.th, state.th_low)
     rho = resistance_arm(body, s, c, state.om, sigma)
-    if not slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)[1] > 0.0:
+    if not slip_coefficients(body, s, c, sigma, rho)[1] > 0.0:
         return False
     alpha, normal, rate = slip_motion(body, s, c, state.om * state.om, sigma, rho)
     size = body.gn + abs(body.gt) + state.om * state.om + 2.0 * abs(alpha) + body.mu_k * normal
@@ -103,7 +103,7 @@ def ends_in_lift_off(body, mode, state):
 
 
 @noinline
-def begin_in_mode(body, mode, state, log, scratch):
+def begin_in_mode(body, mode, state, log):
     """Start the motion in the mode of a state of another motion, which the rule may miss by rounding.
 
     Rolling whose friction is used up in this state ends at once.
@@ -113,11 +113,11 @@ def begin_in_mode(body, mode, state, log, scratch):
     if mode != ROLL:
         return phase
     s, c = sine_cosine(state.th, state.th_low)
-    return continue_phase(phase, set_anchor(body, 0, state, s, c, scratch), phase.level, Ending.CONTINUES)
+    return continue_phase(phase, state, phase.level, Ending.CONTINUES, rolling_anchor(body, state, s, c))
 
 
 @noinline
-def begin(body, start, given, log, scratch):
+def begin(body, start, given, log):
     """Start the motion, in a given mode or BY_RULE: write its START event and return its first phase."""
     state = start
     if body.kap == 0.0:
@@ -128,7 +128,7 @@ def begin(body, start, given, log, scratch):
             return land(body, state, log)
         return begin_phase(FLIGHT, state, Ending.CONTINUES)
     if (given == ROLL and state.vt == 0.0) or goes_on_slipping(body, given, state):
-        return begin_in_mode(body, given, state, log, scratch)
+        return begin_in_mode(body, given, state, log)
     if ends_in_lift_off(body, given, state):
         write_plain_event(log, START, -1, FLIGHT, state)
         return begin_phase(FLIGHT, state, Ending.LIFT_OFF)
@@ -248,7 +248,7 @@ def run(body, start, mode, t_end, angle_span, stop, events, segments, scratch):
 def run_within(body, start, mode, limits, events, segments, scratch):
     """Compute a motion within its limits, as `run` does."""
     log = new_log(events, segments, scratch)
-    return follow(body, begin(body, start, mode, log, scratch), limits, log, scratch)
+    return follow(body, begin(body, start, mode, log), limits, log, scratch)
 
 
 def run_cell(tables, until):

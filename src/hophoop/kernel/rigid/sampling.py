@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from hophoop.kernel.native import replaced
 from hophoop.kernel.numerics.arithmetic import plus
 from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing
@@ -28,7 +29,7 @@ from hophoop.kernel.physics.contact import (
 )
 from hophoop.kernel.physics.modes import slip_direction
 from hophoop.kernel.records.layout import COLUMNS, new_scratch
-from hophoop.kernel.records.state import flown, moved, whole_angle, with_losses, with_velocities
+from hophoop.kernel.records.state import flown, whole_angle
 from hophoop.kernel.records.writing import find_segment, panel_of, state_of
 from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
 from hophoop.kernel.rigid.flight_phase import time_to_strike
@@ -61,7 +62,7 @@ def contact_force(body, sigma, th, th_low, om, rho):
     s, c = sine_cosine(th, th_low)
     if sigma == 0:
         return rolling_forces(body, s, c, om * om, rho)
-    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma, rho)
+    _, stiffness = slip_coefficients(body, s, c, sigma, rho)
     normal = body.kap * slip_load(body, c, om * om, stiffness)
     return -sigma * body.mu_k * normal, normal
 
@@ -85,9 +86,8 @@ def state_without_rotation(body, sigma, state, t, tau):
     slid = state.vt * tau + 0.5 * rate * tau * tau
     loss = sigma * body.mu_k * body.gn * slid if sigma != 0 else 0.0
     x, x_low = plus(state.x, state.x_low, slid)
-    now = moved(state, t, 0.0, x, x_low, 0.0, state.revolutions, state.th, state.th_low)
-    now = with_velocities(now, state.vt + rate * tau, 0.0, 0.0)
-    return with_losses(now, state.friction + loss, state.impact_n, state.impact_t, state.rolling_loss)
+    vt = state.vt + rate * tau
+    return replaced(state, t=t, t_low=0.0, x=x, x_low=x_low, vt=vt, vn=0.0, om=0.0, friction=state.friction + loss)
 
 
 def state_in_skim(body, direction, state, t, tau, strikes):
@@ -100,15 +100,15 @@ def state_in_skim(body, direction, state, t, tau, strikes):
         om = direction * math.inf
     else:
         x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, direction, tau)
-    now = moved(state, t, 0.0, x, 0.0, 0.0, state.revolutions, th, 0.0)
-    return with_velocities(now, vt, 0.0, om), load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
+    now = replaced(state, t=t, t_low=0.0, x=x, x_low=0.0, th=th, th_low=0.0, vt=vt, vn=0.0, om=om)
+    return now, load_energy(along + body.gt * tau, s * state.om + body.gn * tau)
 
 
 def sample(body, segments, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     scratch = new_scratch()
     solved = -1
-    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for k in range(times.shape[0]):
         index = find_segment(segments["t"], times[k], left)

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.native import inline, noinline, replaced
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
-from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import (
     BOUNCE_LIMIT,
     FLIGHT,
@@ -37,10 +36,10 @@ from hophoop.kernel.physics.modes import (
     slip_direction,
     slip_mode,
 )
-from hophoop.kernel.records.state import with_anchor, with_losses, with_velocities
 from hophoop.kernel.records.writing import PendingEvent, event_without_jump, record_doubt, write_event, write_plain_event
 from hophoop.kernel.rigid.panel_events import CLOSE, SMALLEST_SQUARE
 
+P_SIGMA_ROUNDING = 4e-15  # of κ p_σ, relative to its terms
 GAIN_FLOOR = 1e-14  # relative to the energy of the impact; a smaller gain is rounding
 
 
@@ -48,10 +47,7 @@ GAIN_FLOOR = 1e-14  # relative to the energy of the impact; a smaller gain is ro
 def collide(body, rest, state, kind, mode, collision):
     """Return (state after, cause) of an impact."""
     s, c = sine_cosine(state.th, state.th_low)
-    p_sigma = math.nan
-    if state.vn == 0.0 and state.vt != 0.0 and body.kap > 0.0 and not math.isinf(body.mu_k):
-        p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, 1 if state.vt > 0.0 else -1, 0.0)[1] / body.kap
-    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn, p_sigma)
+    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn)
     om = state.om + spin
     gain = -(loss_n + loss_t)
     if gain <= GAIN_FLOOR * (abs(loss_n) + abs(loss_t) + state.vn * state.vn):
@@ -59,8 +55,7 @@ def collide(body, rest, state, kind, mode, collision):
     cause = PendingEvent(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
     losses_n = state.impact_n + loss_n
     losses_t = state.impact_t + loss_t
-    after = with_anchor(with_velocities(state, vt, vn, om), NONE)  # the anchor's quantity is not conserved by an impact
-    return with_losses(after, state.friction, losses_n, losses_t, state.rolling_loss), cause
+    return replaced(state, vt=vt, vn=vn, om=om, impact_n=losses_n, impact_t=losses_t), cause
 
 
 @noinline
@@ -72,8 +67,7 @@ def end_bounces(body, state):
     # μ = ∞: the impulse that stops the slip lifts the rim; a second impulse that stops the rim dissipates as little
     s, c = sine_cosine(state.th, state.th_low)
     spin, p_n, p_t, loss = stop_impulse(body, s, c, after.vn)
-    still = with_velocities(state, 0.0, 0.0, after.om + spin)
-    still = with_losses(still, state.friction, after.impact_n + loss, after.impact_t, state.rolling_loss)
+    still = replaced(after, vt=0.0, vn=0.0, om=after.om + spin, impact_n=after.impact_n + loss)
     p_n += cause.p_n
     p_t += cause.p_t
     return still, PendingEvent(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
@@ -88,6 +82,13 @@ def write_cause(log, cause, mode, state):
 
 
 @noinline
+def is_singular(body, sigma, om, s, c):
+    """Return True if p_σ of slip is zero within rounding."""
+    arm, stiffness = slip_coefficients(body, s, c, sigma, resistance_arm(body, s, c, om, sigma))
+    return abs(stiffness) <= P_SIGMA_ROUNDING * (body.kap + abs(body.eps * s * arm))
+
+
+@noinline
 def mode_is_in_doubt(body, state):
     """Return True if rounding of a state in contact may decide the mode that follows."""
     if body.kap == 0.0 or body.mu_s == 0.0 or math.isinf(body.mu_s):
@@ -99,8 +100,8 @@ def mode_is_in_doubt(body, state):
         return False
     opening = abs(free_acceleration(body, s, c, u)[1])
     if state.vt != 0.0:
-        # p_σ ≈ 0 is left to double precision: the force is unbounded there, and extended precision would never finish
-        return opening <= CLOSE * (body.gn + body.eps * u)
+        sigma = 1 if state.vt > 0.0 else -1
+        return is_singular(body, sigma, state.om, s, c) or opening <= CLOSE * (body.gn + body.eps * u)
     friction, normal = rolling_forces(body, s, c, state.om * state.om, resistance_arm(body, s, c, state.om, 0))
     a, b = cone_weights(body.mu_s)
     margin = a * normal - b * abs(friction)
@@ -128,7 +129,7 @@ def resolve_mode(body, state, cause, log):
             write_cause(log, cause, FLIGHT, state)
             return FLIGHT, state
         if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as at the phase's start
-            state = with_velocities(state, state.vt, state.vn, 0.0)
+            state = replaced(state, om=0.0)
         if mode_is_in_doubt(body, state):
             record_doubt(log.doubt, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
@@ -164,20 +165,18 @@ def resolve_painleve_singularity(body, mode, state, log):
     s, c = sine_cosine(state.th, state.th_low)
     sigma = slip_direction(mode)
     rho = resistance_arm(body, s, c, state.om, sigma)
-    torque, distance = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
+    torque, distance = slip_coefficients(body, s, c, sigma, rho)
     found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma, torque, distance)
     if not found:
         return False, *undecided(body, state, log)
     if sigma * state.vt <= 0.0:  # v_t is used up: slip has ended, since an impulse would accelerate it
-        mode, after = resolve_mode(
-            body, with_velocities(state, 0.0, 0.0, state.om), event_without_jump(STICK, mode, state), log
-        )
+        mode, after = resolve_mode(body, replaced(state, vt=0.0, vn=0.0), event_without_jump(STICK, mode, state), log)
         return False, mode, after
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om, rho)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss
     rolling_loss = state.rolling_loss + 0.5 * rho * (state.om + om) * p_n
-    after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses, rolling_loss)
+    after = replaced(state, vt=vt, vn=0.0, om=om, impact_t=losses, rolling_loss=rolling_loss)
     if jams:
         cause = PendingEvent(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
         write_event(log, cause, mode, after, 0.0, -1)

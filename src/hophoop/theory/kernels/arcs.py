@@ -20,16 +20,14 @@ def first_maximum(body):
     """
     if not has_equilibria(body):
         return math.nan
-    angle, low = rolling_unstable_equilibrium(body)
-    return angle + low
+    return rolling_unstable_equilibrium(body)
 
 
 def first_valley(body):
     """Angle of the valley after `first_maximum`."""
     if not has_equilibria(body):
         return math.nan
-    angle, low = rolling_stable_equilibrium(body, rolling_unstable_equilibrium(body), 1.0)
-    return angle + low
+    return rolling_stable_equilibrium(body, rolling_unstable_equilibrium(body), 1.0)
 
 
 def next_of(angle, start, way):
