@@ -54,6 +54,15 @@ def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
     assert with_scatter(track, Sigma(omegas=0.1), rough) == (track, {})
 
 
+@pytest.mark.parametrize(("kind", "seed"), [("phone50", 200), ("phone100", 5)])
+def test_errors_of_a_phone_cover_the_steps_of_its_sum_of_squares(kind, seed):
+    """By the slopes at the minimum the restitution was 7 and 5 errors off."""
+    (row,) = measure(kind, 1, seed, spoilt=0)
+    assert row["good"]
+    assert all(within(row, name) for name in TRUTH)
+    assert row["errors"]["restitution"] < 0.2
+
+
 @pytest.mark.random
 @pytest.mark.slow
 @pytest.mark.timeout(1200)

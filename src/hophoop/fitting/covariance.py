@@ -12,6 +12,8 @@ Floats = NDArray[np.float64]
 
 FEWEST = 30  # residuals for an estimate of the autocorrelation
 CERTAIN = 3.0  # standard deviations of a significant autocorrelation
+FIRST = 5  # lags that are tested
+LONGEST = 0.98  # maximum correlation of errors from one frame to the next
 ROUNDING = 1e-6  # mean square of residuals that are rounding
 WINDOW = 5.0  # lags that are summed, over the sum: later ones add chance
 ROBUST = 1.05  # variance with the robust loss over that of least squares, for normal errors
@@ -55,10 +57,15 @@ def autocorrelation_time(values: Floats) -> float:
     if count < FEWEST or size < ROUNDING:
         return 1.0
     lags = np.arange(1, count // 4)
-    sums = 1.0 + 2.0 * np.cumsum([np.nansum(values[lag:] * values[:-lag]) / (size * count) for lag in lags])
+    alike = np.array([np.nanmean(values[lag:] * values[:-lag]) / size for lag in lags])
+    early = alike[:FIRST]
+    if max(early[0] * np.sqrt(count), early.mean() * np.sqrt(FIRST * count)) < CERTAIN:
+        return 1.0
+    sums = 1.0 + 2.0 * np.cumsum(alike)
     until = int(np.argmax([*(lags[:-1] >= WINDOW * sums[:-1]), True]))
-    error = 2.0 * np.sqrt((until + 1) / count)
-    return float(sums[until]) if sums[until] - 1.0 > CERTAIN * error else 1.0
+    # if all of the errors fade at one rate, the first lag gives their sum; that of residuals is too small
+    first = float(np.clip(early[0], 0.0, LONGEST))
+    return max(float(sums[until]), (1.0 + first) / (1.0 - first))
 
 
 def inverse(information: Floats) -> Floats:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from hophoop.fitting.guess import SPREADS
 from hophoop.fitting.problem import Problem
 from hophoop.fitting.solving import (
     CONFIDENT,
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
 AGREES = 4.0  # rise of the sum of squares at an end of a range that the data agree with: two standard deviations
 NEAR = 9.0  # rise at an end that is near: three standard deviations
+ASIDE = (-3.0, 3.0)  # distances of the sum of squares that errors are compared with [standard deviations]
 STEPS = 12  # of a search for a limit
 FINE = 0.01  # accuracy of a limit, over its distance from the end
 NOT_SEEN = ("", float("nan"))
@@ -62,6 +64,8 @@ def with_limits(
     gone = unobserved(problem.motions(solution.minimum.values)) & set(blind)
     solution, limits = one_sided_limits(problem, solution, [name for name in wanted if name not in gone], robust)
     limits |= {name: NOT_SEEN for name in wanted if name in gone or name not in (*solution.free, *limits)}
+    if any(piece.channel.name == "omega" for piece in problem.pieces):
+        solution = covering(problem, solution, robust)
     return solution, limits, problem.motions(solution.minimum.values)
 
 
@@ -110,6 +114,29 @@ def one_sided_limits(problem: Problem, solution: Solution, names: Sequence[str],
         own = np.array([change.get(name, 0.0) for name in solution.free])
         covariance += np.outer(own, own)
     return solution._replace(covariance=covariance), limits
+
+
+def covering(problem: Problem, solution: Solution, robust: bool) -> Solution:
+    """Return a solution with standard deviations of at least those that the sum of squares has further away.
+
+    The sum of squares of an angular velocity is a staircase: an impact that passes a measured value is a step. So its slopes at
+    the minimum do not suffice, and each parameter of the contact is held on both sides.
+    """
+    params, here = changed(solution.minimum.params, {}, solution.free), solution.minimum
+    spread, result = spread_of(problem, here.cost, len(solution.free)), solution
+    for name in SPREADS:
+        if name not in solution.free or not np.isfinite(solution.covariance).all():
+            continue
+        place = solution.free.index(name)
+        for far in ASIDE:
+            value = here.values[name] + far * float(np.sqrt(spread * solution.covariance[place, place]))
+            value = float(np.clip(value, params[name].min, params[name].max))
+            there = held(changed(params, solution.values_at(name, value)), {name: value})
+            other, _ = approach(problem, there, robust)
+            away = np.sqrt(max((other.cost - here.cost) / spread, 1.0))  # [standard deviations]
+            for one in solution.free:
+                result = result.with_error(one, abs(other.values[one] - here.values[one]) / away)
+    return result
 
 
 def _ends(problem: Problem, params: Parameters, solution: Solution, name: str, robust: bool) -> list[End]:
