@@ -27,7 +27,10 @@ from truth import scored, truths
 
 HEADS = ("motion", "phases", "take-off (°)", "hop (mm)", "θ (°)", "behind", "ahead of")
 LEFT = (0, 1, 5, 6)  # columns of words
-LEGEND = "Nearer to 0 is better; θ orders the engines of the page at 1 ms, each with its better settings. ✓: all phases right."
+LEGEND = (
+    "Nearer to 0 is better. ✓: all phases right. The engines of the page are ordered by",
+    "θ, each with its better settings at 1 ms.",
+)
 OURS = ("hophoop", "compliant", "scipy")  # no engines
 
 
@@ -73,7 +76,7 @@ def lines_of(found: Sequence[Scored]) -> list[str]:
     ]
     missing = [name for name in scored() if name not in {one.scenario for one in found}]
     absent = f"; no record of {', '.join(missing)}" if missing else ""
-    return [*lines, LEGEND, f"{count_right(found)} of {len(scored())} right{absent}"]
+    return [*lines, *LEGEND, f"{count_right(found)} of {len(scored())} right{absent}"]
 
 
 def neighbours(scenario: str, error: float) -> tuple[str, str]:
