@@ -32,7 +32,7 @@ from hophoop.scenario.paths import ENDS
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import colors, names
 from hophoop.vocabulary.names import EVENTS, FATES, SIGNS, STATUSES, identifier, plain
-from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, TABLE, Parameter, Range, section_of
+from hophoop.vocabulary.parameters import RANGES, TABLE, Parameter, Range, section_of
 from hophoop.vocabulary.quantities import COLUMNS
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
@@ -210,10 +210,10 @@ def _places(template: str) -> str:
 
 def _rule(rule: Rule) -> dict[str, Any]:
     """Return a rule; a range in its sentence is given by its ends."""
-    ranges = [*((RANGES[row.path], row.unit) for row in TABLE if row.path in RANGES), (RELATIVE_STIFFNESS, "")]
-    ranges.append((RELATIVE_SLIP_SPEED, ""))
-    spoken = {allowed.words(unit): _range(allowed, unit) for allowed, unit in ranges}
-    known = {name: spoken.get(value, value) if name == "words" else value for name, value in rule.known.items()}
+    known = {
+        name: _range(value.range, value.unit) if isinstance(value, Number) and value.range else value
+        for name, value in rule.known.items()
+    }
     return _written({**rule._asdict(), "known": known})  # type: ignore[no-any-return]
 
 

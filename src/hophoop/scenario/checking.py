@@ -125,6 +125,11 @@ class Number:
     unit: str
 
     @property
+    def words(self) -> str:
+        """The range in words."""
+        return self.range.words(self.unit) if self.range else ""
+
+    @property
     def endless(self) -> bool:
         """Whether it may be infinite."""
         return self.range is not None and math.inf in self.range.also
@@ -144,7 +149,7 @@ class Number:
         if not (math.isfinite(number) or self.endless):
             raise _wrong("finite_number")
         if self.range is not None and not self.range.holds(number):
-            raise _wrong("range", words=self.range.words(self.unit))
+            raise _wrong("range", words=self.words)
         return number
 
     def whole(self, value: Any) -> int | None:
@@ -385,7 +390,7 @@ class Rule(NamedTuple):
     values : dict of str to str
         Paths of a scenario, by the names in the sentence.
     known : dict
-        What is the same for all scenarios, likewise.
+        What is the same for all scenarios, likewise; a `Number` gives the words of its range.
     number : str, default ''
         The name in the sentence of the number that `refusal` returns.
     """
@@ -396,12 +401,12 @@ class Rule(NamedTuple):
     number: str = ""
 
 
-_INERTIA = {"words": RANGES["hoop.inertia_ratio"].words()}
-_STIFFNESS = {"unit": "m g/R", "words": RELATIVE_STIFFNESS.words()}
-_SLIP_SPEED = {"unit": "√(g R)", "words": RELATIVE_SLIP_SPEED.words()}
+_INERTIA = {"words": Number(RANGES["hoop.inertia_ratio"], "1")}
+_STIFFNESS = {"unit": "m g/R", "words": Number(RELATIVE_STIFFNESS, "1")}
+_SLIP_SPEED = {"unit": "√(g R)", "words": Number(RELATIVE_SLIP_SPEED, "1")}
 
 RULES: Final[dict[Refusal, Rule]] = {
-    Refusal.HOOP_MASS: Rule("hoop_mass", {"mass": "hoop.mass"}, {"words": RANGES["hoop.mass"].words("kg")}),
+    Refusal.HOOP_MASS: Rule("hoop_mass", {"mass": "hoop.mass"}, {"words": Number(RANGES["hoop.mass"], "kg")}),
     Refusal.PARTS_CENTER: Rule("parts_center", {"eccentricity": "hoop.eccentricity"}),
     Refusal.LOAD_INERTIA: Rule(
         "load_inertia", {"load_fraction": "hoop.load_fraction", "inertia_ratio": "hoop.inertia_ratio"}, _INERTIA
@@ -412,7 +417,7 @@ RULES: Final[dict[Refusal, Rule]] = {
         "kinetic_above_static", {"mu_kinetic": "plane.mu_kinetic", "mu_static": "plane.mu_static"}
     ),
     Refusal.VERTICAL: Rule("vertical", {"slope": "plane.slope"}),
-    Refusal.SLOPE: Rule("slope", {"slope": "plane.slope"}, {"words": RANGES["plane.slope"].words("rad")}),
+    Refusal.SLOPE: Rule("slope", {"slope": "plane.slope"}, {"words": Number(RANGES["plane.slope"], "rad")}),
     Refusal.MASSLESS_SLOPE: Rule("massless_slope", {"slope": "plane.slope"}),
     Refusal.MASSLESS_RESISTANCE: Rule("massless_resistance", {"given": "plane.rolling_resistance"}),
     Refusal.RESISTANCE: Rule("resistance", {"given": "plane.rolling_resistance"}, number="most"),
@@ -441,7 +446,10 @@ def refused(code: int, scenario: Any, number: float = 0.0) -> PydanticCustomErro
     """
     rule = RULES[Refusal(code)]
     values = {name: attrgetter(path)(scenario) for name, path in rule.values.items()}
-    return refuse(say(rule.sentence, **values, **rule.known, **({rule.number: number} if rule.number else {})))
+    if rule.number:
+        values[rule.number] = number
+    known = {name: value.words if isinstance(value, Number) else value for name, value in rule.known.items()}
+    return refuse(say(rule.sentence, **values, **known))
 
 
 # --- from what pydantic found to a sentence ---------------------------------------------------------
