@@ -25,7 +25,7 @@ from scores import Scores, score
 from table import COMMON_STEP, KEPT, LIGHT_GRAY, VERMILION, number, score_cells
 from truth import scored, truths
 
-HEADS = ("motion", "phases", "take-off (°)", "hop (mm)", "θ (°)", "behind", "ahead of")
+HEADS = ("motion", "phases", "take-off °", "hop mm", "θ °", "behind", "ahead of")
 LEFT = (0, 1, 5, 6)  # columns of words
 LEGEND = (
     "Nearer to 0 is better. ✓: all phases right. The engines of the page are ordered by",
