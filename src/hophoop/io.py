@@ -16,7 +16,7 @@ from hophoop._support.checksum import CHECKSUM, checksum, is_broken
 from hophoop._support.extras import need
 from hophoop._support.files import ignore_foreign_zarr_files
 from hophoop._version import __version__
-from hophoop.kernel.physics import Status
+from hophoop.kernel.model import Status
 from hophoop.results.save import (
     FINGERPRINT,
     SCHEMA,

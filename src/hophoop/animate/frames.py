@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.animate.look import TAGS, as_tuple, labels_of
-from hophoop.kernel.physics import EVENT_NAMES
+from hophoop.kernel.model import EVENT_NAMES
 from hophoop.results.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, to_world, turned_at
 from hophoop.scenario import InputError
 from hophoop.scenario.scenario import time_unit

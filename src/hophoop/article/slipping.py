@@ -10,7 +10,7 @@ import numpy as np
 from hophoop import theory
 from hophoop.article.runs import LONG, Runs, bisect, largest
 from hophoop.article.statement import Result
-from hophoop.kernel.physics import inertia_at_height
+from hophoop.kernel.model import inertia_at_height
 from hophoop.scenario import Hoop, Plane, Scenario, Start, to_body
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory

@@ -10,8 +10,8 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Any
 
+from hophoop.kernel.model import Body
 from hophoop.kernel.native import inline
-from hophoop.kernel.physics import Body
 
 # What changes in a body; END is the duration.
 EPS, KAP, MU_S, MU_K, GN, GT, REST, END, RESIST = range(9)

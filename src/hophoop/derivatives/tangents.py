@@ -47,9 +47,9 @@ from hophoop.derivatives.layout import (
 )
 from hophoop.derivatives.pieces.flight_and_rest import accelerations, skims_plane
 from hophoop.derivatives.pieces.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
+from hophoop.kernel.model import Event, Mode, impact, slip_direction
 from hophoop.kernel.native import noinline, replaced
 from hophoop.kernel.numerics.circular import sine, sine_cosine
-from hophoop.kernel.physics import Event, Mode, impact, slip_direction
 from hophoop.kernel.records import state_of
 from hophoop.kernel.steps import FLY, HOLD, LINEAR, SKIMMING
 

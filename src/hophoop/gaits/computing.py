@@ -13,8 +13,8 @@ from hophoop.gaits.kernels.cells import judge_cells
 from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, NUMBERS, SECTIONS, Buffers, Request
 from hophoop.gaits.kernels.passages import SIZE, follow_passages, lands_no_more
 from hophoop.gaits.results import Passages
+from hophoop.kernel.model import Status
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import Status
 from hophoop.kernel.records import EVENT, SEGMENT, State, mode_of, new_scratch, second_of, start_of
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.names import FATE_CODES, Fate

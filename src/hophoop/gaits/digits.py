@@ -15,7 +15,7 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.maps import coordinates
-from hophoop.kernel.physics import Event, Status
+from hophoop.kernel.model import Event, Status
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Problem
 from hophoop.precise.result import Units

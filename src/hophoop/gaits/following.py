@@ -12,7 +12,7 @@ from hophoop.gaits.branch import BORDER, DOUBLING, END, FOLD, JOINS, LIMIT, TOP,
 from hophoop.gaits.differences import Floats
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.maps import Image, SectionMap, value_of
-from hophoop.kernel.physics import MODE_LETTERS
+from hophoop.kernel.model import MODE_LETTERS
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
 

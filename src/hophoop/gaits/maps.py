@@ -16,9 +16,9 @@ from hophoop.gaits.differences import Floats, Values, derivative_matrix, differe
 from hophoop.gaits.kernels.layout import BRANCHES, INTEGERS, MODE, OMEGA, SECTIONS, SLIP, THETA, TURNS, VY, Request
 from hophoop.gaits.kernels.passages import follow_passages
 from hophoop.gaits.results import Lyapunov, Passages
+from hophoop.kernel.model import MODE_LETTERS, Body, Mode, inertia_at_height, slip_direction
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.arithmetic import TWO_PI
-from hophoop.kernel.physics import MODE_LETTERS, Body, Mode, inertia_at_height, slip_direction
 from hophoop.kernel.records import (
     CELL,
     Cell,

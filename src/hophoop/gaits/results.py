@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.gaits.kernels.layout import COLUMNS
+from hophoop.kernel.model import MODE_LETTERS
 from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW
-from hophoop.kernel.physics import MODE_LETTERS
 from hophoop.kernel.records import unpacked_sequence
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start

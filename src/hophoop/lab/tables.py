@@ -17,7 +17,7 @@ from pydantic.fields import FieldInfo
 
 from hophoop._version import __version__
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
-from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS
+from hophoop.kernel.model import EVENT_NAMES, MODE_LETTERS
 from hophoop.kernel.records import Refusal
 from hophoop.lab import limits
 from hophoop.lab.limits import LAB

@@ -8,7 +8,7 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.return_map import ReturnMap
-from hophoop.kernel.physics import MODE_LETTERS
+from hophoop.kernel.model import MODE_LETTERS
 from hophoop.plots.style import Axes, finish, new_axes
 from hophoop.vocabulary import colors
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from hophoop.kernel.physics import cone_weights, resistance_arm
+from hophoop.kernel.model import cone_weights, resistance_arm
 from hophoop.kernel.records import State
 from hophoop.kernel.steps import Ending
 from hophoop.precise.jam import NEAR, approach, ending, missing_angle

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop.kernel.physics import flight_displacement, free_acceleration
+from hophoop.kernel.model import flight_displacement, free_acceleration
 from hophoop.kernel.records import State
 from hophoop.kernel.steps import Flight, landing_time_bound
 from hophoop.precise.kernels import Number

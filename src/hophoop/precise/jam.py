@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from hophoop.kernel.physics import (
+from hophoop.kernel.model import (
     kappa_p_sigma_slope,
     kinetic_energy,
     potential_energy,

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from hophoop.kernel.physics import Event, Mode, Status, acceleration_in_contact, next_mode, slip_direction
+from hophoop.kernel.model import Event, Mode, Status, acceleration_in_contact, next_mode, slip_direction
 from hophoop.kernel.records import PendingEvent, State, event_without_jump
 from hophoop.kernel.steps import (
     BY_RULE,

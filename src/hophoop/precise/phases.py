@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from operator import mul
 
-from hophoop.kernel.physics import resistance_arm
+from hophoop.kernel.model import resistance_arm
 from hophoop.kernel.records import State
 from hophoop.precise.kernels import Number
 from hophoop.precise.problem import Body, Fixed

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from mpmath import MPContext
 
-from hophoop.kernel.physics import MODE_LETTERS
+from hophoop.kernel.model import MODE_LETTERS
 from hophoop.kernel.records import State
 from hophoop.precise.kernels import Kernels, Number, numbers_of
 from hophoop.precise.series import Work

@@ -7,7 +7,7 @@ from decimal import Decimal
 from functools import cached_property
 from typing import Any
 
-from hophoop.kernel.physics import EVENT_NAMES, STATUS_NAMES, kinetic_energy, potential_energy
+from hophoop.kernel.model import EVENT_NAMES, STATUS_NAMES, kinetic_energy, potential_energy
 from hophoop.precise.kernels import Number
 from hophoop.precise.motion import Record
 from hophoop.precise.problem import Body

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from hophoop.kernel.physics import Status
+from hophoop.kernel.model import Status
 from hophoop.precise.contact import Stiff
 from hophoop.precise.kernels import Number
 from hophoop.precise.motion import Record, Run

@@ -9,13 +9,12 @@ from functools import cache
 from types import FunctionType, SimpleNamespace
 from typing import Any
 
-from hophoop.kernel.native.marks import source_of
-from hophoop.kernel.physics import STATUS_NAMES as STATUS_NAMES
-from hophoop.kernel.physics import Event as Event
-from hophoop.kernel.physics import ImpactLaw as ImpactLaw
-from hophoop.kernel.physics import Mode as Mode
-from hophoop.kernel.physics import Status as Status
-from hophoop.kernel.physics import (
+from hophoop.kernel.model import STATUS_NAMES as STATUS_NAMES
+from hophoop.kernel.model import Event as Event
+from hophoop.kernel.model import ImpactLaw as ImpactLaw
+from hophoop.kernel.model import Mode as Mode
+from hophoop.kernel.model import Status as Status
+from hophoop.kernel.model import (
     acceleration_in_contact,
     contact_arms,
     flight_displacement,
@@ -34,7 +33,8 @@ from hophoop.kernel.physics import (
     stick_rates,
     torque_at_rest,
 )
-from hophoop.kernel.physics import slip_direction as slip_direction
+from hophoop.kernel.model import slip_direction as slip_direction
+from hophoop.kernel.native.marks import source_of
 from hophoop.kernel.records import STOP_AT_TAKEOFF as STOP_AT_TAKEOFF
 from hophoop.kernel.records import STOP_AT_TURN as STOP_AT_TURN
 from hophoop.kernel.records import PendingEvent as PendingEvent

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support import tables
+from hophoop.kernel.model import EVENT_NAMES, MODE_LETTERS, utilizations
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS, utilizations
 from hophoop.results.event_table import change_of, text_table
 from hophoop.results.units import Units
 from hophoop.scenario import Plane, Scenario

@@ -22,8 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support.checksum import CHECKSUM, checksum, seal
 from hophoop._support.extras import need
 from hophoop._support.files import consolidate, netcdf_errors, replacing
+from hophoop.kernel.model import EVENT_NAMES, MODE_LETTERS
 from hophoop.kernel.native.sources import stamp
-from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS
 from hophoop.results.records import ArraySample, Motion
 from hophoop.scenario import InputError
 from hophoop.vocabulary.names import MODE_WORDS

@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.kernel.model import Scales, scales_from
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import Scales, scales_from
 from hophoop.kernel.records import kernel_times
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import time_unit

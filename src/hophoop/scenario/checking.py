@@ -18,7 +18,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError, core_schema
 
 from hophoop._support.errors import InputError, plain, shortened, shown
-from hophoop.kernel.physics import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
+from hophoop.kernel.model import MOST_DEPTH, MOST_HEIGHT, MOST_SPEED
 from hophoop.kernel.records import Refusal
 from hophoop.vocabulary.parameters import PARAMETERS, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, TABLE, Range, section_of
 

@@ -12,7 +12,7 @@ from typing import Any
 from pydantic import Field, model_validator
 
 from hophoop._support.errors import InputError
-from hophoop.kernel.physics import MODE_LETTERS, Body, FrictionLaw, Mode, NormalLaw
+from hophoop.kernel.model import MODE_LETTERS, Body, FrictionLaw, Mode, NormalLaw
 from hophoop.kernel.records import CONTACT, body_of, refusal, second_of
 from hophoop.scenario.checking import Frozen, field_of, refuse, refused
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
@@ -328,8 +328,8 @@ def why_not_in_mode(cell: Any) -> str:
 
     cell: In the order of `kernel.records.cells.CELL` [SI].
     """
+    from hophoop.kernel.model import UNDECIDED, free_acceleration, next_mode
     from hophoop.kernel.numerics.circular import sine_cosine
-    from hophoop.kernel.physics import UNDECIDED, free_acceleration, next_mode
     from hophoop.kernel.records import mode_of, start_of
     from hophoop.kernel.steps import margins_of
 

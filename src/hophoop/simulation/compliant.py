@@ -32,8 +32,8 @@ from hophoop.kernel.compliant import (
     run,
     sample,
 )  # fmt: skip
+from hophoop.kernel.model import Body, Compliance, Mode, Status
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import Body, Compliance, Mode, Status
 from hophoop.kernel.records import EVENT
 from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import contact_of, time_unit, to_body

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from hophoop._support.errors import InputError
 from hophoop.derivatives.layout import MU_K, MU_S, OM, PARAMETERS, STATE_ROWS, TH, VN, VT, T, X, Y
 from hophoop.derivatives.results.propagation import transitions
+from hophoop.kernel.model import Mode
 from hophoop.kernel.numerics.arithmetic import matrix_product, weighted_sum
-from hophoop.kernel.physics import Mode
 from hophoop.results.records import EventErrors, Motion
 
 ROUNDING = 4e-16  # relative rounding of a quantity at an event

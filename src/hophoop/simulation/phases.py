@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hophoop._support.errors import check_type
-from hophoop.kernel.physics import MODE_LETTERS, PASSING, Body, Event, Mode
+from hophoop.kernel.model import MODE_LETTERS, PASSING, Body, Event, Mode
 from hophoop.kernel.steps import MARGINS, margins_of
 from hophoop.results.records import EventRecord
 from hophoop.results.units import Units

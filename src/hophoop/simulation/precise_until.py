@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from hophoop._version import __version__
-from hophoop.kernel.physics import PASSING, Event, Mode, Status
+from hophoop.kernel.model import PASSING, Event, Mode, Status
 from hophoop.kernel.records import STOP_AT_TURN, Until
 from hophoop.precise.motion import Record
 from hophoop.precise.result import PreciseMotion, motion_of

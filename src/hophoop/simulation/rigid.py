@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hophoop.kernel.model import Status, slip_direction
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import Status, slip_direction
 from hophoop.kernel.records import (
     CELL,
     COLUMNS,

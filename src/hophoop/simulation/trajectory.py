@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.fingerprint import STATE, fingerprint
-from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES, energies_after
+from hophoop.kernel.model import EVENT_NAMES, MODE_LETTERS, STATUS_NAMES, energies_after
 from hophoop.results.records import (
     ArraySample,
     EventErrors,

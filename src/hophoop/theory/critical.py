@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop.kernel.model import Body, Mode
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import Body, Mode
 from hophoop.kernel.records import EVENT, SEGMENT, new_scratch, start_state
 from hophoop.kernel.steps import BY_RULE, run
 from hophoop.scenario import Hoop, InputError, Plane

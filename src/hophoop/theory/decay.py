@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from hophoop.kernel.model import Body, delassus, inertia_at_height, rolling_forces
 from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.numerics.collocation import ORDER, coefficients, value_slope_bend
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.physics import Body, delassus, inertia_at_height, rolling_forces
 from hophoop.kernel.records import new_scratch
 from hophoop.results.units import Units
 from hophoop.scenario import Hoop, InputError, Plane, Scenario

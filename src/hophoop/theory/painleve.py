@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop.kernel.model import most_resistance
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.elementwise import cosine
-from hophoop.kernel.physics import most_resistance
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.theory._columns import Columns, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels

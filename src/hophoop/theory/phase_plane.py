@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop.kernel.model import MODE_LETTERS
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import MODE_LETTERS
 from hophoop.scenario import Hoop, Plane
 from hophoop.theory._columns import Columns
 from hophoop.theory.kernels import phase_plane as kernels

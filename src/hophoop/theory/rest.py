@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from hophoop.kernel.model import rolling_inertia
 from hophoop.kernel.numerics.elementwise import arcsine, cosine, sine, tangent
-from hophoop.kernel.physics import rolling_inertia
 from hophoop.kernel.steps import equilibrium_is_stable
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.theory.kernels.arcs import TURN, first_maximum, first_valley

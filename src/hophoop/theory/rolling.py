@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop.kernel.model import Body, Event, Mode, Status
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import Body, Event, Mode, Status
 from hophoop.kernel.records import EVENT, SEGMENT, STOP_AT_TURN, start_state, thread_scratch
 from hophoop.kernel.steps import BY_RULE, run
 from hophoop.results.records import utilization_of

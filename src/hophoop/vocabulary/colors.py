@@ -9,7 +9,7 @@ from functools import reduce
 from typing import Final
 
 from hophoop._support.errors import InputError
-from hophoop.kernel.physics import Event, Status
+from hophoop.kernel.physics.body import Event, Status
 from hophoop.vocabulary.names import FLIGHT, ROLL, SEQUENCE, SKID, SKIM, SPIN, Fate, identifier
 
 # The colours of Okabe and Ito (2008), distinct with every kind of colour blindness, and two grays.

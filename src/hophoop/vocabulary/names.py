@@ -19,7 +19,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 from hophoop._support.errors import InputError
-from hophoop.kernel.physics import MODE_LETTERS, PASSING, Event, ImpactLaw, Mode, Status
+from hophoop.kernel.physics.body import MODE_LETTERS, PASSING, Event, ImpactLaw, Mode, Status
 
 if TYPE_CHECKING:
     import numpy as np

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
-from hophoop.kernel.physics import INERTIA_RANGE, MASS_RANGE, SLIP_SPEED_RANGE, SLOPE_RANGE, STIFFNESS_RANGE
+from hophoop.kernel.physics.body import INERTIA_RANGE, MASS_RANGE, SLIP_SPEED_RANGE, SLOPE_RANGE, STIFFNESS_RANGE
 from hophoop.vocabulary.names import LAWS, NAMED_LAWS
 
 WORD: Final = ""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
-from hophoop.kernel.physics import Scales
+from hophoop.kernel.physics.body import Scales
 
 PURE: Final = ""
 UNITS: Final = {

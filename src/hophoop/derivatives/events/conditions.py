@@ -8,9 +8,7 @@ from hophoop.derivatives.layout import OM, ROLLING_LOSS, STILL, TH, VT, Reason, 
 from hophoop.derivatives.pieces.flight_and_rest import resisted_motion, step_along
 from hophoop.derivatives.pieces.panels import d_kappa_p_sigma, d_slip_after
 from hophoop.derivatives.transform import tangent_of
-from hophoop.kernel.native import noinline
-from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.physics import (
+from hophoop.kernel.model import (
     free_acceleration,
     kappa_p_sigma,
     resistance_arm,
@@ -18,6 +16,8 @@ from hophoop.kernel.physics import (
     slip_torque_arm,
     torque_at_rest,
 )
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.circular import sine_cosine
 
 d_kappa_p_sigma_by_angle = tangent_of(kappa_p_sigma, "s", "c")
 GRAZE, NONE, BORDER, SIDED = int(Reason.GRAZE), int(Reason.NONE), int(Reason.BORDER), -1

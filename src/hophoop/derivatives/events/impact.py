@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from hophoop.derivatives.layout import STILL, Reason
 from hophoop.derivatives.transform import tangent_of
+from hophoop.kernel.model import NEWTON, contact_arms, impact, impulse_ratio, slip_rates, stick_rates, stop_impulse
 from hophoop.kernel.native import noinline
-from hophoop.kernel.physics import NEWTON, contact_arms, impact, impulse_ratio, slip_rates, stick_rates, stop_impulse
 
 NONE, BORDER, PLASTIC, SIDED = int(Reason.NONE), int(Reason.BORDER), int(Reason.PLASTIC), -1
 CLOSE = 1e-10  # relative: closer to zero a quantity that decides may have either sign

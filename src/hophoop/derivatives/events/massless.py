@@ -21,9 +21,9 @@ from hophoop.derivatives.layout import (
     body_tangent,
 )
 from hophoop.derivatives.transform import tangent_of
+from hophoop.kernel.model import skim_duration, skim_state, strike
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics import skim_duration, skim_state, strike
 
 
 def struck_load(body, x, th, vt, om):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from hophoop.derivatives.layout import OM, TH, VN, VT, X, Y, body_tangent
 from hophoop.derivatives.transform import tangent_of
-from hophoop.kernel.physics import kinetic_energy, potential_energy
+from hophoop.kernel.model import kinetic_energy, potential_energy
 
 d_kinetic_energy = tangent_of(kinetic_energy, "body", "th", "om", "vt", "vn")
 d_potential_energy = tangent_of(potential_energy, "body", "x", "y", "th")

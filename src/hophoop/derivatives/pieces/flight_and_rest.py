@@ -8,10 +8,7 @@ from hophoop.derivatives.events.massless import skim_rates
 from hophoop.derivatives.layout import OM, ROLLING_LOSS, STILL, TH, VN, VT, T, X, Y, body_tangent
 from hophoop.derivatives.pieces.panels import follow_slip
 from hophoop.derivatives.transform import tangent_of
-from hophoop.kernel.native import noinline
-from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine, versine_of
-from hophoop.kernel.numerics.exponentials import hyperbolic_cosine, hyperbolic_sine
-from hophoop.kernel.physics import (
+from hophoop.kernel.model import (
     Mode,
     acceleration_in_contact,
     flight_displacement,
@@ -26,6 +23,9 @@ from hophoop.kernel.physics import (
     slip_motion,
     torque_at_rest,
 )
+from hophoop.kernel.native import noinline
+from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine, versine_of
+from hophoop.kernel.numerics.exponentials import hyperbolic_cosine, hyperbolic_sine
 from hophoop.kernel.steps import (
     Flight,
     downcrossing_between,

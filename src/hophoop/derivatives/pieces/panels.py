@@ -14,11 +14,7 @@ import numpy as np
 from hophoop.derivatives.layout import OM, RESIST, ROLLING_LOSS, TH, VT, T, X, body_tangent
 from hophoop.derivatives.transform import tangent_of
 from hophoop.derivatives.workspace import BEGIN, INTEGRATE, INTERPOLATE, OWN, RESISTED, SHIFT, SLOPE, WEIGH, integrate_row
-from hophoop.kernel.native import inline, noinline
-from hophoop.kernel.numerics.circular import sine_cosine, sine_cosine_change_by
-from hophoop.kernel.numerics.collocation import ORDER, dot, lagrange, product
-from hophoop.kernel.numerics.tables import ANTIDERIVATIVE_T, NODES, WEIGHTS
-from hophoop.kernel.physics import (
+from hophoop.kernel.model import (
     contact_arms,
     inertia_at_height,
     kappa_p_sigma,
@@ -29,6 +25,10 @@ from hophoop.kernel.physics import (
     slip_load,
     slip_torque_arm,
 )
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.circular import sine_cosine, sine_cosine_change_by
+from hophoop.kernel.numerics.collocation import ORDER, dot, lagrange, product
+from hophoop.kernel.numerics.tables import ANTIDERIVATIVE_T, NODES, WEIGHTS
 from hophoop.kernel.steps import (
     ARM,
     ARRIVE,

@@ -6,11 +6,11 @@ import math
 
 from hophoop.derivatives.layout import OM, TH, body_tangent
 from hophoop.derivatives.transform import tangent_of
+from hophoop.kernel.model import force_ratio, required_ratio, rolling_acceleration
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_and_cosine, sine_cosine
 from hophoop.kernel.numerics.collocation import ORDER
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.physics import force_ratio, required_ratio, rolling_acceleration
 from hophoop.kernel.records import panel_of, state_of
 from hophoop.kernel.steps import COSINE, SINE, U, fill_inside, solve_noinline, state_on_panel
 

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from hophoop.derivatives.layout import BEFORE_OM, OM, STATE_ROWS
 from hophoop.derivatives.workspace import Pieces, Samples, new_workspace
+from hophoop.kernel.model import Body, Event, Mode, required_ratio, resistance_arm
 from hophoop.kernel.native import compiled
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics import Body, Event, Mode, required_ratio, resistance_arm
 from hophoop.kernel.records import thread_scratch
 from hophoop.kernel.steps import HOLD
 

@@ -38,8 +38,8 @@ from hophoop.derivatives.units import (
     sizes_and_rates,
 )
 from hophoop.derivatives.workspace import KnownMotion, Pieces, Samples, Solution, new_solution, new_workspace
+from hophoop.kernel.model import Body, Event
 from hophoop.kernel.native import compiled
-from hophoop.kernel.physics import Body, Event
 from hophoop.kernel.records import thread_scratch
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError

@@ -11,8 +11,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from hophoop.derivatives.results.propagation import FIELDS, TangentSolution, WithDerivatives, unit_of
+from hophoop.kernel.model import EVENT_NAMES, PASSING, Event, Mode
 from hophoop.kernel.numerics.elementwise import cosine, sine
-from hophoop.kernel.physics import EVENT_NAMES, PASSING, Event, Mode
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
 from hophoop.vocabulary.names import phase_starts

@@ -32,10 +32,10 @@ from hophoop.gaits.kernels.layout import (
     X,
 )
 from hophoop.gaits.kernels.passages import LOST, ROWS, SIZE, TURNED, follow_passages, hops_in, lands_no_more, turns_in
+from hophoop.kernel.model import Status, inertia_at_height, kinetic_energy, potential_energy
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.arithmetic import PI
 from hophoop.kernel.numerics.exponentials import logarithm
-from hophoop.kernel.physics import Status, inertia_at_height, kinetic_energy, potential_energy
 from hophoop.kernel.records import EVENT, SEGMENT, Cell, body_of, mode_of, new_scratch, scales_of, start_of, start_state
 from hophoop.kernel.steps import BY_RULE, GOING
 from hophoop.theory.kernels.critical import slip_from_rolling

@@ -30,10 +30,7 @@ from hophoop.gaits.kernels.layout import (
     VY,
 )
 from hophoop.gaits.kernels.wells import stays_in_well
-from hophoop.kernel.native import inline, noinline
-from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
-from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.physics import (
+from hophoop.kernel.model import (
     ImpactLaw,
     Mode,
     inertia_at_height,
@@ -42,6 +39,9 @@ from hophoop.kernel.physics import (
     potential_energy,
     rolling_forces,
 )
+from hophoop.kernel.native import inline, noinline
+from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
+from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.vocabulary.names import FateCode
 
 OPEN = -1  # not decided so far

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from hophoop.kernel.physics import Mode
+from hophoop.kernel.model import Mode
 
 # One row per passage, in kernel units; times, positions and losses count from the start.
 COLUMNS = (

@@ -42,10 +42,10 @@ from hophoop.gaits.kernels.layout import (
     T,
     X,
 )
+from hophoop.kernel.model import PASSING, Event, ImpactLaw, Mode, Status, contact_arms, slip_rates
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.physics import PASSING, Event, ImpactLaw, Mode, Status, contact_arms, slip_rates
 from hophoop.kernel.records import EVENTS, PANEL_LIMIT, PANELS, add_letter, count_panel, has_room, new_log
 from hophoop.kernel.steps import GOING, ROUNDING, Ending, Limits, angle_left, begin, can_follow, continue_phase, step
 from hophoop.vocabulary.names import FateCode

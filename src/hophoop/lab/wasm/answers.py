@@ -6,7 +6,7 @@ import math
 
 from numba import carray
 
-from hophoop.kernel.physics import Mode
+from hophoop.kernel.model import Mode
 from hophoop.kernel.records import (
     AT,
     CELL,

@@ -24,7 +24,7 @@ from hophoop.kernel.compliant import (
     run,
     sample,
 )
-from hophoop.kernel.physics import Status
+from hophoop.kernel.model import Status
 from hophoop.kernel.records import CONTACT, Cell, body_of, kernel_times, scales_of
 from hophoop.lab.wasm.layout import CHOSEN, EVENT_COLUMNS, HEADS
 from hophoop.lab.wasm.motions import (

@@ -7,7 +7,7 @@ from typing import Any
 
 from hophoop.gaits.kernels import layout as fates
 from hophoop.kernel.compliant import WIDTH
-from hophoop.kernel.physics import EVENT_NAMES, MODE_LETTERS, PASSING, FrictionLaw, ImpactLaw, NormalLaw, Status
+from hophoop.kernel.model import EVENT_NAMES, MODE_LETTERS, PASSING, FrictionLaw, ImpactLaw, NormalLaw, Status
 from hophoop.kernel.records import CELL, CONTACT, EVENT, LETTERS_PER_INTEGER, MORE, SEGMENT
 from hophoop.maps.grid.kernel import ENDINGS, INTEGERS, NUMBERS, WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numba import carray
 
-from hophoop.kernel.physics import Mode, energies_after, utilization
+from hophoop.kernel.model import Mode, energies_after, utilization
 from hophoop.kernel.records import CELL, COLUMNS, PANELS, Cell, body_of, kernel_times, mode_of, new_scratch, scales_of, start_of
 from hophoop.kernel.steps import run, sample
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS

@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from hophoop.derivatives.pieces.required_friction import fill_peaks
+from hophoop.kernel.model import ROLL, SKID, SLIP_START, SPIN, TAKEOFF, required_ratio
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.physics import ROLL, SKID, SLIP_START, SPIN, TAKEOFF, required_ratio
 from hophoop.kernel.steps import HOLD
 
 PIECES, PEAKS = 32, 128  # pieces of a rolling phase that are searched together, and the most maxima of abs(F)/N on them

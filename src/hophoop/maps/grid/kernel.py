@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop.kernel.physics import PASSING, Body, Event, Mode, Status
+from hophoop.kernel.model import PASSING, Body, Event, Mode, Status
 from hophoop.kernel.records import (
     EVENT,
     EVENTS,

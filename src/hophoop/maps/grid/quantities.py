@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.kernel.physics import EVENT_NAMES, STATUS_NAMES
+from hophoop.kernel.model import EVENT_NAMES, STATUS_NAMES
 from hophoop.kernel.records import STOP_AT_TAKEOFF, STOP_AT_TURN, unpacked_sequence
 from hophoop.maps.grid import kernel, settled
 from hophoop.scenario import InputError

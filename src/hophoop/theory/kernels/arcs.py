@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop.kernel.physics import rolling_u
+from hophoop.kernel.model import rolling_u
 from hophoop.kernel.steps import has_equilibria, rolling_stable_equilibrium, rolling_unstable_equilibrium
 
 TURN = 2.0 * math.pi

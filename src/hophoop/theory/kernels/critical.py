@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
+from hophoop.kernel.model import Mode
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.arcs import arctangent
-from hophoop.kernel.physics import Mode
 from hophoop.kernel.records import EVENT, SEGMENT, STOP_AT_TAKEOFF, STOP_AT_TURN, new_scratch, start_state
 from hophoop.kernel.steps import BY_RULE, run
 from hophoop.theory.kernels.arcs import TURN

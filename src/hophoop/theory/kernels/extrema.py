@@ -12,11 +12,11 @@ from __future__ import annotations
 
 import math
 
+from hophoop.kernel.model import cone_weights, rolling_forces, rolling_inertia, rolling_u
 from hophoop.kernel.numerics.arcs import arctangent2
 from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing_after
 from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.physics import cone_weights, rolling_forces, rolling_inertia, rolling_u
 
 # What is maximised; side = +1 for friction that pushes ahead (F > 0), −1 back.
 FORCE_ANGLE, SPEED_ANGLE = 0, 1

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from hophoop.kernel.model import contact_arms, kappa_p_sigma, resistance_arm
 from hophoop.kernel.numerics.arcs import arccosine
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics import contact_arms, kappa_p_sigma, resistance_arm
 
 BOTH = 2
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from hophoop.kernel.model import Mode, can_roll, cone_weights, free_acceleration, next_mode, rolling_forces
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.physics import Mode, can_roll, cone_weights, free_acceleration, next_mode, rolling_forces
 
 ROLL, SKIM, NONE = int(Mode.ROLL), int(Mode.SKIM), len(Mode)
 

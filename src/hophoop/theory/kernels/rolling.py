@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from hophoop.kernel.model import cone_weights, rolling_forces, rolling_inertia, rolling_u
 from hophoop.kernel.numerics.arcs import arccosine, arcsine
 from hophoop.kernel.numerics.circular import cosine, sine_and_cosine, tangent
-from hophoop.kernel.physics import cone_weights, rolling_forces, rolling_inertia, rolling_u
 from hophoop.kernel.records import new_scratch
 from hophoop.theory.kernels.arcs import TURN, blocking, turning_point
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, highest
