@@ -21,7 +21,7 @@ export class Diagram {
   element: HTMLElement;
 
   constructor(attributes: Record<string, string>, title: string) {
-    this.element = h("section", attributes, h("header", {}, h("h3", {}, title), this.keys), this.body);
+    this.element = h("section", attributes, h("header", {}, h("h2", {}, title), this.keys), this.body);
   }
 
   /** The lower canvas, empty. */

@@ -168,6 +168,6 @@ function ownPlot(shared: PlotShared): Plot {
   );
   select.value = key;
   name();
-  plot.element.querySelector("h3")?.after(select);
+  plot.element.querySelector("h2")?.after(select);
   return plot;
 }

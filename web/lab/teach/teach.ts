@@ -70,7 +70,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
   const sheet = h(
     "section",
     { class: "sheet" },
-    h("h3", {}, "teach.sheet_title"),
+    h("h2", {}, "teach.sheet_title"),
     h("p", {}, "teach.sheet_intro"),
     h(
       "ol",
