@@ -149,7 +149,7 @@ interface PlotShared {
 }
 
 type Vector = number[]; // of three
-type Matrix = Float32Array; // columns of four
+type Matrix = Float32Array<ArrayBuffer>; // columns of four
 
 interface Program {
   program: WebGLProgram;

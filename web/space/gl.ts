@@ -106,17 +106,9 @@ export function coneMesh(gl: WebGLRenderingContext, top: number, around = 20) {
 
 // --- Vectors of three, matrices of four columns of four as WebGL takes them, and colours from 0 to 1
 
-export function product(a: Matrix, b: Matrix) {
-  const out = new Float32Array(16);
-  for (let column = 0; column < 4; column++) {
-    for (let row = 0; row < 4; row++) {
-      let sum = 0;
-      for (let k = 0; k < 4; k++) sum += a[4 * k + row] * b[4 * column + k];
-      out[4 * column + row] = sum;
-    }
-  }
-  return out;
-}
+/** The matrix that does first what the second one does. */
+export const product = (a: Matrix, b: Matrix): Matrix =>
+  DOMMatrix.fromFloat32Array(a).multiply(DOMMatrix.fromFloat32Array(b)).toFloat32Array();
 
 export function perspective(angle: number, aspect: number, near: number, far: number) {
   const f = 1 / Math.tan(angle / 2);
