@@ -130,7 +130,7 @@ class TangentSolution:
 
         Returns
         -------
-        rated : Rated
+        rated : WithDerivatives
         """
         if field in DIRECT:
             values, rates = self._at_events
@@ -194,7 +194,7 @@ class TangentSolution:
 
         Returns
         -------
-        rated : Rated
+        rated : WithDerivatives
             With both sides, which differ where two places need the most.
         """
         body, events, segments = self._body, self.motion.tables["events"], self.motion.tables["segments"]
