@@ -26,7 +26,7 @@ class Fit(NamedTuple):
 CENTRAL = Fit(tuple(2.0 ** -(12 + 3 * k) for k in range(5)), 5, 3)
 SIDED = Fit(tuple(2.0 ** -(10 + 3 * k) for k in range(5)), 8, 6)
 EXACT_CENTRAL = Fit(tuple(2.0 ** -(6 + k) for k in range(20)), 32, 10)
-EXACT_SIDED = SIDED._replace(values=32)
+EXACT_SIDED = SIDED._replace(values=16)
 OBLIQUE = (4.0, -4.0, 64.0, -64.0)  # of another direction, in which a piece is wide where it is narrow in one
 KNOWN, ENOUGH = 1e-3, 1e-8  # estimated errors: the largest, and one that is small enough
 
@@ -73,12 +73,13 @@ def _fitted(at: Values, step: float, way: float, fit: Fit) -> tuple[Floats, floa
     """Return the derivative at 0 of a polynomial through values to both sides or one way, and its estimated error."""
     nodes, powers, inverse = _basis(fit, bool(way))
     width = (way or 1.0) * step
-    values = list(takewhile(lambda value: value is not None, (at(width * node) for node in nodes)))
-    if len(values) < fit.values:
+    known = list(takewhile(lambda value: value is not None, (at(width * node) for node in nodes)))
+    if len(known) < fit.values:
         return np.empty(0), math.inf
-    found = inverse @ np.array(values)
+    values = np.array(known)
+    found = inverse @ values
     slope: Floats = found[1] / width
-    off = fit.degree * np.std(powers @ found - np.array(values), axis=0) / step
+    off = fit.degree * np.abs(powers @ found - values).max(axis=0) / step
     return slope, float((off / (1.0 + np.abs(slope))).max())
 
 
