@@ -272,6 +272,17 @@ def test_errors_grow_at_least_as_the_equations_let_them():
     assert math.exp(rate * float(step.h)) * 0.999 <= float(grown) < 1.6
 
 
+@pytest.mark.parametrize("name", CASES)
+def test_an_error_is_carried_from_step_to_step(name):
+    """In the norm of the next step it is at least as large as before."""
+    with setting(120):
+        contact, _ = phase(CASES[name], 2.0**-40, 2.0**-40)
+        first = Step(contact, None, arb(0.3))
+        second = Step(contact, first, arb(0.3))
+        assert second.tau == first.tau + first.h
+        assert second.error >= first.error * (second.weight / first.weight).max(arb(1)) * (1 - 2.0**-30)
+
+
 def test_a_step_that_cannot_be_shown_is_halved_and_refused():
     with setting(60):
         contact, _ = phase(CASES["K"], 0.0, 1e-3)
