@@ -12,6 +12,7 @@ from mpmath import mp
 flint = pytest.importorskip("flint")
 
 from hophoop.precise.problem import Problem  # noqa: E402
+from hophoop.prove import contact as contact_module  # noqa: E402
 from hophoop.prove import models  # noqa: E402
 from hophoop.prove.contact import Contact, Step  # noqa: E402
 from hophoop.prove.models import Model, modelled, sine_cosine  # noqa: E402
@@ -270,6 +271,35 @@ def test_errors_grow_at_least_as_the_equations_let_them():
         step = Step(phase(case, 2.0**-40)[0], None, arb(0.4))
         grown = step.error / (step.weight * arb(2) ** -40)
     assert math.exp(rate * float(step.h)) * 0.999 <= float(grown) < 1.6
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_wrong_coefficient_is_in_the_error(name, monkeypatch):
+    """The recurrences need not be right: what they leave of the equations counts."""
+    wrong = arb(2) ** -40
+
+    def rates(*given):
+        found = models.rates(*given)
+        return [*found[:3], found[3] + wrong, *found[4:]]
+
+    monkeypatch.setattr(contact_module, "rates", rates)
+    with setting(120):
+        step = Step(phase(CASES[name])[0], None, arb(0.3))
+    assert step.error >= 3 * wrong * step.h**3
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_a_model_bounds_is_in_the_error(name, monkeypatch):
+    functions = Contact.functions
+
+    def wide(self, tau, *given):
+        alpha, *ends = functions(self, tau, *given)
+        return [alpha + Model(arb_poly([0]), 1e-9) if isinstance(tau, Model) else alpha, *ends]
+
+    monkeypatch.setattr(Contact, "functions", wide)
+    with setting(120):
+        step = Step(phase(CASES[name])[0], None, arb(0.3))
+    assert step.error >= 1e-9 * step.h
 
 
 @pytest.mark.parametrize("name", CASES)
