@@ -13,7 +13,7 @@ from hophoop.fitting.channels import Channel, Sigma
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
 from hophoop.fitting.parameters import FACTORS, SHARED, spec
 from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of
-from hophoop.fitting.solving import Solution, minimize, parameters, smoothed, spread_of
+from hophoop.fitting.solving import Solution, beginnings, minimize, parameters, spread_of
 from hophoop.scenario import InputError
 from hophoop.tracking import Track
 
@@ -78,7 +78,7 @@ class Asked(NamedTuple):
         if starts and trial.near:
             first.append(first[0] | self.values)
         problem = problem_of([run])
-        params = [smoothed(problem, parameters(values, free), True, CALLS) for values in first]
+        params = [one for values in first for one in beginnings(problem, parameters(values, free), True, CALLS)]
         found = [minimize(problem, one, True, CALLS) for one in params]
         if not found:
             return np.inf, trial

@@ -225,19 +225,19 @@ def approach(problem: Problem, params: Parameters, robust: bool) -> tuple[Minimu
     return minimize(problem, held(params, {name: params[name].value for name in blind}), robust), blind
 
 
-def smoothed(problem: Problem, params: Parameters, robust: bool, most: int = FIRST_CALLS) -> Parameters:
-    """Return parameters with which the rotation fits, where there are angular velocities alone; else the same.
+def beginnings(problem: Problem, params: Parameters, robust: bool, most: int = FIRST_CALLS) -> list[Parameters]:
+    """Return a start of a minimization, and of angular velocities alone also one from which the rotation fits.
 
     An angular velocity jumps at an impact, so the sum of squares has a step wherever an impact passes a measured value.
     """
     if any(run.measured != {"omega"} for run in problem.runs):
-        return params
+        return [params]
     runs = [replace(run, channels=(rotation(run.channels[0], run.t),)) for run in problem.runs]
     there = params.copy()
     for run in runs:  # the rotation counts from the first value
         there[run.named("marker_angle")].set(-there[run.named("angle0")].value, vary=True)
     found = minimize(Problem(tuple(runs)), there, robust, most).values
-    return changed(params, found | {name: params[name].value for name in params if name.startswith("marker_angle")})
+    return [params, changed(params, found | {name: params[name].value for name in params if name.startswith("marker_angle")})]
 
 
 def lowest(problem: Problem, params: Parameters, starts: Sequence[Candidate], robust: bool) -> tuple[Minimum, list[str]]:
@@ -249,9 +249,10 @@ def lowest(problem: Problem, params: Parameters, starts: Sequence[Candidate], ro
         # another sequence may explain the data better, also if they are explained to their scatter
         if explained and start.sequence in tried:
             continue
-        found.append(approach(problem, smoothed(problem, changed(params, start.values), robust), robust))
+        begin = changed(params, start.values)
+        found += [approach(problem, one, robust) for one in beginnings(problem, begin, robust)]
         tried.add(start.sequence)
-        explained = explained or found[-1][0].cost < EXPLAINED * problem.count
+        explained = min(one.cost for one, _ in found) < EXPLAINED * problem.count
     return min(found, key=lambda pair: pair[0].cost)
 
 
