@@ -123,6 +123,12 @@ def test_a_start_at_the_threshold_is_in_doubt(index):
     assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range
 
 
+def test_slow_slip_away_from_the_threshold_is_in_doubt():
+    """θ̇² changes by its own size over less than the narrowest panel: 20 digits find that it slips on, doubles a jam."""
+    start = hh.Start(vx=-8.68, omega=-0.043)
+    assert hh.simulate(hh.Hoop.ideal(1.0 - 4.1e-11), hh.Plane(mu=0.71), start, duration=1.25).doubt == 0.0
+
+
 @pytest.mark.parametrize("factor", [1.0 - 1e-9, 1.0 + 1e-9])
 def test_a_start_beside_the_threshold_is_not(factor):
     """Slip has an answer below the friction of the paradox alone."""
