@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, partial
+from functools import cached_property, partial
 from itertools import pairwise
 from typing import NamedTuple, cast
 
@@ -180,7 +180,15 @@ class SectionMap:
         self._scratch, self._buffers = new_scratch(), new_buffers(max(period, 3))
         self._cell = np.array(cell_of(scenario), dtype=float)
         self._columns = COLUMNS_OF.get(path) or ([CELL.index(PARAMETERS[path].column)] if path else [])
-        self._body = lru_cache(MOST_BODIES)(self._new_body)
+        self._bodies: dict[float, Body | None] = {}  # no cache of a method, which cannot be pickled
+
+    def _body(self, value: float) -> Body | None:
+        """Return hoop and plane at a value of the parameter, of which the last ones are kept; None if it is not allowed."""
+        if value not in self._bodies:
+            if len(self._bodies) == MOST_BODIES:
+                self._bodies.clear()
+            self._bodies[value] = self._new_body(value)
+        return self._bodies[value]
 
     def _new_body(self, value: float) -> Body | None:
         """Return hoop and plane at a value of the parameter, or None if it is not allowed."""
