@@ -125,7 +125,7 @@ def test_one_tag_and_one_script_show_a_hoop(tagged):
 
 def test_a_hoop_in_another_page_says_what_is_wrong_in_the_visitors_language(tagged):
     page = tagged('scenario="plane.mu=-1" panels="controls"', ready=False, locale="de-DE")
-    sentence = "plane.mu = -1 muss mindestens 0 sein (inf ist erlaubt)."
+    sentence = "plane.mu = -1 muss von 0 bis 1e+6 oder unendlich sein."
     page.wait_for_function(f"() => {ELEMENT}.root?.innerText === '{sentence}'")
     page.evaluate(f"{ELEMENT}.setAttribute('scenario', 'plane.mu=0.4')")
     page.wait_for_function(f"() => {ELEMENT}.lab?.film()")
