@@ -19,7 +19,7 @@ from hophoop.fitting.mistakes import likely_mistakes, shutter
 from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
 from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.result import Fit
-from hophoop.fitting.solving import best_of, changed, free_of, lowest, parameters
+from hophoop.fitting.solving import best_of, changed, free_of, lowest, of_rotation, parameters
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
 from hophoop.tracking.hints import require_above_0
@@ -166,13 +166,20 @@ def fit_alone(track: Track, how: Settings) -> Fit:
     problem, params, starts = _posed(track, how)
     (run,) = problem.runs
     if not all(channel.known for channel in run.channels):
-        values = lowest(problem, params, starts, how.robust)[0].values
+        values = first_values(problem, params, starts, how.robust)
         places = run.places(run.motion(values), values)
         off = {one.name: one.values - places[one.name][one.rows] for one in run.channels}
         track, scatter = with_scatter(track, how.sigma, off)
         problem, params, starts = _posed(track, how)
         derived |= scatter
     return _fit_of(problem, params, starts, (track,), how, [derived])
+
+
+def first_values(problem: Problem, params: Parameters, starts: list[Candidate], robust: bool) -> dict[str, float]:
+    """Return the parameters whose residuals give the scatter; those of angular velocities need the whole search."""
+    if of_rotation(problem):
+        return best_of(problem, params, starts, robust)[0].minimum.values
+    return lowest(problem, params, starts, robust)[0].values
 
 
 def fit_near(track: Track, how: Settings, values: Mapping[str, float]) -> Fit:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -225,12 +226,17 @@ def approach(problem: Problem, params: Parameters, robust: bool) -> tuple[Minimu
     return minimize(problem, held(params, {name: params[name].value for name in blind}), robust), blind
 
 
+def of_rotation(problem: Problem) -> bool:
+    """Return True if only angular velocities are measured."""
+    return all(run.measured == {"omega"} for run in problem.runs)
+
+
 def beginnings(problem: Problem, params: Parameters, robust: bool, most: int = FIRST_CALLS) -> list[Parameters]:
     """Return a start of a minimization, and of angular velocities alone also one from which the rotation fits.
 
     An angular velocity jumps at an impact, so the sum of squares has a step wherever an impact passes a measured value.
     """
-    if any(run.measured != {"omega"} for run in problem.runs):
+    if not of_rotation(problem):
         return [params]
     runs = [replace(run, channels=(rotation(run.channels[0], run.t),)) for run in problem.runs]
     there = params.copy()
@@ -281,9 +287,11 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], r
 def _other_starts(problem: Problem, params: Parameters, best: Minimum, robust: bool, k: int) -> list[dict[str, float]]:
     """Return other starts where a minimum does not explain one run, in round k: drawn around it, and that of a first half.
 
-    The first half has fewer landings, which make the sum of squares rough.
+    The first half has fewer landings, which make the sum of squares rough. A few angular velocities are explained by more than
+    one motion, so they have a first round in any case.
     """
-    if best.cost < EXPLAINED * problem.count or len(problem.runs) > 1:
+    explained = best.cost < EXPLAINED * problem.count and not (k == 1 and of_rotation(problem))
+    if explained or len(problem.runs) > 1:
         return []
     (run,) = problem.runs
     free = set(free_of(params))
@@ -316,12 +324,15 @@ def _asides(problem: Problem, params: Parameters, last: Solution, robust: bool) 
     """
     found: list[tuple[Minimum, list[str]]] = []
     variances = np.diag(last.covariance) * spread_of(problem, last.minimum.cost, len(last.free))
+    # also with the middle of the range of a parameter that has no effect here, but may have some elsewhere
+    blind = {name: sum(SPREADS[name]) / 2 for name in SPREADS if name in free_of(params) and name not in last.free}
     for name, variance in zip(last.free, variances, strict=True):
         if name in SPREADS and np.isfinite(last.covariance).all():
-            for far in ASIDE:
+            for far, others in product(ASIDE, [{}, blind] if blind else [{}]):
                 value = last.minimum.values[name] + far * float(np.sqrt(variance))
                 value = float(np.clip(value, params[name].min, params[name].max))
-                found.append(approach(problem, changed(params, {**last.minimum.values, **last.values_at(name, value)}), robust))
+                there = {**last.minimum.values, **last.values_at(name, value), **others}
+                found.append(approach(problem, changed(params, there), robust))
     return found
 
 
