@@ -72,6 +72,7 @@ def test_the_stamp_holds_all_that_decides_the_bytes_and_entries_call_kernels_alo
     for function in map(marks.source_of, found):
         values = [function.__globals__.get(name) for name in function.__code__.co_names]
         plain |= {value for value in values if isinstance(value, FunctionType) and value.__module__.startswith("hophoop")}
+    plain.discard(marks.replaced)  # which the build compiles to stores
     assert {function.__qualname__ for function in plain if not is_kernel(function)} == set()
 
 
