@@ -21,7 +21,7 @@ import hophoop as hh
 SCALES = re.compile(r"maps/|strobe|diagram")  # examples whose colours mean numbers or classes
 ORDER = [
     *("overview", "velocities", "path", "strobe", "gap", "contact_forces", "friction_utilization", "energies", "geometry"),
-    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram", "branch"),
+    *("strobe_forces", "phase_plane", "own_axes", "velocities_uncertain", "return_map", "diagram", "branch", "track"),
     *("sweep", "hop_height", "fates", "open_map", "points", "boundary", "borders", "logarithmic"),
     *("design", "catalogue", "paradoxes"),
     *("film", "picture", "panels", "compare", "film_3d", "scene", "jam", "gears", "player"),

@@ -103,14 +103,6 @@ class Player {
   }
 }
 
-try {
-  new Player(unpacked(element("data").textContent));
-} catch (error) {
-  // mostly because there is no WebGL
-  element("problem").textContent = error.message;
-  element("problem").style.display = "flex";
-}
-
 // --- A motion as Python has written it into the page, in the terms of the player: frames to be shown, and the path to be drawn
 
 const LETTERS = "RSKHM";
@@ -162,4 +154,12 @@ export class Written implements Seen {
     const forces = { normal_force: frames.normal_force[k], friction_force: frames.friction_force[k] };
     return { ...state, ...forces, mode: LETTERS[frames.mode[k]] } as Pose;
   }
+}
+
+try {
+  new Player(unpacked(element("data").textContent));
+} catch (error) {
+  // mostly because there is no WebGL
+  element("problem").textContent = error.message;
+  element("problem").style.display = "flex";
 }
