@@ -6,6 +6,7 @@ import itertools
 import math
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from mpmath import mp
 
@@ -210,11 +211,11 @@ def test_a_step_holds_every_motion_from_its_start(name, spread):
         motion = truth(case, angle, omega)
         for x in (Fraction(1, 4), Fraction(1, 2), Fraction(1)):
             with setting(300):
-                within_bounds(case, contact, step, motion, exactly(x), spread == 0.0)
+                within_bounds(case, contact, step, motion, exactly(x))
 
 
-def within_bounds(case, contact, step, motion, x, unmoved):
-    """θ and θ̇ of a motion lie in a step's enclosures at a place, and the watched functions of the unmoved one in its models."""
+def within_bounds(case, contact, step, motion, x):
+    """θ and θ̇ of a motion lie in a step's enclosures at a place, and the watched functions in its models."""
     tau, th, om = step.at(x)
     man, exponent = (int(part) for part in tau.man_exp())
     one = motion.at(mp.mpf(man) * mp.mpf(2) ** exponent)
@@ -225,7 +226,7 @@ def within_bounds(case, contact, step, motion, x, unmoved):
     if contact.sigma == 0:
         ends = [case.mu_static * normal - friction, case.mu_static * normal + friction]
     truths = [*ends, contact.way * one["omega"], 2 * mp.pi - contact.way * (one["angle"] - mp.mpf(case.angle))]
-    for model, true in zip(step.models, truths if unmoved else [], strict=unmoved):
+    for model, true in zip(step.models, truths, strict=True):
         assert abs(model.p(x) + arb(0, model.e) - arb(mp.nstr(true, 35))).abs_lower() <= arb("1e-28")
 
 
@@ -286,6 +287,38 @@ def test_a_wrong_coefficient_is_in_the_error(name, monkeypatch):
     with setting(120):
         step = Step(phase(CASES[name])[0], None, arb(0.3))
     assert step.error >= 3 * wrong * step.h**3
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_wrong_angle_is_in_the_error(name, monkeypatch):
+    """What the polynomial for θ leaves of θ′ = h θ̇ counts with the weight of θ."""
+    wrong = arb(2) ** -40
+
+    def cut(values):
+        p, lost = models.cut(values)
+        return (p + arb_poly([0, 0, 0, wrong]) if float(values[0]) == CASES[name].angle else p), lost
+
+    monkeypatch.setattr(contact_module, "cut", cut)
+    with setting(120):
+        step = Step(phase(CASES[name])[0], None, arb(0.3))
+    assert step.error >= 3 * wrong * step.weight
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_an_error_grows_by_the_logarithmic_norm(name):
+    """Over a short step, by the eigenvalue of the symmetric part, as NumPy has it."""
+    spread = 2.0**-40
+    with setting(200):
+        step = Step(phase(CASES[name], spread, spread)[0], None, arb(1e-5))
+        (a, *_), (b, *_) = step._slopes()
+        weight = float(step.weight)
+        begin = ((step.weight * spread) ** 2 + arb(spread) ** 2).sqrt()
+        growth = float((step.error / begin - 1) / step.h)
+    across = 0.5 * (weight + float(a.mid()) / weight)
+    norm = float(np.linalg.eigvalsh([[0.0, across], [across, float(b.mid())]])[-1])
+    assert norm > 0.1
+    assert growth == pytest.approx(norm, rel=1e-3, abs=1e-3)
+    assert weight == pytest.approx(max(1.0, math.sqrt(abs(float(a.mid())))), rel=1e-12)
 
 
 @pytest.mark.parametrize("name", CASES)
