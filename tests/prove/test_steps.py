@@ -342,7 +342,9 @@ def test_an_error_is_carried_from_step_to_step(name):
         contact, _ = phase(CASES[name], 2.0**-40, 2.0**-40)
         first = Step(contact, None, arb(0.3))
         second = Step(contact, first, arb(0.3))
-        assert second.tau == first.tau + first.h
+        third = Step(contact, second, arb(0.3))
+        assert (second.tau, third.tau) == (first.h, first.h + second.h)
+        assert (second.at(arb(0))[0], third.at(arb(0))[0]) == (first.h, first.h + second.h)
         assert second.error >= first.error * (second.weight / first.weight).max(arb(1)) * (1 - 2.0**-30)
 
 
