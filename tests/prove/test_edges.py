@@ -102,9 +102,10 @@ def test_landings_at_round_times_are_proved(restitution, duration):
     assert next(event for event in proof.events if event.kind == "impact").t.holds(1)
 
 
+@pytest.mark.parametrize("bits", [128, 256])
 @pytest.mark.parametrize("root", [0.5, 0.25, 0.999999, 1e-9])
-def test_a_root_is_found_wherever_it_is(root):
-    with setting(100):
+def test_a_root_is_found_wherever_it_is(root, bits):
+    with setting(bits):
 
         def function(x, terms):
             return [1 - (x / root) ** 3, -3 * x * x / root**3][:terms]
@@ -113,6 +114,21 @@ def test_a_root_is_found_wherever_it_is(root):
         assert low <= root <= high
         assert high - low < 1e-20
         assert bracket(function, arb(root) / 4, arb(1))[0] <= root
+
+
+def test_a_root_where_one_precision_divides_is_found_with_another():
+    """(root − x)(3 − 8 x + 8 x²), whose slope has no certain sign on [0, 1]."""
+    root = 0.5 - 1.0 / 128.0
+
+    def function(x, terms):
+        bowl = 3 - 8 * x + 8 * x * x
+        return [(root - x) * bowl, (root - x) * (16 * x - 8) - bowl][:terms]
+
+    with setting(128), pytest.raises(Unclear):
+        first_root(function, arb(0), arb(1))
+    with setting(256):
+        low, high = first_root(function, arb(0), arb(1))
+        assert low <= root <= high
 
 
 def test_no_turn_is_counted_backwards():

@@ -8,7 +8,6 @@ from typing import Any
 from hophoop.prove.numbers import Unclear, arb, precision
 
 Function = Callable[[Any, int], list[Any]]  # (x, terms) → Taylor coefficients, valid on the ball x
-OFF_CENTER = 0.47  # where an interval is divided
 BRACKETS = 8  # attempts to bracket a root, each 8 times as wide as the one before
 
 
@@ -23,11 +22,12 @@ def positive_until(f: Function, zeros: int, end: Any) -> Any:
 
 def first_root(f: Function, begin: Any, end: Any) -> tuple[Any, Any] | None:
     """A bracket of the first root of a function that is positive at the beginning; None if there is none up to the end."""
+    part = arb(1) / 2 - arb(1) / precision()
     work, least = [(begin, end)], (begin if begin > 0 else end) * arb(2) ** (-precision() // 2)
     while work:
         a, b = work.pop()
-        # a root may be close to 0, and is at no place that divides an interval at each precision
-        whole, middle = a.union(b), ((a * b).sqrt() if b > 4 * a > 0 else a + OFF_CENTER * (b - a)).mid()
+        # a root may be close to 0; another precision divides elsewhere, as no root may be where an interval is divided
+        whole, middle = a.union(b), ((a * b).sqrt() if b > 4 * a > 0 else a + part * (b - a)).mid()
         slope = f(whole, 2)[1]
         if f(middle, 1)[0] + slope * (whole - middle) > 0 or (slope > 0 and f(a, 1)[0] > 0) or (slope < 0 and f(b, 1)[0] > 0):
             continue
