@@ -1,6 +1,6 @@
 """Sample the parameters of a fit with lmfit's emcee: for uncertainties that are curved, one-sided or of several sequences.
 
-    pip install emcee
+    pip install emcee pandas
     python examples/posterior.py fitted/fit.json
 
 Some minutes.

@@ -135,7 +135,6 @@ REFUSED = {
         "--film film.mp4": "--film needs --out",
         "--save fit.txt": "--save = fit.txt must end in .json",
         "--hoop absent.toml": "absent.toml",
-        "--angle-unit turn": "--angle-unit = 'turn'",
         "--column x": "--column = 'x' must be a name and a value",
         "--column 'speed=x [m]'": "--column cannot name 'speed'; it can name frame, t, x, y",
         "--column x=across": "has no column 'across'; its columns are t [s], x [m], ",

@@ -196,12 +196,9 @@ def test_a_phone_gives_its_angular_velocity(tmp_path, head, separator, decimal):
     assert read_track(file, Reading(columns={"omega": names[2]})).omega == pytest.approx([0.1] * 8)
 
 
-def test_a_unit_of_angles_may_be_given(tmp_path):
-    """A jump of a whole turn is none."""
-    file = written(tmp_path, "t,angle", (T, 4000 * T % 360))
-    assert np.diff(read_track(file, Reading(angle_unit="deg")).angle) == pytest.approx(np.radians(40.0), rel=1e-6)
-    file = written(tmp_path, "t,omega", (T, DEGREES))
-    assert read_track(file, Reading(angle_unit="deg")).omega == pytest.approx(ANGLE)
+def test_a_jump_of_a_whole_turn_is_none(tmp_path):
+    file = written(tmp_path, "t,angle", (T, 6000 * T % 360))
+    assert np.diff(read_track(file, Reading(units={"angle": "deg"})).angle) == pytest.approx(np.radians(60.0), rel=1e-6)
 
 
 def test_a_window_of_time(tmp_path):
@@ -278,8 +275,8 @@ RUNS = "t,x Run #1,y Run #1,x Run #2,y Run #2\n"
         ),
         ("a.txt", ",A,,B,\nt,x,y,x,y\n" + rows(3, 5), "no point 'C'; its points are 'A', 'B'", {"centre": "C"}),
         ("a.csv", "t,x,y,hub x,hub y\n" + rows(3, 5), "its points are one without a name, 'hub'", {"centre": "axle"}),
-        ("a.csv", "t,angle\n" + rows(3, 2), "has no unit of angle: write it behind", {}),
-        ("a.csv", "t,omega\n" + rows(3, 2), "--angle-unit deg, or angle_unit=", {}),
+        ("a.csv", "t,angle\n" + rows(3, 2), "has no unit of angle; known units are rad and deg: give --unit angle=deg.", {}),
+        ("a.csv", "t,omega\n" + rows(3, 2), "known units are rad/s, deg/s and rpm: give --unit omega=deg/s.", {}),
         (
             "a.csv",
             "t [h],x,y\n" + rows(3),
@@ -324,7 +321,6 @@ def test_gigabytes_are_refused_unread_and_what_is_absent(tmp_path):
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"angle_unit": "turn"}, "angle_unit = "),
         ({"radius": -1.0}, "radius = "),
         ({"rate": 0.0}, "rate = "),
         ({"columns": {"speed": "up"}}, "columns cannot name 'speed'; it can name frame, t, x, y"),

@@ -18,7 +18,7 @@ from hophoop.scenario import InputError
 from hophoop.tracking import Reading, read_track
 
 SAMPLES = Path(__file__).parents[1] / "data" / "tables"
-OPTION = re.compile(r"--(?:column|unit|rate|centre|marker|angle-unit) (?:'[^']*'|[^\s',]*[^\s',.:])")
+OPTION = re.compile(r"--(?:column|unit|rate|centre|marker) (?:'[^']*'|[^\s',]*[^\s',.:])")
 
 
 @pytest.fixture

@@ -64,7 +64,7 @@ def fit(
     units : --unit NAME=UNIT
         Unit of t, x, y, angle or omega: s, ms, us, ns; m, cm, mm; rad, deg; deg/s, or the size of one in SI units.
     rate
-    centre, marker, angle_unit
+    centre, marker
 
     Model
     -----

@@ -210,7 +210,7 @@ def _trials(run: Run) -> list[Trial]:
     if "angle" in measured:
         back = "with the angle in the other direction", "the angle counts clockwise if x counts to the right. Does yours?"
         found.append(Trial("axes", *back, _changed(run, {"angle": -1.0})))
-        unit = "with the angle in degrees", "is it in degrees (--angle-unit deg)?"
+        unit = "with the angle in degrees", "is it in degrees (--unit angle=deg)?"
         found.append(Trial("units", *unit, _changed(run, {"angle": degrees})))
         top = "is your angle zero with the load at the top? A known difference is --fix marker_angle=…, in rad."
         found += [
@@ -218,7 +218,7 @@ def _trials(run: Run) -> list[Trial]:
             for one in np.radians(range(45, 360, 45))
         ]
     if "omega" in measured:
-        unit = "with angular velocities in degrees per second", "name their unit in the head, or give --angle-unit deg."
+        unit = "with angular velocities in degrees per second", "give --unit omega=deg/s."
         found.append(Trial("units", *unit, _changed(run, {"omega": degrees})))
     return found
 

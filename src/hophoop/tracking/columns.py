@@ -8,61 +8,42 @@ import statistics
 import unicodedata
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import zip_longest
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.dialects import COMMA_WORDS, DIALECTS, KNOWN_UNITS, NAMES, NO_POSITION, PIXELS, ROTATION, UNITS, Dialect
+from hophoop.tracking.dialects import COMMA_WORDS, HEADS, KNOWN_UNITS, NAMES, NO_POSITION, OTHER_UNITS, ROTATION, UNITS
 
 Floats = NDArray[np.float64]
 
 EMPTY = {"", "-", "–", "none", "nan", "na", "n/a", "null", "#n/a", "#nv", "#wert!", "#value!", "#div/0!"}
 COMMENT = re.compile(r"\s*(?:#(?!N/A|NV\b|[A-Z/0]+!)|%|//)\s*(.*)")
 SIGNS = {0x2212: "-", 0xFF0D: "-", 0xFF0E: ".", 0xFF0C: ",", 0x66B: "."}  # of typesetters, full width, Arabic
-NUMBER = r"[-+]?(?:\d+(?:[.,]\d{3})*[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?"
+NUMBER = re.compile(r"[-+]?(?:\d+(?:[.,]\d{3})*[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
 GROUPED = {",": r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?", ".": r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"}
-CLOCK = (
+CLOCK = re.compile(
     r"(?:(?P<date>\d{1,4}[-./]\d{1,2}[-./]\d{1,4})[T,\s]+)?"
     r"(?:(?P<hours>\d+):)?(?P<minutes>\d+):(?P<seconds>\d+(?:[.,]\d+)?)(?:[:;](?P<frames>\d+))?"
     r"\s*(?P<half>[APap]\.?[Mm]\.?)?\s*(?:Z|UTC|[-+]\d\d:?\d\d)?"
 )
-CELL = re.compile(rf"{NUMBER}|{CLOCK}")
 BLANKS = r"\s+(?![\[(])"  # not before a unit
-GROUPS = r"(?<=\d)[\s'’](?=\d{3}(?:\D|$))"  # signs that group digits and are no separators
+GROUPS = re.compile(r"(?<=\d)[\s'’](?=\d{3}(?:\D|$))")  # signs that group digits and are no separators
 HOUR, DAY = 3600.0, 86400.0
 MOST_SNIFFED = 200  # lines
-
-
-class Layout(NamedTuple):
-    """Lines of a text, each with the comment above it, and the sign between their cells; '' for blanks."""
-
-    separator: str
-    lines: list[tuple[str, str]]
 
 
 class Table(NamedTuple):
     """Cells of a table."""
 
     above: list[list[str]]  # rows above the numbers
-    body: Any  # pandas.DataFrame of text, the rows of numbers
+    body: list[list[str]]  # rows of numbers, '' for empty cells, without those at their ends
     comments: list[str]  # above each of these rows
     below: str  # text below the numbers
-    separator: str
-
-
-class Head(NamedTuple):
-    """Name of a column, and its meaning."""
-
-    label: str  # as the file spells it, after the words above it that tell it apart
-    point: str = ""
-    quantity: str = ""  # a name of COLUMNS, 'frame', 'polar', 'object' or ''; x, y and z for positions
-    unit: str = ""
-    run: str = ""
+    separator: str  # between cells; '' for blanks
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,15 +51,18 @@ class Column:
     """A column of a table."""
 
     number: int  # from 1
-    head: Head
-    values: Floats  # nan for empty cells and words
+    head: str = ""  # as the file spells it, after the words above it that tell it apart
+    point: str = ""
+    quantity: str = ""  # a name of COLUMNS, 'frame', 'polar', 'object' or ''; x, y and z for positions
+    unit: str = ""
+    group: str = ""  # of a run, or of columns with times of their own
+    values: Floats = field(default_factory=lambda: np.zeros(0))  # nan for empty cells and words
     words: Sequence[str] = ()  # of a column without numbers
-    group: str = ""  # of columns with times of their own
 
     @property
     def label(self) -> str:
         """Its head as the file spells it, or its number."""
-        return self.head.label or f"column {self.number}"
+        return self.head or f"column {self.number}"
 
 
 def read_columns(text: str, name: str, rate: float | None = None) -> tuple[list[Column], list[str]]:
@@ -86,8 +70,8 @@ def read_columns(text: str, name: str, rate: float | None = None) -> tuple[list[
 
     name: of the file, for messages; rate: frames per second, for clocks that count frames.
     """
-    table = split(sniff(text), name)
-    found, notes = columns(table, heads(table.above), name, rate)
+    table = split(text, name)
+    found, notes = columns(table, name, rate)
     if table.below:
         notes.append(f"Lines below the table are not read: {table.below}")
     return apart(grouped(found), table.comments), notes
@@ -96,80 +80,60 @@ def read_columns(text: str, name: str, rate: float | None = None) -> tuple[list[
 # --- lines and cells -------------------------------------------------------------------------------
 
 
-def sniff(text: str) -> Layout:
-    """Find the comments and the separator of a text."""
+def split(text: str, name: str) -> Table:
+    """Split a text into cells, and the rows of numbers from those above and below; name: of the file, for messages."""
     digits = {ord(sign): str(unicodedata.decimal(sign)) for sign in set(text) if sign.isdecimal()}
-    lines, comment = [], ""
+    said, counts, lines = [""], [], []  # comments, and lines with the number of comments above each
     for line in text.translate(digits | SIGNS).splitlines():
         if found := COMMENT.match(line):
-            comment = found[1].strip()
-            lines.append((comment, ""))
+            said.append(found[1].strip())
         elif line.strip(" \t;,"):
-            lines.append((comment, line))
-    rows = [line for _, line in lines if line][:MOST_SNIFFED]
-    return Layout(next((sign for sign in "\t;," if _divides(sign, rows)), ""), lines)
-
-
-def _divides(sign: str, lines: list[str]) -> bool:
-    """Return True if a sign divides the numbers, and the heads above them."""
-    rows = list(csv.reader(lines, delimiter=sign, skipinitialspace=True))
-    first = _first_row(rows)
-    if first is None or min(map(len, rows[max(first - 1, 0) : first + 1])) < 2:
-        return False
-    begun = [cell for row in rows[first:] for cell in row if re.match(r"\s*[-+]?[.,]?\d", cell)]
-    return sum(map(_is_number, begun)) >= 0.9 * len(begun)
-
-
-def _is_number(cell: str) -> bool:
-    """Return True for a number, and for a clock with or without a date."""
-    return CELL.fullmatch(re.sub(GROUPS, "", cell.strip())) is not None
-
-
-def _is_data(row: Sequence[str]) -> bool:
-    """Return True if at least half of the cells are numbers: labels may be among them."""
-    return 2 * sum(map(_is_number, row)) >= max(1, sum(1 for cell in row if cell.strip().lower() not in EMPTY))
-
-
-def _first_row(rows: list[list[str]]) -> int | None:
-    """Return the index of the first row of numbers; one above words is no such row."""
-    return next((k for k in range(len(rows)) if all(map(_is_data, rows[k : k + 2]))), None)
-
-
-def split(layout: Layout, name: str) -> Table:
-    """Split lines into cells, and the rows of numbers from those above and below; name: of the file, for messages."""
-    pandas, lines = need("pandas", "fit"), [one for one in layout.lines if one[1]]
+            lines.append(line)
+            counts.append(len(said))
     if not lines:
         raise InputError(f"{name} is empty.")
-    if layout.separator:
-        rows = list(csv.reader([line for _, line in lines], delimiter=layout.separator, skipinitialspace=True))
-        lines = lines[len(lines) - len(rows) :]  # a cell with a line break makes one row of two lines
-    else:
-        width = statistics.mode(len(re.split(BLANKS, line.strip())) for _, line in lines)
-        rows = [_divided(line, width) for _, line in lines]
+    separator = next((sign for sign in "\t;," if _divides(sign, lines[:MOST_SNIFFED])), "")
+    rows = _rows(lines, separator)
+    counts = counts[-len(rows) :]  # a cell with a line break makes one row of two lines
     first = _first_row(rows)
     if first is None:
         raise InputError(f"{name} has no {'table' if len(rows) < 2 else 'row of numbers'}.")
     last = max(k for k, row in enumerate(rows) if _is_data(row)) + 1
-    body = pandas.DataFrame(dict(enumerate(zip_longest(*rows[first:last], fillvalue=""))), dtype=object).apply(_stripped)
-    width = 1 + max(k for k in body if body[k].notna().any())
-    short = [len(row) < width for row in rows[first:last]]
-    if not layout.separator and any(short):
+    above, body = rows[:first], rows[first:last]
+    width = max(map(len, body))
+    short = next((k for k, row in enumerate(body, 1) if len(row) < width), None)
+    if short and not separator:
         raise InputError(
-            f"{name} has a cell too few in row {short.index(True) + 1} of the numbers, and blanks do not show which one is "
-            "empty: save the table with semicolons."
+            f"{name} has a cell too few in row {short} of the numbers, and blanks do not show which one is empty: "
+            "save the table with semicolons."
         )
-    above = [[cell.strip() for cell in row] for row in rows[:first]]
-    if width > 1 and not any(sum(map(bool, row)) > 1 for row in above):  # comments are heads where they are the only ones
-        comments = [comment for comment, _ in layout.lines[: layout.lines.index(lines[first])]]
-        above = [cells for comment in comments if len(cells := _divided(comment, width, layout.separator)) == width][-1:]
-    comments = [comment for comment, _ in lines[first:last]]
-    return Table(above, body[range(width)], comments, " ".join(cell for row in rows[last:] for cell in row), layout.separator)
+    if width > 1 and max(map(len, above), default=0) < 2:  # comments are heads where they are the only ones
+        heads_in_comments = [_divided(comment, width, separator) for comment in said[1 : counts[first]]]
+        above = [cells for cells in heads_in_comments if len(cells) == width][-1:]
+    cells = [[_without_groups(cell) for cell in row] for row in body]
+    comments = [said[count - 1] for count in counts[first:last]]
+    return Table(above, cells, comments, " ".join(cell for row in rows[last:] for cell in row), separator)
 
 
-def _stripped(cells: Any) -> Any:
-    """Return the cells of a column without blanks and signs that group digits, nan for empty ones."""
-    cells = cells.str.strip().str.replace(GROUPS, "", regex=True)
-    return cells.mask(cells.str.lower().isin(EMPTY))
+def _divides(sign: str, lines: list[str]) -> bool:
+    """Return True if a sign divides the numbers, and the heads above them."""
+    rows = _rows(lines, sign)
+    first = _first_row(rows)
+    if first is None or min(map(len, rows[max(first - 1, 0) : first + 1])) < 2:
+        return False
+    begun = [cell for row in rows[first:] for cell in row if re.match(r"[-+]?[.,]?\d", cell)]
+    return sum(map(_is_number, begun)) >= 0.9 * len(begun)
+
+
+def _rows(lines: list[str], separator: str) -> list[list[str]]:
+    """Return the cells of lines, without empty ones at their ends."""
+    if separator:
+        rows = list(csv.reader(lines, delimiter=separator, skipinitialspace=True))
+    else:
+        width = statistics.mode(len(re.split(BLANKS, line.strip())) for line in lines)
+        rows = [_divided(line, width) for line in lines]
+    stripped = [[cell.strip() for cell in row] for row in rows]
+    return [row[: max((k for k, cell in enumerate(row, 1) if cell), default=0)] for row in stripped]
 
 
 def _divided(line: str, width: int, sign: str = "") -> list[str]:
@@ -178,18 +142,38 @@ def _divided(line: str, width: int, sign: str = "") -> list[str]:
     return next((cells for cells in ways if len(cells) == width), ways[0])
 
 
+def _without_groups(cell: str) -> str:
+    """Return a cell without signs that group digits, '' if it says that it is empty."""
+    return "" if cell.lower() in EMPTY else GROUPS.sub("", cell)
+
+
+def _is_number(cell: str) -> bool:
+    """Return True for a number, and for a clock with or without a date."""
+    bare = GROUPS.sub("", cell)
+    return bool(NUMBER.fullmatch(bare) or CLOCK.fullmatch(bare))
+
+
+def _is_data(row: Sequence[str]) -> bool:
+    """Return True if at least half of the cells are numbers: labels may be among them."""
+    return 2 * sum(map(_is_number, row)) >= max(1, sum(cell.lower() not in EMPTY for cell in row))
+
+
+def _first_row(rows: list[list[str]]) -> int | None:
+    """Return the index of the first row of numbers; one above words is no such row."""
+    return next((k for k in range(len(rows)) if all(map(_is_data, rows[k : k + 2]))), None)
+
+
 # --- heads and units -------------------------------------------------------------------------------
 
 
-def heads(above: list[list[str]]) -> list[Head]:
-    """Return the names of columns from the rows above the numbers: titles, points, names and units."""
+def heads(above: list[list[str]]) -> list[Column]:
+    """Return columns without numbers yet, by the rows above these: titles, points, names and units."""
     if not above:
         return []
     *rows, names = above
     below: list[str] = []
     if rows and all(_is_unit(cell) for cell in names if cell):
         (*rows, names), below = rows, names
-    names = names[: 1 + max((k for k, name in enumerate(names) if name), default=0)]  # no separator at the end of a line
     points = [""] * len(names)
     for row in reversed(rows):
         words = [next(filter(None, row[k::-1]), "") for k in range(len(names))]
@@ -197,31 +181,33 @@ def heads(above: list[list[str]]) -> list[Head]:
         if row[0] and (len(set(zip(points, names, strict=True))) == len(names) or len(set(words)) < 2):
             break
         points = [f"{word} {point}".strip() for word, point in zip(words, points, strict=True)]
-    spoken = [one for one in DIALECTS if re.search(one.known, "\n".join(names), re.IGNORECASE | re.MULTILINE)]
-    return [_head(*one, spoken) for one in zip_longest(names, points, below[: len(names)], fillvalue="")]
+    meanings = NAMES | ({"time": ""} if "seconds_elapsed" in names else {})  # of Sensor Logger
+    found = zip_longest(names, points, below[: len(names)], fillvalue="")
+    return [
+        _head(Column(k, f"{point} {name}".strip(), point), name, unit, meanings)
+        for k, (name, point, unit) in enumerate(found, 1)
+    ]
 
 
-def _head(name: str, point: str, below: str, spoken: Sequence[Dialect]) -> Head:
-    """Return the meaning of a name; below: the unit in a row of its own; spoken: dialects of the table."""
-    label, run, names = f"{point} {name}".strip(), "", dict(NAMES)
-    for one in spoken:
-        names |= dict(pair.split("=") for pair in one.names.split())
-        if found := re.fullmatch(one.head, name, re.IGNORECASE):
-            parts = found.groupdict()
-            name, point, run = parts["name"], parts.get("point", point), parts.get("run", run)
+def _head(column: Column, name: str, below: str, meanings: dict[str, str]) -> Column:
+    """Return a column with the meaning of its name; below: the unit in a row of its own; meanings: of words."""
+    for pattern in HEADS:
+        if found := re.fullmatch(pattern, name, re.IGNORECASE):
+            name = found["name"]
+            column = replace(column, **{key: part for key, part in found.groupdict().items() if key != "name"})
     text, unit = units(name, below)
     words = re.findall(r"[^\W\d_]+|\d+", text)
-    single = {names.get(word) for word in words}
-    quantity = names.get(" ".join(words), single.pop() if len(single) == 1 else None)  # Winkel φ is an angle
+    single = {meanings.get(word) for word in words}
+    quantity = meanings.get(" ".join(words), single.pop() if len(single) == 1 else None)  # Winkel φ is an angle
     if quantity is not None:
-        return Head(label, point, quantity, unit, run)
+        return replace(column, quantity=quantity, unit=unit)
     axis = "".join(word for word in words if word in "xyz")
     rest = " ".join(word for word in words if word not in "xyz")
     if re.fullmatch("[wω][xyz]", rest) or (len(axis) == 1 and re.search(ROTATION, rest)):
-        return Head(label, point, "omega", unit, run)
-    moves = re.search(NO_POSITION, rest) or "/" in unit or unit in KNOWN_UNITS - UNITS["m"].keys() - {*PIXELS}
+        return replace(column, quantity="omega", unit=unit)
+    moves = re.search(NO_POSITION, rest) or "/" in unit or unit in OTHER_UNITS
     usual = "" if moves or len(axis) != 1 else axis
-    return Head(label, f"{point} {rest}".strip(), names.get(rest, usual) if axis else "", unit, run)
+    return replace(column, point=f"{column.point} {rest}".strip(), quantity=usual, unit=unit)
 
 
 def units(name: str, below: str = "") -> tuple[str, str]:
@@ -267,86 +253,84 @@ def _plain(text: str) -> str:
 # --- numbers ---------------------------------------------------------------------------------------
 
 
-def columns(table: Table, names: list[Head], name: str, rate: float | None) -> tuple[list[Column], list[str]]:
-    """Return the columns of a table under their names, and remarks on signs that group digits."""
-    wide = len(table.body.columns)
-    if names and wide > len(names):
+def columns(table: Table, name: str, rate: float | None) -> tuple[list[Column], list[str]]:
+    """Return the columns of a table, and remarks on signs that group digits."""
+    wide = max(map(len, table.body))
+    named = heads(table.above) or [Column(k + 1) for k in range(wide)]
+    if wide > len(named):
         raise InputError(
-            f"{name} has a row of {wide} cells under {len(names)} names: a comma can divide cells or numbers, not both. "
+            f"{name} has a row of {wide} cells under {len(named)} names: a comma can divide cells or numbers, not both. "
             "Save it with semicolons."
         )
     decimal, notes = _decimal_sign(table, name)
-    result, names = [], names or [Head("")] * wide
-    body = table.body.reindex(columns=range(len(names))).astype(object)
-    for k, head in enumerate(names):
-        cells = body[k]
-        known, label = cells.dropna(), head.label or f"column {k + 1}"
-        if len(known) and known.str.fullmatch(CLOCK).all():
-            numbers, counted = _clock(known, rate, name, label)
-            head = head._replace(unit="s", quantity="frame" if counted else head.quantity)
+    found = []
+    for k, column in enumerate(named):
+        cells = [row[k] if k < len(row) else "" for row in table.body]
+        known = [cell for cell in cells if cell]
+        if known and all(map(CLOCK.fullmatch, known)):
+            numbers, counted = _clock(known, rate, name, column.label)
+            column = replace(column, unit="s", quantity="frame" if counted else column.quantity)
         else:
-            numbers = _numbers(known, decimal, name, label)
-        words = list(cells.fillna("")) if numbers.isna().any() else []
-        result.append(Column(k + 1, head, numbers.reindex(cells.index).to_numpy(dtype=float), words))
-    return result, notes
+            numbers = np.array([_number(cell, decimal) for cell in known])
+        values = np.full(len(cells), np.nan)
+        values[[cell != "" for cell in cells]] = numbers
+        bad = next((row for row, cell in enumerate(cells) if cell and not np.isfinite(values[row])), None)
+        has_numbers = bool(np.isfinite(values).any())
+        if bad is not None and has_numbers:
+            raise InputError(
+                f"{name} has {cells[bad][:40]!r} in column {column.label}, row {bad + 1} below the names, "
+                "which must be a number."
+            )
+        found.append(replace(column, values=values, words=() if has_numbers else cells))
+    return found, notes
 
 
 def _decimal_sign(table: Table, name: str) -> tuple[str, list[str]]:
     """Return the decimal sign of a table, ',.' if it has both or none, and a remark if the other one groups digits."""
-    cells = table.body.stack().dropna()
-    cells = cells[cells.str.fullmatch(NUMBER)]
-    marked = {sign: cells[cells.str.contains(sign, regex=False)] for sign in GROUPED}
-    grouped = {sign: found[found.str.fullmatch(GROUPED[sign])] for sign, found in marked.items()}
-    signs = [sign for sign in GROUPED if len(grouped[sign])]
+    numbers = [(k, cell) for row in table.body for k, cell in enumerate(row) if NUMBER.fullmatch(cell)]
+    marked = {sign: [(k, cell) for k, cell in numbers if sign in cell] for sign in GROUPED}
+    grouped = {sign: [(k, cell) for k, cell in marked[sign] if re.fullmatch(GROUPED[sign], cell)] for sign in GROUPED}
     decimals = [sign for sign in GROUPED if len(grouped[sign]) < len(marked[sign])]
-    if len(decimals) == 1:
-        signs = [sign for sign in signs if sign not in decimals]
-    elif not decimals and len(signs) == 1:
-        within = grouped[signs[0]].index.get_level_values(1)
-        integers = cells.index.get_level_values(1).isin(within).sum() > len(within)
+    signs = [sign for sign in GROUPED if grouped[sign] and decimals != [sign]]
+    if not decimals and len(signs) == 1:
+        within = {k for k, _ in grouped[signs[0]]}
+        integers = any(k in within and signs[0] not in cell for k, cell in numbers)
         if integers == (signs == [","]):  # 985, 1,002 and 1,019; or 1.002 and 1.019 in all rows
             decimals, signs = ["."], signs if integers else []
         elif not integers and (table.separator == ";" or re.search(COMMA_WORDS, _plain(str(table.above)))):  # 1,002 in all rows
             decimals, signs = signs, []
-    if signs and len(decimals) != 1:
-        raise InputError(
-            f"{name} has the number {grouped[signs[0]].iloc[0]}, which has two readings: "
-            "save the table without signs that group digits."
-        )
     if not signs:
         return "".join(decimals) or ",.", []
-    cell = grouped[signs[0]].iloc[0]
-    return decimals[0], [f"{cell} is read as {_one_number(cell, decimals[0])}."]
+    _, cell = grouped[signs[0]][0]
+    if len(decimals) != 1:
+        raise InputError(
+            f"{name} has the number {cell}, which has two readings: save the table without signs that group digits."
+        )
+    return decimals[0], [f"{cell} is read as {_pointed(cell, decimals[0])}."]
 
 
-def _one_number(cell: str, decimal: str) -> str:
+def _pointed(cell: str, decimal: str) -> str:
+    """Return a number with a decimal point, without signs that group digits."""
     other = {",": ".", ".": ","}.get(decimal, "")
     return (cell.replace(other, "") if other else cell).replace(",", ".")
 
 
-def _numbers(known: Any, decimal: str, name: str, label: str) -> Any:
-    """Return the numbers of a column's cells, all nan for words such as a state."""
-    values = need("pandas", "fit").to_numeric(known.map(lambda cell: _one_number(cell, decimal)), errors="coerce")
-    bad = values.isna() | np.isinf(values)
-    if bad.any() and not bad.all():
-        raise InputError(
-            f"{name} has {known[bad.idxmax()][:40]!r} in column {label}, row {bad.idxmax() + 1} below the names, "
-            "which must be a number."
-        )
-    return values
+def _number(cell: str, decimal: str) -> float:
+    """Return the number of a cell, nan for words."""
+    return float(_pointed(cell, decimal)) if NUMBER.fullmatch(cell) else float("nan")
 
 
-def _clock(known: Any, rate: float | None, name: str, label: str) -> tuple[Any, bool]:
+def _clock(known: list[str], rate: float | None, name: str, label: str) -> tuple[Floats, bool]:
     """Return seconds of clocks, from the first row unless it is below an hour, or numbers of frames, and which these are."""
-    parts = known.str.extract(CLOCK)
-    half = parts["half"].str.lower().str[0]
+    parts = [found.groupdict() for cell in known if (found := CLOCK.fullmatch(cell))]
     hours, minutes, seconds, frames = (
-        parts[part].str.replace(",", ".").astype(float).fillna(0.0) for part in ("hours", "minutes", "seconds", "frames")
+        np.array([float((one[part] or "0").replace(",", ".")) for one in parts])
+        for part in ("hours", "minutes", "seconds", "frames")
     )
-    hours = hours.where(half.isna(), hours % 12 + 12 * (half == "p"))
-    values = HOUR * hours + 60.0 * minutes + seconds
-    values += DAY * (values.diff() < -0.5 * DAY).cumsum()
-    counted = bool(parts["frames"].notna().any())
+    halves = np.array([(one["half"] or "").lower()[:1] for one in parts])
+    values = HOUR * np.where(halves == "", hours, hours % 12 + 12 * (halves == "p")) + 60.0 * minutes + seconds
+    values += DAY * np.cumsum(np.diff(values, prepend=values[0]) < -0.5 * DAY)
+    counted = any(one["frames"] for one in parts)
     if counted:
         if rate is None or frames.max() >= round(rate):
             raise InputError(
@@ -354,20 +338,19 @@ def _clock(known: Any, rate: float | None, name: str, label: str) -> tuple[Any, 
                 f"--rate {30 if frames.max() < 30 else frames.max() + 1:.0f} (rate= in a Reading)."
             )
         values = values * round(rate) + frames
-    elapsed = values.iloc[0] < HOUR and parts["date"].isna().all() and not counted
-    return values if elapsed else values - values.iloc[0], counted
+    elapsed = values[0] < HOUR and not counted and not any(one["date"] for one in parts)
+    return values if elapsed else values - values[0], counted
 
 
 # --- groups of columns, and rows of several objects ------------------------------------------------
 
 
 def grouped(found: list[Column]) -> list[Column]:
-    """Put columns into groups: runs that their heads name, or columns behind times of their own."""
-    if any(column.head.run for column in found):
-        return [replace(column, group=column.head.run) for column in found]
-    times = [column for column in found if column.head.quantity == "t"]
-    labels, points = {column.label for column in times}, {column.head.point for column in times}
-    if len(times) < 2 or (len(labels) == len(times) and len(points) == 1):
+    """Put columns behind times of their own into groups, unless their heads name runs."""
+    times = [column for column in found if column.quantity == "t"]
+    labels, points = {column.label for column in times}, {column.point for column in times}
+    named = any(column.group for column in found)
+    if named or len(times) < 2 or (len(labels) == len(times) and len(points) == 1):
         return found
     starts = [column.number for column in times]
     return [replace(column, group=str(sum(start <= column.number for start in starts) or "")) for column in found]
@@ -378,22 +361,24 @@ def apart(found: list[Column], comments: list[str]) -> list[Column]:
 
     comments: above each row, which may name the object.
     """
-    keys = [column for quantity in ("t", "frame") for column in found if column.head.quantity == quantity]
+    keys = [column for quantity in ("t", "frame") for column in found if column.quantity == quantity]
     if not keys or len(set(keys[0].values)) == len(keys[0].values):
         return found
-    key, pandas = keys[0], need("pandas", "fit")
+    times = np.unique(keys[0].values)
     numbers = [column for column in found if column not in keys and not column.words]
-    named = [list(map("{:g}".format, column.values)) for column in numbers if column.head.quantity == "object"]
+    named = [list(map("{:g}".format, column.values)) for column in numbers if column.quantity == "object"]
     for labels in (comments, *(column.words for column in found if column.words), *named):
-        rows = pandas.MultiIndex.from_arrays([key.values, labels])
         kinds = list(dict.fromkeys(labels))
-        if rows.is_unique and 1 < len(kinds) <= len(labels) / 3:
-            wide = pandas.DataFrame({column.number: column.values for column in numbers}, index=rows).unstack()
-            split_up = [replace(key, values=wide.index.to_numpy())]
-            for kind in kinds:
-                for column in numbers:
-                    point = f"{kind} {column.head.point}".strip()
-                    head = column.head._replace(label=f"{kind} {column.label}", point=point)
-                    split_up.append(replace(column, head=head, values=wide[column.number, kind].to_numpy()))
-            return split_up
+        if len(set(zip(keys[0].values, labels, strict=True))) < len(labels) or not 1 < len(kinds) <= len(labels) / 3:
+            continue
+        split_up = [replace(keys[0], values=times)]
+        for kind in kinds:
+            own = np.array(labels) == kind
+            rows = np.searchsorted(times, keys[0].values[own])
+            for column in numbers:
+                values = np.full(len(times), np.nan)
+                values[rows] = column.values[own]
+                point, head = f"{kind} {column.point}".strip(), f"{kind} {column.label}"
+                split_up.append(replace(column, head=head, point=point, values=values))
+        return split_up
     return found

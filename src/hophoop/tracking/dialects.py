@@ -2,38 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
 import numpy as np
 
 from hophoop.tracking.table import COLUMNS
 
-
-def _words(text: str, value: Any) -> dict[str, Any]:
-    return dict.fromkeys(text.split("|"), value)
-
-
 # --- programs --------------------------------------------------------------------------------------
 
-
-class Dialect(NamedTuple):
-    """How one program names its columns."""
-
-    program: str
-    known: str  # regular expression for its heads, divided by lines
-    head: str  # regular expression for one head, with the groups name, point and run that it has
-    names: str = ""  # of quantities that have another meaning elsewhere, as name=quantity
-
-
-DIALECTS = (
-    Dialect("Kinovea", r"/\d+/x$", r"(?P<point>.+)/\d+/(?P<name>[xy])"),
-    Dialect("SLEAP", r"^frame_idx$", r"(?P<point>.+)\.(?P<name>[xy])"),
-    Dialect("DeepLabCut", r"likelihood$", r"(?P<name>.+)", "coords=frame"),
-    Dialect("TrackMate", r"^(track id|track_id)$", r"(?:position_)?(?P<name>.+)"),
-    Dialect("Sensor Logger", r"^seconds_elapsed$", r"(?P<name>.+)", "time="),
-    Dialect("Capstone", r"run #\d+$", r"(?P<name>.+?)\s(?P<run>\w+ #\d+)"),
-    Dialect("Logger Pro, Vernier", r"^[^:()]+:\s*time", r"(?P<run>[^:()\[\]]*):\s*(?P<name>.+)"),
-    Dialect("Video Analysis", r"^[^:()]+:", r"[^:()\[\]]*:\s*(?P<name>.+)"),
+HEADS = (  # parts of the heads of programs; a group is a run
+    r"(?P<point>.+)/\d+/(?P<name>[xy])",  # Kinovea
+    r"(?P<point>.+)\.(?P<name>[xy])",  # SLEAP
+    r"position_(?P<name>.+)",  # TrackMate
+    r"(?P<name>.+?)\s(?P<group>\w+ #\d+)",  # Capstone
+    r"(?P<group>[^:()\[\]]*):\s*(?P<name>.+)",  # Logger Pro, Vernier
 )
 
 # --- words of heads, by language -------------------------------------------------------------------
@@ -42,7 +22,7 @@ DIALECTS = (
 # parts of heads.
 ENGLISH = {
     "t": "t|time|seconds elapsed|timestamp",
-    "frame": "frame|frames|frame number|frame idx|image",
+    "frame": "frame|frames|frame number|frame idx|image|coords",
     "angle": "angle|theta|θ|φ|phi|rotation|rotation angle",
     "polar": "θr|thetar|theta r|θ r",
     "omega": "omega|ω|w|angular velocity|angular speed|angular rate|rotation rate|gyr",
@@ -91,16 +71,23 @@ ROTATION = rf"{_said('gyroscope')}|\b(?:{_said('omega')})\b"
 DEGREE = float(np.pi / 180)
 # In SI units and radians, by these; lengths and times may lack theirs.
 UNITS: dict[str, dict[str, float]] = {
-    "m": _words("|m|meter|meters|metre|metres|metro|metros", 1.0) | _words("mm|millimeter|millimeters|millimetre", 0.001)
-    | _words("cm|centimeter|centimeters|centimetre|centimetres|zentimeter", 0.01) | _words("in|inch", 0.0254)
-    | {"km": 1000.0, "ft": 0.3048, "um": 1e-6, "micron": 1e-6},
-    "s": _words("|s|sec|secs|sek|second|seconds|sekunden|secondes|segundos", 1.0) | _words("ms|msec", 0.001)
-    | {"us": 1e-6, "ns": 1e-9, "min": 60.0, "d": 86400.0},
-    "rad": _words("rad|radian|radians|radianes", 1.0) | _words("deg|°|degree|degrees|grad|degre|degres|grados", DEGREE),
-    "rad/s": _words("rad/s|rad/sec|1/s|s^-1", 1.0) | _words("deg/s|deg/sec|°/s|dps|degrees/s|grad/s", DEGREE)
-    | {"rpm": float(np.pi / 30)},
+    kind: {word: size for words, size in sizes.items() for word in words.split("|")}
+    for kind, sizes in {
+        "m": {
+            "|m|meter|meters|metre|metres|metro|metros": 1.0, "mm|millimeter|millimeters|millimetre": 0.001,
+            "cm|centimeter|centimeters|centimetre|centimetres|zentimeter": 0.01, "in|inch": 0.0254,
+            "km": 1000.0, "ft": 0.3048, "um|micron": 1e-6,
+        },
+        "s": {
+            "|s|sec|secs|sek|second|seconds|sekunden|secondes|segundos": 1.0, "ms|msec": 0.001, "us": 1e-6, "ns": 1e-9,
+            "min": 60.0, "d": 86400.0,
+        },
+        "rad": {"rad|radian|radians|radianes": 1.0, "deg|°|degree|degrees|grad|degre|degres|grados": DEGREE},
+        "rad/s": {"rad/s|rad/sec|1/s|s^-1": 1.0, "deg/s|deg/sec|°/s|dps|degrees/s|grad/s": DEGREE, "rpm": float(np.pi / 30)},
+    }.items()
 }  # fmt: skip
 SHOWN = {"m": "m, cm, mm, in and ft", "s": "s, ms, us, ns and min", "rad": "rad and deg", "rad/s": "rad/s, deg/s and rpm"}
 PIXELS = ("px", "pixel", "pixels")
 KNOWN_UNITS = {unit for units in UNITS.values() for unit in units if unit}.union(PIXELS)
+OTHER_UNITS = KNOWN_UNITS - UNITS["m"].keys() - {*PIXELS}  # than those of lengths
 KIND = {"frame": ""} | {name: unit if unit in UNITS else "" for name, (_, _, unit) in COLUMNS.items()}

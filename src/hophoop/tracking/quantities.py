@@ -52,8 +52,6 @@ class Reading:
         Time from which the motion is free [s]; earlier rows are left out.
     until : float, optional
         Time up to which it is free [s].
-    angle_unit : {'rad', 'deg'}, optional
-        Unit of angles and angular velocities, if the data lack it.
     radius : float, optional
         Radius of the rim [m], if the data lack it.
 
@@ -70,12 +68,9 @@ class Reading:
     rate: float | None = None
     since: float | None = None
     until: float | None = None
-    angle_unit: str | None = None
     radius: float | None = None
 
     def __post_init__(self) -> None:
-        if self.angle_unit not in (None, "rad", "deg"):
-            raise InputError.of_field("angle_unit", self.angle_unit, "'rad' or 'deg'")
         for field_name, names in (("columns", self.columns), ("units", self.units)):
             for name in names:
                 if name not in CHANNELS:
@@ -101,11 +96,11 @@ class Sheet:
         """Columns of some quantities, or all, that have numbers and are not used yet."""
         taken = self.used.values()
         known = [column for column in self.columns if column not in taken and np.isfinite(column.values).any()]
-        return [column for column in known if not quantities or column.head.quantity in quantities]
+        return [column for column in known if not quantities or column.quantity in quantities]
 
     def option(self, **wanted: Column) -> str:
         """Options that name columns: by their heads, or by their numbers where heads do not tell them apart."""
-        labels = [column.head.label.casefold() for column in self.columns]
+        labels = [column.head.casefold() for column in self.columns]
         names = {
             channel: column.label
             if labels.count(column.label.casefold()) == 1 and re.fullmatch(r"[^\W\d][^'\"\n]*", column.label)
@@ -152,7 +147,7 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
         said = f"has neither x and y, nor marker_x and marker_y, nor angle, nor omega; {sheet.listed}"
         raise sheet.question(said, sheet.such("x", "y"))
     t = times(sheet)
-    values = {channel: _converted(sheet, channel) for channel in used.keys() - {"t", "frame"}}
+    values = {channel: _converted(sheet, channel) for channel in used if channel not in ("t", "frame")}
     if "angle" in values:
         values["angle"] = unwrapped(values["angle"])
     if "x" in values and not ours:
@@ -179,46 +174,51 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
 def _use_named(sheet: Sheet) -> None:
     """Use the columns that are named, and keep only the columns of one run."""
     named = {channel: _named(sheet, channel, label.strip()) for channel, label in sheet.how.columns.items()}
-    if not named and not any(column.head.label for column in sheet.columns):
+    if not named and not any(column.head for column in sheet.columns):
         raise _unnamed(sheet)
-    grouped = [column for column in sheet.columns if column.group and column.head.quantity in ("x", "y", "angle", "omega")]
-    groups = list(dict.fromkeys(column.group for column in named.values() or grouped if column.group))
-    first = [next(column for column in sheet.columns if column.group == group) for group in groups]
+    chosen = named.values() or [column for column in sheet.columns if column.quantity in ("x", "y", "angle", "omega")]
+    groups = list(dict.fromkeys(column.group for column in chosen if column.group))
     if len(groups) > 1 and not named:
-        options = [sheet.option(**{column.head.quantity: column}) for column in first]
+        first = [next(column for column in sheet.columns if column.group == group) for group in groups]
+        options = [sheet.option(**{column.quantity: column}) for column in first]
         raise sheet.question("has several runs, or sensors with times of their own", *options)
     if groups:
         kept = [column for column in sheet.columns if column.group in ("", *groups)]
-        clocks = [column for column in kept if column.head.quantity == "t"]
+        clocks = [column for column in kept if column.quantity == "t"]
         if any(not np.array_equal(clocks[0].values, clock.values, equal_nan=True) for clock in clocks):
             raise sheet.question("has other times for some of the columns that are named")
-        others = [column for column in sheet.columns if column.head.quantity == "t" and not clocks]
-        sheet.columns[:] = kept + others
-    sheet.used.update({one.head.quantity: one for one in sheet.columns if one.head.quantity in CERTAIN} | named)
+        sheet.columns[:] = kept + [column for column in sheet.columns if column.quantity == "t" and not clocks]
+    sheet.used.update({column.quantity: column for column in sheet.columns if column.quantity in CERTAIN} | named)
 
 
 def _named(sheet: Sheet, channel: str, label: str) -> Column:
     """Return the column that is named by its head or its number."""
-    for key in (lambda one: one.head.label == label, lambda one: one.head.label.casefold() == label.casefold(), None):
-        found = [column for column in sheet.columns if (key(column) if key else str(column.number) == label)]
-        if column := sheet.only(found, channel):
-            return column
+    found = (
+        [column for column in sheet.columns if column.head == label]
+        or [column for column in sheet.columns if column.head.casefold() == label.casefold()]
+        or [column for column in sheet.columns if str(column.number) == label]
+    )
+    if column := sheet.only(found, channel):
+        return column
     raise sheet.question(f"has no column {label!r}; {sheet.listed}", sheet.such(channel))
 
 
 def _unnamed(sheet: Sheet) -> InputError:
     """Return the question of a table without heads, with the numbers of columns and the units that read it."""
-    rest = sheet.free()
-    clock = next((column for column in rest if (np.diff(column.values) > 0).all()), None)
-    such = ["--rate 240"]
-    if clock:
+    rest, such = sheet.free(), ["--rate 240"]
+    if clock := next((column for column in rest if (np.diff(column.values) > 0).all()), None):
         rest.remove(clock)
         such = [sheet.option(t=clock), f"--unit t={_unit_of_times(clock.values)}"]
     if len(rest) in (2, 4):
         such.append(sheet.option(**dict(zip(("x", "y", "marker_x", "marker_y"), rest, strict=False))))
     elif rest:
-        such.append(sheet.option(omega=max(rest, key=_size)) + " --unit omega=rad/s")
+        such.append(_as_sensor(sheet, rest))
     return sheet.question("has no row of column names, to name columns by their numbers", " ".join(such))
+
+
+def _as_sensor(sheet: Sheet, axes: list[Column]) -> str:
+    """Options that name the axis of a gyroscope with the most rotation."""
+    return sheet.option(omega=max(axes, key=_size)) + " --unit omega=rad/s"
 
 
 def _size(column: Column) -> float:
@@ -232,60 +232,56 @@ def _size(column: Column) -> float:
 def _find_positions(sheet: Sheet) -> str | None:
     """Find the columns of centre and marker; return the name of the point at the centre."""
     named = {"x", "y", "marker_x", "marker_y"} & sheet.used.keys()
-    free, axes = sheet.free("x", "y"), [column for column in sheet.columns if column.head.quantity in ("x", "y", "z")]
-    if not named and {one.head.quantity for one in axes} == {*"xyz"} and not any(one.head.unit for one in axes):
+    free, axes = sheet.free("x", "y"), [column for column in sheet.columns if column.quantity in ("x", "y", "z")]
+    if not named and {column.quantity for column in axes} == {*"xyz"} and not any(column.unit for column in axes):
         if "omega" not in sheet.used:
-            raise _of_sensor(sheet, "has three axes without units", axes)
+            raise _places_or_sensor(sheet, "has three axes without units", axes)
         return None
     roles = _roles(sheet, free, asks=not named)
-    for role, point in roles.items():
+    for prefix, point in roles.items():
         for axis in ("x", "y"):
-            channel = axis if role == "centre" else f"marker_{axis}"
-            found = [column for column in free if (column.head.point, column.head.quantity) == (point, axis)]
-            if channel not in named and (column := sheet.only(found, channel)):
-                sheet.used[channel] = column
-    return roles.get("centre")
+            found = [column for column in free if (column.point, column.quantity) == (point, axis)]
+            if prefix + axis not in named and (column := sheet.only(found, prefix + axis)):
+                sheet.used[prefix + axis] = column
+    return roles.get("")
 
 
-def _of_sensor(sheet: Sheet, said: str, axes: list[Column]) -> InputError:
+def _places_or_sensor(sheet: Sheet, said: str, axes: list[Column]) -> InputError:
     """Return the question whether axes are places or those of a sensor."""
-    places = {column.head.quantity: column for column in axes if column.head.quantity != "z"}
+    places = {column.quantity: column for column in axes if column.quantity != "z"}
     shown = ", ".join(column.label for column in axes)
-    return sheet.question(
-        f"{said}, {shown}, of places or of a sensor",
-        f"{sheet.option(omega=max(axes, key=_size))} --unit omega=rad/s",
-        sheet.option(**places),
-    )
+    return sheet.question(f"{said}, {shown}, of places or of a sensor", _as_sensor(sheet, axes), sheet.option(**places))
 
 
 def _roles(sheet: Sheet, free: list[Column], *, asks: bool) -> dict[str, str]:
-    """Return the points of centre and marker: as given, by their names, or by their numbers; asks: whether one is needed."""
-    points = list(dict.fromkeys(column.head.point for column in free))
+    """Return the points of the centre, under '', and of the marker, under 'marker_': as given, by their names or numbers.
+
+    asks: whether one is needed.
+    """
+    points = list(dict.fromkeys(column.point for column in free))
     shown = ", ".join(repr(point) if point else "one without a name" for point in points)
-    roles = {}
-    for role, said, words in (("centre", sheet.how.centre, CENTRE), ("marker", sheet.how.marker, MARKER)):
+    roles: dict[str, str] = {}
+    for prefix, said, words in (("", sheet.how.centre, CENTRE), ("marker_", sheet.how.marker, MARKER)):
         fit = [point for point in points if re.search(words, point.lower())]
         if said is not None:
-            fit = [one.head.point for one in free if said in (one.head.point, one.label, re.sub(r"\s*[(\[].*", "", one.label))]
+            fit = [one.point for one in free if said in (one.point, one.label, re.sub(r"\s*[(\[].*", "", one.label))][:1]
             if not fit:
                 raise InputError(f"{sheet.name} has no point {said!r}; its points are {shown}.")
-            fit = fit[:1]
         if len(fit) == 1:
-            roles[role] = fit[0]
-    rest = [point for point in points if point not in roles.values()]
-    numbered = [point for point in rest if not point or point.isdigit()]
-    if not roles and len(numbered) == 2:
-        rises = [next(column for column in free if column.head.point == point) for point in numbered]
-        rises.sort(key=lambda one: _rise_and_fall(free, one.head.point))
+            roles[prefix] = fit[0]
+    rest = points if len(points) == 1 else [point for point in points if not point or point.isdigit()]
+    rest = [point for point in rest if point not in roles.values()]
+    open_roles = [prefix for prefix in ("", "marker_") if prefix not in roles]
+    if len(rest) == 2 and not roles:
+        rest.sort(key=lambda point: _rise_and_fall(free, point))
+        centre, marker = (next(column.label for column in free if column.point == point) for point in rest)
         sheet.notes.append(
-            f"{rises[0].label} is taken for the centre and {rises[1].label}, which rises and falls more, for the marker; "
+            f"{centre} is taken for the centre and {marker}, which rises and falls more, for the marker; "
             "--centre and --marker name others."
         )
-        return dict(zip(("centre", "marker"), [column.head.point for column in rises], strict=True))
-    if "centre" not in roles and (len(numbered) == 1 or (rest == points and len(points) == 1)):
-        roles["centre"] = (numbered or rest)[0]
-    elif "marker" not in roles and len(numbered) == 1:
-        roles["marker"] = numbered[0]
+        return dict(zip(open_roles, rest, strict=True))
+    if len(rest) == 1 and open_roles:
+        roles[open_roles[0]] = rest[0]
     if asks and points and not roles:
         such = f"--centre {shlex.quote(points[0])} --marker {shlex.quote(points[1])}"
         raise sheet.question(f"has the points {shown}, and which are the centre and the marker is open", such)
@@ -294,14 +290,13 @@ def _roles(sheet: Sheet, free: list[Column], *, asks: bool) -> dict[str, str]:
 
 def _rise_and_fall(free: list[Column], point: str) -> float:
     """Standard deviation of a point's y."""
-    return max(
-        (float(np.nanstd(one.values)) for one in free if (one.head.point, one.head.quantity) == (point, "y")), default=0.0
-    )
+    heights = [column.values for column in free if (column.point, column.quantity) == (point, "y")]
+    return max(map(float, map(np.nanstd, heights)), default=0.0)
 
 
 def _find_rotation(sheet: Sheet, centre: str | None) -> None:
     """Find the column of the angle, or without angle and marker that of the angular velocity."""
-    angles = [column for column in sheet.free("angle") if column.head.point in ("", centre)]
+    angles = [column for column in sheet.free("angle") if column.point in ("", centre)]
     if angles and "angle" not in sheet.used:
         sheet.used["angle"] = angles[0]
     polar = sheet.free("polar")
@@ -321,21 +316,16 @@ def _find_rotation(sheet: Sheet, centre: str | None) -> None:
 
 def _converted(sheet: Sheet, channel: str) -> Floats:
     """Return values of a column in SI units and radians."""
-    how, column, kind = sheet.how, sheet.used[channel], KIND[channel]
-    usual = {"angle": how.angle_unit, "omega": how.angle_unit and f"{how.angle_unit}/s"}.get(channel)
-    given = how.units.get(channel, how.units.get(channel.removeprefix("marker_"), column.head.unit or usual or ""))
+    units, column, kind = sheet.how.units, sheet.used[channel], KIND[channel]
+    given = units.get(channel, units.get(channel.removeprefix("marker_"), column.unit))
     if not kind or channel.startswith("sigma") or (kind == "m" and given in PIXELS):
         return column.values
     factor = unit_factor(given, kind)
     if factor is not None:
         return column.values * factor
-    if given:
-        said = f"gives {column.label} in an unknown unit; known units are {SHOWN[kind]}"
-        raise sheet.question(said, f"--unit {channel}={kind}")
-    raise InputError(
-        f"{sheet.name} has no unit of {column.label}: write it behind the name, such as {column.label} (deg), or give "
-        "--angle-unit deg, or angle_unit='deg' in a Reading."
-    )
+    said = f"gives {column.label} in an unknown unit" if given else f"has no unit of {column.label}"
+    usual = {"rad": "deg", "rad/s": "deg/s"}.get(kind, kind)
+    raise sheet.question(f"{said}; known units are {SHOWN[kind]}", f"--unit {channel}={usual}")
 
 
 def unwrapped(angle: Floats) -> Floats:
@@ -372,7 +362,7 @@ def _counted(sheet: Sheet, frames: Column | None, clock: Column | None) -> Float
     if column is not None:
         sheet.used["frame"] = column
         known = column.values[np.isfinite(column.values)]
-        if (known == np.round(known)).all() and (frames or not column.head.unit):
+        if (known == np.round(known)).all() and (frames or not column.unit):
             return column.values
         if not uneven(known):
             raise InputError(f"{sheet.name} has times, no numbers of frames: leave out --rate (rate= in a Reading).")
@@ -396,9 +386,9 @@ def check_times(sheet: Sheet, t: Floats) -> None:
     clock = sheet.used["t"]
     step = _usual_step(t[there])
     if there.sum() >= FEWEST and not STEPS[0] <= step < STEPS[1] and "t" not in sheet.how.units:
-        counts = not clock.head.unit and (np.diff(clock.values[there]) == 1).all()
+        counts = not clock.unit and (np.diff(clock.values[there]) == 1).all()
         unit = _unit_of_times(clock.values[there])
-        factor = (unit_factor(unit, "s") or 1.0) / (unit_factor(clock.head.unit, "s") or 1.0)
+        factor = (unit_factor(unit, "s") or 1.0) / (unit_factor(clock.unit, "s") or 1.0)
         said = f"has times in {clock.label} with a step of {step:.3g} s, which no camera or sensor has"
         if counts:
             raise sheet.question(said, "--rate 240, if these are frames (rate= in a Reading)")
@@ -434,12 +424,14 @@ def check(sheet: Sheet, values: dict[str, Floats]) -> None:
     across, up = (values.get(f"marker_{axis}", np.full(len(x), np.nan)) - values[axis] for axis in ("x", "y"))
     there = np.isfinite(across)
     reach = np.median(np.hypot(across, up)[there]) if there.any() else 0.1
-    if "x" not in sheet.how.units and (column.head.unit in PIXELS or not REACH[0] < reach < REACH[1]):
+    if "x" not in sheet.how.units and (column.unit in PIXELS or not REACH[0] < reach < REACH[1]):
         raise _lengths(sheet, x[there], unwrapped(np.arctan2(across, up))[there])
     radius = sheet.how.radius or 0.0
     still = np.nanmax(x) - np.nanmin(x) < STILL * radius < abs(np.nanmedian(y) - radius)
-    if still and not column.head.unit and "x" not in sheet.how.columns:
-        raise _of_sensor(sheet, "has a centre that neither moves nor is at the height of the radius", [column, sheet.used["y"]])
+    if still and not column.unit and "x" not in sheet.how.columns:
+        raise _places_or_sensor(
+            sheet, "has a centre that neither moves nor is at the height of the radius", [column, sheet.used["y"]]
+        )
 
 
 def compare_angles(sheet: Sheet, values: dict[str, Floats]) -> None:
@@ -458,7 +450,7 @@ def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> InputError:
     """Return the question for the unit of lengths, with the size and direction that rolling suggests."""
     size = 0.01
     if sheet.how.radius and len(x) > 2 and np.ptp(angle) > 1.0:
-        size = sheet.how.radius / float(np.polyfit(angle, x, 1)[0]) * (unit_factor(sheet.used["x"].head.unit, "m") or 1.0)
+        size = sheet.how.radius / float(np.polyfit(angle, x, 1)[0]) * (unit_factor(sheet.used["x"].unit, "m") or 1.0)
     unit = next((unit for unit in ("cm", "mm", "in") if abs(size / UNITS["m"][unit] - 1.0) < 0.1), f"{abs(size):.2g}")
     y, down = (f"-{unit}", ", with y downwards") if size < 0 else (unit, "")
     return sheet.question(

@@ -41,8 +41,6 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         If the file has another format.
     OSError
         If it cannot be read.
-    ImportError
-        If pandas is missing, for a table.
     """
     file, how = Path(path), reading or Reading()
     if not file.exists():
