@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -42,36 +43,26 @@ def branch(found: Branch | Sequence[Branch], ax: Axes | None = None) -> Axes:
     branches = [found] if isinstance(found, Branch) else list(found)
     path = branches[0].path
     scale, label = parameter_axis(path)
-    named: set[str] = set()
     for one in branches:
-        _lines(ax, one, scale, named)
+        _lines(ax, one, scale)
     for kind, mark in MARKS.items():
         special = [point for one in branches for point in one.special if point.kind == kind]
-        points = [(point.parameter * scale, point.omega) for point in special]
-        if points:
-            x, y = np.array(points).T
-            style: dict[str, Any] = (
-                {"color": colors.BLACK} if mark == "x" else {"facecolor": "white", "edgecolor": colors.BLACK}
-            )
-            ax.scatter(x, y, marker=mark, s=28, linewidths=0.9, zorder=3, label=kind, **style)
+        if special:
+            x, y = np.array([(point.parameter * scale, point.omega) for point in special]).T
+            face = colors.BLACK if mark == "x" else "white"
+            ax.scatter(x, y, marker=mark, s=28, linewidths=0.9, zorder=3, label=kind, facecolor=face, edgecolor=colors.BLACK)
     finish(ax, label, rf"$\dot\theta$ {PLACES[branches[0].section]} (rad/s)")
     return ax
 
 
-def _lines(ax: Axes, one: Branch, scale: float, named: set[str]) -> None:
+def _lines(ax: Axes, one: Branch, scale: float) -> None:
     """Draw the parts of a branch that have the same stability and colour."""
-    states = list(zip(one.stable.tolist(), (one.hops > 0).tolist(), strict=True))
-    begin = 0
-    for k in range(1, len(states) + 1):
-        if k < len(states) and states[k] == states[begin]:
-            continue
-        stable, hops = states[begin]
-        kind = "gait with hops" if hops else "gait without a hop"
-        name = kind + ("" if stable else ", unstable")
-        part = slice(begin, min(k + 1, len(states)))
-        ax.plot(
-            one.parameter[part] * scale, one.omega[part], color=KINDS[kind][0], linewidth=1.8 if stable else 1.2,
-            linestyle="-" if stable else (0, (3, 2)), label=None if name in named else name,
-        )  # fmt: skip
-        named.add(name)
-        begin = k
+    stable, hops = np.asarray(one.stable), np.asarray(one.hops) > 0
+    changes = np.flatnonzero((stable[1:] != stable[:-1]) | (hops[1:] != hops[:-1])) + 1
+    for begin, end in pairwise([0, *changes.tolist(), len(stable)]):
+        kind = "gait with hops" if hops[begin] else "gait without a hop"
+        part = slice(begin, end + 1)  # up to the next part
+        look: dict[str, Any] = (
+            {"lw": 1.8, "label": kind} if stable[begin] else {"lw": 1.2, "ls": (0, (3, 2)), "label": f"{kind}, unstable"}
+        )
+        ax.plot(one.parameter[part] * scale, one.omega[part], color=KINDS[kind][0], **look)

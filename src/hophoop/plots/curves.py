@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from itertools import pairwise
 from typing import Any, Final, NamedTuple
 
@@ -66,8 +66,7 @@ PANELS: Final[dict[str, tuple[str, tuple[Curve, ...]]]] = {
 }
 
 
-@dataclass(frozen=True)
-class Phase:
+class Phase(NamedTuple):
     """A part of the motion in one mode, by letter and word: times [s] and angles [degrees] at its ends."""
 
     mode: str
@@ -91,8 +90,7 @@ def phases(motion: Trajectory) -> list[Phase]:
         word = mode_word(event.to_mode, motion.at(0.5 * (event.t + following.t)).omega)
         angle, end_angle = math.degrees(event.angle), math.degrees(following.angle)
         if found and (found[-1].mode, found[-1].word) == (event.to_mode, word):
-            last = found.pop()
-            found.append(Phase(last.mode, last.word, last.t, following.t, last.angle, end_angle))
+            found[-1] = found[-1]._replace(end_t=following.t, end_angle=end_angle)
         else:
             found.append(Phase(event.to_mode, word, event.t, following.t, angle, end_angle))
     return found
@@ -136,17 +134,7 @@ def values_of(name: str, sample: ArraySample, scenario: Scenario) -> Any:
 
 def turning(motion: Trajectory) -> bool:
     """Return True if the hoop rotates in both directions, so that its angle does not order the motion."""
-    turns = [event.omega for event in motion.events] + [event.before.omega for event in motion.events]
-    rates = np.concatenate([motion.at(motion.times(200)).omega, turns])
+    rates = curve(motion).omega
     rates = rates[np.isfinite(rates)]
-    size = float(np.max(np.abs(rates), initial=0.0))
-    return bool((rates > 1e-9 * size).any() and (rates < -1e-9 * size).any())
-
-
-def broken(values: NDArray[np.float64], sample: ArraySample, modes: str) -> NDArray[np.float64]:
-    """Return the values where the mode is one of `modes`, nan elsewhere, for a broken line.
-
-    The last point of a phase is left of the event that ends it, so that it belongs to the phase.
-    """
-    inside = np.isin(sample.mode, list(modes))
-    return np.where(inside, values, np.nan)
+    limit = 1e-9 * np.abs(rates).max(initial=0.0)
+    return bool((rates > limit).any() and (rates < -limit).any())

@@ -43,17 +43,17 @@ def diagram(found: Diagram, ax: Axes | None = None, speed: bool = False) -> Axes
     ax = new_axes(ax, SIZE)
     scale, label = parameter_axis(found.path)
     across = found.values * scale
-    points: dict[str, list[tuple[float, float]]] = {kind: [] for kind in KINDS}
-    for x, several in zip(across.tolist(), found.attractors, strict=True):
-        for one in several:
-            kind = _kind(one)
-            if kind is not None:
-                heights = [one.speed] if speed else one.omega.tolist()
-                points[kind] += [(x, height) for height in heights]
     _shade_ends(ax, found, across)
     for kind, (color, size) in KINDS.items():
-        if points[kind]:
-            x, y = np.array(points[kind]).T
+        points = [
+            (x, height)
+            for x, several in zip(across.tolist(), found.attractors, strict=True)
+            for one in several
+            if _kind(one) == kind
+            for height in ([one.speed] if speed else one.omega.tolist())
+        ]
+        if points:
+            x, y = np.transpose(points)
             ax.scatter(x, y, s=size, color=color, linewidths=0, rasterized=True)
             ax.scatter([], [], s=20, color=color, linewidths=0, label=kind)
     ax.set_xlim(float(across.min()), float(across.max()))
@@ -71,11 +71,10 @@ def _kind(one: Attractor) -> str | None:
 
 def _shade_ends(ax: Axes, found: Diagram, across: np.ndarray) -> None:
     """Tint the values at which no start settles on a motion that goes on."""
-    ended = np.array([all(_kind(one) is None for one in several) for several in found.attractors])
+    ended = [all(_kind(one) is None for one in several) for several in found.attractors]
     half = 0.5 * float(np.median(np.diff(across))) if len(across) > 1 else 0.5
-    changes = np.flatnonzero(np.diff(np.concatenate(([0], ended.astype(int), [0]))))
-    words = {str(one.fate) for several, over in zip(found.attractors, ended, strict=True) if over for one in several}
-    label = ", ".join(str(fate) for fate in FATES if str(fate) in words)
-    for low, high in zip(changes[::2].tolist(), (changes[1::2] - 1).tolist(), strict=True):
-        ax.axvspan(across[low] - half, across[high] + half, color=colors.GRAY, alpha=colors.SHADE, linewidth=0, label=label)
-        label = ""
+    fates = {one.fate for several, over in zip(found.attractors, ended, strict=True) if over for one in several}
+    label = ", ".join(str(fate) for fate in FATES if fate in fates)
+    changes = np.flatnonzero(np.diff(ended, prepend=False, append=False))
+    for first, last in zip(changes[::2], changes[1::2] - 1, strict=True):
+        ax.axvspan(across[first] - half, across[last] + half, color=colors.GRAY, alpha=colors.SHADE, linewidth=0, label=label)

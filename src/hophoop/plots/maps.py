@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from hophoop import theory
 from hophoop._support.extras import need
-from hophoop.kernel.records import CELL
+from hophoop.kernel.records import Cell
 from hophoop.maps import Border, words_of
-from hophoop.maps.grid.axes import has_equal_ratios, ordered
+from hophoop.maps.grid.axes import has_equal_ratios
 from hophoop.maps.grid.cells import make_cells
 from hophoop.plots.style import SMALL, Axes, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario, describe
@@ -108,14 +108,19 @@ def motion_map(
     return ax
 
 
+def _plan_of(dataset: xarray.Dataset) -> tuple[Scenario, str] | None:
+    """Return the scenario and the span of a map, if it has a plan."""
+    plan = json.loads(dataset.attrs.get("plan", "null"))
+    return plan and (Scenario.from_dict(plan["scenario"]), plan["span"])
+
+
 def _title(dataset: Any, axes: Sequence[str]) -> str:
     """Return the parameters that are the same in the whole map."""
-    plan = json.loads(dataset.attrs["plan"]) if "plan" in dataset.attrs else None
+    plan = _plan_of(dataset)
     if plan is None:
         return ""
-    base = Scenario.from_dict(plan["scenario"])
-    lasts = [] if plan["span"].startswith("settled") else [f"{base.duration:g} s"]
-    return ", ".join([describe(base, without=axes), *lasts])
+    base, span = plan
+    return describe(base, without=axes) + ("" if span.startswith("settled") else f", {base.duration:g} s")
 
 
 def _label(dataset: Any, name: str) -> str:
@@ -188,7 +193,7 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> list[Any]:
     excess = _painleve_excess(dataset)
     if excess is not None and (excess > 0).any() and (excess < 0).any():
         ax.contour(x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4)
-        keys.append(need("matplotlib.lines", "plots").Line2D([], [], color="black", lw=1.1, ls="--", label="Painlevé"))
+        keys += ax.plot([], [], "--", color="black", lw=1.1, label="Painlevé")
     if "painleve" in dataset:
         met = dataset["painleve"].values == 1
         if met.any():
@@ -204,20 +209,17 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> list[Any]:
 
 def _painleve_excess(dataset: Any) -> NDArray[np.float64] | None:
     """Return the kinetic friction in excess of the paradox's threshold, in every cell."""
-    plan = json.loads(dataset.attrs["plan"]) if "plan" in dataset.attrs else None
+    plan = _plan_of(dataset)
     if plan is None:
         return None
-    base = Scenario.from_dict(plan["scenario"])
-    up, across = dataset[next(iter(dataset))].dims
-    grid = np.meshgrid(dataset[up].values, dataset[across].values, indexing="ij")
-    values = dict(zip((str(up), str(across)), (part.reshape(-1) for part in grid), strict=True))
-    cells = make_cells(base, {path: values[path] for path in ordered(list(values))}, grid[0].size)
-    bodies = zip(*(cells[CELL.index(name)].tolist() for name in ("eccentricity", "inertia_ratio")), strict=True)
+    axes = {str(name): dataset[name].values for name in dataset[next(iter(dataset))].dims}
+    grid = dict(zip(axes, np.meshgrid(*axes.values(), indexing="ij"), strict=True))
+    shape = next(iter(grid.values())).shape
+    cells = make_cells(plan[0], {path: values.reshape(-1) for path, values in grid.items()}, math.prod(shape))
+    bodies = zip(cells[Cell.ECCENTRICITY].tolist(), cells[Cell.INERTIA_RATIO].tolist(), strict=True)
     threshold = np.array([_least_friction(*body) for body in bodies])
-    friction = cells[CELL.index("mu_kinetic")]
-    with np.errstate(invalid="ignore"):
-        excess = np.clip(friction, 0.0, 1e6) - np.clip(threshold, 0.0, 1e6)
-    return np.asarray(excess.reshape(grid[0].shape))
+    excess = np.clip(cells[Cell.MU_KINETIC], 0.0, 1e6) - np.clip(threshold, 0.0, 1e6)
+    return np.asarray(excess.reshape(shape))
 
 
 @cache

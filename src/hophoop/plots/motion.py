@@ -11,8 +11,7 @@ import numpy as np
 
 from hophoop.plots.bands import draw_bands
 from hophoop.plots.curves import ENERGIES, FORCES, GAP, UTILIZATION, VELOCITIES, Curve, curve, values_of
-from hophoop.plots.style import Against, Axes, abscissa, as_list, check_against, finish, new_axes, show_modes
-from hophoop.scenario import InputError
+from hophoop.plots.style import Against, Axes, abscissa, as_list, check_against, check_labels, finish, new_axes, show_modes
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
 
@@ -231,22 +230,15 @@ def _draw(
                 label = (loss + name).removeprefix(", ") or None
                 ls = one.dashes if len(many) == 1 else dashes
                 ax.plot(across, values, color=one.color, lw=one.width, ls=ls, label=label)
-    label = abscissa(ax, _widest(many, against), against)
+    across_label = abscissa(ax, against)
     if modes and len(many) == 1:
         show_modes(ax, many[0], against)
-    finish(ax, label, up)
+    finish(ax, across_label, up)
     return ax
 
 
 def _names(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> list[str]:
+    check_labels(labels, motions)
     if labels is None:
         return [""] if len(motions) == 1 else [f", motion {k + 1}" for k in range(len(motions))]
-    if len(labels) != len(motions):
-        raise InputError.of_field("labels", list(labels), f"one for each of the {len(motions)} motions")
     return [f", {label}" if label else "" for label in labels]
-
-
-def _widest(motions: Sequence[Trajectory], against: Against) -> Trajectory:
-    if against == "time":
-        return max(motions, key=lambda motion: motion.duration)
-    return max(motions, key=lambda motion: abs(motion.events[-1].angle - motion.events[0].angle))

@@ -54,13 +54,9 @@ def return_map(
     if start is not None:
         steps = _steps(found, start, passages, skip)
         ax.plot(steps[:, 0], steps[:, 1], color=colors.BLACK, linewidth=0.6, alpha=0.5)
-    named: set[str] = set()
     for piece in found.pieces:
-        hops = FLIGHT in piece.sequence
-        name = "with a hop" if hops else "without a hop"
-        color = colors.MODES["flight"] if hops else colors.MODES["roll"]
-        ax.plot(piece.omega, piece.after, color=color, linewidth=1.8, label=None if name in named else name)
-        named.add(name)
+        name, mode = ("with a hop", "flight") if FLIGHT in piece.sequence else ("without a hop", "roll")
+        ax.plot(piece.omega, piece.after, color=colors.MODES[mode], linewidth=1.8, label=name)
     for end in found.ends:
         one = next(piece for piece in found.pieces if float(piece.omega[-1]) == end.omega)
         if end.kind == "corner":

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 from hophoop._support.extras import need
-from hophoop.plots.curves import Phase, phases, turning
+from hophoop.plots.curves import phases, turning
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors, quantities
@@ -49,8 +49,15 @@ def check_against(against: str) -> None:
         raise InputError.of_field("against", against, "'time' or 'angle'")
 
 
-# Width of a legend's entry: its line with space, and one letter of its name [inch].
-HANDLE, LETTER = 0.7, 0.066
+def check_labels(labels: Sequence[str] | None, motions: Sequence[Trajectory]) -> None:
+    """Refuse labels that are not one for each motion."""
+    if labels is not None and len(labels) != len(motions):
+        raise InputError.of_field("labels", list(labels), f"one for each of the {len(motions)} motions")
+
+
+# Width of a legend's entry, its line with space and a letter of its name, and of a letter on the ribbon [inch].
+HANDLE, LETTER, WIDE = 0.54, 0.051, 0.069
+DARK = 0.45  # maximum lightness of a colour under white letters
 
 
 def finish(ax: Axes, across: str, up: str) -> None:
@@ -61,24 +68,22 @@ def finish(ax: Axes, across: str, up: str) -> None:
     ax.set_axisbelow(True)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
-    handles, names = ax.get_legend_handles_labels()
-    if not handles:
+    # a name has one key, also of several curves
+    keys = {name: handle for handle, name in zip(*ax.get_legend_handles_labels(), strict=True)}
+    if not keys:
         return
     # below the axes, clear of the curves and of neighbouring axes
-    columns = len(handles) if len(handles) <= 3 else math.ceil(len(handles) / 2)
-    columns = min(columns, max(1, int(_width(ax) / (HANDLE + LETTER * max(len(name) for name in names)))))
+    columns = len(keys) if len(keys) <= 3 else math.ceil(len(keys) / 2)
+    columns = min(columns, max(1, int(_width(ax) / (HANDLE + LETTER * max(map(len, keys))))))
     ax.legend(
-        frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.155), ncol=columns,
+        handles=keys.values(), frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.155), ncol=columns,
         handlelength=3.2,
     )  # fmt: skip
 
 
 def _width(ax: Axes) -> float:
-    """Width of axes in a grid of a figure [inch]."""
-    figure = ax.figure
-    place = ax.get_subplotspec()
-    share = 1.0 if place is None else (place.colspan.stop - place.colspan.start) / place.get_gridspec().ncols
-    return float(figure.bbox.width / figure.dpi) * share
+    """Width of axes before the figure is laid out [inch]."""
+    return float(ax.bbox.width / ax.figure.dpi)
 
 
 def _scaled(ax: Axes, label: str) -> str:
@@ -103,17 +108,13 @@ def _scaled(ax: Axes, label: str) -> str:
     return rf"{label} ($10^{{{power}}}$)"
 
 
-def abscissa(ax: Axes, motion: Trajectory, against: Against) -> str:
-    """Set the scale of time or angle to the motion, and return its label."""
+def abscissa(ax: Axes, against: Against) -> str:
+    """Fit the scale of time or angle to the curves, and return its label."""
+    ax.margins(x=0.0)
     if against == "time":
-        ax.set_xlim(0.0, motion.duration or 1.0)
         return quantities.TIME
-    marks = [phase.angle for phase in phases(motion)] + [phase.end_angle for phase in phases(motion)]
-    turns = [math.degrees(event.angle) for event in motion.events]
-    low, high = min(*marks, *turns), max(*marks, *turns)
-    if high > low:
-        ax.set_xlim(low, high)
-        degrees(ax, high - low)
+    low, high = ax.get_xlim()
+    degrees(ax, high - low)
     return quantities.ANGLE
 
 
@@ -127,31 +128,17 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
     """Draw modes as a tint behind the curves and as a ribbon with their names above; mark events on the ribbon."""
     if against == "angle" and turning(motion):
         return  # the angle does not order the phases
-    pieces = phases(motion)
     low, high = ax.get_xlim()
-    transform = ax.get_xaxis_transform()
-    for piece in pieces:
-        begin, end = (piece.t, piece.end_t) if against == "time" else (piece.angle, piece.end_angle)
-        if not end > begin:
-            begin, end = end, begin
+    for piece in phases(motion):
+        begin, end = sorted((piece.t, piece.end_t) if against == "time" else (piece.angle, piece.end_angle))
         color = colors.mode_color(piece.word)
         ax.axvspan(begin, end, color=color, alpha=colors.SHADE, linewidth=0, zorder=0)
-        ax.axvspan(begin, end, ymin=1.0, ymax=1.055, color=color, linewidth=0, clip_on=False, zorder=3)
-        if begin > low:
-            ax.plot(
-                [begin, begin],
-                [1.0, 1.055],
-                color="white",
-                lw=0.8,
-                transform=transform,
-                clip_on=False,
-                zorder=4,
-            )
-        word = _word(piece, (end - begin) / (high - low), ax)
-        if word:
+        ax.axvspan(begin, end, ymin=1.0, ymax=1.055, facecolor=color, edgecolor="white", lw=0.8, clip_on=False, zorder=3)
+        # the word, since the colour follows the word, not the letter
+        if (end - begin) / (high - low) * _width(ax) >= WIDE * (len(piece.word) + 1):
             ax.text(
-                0.5 * (begin + end), 1.026, word, transform=transform, ha="center", va="center_baseline",
-                fontsize=SMALL - 1, color=_ink(piece.word), zorder=5,
+                0.5 * (begin + end), 1.026, piece.word, transform=ax.get_xaxis_transform(), ha="center", va="center_baseline",
+                fontsize=SMALL - 1, color="white" if colors.lightness(color) < DARK else "black", zorder=5,
             )  # fmt: skip
     _mark_events(ax, motion, against)
 
@@ -167,19 +154,6 @@ def _mark_events(ax: Axes, motion: Trajectory, against: Against) -> None:
         if kind in ("takeoff", "impact") and len(places) <= MOST_LINES:
             for place in places:
                 ax.axvline(place, color=colors.GRAY, lw=0.8, ls=(0, (2, 2)), zorder=1)
-
-
-def _word(piece: Phase, share: float, ax: Axes) -> str:
-    # a letter takes about 5.5 points of the axes' width
-    inches = cast("Any", ax.figure).get_figure(root=True).get_size_inches()[0]
-    room = share * ax.get_position().width * inches * 72.0 / 5.0
-    if room >= len(piece.word) + 1:
-        return piece.word
-    return ""  # the word, since the colour follows the word, not the letter
-
-
-def _ink(word: str) -> str:
-    return "white" if colors.lightness(colors.mode_color(word)) < 0.45 else "black"
 
 
 def as_list(motions: Trajectory | Sequence[Trajectory]) -> list[Trajectory]:
