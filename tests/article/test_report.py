@@ -129,7 +129,7 @@ def test_numbers_of_the_text_another_way(statements, runs):
 def test_the_report_counts_losses_as_its_figures_do(runs):
     """The tangential loss of the landing at 3.1 m/s is counted as friction, in the table of motions too."""
     row, sample = report._run(scenarios()["hop"], runs.motion("hop")), runs.sample("hop")
-    assert row.cells[2:4] == [f"{sample.friction_loss[-1]:.4f}", f"{sample.normal_loss[-1]:.4f}"]
+    assert row["cells"][2:4] == [f"{sample.friction_loss[-1]:.4f}", f"{sample.normal_loss[-1]:.4f}"]
     assert sample.impact_tangential[-1] > 0.1
 
 

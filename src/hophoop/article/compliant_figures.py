@@ -7,15 +7,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop.article.scenarios import GRAVITY, scenarios
 from hophoop.plots.motion import energies
 from hophoop.plots.style import Axes, finish
-from hophoop.scenario import Compliant, InputError, Plane, Scenario, Start
+from hophoop.scenario import Compliant, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
-STIFFNESS = 1e6  # of the compliant contact [m g / R]
-_LOST = "Energy lost in the landing (J)"
+SOFT = Compliant(stiffness=1e6 * GRAVITY)  # 10⁶ m g/R
+LONGEST = 0.02  # of a landing [s]
 
 
 def landing_against_restitution(restitutions: ArrayLike, ax: Axes) -> Axes:
@@ -26,7 +27,7 @@ def landing_against_restitution(restitutions: ArrayLike, ax: Axes) -> Axes:
         ax.plot(e, [one.normal for one in rigid], dashes, color=colors.IMPACT_LOSS, lw=1.2)
         ax.plot(e, [one.tangential for one in rigid], dashes, color=colors.FRICTION_LOSS, lw=1.2)
         ax.plot([], [], dashes, color=colors.BLACK, lw=1.2, label=f"rigid, {law.capitalize()}")
-    soft = [landing(simulate(compliant(touch_scenario(value)))) for value in e]
+    soft = [landing(simulate(touch_scenario(value).replace("contact", SOFT))) for value in e]
     for mark, color, part in (("o", colors.IMPACT_LOSS, "normal"), ("s", colors.FRICTION_LOSS, "tangential")):
         lost = [getattr(one, part) for one in soft]
         ax.plot(e, lost, mark, color=color, ms=4, label=f"compliant, {'friction' if part == 'tangential' else part}")
@@ -36,10 +37,10 @@ def landing_against_restitution(restitutions: ArrayLike, ax: Axes) -> Axes:
 
 def energy_balance(ax_rigid: Axes, ax_soft: Axes) -> None:
     """Plot the article's energy balance at v₀ = 3.1 m/s in both models."""
-    scenario = landing_scenario()
+    scenario = scenarios()["hop"].replace("duration", 2.0)
     for ax, one, title in (
         (ax_rigid, scenario, "rigid, $e$ = 0"),
-        (ax_soft, compliant(scenario), r"compliant, $k = 10^{6}\,mg/R$"),
+        (ax_soft, scenario.replace("contact", SOFT), r"compliant, $k = 10^{6}\,mg/R$"),
     ):
         energies(simulate(one), "angle", ax=ax)
         ax.set_title(title, fontsize=11, loc="left", pad=24)  # space for the ribbon and its marks
@@ -49,24 +50,12 @@ def energy_balance(ax_rigid: Axes, ax_soft: Axes) -> None:
     ax_soft.set_ylabel("")
 
 
-def landing_scenario(restitution: float = 0.0, impact_law: str = "stronge") -> Scenario:
-    """Return the article's hop at 3.1 m/s, with this restitution and impact law."""
-    plane = Plane(restitution=restitution, impact_law=impact_law)
-    return Scenario(plane=plane, start=Start.rolling(3.1), duration=2.0)
-
-
 def touch_scenario(restitution: float = 0.0, impact_law: str = "stronge") -> Scenario:
-    """Return only the landing of that hop: a start at the plane with the velocities of the rigid hoop at touch."""
-    whole = landing_scenario(restitution, impact_law)
+    """Return the article's hop from its landing on: a start at the plane with the velocities of the rigid hoop."""
+    whole = scenarios()["hop"].with_values({"plane.restitution": restitution, "plane.impact_law": impact_law})
     touch = simulate(whole).find("impact")[0]
     start = Start(angle=touch.angle, vx=touch.before.vx, vy=touch.before.vy, omega=touch.before.omega)
     return whole.with_values({"start": start, "duration": 0.05})
-
-
-def compliant(scenario: Scenario) -> Scenario:
-    """Return a scenario with compliant contact."""
-    hoop = scenario.hoop
-    return scenario.replace("contact", Compliant(stiffness=STIFFNESS * hoop.mass * scenario.plane.gravity / hoop.radius))
 
 
 class Landing(NamedTuple):
@@ -76,26 +65,13 @@ class Landing(NamedTuple):
     tangential: float  # along the plane [J]
 
 
-def landing(motion: Trajectory, within: float = 0.02) -> Landing:
-    """Return the first landing of a motion; a compliant one ends with a lift-off, at the latest after `within` [s]."""
-    events = motion.events
-    index = next((i for i, event in enumerate(events) if event.kind == "impact"), -1)
-    if index < 0:
-        raise InputError("the motion has no landing.")
-    touch = events[index]
+def landing(motion: Trajectory) -> Landing:
+    """Return the landing with which a motion starts; a compliant one ends with the lift-off."""
     if motion.scenario.contact.model == "rigid":
-        ahead = events[index - 1]
-        return Landing(
-            touch.impact_normal - ahead.impact_normal,
-            touch.impact_tangential - ahead.impact_tangential,
-        )
-    leaves = [event.t for event in motion.find("takeoff") if event.t > touch.t]
-    end = min([touch.t + within, motion.duration, *leaves[:1]])
-    before, after = motion.at(touch.t), motion.at(end, side="left")
-    return Landing(
-        after.damping - before.damping + after.spring,  # the energy of the spring is lost after the lift-off
-        after.friction - before.friction,
-    )
+        touch = motion.find("impact")[0]
+        return Landing(touch.impact_normal, touch.impact_tangential)
+    after = motion.at(min([LONGEST, *(event.t for event in motion.find("takeoff"))]), side="left")
+    return Landing(after.damping + after.spring, after.friction)  # the energy of the spring is lost after the lift-off
 
 
 def finish_losses(ax: Axes, across: str) -> None:
@@ -106,4 +82,4 @@ def finish_losses(ax: Axes, across: str) -> None:
     ax.set_ylim(low - (0.06 * (high - low) if low < 0.0 else 0.0), high + 0.12 * (high - low))
     if low < 0.0:
         ax.axhline(0.0, color=colors.GRAY, lw=0.7, zorder=0)
-    finish(ax, across, _LOST)
+    finish(ax, across, "Energy lost in the landing (J)")

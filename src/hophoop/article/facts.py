@@ -9,7 +9,7 @@ from importlib.resources import files
 from typing import Any
 
 from hophoop import theory
-from hophoop.article.runs import Runs, largest
+from hophoop.article.runs import Runs
 from hophoop.article.statement import Statement, Texts
 from hophoop.scenario import Hoop, Plane, PointMass, Ring, Start
 from hophoop.simulation.simulate import simulate
@@ -30,7 +30,7 @@ def _motions(runs: Runs) -> dict[str, Any]:
     hoop, plane, hop = runs.hoop, runs.plane, runs.motion("hop")
     off, down = hop.find("takeoff")[0], hop.find("impact")[0]
     return {
-        "bottom_force": largest(runs.motion("slow"), runs.sample("slow").t, lambda state: state.normal_force),
+        "bottom_force": runs.extremes("slow", "normal_force")[1],
         "weight": hoop.mass * plane.gravity,
         "spin": runs.motion("slipping").find("slip_start")[1],
         "hop_slips": hop.find("slip_start"),

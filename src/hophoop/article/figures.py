@@ -52,15 +52,11 @@ def draw_figure(figure: ArticleFigure, runs: Runs) -> Figure:
     motions: Any = [runs.motion(name) for name in figure.motions]
     options: dict[str, Any] = {} if figure.against is None else {"against": figure.against}
     if len(motions) > 1:
-        options["labels"] = [title(name) for name in figure.motions]
-    getattr(plots, figure.plot)(motions if len(motions) > 1 else motions[0], ax=ax, **options)
+        motions, options["labels"] = [motions], [title(name) for name in figure.motions]
+    getattr(plots, figure.plot)(*motions, ax=ax, **options)
     if figure.turn:
         ax.set_xlim(0.0, 360.0)
     return sheet
-
-
-def _geometry(runs: Runs, ax: Axes) -> None:
-    plots.geometry(runs.hoop, ax=ax)
 
 
 def _first_swing(runs: Runs, ax: Axes) -> None:
@@ -112,7 +108,7 @@ def _landing_restitution(runs: Runs, ax: Axes) -> None:
 
 SPECIAL: dict[str, Callable[[Runs, Axes], Any]] = {
     function.__name__[1:]: function
-    for function in (_geometry, _first_swing, _slow_end, _both_models, _landing_restitution, _phase_plane, _phase_plane_low)
+    for function in (_first_swing, _slow_end, _both_models, _landing_restitution, _phase_plane, _phase_plane_low)
 }
 _ROWS = tomllib.loads(files("hophoop.article").joinpath("figures.toml").read_text("utf-8"))
 FIGURES = tuple(ArticleFigure(name, **row) for name, row in _ROWS.items())

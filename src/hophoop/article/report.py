@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from datetime import date
 from importlib.resources import files
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any
 
 from hophoop._support.extras import need
 from hophoop._support.pages import render
@@ -21,6 +21,7 @@ from hophoop.article.scenarios import scenarios
 from hophoop.article.statement import AGREES, DIFFERS, FAILS, WITHIN_READING, Statement
 from hophoop.article.typeset import typeset
 from hophoop.plots.curves import phases
+from hophoop.plots.style import DARK
 from hophoop.scenario import Scenario
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary import colors
@@ -59,7 +60,6 @@ MODES = {
     FLIGHT: "in the air",
 }
 MOST_PHASES = 12  # in the table of motions
-DARK_TEXT = 0.45  # minimum lightness of a colour under black letters
 
 
 def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], runs: Runs | None = None) -> str:
@@ -99,60 +99,40 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], r
     return typeset(whole)
 
 
-class _Run(NamedTuple):
-    """A row of the table of motions."""
-
-    speed: str
-    mu: str
-    phases: list[tuple[str, str, str, bool]]  # letter, word, colour, whether the letter is white
-    cut: bool
-    cells: list[str]
-
-
-def _run(scenario: Scenario, motion: Trajectory) -> _Run:
+def _run(scenario: Scenario, motion: Trajectory) -> dict[str, Any]:
+    """A row of the table of motions; a phase has its letter, word and colour, and whether the letter is white."""
     ledger, pieces = motion.ledger, phases(motion)
-    cells = [f"{math.degrees(found[0].angle):.3f}°" if (found := motion.find(kind)) else "–" for kind in STARTS]
-    cells += [f"{ledger.friction_loss:.4f}", f"{ledger.normal_loss:.4f}"]
-    cells.append(f"{abs(ledger.residual):.0e}" if ledger.residual else "0")
-    shown = [
-        (piece.mode, piece.word, color := colors.MODES[piece.word], colors.lightness(color) < DARK_TEXT)
-        for piece in pieces[:MOST_PHASES]
-    ]
-    return _Run(f"{scenario.start.speed:g}", f"{scenario.plane.mu:g}", shown, len(pieces) > MOST_PHASES, cells)
+    inks = {word: (color, colors.lightness(color) < DARK) for word, color in colors.MODES.items()}
+    angles = [f"{math.degrees(found[0].angle):.3f}°" if (found := motion.find(kind)) else "–" for kind in STARTS]
+    losses = [f"{ledger.friction_loss:.4f}", f"{ledger.normal_loss:.4f}"]
+    return {
+        "speed": f"{scenario.start.speed:g}",
+        "mu": f"{scenario.plane.mu:g}",
+        "phases": [(piece.mode, piece.word, *inks[piece.word]) for piece in pieces[:MOST_PHASES]],
+        "cut": len(pieces) > MOST_PHASES,
+        "cells": [*angles, *losses, f"{abs(ledger.residual):.0e}" if ledger.residual else "0"],
+    }
 
 
-class _Figure(NamedTuple):
+def _figure(figure: ArticleFigure, folder: Path) -> dict[str, Any]:
     """A figure of the page, with its SVG in base64."""
-
-    image: str
-    width: int
-    height: int
-    wide: bool
-    caption: str
-    origin: str
-
-
-def _figure(figure: ArticleFigure, folder: Path) -> _Figure:
-    code = base64.b64encode((folder / "figures" / f"{figure.name}.svg").read_bytes()).decode("ascii")
-    origin = "Not in the article." if figure.ours else f"In the article's part ‘{figure.section}’."
     width, height = (round(96.0 * side) for side in figure.size)
-    return _Figure(code, width, height, figure.size[0] > 8.0, figure.caption, origin)
+    return {
+        "image": base64.b64encode((folder / "figures" / f"{figure.name}.svg").read_bytes()).decode("ascii"),
+        "width": width,
+        "height": height,
+        "wide": figure.size[0] > 8.0,
+        "caption": figure.caption,
+        "origin": "Not in the article." if figure.ours else f"In the article's part ‘{figure.section}’.",
+    }
 
 
-class _Film(NamedTuple):
+def _film(name: str, caption: str, there: Mapping[str, Path], folder: Path) -> dict[str, str]:
     """A film of the page; a picture of the same name is its poster, a page of the same name turns."""
 
-    name: str
-    caption: str
-    place: str
-    poster: str
-    turning: str
-
-
-def _film(name: str, caption: str, there: Mapping[str, Path], folder: Path) -> _Film:
     def place(path: Path | None) -> str:
         return path.relative_to(folder).as_posix() if path is not None and path.exists() else ""
 
     path = there.get(f"{name}.mp4")
-    poster = path and path.with_suffix(".png")
-    return _Film(name, caption, place(path), place(poster), place(there.get(f"{name}.html")))
+    poster, turning = path and path.with_suffix(".png"), there.get(f"{name}.html")
+    return {"name": name, "caption": caption, "place": place(path), "poster": place(poster), "turning": place(turning)}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
@@ -21,6 +21,15 @@ from hophoop.article.statement import Statement
 from hophoop.article.statements import STATED, statements
 
 DPI = 160
+# of figures for a page: reproducible files, letters as outlines
+STYLE = {
+    "svg.hashsalt": "hophoop",
+    "svg.fonttype": "path",
+    "font.size": 10.0,
+    "font.family": "DejaVu Sans",
+    "axes.labelsize": 10.0,
+    "path.simplify_threshold": 0.2,
+}
 
 Progress = Callable[[str, int, int], None]
 
@@ -91,7 +100,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
             except MissingExtra as error:
                 reason = str(error)
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
-            with _style():
+            with need("matplotlib", "plots").rc_context(STYLE):
                 sheet = draw_figure(figure, runs)
                 for ending in ("png", "svg"):
                     with replacing(folder / "figures" / f"{figure.name}.{ending}") as path:
@@ -117,18 +126,3 @@ def _write_json(folder: Path, checked: tuple[Statement, ...]) -> None:
     }
     with replacing(folder / "statements.json") as path:
         path.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
-
-
-@contextmanager
-def _style() -> Iterator[None]:
-    """Style of figures for a page: reproducible files, letters as outlines."""
-    look = {
-        "svg.hashsalt": "hophoop",
-        "svg.fonttype": "path",
-        "font.size": 10.0,
-        "font.family": "DejaVu Sans",
-        "axes.labelsize": 10.0,
-        "path.simplify_threshold": 0.2,
-    }
-    with need("matplotlib", "plots").rc_context(look):
-        yield

@@ -40,6 +40,10 @@ class Runs:
             self._samples[name] = curve(self.motion(name))
         return self._samples[name]
 
+    def extremes(self, name: str, quantity: str) -> tuple[float, float]:
+        """Return the least and the largest value of a quantity in a motion."""
+        return extremes(self.motion(name), self.sample(name).t, quantity)
+
     @cached_property
     def long_slipping(self) -> Trajectory:
         """The long motion at 2.8 m/s."""
@@ -71,15 +75,18 @@ def first_time(motion: Trajectory, angle: float) -> float:
     return bisect(float(grid[k - 1]), float(grid[k]), lambda t: motion.at(t).angle < angle)
 
 
-def largest(motion: Trajectory, times: NDArray[np.float64], measure: Callable[[ArraySample], NDArray[np.float64]]) -> float:
-    """Return the maximum of a measure between the first and the last time, refined about the largest sample."""
-    found = -math.inf
-    for _ in range(9):  # each round divides the spacing by 10, and the error by 100, at an event by 10
-        values = measure(motion.at(times, side="left"))
-        k = int(np.argmax(values))
-        found = max(found, float(values[k]))
-        times = np.linspace(times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)], 21)
-    return found
+def extremes(motion: Trajectory, times: NDArray[np.float64], quantity: str) -> tuple[float, float]:
+    """Return the least and the largest value between the first and the last time, refined about those of the samples."""
+    found = []
+    for sign in (-1.0, 1.0):
+        near, best = times, -math.inf
+        for _ in range(9):  # each round divides the spacing by 10, and the error by 100, at an event by 10
+            values = sign * getattr(motion.at(near, side="left"), quantity)
+            k = int(np.argmax(values))
+            best = max(best, float(values[k]))
+            near = np.linspace(near[max(k - 1, 0)], near[min(k + 1, len(near) - 1)], 21)
+        found.append(sign * best)
+    return found[0], found[1]
 
 
 def rolling_motion(gamma: float, mu: float, speed: float, duration: float) -> Trajectory:

@@ -80,10 +80,5 @@ class Statement:
         Returns
         -------
         fields : dict
-            Numbers that JSON lacks are words, such as 'inf'.
         """
-        return {name: _plain(value) for name, value in asdict(self).items()}
-
-
-def _plain(value: Any) -> Any:
-    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
+        return asdict(self)
