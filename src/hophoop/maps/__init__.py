@@ -1,6 +1,6 @@
 """Maps: reduced quantities of millions of motions over any parameters of a scenario.
 
-xarray, Zarr, Dask and contourpy are in the extra ``maps``, and are loaded when a map is made; clusters are in ``cluster``.
+xarray, Zarr and contourpy are in the extra ``maps``, and are loaded when a map is made; clusters are in ``cluster``.
 """
 
 from hophoop.maps.boundaries.classes import Border

@@ -21,8 +21,6 @@ from hophoop.vocabulary.parameters import PARAMETERS, RANGES
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 MOST_VALUES = 100_000_000  # on one axis, since its values are in memory
-# Chunks are nearly square over the last two axes, so that rows and columns are read equally fast.
-SIDE = 256
 LN_10 = float.fromhex("0x1.26bb1bbb55516p+1")
 LOWEST_DECADE, HIGHEST_DECADE = -323, 308  # of doubles
 TENS = np.array([float(f"1e{decade}") for decade in range(LOWEST_DECADE, HIGHEST_DECADE + 1)])
@@ -156,20 +154,21 @@ def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
     usage = f"axis {text!r} must read path=first:last:count, path=first:last:count:log or path=a,b,c."
     if not equals or not path or not rest:
         raise InputError(usage)
+    parts = rest.split(":")
+    if len(parts) == 1:
+        words = [word.strip() for word in rest.split(",")]
+        try:
+            return path, np.array([float(word) for word in words])
+        except ValueError:
+            return path, np.array(words)
+    spacing = {3: linear, 4: logarithmic}.get(len(parts))
+    if spacing is None or parts[3:] not in ([], ["log"]):
+        raise InputError(usage)
     try:
-        if ":" not in rest:
-            words = [word.strip() for word in rest.split(",")]
-            try:
-                return path, np.array([float(word) for word in words])
-            except ValueError:
-                return path, np.array(words)
-        parts = rest.split(":")
-        if len(parts) not in (3, 4) or (len(parts) == 4 and parts[3] != "log"):
-            raise InputError(usage)
         first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
     except ValueError:
         raise InputError(usage) from None
-    return path, logarithmic(first, last, count) if len(parts) == 4 else linear(first, last, count)
+    return path, spacing(first, last, count)
 
 
 def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]:
@@ -186,11 +185,13 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
         if np.unique(array).size != array.size:
             raise InputError(f"axis {path} must not hold a value twice.")
         made.append(Axis(path, array, info.unit, info.description))
-    result = tuple(made)
     check_pairs(axes)
-    for axis in result:
-        _check_values(base, axis, [other for other in result if other is not axis])
-    return result
+    check_ranges(base, {axis.path: axis.values for axis in made})
+    # what is allowed between the least and the largest number follows
+    tried = {axis.path: axis.values if axis.unit == "" else [axis.values.min(), axis.values.max()] for axis in made}
+    for path in tried:
+        _check_values(base, path, tried)
+    return tuple(made)
 
 
 def check_rigid(base: Scenario) -> None:
@@ -268,34 +269,23 @@ def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
     return base.with_values({path: values[path] for path in ordered(list(values))})
 
 
-def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
-    values = axis.values
-    if axis.unit != "" and values.size > 64 and axis.path != "contact.max_events":
-        # ranges are intervals; min and max return nan too
-        values = np.array([values.min(), values.max()])
-    for value in values:
+def _check_values(base: Scenario, path: str, tried: dict[str, Any]) -> None:
+    """Refuse a value of an axis that no value of the other axes allows; cells of others that do not allow it are marked."""
+    for value in tried[path]:
         try:
-            scenario_at(base, {axis.path: value})
-            continue
-        except InputError as error:
-            refused = error
-        # values of the other axes may allow it: then those cells exist, and the others are marked
-        ends = [{other.values[0], other.values[-1], *_extremes(other)} for other in others]
-        for combination in itertools.product(*ends):
-            try:
-                scenario_at(
-                    base,
-                    {axis.path: value} | {other.path: v for other, v in zip(others, combination, strict=True)},
-                )
-                break
-            except InputError:
-                continue
-        else:
-            raise refused
+            scenario_at(base, {path: value})
+        except InputError:
+            cells = [dict(zip(tried, values, strict=True)) for values in itertools.product(*(tried | {path: [value]}).values())]
+            if not any(_is_allowed(base, cell) for cell in cells):
+                raise
 
 
-def _extremes(axis: Axis) -> tuple[Any, ...]:
-    return () if axis.unit == "" else (axis.values.min(), axis.values.max())
+def _is_allowed(base: Scenario, values: Mapping[str, Any]) -> bool:
+    try:
+        scenario_at(base, values)
+    except InputError:
+        return False
+    return True
 
 
 def check_pairs(paths: Iterable[str]) -> None:
@@ -306,17 +296,9 @@ def check_pairs(paths: Iterable[str]) -> None:
 
 
 def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
-    """Return the shape of the chunks of a grid, with about `cells` cells each."""
-    result = [1] * len(shape)
-    left = max(cells, 1)
-    side = min(SIDE, max(1, math.isqrt(left)))
-    for i in reversed(range(len(shape))):
-        wanted = side if i >= len(shape) - 2 else left
-        result[i] = max(1, min(shape[i], wanted, left))
-        left //= result[i]
-    # use what a short last axis has left over
-    for i in reversed(range(len(shape))):
-        more = min(shape[i], result[i] * max(left, 1))
-        left //= max(1, more // result[i])
-        result[i] = more
+    """Return the shape of the chunks of a grid, with at most `cells` cells each: rows and columns are read equally fast."""
+    result = list(shape)
+    while math.prod(result) > cells:
+        longest = result.index(max(result))
+        result[longest] = -(-result[longest] // 2)
     return tuple(result)

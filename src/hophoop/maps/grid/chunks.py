@@ -1,4 +1,4 @@
-"""Chunks of a map as Dask tasks, each of which computes one and writes it: on threads of this machine, or on a cluster."""
+"""Chunks of a map, each computed and written by one task: on threads of this machine, or on a Dask cluster."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Index = tuple[int, ...]
 Report = Callable[[int], None]
 
-WAVE = 1024  # chunks in one graph, so that its memory does not grow with the map
+WAVE = 1024  # chunks that a cluster knows at a time, so that its memory does not grow with the map
 AT_ONCE = 2  # chunks in memory of this machine: threads compute cells of one while others are prepared and written
 RETRIES = 2  # of a chunk after an error of its own; Dask handles the death of a worker
 PATIENCE = 10  # timeout of an answer [s]
@@ -52,35 +52,17 @@ def compute_chunk(plan: Plan, targets: Mapping[str, Any], index: Index, pool: Ex
     return int(grid[0].size)
 
 
-def _waves(plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], **options: Any) -> Iterator[list[Any]]:
-    """Return tasks that compute and write a chunk each, for some chunks at a time."""
-    task = need("dask", "maps").delayed(partial(compute_chunk, plan, targets, **options), pure=False)
-    left = iter(todo)
-    while wave := list(islice(left, WAVE)):
-        yield [task(index) for index in wave]
-
-
 def compute_on_threads(
     plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], threads: int | None, report: Report
 ) -> None:
     """Compute chunks on threads of this process; `report` is called with the number of cells of each one."""
-    compute = need("dask", "maps").compute
-
-    def tell(key: Any, cells: Any, *rest: Any) -> None:
-        if key in keys:
-            report(cells)
-
-    with (
-        ThreadPoolExecutor(AT_ONCE) as chunks,
-        ThreadPoolExecutor(threads or cores()) as pool,
-        need("dask.callbacks", "maps").Callback(posttask=tell),
-    ):
+    with ThreadPoolExecutor(AT_ONCE) as chunks, ThreadPoolExecutor(threads or cores()) as pool:
         try:
-            for tasks in _waves(plan, targets, todo, pool=pool):
-                keys = {task.key for task in tasks}
-                compute(*tasks, scheduler=chunks)
+            for cells in chunks.map(lambda index: compute_chunk(plan, targets, index, pool), todo):
+                report(cells)
         except BaseException:  # Ctrl-C included: only the cells that are being computed end
-            pool.shutdown(cancel_futures=True)
+            for executor in (chunks, pool):
+                executor.shutdown(wait=False, cancel_futures=True)
             raise
 
 
@@ -89,10 +71,11 @@ def compute_on_cluster(
 ) -> None:
     """Compute chunks on the workers of a cluster, which must see the store of the targets under the same name."""
     as_completed = need("distributed", "cluster").as_completed
+    compute, left = partial(compute_chunk, plan, targets, sources=stamp()), iter(todo)
     with _client(scheduler) as client:
         try:
-            for tasks in _waves(plan, targets, todo, sources=stamp()):
-                for future in as_completed(client.compute(tasks, retries=RETRIES)):
+            while wave := list(islice(left, WAVE)):
+                for future in as_completed(client.map(compute, wave, pure=False, retries=RETRIES)):
                     report(future.result())
         except (OSError, CancelledError) as error:
             # it may be an error of a worker, such as a full disk

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor
@@ -17,7 +18,7 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.records import MapRequest, MapResults, unpacked_sequence
 from hophoop.kernel.steps import RESOLVED
 from hophoop.maps.grid import kernel
-from hophoop.maps.grid.axes import Axis, axis_values, check_pairs, check_ranges, check_rigid, chunk_shape, make_axes, ordered
+from hophoop.maps.grid.axes import Axis, axis_values, check_pairs, check_ranges, check_rigid, chunk_shape, make_axes
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.quantities import (
     Quantity,
@@ -29,7 +30,7 @@ from hophoop.maps.grid.quantities import (
     make_span,
 )
 from hophoop.maps.grid.settled import SPANS as SETTLED_SPANS
-from hophoop.maps.grid.settled import check_settled, evaluate_settled
+from hophoop.maps.grid.settled import evaluate_settled
 from hophoop.scenario import InputError, Scenario
 
 CHUNK_CELLS = 65536
@@ -101,7 +102,7 @@ def make_plan(
     shape = tuple(axis.values.size for axis in made)
     chunk = chunk_shape(shape, chunk_cells)
     chosen, part = choose_quantities(quantities), make_span(span, in_the_end=True)
-    _check_span(base, chosen, part)
+    check_span(base, chosen, part)
     return Plan(base, made, chosen, part, chunk)
 
 
@@ -110,12 +111,6 @@ def _base_of(base: Scenario | None) -> Scenario:
     if base is not None:
         check_type("base", base, Scenario)
     return base or Scenario()
-
-
-def _check_span(base: Scenario, quantities: Sequence[Quantity], span: Span) -> None:
-    check_span(quantities, span)
-    if span.name in SETTLED_SPANS:
-        check_settled(base)
 
 
 def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor | None = None) -> MapResults:
@@ -201,15 +196,13 @@ def points(
     check_rigid(base)
     check_pairs(values)
     arrays = {path: axis_values(path, array) for path, array in values.items()}
+    check_ranges(base, arrays)
     spread = np.broadcast_arrays(*arrays.values())
     shape = spread[0].shape if spread else (1,)
-    check_ranges(base, arrays)
     flat = {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}
-    count = int(np.prod(shape))
-    arranged = {path: flat[path] for path in ordered(list(flat))}
-    cells = make_cells(base, arranged, count)
+    cells = make_cells(base, flat, math.prod(shape))
     part = make_span(span, in_the_end=True)
-    _check_span(base, chosen, part)
+    check_span(base, chosen, part)
     raw = run_points(cells, part, flags_of(chosen))
     results = {}
     for quantity in chosen:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hophoop.kernel.model import EVENT_NAMES, STATUS_NAMES
 from hophoop.kernel.records import STOP_AT_TAKEOFF, STOP_AT_TURN, unpacked_sequence
 from hophoop.maps.grid import kernel, settled
-from hophoop.scenario import InputError
+from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.names import number_after
 
 NOT_ALLOWED = "not_allowed"
@@ -137,12 +137,14 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
     return tuple(every[name] for name in names)
 
 
-def check_span(quantities: Sequence[Quantity], span: Span) -> None:
-    """Refuse quantities of another span."""
+def check_span(base: Scenario, quantities: Sequence[Quantity], span: Span) -> None:
+    """Refuse quantities of another span, and a scenario for which the span has no end."""
     for quantity in quantities:
         if quantity.settled != (span.name in settled.SPANS):
             fitting = "settled or settled:landing" if quantity.settled else ", ".join(SPANS)
             raise InputError.of_field("span", span.name, f"{fitting} with quantity {quantity.name}")
+    if span.name in settled.SPANS and base.plane.gravity == 0.0:
+        raise InputError.of_field("plane.gravity", 0.0, "above 0 with span 'settled': without it no motion comes back")
 
 
 def flags_of(quantities: Sequence[Quantity]) -> int:
@@ -174,7 +176,13 @@ class Span(NamedTuple):
     timed: bool
 
 
-SPANS = ("first_revolution", "takeoff", "reversal", "duration", "revolutions:N")
+_FIXED = (
+    Span("first_revolution", 2.0 * math.pi, STOP_AT_TURN | STOP_AT_TAKEOFF, False),
+    Span("takeoff", math.nan, STOP_AT_TAKEOFF, True),
+    Span("reversal", math.nan, STOP_AT_TURN, True),
+    Span("duration", math.nan, 0, True),
+)
+SPANS = (*(span.name for span in _FIXED), "revolutions:N")
 
 
 def make_span(name: str, *, in_the_end: bool = False) -> Span:
@@ -189,21 +197,14 @@ def make_span(name: str, *, in_the_end: bool = False) -> Span:
     >>> make_span("revolutions:3").angle / math.pi
     6.0
     """
-    if name == "first_revolution":
-        return Span(name, 2.0 * math.pi, STOP_AT_TURN | STOP_AT_TAKEOFF, False)
-    if name == "takeoff":
-        return Span(name, math.nan, STOP_AT_TAKEOFF, True)
-    if name == "reversal":
-        return Span(name, math.nan, STOP_AT_TURN, True)
-    if name == "duration":
-        return Span(name, math.nan, 0, True)
-    if in_the_end and name in settled.SPANS:
-        return Span(name, math.nan, 0, False)
+    ends = settled.SPANS if in_the_end else ()
     turns = number_after("revolutions", name)
-    if not turns > 0.0:
-        known = [*SPANS, *(settled.SPANS if in_the_end else ())]
-        raise InputError.of_field("span", name, f"one of {', '.join(known)}, with N above 0")
-    return Span(name, 2.0 * math.pi * turns, 0, True)
+    if turns > 0.0:
+        return Span(name, 2.0 * math.pi * turns, 0, True)
+    for span in (*_FIXED, *(Span(end, math.nan, 0, False) for end in ends)):
+        if span.name == name:
+            return span
+    raise InputError.of_field("span", name, f"one of {', '.join((*SPANS, *ends))}, with N above 0")
 
 
 def sequence_order(sequence: str) -> tuple[int, str]:

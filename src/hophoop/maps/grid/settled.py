@@ -12,7 +12,6 @@ from hophoop.gaits.kernels.cells import judge_cells
 from hophoop.gaits.kernels.layout import CODES, NUMBERS, SECTIONS, Request
 from hophoop.kernel.native import compiled
 from hophoop.kernel.records import MapResults
-from hophoop.scenario import InputError, Scenario
 from hophoop.vocabulary.names import FATE_CODES, identifier
 
 SPANS: Final = {"settled": "bottom", "settled:landing": "landing"}
@@ -22,12 +21,6 @@ WORDS: Final = tuple(identifier(fate) for fate in FATE_CODES)
 COUNTS: Final = ("period", "hops")
 COLUMNS: Final = (*COUNTS, *NUMBERS)
 PASSAGES = 2_000  # after which a motion is undecided
-
-
-def check_settled(base: Scenario) -> None:
-    """Refuse a scenario without passages."""
-    if base.plane.gravity == 0.0:
-        raise InputError.of_field("plane.gravity", 0.0, "above 0 with span 'settled': without it no motion comes back")
 
 
 def evaluate_settled(cells: NDArray[np.float64], low: int, high: int, span: str, results: MapResults) -> None:

@@ -93,16 +93,14 @@ def _compare(path: Path, plan: Plan) -> None:
     known = _attributes_of(path).get("plan")
     if known is None:
         raise InputError(f"{path} is not a map of hophoop.")
+    new = json.loads(plan.to_text())
     try:
-        old, new = json.loads(known), json.loads(plan.to_text())
-    except (ValueError, TypeError):
-        old = None
-    if not isinstance(old, dict):
-        raise InputError(f"{path} holds a damaged plan and cannot be resumed.")
-    if old.get("hophoop") != new["hophoop"]:
-        raise InputError(
-            f"{path} holds a map of hophoop {old.get('hophoop')}, which this version {new['hophoop']} cannot resume."
-        )
+        old = dict(json.loads(known))
+        version = old["hophoop"]
+    except (ValueError, TypeError, KeyError):
+        raise InputError(f"{path} holds a damaged plan and cannot be resumed.") from None
+    if version != new["hophoop"]:
+        raise InputError(f"{path} holds a map of hophoop {version}, which this version {new['hophoop']} cannot resume.")
     for key in sorted({*old, *new}):
         # as text, where the order of the axes counts
         if json.dumps(old.get(key)) != json.dumps(new.get(key)):
