@@ -52,6 +52,19 @@ def pulls(fit, truth):
     return [(fit.values[name] - true) / fit.error(name) if name in fit.free else np.nan for name, true in truth.items()]
 
 
+def read_again(fit, folder):
+    """The fit from its file, which has and says the same."""
+    fit.save(folder / "fit.json")
+    back = hh.load_fit(folder / "fit.json")
+    np.testing.assert_array_equal(back.covariance, fit.covariance)
+    np.testing.assert_equal(back.residuals, fit.residuals)
+    for one in ("values", "limits", "shares", "correlated", "misfits", "notes", "settings"):
+        assert getattr(back, one) == getattr(fit, one)
+    for one in ("rows", "sentences", "details", "comparison"):
+        assert getattr(back, one)() == getattr(fit, one)()
+    return back
+
+
 ROOT = Path(__file__).parents[1]
 ROW = re.compile(r"^\| `(\w+)` \| ([\d.]+) \| ([\d.]+) ± ([\d.]+)", re.MULTILINE)
 

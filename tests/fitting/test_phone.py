@@ -5,7 +5,6 @@ import pytest
 
 import hophoop as hh
 from fitting_tools import RADIUS, ROOT, TRUTH, hopping, is_told, pulls
-from hophoop.fitting.channels import GYROSCOPE, scatter
 from hophoop.tracking import Reading, read_track
 from hophoop.tracking.table import track_of
 
@@ -33,12 +32,6 @@ def test_a_rounded_record_without_noise_is_explained():
     assert fit.good
     assert np.nanmax(np.abs(pulls(fit, RECORDED | {"omega_offset": 0.0}))) < 3.0
     assert fit.error("gamma") < 1e-3
-
-
-def test_rounding_is_the_least_error():
-    t = np.arange(40) / 100.0
-    assert scatter([(t, np.round(t**2, 1))], "x") >= 0.1 / np.sqrt(12.0)
-    assert scatter([(t, np.exp(t))], "omega") == GYROSCOPE
 
 
 def test_the_error_may_be_given():

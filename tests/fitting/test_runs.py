@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from fitting_tools import TRUTH, filmed, hopping
+from fitting_tools import TRUTH, filmed, hopping, read_again
 from hophoop.fitting import report
 
 pytestmark = pytest.mark.compiled
@@ -64,6 +64,4 @@ def test_runs_are_saved_and_reported(together, tmp_path):
     text = report(together, tmp_path).read_text(encoding="utf-8")
     assert "x (mm), run 3" in text
     assert "<th>run 2: b.csv</th>" in text
-    back = hh.load_fit(tmp_path / "fit.json")
-    assert back.sentences() == together.sentences()
-    assert back.comparison() == together.comparison()
+    assert len(read_again(together, tmp_path).alone) == 3

@@ -53,14 +53,13 @@ def plan(
         Print the plan as JSON.
     """
     from hophoop.fitting import plan as make
-    from hophoop.fitting.result import GIVEN
     from hophoop.tracking.table import plain
 
     found = make(scenario, **(how | {"sigma_angle": None} if no_marker else how))
     if json:
         print_json(plain({key: value for key, value in found.to_dict().items() if key != "tracks"}), indent=1)
         return
-    print_parameters([row for row in found.rows() if not row[1].endswith(GIVEN)])
+    print_parameters(found.rows(given=False))
     for sentence in (*found.sentences()[1:], *found.details()[1:]):
         typer.echo(sentence)
 

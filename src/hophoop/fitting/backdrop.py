@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.fitting.reporting import first_row, on_plane
 from hophoop.fitting.result import Fit
 from hophoop.scenario import InputError
 from hophoop.tracking.video import open_writer, pictures, rgb
@@ -46,7 +45,7 @@ class Backdrop:
         backdrop : dict
             Ready for `json.dumps` [m, s].
         """
-        return {"size": list(self.size), "corners": [list(corner) for corner in self.corners], "start": self.start}
+        return {"size": self.size, "corners": self.corners, "start": self.start}
 
 
 def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[int, int], None] | None = None) -> Backdrop:
@@ -80,18 +79,19 @@ def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[
     if view is None:
         raise InputError("The fit is not to a track of a film, so that no film can be laid under it.")
     camera, target = view.camera, Path(film)
-    size, first, start = (camera.width, camera.height), first_row(fit), 0.0
+    size, first, start = (camera.width, camera.height), view.first + fit.problem.runs[0].first, 0.0
     with open_writer(target, size, EVERY) as add:
         for picture in pictures(video, view.rate):
             if picture.size != size:
                 raise InputError(f"{video} is not the film of the track, whose pictures have {size[0]} × {size[1]} pixels.")
-            if picture.row == view.first + first:
+            if picture.row == first:
                 start = picture.t
             add(rgb(picture), picture.t)
             if progress is not None:
                 progress(picture.row + 1, max(len(fit.track.t), picture.row + 1))
     wide, tall = size[0] - 0.5, size[1] - 0.5
     pixels = np.array([[-0.5, -0.5], [wide, -0.5], [wide, tall], [-0.5, tall]])
-    places = view.to_plane(pixels, fit.track.radius)
-    x, y = on_plane(fit.values, places[:, 0], places[:, 1], fit.values["origin_y"])
-    return Backdrop(target, size, tuple((float(a), float(b)) for a, b in zip(x, y, strict=True)), start)
+    tilt, scale, ground = (fit.values[name] for name in ("tilt", "scale", "origin_y"))
+    along, above = (view.to_plane(pixels, fit.track.radius) - [0.0, ground]).T
+    corners = (along + 1j * above) * np.exp(-1j * tilt) / scale
+    return Backdrop(target, size, tuple((corner.real, corner.imag) for corner in corners.tolist()), start)

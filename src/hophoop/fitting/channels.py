@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from hophoop.tracking import Track
 from hophoop.tracking.scatter import spread, third_differences
 
 Floats = NDArray[np.float64]
+Values = dict[str, float]  # by name
 
 FEWEST = 12  # measured numbers
 PLACE_ERROR = 0.01  # error that depends on the position in the picture: coding, background, sensor, lens [pixel]
@@ -22,11 +23,21 @@ LEAST_ROTATION = 1e-3  # error of a rotation from a gyroscope [rad]
 ROUNDED = 0.75  # maximum distance of rounded times from an even grid, over their last decimal
 PATCH = 40.0  # length over which that error changes [pixel]
 GIVE = "give --sigma, --sigma-angle or --sigma-omega (sigma= and the like in fit)"
-# Errors that are estimated together: their channels, and the fields of a track.
+
+
+class Kind(NamedTuple):
+    """Channels whose errors are estimated together."""
+
+    words: str
+    unit: str  # of a thousandth
+    channels: tuple[str, ...]
+    fields: tuple[str, ...]  # of a track
+
+
 KINDS = {
-    "places": (("x", "y", "marker_x", "marker_y"), ("centre_error", "marker_error")),
-    "angles": (("angle",), ("angle_error",)),
-    "omegas": (("omega",), ("omega_error",)),
+    "places": Kind("Marks", "mm", ("x", "y", "marker_x", "marker_y"), ("centre_error", "marker_error")),
+    "angles": Kind("Angles", "mrad", ("angle",), ("angle_error",)),
+    "omegas": Kind("Angular velocities", "mrad/s", ("omega",), ("omega_error",)),
 }
 
 
@@ -55,23 +66,23 @@ def channels_of(track: Track, sigma: Sigma) -> tuple[Channel, ...]:
     sigma: standard deviations in place of the track's own.
     """
     centred, marked = (np.isfinite(places[:, 0]).any() for places in (track.centre, track.marker))
-    pairs: list[tuple[str, Floats, Floats, float | None]] = []
-    if centred:
-        pairs += [(name, track.centre[:, k], track.centre_error[:, k], sigma.places) for k, name in enumerate(("x", "y"))]
-    elif marked:
-        pairs += [(f"marker_{name}", track.marker[:, k], track.marker_error, sigma.places) for k, name in enumerate(("x", "y"))]
-    if centred or not marked:
-        error = track.angle_error
-        if np.isnan(error).all():  # that of the line from the centre to the marker
-            ends = track.marker_error, track.centre_error.mean(axis=1)
-            reach = np.hypot(*(track.marker - track.centre).T)
-            error = np.hypot(*(ends if sigma.places is None else (sigma.places, sigma.places))) / reach
-        pairs.append(("angle", track.angle, error, sigma.angles))
-    pairs.append(("omega", track.omega, track.omega_error, sigma.omegas))
+    angle_error = track.angle_error
+    if np.isnan(angle_error).all():  # that of the line from the centre to the marker
+        ends = (track.marker_error, track.centre_error.mean(axis=1)) if sigma.places is None else (sigma.places, sigma.places)
+        angle_error = np.hypot(*ends) / np.hypot(*(track.marker - track.centre).T)
+    measured = {
+        "x": (track.centre[:, 0], track.centre_error[:, 0], sigma.places),
+        "y": (track.centre[:, 1], track.centre_error[:, 1], sigma.places),
+        "marker_x": (track.marker[:, 0], track.marker_error, sigma.places),
+        "marker_y": (track.marker[:, 1], track.marker_error, sigma.places),
+        "angle": (track.angle, angle_error, sigma.angles),
+        "omega": (track.omega, track.omega_error, sigma.omegas),
+    }
+    unused = ("marker_x", "marker_y") if centred else ("angle",) if marked else ()
     result = []
-    for name, values, errors, given in pairs:
+    for name, (values, errors, given) in measured.items():
         rows = np.flatnonzero(np.isfinite(values))
-        if not len(rows):
+        if name in unused or not len(rows):
             continue
         own = errors[rows] if given is None else np.full(len(rows), given)
         known = np.isfinite(own) & (own > 0)
@@ -109,7 +120,7 @@ def rotation(omega: Channel, t: Floats) -> Channel:
     return Channel("angle", omega.rows, turned, np.full(len(turned), error))
 
 
-def evened(track: Track) -> tuple[Track, dict[str, float]]:
+def evened(track: Track) -> tuple[Track, Values]:
     """Return the track with the times of the even grid that its times round to, and its rate [Hz]; nothing without rounding."""
     steps = np.diff(track.t)
     frames = np.concatenate([[0.0], np.cumsum(np.round(steps / np.median(steps)))])
@@ -121,7 +132,7 @@ def evened(track: Track) -> tuple[Track, dict[str, float]]:
     return replace(track, t=even), {"rate": float(1.0 / step)}
 
 
-def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple[Track, dict[str, float]]:
+def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple[Track, Values]:
     """Return the track with its scatter as errors where it has none, and the scatter of each kind.
 
     It is that of the deviations from a motion, also from a wrong one, in which the rest of the motion is smooth. In the data
@@ -129,17 +140,16 @@ def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple
 
     off: data minus motion, by name of the channel [m, rad or rad/s]; scatter: by key of KINDS [m, rad or rad/s].
     """
-    found: dict[str, float] = {}
-    for kind, (names, fields) in KINDS.items():
+    found: Values = {}
+    for name, kind in KINDS.items():
         # with the errors of its ends, the line from the centre to the marker has one, too
-        group = [one for one in channels_of(track, sigma) if one.name in names and not one.known]
+        group = [one for one in channels_of(track, sigma) if one.name in kind.channels and not one.known]
         if group:
             usual = scatter([(track.t[one.rows], one.values) for one in group], group[0].name)
             rest = _roughness([(track.t[one.rows], off[one.name]) for one in group])
-            found[kind] = float(min(usual, max(rest, *(_least_error(one.values, one.name) for one in group))))
-            errors = {field: getattr(track, field) for field in fields}
-            filled: dict[str, Any] = {field: np.where(own > 0, own, found[kind]) for field, own in errors.items()}
-            track = replace(track, **filled)
+            found[name] = float(min(usual, max(rest, *(_least_error(one.values, one.name) for one in group))))
+            errors = {field: getattr(track, field) for field in kind.fields}
+            track = replace(track, **{field: np.where(own > 0, own, found[name]) for field, own in errors.items()})
     return track, found
 
 

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hophoop.fitting.channels import Floats
 from hophoop.fitting.losses import influence
 from hophoop.fitting.problem import Problem
-
-Floats = NDArray[np.float64]
 
 FEWEST = 30  # residuals for an estimate of the autocorrelation
 CERTAIN = 3.0  # standard deviations of a significant autocorrelation
@@ -19,28 +17,28 @@ WINDOW = 5.0  # lags that are summed, over the sum: later ones add chance
 ROBUST = 1.05  # variance with the robust loss over that of least squares, for normal errors
 
 
-def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, robust: bool) -> Floats:
+def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats) -> Floats:
     """Covariance of parameters: A⁻¹ B A⁻¹ of equations with the slopes A = Jᵀ J and the variance B = Jᵀ D J.
 
     D has for each number how many of them have the information of one of independent errors.
 
-    jacobian: shape (count, n); residuals: shape (count,), at the minimum [standard deviations]; robust: whether outliers count
-    less; covariance: shape (n, n), infinite where the data have no information [products of the parameters' units].
+    jacobian: shape (count, n); residuals: shape (count,), at the minimum [standard deviations]; covariance: shape (n, n),
+    infinite where the data have no information [products of the parameters' units].
     """
     known, memory = inverse(jacobian.T @ jacobian), np.ones(len(jacobian))
-    for piece, frames in zip(problem.pieces, correlated_frames(problem, residuals, robust), strict=True):
+    for piece, frames in zip(problem.pieces, correlated_frames(problem, residuals), strict=True):
         memory[piece.part] = frames
     if (memory > 1.0).any() and np.isfinite(known).all():
         known = known @ (jacobian.T @ (memory[:, None] * jacobian)) @ known
-    return known * (ROBUST if robust else 1.0)
+    return known * (ROBUST if problem.robust else 1.0)
 
 
-def correlated_frames(problem: Problem, residuals: Floats, robust: bool) -> list[float]:
+def correlated_frames(problem: Problem, residuals: Floats) -> list[float]:
     """Return for each of the problem's pieces the number of frames with the information of one of independent errors [1].
 
-    residuals: shape (count,) [standard deviations]; robust: whether outliers count less; frames: at least the channel's.
+    residuals: shape (count,) [standard deviations]; frames: at least the channel's.
     """
-    result, pulls = [], influence(residuals) if robust else residuals
+    result, pulls = [], influence(residuals) if problem.robust else residuals
     for _, channel, part in problem.pieces:
         own = np.full(int(channel.rows[-1] - channel.rows[0]) + 1, np.nan)
         own[channel.rows - channel.rows[0]] = pulls[part]

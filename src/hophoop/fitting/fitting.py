@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support.errors import check_type
-from hophoop.fitting.channels import Sigma, evened, with_scatter
+from hophoop.fitting.channels import Sigma, Values, evened, with_scatter
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
-from hophoop.fitting.judging import correlations, least_static_friction, misfits, sequence_of, shares
-from hophoop.fitting.limits import least_friction, unobserved, with_limits
+from hophoop.fitting.judging import least_static_friction, sequence_of
+from hophoop.fitting.limits import least_friction, with_limits
 from hophoop.fitting.mistakes import likely_mistakes, shutter
-from hophoop.fitting.parameters import REFUSED, SHARED, STARTS
-from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of, shared_errors
+from hophoop.fitting.parameters import HOOPS, REFUSED, SHARED, STARTS, split_number
+from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.result import Fit
-from hophoop.fitting.solving import best_of, changed, free_of, lowest, of_rotation, parameters
+from hophoop.fitting.solving import best_of, changed, free_of, lowest, of_rotation, parameters, unobserved
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
 from hophoop.tracking.hints import require_above_0
@@ -27,7 +26,6 @@ from hophoop.tracking.hints import require_above_0
 if TYPE_CHECKING:
     from lmfit import Parameters
 
-Floats = NDArray[np.float64]
 LONGEST = 120.0  # record that is fitted [s]
 NO_MISTAKE = "None of the usual mistakes explains that (tried: {}): look at the residuals (--out, or report in Python)."
 
@@ -40,25 +38,22 @@ class Settings:
     start: str
     fixed: Mapping[str, float]
     free: Sequence[str]
-    bounds: Mapping[str, tuple[float, float]]
-    tied: Mapping[str, str]
-    plane: Plane
-    sigma: Sigma
-    robust: bool
-    seed: int
+    bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    tied: Mapping[str, str] = field(default_factory=dict)
+    plane: Plane = field(default_factory=Plane)
+    sigma: Sigma = field(default_factory=Sigma)
+    robust: bool = True
+    seed: int = 0
 
     def of_run(self, number: int) -> Settings:
         """Return the settings of one of several runs: its own parameters without their number, and no others'."""
 
-        def own(name: str) -> str | None:
-            base, _, given = name.rpartition("_")
-            return name if not given.isdigit() else base if int(given) == number else None
+        def own(given: Mapping[str, Any]) -> dict[str, Any]:
+            pairs = [(split_number(name), value) for name, value in given.items()]
+            return {name: value for (name, run), value in pairs if run in (0, number)}
 
-        kept: dict[str, Any] = {
-            field: {name: value for key, value in getattr(self, field).items() if (name := own(key))}
-            for field in ("fixed", "bounds", "tied")
-        }
-        return replace(self, **kept, free=[name for key in self.free if (name := own(key))])
+        free = own(dict.fromkeys(self.free))
+        return replace(self, fixed=own(self.fixed), free=list(free), bounds=own(self.bounds), tied=own(self.tied))
 
 
 def fit(
@@ -132,7 +127,7 @@ def fit(
     >>> round(found.values["gamma"], 3), found.limits["mu_static"][0]
     (0.6, '≥')
     """
-    if isinstance(hoop, str) and hoop not in ("ideal", "general"):
+    if isinstance(hoop, str) and hoop not in HOOPS:
         raise InputError.of_field("hoop", hoop, "'ideal', 'general' or a Hoop")
     if start != "auto" and start not in STARTS:
         raise InputError.of_field("start", start, f"auto, {', '.join(STARTS)}")
@@ -163,67 +158,57 @@ def fit(
 def fit_alone(track: Track, how: Settings) -> Fit:
     """Fit one run; if the data have no errors, a second time, with the scatter of the residuals."""
     track, derived = evened(track)
-    problem, params, starts = _posed(track, how)
-    (run,) = problem.runs
-    if not all(channel.known for channel in run.channels):
-        values = first_values(problem, params, starts, how.robust)
-        places = run.places(run.motion(values), values)
-        off = {one.name: one.values - places[one.name][one.rows] for one in run.channels}
+    problem, params = _posed(track, how)
+    starts = _starts(problem, params, how.seed)
+    if not all(piece.channel.known for piece in problem.pieces):
+        # angular velocities need the whole search
+        search = best_of(problem, params, starts).minimum if of_rotation(problem) else lowest(problem, params, starts)
+        off = {channel.name: channel.errors * search.residuals[part] for _, channel, part in problem.pieces}
         track, scatter = with_scatter(track, how.sigma, off)
-        problem, params, starts = _posed(track, how)
-        derived |= scatter
+        problem, params = _posed(track, how)
+        starts, derived = _starts(problem, params, how.seed), derived | scatter
     return _fit_of(problem, params, starts, (track,), how, [derived])
 
 
-def first_values(problem: Problem, params: Parameters, starts: list[Candidate], robust: bool) -> dict[str, float]:
-    """Return the parameters whose residuals give the scatter; those of angular velocities need the whole search."""
-    if of_rotation(problem):
-        return best_of(problem, params, starts, robust)[0].minimum.values
-    return lowest(problem, params, starts, robust)[0].values
-
-
-def fit_near(track: Track, how: Settings, values: Mapping[str, float]) -> Fit:
+def fit_near(track: Track, how: Settings, values: Values) -> Fit:
     """Fit one run whose data have errors, from values near its parameters."""
-    run, params = _run_and_parameters(track, how)
+    problem, params = _posed(track, how)
     start = Candidate(changed(params, values).valuesdict(), "", 0.0)
-    return _fit_of(problem_of([run]), params, [start], (track,), how, [{}])
+    return _fit_of(problem, params, [start], (track,), how, [{}])
 
 
-def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters, list[Candidate]]:
-    """Return the problem of one run, its parameters, and starts of a fit."""
-    run, params = _run_and_parameters(track, how)
-    values = params.valuesdict()
-    first = {name: one if params[name].vary else values[name] for name, one in guess(run, values).items()}
-    problem = problem_of([run])
-    if len(free_of(params)) >= problem.count:
-        raise InputError(f"{len(free_of(params))} parameters cannot be fitted to {problem.count} numbers.")
-    starts = candidates(run, first, set(free_of(params)), how.seed)
-    if not starts:
-        raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
-    return problem, params, starts
-
-
-def _run_and_parameters(track: Track, how: Settings) -> tuple[Run, Parameters]:
-    """Return one run with its priors, and its parameters."""
+def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters]:
+    """Return the problem of one run with its priors, and its parameters."""
     run = run_of(track, how.hoop, "rolling" if how.start == "auto" else how.start, how.plane, how.sigma)
     if run.t[-1] > LONGEST:
         raise InputError(
             f"{track.source or 'The record'} lasts {run.t[-1]:.4g} s, and the free motion of a hoop some seconds: give its "
             "part by --from and --to (since= and until= in a Reading). Or are its times in ms?"
         )
-    if how.start == "auto" and (kind := start_kind(run)) != run.start:
-        run = replace(run, start=kind)
-    values, usual = defaults(run, track)
-    params = _parameters(problem_of([run]), values, usual, how)
+    if how.start == "auto":
+        run = replace(run, start=start_kind(run))
+    params = _parameters(problem_of([run]), *defaults(run, track), how)
     # parameters that the caller frees have no prior
     priors = {name: prior for name, prior in shared_errors(track).items() if params[name].vary and name not in how.free}
-    return replace(run, priors=priors), params
+    return problem_of([replace(run, priors=priors)], how.robust), params
+
+
+def _starts(problem: Problem, params: Parameters, seed: int) -> list[Candidate]:
+    """Return starts of a fit of one run."""
+    (run,), free, values = problem.runs, free_of(params), params.valuesdict()
+    if len(free) >= problem.count:
+        raise InputError(f"{len(free)} parameters cannot be fitted to {problem.count} numbers.")
+    first = {name: one if name in free else values[name] for name, one in guess(run, values).items()}
+    starts = candidates(run, first, set(free), seed)
+    if not starts:
+        raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
+    return starts
 
 
 def _fit_together(alone: list[Fit], how: Settings) -> Fit:
     """Fit several runs of a hoop, from the fits of each alone."""
-    problem = problem_of([one.problem.runs[0] for one in alone])
-    values: dict[str, float] = {}
+    problem = problem_of([one.problem.runs[0] for one in alone], how.robust)
+    values: Values = {}
     for run, one in zip(problem.runs, alone, strict=True):
         values |= {run.named(name): one.values[name] for name in run.names}
     for name in SHARED:
@@ -236,14 +221,13 @@ def _fit_together(alone: list[Fit], how: Settings) -> Fit:
     starts = []
     for own in ({}, *({name: one.values[name] for name in SHARED if name in one.values} for one in alone)):
         first = changed(params, {**values, **own}).valuesdict()
-        cost = float(np.log1p(problem.residuals(first) ** 2).sum())
-        starts.append(Candidate(first, sequence_of(problem, first), cost))
+        starts.append(Candidate(first, sequence_of(problem, first), 0.0))
     tracks = tuple(one.track for one in alone)
     derived = [own for one in alone for own in one.settings["derived"]]
     return replace(_fit_of(problem, params, starts, tracks, how, derived), alone=tuple(alone))
 
 
-def _parameters(problem: Problem, values: dict[str, float], usual: set[str], how: Settings) -> Parameters:
+def _parameters(problem: Problem, values: Values, usual: set[str], how: Settings) -> Parameters:
     """Return lmfit's parameters; a name without number is that parameter of each run."""
 
     def expanded(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -268,7 +252,7 @@ def _parameters(problem: Problem, values: dict[str, float], usual: set[str], how
         if not low < high:
             raise InputError(f"bounds of {name} = {low}, {high} must be a lower and a greater number.")
     for run in problem.runs:
-        if run.named("row_delay") in free and run.rows is None:
+        if run.named("row_delay") in free and not run.rows.any():
             raise InputError("row_delay cannot be fitted: the data do not say in which row of the picture the hoop was.")
     chosen = [name for name in problem.names if name in {*usual, *free} - {*fixed, *tied}]
     return parameters(values | {name: float(value) for name, value in fixed.items()}, chosen, bounds, tied)
@@ -280,61 +264,46 @@ def _fit_of(
     starts: Sequence[Candidate],
     tracks: tuple[Track, ...],
     how: Settings,
-    derived: list[dict[str, float]],
+    derived: list[Values],
 ) -> Fit:
     """Return the fit, with limits of parameters that may be at an end of their range or have no effect.
 
     derived: of the data of each run, what they lack: the scatter, and the rate of rounded times.
     """
-    robust, wanted = how.robust, free_of(params)
-    solution, blind = best_of(problem, params, starts, robust)
-    solution, limits, motions = with_limits(problem, solution, wanted, blind, robust)
-    values, residuals, gone = solution.minimum.values, solution.minimum.residuals, unobserved(motions)
-    notes = []
+    wanted = free_of(params)
+    solution, limits = with_limits(best_of(problem, params, starts), wanted)
+    values = solution.minimum.values
+    motions = problem.motions(values)
+    gone, notes = unobserved(motions), []
     tied = {name: one.expr for name, one in params.items() if one.expr}
     if "mu_excess" in gone and {"mu_kinetic", "mu_excess"} & set(limits):
         least = max(least_static_friction(motion) for motion in motions)
         if not tied:
-            least = least_friction(problem, params, solution, least, robust)
+            least = least_friction(params, solution, least)
         limits["mu_static"] = ("≥", least)
         notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction has no effect.")
     if "restitution" in gone & set(limits):
         notes.append("There is no impact in the film, so restitution cannot be determined.")
     notes += [f"The film does not determine {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
-    chi_square = float((residuals**2).sum())
-    degrees_of_freedom = problem.count - len(solution.free)
-    worse = chi_square / max(degrees_of_freedom, 1)
-    found = Fit(
-        values,
-        solution.free,
-        solution.covariance,
-        chi_square,
-        degrees_of_freedom,
-        limits,
-        shares(problem, solution, max(1.0, float(np.sqrt(worse)))),
-        correlations(solution, set(problem.priors)),
-        misfits(problem, motions, residuals),
-        tuple(notes),
-        tracks,
-        {
-            "hoop": how.hoop if isinstance(how.hoop, str) else how.hoop.to_dict(),
-            "starts": [run.start for run in problem.runs],
-            "gravity": how.plane.gravity,
-            "law": how.plane.impact_law,
-            "robust": robust,
-            "sigma": list(how.sigma),
-            "derived": derived,
-            "free": list(wanted),
-            "bounds": {name: list(limits) for name, limits in how.bounds.items()},
-            "tied": tied,
-            "priors": [{name: list(prior) for name, prior in run.priors.items()} for run in problem.runs],
-        },
-    )
+    settings = {
+        "hoop": how.hoop if isinstance(how.hoop, str) else how.hoop.to_dict(),
+        "starts": [run.start for run in problem.runs],
+        "gravity": how.plane.gravity,
+        "law": how.plane.impact_law,
+        "robust": how.robust,
+        "sigma": list(how.sigma),
+        "derived": derived,
+        "free": list(wanted),
+        "bounds": {name: list(limits) for name, limits in how.bounds.items()},
+        "tied": tied,
+        "priors": [{name: list(prior) for name, prior in run.priors.items()} for run in problem.runs],
+    }
+    found = Fit(values, solution.free, solution.covariance, limits, tuple(notes), tracks, settings)
     if found.good:
         return found
     run = problem.runs[0]
     free = [name for name in run.names if run.named(name) in wanted]
-    causes, tried = likely_mistakes(run, run.own(values), free, worse, tracks[0], how.sigma)
-    causes = causes or shutter(problem, solution, tracks, robust)
+    causes, tried = likely_mistakes(run, run.own(values), free, found.reduced, tracks[0], how.sigma)
+    causes = causes or shutter(solution, tracks)
     notes = causes + notes if found.usable else causes or [NO_MISTAKE.format(", ".join(tried))]
     return replace(found, notes=tuple(notes))

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import groupby
+from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hophoop.fitting.channels import Floats, Values
+from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.problem import Run
 from hophoop.scenario import InputError
-
-Floats = NDArray[np.float64]
 
 WIDTH = 0.05  # of the pieces for velocities [s]
 LEAST = 5  # minimum frames of such a piece
 BLOCK = 10_000  # frames whose pieces are in memory at a time
 ROLLING, FLYING = 8, 16  # minimum frames of rolling, or of flight, for the share of the load
+SHARES = (0.05, 0.95)  # of the load that are tried
 LEAST_GAP = 0.01  # height of the rim above the plane, over the radius, that is flight
 SPANS: Sequence[float] = (0.25, 0.4, 0.6, 0.8, 1.0)  # of the data from their start
 SLIPS = 4.0  # significant slip over its standard deviation
+COST = attrgetter("cost")
 DRAWS = 160
 A_SEQUENCE = 2  # starts of each sequence
 SEQUENCES = 4
@@ -35,6 +38,7 @@ class Rates(NamedTuple):
     value: Floats
     rate: Floats
     error: Floats  # of the rate
+    scatter: float  # of the data
 
 
 def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
@@ -51,100 +55,97 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
         inverse = np.linalg.pinv(powers / errors[near][..., None])  # shape (rows, 3, width)
         value, rate, _ = np.einsum("kij,kj->ik", inverse, values[near] / errors[near])
         found.append((value, rate, np.linalg.norm(inverse[:, 1], axis=-1)))
-    return Rates(t, *np.concatenate(found, axis=1))
+    return Rates(t, *np.concatenate(found, axis=1), float(np.median(errors)))
 
 
 def rates_of(run: Run, name: str) -> Rates | None:
     """Return the rates of a channel; None if it was not measured, or too seldom."""
-    channel = next((channel for channel in run.channels if channel.name == name and len(channel.rows) >= LEAST), None)
-    return None if channel is None else rates(run.t[channel.rows], channel.values, channel.errors)
+    channel = run.channel(name)
+    if channel is None or len(channel.rows) < LEAST:
+        return None
+    return rates(run.t[channel.rows], channel.values, channel.errors)
+
+
+def slip_of(run: Run, x: Rates, angle: Rates) -> tuple[Floats, Floats]:
+    """Return the slip velocity at the times of the angle, and its standard deviation [m/s]."""
+    slip = np.interp(angle.t, x.t, x.rate) - run.radius * angle.rate
+    return slip, np.hypot(np.interp(angle.t, x.t, x.error), run.radius * angle.error)
 
 
 def start_kind(run: Run) -> str:
     """Return the kind of motion in the first frame: 'rolling' unless the data contradict it."""
-    x, angle = rates_of(run, "x"), rates_of(run, "angle")
+    x, y, angle = rates_of(run, "x"), run.channel("y"), rates_of(run, "angle")
     if x is None or angle is None:
         return "rolling"
-    for y in run.channels:
-        gap = y.values[:3] - run.radius
-        if y.name == "y" and (gap > np.maximum(6.0 * y.errors[:3], 3e-3 * run.radius)).all():
-            return "flying"
-    slip = x.rate[0] - run.radius * angle.rate[0]
-    error = float(np.hypot(x.error[0], run.radius * angle.error[0]))
-    return "sliding" if abs(slip) > max(SLIPS * error, 0.03 * abs(x.rate[0])) else "rolling"
+    if y is not None and (y.values - run.radius > np.maximum(6.0 * y.errors, 3e-3 * run.radius))[:3].all():
+        return "flying"
+    slip, error = slip_of(run, x, angle)
+    return "sliding" if abs(slip[0]) > max(SLIPS * error[0], 0.03 * abs(x.rate[0])) else "rolling"
 
 
-def guess(run: Run, values: dict[str, float]) -> dict[str, float]:
+def guess(run: Run, values: Values) -> Values:
     """Guess parameters from the data: the start from the first frames, the share of the load from the energy in rolling.
 
     values: known and default values.
     """
-    result = dict(values)
+    result = {name: one.usual for name, one in PARAMETERS.items()} | values
     x, y, angle, omega, marker = (rates_of(run, name) for name in ("x", "y", "angle", "omega", "marker_x"))
     if x is not None:
-        result |= {"x0": x.value[0], "speed": x.rate[0], "vx0": x.rate[0]}
+        result |= {"x0": x.value[0], "speed": x.rate[0]}
     elif marker is not None:
-        speed, place = np.polyfit(marker.t, marker.value, 1)  # the marker revolves about the centre
-        result |= {"x0": place, "speed": speed, "vx0": speed}
-    if x is not None and y is not None and not values["tilt"] and np.ptp(x.value) > run.radius:
-        tilt = np.arctan(np.polyfit(x.value, y.value, 1)[0])
-        result["tilt"] = tilt if abs(tilt) > 1e-3 else 0.0
+        result["speed"], result["x0"] = np.polyfit(marker.t, marker.value, 1)  # the marker revolves about the centre
     if y is not None:
         result |= {"height0": max(y.value[0] - run.radius, 0.0), "vy0": y.rate[0]}
         result["origin_y"] = np.quantile(y.value, 0.1) - run.radius
-    turning, spans = None, SPANS
+        if x is not None and not values["tilt"] and np.ptp(x.value) > run.radius:
+            tilt = np.arctan(np.polyfit(x.value, y.value, 1)[0])
+            result["tilt"] = tilt if abs(tilt) > 1e-3 else 0.0
     if angle is not None:
-        turning = angle.value - values["marker_angle"], angle.rate
+        turned, rate, spans = angle.value - values["marker_angle"], angle.rate, SPANS
         if x is not None:
-            slip = np.interp(angle.t, x.t, x.rate) - run.radius * angle.rate
-            error = np.hypot(np.interp(angle.t, x.t, x.error), run.radius * angle.error)
-            slips = np.abs(slip) > SLIPS * error + 0.02 * np.abs(run.radius * angle.rate)
+            slip, error = slip_of(run, x, angle)
+            slips = np.abs(slip) > SLIPS * error + 0.02 * np.abs(run.radius * rate)
             spans = (max(int(np.argmax([*slips, True])), ROLLING) / len(slips),)
+        result |= load_of_turning(run, turned, rate, spans, values["slope"], True)
+        if x is not None and y is not None and len(x.t) == len(angle.t):
+            result |= share_in_flight(run, angle, x, y, result)
     elif omega is not None:
         turned = np.cumsum(0.5 * (omega.value[1:] + omega.value[:-1]) * np.diff(omega.t))
-        turning = np.concatenate([[0.0], turned]), omega.value
-    if turning is not None:
-        load, angle0 = load_of_turning(run, *turning, spans, values["slope"], angle is not None)
-        if x is not None and y is not None and angle is not None and len(x.t) == len(angle.t):
-            load = share_in_flight(run, angle, x, y, result) or load
-        result |= {"gamma": load, "eccentricity": load, "inertia_ratio": 1.0 - load**2, "angle0": angle0}
-        result["omega0"] = turning[1][0]
-        if x is None:
-            result["speed"] = result["vx0"] = run.radius * result["omega0"]
+        result |= load_of_turning(run, np.concatenate([[0.0], turned]), omega.value, SPANS, values["slope"], False)
+    if x is None and (angle or omega) is not None:
+        result["speed"] = run.radius * result["omega0"]
+    result |= {"vx0": result["speed"], "eccentricity": result["gamma"], "inertia_ratio": 1.0 - result["gamma"] ** 2}
     return {name: float(result[name]) for name in values}
 
 
-def share_in_flight(run: Run, angle: Rates, x: Rates, y: Rates, values: dict[str, float]) -> float | None:
+def share_in_flight(run: Run, angle: Rates, x: Rates, y: Rates, values: Values) -> Values:
     """Return γ from the longest flight, in which the centre of gravity goes along a parabola.
 
     x + γ R sinθ and y + γ R cosθ of the centre have the acceleration of gravity, which is linear in γ.
 
-    values: slope, height of the plane and angle of the marker; gamma: None if the hoop does not fly for long [1].
+    values: slope, height of the plane and angle of the marker; empty if the hoop does not fly for long.
     """
-    error = next(float(np.median(channel.errors)) for channel in run.channels if channel.name == "y")
-    flies = y.value - values["origin_y"] - run.radius > max(SLIPS * error, LEAST_GAP * run.radius)
-    ends = np.flatnonzero(np.diff(np.concatenate([[False], flies, [False]]).astype(int)))
-    first, last = max(zip(ends[::2], ends[1::2], strict=True), key=lambda pair: pair[1] - pair[0], default=(0, 0))
-    first, last = first + LEAST, last - LEAST  # the pieces at its ends have contact, too
-    if last - first < FLYING:
-        return None
-    t, theta = y.t[first:last], angle.value[first:last] - values["marker_angle"]
+    flies = y.value - values["origin_y"] - run.radius > max(SLIPS * y.scatter, LEAST_GAP * run.radius)
+    pieces = [list(frames) for air, frames in groupby(range(len(flies)), key=flies.__getitem__) if air]
+    flight = max(pieces, key=len, default=[])[LEAST:-LEAST]  # the pieces at its ends have contact, too
+    if len(flight) < FLYING:
+        return {}
+    t, theta, slope = y.t[flight], angle.value[flight] - values["marker_angle"], values["slope"]
     none, one = np.zeros_like(t), np.ones_like(t)
     along = np.column_stack([-run.radius * np.sin(theta), one, t, none, none])
     up = np.column_stack([-run.radius * np.cos(theta), none, none, one, t])
-    fall, slope = 0.5 * run.plane.gravity * t**2, values["slope"]
-    known = np.concatenate([x.value[first:last] - np.sin(slope) * fall, y.value[first:last] + np.cos(slope) * fall])
+    fall = 0.5 * run.plane.gravity * t**2
+    known = np.concatenate([x.value[flight] - np.sin(slope) * fall, y.value[flight] + np.cos(slope) * fall])
     found, *_ = np.linalg.lstsq(np.concatenate([along, up]), known, rcond=None)
-    return float(np.clip(found[0], 0.05, 0.95))
+    return {"gamma": float(np.clip(found[0], *SHARES))}
 
 
-def load_of_turning(
-    run: Run, turned: Floats, omega: Floats, spans: Sequence[float], slope: float, known: bool
-) -> tuple[float, float]:
-    """Return γ and the first angle from the energy (1 + γ cosθ) θ̇² + (g/R) (γ cos(θ + β) − θ sinβ), constant in rolling.
+def load_of_turning(run: Run, turned: Floats, omega: Floats, spans: Sequence[float], slope: float, known: bool) -> Values:
+    """Return γ, the first angle and angular velocity from the energy, constant in rolling.
 
-    With θ = θ0 + the rotation since then that is linear in γ cosθ0, γ sinθ0 and the constant. The hoop may slip from some time
-    on, so that of several spans from the start the one counts whose equation holds best.
+    (1 + γ cosθ) θ̇² + (g/R) (γ cos(θ + β) − θ sinβ) with θ = θ0 + the rotation since then is linear in γ cosθ0, γ sinθ0 and the
+    constant. The hoop may slip from some time on, so that of several spans from the start the one counts whose equation holds
+    best.
 
     turned: θ, or the rotation since the first frame [rad]; spans: parts of the data from their start [1];
     known: whether it is θ itself.
@@ -158,11 +159,10 @@ def load_of_turning(
     for share in spans:
         count = max(round(share * len(omega)), ROLLING)
         answer, *_ = np.linalg.lstsq(design[:count], right[:count], rcond=None)
-        cos, sin = answer[0], 0.0 if known else answer[2]
-        off = float(np.std(design[:count] @ answer - right[:count]))
-        found.append((off / share, float(np.hypot(cos, sin)) if not known else cos, float(np.arctan2(sin, cos))))
-    _, load, angle = min(found)
-    return float(np.clip(load, 0.05, 0.95)), float(turned[0]) if known else angle
+        found.append((float(np.std(design[:count] @ answer - right[:count])) / share, answer))
+    _, (cos, _, *sin) = min(found, key=itemgetter(0))
+    load, angle = (np.hypot(cos, sin[0]), np.arctan2(sin[0], cos)) if sin else (cos, turned[0])
+    return {"gamma": float(np.clip(load, *SHARES)), "angle0": float(angle), "omega0": float(omega[0])}
 
 
 def merge_bounces(sequence: str) -> str:
@@ -173,12 +173,12 @@ def merge_bounces(sequence: str) -> str:
 class Candidate(NamedTuple):
     """Start of a fit."""
 
-    values: dict[str, float]
+    values: Values
     sequence: str
     cost: float
 
 
-def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0, draws: int = DRAWS) -> list[Candidate]:
+def candidates(run: Run, first: Values, free: set[str], seed: int = 0, draws: int = DRAWS) -> list[Candidate]:
     """Return the best motions of each sequence, of many drawn around a guess.
 
     The sum of squares has a basin for each sequence, and descent from one basin does not lead into another.
@@ -195,7 +195,7 @@ def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0,
             drawn |= {name: values[name] * float(1.0 + NEAR * rng.uniform(-1, 1)) for name in SPEEDS if name in free}
             # a hoop that hops at once does not roll for long enough to guess the load
             if "gamma" in free and (width := rng.choice([0.0, 0.1, 0.9])):
-                drawn["gamma"] = float(np.clip(first["gamma"] + width * rng.uniform(-1, 1), 0.05, 0.95))
+                drawn["gamma"] = float(np.clip(first["gamma"] + width * rng.uniform(-1, 1), *SHARES))
             if "omega" in run.measured and rng.random() < 0.5:
                 drawn["angle0"] = first["angle0"] + float(rng.normal(0.0, 0.3))
             elif not run.measured & {"angle", "omega"}:
@@ -209,9 +209,6 @@ def candidates(run: Run, first: dict[str, float], free: set[str], seed: int = 0,
         # cut large residuals: the part of the film that agrees counts
         found.append(Candidate(values, merge_bounces(motion.sequence), float(np.log1p(off**2).sum())))
     best: dict[str, list[Candidate]] = {}
-    for one in sorted(found, key=lambda candidate: candidate.cost):
-        group = best.setdefault(one.sequence[:12], [])
-        if len(group) < A_SEQUENCE:
-            group.append(one)
-    few = list(best.values())[:SEQUENCES]
-    return sorted((one for group in few for one in group), key=lambda candidate: candidate.cost)
+    for one in sorted(found, key=COST):
+        best.setdefault(one.sequence[:12], []).append(one)
+    return sorted((one for group in list(best.values())[:SEQUENCES] for one in group[:A_SEQUENCE]), key=COST)

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from types import SimpleNamespace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop.derivatives.results.propagation import propagate
-from hophoop.fitting.parameters import PATHS, TIMED, spec
+from hophoop.fitting.channels import Floats, Values
+from hophoop.fitting.parameters import TIMED, spec
 from hophoop.fitting.problem import Problem, Run
-
-Floats = NDArray[np.float64]
 
 FIELDS = ("x", "height", "angle", "omega")
 STEP = 1e-6  # along the derivatives of the state; the data are nearly linear in it
 
 
-def exact_slopes(problem: Problem, values: Mapping[str, float], names: Sequence[str]) -> Floats:
+def exact_slopes(problem: Problem, values: Values, names: Sequence[str]) -> Floats:
     """Return derivatives of the residuals by parameters.
 
     values: all of the problem's names; jacobian: shape (count, len(names)), a column is nan where there is no derivative: at a
@@ -34,27 +32,26 @@ def exact_slopes(problem: Problem, values: Mapping[str, float], names: Sequence[
     return np.concatenate(blocks)
 
 
-def _of_run(run: Run, values: dict[str, float], names: list[str]) -> Floats:
+def _of_run(run: Run, values: Values, names: list[str]) -> Floats:
     """Columns of one run: the data follow the changes of the state and of the camera, shape (count, len(names))."""
-    motion = run.motion(values)
+    motion, specs = run.motion(values), [spec(name) for name in names]
     times = run.moments(motion, values)
-    steps = np.array([[STEP if name in PATHS else spec(name).step] for name in names])
+    steps = np.array([[STEP if one.paths else one.step] for one in specs])
     here, changes = motion.at(times), {field: np.zeros((len(names), len(times))) for field in FIELDS}
-    paths = tuple(dict.fromkeys(path for name in names for path in PATHS.get(name, ())))
+    paths = tuple(dict.fromkeys(path for one in specs for path in one.paths))
     rated = propagate(motion, paths).at_times(times, FIELDS) if paths else {}
     for k, name in enumerate(names):
         if name in TIMED:  # the motion is the same, seen at other times
-            later, earlier = (
-                motion.at(run.moments(motion, values | {name: values[name] + side})) for side in (steps[k, 0], -steps[k, 0])
-            )
-        for field in FIELDS:
-            for path in PATHS.get(name, ()):
-                changes[field][k] += rated[field][1][:, paths.index(path)]
-            if name in TIMED:
-                changes[field][k] = (getattr(later, field) - getattr(earlier, field)) / (2.0 * steps[k, 0])
+            step = steps[k, 0]
+            later, earlier = (motion.at(run.moments(motion, values | {name: values[name] + far})) for far in (step, -step))
+            for field, change in changes.items():
+                change[k] = (getattr(later, field) - getattr(earlier, field)) / (2.0 * step)
+        for path in specs[k].paths:
+            for field, change in changes.items():
+                change[k] += rated[field][1][:, paths.index(path)]
 
     def residuals(side: int) -> Floats:
-        moved = {field: getattr(here, field) + side * steps * changes[field] for field in FIELDS}
+        moved = {field: getattr(here, field) + side * steps * change for field, change in changes.items()}
         others = {name: values[name] + side * steps * (np.array(names)[:, None] == name) for name in values}
         return run.distances(run.seen(SimpleNamespace(**moved), others), others)
 

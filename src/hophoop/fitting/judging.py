@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections import Counter
+from collections.abc import Collection, Sequence
+from contextlib import suppress
 from itertools import groupby
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hophoop.fitting.channels import Floats, Values
 from hophoop.fitting.covariance import ROUNDING
 from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.problem import Problem
-from hophoop.fitting.solving import Solution
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
-
-Floats = NDArray[np.float64]
 
 CORRELATED = 0.95
 RUNS = -4.0  # deviation of the runs test that shows a misfit
@@ -33,15 +32,14 @@ WORDS = {
 }
 
 
-def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[str, str, float]]:
+def correlations(names: Sequence[str], covariance: Floats, known: Collection[str]) -> list[tuple[str, str, float]]:
     """Return pairs of parameters that the data hardly distinguish, with their correlation [1], the strongest first.
 
-    known: parameters with priors; two of these are no pair.
+    names: of the covariance; known: parameters with priors; two of these are no pair.
     """
     with np.errstate(divide="ignore", invalid="ignore"):  # a singular problem has negative variances
-        size = np.sqrt(np.diag(solution.covariance))
-        matrix = solution.covariance / np.outer(size, size)
-    names = solution.free
+        size = np.sqrt(np.diag(covariance))
+        matrix = covariance / np.outer(size, size)
     pairs = [
         (names[i], names[j], float(matrix[i, j]))
         for i in range(len(names))
@@ -51,33 +49,26 @@ def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[
     return sorted(pairs, key=lambda pair: -abs(pair[2]))
 
 
-def sequence_of(problem: Problem, values: Mapping[str, float]) -> str:
+def sequence_of(problem: Problem, values: Values) -> str:
     """Return the sequence of each run, bounces in a row as one 'H+'."""
     return ", ".join(merge_bounces(motion.sequence) for motion in problem.motions(values))
 
 
-def shares(problem: Problem, solution: Solution, scale: float, seed: int = 0) -> dict[str, float]:
+def shares(problem: Problem, values: Values, free: Sequence[str], covariance: Floats) -> Values:
     """Return the sequences of motions within the uncertainties, with their shares [1], the largest first.
 
-    scale: factor of the errors [1].
+    free: names of the covariance.
     """
-    values = solution.minimum.values
-    covariance = solution.covariance * scale**2
-    drawn: list[dict[str, float]] = []
-    if solution.free and np.isfinite(covariance).all():
-        place = np.array([values[name] for name in solution.free])
-        rng = np.random.default_rng(seed)
+    drawn: list[Values] = []
+    if free and np.isfinite(covariance).all():
+        place, rng = [values[name] for name in free], np.random.default_rng(0)
         places = rng.multivariate_normal(place, covariance, DRAWS, check_valid="ignore", method="eigh")
-        drawn = [values | dict(zip(solution.free, place.tolist(), strict=True)) for place in places]
-    found: dict[str, int] = {}
+        drawn = [values | dict(zip(free, place.tolist(), strict=True)) for place in places]
+    found: Counter[str] = Counter()
     for one in (*drawn, values):
-        try:
-            sequence = sequence_of(problem, one)
-        except InputError:
-            continue
-        found[sequence] = found.get(sequence, 0) + 1
-    total = sum(found.values())
-    return {name: number / total for name, number in sorted(found.items(), key=lambda item: -item[1])}
+        with suppress(InputError):
+            found[sequence_of(problem, one)] += 1
+    return {name: number / found.total() for name, number in found.most_common()}
 
 
 def runs_deviation(residuals: Floats) -> float:

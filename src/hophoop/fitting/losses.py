@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from hophoop.fitting.channels import Floats
 
 SOFT = 3.0  # scale of the robust loss [standard deviations]
 

@@ -8,9 +8,9 @@ from operator import attrgetter
 import numpy as np
 
 from hophoop._support.errors import check_type
-from hophoop.fitting.channels import Sigma
+from hophoop.fitting.channels import Values
 from hophoop.fitting.fitting import Settings, fit_near
-from hophoop.fitting.parameters import PATHS
+from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.problem import RIM_ERROR
 from hophoop.fitting.result import Fit
 from hophoop.scenario import InputError, Scenario
@@ -77,7 +77,6 @@ def plan(
     require_above_0(rate=rate, sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
     if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
         raise InputError.of_field("sigma_scale", sigma_scale, "a number of at least 0")
-    require_above_0(sigma_scale=sigma_scale or None)
     check_type("scenario", scenario, Scenario)
     motion = simulate(scenario)
     count = int(motion.duration * rate) + 1
@@ -97,9 +96,8 @@ def plan(
     ideal = scenario.hoop.load_fraction is not None
     hoop = scenario.hoop if hoop_known or scenario.hoop.massless else "ideal" if ideal else "general"
     known = _known(scenario)
-    held = {name: known.get(name, 1.0 if name == "scale" else 0.0) for name in fixed}
-    how = Settings(hoop, _start(scenario), held, free, {}, {}, scenario.plane, Sigma(), robust=True, seed=0)
-    return fit_near(track, how, known)
+    held = {name: known.get(name, PARAMETERS[name].usual if name in PARAMETERS else 0.0) for name in fixed}
+    return fit_near(track, Settings(hoop, _start(scenario), held, free, plane=scenario.plane), known)
 
 
 def _start(scenario: Scenario) -> str:
@@ -111,8 +109,8 @@ def _start(scenario: Scenario) -> str:
     return "rolling" if start.state(scenario.hoop).slip == 0.0 else "sliding"
 
 
-def _known(scenario: Scenario) -> dict[str, float]:
+def _known(scenario: Scenario) -> Values:
     """Values of the parameters in a scenario."""
-    known = {name: attrgetter(paths[-1])(scenario) for name, paths in PATHS.items()} | {"speed": scenario.start.vx}
-    known["mu_excess"] -= known["mu_kinetic"]
+    known = {name: attrgetter(one.paths[-1])(scenario) for name, one in PARAMETERS.items() if one.paths}
+    known |= {"speed": scenario.start.vx, "mu_excess": known["mu_excess"] - known["mu_kinetic"]}
     return {name: float(value) for name, value in known.items() if value is not None}

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from hophoop.fitting.channels import Channel, Sigma, channels_of
-from hophoop.fitting.parameters import FACTORS, SHARED, STARTS
+from hophoop.fitting.channels import Channel, Floats, Sigma, Values, channels_of
+from hophoop.fitting.losses import loss
+from hophoop.fitting.parameters import HOOPS, SHARED, STARTS, spec
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
-
-Floats = NDArray[np.float64]
-Values = dict[str, float]
 
 FAR = 1e4  # residual of an impossible motion [standard deviations]
 SAME = 1e-6  # relative difference of radii that is rounding
@@ -39,12 +36,12 @@ class Run:
     `values` of its methods are all of its `names`, without suffix.
     """
 
-    t: Floats  # times from the first frame [s]
+    first: int  # row of the track with the first data
+    t: Floats  # times from there on [s]
     channels: tuple[Channel, ...]
-    rows: Floats | None  # picture row of the centre, minus the mean [pixel]
+    rows: Floats  # picture row of the centre, minus the mean; 0 if unknown [pixel]
     radius: float  # [m]
-    hoop: Hoop | None  # if it is known
-    general: bool  # a general hoop instead of an ideal one
+    hoop: Hoop | str  # known, or a key of HOOPS
     start: str  # key of STARTS
     plane: Plane  # gravity and the impact law
     priors: Mapping[str, Prior] = field(default_factory=dict)  # each counts as a measured number
@@ -54,7 +51,7 @@ class Run:
     @property
     def names(self) -> tuple[str, ...]:
         """Parameters of this run."""
-        hoop = () if self.hoop is not None else ("eccentricity", "inertia_ratio") if self.general else ("gamma",)
+        hoop = HOOPS[self.hoop] if isinstance(self.hoop, str) else ()
         return (
             *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", "rolling_resistance", *STARTS[self.start],
             "scale", "stretch", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
@@ -66,11 +63,15 @@ class Run:
         """Names of the channels."""
         return {channel.name for channel in self.channels}
 
+    def channel(self, name: str) -> Channel | None:
+        """Return a channel; None if it was not measured."""
+        return next((one for one in self.channels if one.name == name), None)
+
     def named(self, name: str) -> str:
         """Return the name of a parameter of this run in the problem."""
         return name if name in SHARED else name + self.suffix
 
-    def own(self, values: Mapping[str, float]) -> Values:
+    def own(self, values: Values) -> Values:
         """Return the values of this run from those of the problem."""
         return {name: values[self.named(name)] for name in self.names}
 
@@ -87,25 +88,19 @@ class Run:
             kept = one.rows < count
             return one._replace(rows=one.rows[kept], values=one.values[kept], errors=one.errors[kept])
 
-        rows = None if self.rows is None else self.rows[:count]
-        return replace(self, t=self.t[:count], rows=rows, channels=tuple(map(cut, self.channels)))
+        return replace(self, t=self.t[:count], rows=self.rows[:count], channels=tuple(map(cut, self.channels)))
 
     def scenario(self, values: Values) -> Scenario:
         """Return the scenario of parameters."""
-        if self.hoop is not None:
-            hoop = self.hoop
-        elif self.general:
-            hoop = Hoop(radius=self.radius, eccentricity=values["eccentricity"], inertia_ratio=values["inertia_ratio"])
-        else:
-            hoop = Hoop(radius=self.radius, load_fraction=values["gamma"])
-        known = {name: value for name, value in self.plane.to_dict().items() if name != "mu"}
-        fitted = {name: values[name] for name in ("slope", "mu_kinetic", "restitution", "rolling_resistance")}
-        plane = Plane(**{**known, **fitted, "mu_static": values["mu_kinetic"] + values["mu_excess"]})
-        # 'x0' is the field 'x' of a start, and 'speed' the field 'speed'
-        start = Start(**{name.removesuffix("0"): values[name] for name in STARTS[self.start]})
-        margin = abs(values["row_delay"]) * (float(np.ptp(self.rows)) if self.rows is not None else 0.0)
-        duration = float(self.t[-1]) * self.pace(values) * BEYOND + margin
-        return Scenario(hoop=hoop, plane=plane, start=start, duration=duration)
+        known = self.plane.model_dump(include={"gravity", "impact_law", "painleve"})
+        parts: dict[str, dict[str, Any]] = {"hoop": {"radius": self.radius}, "plane": known, "start": {}}
+        for name in self.names:
+            for path in spec(name).paths:
+                part, number = path.split(".")
+                parts[part][number] = parts[part].get(number, 0.0) + values[name]
+        hoop = self.hoop if isinstance(self.hoop, Hoop) else Hoop(**parts["hoop"])
+        duration = float(self.t[-1]) * self.pace(values) * BEYOND + abs(values["row_delay"]) * float(np.ptp(self.rows))
+        return Scenario(hoop=hoop, plane=Plane(**parts["plane"]), start=Start(**parts["start"]), duration=duration)
 
     def pace(self, values: Mapping[str, Any]) -> Any:
         """Time of the motion over that of the data [1]: a hoop of another radius moves alike, at times as its root."""
@@ -117,8 +112,7 @@ class Run:
 
     def moments(self, motion: Trajectory, values: Values) -> Floats:
         """Times of the motion at which the centre was exposed in each frame, shape (n,) [s]."""
-        times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
-        return np.asarray(np.clip(times * self.pace(values), 0.0, motion.duration))
+        return np.clip((self.t + values["row_delay"] * self.rows) * self.pace(values), 0.0, motion.duration)
 
     def places(self, motion: Trajectory, values: Values) -> dict[str, Floats]:
         """Predicted data of a motion in each frame, by name of the channel [m, rad or rad/s]."""
@@ -126,28 +120,17 @@ class Run:
 
     def seen(self, state: Any, values: Values) -> dict[str, Floats]:
         """Predicted data of states (x, height, angle, omega), by name of the channel [m, rad or rad/s]."""
-        reach = values["marker_ratio"] * self.radius
         marked = state.angle + values["marker_angle"]
         x, y = state.x * (1.0 + values["stretch"] * state.x), state.height + self.radius
         size = values["scale"] * values.get("radius", 1.0)
         cos, sin = size * np.cos(values["tilt"]), size * np.sin(values["tilt"])
-
-        def rotate(a: Floats, b: Floats) -> tuple[Floats, Floats]:
-            return cos * a - sin * b, values["origin_y"] + sin * a + cos * b
-
-        first, second = rotate(x, y)
-        third, fourth = rotate(x + reach * np.sin(marked), y + reach * np.cos(marked))
         # a sensor has a clock of its own; among places an angular velocity comes from their times
-        pace = self.pace(values) if len(self.channels) > 1 else self.pace(values) / values.get("times", 1.0)
-        omega = pace * state.omega + values.get("omega_offset", 0.0)
-        return {
-            "x": first,
-            "y": second,
-            "marker_x": third,
-            "marker_y": fourth,
-            "angle": marked - values["tilt"],
-            "omega": omega,
-        }
+        pace = self.pace(values) / (1.0 if len(self.channels) > 1 else values.get("times", 1.0))
+        result = {"angle": marked - values["tilt"], "omega": pace * state.omega + values.get("omega_offset", 0.0)}
+        reach = values["marker_ratio"] * self.radius
+        for mark, along, up in (("", x, y), ("marker_", x + reach * np.sin(marked), y + reach * np.cos(marked))):
+            result |= {f"{mark}x": cos * along - sin * up, f"{mark}y": values["origin_y"] + sin * along + cos * up}
+        return result
 
     def residuals(self, values: Values) -> Floats:
         """Return data minus motion, shape (count,) [standard deviations]."""
@@ -177,6 +160,7 @@ class Problem:
     """One run, or several runs of one hoop on one plane; `values` are all of `names`."""
 
     runs: tuple[Run, ...]
+    robust: bool = True  # outliers count less
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -203,13 +187,21 @@ class Problem:
         """Priors of all runs."""
         return {run.named(name): prior for run in self.runs for name, prior in run.priors.items()}
 
-    def motions(self, values: Mapping[str, float]) -> list[Trajectory]:
+    def motions(self, values: Values) -> list[Trajectory]:
         """Compute the motion of each run."""
         return [run.motion(run.own(values)) for run in self.runs]
 
-    def residuals(self, values: Mapping[str, float]) -> Floats:
+    def residuals(self, values: Values) -> Floats:
         """Return data minus motions, run after run, shape (count,) [standard deviations]."""
         return np.concatenate([run.residuals(run.own(values)) for run in self.runs])
+
+    def cost(self, values: Values) -> float:
+        """Return the sum of squares, or the robust loss."""
+        return loss(self.residuals(values), self.robust)
+
+    def spread(self, cost: float, free: int) -> float:
+        """Return the sum of squares over the degrees of freedom, at least 1."""
+        return max(1.0, cost / max(self.count - free, 1))
 
 
 def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: Sigma) -> Run:
@@ -218,34 +210,34 @@ def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: Sigm
     hoop: the known hoop, or the kind of an unknown one; start: a key of STARTS; plane: gravity and the impact law; sigma:
     standard deviations in place of the track's own.
     """
-    radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
-    if not (np.isfinite(radius) and radius > 0):
+    radius = track.radius
+    if isinstance(hoop, Hoop):
+        radius = hoop.radius
+        if abs(track.radius / radius - 1.0) > SAME:
+            raise InputError(
+                f"The hoop has the radius {radius:g} m and the data {track.radius:g} m: give the measured one for both."
+            )
+    if not 0.0 < radius < np.inf:
         raise InputError("The radius of the hoop is missing from the data: give --radius, in m, or radius= in a Reading.")
-    if isinstance(hoop, Hoop) and np.isfinite(track.radius) and abs(track.radius / radius - 1.0) > SAME:
-        raise InputError(
-            f"The hoop has the radius {radius:g} m and the data {track.radius:g} m: give the measured one for both."
-        )
     channels = channels_of(track, sigma)
-    first = min(int(channel.rows[0]) for channel in channels)
-    last = max(int(channel.rows[-1]) for channel in channels)
-    rows = track.pixel[first : last + 1, 1]
+    used = np.concatenate([channel.rows for channel in channels])
+    first, last = int(used.min()), int(used.max())
+    t, rows = track.t[first : last + 1], track.pixel[first : last + 1, 1]
     return Run(
-        t=track.t[first : last + 1] - track.t[first],
+        first=first,
+        t=t - t[0],
         channels=tuple(channel._replace(rows=channel.rows - first) for channel in channels),
-        rows=np.nan_to_num(rows - np.nanmean(rows)) if np.isfinite(rows).any() else None,
+        rows=np.nan_to_num(rows - np.nanmean(rows)) if np.isfinite(rows).any() else np.zeros_like(t),
         radius=float(radius),
-        hoop=hoop if isinstance(hoop, Hoop) else None,
-        general=hoop == "general",
+        hoop=hoop,
         start=start,
         plane=plane,
     )
 
 
-def problem_of(runs: list[Run]) -> Problem:
+def problem_of(runs: Sequence[Run], robust: bool = True) -> Problem:
     """Return the problem of some runs; of several each has its number as a suffix."""
-    if len(runs) == 1:
-        return Problem((replace(runs[0], suffix=""),))
-    return Problem(tuple(replace(run, suffix=f"_{k}") for k, run in enumerate(runs, 1)))
+    return Problem(tuple(replace(run, suffix=f"_{k}" * (len(runs) > 1)) for k, run in enumerate(runs, 1)), robust)
 
 
 def shared_errors(track: Track) -> dict[str, Prior]:
@@ -255,38 +247,33 @@ def shared_errors(track: Track) -> dict[str, Prior]:
 
     priors: by parameter; empty if the track is not of a film.
     """
-    view, found = track.view, {}
-    if view is not None and track.placed:
-        height = float(np.hypot(view.height_error, view.scale_error * track.radius))
-        # the tilt of the plane of motion is found from sizes of the rim
-        stretch = RIM_ERROR / (view.scale * track.radius * float(np.nanmax(track.centre[:, 0]) - np.nanmin(track.centre[:, 0])))
-        found = {
-            "stretch": Prior(0.0, stretch),
-            "scale": Prior(1.0, view.scale_error),
-            "origin_y": Prior(0.0, height),
-            "tilt": Prior(0.0, view.rise_error),
-        }
-        found["slope"] = Prior(track.slope, track.slope_error)
+    view = track.view
+    if view is None or not track.placed:
+        return {}
+    height = float(np.hypot(view.height_error, view.scale_error * track.radius))
+    # the tilt of the plane of motion is found from sizes of the rim
+    way = float(np.nanmax(track.centre[:, 0]) - np.nanmin(track.centre[:, 0]))
+    found = {
+        "stretch": Prior(0.0, RIM_ERROR / (view.scale * track.radius * way)),
+        "scale": Prior(1.0, view.scale_error),
+        "origin_y": Prior(0.0, height),
+        "tilt": Prior(0.0, view.rise_error),
+        "slope": Prior(track.slope, track.slope_error),
+    }
     return {name: prior for name, prior in found.items() if np.isfinite(prior).all() and prior.error > 0}
 
 
 def defaults(run: Run, track: Track) -> tuple[Values, set[str]]:
     """Return default values of a run's parameters, and those that are free by default."""
-    values: dict[str, Any] = dict.fromkeys(run.names, 0.0) | {
-        "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,
-        "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
-        "rolling_resistance": run.plane.rolling_resistance,
-        "speed": 1.0, "vx0": 1.0, "omega0": 1.0 / run.radius, "scale": 1.0, "marker_ratio": 1.0,
-        **dict.fromkeys(FACTORS, 1.0),
-    }  # fmt: skip
-    if track.view is not None and np.isfinite(track.view.marker_ratio):
-        values["marker_ratio"] = track.view.marker_ratio
-    free = {"gamma", "eccentricity", "inertia_ratio", "mu_kinetic", "mu_excess", "restitution", *STARTS[run.start]}
-    free |= {"omega_offset", run.factor, *shared_errors(track)}
+    values = {name: spec(name).usual for name in run.names}
+    known = {"slope": track.slope, "marker_ratio": track.view.marker_ratio if track.view is not None else np.nan}
+    known |= {"rolling_resistance": run.plane.rolling_resistance, "omega0": 1.0 / run.radius}
+    values |= {name: float(value) for name, value in known.items() if name in values and np.isfinite(value)}
+    free = {*SHARED, *STARTS[run.start], "omega_offset", run.factor, *shared_errors(track)} - {"rolling_resistance"}
     if not track.placed:
         free |= {"tilt", "origin_y"}
     if not run.measured & {"x", "marker_x"}:
         free -= {"x0", "tilt", "origin_y"}
     if "marker_x" in run.measured:
         free |= {"marker_ratio"}
-    return {name: values[name] for name in run.names}, free & set(run.names)
+    return values, free & set(values)

@@ -8,14 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support import tables
 from hophoop._support.extras import need
 from hophoop._version import __version__
-from hophoop.fitting.channels import KINDS, Sigma
+from hophoop.fitting.channels import KINDS, Floats, Sigma
 from hophoop.fitting.covariance import correlated_frames
-from hophoop.fitting.judging import WORDS, sequence_of
+from hophoop.fitting.judging import WORDS, correlations, misfits, sequence_of, shares
 from hophoop.fitting.parameters import SHARED, parts_of, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
 from hophoop.fitting.solving import parameters
@@ -28,8 +27,6 @@ from hophoop.tracking.table import complete, parse_json, track_from_dict, write_
 if TYPE_CHECKING:
     from lmfit import Parameters
 
-Floats = NDArray[np.float64]
-
 SCHEMA = "hophoop-fit/1"
 GIVEN = " (given)"  # suffix of values that were not fitted
 WORST = 2.0  # maximum chi-square over degrees of freedom of a good fit
@@ -38,13 +35,11 @@ UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
 # For data without errors of their own: maximum chi-square over degrees of freedom, and minimum von Neumann ratio, of use.
 FAR, SCATTER = 3.0 * WORST, 1.2
-# What the fit derives from the data, with the factor to its unit.
-DERIVED = {
-    "rate": (1.0, "Times{} are rounded: those of an even grid of {:.4g} per second are used."),
-    "places": (1e3, "Marks{} scatter by {:.2g} mm, found from the residuals."),
-    "angles": (1e3, "Angles{} scatter by {:.2g} mrad, found from the residuals."),
-    "omegas": (1e3, "Angular velocities{} scatter by {:.2g} mrad/s, found from the residuals."),
-}
+# What a file has as it is.
+SAVED = (
+    "values", "errors", "free", "chi_square", "degrees_of_freedom", "good", "limits", "shares", "correlated", "misfits",
+    "notes", "settings",
+)  # fmt: skip
 # Relative errors, and what they are enough for.
 ACCURACIES = {
     0.01: "Known to 1 %, enough to test the theory",
@@ -65,18 +60,8 @@ class Fit:
         Fitted parameters that the data determine.
     covariance : ndarray, shape (len(free), len(free))
         Of these [1].
-    chi_square : float
-        Sum of the squared residuals over their variances [1].
-    degrees_of_freedom : int
-        Measured numbers minus fitted parameters [1].
     limits : dict
         One-sided limits: by name, the sign ('≥' or '≤') and the value [SI units].
-    shares : dict of float
-        Sequences of motions within the uncertainties, and their shares [1].
-    correlated : list
-        Pairs of parameters that the data hardly distinguish, with their correlation [1].
-    misfits : list of dict
-        Quantities and phases whose residuals have too few runs.
     notes : tuple of str
         Remarks, one sentence each.
     tracks : tuple of Track
@@ -90,12 +75,7 @@ class Fit:
     values: dict[str, float]
     free: tuple[str, ...]
     covariance: Floats
-    chi_square: float
-    degrees_of_freedom: int
     limits: dict[str, tuple[str, float]]
-    shares: dict[str, float]
-    correlated: list[tuple[str, str, float]]
-    misfits: list[dict[str, Any]]
     notes: tuple[str, ...]
     tracks: tuple[Track, ...]
     settings: dict[str, Any]
@@ -105,6 +85,16 @@ class Fit:
     def track(self) -> Track:
         """The data of the first run."""
         return self.tracks[0]
+
+    @cached_property
+    def chi_square(self) -> float:
+        """Sum of the squared residuals over their variances [1]."""
+        return float((self.problem.residuals(self.values) ** 2).sum())
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Measured numbers minus fitted parameters [1]."""
+        return self.problem.count - len(self.free)
 
     @property
     def reduced(self) -> float:
@@ -176,7 +166,7 @@ class Fit:
         for track, start, priors in zip(self.tracks, how["starts"], how["priors"], strict=True):
             run = run_of(track, hoop, start, plane, sigma)
             runs.append(replace(run, priors={name: Prior(*pair) for name, pair in priors.items()}))
-        return problem_of(runs)
+        return problem_of(runs, how["robust"])
 
     @property
     def params(self) -> Parameters:
@@ -205,14 +195,34 @@ class Fit:
         problem, off = self.problem, self.problem.residuals(self.values)
         return {channel.name + problem.runs[k].suffix: off[part] for k, channel, part in problem.pieces}
 
+    @cached_property
+    def shares(self) -> dict[str, float]:
+        """Sequences of motions within the uncertainties, and their shares [1]."""
+        return shares(self.problem, self.values, self.free, self.inflation**2 * self.covariance)
+
+    @property
+    def correlated(self) -> list[tuple[str, str, float]]:
+        """Pairs of parameters that the data hardly distinguish, with their correlation [1]."""
+        return correlations(self.free, self.covariance, self.problem.priors)
+
+    @property
+    def misfits(self) -> list[dict[str, Any]]:
+        """Quantities and phases whose residuals have too few runs."""
+        return misfits(self.problem, self.motions, self.problem.residuals(self.values))
+
     @property
     def von_neumann(self) -> float:
         """Squares of the differences of neighbouring residuals over those of the residuals: 2 for scatter alone [1]."""
         ratios = [(np.diff(off) ** 2).sum() / max((off**2).sum(), 1e-300) for off in self.residuals.values()]
         return float(np.mean(ratios))
 
-    def rows(self) -> list[tuple[str, str, str]]:
+    def rows(self, given: bool = True) -> list[tuple[str, str, str]]:
         """Parameters for people: name, value with uncertainty or limit, unit and meaning.
+
+        Parameters
+        ----------
+        given : bool, default True
+            Also those that were not fitted.
 
         Returns
         -------
@@ -221,12 +231,18 @@ class Fit:
         names = list(self.values)
         if "mu_static" in self.limits or self._determined("mu_static"):
             names.append("mu_static")
-        return [self._row(name) for name in names]
+        rows = [(name, self._text(name), spec(name).meaning) for name in names]
+        return [row for row in rows if given or not row[1].endswith(GIVEN)]
 
-    def _row(self, name: str) -> tuple[str, str, str]:
-        if not self._determined(name):
-            return row_of(name, f"{self.values.get(name, np.nan):.6g}", self.limits.get(name), GIVEN)
-        return row_of(name, format_value(self._value(name), self.error(name)))
+    def _text(self, name: str) -> str:
+        """Return a value with its uncertainty, or the limit of a parameter, with the unit."""
+        unit = "" if spec(name).unit == "1" else f" {spec(name).unit}"
+        if self._determined(name):
+            return format_value(self._value(name), self.error(name)) + unit
+        if name not in self.limits:
+            return f"{self.values[name]:.6g}{unit}{GIVEN}"
+        sign, limit = self.limits[name]
+        return f"{sign} {limit:.3g}{unit}" if sign else "not determined"
 
     def _determined(self, name: str) -> bool:
         return set(parts_of(name)) <= set(self.free)
@@ -245,8 +261,8 @@ class Fit:
         head = ["parameter", "together", *(f"run {k}: {one.source}" for k, one in enumerate(self.alone, 1)), "agree"]
         rows = []
         for name in SHARED:
-            texts = [{name: text for name, text, _ in one.rows()}.get(name, "") for one in (self, *self.alone)]
-            if not all(text.endswith(GIVEN) or not text for text in texts):
+            texts = [one._text(name) for one in (self, *self.alone) if name in one.values]
+            if not all(text.endswith(GIVEN) for text in texts):
                 chance = self.agreement(name)
                 rows.append([name, *texts, "" if np.isnan(chance) else "yes" if chance > UNLIKELY else f"no ({chance:.1g})"])
         return [head, *rows]
@@ -272,19 +288,17 @@ class Fit:
 
     def _of_runs(self) -> list[str]:
         """Describe whether several runs agree."""
-        if not self.alone:
-            return []
         said = [
             f"Run {k} ({one.source}) alone is {'not perfect' if one.usable else 'wrong'}: no motion explains its data."
             for k, one in enumerate(self.alone, 1)
             if not one.good
         ]
-        off = [name for name in SHARED if self.agreement(name) <= UNLIKELY]
-        seen = [name for name in SHARED if self.agreement(name) > UNLIKELY]
-        if off:
-            said.append(f"The runs do not agree in {', '.join(off)}: look at the table of runs, and for the run that differs.")
+        chances = {name: self.agreement(name) for name in SHARED}
+        seen = ", ".join(name for name, chance in chances.items() if chance > UNLIKELY)
+        if off := ", ".join(name for name, chance in chances.items() if chance <= UNLIKELY):
+            said.append(f"The runs do not agree in {off}: look at the table of runs, and for the run that differs.")
         elif seen:
-            said.append(f"The runs agree in {', '.join(seen)}.")
+            said.append(f"The runs agree in {seen}.")
         return said
 
     def sentences(self) -> list[str]:
@@ -311,14 +325,13 @@ class Fit:
 
     def _accuracies(self) -> list[str]:
         """Group the parameters of hoop and contact by their accuracy, and say what it is good for."""
-        found: dict[str, list[str]] = {}
+        found: dict[str, list[str]] = {text: [] for text in ACCURACIES.values()}
         for name in (*SHARED, "mu_static"):
-            error = self.error(name) if self._determined(name) else 0.0
-            if error > 0 and name != "mu_excess":
+            if name != "mu_excess" and self._determined(name) and (error := self.error(name)) > 0:
                 share = error / max(abs(self._value(name)), 1e-300)
                 word = next(text for limit, text in ACCURACIES.items() if share <= limit)
-                found.setdefault(word, []).append(f"{name} (to {error:.1g})")
-        return [f"{text}: {', '.join(found[text])}." for text in ACCURACIES.values() if text in found]
+                found[word].append(f"{name} (to {error:.1g})")
+        return [f"{text}: {', '.join(names)}." for text, names in found.items() if names]
 
     def _turned(self) -> list[str]:
         """Report the slope of the plane and the roll of the camera, which a film shows together, if both are fitted."""
@@ -326,12 +339,12 @@ class Fit:
         for run, track in zip(self.problem.runs, self.tracks, strict=True):
             name = run.named("slope")
             if track.view is not None and name in self.free:
-                slope, roll = np.degrees([self.values[name], self.values[name] + track.view.rise])
-                error = float(np.degrees(self.error(name)))
+                slope, error = self.values[name], float(np.degrees(self.error(name)))
+                fall, roll = (float(np.degrees(angle)) for angle in (slope, slope + track.view.rise))
                 if abs(roll) > max(CERTAIN * error, LEVEL):
                     said.append(
-                        f"The camera is turned by {format_value(float(roll), error)}°, and the plane falls by "
-                        f"{format_value(float(slope), error)}° to the right: gravity along the plane tells them apart."
+                        f"The camera is turned by {format_value(roll, error)}°, and the plane falls by "
+                        f"{format_value(fall, error)}° to the right: gravity along the plane tells them apart."
                     )
         return said
 
@@ -348,32 +361,39 @@ class Fit:
         ]
         for run, derived in zip(self.problem.runs, self.settings["derived"], strict=True):
             of_run = f" of run {run.suffix[1:]}" if run.suffix else ""
-            said += [DERIVED[kind][1].format(of_run, DERIVED[kind][0] * size) for kind, size in derived.items()]
+            if rate := derived.get("rate"):
+                said.append(f"Times{of_run} are rounded: those of an even grid of {rate:.4g} per second are used.")
+            said += [
+                f"{kind.words}{of_run} scatter by {1e3 * derived[name]:.2g} {kind.unit}, found from the residuals."
+                for name, kind in KINDS.items()
+                if name in derived
+            ]
         if not self.usable:
             return said
         if self.inflation > 1.05:
             said.append(f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than those of the data.")
-        sequence = sequence_of(self.problem, self.values)
-        share = 100 * self.shares.get(sequence, 0.0)
-        said.append(f"Sequence {sequence}: {share:.0f} % of the motions within the uncertainties have it.")
-        if len(self.shares) > 1:
-            others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(self.shares.items())[:4])
-            said[-1] = said[-1].rstrip(".") + f" ({others})."
-        for first, second, size in self.correlated[:4]:
-            said.append(f"{first} and {second} can hardly be distinguished (correlation {size:+.3f}).")
-        for place in self.misfits:
-            said.append(
-                f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
-                f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
-            )
-        memory = correlated_frames(self.problem, self.problem.residuals(self.values), self.settings["robust"])
-        for piece, frames in zip(self.problem.pieces, memory, strict=True):
-            if frames > 1.0:
-                said.append(
-                    f"Errors of {WORDS[piece.channel.name]} are correlated ({frames:.1f} frames have the information of one); "
-                    "the uncertainties include that."
-                )
-        return said
+        sequence, seen = sequence_of(self.problem, self.values), self.shares
+        others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(seen.items())[:4])
+        said.append(
+            f"Sequence {sequence}: {100 * seen[sequence]:.0f} % of the motions within the uncertainties have it"
+            + (f" ({others})." if len(seen) > 1 else ".")
+        )
+        said += [
+            f"{first} and {second} can hardly be distinguished (correlation {size:+.3f})."
+            for first, second, size in self.correlated[:4]
+        ]
+        said += [
+            f"Residuals of {WORDS[place['quantity']]} have the same sign for long in {place['phase']} "
+            f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
+            for place in self.misfits
+        ]
+        memory = correlated_frames(self.problem, self.problem.residuals(self.values))
+        return said + [
+            f"Errors of {WORDS[piece.channel.name]} are correlated ({frames:.1f} frames have the information of one); "
+            "the uncertainties include that."
+            for piece, frames in zip(self.problem.pieces, memory, strict=True)
+            if frames > 1.0
+        ]
 
     def to_dict(self) -> dict[str, Any]:
         """Convert to a dictionary, including the data.
@@ -383,12 +403,10 @@ class Fit:
         fit : dict
             Ready for `json.dumps`; SI units and radians.
         """
-        kept = ("values", "free", "chi_square", "degrees_of_freedom", "good", "limits", "shares", "correlated", "misfits")
         return {
             "schema": SCHEMA,
             "version": __version__,
-            **{name: getattr(self, name) for name in (*kept, "notes", "settings")},
-            "errors": self.errors,
+            **{name: getattr(self, name) for name in SAVED},
             "covariance": self.covariance.tolist(),
             "scenario": self.scenario.to_dict(),
             "tracks": [track.to_dict() for track in self.tracks],
@@ -416,23 +434,12 @@ class Fit:
         return tables.html(self.rows(), left=(0, 2), before=[" ".join(self.sentences())])
 
     def __repr__(self) -> str:
-        found = [row for row in self.rows() if not row[1].endswith(GIVEN)]
-        return tables.report(f"Fit of {self.source}", found, self.sentences()[:1], left=(0, 1, 2))
+        return tables.report(f"Fit of {self.source}", self.rows(given=False), self.sentences()[:1], left=(0, 1, 2))
 
     @property
     def source(self) -> str:
         """Names of the films or files."""
         return ", ".join(track.source for track in self.tracks if track.source) or "a hoop"
-
-
-def row_of(name: str, text: str, limit: tuple[str, float] | None = None, remark: str = "") -> tuple[str, str, str]:
-    """Name, value or limit with its unit, and meaning of a parameter."""
-    kind = spec(name)
-    if limit is not None:
-        text, remark = f"{limit[0]} {limit[1]:.3g}", ""
-    unit = "" if kind.unit == "1" else f" {kind.unit}"
-    undetermined = limit is not None and not limit[0]
-    return name, "not determined" if undetermined else text + unit + remark, kind.meaning
 
 
 def format_value(value: float, error: float) -> str:
@@ -471,13 +478,12 @@ def load_fit(path: str | Path) -> Fit:
 
 
 def _from_dict(data: dict[str, Any], tracks: list[Track]) -> Fit:
-    same = ("values", "chi_square", "degrees_of_freedom", "shares", "misfits", "settings")
     return Fit(
-        **{name: data[name] for name in same},
+        values=data["values"],
         free=tuple(data["free"]),
         covariance=np.array(data["covariance"], dtype=float).reshape(len(data["free"]), -1),
         limits={name: (sign, np.nan if value is None else float(value)) for name, (sign, value) in data["limits"].items()},
-        correlated=[(first, second, float(size)) for first, second, size in data["correlated"]],
         notes=tuple(data["notes"]),
         tracks=tuple(tracks),
+        settings=data["settings"],
     )

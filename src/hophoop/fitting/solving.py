@@ -2,28 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import product
+from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support.extras import need
-from hophoop.fitting.channels import rotation
+from hophoop.fitting.channels import Floats, Values, rotation
 from hophoop.fitting.covariance import covariance_of
-from hophoop.fitting.guess import SPREADS, Candidate, candidates
+from hophoop.fitting.guess import COST, SPREADS, Candidate, candidates
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.losses import SOFT, loss
 from hophoop.fitting.parameters import spec
-from hophoop.fitting.problem import Problem, problem_of
+from hophoop.fitting.problem import Problem
 from hophoop.scenario import InputError
+from hophoop.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from lmfit import Parameters
-
-Floats = NDArray[np.float64]
 
 FIRST_CALLS, MOST_CALLS = 12, 100  # maximum calls of the motion, in a first and in the last minimization
 BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter without effect
@@ -34,6 +34,7 @@ ASIDE = (-12.0, -4.0, 4.0, 12.0)  # distances of other starts from a minimum [st
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
 ENOUGH = 1.0  # friction with which most motions never slip
 EXPLAINED = 1.0  # robust cost over the number of data of a motion that explains them; scatter alone has about 0.9
+BETTER = 1e-6  # fall of the cost to another minimum
 
 
 class Minimum(NamedTuple):
@@ -42,9 +43,10 @@ class Minimum(NamedTuple):
     params: Parameters
     cost: float  # sum of the squares, or the robust loss
     residuals: Floats  # [standard deviations]
+    blind: Sequence[str] = ()  # parameters without effect on the data
 
     @property
-    def values(self) -> dict[str, float]:
+    def values(self) -> Values:
         """All parameters [SI units]."""
         return dict(self.params.valuesdict())
 
@@ -52,9 +54,20 @@ class Minimum(NamedTuple):
 class Solution(NamedTuple):
     """A minimum with the covariance of some of its parameters."""
 
+    problem: Problem
     minimum: Minimum
     free: tuple[str, ...]
     covariance: Floats
+
+    @property
+    def params(self) -> Parameters:
+        """The parameters, free where they have a covariance."""
+        return changed(self.minimum.params, {}, set(self.minimum.params) - set(self.free))
+
+    @property
+    def spread(self) -> float:
+        """Sum of squares over the degrees of freedom, at least 1 [1]."""
+        return self.problem.spread(self.minimum.cost, len(self.free))
 
     def without(self, name: str) -> Solution:
         """Return the solution without the uncertainty of one parameter."""
@@ -62,7 +75,7 @@ class Solution(NamedTuple):
         free = tuple(self.free[k] for k in kept)
         return self._replace(free=free, covariance=self.covariance[np.ix_(kept, kept)])
 
-    def values_at(self, name: str, value: float) -> dict[str, float]:
+    def values_at(self, name: str, value: float) -> Values:
         """Return the values of the others by linear regression, with one at a value."""
         if name not in self.free or not np.isfinite(self.covariance).all():
             return {}
@@ -76,9 +89,22 @@ class Solution(NamedTuple):
         factors[place] = max(1.0, least / np.sqrt(self.covariance[place, place]))
         return self._replace(covariance=self.covariance * np.outer(factors, factors))
 
+    def beside(self, distances: Sequence[float]) -> Iterator[tuple[str, float, Values]]:
+        """Yield each parameter of the contact, its values at distances within its range, and all values by regression.
+
+        distances [standard deviations]; none where the covariance is infinite.
+        """
+        params, values = self.minimum.params, self.minimum.values
+        for name, far in product(SPREADS, distances) if np.isfinite(self.covariance).all() else ():
+            if name in self.free:
+                place = self.free.index(name)
+                value = values[name] + far * float(np.sqrt(self.spread * self.covariance[place, place]))
+                value = float(np.clip(value, params[name].min, params[name].max))
+                yield name, value, values | self.values_at(name, value)
+
 
 def parameters(
-    values: Mapping[str, float],
+    values: Values,
     free: Sequence[str],
     bounds: Mapping[str, Sequence[float]] | None = None,
     tied: Mapping[str, str] | None = None,
@@ -111,19 +137,14 @@ def parameters(
     return result
 
 
-def changed(params: Parameters, values: Mapping[str, float], vary: Sequence[str] | None = None) -> Parameters:
-    """Return a copy with other values, and with only some of its free parameters free."""
+def changed(params: Parameters, values: Values, fixed: Collection[str] = ()) -> Parameters:
+    """Return a copy with other values, and with some of its free parameters fixed."""
     result = params.copy()
     for name, one in result.items():
         if one.expr is None:
             one.value = values.get(name, one.value)
-            one.vary = one.vary and (vary is None or name in vary)
+            one.vary = one.vary and name not in fixed
     return result
-
-
-def held(params: Parameters, values: Mapping[str, float]) -> Parameters:
-    """Return a copy with some parameters fixed at values."""
-    return changed(params, values, [name for name in free_of(params) if name not in values])
 
 
 def free_of(params: Parameters) -> tuple[str, ...]:
@@ -131,46 +152,36 @@ def free_of(params: Parameters) -> tuple[str, ...]:
     return tuple(name for name, one in params.items() if one.vary)
 
 
-def minimize(problem: Problem, params: Parameters, robust: bool, most: int = FIRST_CALLS) -> Minimum:
+def minimize(problem: Problem, params: Parameters, most: int = FIRST_CALLS) -> Minimum:
     """Return one minimum.
 
-    robust: whether outliers count less; most: maximum number of calls of the motion [1].
+    most: maximum number of calls of the motion [1].
     """
-    tried: list[tuple[float, dict[str, float], Floats]] = []
+    tried: list[tuple[float, Values, Floats]] = []
 
     def residuals(params: Parameters) -> Floats:
         values = params.valuesdict()
         off = problem.residuals(values)
-        tried.append((loss(off, robust), values, off))
+        tried.append((loss(off, problem.robust), values, off))
         return off
 
     if free_of(params):
         minimizer = need("lmfit", "fit").Minimizer(residuals, params, max_nfev=most)
-        how = {"Dfun": lambda params: slopes(problem, params), "loss": "soft_l1" if robust else "linear", "f_scale": SOFT}
+        how = {"loss": "soft_l1" if problem.robust else "linear", "f_scale": SOFT, "Dfun": partial(slopes, problem)}
         with np.errstate(divide="ignore", invalid="ignore"):  # of its own covariance, which is not used
             minimizer.least_squares(**how)
     else:
         residuals(params)
     # the last call of a minimization that was stopped is not always its best
-    cost, values, off = min(tried, key=lambda one: one[0])
+    cost, values, off = min(tried, key=itemgetter(0))
     return Minimum(changed(params, values), cost, off)
 
 
-def solve(problem: Problem, params: Parameters, robust: bool) -> Solution:
+def solve(problem: Problem, params: Parameters) -> Solution:
     """Find one minimum and its covariance."""
-    found = minimize(problem, params, robust, MOST_CALLS)
-    jacobian = slopes(problem, found.params)
-    return Solution(found, free_of(params), covariance_of(problem, jacobian, found.residuals, robust))
-
-
-def cost_of(problem: Problem, params: Parameters, robust: bool) -> float:
-    """Return the sum of squares or the robust loss."""
-    return loss(problem.residuals(params.valuesdict()), robust)
-
-
-def spread_of(problem: Problem, cost: float, free: int) -> float:
-    """Return the sum of squares over the degrees of freedom, at least 1."""
-    return max(1.0, cost / max(problem.count - free, 1))
+    found = minimize(problem, params, MOST_CALLS)
+    covariance = covariance_of(problem, slopes(problem, found.params), found.residuals)
+    return Solution(problem, found, free_of(params), covariance)
 
 
 def slopes(problem: Problem, params: Parameters) -> Floats:
@@ -196,7 +207,7 @@ def slopes(problem: Problem, params: Parameters) -> Floats:
     return result
 
 
-def _differences(params: Parameters, names: Sequence[str], of: Callable[[dict[str, float]], Floats]) -> Floats:
+def _differences(params: Parameters, names: Sequence[str], of: Callable[[Values], Floats]) -> Floats:
     """Return derivatives by differences within the limits."""
     columns = []
     for name in names:
@@ -220,10 +231,10 @@ def insensitive(problem: Problem, params: Parameters) -> list[str]:
     return [name for name, one in zip(names, rise, strict=True) if one < BLIND]
 
 
-def approach(problem: Problem, params: Parameters, robust: bool) -> tuple[Minimum, list[str]]:
-    """Return an approximate minimum after few steps, and the parameters without effect at the start."""
+def approach(problem: Problem, params: Parameters) -> Minimum:
+    """Return an approximate minimum after few steps, without those parameters that have no effect at the start."""
     blind = insensitive(problem, params)
-    return minimize(problem, held(params, {name: params[name].value for name in blind}), robust), blind
+    return minimize(problem, changed(params, {}, blind))._replace(blind=blind)
 
 
 def of_rotation(problem: Problem) -> bool:
@@ -231,67 +242,66 @@ def of_rotation(problem: Problem) -> bool:
     return all(run.measured == {"omega"} for run in problem.runs)
 
 
-def beginnings(problem: Problem, params: Parameters, robust: bool, most: int = FIRST_CALLS) -> list[Parameters]:
+def beginnings(problem: Problem, params: Parameters, most: int = FIRST_CALLS) -> list[Parameters]:
     """Return a start of a minimization, and of angular velocities alone also one from which the rotation fits.
 
     An angular velocity jumps at an impact, so the sum of squares has a step wherever an impact passes a measured value.
     """
     if not of_rotation(problem):
         return [params]
-    runs = [replace(run, channels=(rotation(run.channels[0], run.t),)) for run in problem.runs]
+    runs = tuple(replace(run, channels=(rotation(run.channels[0], run.t),)) for run in problem.runs)
     there = params.copy()
     for run in runs:  # the rotation counts from the first value
         there[run.named("marker_angle")].set(-there[run.named("angle0")].value, vary=True)
-    found = minimize(Problem(tuple(runs)), there, robust, most).values
+    found = minimize(replace(problem, runs=runs), there, most).values
     return [params, changed(params, found | {name: params[name].value for name in params if name.startswith("marker_angle")})]
 
 
-def lowest(problem: Problem, params: Parameters, starts: Sequence[Candidate], robust: bool) -> tuple[Minimum, list[str]]:
-    """Return the lowest of approximate minima from several starts, and the parameters without effect there."""
-    found: list[tuple[Minimum, list[str]]] = []
-    explained = False
+def lowest(problem: Problem, params: Parameters, starts: Sequence[Candidate]) -> Minimum:
+    """Return the lowest of approximate minima from several starts."""
+    found: list[Minimum] = []
     tried: set[str] = set()
     for start in starts:
         # another sequence may explain the data better, also if they are explained to their scatter
-        if explained and start.sequence in tried:
-            continue
-        begin = changed(params, start.values)
-        found += [approach(problem, one, robust) for one in beginnings(problem, begin, robust)]
-        tried.add(start.sequence)
-        explained = min(one.cost for one, _ in found) < EXPLAINED * problem.count
-    return min(found, key=lambda pair: pair[0].cost)
+        if start.sequence not in tried or not any(_explains(problem, one) for one in found):
+            found += [approach(problem, one) for one in beginnings(problem, changed(params, start.values))]
+            tried.add(start.sequence)
+    return min(found, key=COST)
 
 
-def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate], robust: bool) -> tuple[Solution, list[str]]:
-    """Find the lowest minimum from several starts, and the parameters without effect there."""
-    best, blind = lowest(problem, params, starts, robust)
+def _explains(problem: Problem, found: Minimum) -> bool:
+    """Return True if the motion of a minimum explains the data."""
+    return found.cost < EXPLAINED * problem.count
+
+
+def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate]) -> Solution:
+    """Find the lowest minimum from several starts."""
+    best = lowest(problem, params, starts)
     for k in range(1, ROUNDS + 1):
         cost = best.cost
-        for values in _other_starts(problem, params, best, robust, k):
-            other = approach(problem, changed(params, values), robust)
-            if other[0].cost < best.cost - 1e-6:
-                best, blind = other
-        if best.cost < EXPLAINED * problem.count or best.cost > 0.99 * cost:
+        for values in _other_starts(problem, params, best, k):
+            other = approach(problem, changed(params, values))
+            if other.cost < best.cost - BETTER:
+                best = other
+        if _explains(problem, best) or best.cost > 0.99 * cost:
             break
-    best, blind = _without_slip(problem, params, best, robust) or (best, blind)
-    last, blind = _settled(problem, params, best, blind, robust)
+    last = _settled(problem, params, _without_slip(problem, params, best))
     if any(piece.channel.name == "omega" for piece in problem.pieces):
         for _ in range(ROUNDS):
-            aside, seen = min(_asides(problem, params, last, robust), key=lambda pair: pair[0].cost, default=(best, blind))
-            if aside.cost > last.minimum.cost - 1e-6:
+            aside = min(_asides(params, last), key=COST, default=last.minimum)
+            if aside.cost > last.minimum.cost - BETTER:
                 break
-            last, blind = _settled(problem, params, aside, seen, robust)
-    return last, blind
+            last = _settled(problem, params, aside)
+    return last
 
 
-def _other_starts(problem: Problem, params: Parameters, best: Minimum, robust: bool, k: int) -> list[dict[str, float]]:
+def _other_starts(problem: Problem, params: Parameters, best: Minimum, k: int) -> list[Values]:
     """Return other starts where a minimum does not explain one run, in round k: drawn around it, and that of a first half.
 
     The first half has fewer landings, which make the sum of squares rough. A few angular velocities are explained by more than
     one motion, so they have a first round in any case.
     """
-    explained = best.cost < EXPLAINED * problem.count and not (k == 1 and of_rotation(problem))
-    if explained or len(problem.runs) > 1:
+    if len(problem.runs) > 1 or (_explains(problem, best) and not (k == 1 and of_rotation(problem))):
         return []
     (run,) = problem.runs
     free = set(free_of(params))
@@ -299,60 +309,58 @@ def _other_starts(problem: Problem, params: Parameters, best: Minimum, robust: b
     half = run.until(0.5 * float(run.t[-1]))
     starts = candidates(half, best.values, free) if k == 1 and half.count > SHORTEST else []
     if starts:
-        found = best_of(problem_of([half]), params, starts, robust)[0].minimum.values
+        found = best_of(replace(problem, runs=(half,)), params, starts).minimum.values
         drawn += [found, found | {"mu_excess": best.values["mu_excess"]}]  # which shows where slip starts, perhaps later
     return drawn
 
 
-def _settled(problem: Problem, params: Parameters, best: Minimum, blind: list[str], robust: bool) -> tuple[Solution, list[str]]:
-    """Return the minimum near an approximate one, and the parameters without effect there."""
-    values = best.values
+def _settled(problem: Problem, params: Parameters, best: Minimum) -> Solution:
+    """Return the minimum near an approximate one, without the parameters that have no effect there."""
     for _ in range(3):
-        last = solve(problem, held(changed(params, values), {name: values[name] for name in blind}), robust)
-        values, before = last.minimum.values, blind
-        blind = insensitive(problem, changed(params, values))
-        if blind == before:
+        last = solve(problem, changed(params, best.values, best.blind))
+        before, best = best, last.minimum._replace(blind=insensitive(problem, changed(params, last.minimum.values)))
+        if best.blind == before.blind:
             break  # else parameters have lost or gained effect on the way
-    return last, blind
+    return last._replace(minimum=best)
 
 
-def _asides(problem: Problem, params: Parameters, last: Solution, robust: bool) -> list[tuple[Minimum, list[str]]]:
+def _asides(params: Parameters, last: Solution) -> list[Minimum]:
     """Return other minima, from starts some standard deviations away along each parameter of the contact.
 
     An angular velocity jumps at an impact, so the sum of squares has a step wherever an impact passes a measured value, and
     small basins between the steps.
     """
-    found: list[tuple[Minimum, list[str]]] = []
-    variances = np.diag(last.covariance) * spread_of(problem, last.minimum.cost, len(last.free))
     # also with the middle of the range of a parameter that has no effect here, but may have some elsewhere
     blind = {name: sum(SPREADS[name]) / 2 for name in SPREADS if name in free_of(params) and name not in last.free}
-    for name, variance in zip(last.free, variances, strict=True):
-        if name in SPREADS and np.isfinite(last.covariance).all():
-            for far, others in product(ASIDE, [{}, blind] if blind else [{}]):
-                value = last.minimum.values[name] + far * float(np.sqrt(variance))
-                value = float(np.clip(value, params[name].min, params[name].max))
-                there = {**last.minimum.values, **last.values_at(name, value), **others}
-                found.append(approach(problem, changed(params, there), robust))
-    return found
+    starts = [values | others for _, _, values in last.beside(ASIDE) for others in ([{}, blind] if blind else [{}])]
+    return [approach(last.problem, changed(params, one)) for one in starts]
 
 
-def _without_slip(problem: Problem, params: Parameters, best: Minimum, robust: bool) -> tuple[Minimum, list[str]] | None:
-    """Return a motion that never slips if the data agree with it as well as with the best one."""
-    friction, tied = params.get("mu_kinetic"), any(one.expr for one in params.values())
+def _without_slip(problem: Problem, params: Parameters, best: Minimum) -> Minimum:
+    """Return a motion that never slips if the data agree with it as well as with the best one, else this."""
+    friction, tied = params["mu_kinetic"], any(one.expr for one in params.values())
     if not friction.vary or tied or not slips(problem, best.values):
-        return None
+        return best
     for value in (float(np.clip(ENOUGH, friction.min, friction.max)), friction.max):
-        there = changed(params, {**best.values, "mu_kinetic": value})
-        if cost_of(problem, there, robust) < WORTH_TRYING * best.cost and not slips(problem, there.valuesdict()):
-            other, blind = approach(problem, there, robust)
-            alike = other.cost < best.cost + CONFIDENT * spread_of(problem, best.cost, len(free_of(params)))
-            return (other, blind) if alike and not slips(problem, other.values) else None
-    return None
+        values = changed(params, {**best.values, "mu_kinetic": value}).valuesdict()
+        if problem.cost(values) < WORTH_TRYING * best.cost and not slips(problem, values):
+            other = approach(problem, changed(params, values))
+            alike = other.cost < best.cost + CONFIDENT * problem.spread(best.cost, len(free_of(params)))
+            return other if alike and not slips(problem, other.values) else best
+    return best
 
 
-def slips(problem: Problem, values: Mapping[str, float]) -> bool:
+def slips(problem: Problem, values: Values) -> bool:
     """True if any run slips, or there is no motion."""
     try:
-        return any({"S", "K"} & set(motion.sequence) for motion in problem.motions(values))
+        return "mu_kinetic" not in unobserved(problem.motions(values))
     except InputError:
         return True
+
+
+def unobserved(motions: Sequence[Trajectory]) -> set[str]:
+    """Return parameters of the contact that motions do not determine: friction without slip, restitution without impact."""
+    slips = any({"S", "K"} & set(motion.sequence) for motion in motions)
+    # bounces too small to count end at once
+    lands = any(motion.find("impact") or motion.find("bounce_limit") for motion in motions)
+    return (set() if slips else {"mu_kinetic", "mu_excess"}) | (set() if lands else {"restitution"})
