@@ -39,6 +39,14 @@ def test_a_wrong_radius_is_not_taken_for_scatter(kind, mistake, sign):
     assert "radius" in found.sentences()[1]
 
 
+def test_a_record_that_another_radius_explains_is_wrong_although_its_residuals_scatter():
+    """Restitution came out as 0.75 ± 0.04, where 0.3 is right, and 'not perfect, but usable'."""
+    found = hh.fit(spoiled(drawn("phone50", 3), "radius", -1))
+    assert found.von_neumann > 1.2
+    assert not found.usable
+    assert "a radius of 0.298 m" in found.sentences()[1]
+
+
 def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
     track = drawn("phone400", 1)
     rough = {"omega": np.random.default_rng(1).normal(0.0, 5.0, len(track.t))}

@@ -304,6 +304,7 @@ def _fit_of(
     run = problem.runs[0]
     free = [name for name in run.names if run.named(name) in wanted]
     causes, tried = likely_mistakes(run, run.own(values), free, found.reduced, tracks[0], how.sigma)
+    found = replace(found, mistaken=bool(causes))
     causes = causes or shutter(solution, tracks)
     notes = causes + notes if found.usable else causes or [NO_MISTAKE.format(", ".join(tried))]
     return replace(found, notes=tuple(notes))

@@ -38,7 +38,7 @@ FAR, SCATTER = 3.0 * WORST, 1.2
 # What a file has as it is.
 SAVED = (
     "values", "errors", "free", "chi_square", "degrees_of_freedom", "good", "limits", "shares", "correlated", "misfits",
-    "notes", "settings",
+    "notes", "settings", "mistaken",
 )  # fmt: skip
 # Relative errors, and what they are enough for.
 ACCURACIES = {
@@ -70,6 +70,8 @@ class Fit:
         Settings of the fit: starts, hoop, gravity, law, robust, sigma, derived, free, bounds, tied, priors.
     alone : tuple of Fit
         With several runs, the fit of each alone.
+    mistaken : bool
+        Whether a motion fits much better without a usual mistake, which the notes name.
     """
 
     values: dict[str, float]
@@ -80,6 +82,7 @@ class Fit:
     tracks: tuple[Track, ...]
     settings: dict[str, Any]
     alone: tuple[Fit, ...] = ()
+    mistaken: bool = False
 
     @property
     def track(self) -> Track:
@@ -110,11 +113,12 @@ class Fit:
     def usable(self) -> bool:
         """True if the fit is good or not perfect; false if no motion fits, and its numbers mean nothing.
 
-        Data without errors of their own have those that they scatter by: residuals that do not scatter show another motion.
+        Data without errors of their own have those that they scatter by: residuals that do not scatter show another motion,
+        as does a mistake without which one fits.
         """
         found = any(KINDS.keys() & derived for derived in self.settings["derived"])
         if found:
-            return self.good or (self.reduced <= FAR and self.von_neumann >= SCATTER)
+            return self.good or (self.reduced <= FAR and self.von_neumann >= SCATTER and not self.mistaken)
         return self.reduced <= HOPELESS
 
     @property
@@ -486,4 +490,5 @@ def _from_dict(data: dict[str, Any], tracks: list[Track]) -> Fit:
         notes=tuple(data["notes"]),
         tracks=tuple(tracks),
         settings=data["settings"],
+        mistaken=data["mistaken"],
     )
