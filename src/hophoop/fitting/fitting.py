@@ -211,16 +211,11 @@ def _fit_together(alone: list[Fit], how: Settings) -> Fit:
     values: Values = {}
     for run, one in zip(problem.runs, alone, strict=True):
         values |= {run.named(name): one.values[name] for name in run.names}
-    for name in SHARED:
-        known = [one for one in alone if name in one.free]
-        if known:
-            weights = [max(one.error(name), 1e-300) ** -2 for one in known]
-            values[name] = float(np.average([one.values[name] for one in known], weights=weights))
     usual = {run.named(name) for run, one in zip(problem.runs, alone, strict=True) for name in one.settings["free"]}
     params = _parameters(problem, values, usual, how)
     starts = []
-    for own in ({}, *({name: one.values[name] for name in SHARED if name in one.values} for one in alone)):
-        first = changed(params, {**values, **own}).valuesdict()
+    for one in alone:
+        first = changed(params, values | {name: one.values[name] for name in SHARED if name in one.values}).valuesdict()
         starts.append(Candidate(first, sequence_of(problem, first), 0.0))
     tracks = tuple(one.track for one in alone)
     derived = [own for one in alone for own in one.settings["derived"]]
