@@ -22,6 +22,7 @@ BETWEEN = np.array([0.001, 0.03, 0.25, 0.5, 0.75, 0.97, 0.999])  # of the time b
 EPSILON = float(np.finfo(float).eps)
 TINY = 1e-290  # close to subnormal numbers, which have fewer digits
 ROUNDED = 1e-12  # rounding of forces that cancel, relative to the forces that act
+CONE = 2e-11  # the same for the force at the end of rolling, which has the truncation of a margin's series on a panel
 PARADOX = 1e-3  # the same of N in slip: N = −f_n/p_σ has few digits near p_σ = 0
 SLIPPED = 1e-9  # rounding of slip near zero, relative to the velocities before
 LEDGER = 1e-11  # of the energies that take part, in rigid contact
@@ -185,7 +186,7 @@ def _forces(motion: Trajectory, samples: ArraySample) -> list[Finding]:
     excess = np.where(_of(samples, "R") if rigid else touching, np.maximum(np.abs(friction) - limit, 0.0), 0.0)
     reach = size * (max(1.0, static) if math.isfinite(static) else 1.0) + np.abs(friction)
     # a compliant contact reaches the edge of its cone with the accuracy of the solution
-    found.append(worst("friction cone", samples.t, excess, reach, ROUNDED if rigid else 10.0 * (contact.rtol or 1e-9)))
+    found.append(worst("friction cone", samples.t, excess, reach, CONE if rigid else 10.0 * (contact.rtol or 1e-9)))
     if rigid or contact.friction == "bristle":
         law = _against_slip(samples) * kinetic * normal if math.isfinite(kinetic) else friction
         off = np.where(slips, np.abs(friction - law), 0.0)

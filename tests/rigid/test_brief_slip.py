@@ -7,16 +7,16 @@ import pytest
 import hophoop as hh
 
 
-@pytest.mark.parametrize("speed", [-1e-3, 0.3, 20.0])
-@pytest.mark.parametrize(("ratio", "mu"), [(1.0, 1.0), (0.1, 0.5)])
+@pytest.mark.parametrize("speed", [-1e-5, 1e-3, 0.3, 20.0])
+@pytest.mark.parametrize(("ratio", "mu"), [(1e6, 1e6), (1e4, 1e4), (0.1, 0.5)])
 def test_a_balanced_body_rolls_after_a_brief_slip(ratio, mu, speed):
-    """v_t falls by μ g (1 + 1/κ)."""
+    """v_t falls by μ g (1 + 1/κ): of a panel as wide as usual its work would be the rounding."""
     body = hh.Hoop(eccentricity=0.0, inertia_ratio=ratio)
     motion = hh.simulate(body, hh.Plane(mu=mu, gravity=5.0), hh.Start(vx=speed, omega=0.0), duration=20.0)
     stick = motion.find("stick")[0]
     found = (stick.t, stick.omega, motion.ledger.friction)
     expected = (abs(speed) / (mu * 5.0 * (1.0 + 1.0 / ratio)), speed / (1.0 + ratio), 0.5 * speed**2 * ratio / (1.0 + ratio))
-    assert found == pytest.approx(expected, rel=1e-8)
+    assert found == pytest.approx(expected, rel=1e-12)
     assert motion.at(0.5 * stick.t).slip == pytest.approx(0.5 * speed, rel=1e-9)
 
 

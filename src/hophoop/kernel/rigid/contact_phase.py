@@ -15,6 +15,7 @@ from hophoop.kernel.panels.panel import (
     HOLD,
     LINEAR,
     LOSS,
+    RATE,
     RESOLVED,
     ROLLING_LOSS,
     ROLLING_POWER,
@@ -232,11 +233,29 @@ def at_panel_start(state):
 
 
 @inline
-def fit_to_time(body, anchor, panel, totals, state, limits, scratch):
-    """Return (panel, totals), with a narrower panel if this one would last much longer than the motion."""
+def slip_is_brief(panel, work):
+    """Return True if slip ends before the first node of its panel, where v_t and its work would be lost in rounding."""
+    return panel.sigma * work[SLIP, 0] < 0.0 and panel.vt * panel.vt >= SMALLEST_SQUARE
+
+
+@noinline
+def narrow_to_slip(body, anchor, panel, totals, state, scratch):
+    """Return (panel, totals) of a panel that brief slip outlasts to the first node at least."""
+    work = scratch.work
+    while totals.tail <= RESOLVED and slip_is_brief(panel, work):  # each pass at least halves the panel
+        left = work[RATE, 0] * (1.0 + NODES[0]) * (panel.vt / (panel.vt - work[SLIP, 0]))
+        panel, totals = narrow_to_time(body, anchor, panel, totals, state, left, scratch)
+    return panel, totals
+
+
+@inline
+def fit_to_time(body, anchor, panel, totals, state, begins, limits, scratch):
+    """Return (panel, totals), with a narrower panel if this one would last much longer than the motion or than slip."""
     left = time_left(state, limits.t_end)
     if totals.tail <= RESOLVED and exceeds_time_left(totals, left):
-        return narrow_to_time(body, anchor, panel, totals, state, left, scratch)
+        panel, totals = narrow_to_time(body, anchor, panel, totals, state, left, scratch)
+    if begins and panel.sigma != 0:
+        return narrow_to_slip(body, anchor, panel, totals, state, scratch)
     return panel, totals
 
 
@@ -282,7 +301,7 @@ def advance_contact(body, phase, limits, log, scratch):
         if anchor.bend == 0.0 and not begins and passes_in_doubt(body, sigma, state, s, c):
             record_doubt(log.doubt, state.t)
         panel, totals, level = choose_panel(body, sigma, anchor, state, s, c, level, scratch)
-        panel, totals = fit_to_time(body, anchor, panel, totals, state, limits, scratch)
+        panel, totals = fit_to_time(body, anchor, panel, totals, state, begins, limits, scratch)
         if not totals.tail <= RESOLVED:
             ending = Ending.SINGULAR if sigma != 0 else Ending.SEARCH_LIMIT
             if begins:  # next to p_σ = 0 rounding decides whether slip moves away from it

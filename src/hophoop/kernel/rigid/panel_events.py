@@ -17,7 +17,6 @@ from hophoop.kernel.numerics.collocation import (
     left_value,
     series_value,
 )
-from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.panel import (
     ARRIVE,
     BACKWARD_MARGIN,
@@ -175,8 +174,8 @@ def end_of_slip(body, panel, state, begins, vanishing, scratch):
     stop, near_stop = margin_downcrossing(slip_end, begins, rounding, scratch)
     if body.mu_k > 0.0 and (near_lift or (near_stop and not begins)):
         record_tangency(lift_off, body.gn + panel.u, slip_end, abs(panel.vt) + abs(state.om), state.t, scratch)
-    if begins and vanishing == 0 and slip_end[0] < 0.0 and (stop > NODES[0] or state.vt * state.vt < SMALLEST_SQUARE):
-        stop = -1.0  # slip too short to be resolved on the panel
+    if begins and vanishing == 0 and slip_end[0] < 0.0:
+        stop = -1.0  # the square of v_t underflows, or the panel would be narrower
     elif begins and vanishing > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(slip_end)[1] < 0.0:
         stop = -1.0  # without friction rounding of θ may decide the direction of slip; here it is the other one
     if stop != NOT_FOUND and lift != NOT_FOUND and abs(stop - lift) < CLOSE and body.mu_k > 0.0:
