@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hophoop import plots, theory
+from hophoop import plots
 from hophoop._support.extras import need
 from hophoop.article import compliant_figures as compliant
 from hophoop.article.runs import LONG, Runs
 from hophoop.article.scenarios import title
+from hophoop.article.slipping import after_each_slip
 from hophoop.plots.style import Axes, finish
 from hophoop.simulation.simulate import simulate
 from hophoop.vocabulary import colors, quantities
@@ -84,13 +85,9 @@ def _phase_plane_low(runs: Runs, ax: Axes) -> None:
 
 def _slow_end(runs: Runs, ax: Axes) -> None:
     """Excess energy of the motion at 2.8 m/s over that at which slip would end."""
-    motion = runs.long_slipping
-    floor = (1.0 + runs.hoop.eccentricity) * float(theory.first_slip_speed(runs.hoop, runs.plane)) ** 2
-    t = np.array([event.t for event in motion.find("stick")])
-    excess = motion.at(t).total - floor
+    t, excess = after_each_slip(runs)
     ax.loglog(t, excess, ".", color=colors.TOTAL, ms=3, label="after each slip")
-    law = excess[-1] * t[-1]
-    late = t[t > 10.0]
+    law, late = excess[-1] * t[-1], t[t > 10.0]
     ax.loglog(late, law / late, color=colors.LIMIT, lw=1.4, ls=(0, (5, 2)), label=f"{law:.0f} J s / t")
     ax.set_xlim(0.5, LONG * 1.2)
     finish(ax, quantities.TIME, "Energy above rolling at the critical speed (J)")

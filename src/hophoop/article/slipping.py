@@ -6,6 +6,7 @@ import math
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hophoop import theory
 from hophoop.article.runs import LONG, Runs, bisect, extremes
@@ -35,25 +36,29 @@ def peaks_fall(runs: Runs) -> Result:
     return Result(len(peaks) >= 5 and all(b < a for a, b in pairwise(peaks)), {"peaks": peaks})
 
 
+def after_each_slip(runs: Runs) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the ends of all slips of the long motion [s], and the energy above rolling at the critical speed [J]."""
+    critical = theory.first_slip_speed(runs.hoop, runs.plane)
+    t = np.array([event.t for event in runs.long_slipping.find("stick")])
+    return t, runs.long_slipping.at(t).total - (1.0 + runs.hoop.eccentricity) * critical**2
+
+
 def ends_rolling(runs: Runs) -> Result:
     """Slip above the critical speed never ends: the loss per cycle is proportional to the square of the excess."""
-    motion, hoop = runs.long_slipping, runs.hoop
-    critical = theory.first_slip_speed(hoop, runs.plane)
-    floor = (1.0 + hoop.eccentricity) * critical**2  # kinetic energy at the top, rolling at that speed
+    t, energies = after_each_slip(runs)
     marks = (30, int(LONG / 2.0), int(LONG))
-    last = {t: next(event.t for event in reversed(motion.find("stick")) if event.t <= t) for t in marks}
-    excess = {t: motion.at(stick).total - floor for t, stick in last.items()}
-    products = [excess[t] * t for t in marks[1:]]  # the energy is constant until the next slip
-    limit = slow_end(hoop, runs.plane)
+    excess = {mark: energies[np.searchsorted(t, mark, side="right") - 1] for mark in marks}
+    products = [excess[mark] * mark for mark in marks[1:]]  # the energy is constant until the next slip
+    limit = slow_end(runs.hoop, runs.plane)
     # the deviation falls as log(t)/t, so to about half
     missing = [1.0 - product / limit for product in products]
     algebraic = 0.0 < missing[1] < 0.7 * missing[0] and missing[1] < 0.03
     numbers = {
-        "critical_speed": critical,
+        "critical_speed": theory.first_slip_speed(runs.hoop, runs.plane),
         "excess_energy": excess,
         "excess_times_t": products,
         "excess_times_t_limit": limit,
-        "slip_below": {str(speed): slip_below(motion, speed) for speed in (0.1, 0.01)},
+        "slip_below": {str(speed): slip_below(runs.long_slipping, speed) for speed in (0.1, 0.01)},
     }
     return Result(algebraic and min(excess.values()) > 0.0, numbers)
 

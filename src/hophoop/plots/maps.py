@@ -146,20 +146,23 @@ def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words
     return _keys(entries, most, bool((codes < 0).any()))
 
 
+def _patch(**look: Any) -> Any:
+    return need("matplotlib.patches", "plots").Patch(**look)
+
+
 def _keys(entries: list[tuple[str, str, float]], most: int, outside: bool) -> list[Any]:
-    patch = need("matplotlib.patches", "plots").Patch
     shown, rest = entries[:most], entries[most:]
     if len(rest) == 1:
         shown, rest = entries, []
     handles = [
-        patch(facecolor=color, edgecolor="black", linewidth=0.4, label=f"{name}  {_percent(share)}")
+        _patch(facecolor=color, edgecolor="black", linewidth=0.4, label=f"{name}  {_percent(share)}")
         for name, color, share in shown
     ]
     if rest:
         together = sum(share for _, _, share in rest)
-        handles.append(patch(facecolor="none", label=f"{len(rest)} more, together {_percent(together)}"))
+        handles.append(_patch(facecolor="none", label=f"{len(rest)} more, together {_percent(together)}"))
     if outside:
-        handles.append(patch(facecolor="white", edgecolor="black", linewidth=0.4, label="not allowed"))
+        handles.append(_patch(facecolor="white", edgecolor="black", linewidth=0.4, label="not allowed"))
     return handles
 
 
@@ -178,8 +181,7 @@ def _field(ax: Axes, x: Any, y: Any, array: Any) -> list[Any]:
     bar = ax.figure.colorbar(mesh, ax=ax, pad=0.02)
     bar.set_label(with_unit(str(label), unit))
     bar.outline.set_visible(False)
-    patch = need("matplotlib.patches", "plots").Patch
-    return [patch(facecolor=colors.LIGHT_GRAY, label="none")] if np.isnan(values).any() else []
+    return [_patch(facecolor=colors.LIGHT_GRAY, label="none")] if np.isnan(values).any() else []
 
 
 def _border(ax: Axes, border: Border, across: str) -> None:
@@ -200,9 +202,8 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> list[Any]:
             hatched = ax.contourf(x, y, met.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=4)
             hatched.set_edgecolor((0.0, 0.0, 0.0, 0.55))
             hatched.set_linewidth(0.0)
-            patch = need("matplotlib.patches", "plots").Patch
             keys.append(
-                patch(facecolor="none", edgecolor=(0.0, 0.0, 0.0, 0.55), lw=0.0, hatch="////", label="meets the paradox")
+                _patch(facecolor="none", edgecolor=(0.0, 0.0, 0.0, 0.55), lw=0.0, hatch="////", label="meets the paradox")
             )
     return keys
 
