@@ -5,21 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rich.console import Console
 from rich.table import Table
 
 from hophoop.cli._tables import console_of, print_table
-from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS, SPARE, TITLES, WORDS, cells
+from hophoop.results.event_table import FIRST_ROWS, LAST_ROWS, SPARE, TITLES, WORDS, cells, change_of
 
 if TYPE_CHECKING:
+    from hophoop.results.records import EventRecord
     from hophoop.simulation.phases import Margins, PhaseRecord
     from hophoop.simulation.trajectory import Trajectory
 
 Row = TypeVar("Row")
 
 SPARE_ERRORS = ("± v (m/s)", "± x (m)", "± θ̇ (rad/s)", "± θ (rad)")
+TITLES_DIGITS = ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)")
 SPARE_DIGITS = ("θ̇ (rad/s)", "v (m/s)", "x (m)", "θ (rad)")
 ENDLESS = 4000  # width of a pipe for numbers of up to 1000 digits
 
@@ -47,6 +49,13 @@ def print_events(
     print_table(titles, rows, width, spare, right=set(titles) - set(WORDS))
     if left_out:
         console_of(width).print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
+
+
+def cells_in_digits(event: EventRecord[Any]) -> list[str]:
+    """Return the cells of an event in arbitrary precision."""
+    from hophoop.vocabulary.names import plain
+
+    return [plain(event.kind), change_of(event), *map(str, (event.t, event.angle, event.x, event.vx, event.omega))]
 
 
 def print_motion(motion: Trajectory, everything: bool) -> None:

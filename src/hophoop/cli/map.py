@@ -27,17 +27,14 @@ class MapCommand(TyperCommand):
 
 def _quantity_list() -> str:
     from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
+    from hophoop.vocabulary.quantities import with_unit
 
     wide = max(len(name) for name in QUANTITIES) + 2
     parts = {"Quantities": QUANTITIES, "Quantities of --span settled and settled:landing": SETTLED}
     lines: list[str] = []
     for title, table in parts.items():
-        lines += [title, ""]
-        lines += [
-            f"  {name:{wide}}{quantity.meaning}" + ("" if quantity.unit in ("", "1") else f" ({quantity.unit})")
-            for name, quantity in table.items()
-        ]
-        lines.append("")
+        rows = (f"  {name:{wide}}{with_unit(quantity.meaning, quantity.unit)}" for name, quantity in table.items())
+        lines += [title, "", *rows, ""]
     return "\n".join(lines)
 
 

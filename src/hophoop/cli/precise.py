@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, no_answer, print_events
+from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, TITLES_DIGITS, cells_in_digits, no_answer, print_events
 from hophoop.cli._output import print_json, write_json
-from hophoop.results.event_table import change_of
 from hophoop.vocabulary.names import plain
 
 if TYPE_CHECKING:
@@ -50,15 +49,12 @@ def run(scenario: Any, digits: int, check: bool, json: bool, out: Path | None, q
 
 
 def _show_motion(precise: PreciseMotion, digits: int, everything: bool) -> None:
-    titles = ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)", "digits")
-    print_events(titles, precise.events, _event, everything, SPARE_DIGITS, ENDLESS)
+    def cells(event: EventRecord[Any]) -> list[str]:
+        return [*cells_in_digits(event), str(event.digits_right)]
+
+    print_events((*TITLES_DIGITS, "digits"), precise.events, cells, everything, SPARE_DIGITS, ENDLESS)
     typer.echo(f"phases  {precise.sequence}\nstatus  {plain(precise.status)}")
     typer.echo(f"digits  {min(precise.digits_right, digits)} right of {digits} asked, in every event")
-
-
-def _event(event: EventRecord[Any]) -> list[str]:
-    numbers = (event.t, event.angle, event.x, event.vx, event.omega)
-    return [plain(event.kind), change_of(event), *map(str, numbers), str(event.digits_right)]
 
 
 def _show_agreement(agreement: Agreement, precise: PreciseMotion, everything: bool) -> None:

@@ -12,7 +12,6 @@ from hophoop.cli._tables import print_table
 
 if TYPE_CHECKING:
     from hophoop.prove import Proof, ProvedNumber
-    from hophoop.results.records import EventRecord
 
 ALL = "all"
 
@@ -73,18 +72,13 @@ def prove(
 
 def _show(proof: Proof) -> None:
     """Print the events with their enclosures."""
-    from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, print_events
-    from hophoop.results.event_table import change_of
+    from hophoop.cli._motion import ENDLESS, SPARE_DIGITS, TITLES_DIGITS, cells_in_digits, print_events
     from hophoop.vocabulary.names import plain
 
-    def cells(event: EventRecord[Any]) -> list[str]:
-        return [plain(event.kind), change_of(event), *map(str, (event.t, event.angle, event.x, event.vx, event.omega))]
-
-    titles = ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)")
-    print_events(titles, proof.events, cells, True, SPARE_DIGITS, ENDLESS)
+    print_events(TITLES_DIGITS, proof.events, cells_in_digits, True, SPARE_DIGITS, ENDLESS)
     typer.echo(f"phases  {proof.sequence}\nverdict {proof.verdict}")
     if proof.proved:
-        typer.echo(f"status  {proof.status.replace('_', ' ')}\ndigits  {proof.digits_proved}")
+        typer.echo(f"status  {plain(proof.status)}\ndigits  {proof.digits_proved}")
 
 
 def _prove_thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bool) -> None:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
 
 if TYPE_CHECKING:
-    from hophoop.scenario import Scenario
-    from hophoop.simulation.phases import PhaseRecord
     from hophoop.simulation.trajectory import Trajectory
 
 STORES = (".nc", ".zarr", ".zarr.zip")
@@ -112,11 +110,16 @@ def run(
 
         precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, out, quiet, everything)
         return
+    from hophoop._support.progress import bar
+    from hophoop.simulation.phases import phases
+    from hophoop.simulation.simulate import simulate
+
     if until is not None and explain:
         raise InputError("--until cannot be given together with --explain.")
     shown = not (quiet or json)
-    explained = _phases(scenario) if explain else None  # refuses a compliant contact before anything is computed
-    motion = _simulate(scenario, quiet, until)
+    explained = phases(scenario) if explain else None  # refuses a compliant contact before anything is computed
+    with bar("motion", quiet=quiet, share=True) as progress:
+        motion = simulate(scenario, until=until, progress=progress)
     with named_options({"of": "--sensitivity"}):
         derived = None if sensitivity is None or wrt is None else motion.sensitivity(sensitivity.split(","), wrt.split(","))
     more = {} if derived is None else {"sensitivity": derived.to_dict()}
@@ -153,21 +156,6 @@ def _compare_fingerprints(motion: Trajectory, expected: str, aside: bool) -> boo
         "Only the same version of hophoop and the same scenario give the same bits."
     )
     return False
-
-
-def _phases(scenario: Scenario) -> Iterator[PhaseRecord]:
-    from hophoop.simulation.phases import phases
-
-    return phases(scenario)
-
-
-def _simulate(scenario: Scenario, quiet: bool, until: str | None) -> Trajectory:
-    """Compute the motion."""
-    from hophoop._support.progress import bar
-    from hophoop.simulation.simulate import simulate
-
-    with bar("motion", quiet=quiet, share=True) as progress:
-        return simulate(scenario, until=until, progress=progress)
 
 
 def _write(motion: Trajectory, outputs: Mapping[str, Path | None], samples: int, more: Mapping[str, Any]) -> None:
