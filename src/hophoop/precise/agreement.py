@@ -6,32 +6,16 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any, Protocol
+from typing import Any
 
 from hophoop._support import tables
 from hophoop.precise.result import PreciseMotion
-from hophoop.results.records import EventRecord
+from hophoop.results.records import EventRecord, Motion
 from hophoop.scenario.scenario import time_unit
 
 PLACES = ("t", "angle", "x")
 NUMBERS = ("t", "angle", "x", "vx", "omega")
 MOST_DIGITS = 17
-
-
-class Motion(Protocol):
-    """The attributes of the kernel's motion that a comparison reads."""
-
-    @property
-    def status(self) -> str:
-        """The status at its end."""
-
-    @property
-    def sequence(self) -> str:
-        """Its phases."""
-
-    @property
-    def events(self) -> Sequence[Any]:
-        """Its events."""
 
 
 @dataclass(frozen=True)

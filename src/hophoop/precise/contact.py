@@ -69,7 +69,8 @@ def advance(body: Body, judge: Judge, sigma: int, state: State, zeros: int, t_en
         following = at(body, sigma, state, step, part)
         if final:
             return Ending.TIME_LIMIT, following._replace(t=t_end)
-        if sigma == 0 and body.gt == 0 and body.resist == 0 and _turned(body, begin, following):
+        endless = sigma == 0 and body.gt == 0 and body.resist == 0 and begin.om != 0
+        if endless and abs(following.th - begin.th) >= 2 * body.ctx.pi:
             following = _whole_turns(body, begin, state, step, part, following, t_end)
             begin = begin._replace(om=body.zero)  # once is enough
         state = following
@@ -184,11 +185,6 @@ def _cone_margins(body: Body, step: Step) -> list[list[int]]:
     a, b = map(body.integer, body.kernels(cone_weights)(body.mu_s))
     pairs = [(a * n, b * f) for n, f in zip(step.normal, step.friction, strict=True)]
     return [[(n - f) >> body.bits for n, f in pairs], [(n + f) >> body.bits for n, f in pairs]]
-
-
-def _turned(body: Body, begin: State, state: State) -> bool:
-    """Return True if rolling has gone through a revolution since the phase began; False once that has been used."""
-    return bool(begin.om != 0 and abs(state.th - begin.th) >= 2 * body.ctx.pi)
 
 
 def _whole_turns(body: Body, begin: State, state: State, step: Step, part: int, following: State, t_end: Number) -> State:

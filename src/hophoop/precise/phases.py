@@ -204,7 +204,6 @@ def gap_series(body: Body, state: State, opening: Number, exponent: int, order: 
     ctx = body.ctx
     with ctx.workprec(bits + 20):
         cosine, sine = ctx.cos_sin(state.th)
-        term = -body.eps
         turned = ctx.ldexp(state.om, exponent)
         numbers = [state.y, ctx.ldexp(state.vn, exponent), ctx.ldexp(opening, 2 * exponent) / 2]
         # derivatives of cos: c, −s, −c, s

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+import numpy as np
 from mpmath import MPContext
 
 from hophoop.kernel.model import MODE_LETTERS
-from hophoop.kernel.records import State
+from hophoop.kernel.records import State, combined
 from hophoop.precise.kernels import Kernels, Number, numbers_of
 from hophoop.precise.series import Work
 from hophoop.scenario import Hoop, Scenario
@@ -104,33 +105,15 @@ def _friction(mu: float) -> Fraction | None:
 def _body(hoop: Hoop) -> tuple[Fraction, Fraction, Fraction]:
     """(mass, ε, κ) without rounding."""
     if hoop.parts is not None:
-        radius = Fraction(hoop.radius)
-        masses = [Fraction(part.mass) for part in hoop.parts]
-        places = [Fraction(part.at) / radius for part in hoop.parts]
-        mass = sum(masses, Fraction(0))
-        centre = sum((m * at for m, at in zip(masses, places, strict=True)), Fraction(0)) / mass
-        inertia = sum(
-            (_own_inertia(part) / radius**2 + m * (at - centre) ** 2)
-            for part, m, at in zip(hoop.parts, masses, places, strict=True)
-        )
-        return mass, min(abs(centre), Fraction(1)), inertia / mass
+        rows = np.array([list(map(Fraction, part.row)) for part in hoop.parts], dtype=object)
+        exact = Kernels(Fraction, {"plus": lambda high, low, value: (high + value, low)})
+        found: tuple[Fraction, Fraction, Fraction] = exact(combined)(Fraction(hoop.radius), rows)
+        return found
     mass = Fraction(hoop.mass)
     if hoop.load_fraction is not None:
         gamma = Fraction(hoop.load_fraction)
         return mass, gamma, 1 - gamma * gamma
     return mass, Fraction(hoop.eccentricity), Fraction(hoop.inertia_ratio)
-
-
-def _own_inertia(part: Any) -> Fraction:
-    """Moment of inertia of a part about its own centre, without rounding."""
-    mass = Fraction(part.mass)
-    if part.shape == "ring":
-        return mass * (Fraction(part.inner_radius) ** 2 + Fraction(part.outer_radius) ** 2) / 2
-    if part.shape == "disk":
-        return mass * Fraction(part.radius) ** 2 / 2
-    if part.shape == "rod":
-        return mass * Fraction(part.length) ** 2 / 12
-    return Fraction(0)
 
 
 class Fixed(NamedTuple):
