@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import re
-from collections.abc import Iterator
-from contextvars import ContextVar
 from typing import Any
 
 # A very long word or quoted value; the maximum length of a file name is 255.
@@ -110,28 +107,8 @@ class InputError(ValueError):
         return InputError(message, self.errors, field=name, value=self.value, allowed=self.allowed)
 
 
-_json: ContextVar[bool] = ContextVar("json", default=False)
-
-
-@contextlib.contextmanager
-def json_words() -> Iterator[None]:
-    """Context in which errors write null, true and false instead of Python's None, True and False."""
-    token = _json.set(True)
-    try:
-        yield
-    finally:
-        _json.reset(token)
-
-
 def shown(value: Any) -> str:
     """Return a value as errors write it."""
-    if _json.get():
-        if value is None or isinstance(value, bool):
-            return {None: "null", True: "true", False: "false"}[value]
-        if isinstance(value, dict):
-            return f"{{{', '.join(f'{shown(key)}: {shown(item)}' for key, item in value.items())}}}"
-        if isinstance(value, list | tuple):
-            return f"[{', '.join(map(shown, value))}]"
     # the repr of a NumPy scalar contains the name of its type
     return repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)
 
