@@ -76,8 +76,7 @@ def landing(motion: Trajectory) -> Landing:
 
 def finish_losses(ax: Axes, across: str) -> None:
     """Set limits and labels of a plot of losses."""
-    values = np.concatenate([np.asarray(each.get_ydata(), dtype=float) for each in ax.lines])
-    low, high = min(0.0, float(np.nanmin(values))), max(0.1, float(np.nanmax(values)))
+    low, high = min(0.0, ax.dataLim.ymin), max(0.1, ax.dataLim.ymax)
     # Newton's law can gain energy: show negative values
     ax.set_ylim(low - (0.06 * (high - low) if low < 0.0 else 0.0), high + 0.12 * (high - low))
     if low < 0.0:

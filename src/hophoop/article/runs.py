@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -22,23 +22,12 @@ LONG = 3000.0
 
 
 class Runs:
-    """The article's motions, each computed on first use."""
+    """The article's motions and their samples by name, each computed on first use."""
 
     def __init__(self) -> None:
-        self._motions: dict[str, Trajectory] = {}
-        self._samples: dict[str, ArraySample] = {}
-
-    def motion(self, name: str) -> Trajectory:
-        """Return a motion by name."""
-        if name not in self._motions:
-            self._motions[name] = simulate(scenarios()[name])
-        return self._motions[name]
-
-    def sample(self, name: str) -> ArraySample:
-        """Return a densely sampled motion, with both sides of each event."""
-        if name not in self._samples:
-            self._samples[name] = curve(self.motion(name))
-        return self._samples[name]
+        self.motion: Callable[[str], Trajectory] = cache(lambda name: simulate(scenarios()[name]))
+        # densely sampled, with both sides of each event
+        self.sample: Callable[[str], ArraySample] = cache(lambda name: curve(self.motion(name)))
 
     def extremes(self, name: str, quantity: str) -> tuple[float, float]:
         """Return the least and the largest value of a quantity in a motion."""
