@@ -20,7 +20,7 @@ from hophoop.vocabulary import colors, quantities
 
 MOST_POSES = 14
 WIDTH = 10.0  # of a figure [inch]
-MARGIN = 1.35  # around the centres, in radii
+MARGIN, BELOW = 1.25, 0.3  # around the centres, and below the plane, in radii
 
 
 def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | None = None) -> Axes:
@@ -64,8 +64,7 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
 def scene(ax: Axes | None, way: Poses, radius: float, slope: float, more: float) -> Axes:
     """Return axes of equal scales around a motion, with the plane; more: height of what is above and below [inch]."""
     low, high = way.center.min(axis=0) - MARGIN * radius, way.center.max(axis=0) + MARGIN * radius
-    # the plane below the lowest hoop
-    low[1] = min(low[1], -max(low[0] * math.tan(slope), high[0] * math.tan(slope)) - 0.1 * radius)
+    low[1] = min(low[1], -max(low[0] * math.tan(slope), high[0] * math.tan(slope)) - BELOW * radius)
     height = WIDTH * (high[1] - low[1]) / (high[0] - low[0]) + more
     ax = new_axes(ax, (WIDTH, float(np.clip(height, 2.3, 7.0))))
     reach = 2.0 * float(np.abs([low, high]).max())
