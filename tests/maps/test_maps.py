@@ -85,6 +85,20 @@ def test_cells_are_the_scenarios_that_they_stand_for(base, values):
         assert dict(zip(CELL, cell, strict=True)) == dict(zip(CELL, cell_of(scenario), strict=True))
 
 
+@pytest.mark.parametrize("path", ["speed", "vx", "omega", "height", "vy", "angle", "x"])
+def test_cells_of_a_start_that_goes_on_from_a_state(path):
+    """A number of the start in another way, or a velocity, ends its slip velocity or its mode, as in a scenario."""
+    path, onward = f"start.{path}", hh.Scenario(start=hh.Start.of(hh.simulate(hh.Scenario()).at(0.5)))
+    for value in (0.0, 0.7):
+        (cell,) = make_cells(onward, {path: np.array([value])}, 1).T
+        try:
+            wanted = cell_of(maps.scenario_at(onward, {path: value}))
+        except ValueError:
+            assert dict(zip(CELL, cell, strict=True))["allowed"] == 0.0
+        else:
+            assert dict(zip(CELL, cell, strict=True)) == dict(zip(CELL, wanted, strict=True))
+
+
 # Motions
 
 

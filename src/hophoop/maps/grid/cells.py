@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from hophoop.kernel.records import CELL, Cell, ideal_inertia, mark_refused
 from hophoop.kernel.steps import BY_RULE
 from hophoop.maps.grid.axes import ordered, scenario_at
 from hophoop.scenario import InputError, Scenario, cell_of
+from hophoop.scenario.paths import ENDS
 from hophoop.scenario.scenario import slip_agrees, why_not_in_mode
 from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import TABLE, section_of
@@ -35,13 +36,10 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
     """
     cells = np.repeat(np.array(cell_of(base), dtype=float)[:, np.newaxis], count, axis=1)
     paths = ordered(list(values))
-    hoop = [path for path in paths if path.startswith("hoop.")]
-    if hoop and _is_made_of_parts(base, hoop):
-        _put_hoops(cells, base, {path: values[path] for path in hoop})
+    hoop = {path: values[path] for path in paths if path.startswith("hoop.")}
+    if hoop and (base.hoop.parts is not None or any(path.startswith("hoop.parts") for path in hoop)):
+        _put_hoops(cells, base, hoop)  # radius and mass are those of the parts
         paths = [path for path in paths if path not in hoop]
-    start = base.start
-    rolling = start.speed is not None
-    free: dict[str, Any] = {name: getattr(start, name) for name in _FREE}
     for path in paths:
         array = values[path]
         if path in _PLAIN:
@@ -59,49 +57,36 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
             cells[Cell.LAW] = [LAW_CODES[word] for word in array]
         elif path == "plane.painleve":
             cells[Cell.PAINLEVE_IMPACT] = array == "impact"
-        elif path == "start.speed":
-            rolling = True
-            free["vx"] = array
-        else:
-            if rolling:  # a rolling start becomes a free one with one number changed
-                free |= {"height": 0.0, "vy": 0.0, "omega": free["vx"] / cells[Cell.RADIUS]}
-            rolling = False
-            free[path.partition(".")[2]] = array
-    if rolling:
-        cells[Cell.HEIGHT] = 0.0
-        cells[Cell.VY] = 0.0
-        cells[Cell.OMEGA] = free["vx"] / cells[Cell.RADIUS]
-        cells[Cell.SLIP] = 0.0
-    elif start.slip is None or any(path.startswith("start.") for path in paths):
-        cells[Cell.HEIGHT] = free["height"]
-        cells[Cell.VY] = free["vy"]
-        cells[Cell.OMEGA] = free["omega"]
-        cells[Cell.SLIP] = free["vx"] - cells[Cell.RADIUS] * cells[Cell.OMEGA]
-        cells[Cell.MODE] = BY_RULE
-    else:
-        _mark_starts(cells, base)
+    _put_start(cells, base, {path.removeprefix("start."): values[path] for path in paths if path.startswith("start.")})
     compiled(mark_refused)(cells)
     return cells
 
 
-def _mark_starts(cells: Array, base: Scenario) -> None:
-    """Mark the cells that contradict the slip velocity or the mode of the start."""
-    start = base.start
-    assert start.slip is not None
-    seconds = np.sqrt(cells[Cell.RADIUS] / np.where(cells[Cell.GRAVITY] > 0.0, cells[Cell.GRAVITY], 1.0))
-    rim = cells[Cell.RADIUS] * (start.omega or 0.0)
-    cells[Cell.ALLOWED, ~slip_agrees(start.slip, start.vx, rim, cells[Cell.RADIUS] / seconds)] = 0.0
-    if start.mode is not None:
+def _put_start(cells: Array, base: Scenario, given: Mapping[str, Array]) -> None:
+    """Write the start with other numbers, and mark the cells that contradict its slip velocity or its mode."""
+    start, radius = base.start, cells[Cell.RADIUS]
+    speed = given.get("speed", start.speed)
+    state: dict[str, Any] = {name: getattr(start, name) for name in _FREE}
+    if speed is not None:
+        state = {"height": 0.0, "vx": speed, "vy": 0.0, "omega": speed / radius}
+    free = {name: given[name] for name in _FREE if name in given}
+    state |= free
+    cells[Cell.HEIGHT], cells[Cell.VY], cells[Cell.OMEGA] = state["height"], state["vy"], state["omega"]
+    rim = radius * cells[Cell.OMEGA]
+    ended = {key for name in given for key in ENDS.get(f"start.{name}", ())}
+    if speed is not None and not free:
+        cells[Cell.SLIP] = 0.0
+    elif start.slip is None or "slip" in ended:
+        cells[Cell.SLIP] = state["vx"] - rim
+    else:
+        unit = radius / np.sqrt(radius / np.where(cells[Cell.GRAVITY] > 0.0, cells[Cell.GRAVITY], 1.0))
+        cells[Cell.ALLOWED, ~slip_agrees(start.slip, state["vx"], rim, unit)] = 0.0
+    if "mode" in ended:
+        cells[Cell.MODE] = BY_RULE
+    elif start.mode is not None:
         for k in np.flatnonzero(cells[Cell.ALLOWED]).tolist():
             if why_not_in_mode(cells[:, k].tolist()):
                 cells[Cell.ALLOWED, k] = 0.0
-
-
-def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:
-    """Return True if radius and mass are those of parts, from which ε and κ follow."""
-    if any(path.startswith("hoop.parts") for path in paths):
-        return True
-    return base.hoop.parts is not None
 
 
 def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> None:
