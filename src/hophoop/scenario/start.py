@@ -109,7 +109,7 @@ class Start(Frozen):
             raise refuse(f"start.mode = {mode!r} needs start.slip, the slip velocity.")
         if mode != "H" and (self.height != 0.0 or self.vy != 0.0):
             raise refuse(f"start.mode = {mode!r} needs start.height = 0 and start.vy = 0.")
-        if (mode == "R" and slip != 0.0) or (mode == "S" and slip > 0.0) or (mode == "K" and slip < 0.0):
+        if slip != _slip_within(mode, slip):
             raise refuse(f"start.slip = {slip!r} must be {_SLIPS[mode]} with start.mode = {mode!r}.")
 
     @classmethod

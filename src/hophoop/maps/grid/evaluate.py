@@ -7,6 +7,7 @@ import math
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor
+from contextlib import nullcontext
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -140,14 +141,6 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor
     return results
 
 
-def run_points(cells: NDArray[np.float64], span: Span, flags: int) -> MapResults:
-    """Run the kernel on all cores, or on this thread where they are not worth it."""
-    if cells.shape[1] <= CALL_CELLS:
-        return run_cells(cells, span, flags)
-    with ThreadPoolExecutor(cores()) as pool:
-        return run_cells(cells, span, flags, pool)
-
-
 def cores() -> int:
     """Number of cores that this process may use."""
     if hasattr(os, "sched_getaffinity"):
@@ -203,7 +196,9 @@ def points(
     cells = make_cells(base, flat, math.prod(shape))
     part = make_span(span, in_the_end=True)
     check_span(base, chosen, part)
-    raw = run_points(cells, part, flags_of(chosen))
+    few = cells.shape[1] <= CALL_CELLS  # not worth the threads
+    with nullcontext() if few else ThreadPoolExecutor(cores()) as pool:
+        raw = run_cells(cells, part, flags_of(chosen), pool)
     results = {}
     for quantity in chosen:
         if quantity.name == "sequence":

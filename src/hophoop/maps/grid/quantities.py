@@ -234,11 +234,13 @@ def attributes(quantity: Quantity, sequences: Sequence[str] = ()) -> dict[str, A
     if not quantity.is_code:
         return result | {"units": quantity.unit}
     words = sequences if quantity.name == SEQUENCE else quantity.words
-    return result | {
-        "units": "1",
-        "flag_values": [kernel.NOT_ALLOWED, *range(len(words))],
-        "flag_meanings": " ".join([NOT_ALLOWED, *words]),
-    }
+    return result | flags_in_file([NOT_ALLOWED, *words], kernel.NOT_ALLOWED)
+
+
+def flags_in_file(words: Sequence[str], first: int = 0) -> dict[str, Any]:
+    """Return the attributes of an array of codes with their words, from the first code on."""
+    codes = list(range(first, first + len(words)))
+    return {"units": "1", "flag_values": codes, "flag_meanings": " ".join(words)}
 
 
 def words_of(array: Any) -> list[str]:

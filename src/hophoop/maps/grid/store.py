@@ -31,7 +31,7 @@ from hophoop._support.stopping import temporary
 from hophoop.maps.grid.axes import Axis
 from hophoop.maps.grid.evaluate import Plan
 from hophoop.maps.grid.kernel import INTEGERS
-from hophoop.maps.grid.quantities import QUANTITIES, SEQUENCE, Quantity, attributes, distinct_rows, table_of
+from hophoop.maps.grid.quantities import QUANTITIES, SEQUENCE, Quantity, attributes, distinct_rows, flags_in_file, table_of
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def _write_axis(path: Path, axis: Axis) -> None:
     """Write a coordinate; words as codes with their table."""
     values, said = axis.values, attributes_of(axis)
     if not axis.unit:
-        said |= {"units": "1", "flag_values": list(range(values.size)), "flag_meanings": " ".join(values.tolist())}
+        said |= flags_in_file(values.tolist())
         values = np.arange(values.size, dtype=np.int16)
     need("zarr", "maps").create_array(
         str(path / axis.path), data=values, chunks=values.shape, dimension_names=[axis.path], attributes=said, config=ALL_CHUNKS
