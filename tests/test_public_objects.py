@@ -14,7 +14,7 @@ from fitting_tools import filmed, hopping
 from hophoop.scenario import InputError
 
 SLOPE = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=0.05), duration=1.0)
-GAIT = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=np.radians(3.0), mu=1.0))
+GAIT = hh.Scenario(plane=hh.Plane(slope=np.radians(1.0), gravity=1.0))
 WINDOW = {"plane.mu": (0.3, 1.9), "start.speed": (0.3, 4.5)}
 STATE = ("x", "height", "angle", "omega", "slip")
 
@@ -58,9 +58,9 @@ OBJECTS = {
     "track": lambda: filmed(hopping(), rate=60.0),
     "fit": lambda: hh.fit(filmed(hopping(), rate=30.0)),
     "plan": lambda: hh.plan(hopping().scenario, rate=60.0),
-    "gait": lambda: hh.gaits.find(GAIT)[0],
-    "branch": lambda: hh.gaits.find(GAIT)[0].follow("plane.slope", (0.05, 0.055)),
-    "return map": lambda: hh.gaits.return_map(GAIT),
+    "gait": lambda: hh.gaits.find(GAIT, near=3.31)[0],
+    "branch": lambda: hh.gaits.find(GAIT, near=3.31)[0].follow("plane.slope", (0.0174, 0.0176)),
+    "return map": lambda: hh.gaits.return_map(GAIT, 3.3, 3.5),
     "boundary": lambda: hh.maps.boundary(None, WINDOW, one=(1.0, 3.1), other=(1.0, 3.8), step=0.2),
     "bad input": lambda: InputError.of_field("threads", 0, "at least 1"),
 }

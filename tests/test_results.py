@@ -146,7 +146,7 @@ PRINTED = {
     "errors": lambda hop: hop.errors,
     "phase": lambda hop: next(iter(hh.phases(hop.scenario))),
     "margins": lambda hop: next(iter(hh.phases(hop.scenario))).begin,
-    "plan": lambda hop: hh.plan(hop.scenario),
+    "plan": lambda hop: hh.plan(hop.scenario, rate=10.0),
     "sensitivity": lambda hop: hop.sensitivity(["takeoff.angle", "hop.height"], ["start.speed", "plane.mu"]),
     "deviations": lambda hop: hop.uncertainty({"plane.mu": 0.01}).at(hop.times(50)),
     "proof": lambda hop: hh.prove.prove(hh.Scenario(duration=0.5)),
