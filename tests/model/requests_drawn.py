@@ -7,7 +7,6 @@ from random import Random
 from typing import Any
 from urllib.parse import quote_plus
 
-import hophoop as hh
 from fuzz import draws
 from hophoop.lab.presets import presets
 
@@ -112,24 +111,3 @@ def request(seed: int) -> dict[str, Any]:
     bodies += 3 * [{"scenario": scenario(random, odd)}, {"query": query(random, odd)}]
     body: dict[str, Any] = random.choice(bodies)
     return plain({**body, "changes": changes(random, odd)} if random.random() < 0.5 else body)
-
-
-def given_of(scenario: hh.Scenario) -> dict[str, Any]:
-    """A scenario as the page hands it to the kernel (`Given` of web/types.d.ts)."""
-    hoop, plane, start, contact = scenario.hoop, scenario.plane, scenario.start, scenario.contact
-    bound: dict[str, Any] | None = None
-    if contact.model == "compliant":
-        names = ("stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol")
-        bound = {name: getattr(contact, name) for name in names}
-    numbers = {
-        **{name: getattr(hoop, name) for name in ("radius", "mass", "eccentricity", "inertia_ratio")},
-        "ideal": hoop.load_fraction is not None,
-        **{name: getattr(plane, name) for name in hh.Plane.model_fields if name != "mu"},
-        **start.state(hoop)._asdict(),
-        "mode": start.mode,
-        "rolling": start.speed is not None,
-        "duration": scenario.duration,
-        "max_events": contact.max_events,
-        "contact": bound,
-    }
-    return {name: "inf" if one == math.inf else one for name, one in numbers.items()}

@@ -24,7 +24,8 @@ from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
 from hophoop.lab.wasm.stamp import MODULE
 from hophoop.scenario import InputError
 from model.asked import asked
-from model.requests_drawn import NUMBERS, given_of, request
+from model.requests_drawn import NUMBERS, request
+from module.module_tools import given_of
 from web_tools import bundled, needs_node
 
 HERE = Path(__file__).parent

@@ -9,15 +9,11 @@ from typing import Any
 import numpy as np
 import wasmtime
 
-from hophoop.kernel.compliant.event_loop import MAX_STEPS
-from hophoop.kernel.compliant.records import WIDTH
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.lab.wasm.layout import CHOSEN, EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.lab.wasm.layout import EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
-
-MOST_ROWS = 20_000  # of a compliant motion
 
 
 class Host:
@@ -78,20 +74,6 @@ class Host:
         out = np.empty((times.size, len(SAMPLE_COLUMNS)))
         self.call("samples", cell, self.segments, len(self.segments), times, times.size, int(left), out)
         return out
-
-    def compliance(self, cell: np.ndarray, contact: np.ndarray) -> dict[str, float]:
-        """What a compliant contact makes of its numbers."""
-        return self.named(CHOSEN, "compliance", cell, contact)
-
-    def compliant_motion(self, cell: np.ndarray, contact: np.ndarray, times: np.ndarray) -> tuple[Any, ...]:
-        """Heads, events, and the states at some times just after and just before."""
-        events, rows, table = np.empty(1024, EVENT), np.empty((MOST_ROWS, WIDTH)), np.empty((1024, len(EVENT_COLUMNS)))
-        heads = self.named(HEADS, "compliant_motion", cell, contact, events, len(events), MAX_STEPS, rows, MOST_ROWS, table)
-        assert heads["status"] != Status.BUFFER
-        states = np.empty((2, times.size, len(SAMPLE_COLUMNS)))
-        for left, out in enumerate(states):
-            self.call("compliant_samples", cell, contact, rows, int(heads["segments"]), times, times.size, left, out)
-        return heads, table[: int(heads["events"])], *states
 
     def refused(self, cell: np.ndarray, contact: tuple[float, ...]) -> tuple[float, ...]:
         """The code of the rule that a scenario breaks, and its number."""

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import hophoop as hh
 from hophoop.maps.grid.cells import make_cells
-from oracle_program import simulate
-from oracles.cases import Case
 from random_scenarios import draw, scenario_of
 
-DATA = Path(__file__).parents[1] / "data"
 SEED = 20261122
 
 
@@ -36,28 +31,23 @@ def cell_of(scenario: hh.Scenario) -> np.ndarray:
 
 def given_of(scenario: hh.Scenario) -> dict[str, Any]:
     """A scenario as the page hands it to the kernel (`Given` of web/types.d.ts)."""
-    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
-    state = start.state(hoop)
-    return {
-        "radius": hoop.radius, "mass": hoop.mass, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
-        "ideal": hoop.load_fraction is not None, "gravity": plane.gravity, "slope": plane.slope,
-        "rolling_resistance": plane.rolling_resistance,
-        "mu_static": plane.mu_static if math.isfinite(plane.mu_static) else "inf",
-        "mu_kinetic": plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else "inf",
-        "restitution": plane.restitution, "impact_law": plane.impact_law, "painleve": plane.painleve,
-        "x": state.x, "height": state.height, "angle": state.angle, "vx": state.vx, "vy": state.vy, "omega": state.omega,
-        "slip": state.slip, "rolling": start.speed is not None, "duration": scenario.duration,
-        "max_events": scenario.contact.max_events, "contact": contact_of(scenario.contact),
-    }  # fmt: skip
-
-
-def contact_of(contact: hh.Rigid | hh.Compliant) -> dict[str, Any] | None:
-    if isinstance(contact, hh.Rigid):
-        return None
-    names = (
-        "stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol",
-    )  # fmt: skip
-    return {name: getattr(contact, name) for name in names}
+    hoop, plane, start, contact = scenario.hoop, scenario.plane, scenario.start, scenario.contact
+    bound: dict[str, Any] | None = None
+    if contact.model == "compliant":
+        names = ("stiffness", "damping", "restitution", "law", "friction", "slip_speed", "tangential_stiffness", "rtol")
+        bound = {name: getattr(contact, name) for name in names}
+    numbers = {
+        **{name: getattr(hoop, name) for name in ("radius", "mass", "eccentricity", "inertia_ratio")},
+        "ideal": hoop.load_fraction is not None,
+        **{name: getattr(plane, name) for name in hh.Plane.model_fields if name != "mu"},
+        **start.state(hoop)._asdict(),
+        "mode": start.mode,
+        "rolling": start.speed is not None,
+        "duration": scenario.duration,
+        "max_events": contact.max_events,
+        "contact": bound,
+    }
+    return {name: "inf" if one == math.inf else one for name, one in numbers.items()}
 
 
 def drawn(count: int, first: int = 0) -> list[hh.Scenario]:
@@ -68,14 +58,4 @@ def drawn(count: int, first: int = 0) -> list[hh.Scenario]:
             found.append(scenario_of(draw(SEED, index), max_events=500))
         except ValueError:
             continue
-    return found
-
-
-def references() -> list[hh.Scenario]:
-    """The scenarios of the files that hold solutions in 40 digits."""
-    found = []
-    for file in sorted(DATA.glob("*.json")):
-        content = json.loads(file.read_text(encoding="utf-8"))
-        if "case" in content and "events" in content:
-            found.append(simulate(Case(**content["case"])).scenario)
     return found

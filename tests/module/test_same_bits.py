@@ -1,4 +1,4 @@
-"""Every entry of the WebAssembly modules gives the bits of the library's public functions."""
+"""Every other entry of the WebAssembly module gives the bits of the library's public functions; motions have the kept ones."""
 
 from __future__ import annotations
 
@@ -10,125 +10,23 @@ import pytest
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.kernel.compliant.motion import chosen_in_si
-from hophoop.kernel.physics.body import EVENT_NAMES, MODE_LETTERS, Status
-from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
-from hophoop.lab.wasm.layout import EVENT_COLUMNS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import HERE, MODULE
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.kernel import NUMBERS as MAP_NUMBERS
 from hophoop.maps.grid.kernel import WORDS as MAP_WORDS
 from hophoop.maps.grid.quantities import QUANTITIES, choose_quantities, flags_of, make_span
 from hophoop.scenario.parts import combine
-from hophoop.scenario.scenario import time_unit
-from hophoop.simulation.compliant import to_compliance
 from hophoop.vocabulary.names import MODE_WORDS, mode_words
 
 pytest.importorskip("wasmtime")
 
 from module.host import Host
-from module.module_tools import cell_of, drawn, references, same
-
-FROM_RECORD = ("x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential", "friction",
-               "impact_normal", "impact_tangential", "gain", "rolling_resistance")  # fmt: skip
+from module.module_tools import cell_of, same
 
 
 @pytest.fixture(scope="module")
 def host() -> Host:
     return Host(HERE / MODULE)
-
-
-def scenarios() -> list[hh.Scenario]:
-    rigid = [scenario for scenario in drawn(70, 2000) if scenario.contact.model == "rigid"]
-    resisted = [each.replace("plane.rolling_resistance", 0.03) for each in rigid[:20] if each.hoop.inertia_ratio > 0.01]
-    massless = [
-        hh.Scenario(hoop=hh.Hoop.ideal(1.0, radius=radius), start=hh.Start.rolling(speed), duration=3.0)
-        for radius in (1.0, 0.37) for speed in (-2.3, 0.4, 1.1, 3.1)
-    ]  # fmt: skip
-    return [*references(), *rigid, *resisted, *massless]
-
-
-def event_row(event: hh.results.EventRecord) -> list[float]:
-    values = {name: getattr(event, name) for name in FROM_RECORD}
-    values |= {f"before_{name}": getattr(event.before, name) for name in ("vx", "vy", "omega", "slip")}
-    values |= {
-        "t": event.t,
-        "kind": EVENT_NAMES.index(event.kind),
-        "from_mode": -1 if event.from_mode is None else MODE_LETTERS.index(event.from_mode),
-        "to_mode": MODE_LETTERS.index(event.to_mode),
-        "collision": -1 if event.collision is None else float(event.collision),
-        "stable": -1 if event.stable is None else float(event.stable),
-    }
-    return [values[name] for name in EVENT_COLUMNS]
-
-
-def assert_told(heads: dict[str, float], events: np.ndarray, motion: hh.Trajectory) -> None:
-    """What the module tells of a motion is what the library does."""
-    what = motion.scenario.to_query()
-    assert Status(int(heads["status"])).name.lower() == motion.status, what
-    assert same(heads["duration"], motion.duration), what
-    # its energies are compared with the kept bits
-    for row, event in zip(events, motion.events, strict=True):
-        assert same(row, event_row(event)), (what, event.kind, event.t)
-
-
-def assert_states(rows: np.ndarray, motion: hh.Trajectory, times: np.ndarray, left: bool) -> None:
-    sample = motion.at(times, side="left" if left else "right")
-    for name, column in zip(SAMPLE_COLUMNS, rows.T, strict=True):
-        what = (motion.scenario.to_query(), name, left)
-        if name == "mode":
-            assert [MODE_LETTERS[int(code)] for code in column] == list(sample.mode), what
-        elif name == "utilization":
-            assert same(column, sample.utilization(motion.scenario.plane)), what
-        else:
-            assert same(column, getattr(sample, name)), what
-
-
-def times_of(motion: hh.Trajectory) -> np.ndarray:
-    marks = [min(event.t, motion.duration) for event in motion.events]
-    return np.union1d(motion.times(31), marks)
-
-
-def test_motions_and_their_states(host: Host) -> None:
-    for scenario in scenarios():
-        motion = hh.simulate(scenario)
-        heads, events = host.motion(cell_of(scenario))
-        assert_told(heads, events, motion)
-        times = times_of(motion)
-        for left in (False, True):
-            assert_states(host.samples(cell_of(scenario), times, left), motion, times, left)
-
-
-CONTACTS = [
-    hh.Compliant(),
-    hh.Compliant(stiffness=1e5, law="hunt-crossley", friction="bristle"),
-    hh.Compliant(stiffness=2e5, friction="linear", restitution=0.5, slip_speed=1e-3),
-    hh.Compliant(stiffness=3e4, damping=30.0, tangential_stiffness=2e4, friction="bristle", rtol=1e-7),
-]
-
-
-@pytest.mark.parametrize("contact", CONTACTS, ids=lambda contact: f"{contact.law} {contact.friction}")
-@pytest.mark.parametrize(
-    "query", ["start.speed=3.1", "start.vx=1&start.omega=2&start.height=0.2&plane.slope=0.1&hoop.radius=0.7"]
-)
-def test_compliant_motions_and_their_states(host: Host, contact: hh.Compliant, query: str) -> None:
-    rigid = hh.Scenario.from_query(f"duration=0.8&plane.restitution=0.3&{query}")
-    scenario = rigid.replace("contact", contact)
-    given = [NormalLaw[contact.law.upper().replace("-", "_")], FrictionLaw[contact.friction.upper()]]
-    given += [contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness]
-    numbers = np.array([math.nan if value is None else float(value) for value in [*given, contact.rtol]])
-    motion = hh.simulate(scenario)
-    chosen = host.compliance(cell_of(rigid), numbers)
-    _, used, _, _ = to_compliance(scenario)
-    hoop = scenario.hoop
-    stiffness, slip_speed = chosen_in_si(used, hoop.radius, time_unit(hoop, scenario.plane), hoop.mass)
-    assert same(chosen["stiffness"], stiffness)
-    assert same(chosen["slip_speed"], slip_speed)
-    times = times_of(motion)
-    heads, events, after, before = host.compliant_motion(cell_of(rigid), numbers, times)
-    assert_told(heads, events, motion)
-    assert_states(after, motion, times, False)
-    assert_states(before, motion, times, True)
 
 
 @pytest.mark.parametrize(
