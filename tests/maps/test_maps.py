@@ -230,20 +230,6 @@ def test_what_cannot_be_varied(path):
             compute()
 
 
-@given(st.dictionaries(st.sampled_from(sorted(VALUES)), st.just(None), min_size=1, max_size=4), st.data())
-def test_points_are_empty_where_simulate_refuses(paths, data):
-    assume(not any(one in paths and other in paths for one, other in OVERRIDING))
-    values = {path: data.draw(VALUES[path]) for path in paths}
-    try:
-        hh.Scenario().with_values({path: values[path] for path in ordered(list(values))})
-    except ValueError:
-        allowed = False
-    else:
-        allowed = True
-    cells = make_cells(hh.Scenario(), {path: np.array([value]) for path, value in values.items()}, 1)
-    assert (cells[CELL.index("allowed"), 0] == 1.0) == allowed
-
-
 def test_points_of_a_start_that_goes_on_from_a_state():
     """Another radius contradicts its slip velocity, and little friction its rolling."""
     slides, rolls = (

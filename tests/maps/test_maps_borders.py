@@ -126,14 +126,6 @@ def test_all_borders_of_a_map_part_its_classes():
     assert set(words.flat) <= set().union(*pairs)
 
 
-def test_borders_on_logarithmic_axes_are_there_to_rounding():
-    axes = {"plane.mu": maps.logarithmic(0.6, 2.0, 5), "start.speed": maps.logarithmic(3.3, 4.5, 4)}
-    (border,) = maps.borders(maps.sweep(None, axes))
-    assert border.window.logarithmic == (True, True)
-    assert set(border.x) == set(axes["plane.mu"])
-    np.testing.assert_allclose(border.y, math.sqrt(9.81 / 0.75), rtol=1e-12)
-
-
 def test_borders_of_a_map_are_as_fine_as_its_grid():
     with pytest.raises(TypeError, match="'step'"):
         maps.borders(maps.sweep(None, {"plane.mu": [0.5, 1.0], "start.speed": [1.0, 4.0]}), step=0.1)

@@ -71,23 +71,6 @@ def test_numbers_of_gaits_and_chaos():
     assert (found["revolutions"] > 3).all()
 
 
-def test_units():
-    small = hh.Scenario(hoop=hh.Hoop.ideal(0.5, radius=0.3, mass=2.0), plane=hh.Plane(slope=math.radians(3)))
-    found = hh.maps.points(small, {"start.speed": [1.5]}, ["mean_speed", "final_hop_height"], span="settled")
-    assert found["mean_speed"][0] == pytest.approx(1.8613658 * math.sqrt(0.3 * hh.Plane().gravity), rel=1e-6)
-    assert found["final_hop_height"][0] == pytest.approx(0.3 * 0.1230255, rel=1e-6)
-
-
-def test_a_map_is_the_same_in_memory_and_in_a_file(tmp_path):
-    axes = {"plane.mu": np.linspace(0.1, 1.5, 6), "start.speed": np.linspace(0.1, 4.0, 8)}
-    alone, kept = (
-        hh.maps.sweep(LEVEL, axes, ["fate", "revolutions"], span="settled", chunk_cells=20, **options)
-        for options in ({"threads": 1}, {"out": tmp_path / "map.zarr"})
-    )
-    assert kept.equals(alone)
-    assert hh.maps.words_of(kept["fate"])[0] == "rolls_ahead"
-
-
 def test_landings():
     light = hh.Scenario(hoop=hh.Hoop.ideal(0.15), plane=hh.Plane(slope=math.radians(3), gravity=1.0))
     speeds = {"start.speed": [3.5, 6.1]}
