@@ -9,7 +9,6 @@ import hophoop as hh
 from animate_tools import motion
 from hophoop.animate.frames import Timing, clock, end_word, event_marks, extent, follow, trace
 from hophoop.animate.look import bounded
-from hophoop.scenario import describe
 
 
 @pytest.mark.parametrize(
@@ -100,20 +99,6 @@ def test_the_camera_follows_steady_motion_without_lag_and_is_calm():
     left = np.abs(np.diff(follow(times, times + jerks, 0.45) - times)) / np.abs(np.diff(jerks)).max()
     assert left.max() < 0.1
     assert left[90:-90].max() < 0.01
-
-
-def test_descriptions():
-    assert describe(motion().scenario) == "v₀ = 3.1 m/s, μ = 1, γ = 0.75"
-    other = hh.Scenario(
-        hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.6),
-        plane=hh.Plane(mu_static=0.5, mu_kinetic=0.4, slope=0.1, restitution=0.2),
-        start=hh.Start(omega=1.0, vx=1.0),
-        contact=hh.Compliant(),
-    )
-    assert describe(other) == (
-        "v = (1, 0) m/s, θ̇ = 1 rad/s, μs = 0.5, μk = 0.4, ε = 0.5, κ = 0.6, β = 5.73°, e = 0.2, compliant contact"
-    )
-    assert "μ = ∞" in describe(hh.Scenario(plane=hh.Plane(mu=math.inf)))
 
 
 @pytest.fixture(scope="module")

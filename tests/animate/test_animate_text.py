@@ -27,7 +27,7 @@ LOOKS = {
     "3D, hold": (PAIR, Look3D(size=(640, 360), camera="hold")),
     **{
         f"{size}, {len(speeds)}": (speeds, Look(size=size, layout=layout))
-        for size in ((64, 64), (160, 480), (400, 300), (640, 360), (1920, 400))
+        for size in ((64, 64), (160, 480), (1920, 400))
         for speeds, layout in ((HOPS, "side"), (PAIR, "side"), (THREE, "overlay"))
     },
 }
