@@ -1,4 +1,4 @@
-"""Mass properties of hoops assembled from parts: against sums over points."""
+"""Mass properties of hoops assembled from parts, as rows of numbers; scenario/test_scenario.py has each shape."""
 
 import math
 
@@ -7,39 +7,6 @@ import pytest
 
 import hophoop as hh
 from hophoop.kernel.records import cells
-
-
-def points_of(part):
-    """Places along and across of points of equal mass that a part may be taken for."""
-    share = (np.arange(200) + 0.5) / 200
-    if isinstance(part, hh.PointMass):
-        return np.array([part.at]), np.zeros(1)
-    if isinstance(part, hh.Rod):
-        place, nothing = part.length * (share - 0.5), np.zeros(200)
-        along, across = (place, nothing) if part.direction == "radial" else (nothing, place)
-        return part.at + along, across
-    inner, outer = (part.inner_radius, part.outer_radius) if isinstance(part, hh.Ring) else (0.0, part.radius)
-    radii, turns = np.sqrt(inner**2 + share * (outer**2 - inner**2)), 0.5 * np.pi * np.arange(4)[:, None]
-    return part.at + radii * np.cos(turns), radii * np.sin(turns)
-
-
-def test_parts_add_up_as_their_points_do():
-    random = np.random.default_rng(5)
-    for _ in range(200):
-        radius = 10 ** random.uniform(-2, 1)
-        parts = [hh.Ring(random.uniform(0.1, 2), 0.9 * radius, radius)]
-        for kind in random.integers(4, size=3):
-            weight, size, at = random.uniform(0.01, 1), radius * random.uniform(0.01, 0.3), radius * random.uniform(-0.6, 0.6)
-            make = [hh.Disk, lambda weight, _, at: hh.PointMass(weight, at), hh.Rod, lambda *one: hh.Rod(*one, "tangential")]
-            parts.append(make[kind](weight, size, at))
-        hoop = hh.Hoop.from_parts(radius, parts)
-        points = [(part.mass, *points_of(part)) for part in parts]
-        whole = sum(part.mass for part in parts)
-        centre = sum(mass * np.mean(along) for mass, along, _ in points) / whole
-        spread = sum(mass * np.mean((along - centre) ** 2 + across**2) for mass, along, across in points) / whole
-        assert hoop.mass == pytest.approx(whole, rel=1e-12)
-        assert hoop.eccentricity == pytest.approx(abs(centre) / radius, rel=1e-10, abs=1e-14)
-        assert hoop.inertia_ratio == pytest.approx(spread / radius**2, rel=2e-5)
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
@@ -68,24 +67,6 @@ def test_run_with_digits():
     assert "0.266393490875716727249363892232" in done.stdout
     data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--json").stdout)
     assert data["events"][1]["t"] == "0.26639349087571672725"
-
-
-def test_a_write_of_digits_that_fails_leaves_the_old_file(tmp_path, monkeypatch):
-    """The file is whole or as it was; nothing else is left beside it."""
-    file = tmp_path / "hop.json"
-    words = ("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--out", file)
-    assert run(*words).exit_code == 0
-    before = file.read_text(encoding="utf-8")
-    assert json.loads(before)["events"][1]["t"] == "0.26639349087571672725"
-
-    def half(self, text, **options):
-        self.write_bytes(text[: len(text) // 2].encode())
-        raise OSError(28, "No space left on device", str(self))
-
-    monkeypatch.setattr(Path, "write_text", half)
-    assert run(*words).exit_code != 0
-    assert file.read_text(encoding="utf-8") == before
-    assert [path.name for path in tmp_path.iterdir()] == ["hop.json"]
 
 
 def test_run_check():

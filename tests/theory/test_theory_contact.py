@@ -129,17 +129,6 @@ def test_equilibria_that_do_not_hold_or_do_not_exist():
     assert theory.equilibria(REFERENCE, hh.Plane(gravity=0.0)) == ()
 
 
-@pytest.mark.parametrize(("speed", "mu"), [(0.5, 2.0), (2.0, 2.0), (0.5, 0.7), (-1.0, 2.0)])
-def test_the_massless_hoop_loses_its_force_here(speed, mu):
-    plane = hh.Plane(mu=mu)
-    loss = theory.massless_loss(speed, 1.3, plane)
-    motion = hh.simulate(hh.Hoop.ideal(1.0, radius=1.3), plane, hh.Start.rolling(speed), duration=5.0)
-    skim = motion.find("skim")[0]
-    assert loss.angle == pytest.approx(skim.angle, rel=1e-12)
-    assert loss.omega == pytest.approx(skim.before.omega, rel=1e-11)
-    assert loss.by_friction == (mu < 1.0)
-
-
 def test_littlewoods_ninety_degrees():
     assert theory.massless_loss(0.0, plane=hh.Plane(mu=1.5)).angle == pytest.approx(math.pi / 2, rel=1e-15)
     by_normal = theory.massless_loss(np.linspace(0.1, 3.0, 7), plane=hh.Plane(mu=50.0))
