@@ -28,10 +28,13 @@ EVENTS = 40
 
 
 REFERENCES = sorted(path.stem for path in DATA.glob("*.json") if '"case"' in path.read_text(encoding="utf-8"))
-SLOW = ("accumulation_stronge", "narrow_escape_slope")
+LONG = (
+    "accumulation_newton", "accumulation_poisson", "accumulation_stronge", "article_v2.8_mu1", "bounces_newton",
+    "bounces_poisson", "dropped_with_spin", "frictionless_fast", "narrow_escape_slope",
+)  # fmt: skip
 
 
-@pytest.mark.parametrize("name", [pytest.param(one, marks=[pytest.mark.long] * (one in SLOW)) for one in REFERENCES])
+@pytest.mark.parametrize("name", [pytest.param(one, marks=[pytest.mark.long] * (one in LONG)) for one in REFERENCES])
 def test_the_references_lie_in_the_enclosures(name):
     """The oracles integrate in time, in mpmath: nothing of a proof is in them. They have 25 digits, after ten events 22."""
     data = json.loads((DATA / f"{name}.json").read_text(encoding="utf-8"))

