@@ -5,8 +5,7 @@ v₀ eᵏ and lasts 2 v₀ eᵏ/g, so that impact k is at t₀ + 2 (v₀/g)(e + 
 
     t∞ = t₀ (1 + e)/(1 − e).
 
-Up to then the total normal impulse is m v₀ + m g (t∞ − t₀), which is also what friction had at its disposal. test_oracle_motion
-has limits of eccentric hoops.
+test_oracle_motion has limits of eccentric hoops, with friction.
 """
 
 from __future__ import annotations
@@ -54,27 +53,3 @@ def test_thousands_of_bounces_stay_exact():
         end = float(first * (1 + ratio) / (1 - ratio))
     assert motion.find("bounce_limit")[0].t == pytest.approx(end, rel=5e-12)
     assert motion.status == "at_rest"
-
-
-@pytest.mark.parametrize(("mu", "ends"), [(0.02, "S"), (0.5, "R")])
-def test_friction_over_all_bounces(mu, ends):
-    r"""A disk with spin: over all bounces friction has the impulse P = m v₀ + m g (t∞ − t₀) to work with.
-
-    ẋ = μ P/m and θ̇ = ω − 2 μ P/(m R) while it slips; if that is more than enough it rolls, ẋ = R ω/3 = R θ̇.
-    """
-    e, spin = 0.6, 20.0
-    end = math.sqrt(2 * 0.3 / 9.81) * (1 + e) / (1 - e)
-    motion = hh.simulate(DISK, hh.Plane(mu=mu, restitution=e), hh.Start(height=0.3, omega=spin), duration=end + 0.1)
-    (limit,) = motion.find("bounce_limit")
-    impulse = mu * 9.81 * end  # per mass: v₀ = g t₀
-    vx, omega = (impulse, spin - 2 * impulse / 0.5) if ends == "S" else (0.5 * spin / 3, spin / 3)
-    assert (limit.t, limit.vx, limit.omega) == pytest.approx((end, vx, omega), rel=1e-11)
-    assert limit.to_mode == ends
-
-
-def test_elastic_bounces_do_not_end():
-    """e = 1 has no limit: without a loss there is nothing to close."""
-    motion = hh.simulate(DISK, hh.Plane(restitution=1.0), hh.Start(height=0.1), duration=60.0)
-    impacts = motion.find("impact")
-    assert not motion.find("bounce_limit")
-    assert impacts[-1].t == pytest.approx((2 * len(impacts) - 1) * math.sqrt(2 * 0.1 / 9.81), rel=1e-12)

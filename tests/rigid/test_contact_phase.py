@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-import hophoop as hh
 from hophoop.kernel.numerics.collocation import lagrange
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.anchor import offset_from, rolling_anchor
@@ -184,24 +183,6 @@ def test_what_hardly_moves_is_followed_in_panels_of_the_time_that_there_is():
             assert (events["angle"][1], events["omega"][1]) == pytest.approx((place, speed), rel=1e-12, abs=0.0)
     _, events, segments = motion_of(body_of(), state_of(2.0, 0.5), 0.0)
     assert (events["kind"].tolist(), len(segments)) == ([Event.START, Event.END], 1)  # no time at all
-
-
-@SIDES
-@pytest.mark.parametrize("gravity", [9.81, 4.0])
-def test_slip_without_rotation_is_that_of_a_block(side, gravity):
-    """A ring that the couple keeps from turning: until it stops or the time is over."""
-    plane = hh.Plane(mu=0.5, slope=0.25, gravity=gravity, rolling_resistance=0.9)
-    start = hh.Start(vx=1.5 * side, omega=0.0)
-    rate = gravity * (math.sin(0.25) - side * 0.5 * math.cos(0.25))
-    until = -1.5 * side / rate
-    for t, stops in ((0.5 * until, False), (2.0 * until, True)):
-        motion = hh.simulate(hh.Hoop.ideal(0.0), plane, start, duration=t)
-        assert motion.sequence == ("K" if side > 0 else "S") + "R" * stops
-        end, slid = motion.events[1], 1.5 * side * min(t, until) + 0.5 * rate * min(t, until) ** 2
-        assert (end.t, end.x) == pytest.approx((min(t, until), slid), rel=1e-13)
-        assert stops or motion.tables["events"]["t_low"][1] == 0.0
-        assert end.slip == pytest.approx(0.0 if stops else 0.75 * side, rel=1e-13)
-        assert motion.ledger.friction == pytest.approx(0.5 * gravity * math.cos(0.25) * abs(slid), rel=1e-13)
 
 
 @SIDES

@@ -137,14 +137,14 @@ def test_the_ledgers_of_long_motions_and_of_slow_slip_on_little_friction():
 
 
 def test_two_doubles():
-    """The arithmetic of two doubles against 40 digits; whole turns of an angle, also beyond 2⁵³ of them."""
+    """The arithmetic of two doubles against 60 digits."""
     random = np.random.default_rng(3)
 
     def total(high, low):
         return mpf(float(high)) + mpf(float(low))
 
     with mp.workdps(60):
-        for power in np.linspace(0.0, 60.0, 120):
+        for _ in range(120):
             a = (random.uniform(-6, 6), random.uniform(-1e-17, 1e-17))
             b = (random.uniform(0.1, 3), random.uniform(-1e-18, 1e-18))
             one, other = total(*a), total(*b)
@@ -154,10 +154,3 @@ def test_two_doubles():
                 (arithmetic.divide(a, b), one / other),
             ):
                 assert abs(total(*found) - true) < 1e-30 * (1 + abs(true))
-            angle = 2 * math.pi * float(2.0**power) + random.uniform(-8.0, 8.0)
-            turns, high, low = arithmetic.revolutions_and_rest(angle)
-            nearest = mp.nint(mpf(angle) / (2 * mp.pi))
-            assert abs(total(high, low) - (mpf(angle) - 2 * mp.pi * nearest)) < max(mpf(2.0**power) * 1e-31, 1e-29)
-            assert abs(turns - int(nearest)) <= 2.0 ** (power - 53)
-            assert arithmetic.revolutions_and_rest(-angle) == (-turns, -high, -low)
-            assert abs(high) <= math.pi

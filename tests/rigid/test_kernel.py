@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-from itertools import groupby, pairwise
 
 import numpy as np
 import pytest
 
-import hophoop as hh
 from hophoop.kernel.panels.anchor import NONE
 from hophoop.kernel.physics.body import Event, Mode, Status
 from hophoop.kernel.records.layout import PANEL_LIMIT, STOP_AT_TAKEOFF, STOP_AT_TURN, new_scratch
@@ -135,29 +133,3 @@ def test_where_the_panels_are_used_up_the_motion_ends_where_it_has_come_to():
     events = hopped(panels=20)[1]
     assert len(events) > 2
     assert (events[:-1] == hopped()[1][: len(events) - 1]).all()
-
-
-@pytest.mark.parametrize("contact", [hh.Rigid, hh.Compliant])
-def test_the_sequence_of_a_motion_that_is_cut_is_that_of_its_samples(contact):
-    """The phase in which it is cut was left out, and its samples went on to the end of that phase."""
-    for most in range(2, 30):
-        motion = hh.simulate(
-            hh.Hoop.ideal(0.75),
-            hh.Plane(mu=0.1),
-            hh.Start(angle=2.0, height=0.1),
-            duration=30.0,
-            contact=contact(max_events=most),
-        )
-        if motion.status != "event_limit":
-            break
-        assert len(motion.events) == most
-        assert motion.duration == motion.events[-1].t
-        times = [event.t for event in motion.events]
-        between = [0.5 * (a + b) for a, b in pairwise(times) if b > a]
-        assert squeezed(motion.at(between).mode) == squeezed(motion.sequence)
-    assert most > 10
-
-
-def squeezed(letters):
-    """The letters without repetition."""
-    return "".join(letter for letter, _ in groupby(letters))

@@ -29,17 +29,6 @@ def test_random_cuts():
     assert compared > 80
 
 
-@pytest.mark.parametrize("cut", [0.2, 0.3, 1.1])
-def test_motions_that_have_ended_go_on(cut):
-    """From its last event, and from a sample at its end."""
-    whole = hh.simulate(hh.Scenario(start=hh.Start.rolling(3.1), duration=3.0))
-    first = hh.simulate(whole.scenario.replace("duration", cut))
-    for state in (first.events[-1], first.at(cut), first.at(cut, "left")):
-        again = onward(first, state, 3.0 - cut)
-        assert again.events[-1].angle == pytest.approx(whole.events[-1].angle, abs=1e-11)
-        assert [event.kind for event in again.events][1:] == [event.kind for event in whole.events if event.t > cut]
-
-
 @pytest.mark.parametrize("restitution", [0.4, 0.8])
 def test_bounces_that_end_go_on(restitution):
     """Time and state of the limit agree; the number of bounces before it may not."""

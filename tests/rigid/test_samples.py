@@ -13,8 +13,7 @@ from hophoop.kernel.panels.panel import HOLD
 from hophoop.kernel.physics.body import Mode
 from hophoop.kernel.records.layout import COLUMNS, SEGMENT, new_scratch
 from hophoop.kernel.records.writing import find_segment
-from hophoop.kernel.rigid.sampling import contact_force, sample, xi_at_time
-from newton_euler import accelerations
+from hophoop.kernel.rigid.sampling import sample, xi_at_time
 from random_scenarios import draw, scenario_of
 
 
@@ -36,14 +35,6 @@ def test_the_place_of_a_time_on_a_panel():
 
 def body_of(eps, kap, **plane):
     return hh.Scenario(hoop=hh.Hoop(eccentricity=eps, inertia_ratio=kap), plane=hh.Plane(**plane)).to_body()
-
-
-def test_the_force_in_rolling_is_newton_s():
-    """With the couple ρ N against the rotation."""
-    body, th, om = body_of(0.5, 2.0, slope=0.25), 0.75, 2.0
-    for rho in (0.5, -1.0, 0.0):
-        force = accelerations(body, th, om, "roll", rho)[3:]
-        assert contact_force(body, 0, th, 0.0, om, rho) == pytest.approx(tuple(force), rel=1e-13)
 
 
 BEGIN, BEFORE = 2.0**52, 0.25  # a time at which doubles are 1 apart; the segment begins a quarter before it
@@ -102,17 +93,21 @@ def test_just_before_the_load_strikes_the_rim_turns_without_bound(radius, speed)
 
 
 def test_at_an_event_a_sample_is_the_state_just_after_it():
-    """To the last bit, where the event begins a phase."""
+    """To the last bit, where the event begins a phase; and from the left that just before it."""
     seen = set()
     for index in range(40):
         motion = hh.simulate(scenario_of(draw(31, index), 200))
         begins, rows = set(motion.tables["segments"]["t"].tolist()), motion.tables["events"]
         for event, row, following in zip(motion.events, rows, rows[1:], strict=False):
             if row["t"] < following["t"] and row["t"] in begins:
-                sample = motion.at(event.t)
+                sample, before = motion.at(event.t), motion.at(event.t, side="left")
+                first = next(one for one in motion.events if one.t == event.t)
                 for name in ("x", "height", "vy", "slip", "omega", "friction", "impact_normal"):
                     assert getattr(sample, name) == getattr(event, name), (motion, event.t, name)
                 assert sample.mode == event.to_mode
+                if event.t > 0.0:
+                    assert before.mode == first.from_mode
+                    assert before.omega == pytest.approx(first.before.omega, rel=1e-9, abs=1e-9)
                 seen.add(event.kind)
     assert seen >= {"start", "takeoff", "impact", "stick", "slip_start"}
 
