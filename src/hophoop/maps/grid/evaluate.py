@@ -94,7 +94,7 @@ def make_plan(
     span: str,
     chunk_cells: int = CHUNK_CELLS,
 ) -> Plan:
-    """Check the arguments of a map and return its plan; chunks have about `chunk_cells` cells."""
+    """Check the arguments of a map and return its plan; chunks have at most `chunk_cells` cells."""
     base = _base_of(base)
     if chunk_cells < 1:
         raise InputError.of_field("chunk_cells", chunk_cells, "at least 1")

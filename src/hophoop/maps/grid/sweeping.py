@@ -73,7 +73,7 @@ def sweep(
     progress : bool or callable, default False
         Show progress on standard error; a callable gets the number of cells done and of all cells.
     chunk_cells : int, default 65536
-        Approximate number of cells computed and written at a time [1].
+        Maximum number of cells computed and written at a time [1].
 
     Returns
     -------
