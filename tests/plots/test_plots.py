@@ -239,6 +239,15 @@ def test_the_border_of_rolling_comes_down_to_rest(ax):
         assert abs(state.friction_force / state.normal_force) == pytest.approx(0.3, rel=2e-3)  # a step of the grid
 
 
+def test_a_single_speed_of_rolling_is_no_border(ax):
+    """The massless hoop on μ = 1 has one where the load is below the centre: rounding decided whether there is any."""
+    plots.phase_plane(hh.Hoop.ideal(1.0), ax=ax)
+    angles, speeds = np.concatenate([one.get_xydata() for one in ax.get_lines() if one.get_color() == "black"]).T
+    drawn = angles[np.isfinite(speeds)]
+    assert drawn.size > 1000
+    assert not ((drawn > 91.0) & (drawn < 269.0)).any()
+
+
 def test_motions_in_the_phase_plane_have_numbers_that_do_not_lie_on_each_other():
     """Five motions that run close to each other, as in the article's plane."""
     runs = hh.article.scenarios()

@@ -134,7 +134,9 @@ def _color(word: str) -> str:
 def _borders(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]) -> list[Any]:
     """Draw the boundaries of rolling and of lift-off, and return the keys to both."""
     theta = np.linspace(*angles, 4001)
-    least, most = (np.nan_to_num(border) for border in theory.rolling_range(theta, hoop, plane))
+    ends = theory.rolling_range(theta, hoop, plane)
+    single = ends.low >= (1.0 - 1e-9) * ends.high  # one angular velocity, where the massless hoop is on both thresholds
+    least, most = (np.nan_to_num(np.where(single, 0.0, border)) for border in ends)
     lift = np.asarray(theory.lift_off_speed(theta, hoop, plane), dtype=float)
     top = 3.0 * max(abs(speeds[0]), abs(speeds[1]))
     rolling: dict[str, Any] = {"color": "black", "lw": 1.1, "zorder": 2}
