@@ -8,7 +8,6 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from itertools import count
 from pathlib import Path
-from typing import Any
 
 from hophoop._support.extras import MissingExtra, need
 from hophoop._support.files import replacing
@@ -110,19 +109,11 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
         say("statements", 0, len(STATED))
         done = count(1)
         checked = statements(runs, lambda key: say("statements", next(done), len(STATED)))
-        _write_json(folder, checked)
+        data = {"schema": "hophoop-article/1", "version": __version__, "statements": [one.to_dict() for one in checked]}
+        with replacing(folder / "statements.json") as path:
+            path.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
         if finish is not None:
             made = finish(lambda done, total: say("films", done, total))
     with replacing(folder / "index.html") as path:
         path.write_text(report.page(checked, folder, made, runs), encoding="utf-8")
     return Reproduction(folder, checked, tuple(made), reason)
-
-
-def _write_json(folder: Path, checked: tuple[Statement, ...]) -> None:
-    data: dict[str, Any] = {
-        "schema": "hophoop-article/1",
-        "version": __version__,
-        "statements": [one.to_dict() for one in checked],
-    }
-    with replacing(folder / "statements.json") as path:
-        path.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")

@@ -20,14 +20,17 @@ BESIDE = 1e-9  # relative distance of the motions on both sides of a threshold
 def potential_energy(runs: Runs) -> Result:
     sample = runs.sample("slow")
     formula = GAMMA * GRAVITY * (np.cos(sample.angle) - 1.0)
-    error = np.max(np.abs(sample.potential - formula)) / (2.0 * GAMMA * GRAVITY)
-    return Result(error < ROUNDING, {"relative_deviation": error})
+    return _compared(sample.potential - formula, 2.0 * GAMMA * GRAVITY)
 
 
 def kinetic_energy(runs: Runs) -> Result:
     sample = runs.sample("slow")
     formula = (1.0 + GAMMA * np.cos(sample.angle)) * sample.omega**2
-    error = np.max(np.abs(sample.kinetic - formula)) / np.max(sample.kinetic)
+    return _compared(sample.kinetic - formula, np.max(sample.kinetic))
+
+
+def _compared(deviations: Any, size: float) -> Result:
+    error = float(np.max(np.abs(deviations)) / size)
     return Result(error < ROUNDING, {"relative_deviation": error})
 
 
