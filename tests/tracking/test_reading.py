@@ -121,20 +121,6 @@ def test_the_second_point_may_be_the_centre(tmp_path):
     assert read_track(file, Reading(marker="x 2")).marker[:, 0] == pytest.approx(X, abs=1e-5)
 
 
-def test_numbers_of_frames_need_the_rate(tmp_path):
-    for head, columns in (("frame,x,y", (np.arange(8), X, Y)), ("x,y", (X, Y))):
-        assert read_track(written(tmp_path, head, columns), Reading(rate=100.0)).t == pytest.approx(T)
-
-
-def test_any_column_by_name(tmp_path):
-    head = "Video: clock (s),Video: across (cm),Video: up (cm),Video: turned (deg)"
-    file = written(tmp_path, head, (T, 100 * X, 100 * Y, DEGREES))
-    track = read_track(file, Reading(columns=dict(zip(("t", "x", "y", "angle"), head.split(","), strict=True))))
-    assert track.t == pytest.approx(T)
-    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-6)
-    assert track.angle == pytest.approx(ANGLE, abs=1e-6)
-
-
 def test_velocities_are_no_positions(tmp_path):
     head = "t (s),X (m),Y (m),X Velocity (m/s),Y Velocity (m/s),Beschleunigung x (m/s²),sticker_x"
     track = read_track(written(tmp_path, head, (T, X, Y, X, Y, X, X)))

@@ -1,16 +1,14 @@
 """Tables of many programs: each sample is read right or asked about, an answer works when it is pasted, and random layouts of a
 known record give this record or a refusal."""
 
+import random
 import re
 import shlex
-from collections import Counter
 from functools import wraps
 from pathlib import Path
 
-import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
 
 import hophoop as hh
 from cli_tools import run
@@ -324,91 +322,55 @@ HEADS = (
     "Set 1: Time|Set 1: X|Set 1: Y|Set 1: X 2|Set 1: Y 2",
 )  # fmt: skip
 LENGTHS, TIMES = {"m": 1.0, "cm": 100.0, "mm": 1000.0}, {"s": 1.0, "ms": 1000.0}
-UNIT = {"brackets": "{} ({})", "square": "{} [{}]", "slash": "{} / {}", "in": "{} in {}", "row": "{}"}
+FORMS = ("{} ({})", "{} [{}]", "{} / {}", "{} in {}", "row")
+TITLES = ("", "", "Our hoop\n", "Our hoop\nmade in class 9b\n")
+SEPARATORS = (("\t", "."), ("\t", ","), (";", "."), (";", ","), (",", "."), (" ", "."), ("   ", ","))
 
 
-@st.composite
-def layouts(draw):
-    """The bytes of a table, and options of its reading."""
-    one_of = lambda *values: draw(st.sampled_from(values))  # noqa: E731
-    separator, decimal = one_of(("\t", "."), ("\t", ","), (";", "."), (";", ","), (",", "."), (" ", "."), ("   ", ","))
-    names, length, time, unit = one_of(*HEADS).split("|"), one_of(*LENGTHS), one_of(*TIMES), one_of(*UNIT)
-    columns = [LENGTHS[length] * one for one in PLACES]
-    sizes = [time, *[length] * 4]
-    digits = 3 + 3 * (length == "m")
-    cells = [[f"{value:.{digits}f}" for value in column] for column in columns]
-    kind = one_of("numbers", "numbers", "numbers", "iso", "german", "clock", "half")
-    start = 36900.25
-    times = {
-        "numbers": [f"{TIMES[time] * t:.6f}" for t in T],
-        "iso": [f"2026-11-20T{clock(start + t)}Z" for t in T],
-        "german": [f"20.11.2026 {clock(start + t)}" for t in T],
-        "clock": [clock(start + t) for t in T],
-        "half": [clock(start + t, half=True) for t in T],
-    }[kind if separator.strip() or separator == "\t" or kind in ("numbers", "clock") else "numbers"]
-    frames = one_of(*[False] * 5, True)
+def layout(seed):
+    """The bytes of a table of the record, and options of its reading."""
+    one_of = random.Random(seed).choice
+    separator, decimal = one_of(SEPARATORS)
+    blank = not separator.strip(" ")
+    names, length, time, form = one_of(HEADS).split("|"), one_of([*LENGTHS]), one_of([*TIMES]), one_of(FORMS)
+    form, frames = "{} [{}]" if blank else form, one_of(6 * [False] + [True])
+    values = [TIMES[time] * T, *(LENGTHS[length] * one for one in PLACES)]
+    texts = [[f"{value:.{6 if length == 'm' or not k else 3}f}" for value in one] for k, one in enumerate(values)]
+    units, rate = [time, *4 * [length]], {}
     if frames:
-        names[0], times, sizes[0] = "frame", list(map(str, range(7, 47))), ""
-    cells.insert(0, times)
-    if any(":" in cell for cell in times):
-        sizes[0] = ""
-    empty = one_of(False, True) and separator != " " and separator != "   "
-    if empty:
-        cells[3][17] = cells[4][17] = ""
-    if one_of(False, True):
-        names.append("remark" if separator.strip() or separator == "\t" else "score")
-        sizes.append("")
-        cells.append(["0.98"] * 40)
-    if one_of(False, False, True):
-        names.append("label")
-        sizes.append("")
-        cells.append(["run_1"] * 40)
-    order = draw(st.permutations(range(len(names))))
-    blank = separator.strip() == "" and separator != "\t"
-    form = UNIT["square" if blank else unit]
-    heads = [form.format(names[k], sizes[k]) if sizes[k] else names[k] for k in order]
-    if blank:
-        heads = [head.replace(" ", "_", names[k].count(" ")) for head, k in zip(heads, order, strict=True)]
-    rows = [
-        [cells[k][row].replace(".", decimal) if sizes[k] or k not in (0,) else cells[k][row] for k in order]
-        for row in range(40)
-    ]
-    if kind == "german" and decimal == ",":
-        rows = [[re.sub(r"^(\d\d),(\d\d),(\d{4})", r"\1.\2.\3", cell) for cell in row] for row in rows]
-    quoted = not blank and one_of(False, False, True)
-    above = one_of([], [], ["Our hoop"], ["Our hoop", "made in class 9b"])
-    comments = one_of([], [], ["# exported by hand", "# a b c d e"])
-    lines = [heads, *([[f"({sizes[k]})" if sizes[k] else "" for k in order]] if unit == "row" and not blank else []), *rows]
-    below = one_of([], [], [], ["End of the data"])
-    body = [separator.join(f'"{cell}"' if quoted else cell for cell in line) for line in lines]
-    if not blank and one_of(False, False, True):
-        body = [line + separator for line in body]
-    text = one_of("\n", "\r\n").join([*comments, *above, *body, *below])
-    encoding = one_of("utf-8", "utf-8-sig", "utf-16", "cp1252")
-    return text.encode(encoding), {"rate": 120.0} if frames else {}
+        names[0], texts[0], units[0], rate = "frame", list(map(str, range(7, 47))), "", {"rate": 120.0}
+    if not blank and one_of((False, True)):
+        texts[3][17] = texts[4][17] = ""
+    for name, cell in (("score" if blank else "remark", "0.98"), ("label", "run_1")):
+        if one_of((False, True)):
+            names, texts, units = [*names, name], [*texts, 40 * [cell]], [*units, ""]
+    columns = []
+    for name, unit, cells in zip(names, units, texts, strict=True):
+        head = [name, f"({unit})" if unit else ""] if form == "row" else [form.format(name, unit) if unit else name]
+        head[0] = head[0].replace(" ", "_", name.count(" ") * blank)
+        columns.append([*head, *(cell.replace(".", decimal) for cell in cells)])
+    random.Random(seed).shuffle(columns)
+    quote, end = ('"', separator) if not blank and one_of((False, True)) else ("", "")
+    lines = [separator.join(f"{quote}{cell}{quote}" for cell in row) + end for row in zip(*columns, strict=True)]
+    above = one_of(("", "", "# exported by hand\n", "# a b c d e\n")) + one_of(TITLES)
+    text = above + one_of(("\n", "\r\n")).join([*lines, *one_of(([], ["End of the data"]))])
+    return text.encode(one_of(("utf-8", "utf-8-sig", "utf-16", "cp1252"))), rate
 
 
 def test_random_layouts_are_read_right_or_refused(tmp_path):
     """Another record is never read; of these layouts at least 98 % are read."""
-    counts = Counter()
-
-    @settings(max_examples=100, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
-    @given(layouts())
-    def look(layout):
-        data, options = layout
-        file = tmp_path / "random.csv"
+    file, refused = tmp_path / "random.csv", []
+    for seed in range(150):
+        data, rate = layout(seed)
         file.write_bytes(data)
         try:
-            track = read_track(file, Reading(radius=0.3, **options))
+            track = read_track(file, Reading(radius=0.3, **rate))
         except InputError as error:
-            counts[re.sub(r"[\d.]+|'.*?'", "…", str(error))[-80:]] += 1
-            return
+            refused.append(str(error))
+            continue
         assert track.t - track.t[0] == pytest.approx(T, abs=1e-5)
         assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-5)
         there = np.isfinite(track.marker[:, 0])
         assert there.sum() >= 39
         assert track.marker[there] == pytest.approx(np.stack([LOAD_X, LOAD_Y], axis=-1)[there], abs=1e-5)
-        counts["read"] += 1
-
-    look()
-    assert counts["read"] >= 0.98 * counts.total(), counts
+    assert len(refused) <= 3, refused

@@ -25,6 +25,7 @@ USUAL_FOCAL = 0.9  # of a phone, over the width of its picture; error 30 %
 FOCAL_SPREAD = 0.3
 TILT_SPREAD = 0.25  # prior of a tilt [rad]
 RADIUS_ERROR = 0.07  # of a picture [pixel]
+BLURRED = 0.1  # error of the radius, and of the oval along the motion, over the way of the hoop during the exposure
 STARTS = (-0.12, -0.04, 0.04, 0.12)  # tilts from which the search starts [rad]
 LIMITS = ((-0.5, -0.5, -1.2), (0.5, 0.5, 1.2))  # of tilts [rad] and of the logarithm of the focal length
 WORTH = 60.0  # minimum reduction of the sum of squares over the variance by a significant tilt
@@ -94,16 +95,19 @@ def _through(matrix: Floats, points: Floats) -> Floats:
     return np.asarray(seen[..., :2] / seen[..., 2:])
 
 
-def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> Camera:
+def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Floats) -> Camera:
     """Find the tilt with which all images of one circle have the same radius.
 
     camera: the picture's size and an initial focal length; edges: shape (n, 2), points of the rim in several pictures [pixel];
-    focal_known: whether the focal length is known; camera: as given if no tilt is significant.
+    focal_known: whether the focal length is known; blur: way of the hoop during the exposure of each picture [pixel]; camera:
+    as given if no tilt is significant.
     """
     edges = [points[:: max(1, len(points) // 60)] for points in edges]
     scatter = _scatter(camera, edges)
-    # blur and coding add an error of the radius to that of its points
-    error = np.sqrt(scatter**2 / np.array([len(points) for points in edges]) + RADIUS_ERROR**2)
+    # blur and coding add an error of the radius to that of its points, and make an oval of the picture of a rim
+    count, wider = np.array([len(points) for points in edges]), BLURRED * blur
+    error = np.sqrt(scatter**2 / count + RADIUS_ERROR**2 + wider**2)
+    oval_error = np.sqrt(2.0 * scatter**2 / count + wider**2)
 
     def of(values: Floats) -> Camera:
         longer = 1.0 if focal_known else np.exp(values[2])
@@ -111,11 +115,15 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> Camera
 
     def residuals(values: Floats) -> Floats:
         now = of(values)
-        fits = [fit_circle(now.to_plane(points)) for points in edges]
+        flat = [now.to_plane(points) for points in edges]
+        fits = [fit_circle(points) for points in flat]
         radii = np.array([fit[2] for fit in fits])
         off = (radii - np.average(radii, weights=error**-2)) / error
+        twice = [-np.cos(2.0 * np.arctan2(*(points - fit[:2]).T)) for points, fit in zip(flat, fits, strict=True)]
+        ovals = [float(fit[3] @ one / (one @ one)) for fit, one in zip(fits, twice, strict=True)]
+        apart = [(fit[3] - oval * one) / scatter for fit, oval, one in zip(fits, ovals, twice, strict=True)]
         prior = values / [TILT_SPREAD, TILT_SPREAD, FOCAL_SPREAD]
-        result: Floats = np.concatenate([*(fit[3] / scatter for fit in fits), off, prior])
+        result: Floats = np.concatenate([*apart, ovals / oval_error, off, prior])
         return result
 
     def cost(values: Floats) -> float:

@@ -44,8 +44,9 @@ def find_places(seen: Seen, hints: Hints, source: str) -> Places:
     """Find camera, radius and marker in what the pictures show; source: name of the film."""
     rims = {k: rim for k, rim in enumerate(seen.rims) if rim is not None}
     _require_frames(len(rims), source)
-    edges = _upright(seen.t, rims, hints.row_delay)
-    camera, tilt = _camera(seen.size, edges, hints)
+    velocity = np.gradient(np.array([rim.circle[:2] for rim in rims.values()]), seen.t[[*rims]], axis=0)
+    edges = _upright(rims, hints.row_delay * velocity)
+    camera, tilt = _camera(seen.size, edges, hints.exposure * np.hypot(*velocity.T), hints)
     circle, covariance, agreement = _circles(camera, rims, edges, len(seen.t))
     there = np.isfinite(agreement)
     _require_frames(int(there.sum()), source)
@@ -63,22 +64,26 @@ def _require_frames(count: int, source: str) -> None:
         raise InputError(f"{source} shows the hoop in {count} frames; tracking needs at least 3.")
 
 
-def _upright(t: Floats, rims: dict[int, Rim], row_delay: float) -> list[Floats]:
-    """Return the edges of rims at the exposure of the centre's row: a rolling shutter shears what moves [pixel]."""
-    centres = np.array([rim.circle[:2] for rim in rims.values()])
-    shear = row_delay * np.gradient(centres, t[[*rims]], axis=0)  # [pixel per row]
+def _upright(rims: dict[int, Rim], shear: Floats) -> list[Floats]:
+    """Return the edges of rims at the exposure of the centre's row [pixel]: a rolling shutter shears what moves.
+
+    shear: of each rim [pixel per row].
+    """
     return [
         rim.points - np.outer(rim.points[:, 1] - rim.circle.y, lean) for rim, lean in zip(rims.values(), shear, strict=True)
     ]
 
 
-def _camera(size: tuple[int, int], edges: list[Floats], hints: Hints) -> tuple[Camera, tuple[float, float]]:
-    """Return the camera as hinted, or tilted as found, so that the rim has one radius; and what was found."""
+def _camera(size: tuple[int, int], edges: list[Floats], blur: Floats, hints: Hints) -> tuple[Camera, tuple[float, float]]:
+    """Return the camera as hinted, or tilted as found, so that the rim has one radius; and what was found.
+
+    blur: way of the hoop during each exposure [pixel].
+    """
     camera = Camera(*size, hints.focal or USUAL_FOCAL * max(size), *(hints.tilt or (0.0, 0.0)))
     if hints.tilt is not None or len(edges) < 4:
         return camera, (0.0, 0.0)
     chosen = np.unique(np.linspace(0, len(edges) - 1, MOST_FOR_CAMERA).astype(int))
-    camera = fit_camera(camera, [edges[k] for k in chosen], hints.focal is not None)
+    camera = fit_camera(camera, [edges[k] for k in chosen], hints.focal is not None, blur[chosen])
     return camera, (camera.tilt_x, camera.tilt_y)
 
 

@@ -18,7 +18,7 @@ ANGLES = (np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS
 DIRECTIONS = np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=-1)
 STEP = 0.5  # between samples of a ray [pixel]
 WIDE = 2.5  # distance from the steepest sample up to which samples count for its position [pixel]
-WEAKEST = 4.0  # rise of luma over two pixels that counts as an edge
+WEAKEST = 3.0  # rise of luma that counts as an edge
 CLOSE = (4.0, 0.04)  # reach of the last search [pixel], and over the radius
 OVAL = 0.03  # amplitude by which a rim is no circle, over the radius: a tilted hoop is an ellipse in the picture
 NEARBY = 0.15  # distance of the outer edge from a circle that was found, over the radius
@@ -53,16 +53,18 @@ def profile(luma: Bytes, circle: Circle, offsets: Floats) -> Floats:
     return values
 
 
-def edges(luma: Bytes, circle: Circle, sign: int, reach: float) -> tuple[Floats, int]:
+def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.0) -> tuple[Floats, int]:
     """Find the steepest point on each ray near a circle.
 
     luma shape (height, width) [1]; sign: 1 if luma rises outwards, as at a dark hoop; 0 for edges of either sign; reach:
-    maximum distance from the circle [pixel]; points: shape (n, 2), one per ray that has it [pixel]; looked: number of rays
-    that lie in the picture.
+    maximum distance from the circle [pixel]; over: distance over which luma rises, the thinner the rim the less, since its
+    inner edge is near [pixel]; points: shape (n, 2), one per ray that has it [pixel]; looked: number of rays that lie in the
+    picture.
     """
     offsets = np.arange(-reach - 1.0, reach + 1.0 + 0.5 * STEP, STEP)
     values = profile(luma, circle, offsets)
-    rise, offsets = values[:, 4:] - values[:, :-4], offsets[2:-2]
+    half = round(0.5 * over / STEP)
+    rise, offsets = values[:, 2 * half :] - values[:, : -2 * half], offsets[half:-half]
     there = np.isfinite(rise).all(axis=1)
     rise = np.nan_to_num(sign * rise if sign else np.abs(rise)).clip(0.0)
     best = np.argmax(rise * (1.0 - 0.4 * (offsets / (reach + 1.0)) ** 2), axis=1)[:, None]
@@ -121,7 +123,7 @@ def find_disc(luma: Bytes, circle: Circle) -> Circle | None:
     luma shape (height, width) [1]; circle: position by its colour; disc: None if the outline is not that of a disc.
     """
     reach = min(max(2.0, 0.35 * circle.radius), 4.0)
-    points, _ = edges(luma, circle, 0, reach)
+    points, _ = edges(luma, circle, 0, reach, over=2.0)
     fit = robust_circle(points, circle, reach + 1.0, (circle.radius, 0.1 * circle.radius))
     if fit is None or fit.inside.sum() < 0.6 * RAYS or fit.spread > max(0.3, 0.08 * circle.radius):
         return None
