@@ -198,7 +198,7 @@ def _of_plane(line: Ground, hints: Hints) -> list[str]:
     if hints.slope is None and hints.level is None:
         falls, error = -np.degrees(line.angle), np.degrees(LEVEL_ERRORS[0])
         said.append(
-            f"It falls by {falls:.2f}° to the right in the picture, by the plane's slope and the camera's roll. "
+            f"It falls by {falls:z.2f}° to the right in the picture, by the plane's slope and the camera's roll. "
             f"The camera is taken as level to {error:.0f}°: give what you measured (--level-deg, --slope-deg)."
         )
     return said
