@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -149,7 +149,8 @@ def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple
             rest = _roughness([(track.t[one.rows], off[one.name]) for one in group])
             found[name] = float(min(usual, max(rest, *(_least_error(one.values, one.name) for one in group))))
             errors = {field: getattr(track, field) for field in kind.fields}
-            track = replace(track, **{field: np.where(own > 0, own, found[name]) for field, own in errors.items()})
+            filled: dict[str, Any] = {field: np.where(own > 0, own, found[name]) for field, own in errors.items()}
+            track = replace(track, **filled)
     return track, found
 
 

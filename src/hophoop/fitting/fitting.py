@@ -12,7 +12,6 @@ import numpy as np
 from hophoop._support.errors import check_type
 from hophoop.fitting.channels import Sigma, Values, evened, with_scatter
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
-from hophoop.fitting.judging import least_static_friction, sequence_of
 from hophoop.fitting.limits import least_friction, with_limits
 from hophoop.fitting.mistakes import likely_mistakes, shutter
 from hophoop.fitting.parameters import HOOPS, REFUSED, SHARED, STARTS, split_number
@@ -216,7 +215,7 @@ def _fit_together(alone: list[Fit], how: Settings) -> Fit:
     starts = []
     for one in alone:
         first = changed(params, values | {name: one.values[name] for name in SHARED if name in one.values}).valuesdict()
-        starts.append(Candidate(first, sequence_of(problem, first), 0.0))
+        starts.append(Candidate(first, problem.sequence(first), 0.0))
     tracks = tuple(one.track for one in alone)
     derived = [own for one in alone for own in one.settings["derived"]]
     return replace(_fit_of(problem, params, starts, tracks, how, derived), alone=tuple(alone))
@@ -268,13 +267,10 @@ def _fit_of(
     wanted = free_of(params)
     solution, limits = with_limits(best_of(problem, params, starts), wanted)
     values = solution.minimum.values
-    motions = problem.motions(values)
-    gone, notes = unobserved(motions), []
+    gone, notes = unobserved(problem.motions(values)), []
     tied = {name: one.expr for name, one in params.items() if one.expr}
     if "mu_excess" in gone and {"mu_kinetic", "mu_excess"} & set(limits):
-        least = max(least_static_friction(motion) for motion in motions)
-        if not tied:
-            least = least_friction(params, solution, least)
+        least = least_friction(params, solution)
         limits["mu_static"] = ("≥", least)
         notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction has no effect.")
     if "restitution" in gone & set(limits):

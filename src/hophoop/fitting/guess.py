@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from itertools import groupby
 from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
@@ -12,15 +10,14 @@ import numpy as np
 
 from hophoop.fitting.channels import Floats, Values
 from hophoop.fitting.parameters import PARAMETERS
-from hophoop.fitting.problem import Run
+from hophoop.fitting.problem import Run, merge_bounces
 from hophoop.scenario import InputError
 
 WIDTH = 0.05  # of the pieces for velocities [s]
 LEAST = 5  # minimum frames of such a piece
 BLOCK = 10_000  # frames whose pieces are in memory at a time
-ROLLING, FLYING = 8, 16  # minimum frames of rolling, or of flight, for the share of the load
+ROLLING = 8  # minimum frames of rolling for the share of the load
 SHARES = (0.05, 0.95)  # of the load that are tried
-LEAST_GAP = 0.01  # height of the rim above the plane, over the radius, that is flight
 SPANS: Sequence[float] = (0.25, 0.4, 0.6, 0.8, 1.0)  # of the data from their start
 SLIPS = 4.0  # significant slip over its standard deviation
 COST = attrgetter("cost")
@@ -38,7 +35,6 @@ class Rates(NamedTuple):
     value: Floats
     rate: Floats
     error: Floats  # of the rate
-    scatter: float  # of the data
 
 
 def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
@@ -55,7 +51,7 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
         inverse = np.linalg.pinv(powers / errors[near][..., None])  # shape (rows, 3, width)
         value, rate, _ = np.einsum("kij,kj->ik", inverse, values[near] / errors[near])
         found.append((value, rate, np.linalg.norm(inverse[:, 1], axis=-1)))
-    return Rates(t, *np.concatenate(found, axis=1), float(np.median(errors)))
+    return Rates(t, *np.concatenate(found, axis=1))
 
 
 def rates_of(run: Run, name: str) -> Rates | None:
@@ -107,37 +103,13 @@ def guess(run: Run, values: Values) -> Values:
             slips = np.abs(slip) > SLIPS * error + 0.02 * np.abs(run.radius * rate)
             spans = (max(int(np.argmax([*slips, True])), ROLLING) / len(slips),)
         result |= load_of_turning(run, turned, rate, spans, values["slope"], True)
-        if x is not None and y is not None and len(x.t) == len(angle.t):
-            result |= share_in_flight(run, angle, x, y, result)
     elif omega is not None:
         turned = np.cumsum(0.5 * (omega.value[1:] + omega.value[:-1]) * np.diff(omega.t))
         result |= load_of_turning(run, np.concatenate([[0.0], turned]), omega.value, SPANS, values["slope"], False)
-    if x is None and (angle or omega) is not None:
+    if x is None and (angle is not None or omega is not None):
         result["speed"] = run.radius * result["omega0"]
     result |= {"vx0": result["speed"], "eccentricity": result["gamma"], "inertia_ratio": 1.0 - result["gamma"] ** 2}
     return {name: float(result[name]) for name in values}
-
-
-def share_in_flight(run: Run, angle: Rates, x: Rates, y: Rates, values: Values) -> Values:
-    """Return γ from the longest flight, in which the centre of gravity goes along a parabola.
-
-    x + γ R sinθ and y + γ R cosθ of the centre have the acceleration of gravity, which is linear in γ.
-
-    values: slope, height of the plane and angle of the marker; empty if the hoop does not fly for long.
-    """
-    flies = y.value - values["origin_y"] - run.radius > max(SLIPS * y.scatter, LEAST_GAP * run.radius)
-    pieces = [list(frames) for air, frames in groupby(range(len(flies)), key=flies.__getitem__) if air]
-    flight = max(pieces, key=len, default=[])[LEAST:-LEAST]  # the pieces at its ends have contact, too
-    if len(flight) < FLYING:
-        return {}
-    t, theta, slope = y.t[flight], angle.value[flight] - values["marker_angle"], values["slope"]
-    none, one = np.zeros_like(t), np.ones_like(t)
-    along = np.column_stack([-run.radius * np.sin(theta), one, t, none, none])
-    up = np.column_stack([-run.radius * np.cos(theta), none, none, one, t])
-    fall = 0.5 * run.plane.gravity * t**2
-    known = np.concatenate([x.value[flight] - np.sin(slope) * fall, y.value[flight] + np.cos(slope) * fall])
-    found, *_ = np.linalg.lstsq(np.concatenate([along, up]), known, rcond=None)
-    return {"gamma": float(np.clip(found[0], *SHARES))}
 
 
 def load_of_turning(run: Run, turned: Floats, omega: Floats, spans: Sequence[float], slope: float, known: bool) -> Values:
@@ -163,11 +135,6 @@ def load_of_turning(run: Run, turned: Floats, omega: Floats, spans: Sequence[flo
     _, (cos, _, *sin) = min(found, key=itemgetter(0))
     load, angle = (np.hypot(cos, sin[0]), np.arctan2(sin[0], cos)) if sin else (cos, turned[0])
     return {"gamma": float(np.clip(load, *SHARES)), "angle0": float(angle), "omega0": float(omega[0])}
-
-
-def merge_bounces(sequence: str) -> str:
-    """Merge bounces in a row into one 'H+': their number depends on the last digit."""
-    return re.sub("HH+", "H+", sequence)
 
 
 class Candidate(NamedTuple):

@@ -12,7 +12,6 @@ import numpy as np
 
 from hophoop.fitting.channels import Floats, Values
 from hophoop.fitting.covariance import ROUNDING
-from hophoop.fitting.guess import merge_bounces
 from hophoop.fitting.problem import Problem
 from hophoop.scenario import InputError
 from hophoop.simulation.trajectory import Trajectory
@@ -49,11 +48,6 @@ def correlations(names: Sequence[str], covariance: Floats, known: Collection[str
     return sorted(pairs, key=lambda pair: -abs(pair[2]))
 
 
-def sequence_of(problem: Problem, values: Values) -> str:
-    """Return the sequence of each run, bounces in a row as one 'H+'."""
-    return ", ".join(merge_bounces(motion.sequence) for motion in problem.motions(values))
-
-
 def shares(problem: Problem, values: Values, free: Sequence[str], covariance: Floats) -> Values:
     """Return the sequences of motions within the uncertainties, with their shares [1], the largest first.
 
@@ -67,7 +61,7 @@ def shares(problem: Problem, values: Values, free: Sequence[str], covariance: Fl
     found: Counter[str] = Counter()
     for one in (*drawn, values):
         with suppress(InputError):
-            found[sequence_of(problem, one)] += 1
+            found[problem.sequence(one)] += 1
     return {name: number / found.total() for name, number in found.most_common()}
 
 
@@ -101,12 +95,3 @@ def misfits(problem: Problem, motions: list[Trajectory], residuals: Floats) -> l
                 spread = float(np.sqrt((part**2).mean()))
                 found.append({"run": k, "quantity": channel.name, "phase": word, "deviation": deviation, "spread": spread})
     return found
-
-
-def least_static_friction(motion: Trajectory, points: int = 2000) -> float:
-    """Return the maximum of abs(F)/N while the hoop rolls, the friction that it needs at least."""
-    state = motion.at(motion.times(points))
-    rolling = (state.mode == "R") & (state.normal_force > 0)
-    if not rolling.any():
-        return 0.0
-    return float(np.max(np.abs(state.friction_force[rolling]) / state.normal_force[rolling]))

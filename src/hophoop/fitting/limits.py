@@ -10,8 +10,8 @@ import numpy as np
 from hophoop.fitting.channels import Values
 from hophoop.fitting.guess import COST
 from hophoop.fitting.parameters import parts_of
-from hophoop.fitting.problem import Problem
 from hophoop.fitting.solving import CONFIDENT, Minimum, Solution, approach, changed, minimize, solve, unobserved
+from hophoop.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from lmfit import Parameters
@@ -35,27 +35,21 @@ class End(NamedTuple):
 
 
 def with_limits(solution: Solution, wanted: Sequence[str]) -> tuple[Solution, Limits]:
-    """Return a solution with the limits of the wanted parameters that it does not determine."""
-    problem = solution.problem
-    gone = unobserved(problem.motions(solution.minimum.values)) & set(solution.minimum.blind)
-    solution, limits = one_sided_limits(solution, [name for name in wanted if name not in gone])
-    limits |= {name: NOT_SEEN for name in wanted if name in gone or name not in (*solution.free, *limits)}
-    return covering(solution) if any(piece.channel.name == "omega" for piece in problem.pieces) else solution, limits
-
-
-def one_sided_limits(solution: Solution, names: Sequence[str]) -> tuple[Solution, Limits]:
-    """Find limits of parameters that may be at an end of their range, and their effect on the others.
+    """Find limits of the wanted parameters that a solution does not determine, and their effect on the others.
 
     The slopes at the minimum do not suffice: the sum of squares may be steep at the minimum and flat towards the end.
 
-    names: parameters that may have a limit: free ones, and ones without effect at the minimum; result: the minimum with the
-    limited parameters at the end of their range. The covariance of the others includes their change up to the limit. Within
-    three standard deviations of an end, the standard deviation is at least that of the sum of squares there; limits: the sign
-    and the limit at 95 % of each parameter; no sign and nan where the data agree with both ends [its unit].
+    result: the minimum with the limited parameters at the end of their range. The covariance of the others includes their
+    change up to the limit. Within three standard deviations of an end, the standard deviation is at least that of the sum of
+    squares there; limits: the sign and the limit at 95 % of each parameter; no sign and nan where the data agree with both
+    ends, or do not show it [its unit].
     """
+    gone = unobserved(solution.problem.motions(solution.minimum.values)) & set(solution.minimum.blind)
     limits: Limits = {}
     changes: list[Values] = []
-    for name in names:
+    for name in wanted:
+        if name in gone:
+            continue
         here, spread = solution.minimum, solution.spread
         near = _ends(solution, name)
         agreed = [end for end in near if end.found.cost - here.cost <= AGREES * spread]
@@ -72,14 +66,14 @@ def one_sided_limits(solution: Solution, names: Sequence[str]) -> tuple[Solution
         for end in near if not agreed else ():
             size = np.sqrt((end.found.cost - here.cost) / spread)  # distance to the end in standard deviations
             solution = solution.with_error(name, abs(end.value - here.values[name]) / size)
-    covariance = solution.covariance.copy()
+    limits |= {name: NOT_SEEN for name in wanted if name not in (*solution.free, *limits)}
     for change in changes:
         own = np.array([change.get(name, 0.0) for name in solution.free])
-        covariance += np.outer(own, own)
-    return solution._replace(covariance=covariance), limits
+        solution = solution._replace(covariance=solution.covariance + np.outer(own, own))
+    return with_least_errors(solution) if solution.problem.jumps else solution, limits
 
 
-def covering(solution: Solution) -> Solution:
+def with_least_errors(solution: Solution) -> Solution:
     """Return a solution with standard deviations of at least those that the sum of squares has further away.
 
     The sum of squares of an angular velocity is a staircase: an impact that passes a measured value is a step. So its slopes at
@@ -113,36 +107,24 @@ def _ends(solution: Solution, name: str) -> list[End]:
 
 def _limit(solution: Solution, name: str, end: End) -> tuple[float, Values]:
     """Return the limit of a parameter from an end of its range, and all values there."""
-    params, begin = solution.params, min(solution.minimum, end.found, key=COST)
-    low, high = params[name].min, params[name].max
-    step, last = 0.01 * min(high - low, 1.0), high if end.value == low else low
-    return _reach(
-        solution.problem,
-        changed(params, begin.values),
-        lambda value: {name: value},
-        (begin.values[name], last),
-        step if last == high else -step,
-        begin.cost + CONFIDENT * solution.spread,
-    )
+    one, begin = solution.params[name], min(solution.minimum, end.found, key=COST)
+    ends = begin.values[name], one.max if end.value == one.min else one.min
+    return _reach(solution, begin, lambda value: {name: value}, ends, 0.01 * min(one.max - one.min, 1.0))
 
 
 def _reach(
-    problem: Problem,
-    params: Parameters,
-    hold: Callable[[float], Values],
-    ends: tuple[float, float],
-    step: float,
-    allowed: float,
+    solution: Solution, begin: Minimum, hold: Callable[[float], Values], ends: tuple[float, float], step: float
 ) -> tuple[float, Values]:
-    """Go as far as the allowed sum of squares permits, with the other parameters fitted.
+    """Go from a minimum as far as the sum of squares permits, with the other parameters fitted.
 
-    hold: parameters that a place fixes; ends: the first place and the last possible one.
+    hold: parameters that a place fixes; ends: the first place and the last possible one; step: the first one.
     """
-    near, values, far = ends[0], params.valuesdict(), np.nan
+    allowed = begin.cost + CONFIDENT * solution.spread
+    near, values, far, step = ends[0], begin.values, np.nan, float(np.copysign(step, ends[1] - ends[0]))
     for _ in range(STEPS):
         place = float(np.clip(near + step, min(ends), max(ends)))
         fixed = hold(place)
-        there = minimize(problem, changed(params, values | fixed, fixed))
+        there = minimize(solution.problem, changed(solution.params, values | fixed, fixed))
         if there.cost > allowed:
             far, step = place, 0.5 * (place - near)
         else:
@@ -152,12 +134,15 @@ def _reach(
     return near, values
 
 
-def least_friction(params: Parameters, solution: Solution, needed: float) -> float:
+def least_friction(params: Parameters, solution: Solution) -> float:
     """Return the minimum static friction at 95 % of a hoop that was not seen to slip.
 
-    params: with friction free; solution: a motion that never slips; needed: friction required by this motion [1]; friction: a
-    little less than required, since very short slip cannot be detected [1].
+    params: with friction free; solution: motions that never slip; friction: that required by them, or a little less, since very
+    short slip cannot be detected [1].
     """
+    needed = max(least_static_friction(motion) for motion in solution.problem.motions(solution.minimum.values))
+    if any(one.expr for one in params.values()):
+        return needed
     parts = parts_of("mu_static")
     given = sum(params[name].value for name in parts if not params[name].vary)
     name, *others = (name for name in parts if params[name].vary)
@@ -165,5 +150,13 @@ def least_friction(params: Parameters, solution: Solution, needed: float) -> flo
     def hold(friction: float) -> Values:
         return {name: max(friction - given, 0.0)} | dict.fromkeys(others, 0.0)
 
-    allowed = solution.minimum.cost + CONFIDENT * solution.spread
-    return _reach(solution.problem, solution.params, hold, (needed, 0.0), -0.02 * needed, allowed)[0]
+    return _reach(solution, solution.minimum, hold, (needed, 0.0), 0.02 * needed)[0]
+
+
+def least_static_friction(motion: Trajectory, points: int = 2000) -> float:
+    """Return the maximum of abs(F)/N while the hoop rolls, the friction that it needs at least."""
+    state = motion.at(motion.times(points))
+    rolling = (state.mode == "R") & (state.normal_force > 0)
+    if not rolling.any():
+        return 0.0
+    return float(np.max(np.abs(state.friction_force[rolling]) / state.normal_force[rolling]))

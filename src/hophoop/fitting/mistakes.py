@@ -217,7 +217,9 @@ def _trials(run: Run) -> list[Trial]:
         names = {"x": "y", "y": "x"}
         other = replace(run, channels=tuple(one._replace(name=names.get(one.name, one.name)) for one in run.channels))
         found.append(Trial("axes", "with x and y exchanged", "is the film sideways, or are x and y exchanged?", other))
-    found += [Trial(*words, _changed(run, factors)) for channels, *words, factors in PLAIN if channels <= run.measured]
+    for channels, kind, words, advice, factors in PLAIN:
+        if channels <= run.measured:
+            found.append(Trial(kind, words, advice, _changed(run, factors)))
     if "angle" in run.measured:
         top = "is your angle zero with the load at the top? A known difference is --fix marker_angle=…, in rad."
         for zero in np.radians(range(45, 360, 45)).tolist():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
@@ -112,7 +113,8 @@ class Run:
 
     def moments(self, motion: Trajectory, values: Values) -> Floats:
         """Times of the motion at which the centre was exposed in each frame, shape (n,) [s]."""
-        return np.clip((self.t + values["row_delay"] * self.rows) * self.pace(values), 0.0, motion.duration)
+        times = (self.t + values["row_delay"] * self.rows) * self.pace(values)
+        return np.asarray(np.clip(times, 0.0, motion.duration))
 
     def places(self, motion: Trajectory, values: Values) -> dict[str, Floats]:
         """Predicted data of a motion in each frame, by name of the channel [m, rad or rad/s]."""
@@ -183,6 +185,11 @@ class Problem:
             begin += len(run.priors)
 
     @property
+    def jumps(self) -> bool:
+        """True with an angular velocity, which jumps at an impact: where that passes a value, the sum of squares has a step."""
+        return any("omega" in run.measured for run in self.runs)
+
+    @property
     def priors(self) -> dict[str, Prior]:
         """Priors of all runs."""
         return {run.named(name): prior for run in self.runs for name, prior in run.priors.items()}
@@ -190,6 +197,10 @@ class Problem:
     def motions(self, values: Values) -> list[Trajectory]:
         """Compute the motion of each run."""
         return [run.motion(run.own(values)) for run in self.runs]
+
+    def sequence(self, values: Values) -> str:
+        """Return the sequence of each run, bounces in a row as one 'H+'."""
+        return ", ".join(merge_bounces(motion.sequence) for motion in self.motions(values))
 
     def residuals(self, values: Values) -> Floats:
         """Return data minus motions, run after run, shape (count,) [standard deviations]."""
@@ -202,6 +213,11 @@ class Problem:
     def spread(self, cost: float, free: int) -> float:
         """Return the sum of squares over the degrees of freedom, at least 1."""
         return max(1.0, cost / max(self.count - free, 1))
+
+
+def merge_bounces(sequence: str) -> str:
+    """Merge bounces in a row into one 'H+': their number depends on the last digit."""
+    return re.sub("HH+", "H+", sequence)
 
 
 def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: Sigma) -> Run:

@@ -12,9 +12,9 @@ import numpy as np
 from hophoop._support import tables
 from hophoop._support.extras import need
 from hophoop._version import __version__
-from hophoop.fitting.channels import KINDS, Floats, Sigma
+from hophoop.fitting.channels import KINDS, Floats, Sigma, Values
 from hophoop.fitting.covariance import correlated_frames
-from hophoop.fitting.judging import WORDS, correlations, misfits, sequence_of, shares
+from hophoop.fitting.judging import WORDS, correlations, misfits, shares
 from hophoop.fitting.parameters import SHARED, parts_of, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
 from hophoop.fitting.solving import parameters
@@ -74,7 +74,7 @@ class Fit:
         Whether a motion fits much better without a usual mistake, which the notes name.
     """
 
-    values: dict[str, float]
+    values: Values
     free: tuple[str, ...]
     covariance: Floats
     limits: dict[str, tuple[str, float]]
@@ -151,7 +151,7 @@ class Fit:
         return self.inflation * variance**0.5 if variance >= 0 else float("nan")
 
     @property
-    def errors(self) -> dict[str, float]:
+    def errors(self) -> Values:
         """Standard deviations of the fitted parameters that the data determine [SI units]."""
         return {name: self.error(name) for name in self.free}
 
@@ -200,7 +200,7 @@ class Fit:
         return {channel.name + problem.runs[k].suffix: off[part] for k, channel, part in problem.pieces}
 
     @cached_property
-    def shares(self) -> dict[str, float]:
+    def shares(self) -> Values:
         """Sequences of motions within the uncertainties, and their shares [1]."""
         return shares(self.problem, self.values, self.free, self.inflation**2 * self.covariance)
 
@@ -376,7 +376,7 @@ class Fit:
             return said
         if self.inflation > 1.05:
             said.append(f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than those of the data.")
-        sequence, seen = sequence_of(self.problem, self.values), self.shares
+        sequence, seen = self.problem.sequence(self.values), self.shares
         others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(seen.items())[:4])
         said.append(
             f"Sequence {sequence}: {100 * seen[sequence]:.0f} % of the motions within the uncertainties have it"

@@ -286,7 +286,7 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate]) -
         if _explains(problem, best) or best.cost > 0.99 * cost:
             break
     last = _settled(problem, params, _without_slip(problem, params, best))
-    if any(piece.channel.name == "omega" for piece in problem.pieces):
+    if problem.jumps:
         for _ in range(ROUNDS):
             aside = min(_asides(params, last), key=COST, default=last.minimum)
             if aside.cost > last.minimum.cost - BETTER:
