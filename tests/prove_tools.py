@@ -9,7 +9,6 @@ import hophoop as hh
 from hophoop.prove import prove
 
 NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
-BOUNCING = hh.Scenario(plane=hh.Plane(restitution=0.3), start=hh.Start(height=0.5, vx=1.0, omega=3.0, vy=2.0), duration=2.0)
 KERNEL = 1e-8  # of the number, or of 0.001 of its SI unit
 
 

@@ -97,7 +97,11 @@ def test_a_part_of_a_film_is_finer():
 
 
 def test_thresholds_are_those_of_theory():
-    queries = ("", "plane.gravity=0", "hoop.load_fraction=0", "plane.slope=-0.2&plane.mu=2", "plane.slope=0.4", "plane.mu=0.5")
+    queries = (
+        "", "plane.gravity=0", "hoop.load_fraction=0", "plane.slope=-0.2&plane.mu=2", "plane.slope=0.4", "plane.mu=0.5",
+        "plane.mu=inf", "plane.rolling_resistance=0.01", "hoop.eccentricity=0.2&hoop.inertia_ratio=0.5",
+        "hoop.load_fraction=0.4&plane.slope=0.2&hoop.radius=0.3", "hoop.load_fraction=1&start.speed=0.7&plane.mu=0.3",
+    )  # fmt: skip
     found = [*(preset.scenario for preset in presets.presets()), *map(hh.Scenario.from_query, queries)]
     names = {"first_slip": "first_slip_speed", "first_hop": "first_hop_speed", "immediate_hop": "immediate_hop_speed",
              "needed_friction": "needed_friction", "painleve": "painleve_friction", "jam": "jam_angle", "rest": "stable_angle",

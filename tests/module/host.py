@@ -12,7 +12,7 @@ import wasmtime
 from hophoop.kernel.physics.body import Status
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
-from hophoop.lab.wasm.layout import EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.lab.wasm.layout import EVENT_COLUMNS, FATE_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.maps.grid.kernel import INTEGERS, NUMBERS, WORDS
 
 
@@ -94,10 +94,6 @@ class Host:
     def fate(self, cell: np.ndarray, most: int) -> dict[str, float]:
         """What becomes of a motion, after at most so many passages of the bottom; by a module of its own."""
         return self.named(FATE_COLUMNS, "fate", cell, most)
-
-    def thresholds(self, cell: np.ndarray, speed: float) -> dict[str, float]:
-        """What theory says."""
-        return self.named(THRESHOLDS, "thresholds", cell, speed)
 
     def map_cells(self, cells: np.ndarray, span: float, stop: int, timed: bool, wanted: int) -> tuple[np.ndarray, ...]:
         """Reduced quantities of many motions, and the codes of their sequences."""

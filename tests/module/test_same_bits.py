@@ -31,28 +31,6 @@ def host() -> Host:
 
 @pytest.mark.parametrize(
     "query",
-    ["", "plane.mu=0.5", "plane.mu=0.3&start.speed=0.1", "hoop.load_fraction=0.4&plane.slope=0.2&hoop.radius=0.3",
-     "plane.slope=-0.3", "hoop.load_fraction=1", "plane.gravity=0", "hoop.eccentricity=0.2&hoop.inertia_ratio=0.5",
-     "plane.mu=inf", "start.vx=1&start.omega=2", "plane.rolling_resistance=0.01",
-     "hoop.load_fraction=1&start.speed=0.7&plane.mu=0.3"],
-)  # fmt: skip
-def test_theory(host: Host, query: str) -> None:
-    scenario = hh.Scenario.from_query(query)
-    speed = scenario.start.speed
-    found = host.thresholds(cell_of(scenario), math.nan if speed is None else speed)
-    known = {quantity.key: quantity.value for quantity in hh.theory.summary(scenario)}
-    if scenario.hoop.massless and scenario.plane.gravity > 0.0:
-        loss = hh.theory.massless_loss(speed or 0.0, scenario.hoop.radius, scenario.plane)
-        assert found["massless_loss_by_friction"] == float(loss.by_friction)
-    for name, value in found.items():
-        if known.get(name) is not None:
-            assert same(value, known[name]), (name, value, known[name])
-        elif name != "massless_loss_by_friction":
-            assert math.isnan(value) or name not in known or query == "plane.gravity=0", (name, value)
-
-
-@pytest.mark.parametrize(
-    "query",
     [
         "",
         "plane.mu=0.4&plane.slope=0.3&hoop.radius=0.3",

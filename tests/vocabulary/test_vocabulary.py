@@ -3,7 +3,6 @@
 import json
 import typing
 from decimal import Decimal
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -87,19 +86,6 @@ def test_every_kind_of_mode_event_and_status_has_its_words():
     assert len(body.MODE_LETTERS) == len(body.Mode)
     assert tuple(names.EVENTS) == body.EVENT_NAMES
     assert tuple(names.STATUSES) == body.STATUS_NAMES
-
-
-PASSING = {"turn", "apex", "kane_gain", "rest"}
-
-
-def test_events_that_end_no_phase_are_not_in_the_sequence(rocking, hop):
-    """From the definition: a phase lasts from an event at which the mode may change to the next."""
-    kane = hh.simulate(next(preset.scenario for preset in presets() if preset.key == "kane"))
-    rest = hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(mu=1.0), hh.Start(angle=0.0), duration=1.0)
-    for motion in (rocking, hop, kane, rest):
-        changes = [event for event in motion.events[:-1] if event.kind not in PASSING] + [motion.events[-1]]
-        assert motion.sequence == "".join(a.to_mode for a, b in pairwise(changes) if b.t > a.t)
-    assert {event.kind for motion in (rocking, hop, kane, rest) for event in motion.events} >= PASSING
 
 
 def test_a_sequence_in_another_arithmetic_and_at_its_edges():
