@@ -13,8 +13,16 @@ from hophoop.tracking.dialects import COMMA_LANGUAGES, ENGLISH, OTHERS
         ([["t", "angle"], ["s", "deg"]], [("", "t", "s"), ("", "angle", "deg")]),
         ([["t", "Gyroscope z (rad/s)", "accelerometer x"]], [("", "t", ""), ("", "omega", "rad/s"), ("accelerometer", "", "")]),
         (
-            [["temps", "Winkelgeschw. z", "rotation rate x cal.", "eje x", "rejected x"]],
-            [("", "t", ""), ("", "omega", ""), ("", "omega", ""), ("eje", "x", ""), ("rejected", "x", "")],
+            [["temps", "Winkelgeschw. z", "rotation rate x cal.", "eje x", "rejected x", "X Velocity (m/s)", "sticker"]],
+            [
+                ("", "t", ""),
+                ("", "omega", ""),
+                ("", "omega", ""),
+                ("eje", "x", ""),
+                ("rejected", "x", ""),
+                ("velocity", "", "m/s"),
+                ("sticker", "", ""),
+            ],
         ),
     ],
 )

@@ -121,14 +121,6 @@ def test_the_second_point_may_be_the_centre(tmp_path):
     assert read_track(file, Reading(marker="x 2")).marker[:, 0] == pytest.approx(X, abs=1e-5)
 
 
-def test_velocities_are_no_positions(tmp_path):
-    head = "t (s),X (m),Y (m),X Velocity (m/s),Y Velocity (m/s),Beschleunigung x (m/s²),sticker_x"
-    track = read_track(written(tmp_path, head, (T, X, Y, X, Y, X, X)))
-    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
-    assert np.isnan(track.marker).all()
-    assert "sticker_x" in track.notes[0]
-
-
 def test_hidden_marks_and_frames_that_were_stepped_over(tmp_path):
     """With a step size of 2 Tracker still writes a row for every frame, in which every second has a time and nothing else."""
     rows = ["0\t0\t1\t0.5\t1", "1\t\t\t\t", "2\t1\t1\t\t", "3\t\t\t\t", "4\t2\t1\t2.5\t1"]
@@ -139,14 +131,6 @@ def test_hidden_marks_and_frames_that_were_stepped_over(tmp_path):
 
 
 # --- angles, and the phone in the hoop -------------------------------------------------------------
-
-
-def test_a_direction_seen_from_the_axes_is_no_rotation(tmp_path):
-    head = "\thub\t\t\tload\t\t\nt\tx\ty\tθr\tx\ty\tθr"
-    columns = (T, X, Y, np.degrees(np.arctan2(Y, X)), LOAD_X, LOAD_Y, np.degrees(np.arctan2(LOAD_Y, LOAD_X)))
-    track = read_track(written(tmp_path, head, columns, "\t"))
-    assert track.angle == pytest.approx(ANGLE, abs=1e-4)
-    assert track.notes == ("hub θr is the direction as seen from the axes, not the rotation of the hoop: it is not used.",)
 
 
 @pytest.mark.parametrize("factor", [-1.0, np.pi / 180, 2.0])

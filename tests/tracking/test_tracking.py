@@ -112,13 +112,9 @@ def test_a_lost_frame_has_the_time_of_a_row_between_those_of_its_neighbours(film
 @pytest.mark.long
 def test_a_lens_out_of_axis_with_a_rolling_shutter(films):
     path, (film, _) = films("tilted"), FILMS["tilted"]
-    track, flat, early = (tracked(film, path, **hints) for hints in ({}, {"tilt": (0.0, 0.0)}, {"row_delay": 0.0}))
+    track, early = tracked(film, path), tracked(film, path, row_delay=0.0)
     camera = track.view.camera
     assert np.degrees([camera.tilt_x, camera.tilt_y]) == pytest.approx([6.0, -8.0], abs=1.0)
-    # in metres: without the tilt the hoop would grow by a tenth on its way
-    state = MOTION.at(track.t + film.first)
-    assert np.ptp(track.centre - np.stack([state.x, state.height], axis=-1), axis=0) == pytest.approx([0.0, 0.0], abs=4e-3)
-    assert np.nanmax(flat.centre[:, 0] - state.x) - np.nanmin(flat.centre[:, 0] - state.x) > 2e-2
     # without the delay, the times differ by the row of the centre, and the marker's row is exposed at another time
     assert track.t - early.t == pytest.approx(film.row_delay * track.pixel[:, 1], rel=0.02)
     good, bad = (np.abs(np.nanmean(errors(one, film), axis=1)) for one in (track, early))
@@ -190,13 +186,6 @@ def test_memory_does_not_grow_with_length(films):
 
 
 # --- doubts, and what goes wrong is one sentence ---------------------------------------------------
-
-
-def test_a_film_without_a_marker_is_doubted(tmp_path):
-    """A film of `hophoop animate` has a black load and coloured arrows, but no marker."""
-    timing, look = hh.animate.Timing(fps=15), hh.animate.Look(size=(480, 270), camera="hold")
-    film = hh.animate.film(hh.simulate(hh.Scenario(duration=2.0)), tmp_path / "hold.mp4", timing, look)
-    assert hh.track(film, radius=1.0).notes[0].startswith("Doubtful: the ")
 
 
 @pytest.mark.parametrize(

@@ -193,8 +193,8 @@ def _head(column: Column, name: str, below: str, meanings: dict[str, str]) -> Co
     """Return a column with the meaning of its name; below: the unit in a row of its own; meanings: of words."""
     for pattern in HEADS:
         if found := re.fullmatch(pattern, name, re.IGNORECASE):
-            name = found["name"]
-            column = replace(column, **{key: part for key, part in found.groupdict().items() if key != "name"})
+            parts, name = found.groupdict(), found["name"]
+            column = replace(column, point=parts.get("point", column.point), group=parts.get("group", column.group))
     text, unit = units(name, below)
     words = re.findall(r"[^\W\d_]+|\d+", text)
     single = {meanings.get(word) for word in words}

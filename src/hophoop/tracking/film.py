@@ -9,17 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker, doubt_times, repeated, steps_of
-from hophoop.tracking.ground import Ground, ground_line, line_through
+from hophoop.tracking.ground import LEAST_ERROR, Ground, ground_line, line_through
 from hophoop.tracking.hints import Hints, require_above_0
 from hophoop.tracking.looking import Seen, look
 from hophoop.tracking.places import Places, find_places
 from hophoop.tracking.scatter import spread, third_differences
-from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, along, track_of
+from hophoop.tracking.table import Track, View, along, track_of
 
 Floats = NDArray[np.float64]
 
 SIDEWAYS = 2.0  # rise or fall of a hoop in a film that lies on its side, over the radius
-LEAST_ERROR = 0.02  # minimum error of a centre, from lens and sensor [pixel]
 SCALE_ERROR = 0.5  # error of the rim's radius that all pictures have alike: blur, coding, the width of a drawn line [pixel]
 SMALL = 40.0  # radius of a rim that deserves a word [pixel]
 LEVEL_ERRORS = float(np.radians(2.0)), float(np.radians(0.1))  # of a camera that nobody levelled, and of a given level [rad]
@@ -122,7 +121,6 @@ def _track(places: Places, notes: list[str], seen: Seen, hints: Hints, radius: f
         "column": pixel[:, 0], "row": pixel[:, 1],
         "marker_column": places.marker_pixel[:, 0], "marker_row": places.marker_pixel[:, 1],
     }  # fmt: skip
-    state = [FOUND if b else UNMARKED if a else LOST for a, b in zip(there, marked, strict=True)]
     view = View(
         camera, scale, float(origin[0]), float(origin[1]), line.angle, seen.marker,
         float(np.median(reach[marked])) / size if marked.any() else np.nan,
@@ -134,8 +132,8 @@ def _track(places: Places, notes: list[str], seen: Seen, hints: Hints, radius: f
         doubts += doubt_marker(columns["x"] / radius, columns["angle"])
     slope, slope_error = _slope(line, hints)
     return track_of(
-        places.t, columns, state, radius=radius, placed=True, view=view, source=source, slope=slope, slope_error=slope_error,
-        notes=(*doubts, *_notes(places, state, seen.marker is not None, line, hints)),
+        places.t, columns, radius=radius, placed=True, view=view, source=source, slope=slope, slope_error=slope_error,
+        notes=(*doubts, *_notes(places, seen.marker is not None, line, hints)),
     )  # fmt: skip
 
 
@@ -163,18 +161,18 @@ def _marker_error(t: Floats, reach: Floats, angle: Floats, least: Floats) -> Flo
     return np.where(np.isfinite(reach), np.maximum(min(scatter), least), np.nan)
 
 
-def _notes(places: Places, state: list[str], with_marker: bool, line: Ground, hints: Hints) -> tuple[str, ...]:
-    notes, circle = [], places.circle
-    lost, bare = state.count(LOST), state.count(UNMARKED)
+def _notes(places: Places, with_marker: bool, line: Ground, hints: Hints) -> tuple[str, ...]:
+    notes, circle, there = [], places.circle, np.isfinite(places.circle[:, 0])
+    lost, bare = int((~there).sum()), int((there & np.isnan(places.angle)).sum())
     if lost:
-        notes.append(f"The hoop is lost in {lost} of {len(state)} frames.")
+        notes.append(f"The hoop is lost in {lost} of {len(there)} frames.")
     if not with_marker:
         notes.append("No marker was found, so there are no angles.")
     elif bare:
         notes.append(f"The marker is hidden in {bare} frames.")
     if places.doubtful is not None:
         notes.append(f"Whole revolutions may be missing after {places.doubtful:.3f} s, where the marker comes back.")
-    if not line.directed and np.ptp(circle[np.isfinite(circle[:, 0]), 1]) > SIDEWAYS * np.nanmedian(circle[:, 2]):
+    if not line.directed and np.ptp(circle[there, 1]) > SIDEWAYS * np.nanmedian(circle[:, 2]):
         notes.append(f"{DOUBT}the hoop moves up or down the picture. Is the film sideways? Turn it, and track it again.")
     elif not line.directed:
         notes.append("The hoop stays in one place, so the slope is unknown; the picture's rows are taken as level.")

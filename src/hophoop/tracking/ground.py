@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 
 LOW = 0.15  # share of the frames below the first line
 LEAST_WAY = 0.7  # minimum distance of the centre for a direction, over the radius
-LEAST_OFF = 0.02  # minimum error of a centre, from lens and sensor [pixel]
+LEAST_ERROR = 0.02  # minimum error of a centre, from lens and sensor [pixel]
 ALIKE = 10  # frames in a row with the same error [1]
 CLICK = 1.0  # error of a given point of the ground [pixel]
 
@@ -57,7 +57,7 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
     if not near.any():  # the hoop keeps no height, as in a film that lies on its side
         near[:] = True
     angle, off = float(np.arctan(line[0])) if directed else 0.0, (y - np.polyval(line, x))[near]
-    height_error = max(float(np.sqrt((off**2).mean())), LEAST_OFF) * np.sqrt(ALIKE / len(off))
+    height_error = max(float(np.sqrt((off**2).mean())), LEAST_ERROR) * np.sqrt(ALIKE / len(off))
     angle_error = height_error / float(np.std(x[near])) if directed else float("nan")
     return Ground(middle, float(line[-1]), angle, len(off), directed, float(height_error), angle_error)
 

@@ -25,7 +25,6 @@ FEWEST = 3.0  # minimum chroma samples of a marker
 INSIDE, OUTSIDE = 0.15, 1.12  # distances of a marker from the centre, over the radius
 AREAS = (0.55, 1.7)  # area of a visible marker over its usual area
 NEAR = 0.12  # tolerance of its distance from the centre in the picture, over the radius
-MOST_SPOTS = 3  # in a picture
 
 
 class Marker(NamedTuple):

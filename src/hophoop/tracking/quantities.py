@@ -157,8 +157,7 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
         _orient(sheet, values, t)
     keep = np.isfinite(t)
     if not ours:  # a row with a time only is a frame without marks
-        looked = np.isfinite(list(values.values())).any(axis=0)
-        keep &= looked | ~looked.any()
+        keep &= np.isfinite(list(values.values())).any(axis=0)
     known = (*used.values(), *sheet.free("polar"))
     unused = [one.label for one in sheet.columns if one not in known and one.label != "state"]
     if unused:
@@ -379,24 +378,22 @@ def uneven(t: Floats) -> bool:
 
 def check_times(sheet: Sheet, t: Floats) -> None:
     """Ask about times that no camera or sensor has: their step, repeated ones and bursts; t: in seconds."""
-    there = np.isfinite(t)
-    steps = np.diff(t[there])
+    t = t[np.isfinite(t)]
+    steps = np.diff(t)
     if (steps < 0).any() or not (steps > 0).any():
         return  # refused by all tracks
-    clock = sheet.used["t"]
-    step = _usual_step(t[there])
-    if there.sum() >= FEWEST and not STEPS[0] <= step < STEPS[1] and "t" not in sheet.how.units:
-        counts = not clock.unit and (np.diff(clock.values[there]) == 1).all()
-        unit = _unit_of_times(clock.values[there])
-        factor = (unit_factor(unit, "s") or 1.0) / (unit_factor(clock.unit, "s") or 1.0)
-        said = f"has times in {clock.label} with a step of {step:.3g} s, which no camera or sensor has"
-        if counts:
-            raise sheet.question(said, "--rate 240, if these are frames (rate= in a Reading)")
-        raise sheet.question(f"{said}; multiplied by {factor:.3g} it is {factor * step:.3g} s", f"--unit t={unit}")
-    if uneven(t[there]):
+    clock, step = sheet.used["t"], _usual_step(t)
+    if len(t) >= FEWEST and not STEPS[0] <= step < STEPS[1] and "t" not in sheet.how.units:
+        known = clock.values[np.isfinite(clock.values)]
+        frames = not clock.unit and (np.diff(known) == 1).all()
+        raise sheet.question(
+            f"has times in {clock.label} with a step of {step:.3g} s, which no camera or sensor has",
+            "--rate 240, if these are frames (rate= in a Reading)" if frames else f"--unit t={_unit_of_times(known)}",
+        )
+    if uneven(t):
         rate = 1.0 / step
         usual = min(RATES, key=lambda one: abs(one - rate))
-        doubt = max(0.01, float(steps.max() / (t[there][-1] - t[there][0])))
+        doubt = max(0.01, float(steps.max() / (t[-1] - t[0])))
         raise sheet.question(
             f"has times in {clock.label} that repeat or come in bursts",
             f"--rate {usual if abs(usual - rate) < doubt * rate else round(rate, 1)}, if rows are evenly spaced",
