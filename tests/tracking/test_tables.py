@@ -268,6 +268,30 @@ def test_names_of_angles(tmp_path, head):
     assert read_track(table(tmp_path, f"t;x;y;{head}", T, X, Y, ANGLE, separator=";")).angle == pytest.approx(ANGLE, abs=1e-5)
 
 
+@pytest.mark.parametrize("head", ["t/s;x/cm;y/cm", "Zeit t in s;Ort x in cm;Höhe y in cm", "Zeit/s;Ort x/cm;Ort y/cm"])
+def test_heads_of_school_books(tmp_path, head):
+    track = read_track(table(tmp_path, head, T, 100.0 * X, 100.0 * Y, separator=";"))
+    assert track.t == pytest.approx(T, abs=1e-6)
+    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
+
+
+def test_tracks_of_imagej_below_each_other_are_points(tmp_path):
+    places = [(1, k + 1, *at) for k, at in enumerate(zip(X, Y, strict=True))]
+    places += [(2, k + 1, *at) for k, at in enumerate(zip(LOAD_X, LOAD_Y, strict=True))]
+    track = read_track(table(tmp_path, "Track n°,Slice n°,X,Y", *zip(*places, strict=True)), Reading(rate=120.0))
+    assert track.centre[:, 0] == pytest.approx(X, abs=1e-6)
+    assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+
+
+@pytest.mark.parametrize("head", ["ms,gx,gy,gz", "sampleTimestamp_sinceReboot(ms),gyrX(deg/s),gyrY(deg/s),gyrZ(deg/s)"])
+def test_sensors_without_usual_names_are_asked_about_at_most_for_units(tmp_path, ask, head):
+    rates = [0.1 + 0.0 * T, 360.0 + 340.0 * T, 0.1 * T]
+    track, words = answered(ask, table(tmp_path, head, 1000.0 * T + 5e4, *rates))
+    assert words[::2] == ["--unit"] * (len(words) // 2)
+    assert track.t - track.t[0] == pytest.approx(T - T[0], abs=1e-6)
+    assert track.omega == pytest.approx(np.radians(rates[1]), abs=1e-5)
+
+
 @pytest.mark.parametrize("zero", ["０", "٠", "۰"])
 def test_digits_of_other_scripts(tmp_path, zero):
     file = table(tmp_path, "t;x in cm;y in cm", T, 100.0 * X, 100.0 * Y, separator=";")
@@ -324,7 +348,7 @@ HEADS = (
     "Set 1: Time|Set 1: X|Set 1: Y|Set 1: X 2|Set 1: Y 2",
 )  # fmt: skip
 LENGTHS, TIMES = {"m": 1.0, "cm": 100.0, "mm": 1000.0}, {"s": 1.0, "ms": 1000.0}
-FORMS = ("{} ({})", "{} [{}]", "{} / {}", "{} in {}", "row")
+FORMS = ("{} ({})", "{} [{}]", "{} / {}", "{}/{}", "{} in {}", "row")
 TITLES = ("", "", "Our hoop\n", "Our hoop\nmade in class 9b\n")
 SEPARATORS = (("\t", "."), ("\t", ","), (";", "."), (";", ","), (",", "."), (" ", "."), ("   ", ","))
 

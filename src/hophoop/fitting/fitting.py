@@ -274,8 +274,8 @@ def _fit_of(
         limits["mu_static"] = ("≥", least)
         notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction has no effect.")
     if "restitution" in gone & set(limits):
-        notes.append("There is no impact in the film, so restitution cannot be determined.")
-    notes += [f"The film does not determine {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
+        notes.append("There is no impact in the record, so restitution cannot be determined.")
+    notes += [f"The record does not determine {name}." for name, limit in limits.items() if not limit[0] and name not in gone]
     settings = {
         "hoop": how.hoop if isinstance(how.hoop, str) else how.hoop.to_dict(),
         "starts": [run.start for run in problem.runs],

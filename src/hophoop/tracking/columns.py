@@ -16,7 +16,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
-from hophoop.tracking.dialects import COMMA_WORDS, HEADS, KNOWN_UNITS, NAMES, NO_POSITION, OTHER_UNITS, ROTATION, UNITS
+from hophoop.tracking.dialects import (
+    CENTRE,
+    COMMA_WORDS,
+    HEADS,
+    KNOWN_UNITS,
+    MARKER,
+    NAMES,
+    NO_POSITION,
+    OTHER_UNITS,
+    ROTATION,
+    UNITS,
+)
 
 Floats = NDArray[np.float64]
 
@@ -182,11 +193,21 @@ def heads(above: list[list[str]]) -> list[Column]:
             break
         points = [f"{word} {point}".strip() for word, point in zip(words, points, strict=True)]
     meanings = NAMES | ({"time": ""} if "seconds_elapsed" in names else {})  # of Sensor Logger
-    found = zip_longest(names, points, below[: len(names)], fillvalue="")
-    return [
+    found = [
         _head(Column(k, f"{point} {name}".strip(), point), name, unit, meanings)
-        for k, (name, point, unit) in enumerate(found, 1)
+        for k, (name, point, unit) in enumerate(zip_longest(names, points, below[: len(names)], fillvalue=""), 1)
     ]
+    return _one_point(found)
+
+
+def _one_point(found: list[Column]) -> list[Column]:
+    """Return columns of which an x and a y alone, such as place x and height y, are one point without a name."""
+    places = [column for column in found if column.quantity in ("x", "y")]
+    if [column.quantity for column in places] != ["x", "y"] or any(
+        re.search(f"{CENTRE}|{MARKER}", one.point) for one in places
+    ):
+        return found
+    return [replace(column, point="") if column in places else column for column in found]
 
 
 def _head(column: Column, name: str, below: str, meanings: dict[str, str]) -> Column:
@@ -203,7 +224,7 @@ def _head(column: Column, name: str, below: str, meanings: dict[str, str]) -> Co
         return replace(column, quantity=quantity, unit=unit)
     axis = "".join(word for word in words if word in "xyz")
     rest = " ".join(word for word in words if word not in "xyz")
-    if re.fullmatch("[wω][xyz]", rest) or (len(axis) == 1 and re.search(ROTATION, rest)):
+    if (re.fullmatch("[gwω][xyz]", rest) and not unit.startswith("m")) or (len(axis) == 1 and re.search(ROTATION, rest)):
         return replace(column, quantity="omega", unit=unit)
     moves = re.search(NO_POSITION, rest) or "/" in unit or unit in OTHER_UNITS
     usual = "" if moves or len(axis) != 1 else axis
@@ -211,7 +232,7 @@ def _head(column: Column, name: str, below: str, meanings: dict[str, str]) -> Co
 
 
 def units(name: str, below: str = "") -> tuple[str, str]:
-    """Return the words of a name in lower case, and its unit: in brackets, behind a slash, or the last word.
+    """Return the words of a name in lower case, and its unit: in brackets, the last word, or behind a slash.
 
     below: the unit in a row of its own.
     """
@@ -221,10 +242,11 @@ def units(name: str, below: str = "") -> tuple[str, str]:
         name = f"{found[1]} {found[2]} {found[4]}"
     elif found:
         name, unit = f"{found[1]} {found[4]}", _unit(found[2] or found[3] or "")
-    text = _plain(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)).replace("_", " ").strip()
-    last = re.fullmatch(r"(.*\w)\s*(?:,|\bin\b|\s)\s*(\S+)", text)
-    if not unit and last and _unit(last[2]) in KNOWN_UNITS:
-        text, unit = last[1].removesuffix(" in"), _unit(last[2])
+    text = _plain(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)).replace("_", " ").strip(" /")
+    for pattern in (r"(.*\w)\s*(?:,|\bin\b|\s)\s*(\S+)", r"(.*\w)/(\S+)"):
+        last = re.fullmatch(pattern, text)
+        if not unit and last and _unit(last[2]) in KNOWN_UNITS:
+            text, unit = last[1].removesuffix(" in"), _unit(last[2])
     return text, unit
 
 

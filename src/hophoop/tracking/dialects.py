@@ -21,12 +21,12 @@ HEADS = (  # parts of the heads of programs; a group is a run
 # In lower case, without accents. Names of quantities are whole heads; words of points, gyroscopes and what is no position are
 # parts of heads.
 ENGLISH = {
-    "t": "t|time|seconds elapsed|timestamp",
-    "frame": "frame|frames|frame number|frame idx|image|coords",
+    "t": "t|time|ms|millis|seconds elapsed|timestamp",
+    "frame": "frame|frames|frame number|frame idx|image|coords|slice n",
     "angle": "angle|theta|θ|φ|phi|rotation|rotation angle",
     "polar": "θr|thetar|theta r|θ r",
     "omega": "omega|ω|w|angular velocity|angular speed|angular rate|rotation rate|gyr",
-    "object": "track|track id|object|object id|particle|id|instance|individual|bodypart|label|name",
+    "object": "track|track id|track n|object|object id|particle|id|instance|individual|bodypart|label|name",
     "centre": "cent|hub|axis|axle",
     "marker": "mark|load|weight|last|dot",
     "gyroscope": "gyro",

@@ -340,7 +340,8 @@ def unwrapped(angle: Floats) -> Floats:
 def times(sheet: Sheet) -> Floats:
     """Times of the rows [s], from a column of times or from the numbers of frames."""
     used = sheet.used
-    clock = used.get("t") or (None if "frame" in used else sheet.only(sheet.free("t"), "t"))
+    named_by_unit = [column for column in sheet.free("") if column.unit in UNITS["s"].keys() - {""}]
+    clock = used.get("t") or (None if "frame" in used else sheet.only(sheet.free("t") or named_by_unit, "t"))
     frames = used.get("frame") or sheet.only(sheet.free("frame"), "frame")
     if sheet.how.rate:
         return _counted(sheet, frames, clock) / sheet.how.rate
