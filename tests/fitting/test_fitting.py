@@ -283,7 +283,7 @@ def test_what_the_model_lacks_is_told(hop):
 
 def test_a_rolling_shutter_that_was_not_given_is_named(hop):
     """Rows are exposed one after the other: the hoop goes up and down the picture while it hops."""
-    track, delay = filmed(hop, sigma=2e-4, sigma_angle=1e-3), 2e-5
+    track, delay = filmed(hop, sigma=2e-4, sigma_angle=1e-3), 4e-6
     rows = 400.0 - 1500.0 * track.centre[:, 1]
     late = hop.at(np.clip(track.t + delay * (rows - rows.mean()), 0.0, hop.duration))
     errors = np.random.default_rng(2).normal(0.0, 2e-4, (2, len(track.t)))
@@ -297,6 +297,9 @@ def test_a_rolling_shutter_that_was_not_given_is_named(hop):
     ]
     assert "The likely cause is the shutter" in said[0][0]
     assert said[1] == []
+    slow = replace(seen, view=replace(view, camera=Camera(1280, 40_000, 1150.0)))  # rows that are read faster than this delay
+    problem, values = posed(slow)
+    assert shutter(solve(problem, parameters(values, tuple(TRUTH))), [slow]) == []
 
 
 # --- pieces ----------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ import numpy as np
 
 from hophoop.fitting.channels import Channel, Floats, Sigma, Values
 from hophoop.fitting.guess import COST, candidates, guess, start_kind
-from hophoop.fitting.parameters import FACTORS, SHARED, spec
+from hophoop.fitting.parameters import FACTORS, SHARED
 from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of
 from hophoop.fitting.solving import Solution, beginnings, minimize, parameters
 from hophoop.scenario import InputError
@@ -53,6 +53,7 @@ PARTS, PIECE = 20, 4  # steps of a record in which its window is found, and of t
 NUMBERS = 40  # minimum number of data of a window
 MOVES = 1.0  # minimum way of the hoop in a window, over the radius
 CERTAIN = 9.0  # fall of the sum of squares that is more than chance: three standard deviations
+NEAR_LIMIT = 0.99  # a delay that ends there fits something else
 
 
 class Trial(NamedTuple):
@@ -142,21 +143,25 @@ def likely_mistakes(
 def shutter(solution: Solution, tracks: Sequence[Track]) -> list[str]:
     """Name the rolling shutter if the motion is closer to films that were tracked without it, by more than chance."""
     problem, params = solution.problem, solution.minimum.params.copy()
-    names = [
-        run.named("row_delay")
+    most = {  # a picture is read before the next one is
+        run.named("row_delay"): float(np.median(np.diff(track.t))) / track.view.camera.height
         for run, track in zip(problem.runs, tracks, strict=True)
         if track.view is not None and not track.view.row_delay and run.rows.any()
-    ]
-    for name in names:
-        params[name].set(vary=True, min=spec(name).low, max=spec(name).high)
-    if not names:
+    }
+    if not most:
         return []
+    for name, limit in most.items():
+        params[name].set(vary=True, min=-limit, max=limit)
     better = minimize(problem, params, CALLS)
-    if solution.minimum.cost - better.cost < CERTAIN * len(names) * problem.spread(better.cost, len(solution.free)):
+    gained = solution.minimum.cost - better.cost
+    if gained < CERTAIN * len(most) * problem.spread(better.cost, len(solution.free)):
+        return []
+    first, limit = next(iter(most.items()))
+    if abs(better.values[first]) > NEAR_LIMIT * limit:
         return []
     return [
         "The likely cause is the shutter: the motion is closer with a delay from row to row, of about "
-        f"{better.values[names[0]]:.1g} s. Track the film with --row-delay and --exposure, with the numbers of your camera."
+        f"{better.values[first]:.1g} s. Track the film with --row-delay and --exposure, with the numbers of your camera."
     ]
 
 
