@@ -103,16 +103,6 @@ def test_panels_are_uncovered_as_time_goes_on():
     assert "damper" in [text.get_text() for text in legend.get_texts()]
 
 
-def test_a_hoop_of_parts_shows_its_parts():
-    parts = [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.05, at=-0.2), hh.Rod(0.1, 0.3, at=0.0), hh.PointMass(0.1, at=-0.25)]
-    run = hh.simulate(hh.Hoop.from_parts(0.3, parts), hh.Plane(), hh.Start.rolling(0.5), duration=0.2)
-    shown = opened([run], bare=True)
-    # the parts' line is turned round: G is on the negative side, and the point mass with it
-    drawn = shown.draw(0)
-    assert window(drawn, shown.pixel_of(0, 0, [0.0, 0.55])).max() < 60
-    assert window(drawn, shown.pixel_of(0, 0, [0.0, 0.1])).min() > 150
-
-
 @pytest.mark.parametrize(("load", "speed", "most", "letter"), [(0.75, 3.1, 3, "K"), (1.0, 1.0, 10_000, "M")])
 def test_special_motions_are_shown(load, speed, most, letter):
     """One without an answer, and one that skims."""

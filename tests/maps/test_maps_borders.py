@@ -24,17 +24,6 @@ def test_the_border_of_rolling_is_where_theory_has_it():
         assert mu == pytest.approx(float(hh.theory.needed_friction(hh.Hoop.ideal(0.75), speed).mu), abs=2e-9)
 
 
-def test_points_of_a_border_are_there_to_rounding():
-    border = maps.boundary(None, WINDOW, one=(1.0, 3.1), other=(1.0, 3.8), step=0.05)
-    # the hop at once begins where gravity no longer holds the rim down
-    assert set(border.classes) == {"H", "RKRSH"}
-    np.testing.assert_allclose(border.y, math.sqrt(9.81 / 0.75), rtol=1e-12)
-    # up to the window's edge one way, to the motions that skid right up to the spin the other
-    assert set(border.ends) == {"edge", "junction"}
-    assert max(border.x) == 2.0
-    assert 0.25 < min(border.x) < 0.35
-
-
 def sides(classify, border):
     """Classes to the right and left of the inner points of a border, close to them."""
     places = np.transpose(border.window.places(border.x, border.y))
