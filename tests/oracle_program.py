@@ -77,9 +77,15 @@ def highest_apexes(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
 def essential(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Events without the marks of beginning and end and without notes that leave the motion as it is.
 
-    The apex of a flight that the end of the run cuts short is left out: the highest point is not yet known.
+    The apex of a flight that the end of the run cuts short is left out: the highest point is not yet known. A turn after which
+    the hoop slips at once is one event.
     """
-    kept = [event for event in events if event["kind"] not in ("start", "kane_gain", "bounce_limit")]
+    kept: list[dict[str, Any]] = []
+    for event in events:
+        if event["kind"] == "slip_start" and kept and (kept[-1]["kind"], kept[-1]["t"]) == ("turn", event["t"]):
+            kept[-1] = kept[-1] | {"to": event["to"]}
+        elif event["kind"] not in ("start", "kane_gain", "bounce_limit"):
+            kept.append(event)
     if kept and kept[-1]["kind"] == "end":
         kept.pop()
         if kept and kept[-1]["kind"] == "apex":
