@@ -55,7 +55,9 @@ def check_motion(case: Case) -> None:
 def compare_events(motion: hh.Trajectory | hh.PreciseMotion, true: list[dict[str, Any]], digits: int) -> None:
     """Assert that the first events of a motion have so many digits of the true ones."""
     names = ("t", "x", "height", "angle", "omega")
-    found = [{"kind": event.kind, **{name: getattr(event, name) for name in names}} for event in motion.events]
+    found = [
+        {"kind": event.kind, "to": event.to_mode, **{name: getattr(event, name) for name in names}} for event in motion.events
+    ]
     for mine, right in zip(essential(found), essential(highest_apexes(true)), strict=False):
         assert mine["kind"] == right["kind"], (mine, right["kind"])
         for name in names:
