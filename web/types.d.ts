@@ -3,12 +3,15 @@
 type Film = import("./lab/player/film.ts").Film;
 type Clock = import("./lab/player/clock.ts").Clock;
 
+/** Values by their names. */
+type Named<Value = any> = Record<string, Value>;
+
 /** A hash of the tables of words; written by the build. */
 declare const WORDS: string;
 
 /** A table of a language: a text by its key, or one for each plural. */
-type Words = Record<string, string | { [plural: string]: string; other: string }>;
-type Values = Record<string, Message>;
+type Words = Named<string | { [plural: string]: string; other: string }>;
+type Values = Named<Message>;
 interface Phrase {
   key: string;
   values?: Values;
@@ -18,6 +21,9 @@ type Message = string | number | Phrase | Message[] | (() => string);
 
 /** Colours of the page, as the style sheet has them. */
 type Look = ReturnType<typeof import("./lab/common/dom.ts").theme>;
+
+/** What pictures are painted in. */
+type Shades = { look: Look; inks: Colors };
 
 // What a number may be: a range, both ends included, and single values besides.
 interface NumberRange {
@@ -35,15 +41,14 @@ interface Part {
 
 interface Scenario {
   duration: number;
-  hoop: Record<string, any> & { parts?: Part[] };
-  plane: Record<string, any>;
-  start: Record<string, any>;
-  contact: Record<string, any>;
+  hoop: Named & { parts?: Part[] };
+  plane: Named;
+  start: Named;
+  contact: Named;
 }
 
 interface Sentence {
   t: number;
-  event: number;
   mode: string;
   text: Message;
 }
@@ -54,15 +59,8 @@ interface Phase {
   to: number;
 }
 
-interface Pose {
-  t: number;
+interface Pose extends MotionState {
   mode: string;
-  x: number;
-  height: number;
-  angle: number;
-  vx: number;
-  vy: number;
-  omega: number;
   normal_force: number;
   friction_force: number;
   [column: string]: any;
@@ -76,27 +74,20 @@ type MapHeader = ReturnType<typeof import("./model/cells.ts").mapReply>["header"
 
 interface Reply<Header> {
   header: Header;
-  arrays: Record<string, any>;
+  arrays: Named;
 }
 
 interface FilmReply extends Reply<FilmHeader> {
   /** The columns at one time. */
-  exact(time: number): Record<string, Column>;
+  exact(time: number): Named<Column>;
 }
 
 type Change = [path: string, value: unknown];
 
 type Backend = import("./lab/backend/backend.ts").Backend;
 
-// What is drawn of the hoop.
-interface StageOptions {
-  traces: boolean;
-  forces: boolean;
-  speed: boolean;
-  whole: boolean;
-  three: boolean;
-  ahead: boolean; // the path that is to come, while the hoop is held
-}
+/** What is drawn of the hoop; `ahead`: the path that is to come, while it is held. */
+type StageOptions = Record<"traces" | "forces" | "speed" | "whole" | "three" | "ahead", boolean>;
 
 interface Point {
   clientX: number;
@@ -128,7 +119,7 @@ type MapLayer = ReturnType<typeof import("./lab/map/map_layers.ts").layerOf>;
 interface Curve {
   name: string;
   color?: string;
-  dash?: "solid" | "dash" | "dot" | "long" | "mixed";
+  dash?: number[];
   values: Column;
 }
 
@@ -141,29 +132,18 @@ interface PlotDefinition {
 }
 
 // What all diagrams have in common.
-interface PlotShared {
-  axis: string;
-  range: number[] | null;
-  clock: Clock;
-  changed: () => void;
-}
+type PlotShared = { axis: string; range: number[] | null; clock: Clock; changed: () => void };
 
 type Vector = number[]; // of three
 type Matrix = Float32Array<ArrayBuffer>; // columns of four
 
 interface Program {
   program: WebGLProgram;
-  uniforms: Record<string, WebGLUniformLocation | null>;
-  attributes: Record<string, number>;
+  uniforms: Named<WebGLUniformLocation | null>;
+  attributes: Named<number>;
 }
 
-interface Mesh {
-  vertices: WebGLBuffer;
-  elements: WebGLBuffer | null;
-  parts: Record<string, number>;
-  stride: number;
-  count: number;
-}
+type Mesh = ReturnType<typeof import("./space/gl.ts").mesh>;
 
 // A camera: `eye` and `target` are level, `angle` is that of the view.
 interface View {
@@ -194,8 +174,8 @@ interface SceneHoop {
   radius: number;
   eccentricity: number;
   load: number;
-  frames: Record<string, Float32Array>;
-  path: Record<string, Float32Array> | null;
+  frames: Named<Float32Array>;
+  path: Named<Float32Array> | null;
   marks: [number, number, string, string][]; // when, how far along the plane, which kind, in a word
 }
 
@@ -216,24 +196,14 @@ interface SceneData {
 // --- The page without a server: what it needs of the kernel that is compiled to WebAssembly -------------------------
 
 // A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.ts makes it.
-interface Given extends Omit<CheckedPlane, "mu"> {
-  radius: number;
-  mass: number;
-  eccentricity: number;
-  inertia_ratio: number; // 0 for the massless hoop
+interface Given extends Omit<CheckedPlane, "mu">, Omit<CheckedHoop, "load_fraction" | "parts">, Omit<MotionState, "t"> {
   ideal: boolean; // given by its load fraction: κ = 1 − ε²
-  x: number;
-  height: number;
-  angle: number;
-  vx: number;
-  vy: number;
-  omega: number;
   slip: number; // v_t: exactly 0 in a rolling start, else vx − radius · omega
   mode: ModeLetter | null; // of a start that goes on; else it follows from the state
   rolling: boolean; // the scenario has start.speed: theory's numbers of a rolling start are asked for with vx
   duration: number;
   max_events: number;
-  contact: CompliantContact | null; // null for rigid contact
+  contact: Named | null; // of a compliant one
 }
 
 /** What checking a scenario needs of mechanics. All at once: nothing is awaited while a scenario is read. */
@@ -246,13 +216,13 @@ interface ComputedMotion {
   fingerprint: string;
   events: MotionEvent[];
   final: MotionState & { mode: ModeLetter };
-  energy: Record<string, number>;
+  energy: Named<number>;
   duration: number;
   doubt: number | null; // from when on doubles do not decide what comes, null where they do [s]
 }
 
 // Places of a motion's state: the fields of results.Sample. `mode` is the place of the letter in "RSKHM".
-type Samples = Record<string, Float64Array>;
+type Samples = Named<Float64Array>;
 
 /**
  * What theory knows, as theory.summary: null where there is no such number, Infinity where there is no limit.
@@ -295,12 +265,10 @@ type Kernel = Pick<import("./kernel/kernel.ts").WorkerKernel, "ask" | "limit">;
 // What becomes of a motion in the end; nan is what it has not [SI].
 interface Fate {
   fate: string;
-  period: number;
   hops: number;
   passages: number;
   turns: number; // revolutions in a period
   mean_speed: number;
-  final_hop_height: number;
   final_omega: number;
 }
 
@@ -322,19 +290,13 @@ interface Checked {
 
 // --- Written by Python: static/tables.json, which the compiler checks against `Tables`, and motions --------------------
 
-type WholePart =
-  | { shape: "ring"; mass: number; inner_radius: number; outer_radius: number }
-  | { shape: "disk"; mass: number; radius: number; at: number }
-  | { shape: "point_mass"; mass: number; at: number }
-  | { shape: "rod"; mass: number; length: number; at: number; direction: "radial" | "tangential" };
-
 interface CheckedHoop {
   radius: number;
   mass: number;
   load_fraction: number | null;
   eccentricity: number;
-  inertia_ratio: number;
-  parts: WholePart[] | null;
+  inertia_ratio: number; // 0 for the massless hoop
+  parts: Part[] | null;
 }
 
 interface CheckedPlane {
@@ -361,41 +323,15 @@ interface CheckedStart {
   mode: ModeLetter | null;
 }
 
-interface CompliantContact {
-  stiffness: number | null;
-  damping: number | null;
-  restitution: number | null;
-  law: "kelvin-voigt" | "hunt-crossley";
-  friction: "tanh" | "linear" | "bristle";
-  slip_speed: number | null;
-  tangential_stiffness: number | null;
-  rtol: number | null;
-}
-
 type RangeTable = { least: number; most: number; unit?: string; also?: (number | string)[] };
-type SliderInfo = { path: string; symbol: string; unit: string } & Record<"least" | "most" | "step", number>;
-type ChoiceInfo = { path: string; options: string[] };
-type AxisInfo = { path: string; unit: string; range: number[]; allowed: number[] };
-type Preset = { key: string; query: string; more: boolean };
-type Colors = typeof import("../src/hophoop/lab/static/tables.json")["setup"]["colors"] & {
-  modes: Record<string, string>;
-  mode_names: Record<string, string>;
-};
-
-interface ControlsInfo {
-  groups: Record<string, SliderInfo[]>;
-  choices: ChoiceInfo[];
-  gravities: (string | number)[][];
-  map_axes: AxisInfo[];
-}
-
-interface Setup {
-  version: string;
-  controls: ControlsInfo;
-  map_quantities: string[];
-  presets: Preset[];
-  colors: Colors;
-}
+type Written = typeof import("../src/hophoop/lab/static/tables.json");
+type Setup = Written["setup"] & { colors: Colors };
+type Colors = Record<"modes" | "mode_names", Named<string>> & Written["setup"]["colors"];
+type ControlsInfo = Setup["controls"];
+type SliderInfo = ControlsInfo["groups"]["hoop"][number];
+type ChoiceInfo = ControlsInfo["choices"][number];
+type AxisInfo = ControlsInfo["map_axes"][number];
+type Preset = Setup["presets"][number];
 
 interface FieldTable {
   kind: string;
@@ -409,30 +345,28 @@ interface FieldTable {
 
 interface Tables {
   setup: Setup;
-  fingerprints: Record<string, string>;
+  fingerprints: Named<string>;
   schema: string;
   scenario: {
-    sections: Record<string, string[]>;
-    models: Record<string, { place: string; fields: Record<string, FieldTable> }>;
-    parts: Record<string, string>;
-    ends: Record<string, string[]>;
-    left_out: Record<string, any>;
-    rules: ({ sentence: string; values: Record<string, any>; known: Record<string, any>; number: string } | null)[];
+    sections: Named<string[]>;
+    models: Named<{ place: string; fields: Named<FieldTable> }>;
+    parts: Named<string>;
+    ends: Named<string[]>;
+    left_out: Named;
+    rules: ({ sentence: string; values: Named; known: Named; number: string } | null)[];
     touch: number;
-    default: Record<string, any>;
+    default: Named;
   };
-  texts: Record<string, string>;
-  words: { letters: string; modes: string[]; summed_up: string[]; signs: Record<string, string>; least_speed: number };
-  classes: { codes: Record<string, Record<string, string>> } & Record<"families" | "massless", Record<string, string>> &
+  texts: Named<string>;
+  words: Written["words"];
+  classes: { codes: Named<Named<string>> } & Record<"families" | "massless", Named<string>> &
     Record<"hops" | "rolls" | "other", string>;
-  map: {
-    allowed: Record<string, RangeTable>;
-    quantities: Record<string, { span: string; unit: string; words: string[] }>;
-  };
-  lab: Record<string, string>;
-  limits: typeof import("../src/hophoop/lab/static/tables.json")["limits"];
-  table: { rate: number; variables: Record<string, string> };
+  map: { allowed: Named<RangeTable>; quantities: Named<{ span: string; unit: string; words: string[] }> };
+  lab: Named<string>;
+  limits: Written["limits"];
+  table: { rate: number; variables: Named<string> };
   shown: string[];
+  curves: Named<{ field: string; color: string }[]>;
 }
 
 // biome-ignore format: a list

@@ -20,7 +20,7 @@ export function columnsOf(module: HoopModule, computed: Computed, window?: [numb
   const [begin, end] = (window ?? [0, duration]).map((time) => Math.min(Math.max(time, 0), duration));
   const steps = Math.min(Math.max(Math.ceil((end - begin) * RATE), FEWEST), MOST);
   const width = layout.events.length;
-  const places: Set<number> = new Set();
+  const places = new Set<number>();
   for (let k = 0; k <= steps && duration > 0; k++) places.add(k === steps ? end : begin + k * ((end - begin) / steps));
   const marks = new Set<number>();
   // the end of the last piece can lie a rounding beyond the duration
@@ -74,7 +74,7 @@ export function joined(times: Float64Array, after: Float64Array, sides: Float64A
     states.set(after.subarray(k * width, (k + 1) * width), place * width);
     place++;
   }
-  const columns: Record<string, Column> = { t };
+  const columns: Named<Column> = { t };
   for (const [name, parts] of COLUMNS) {
     // from −0, so that a sum of one part has all its bits
     const column = new Float64Array(size).fill(-0);

@@ -27,7 +27,7 @@ function importing({ href }: URL) {
   return URL.createObjectURL(new Blob([`import ${JSON.stringify(href)};`], { type: "text/javascript" }));
 }
 
-async function fetched(address: URL): Promise<WebAssembly.Module> {
+async function fetched(address: URL) {
   const response = await fetch(address);
   if (!response.ok) throw new Refused({ key: "kernel.not_loaded", values: { status: response.status } });
   const typed = response.headers.get("Content-Type") === "application/wasm";
@@ -94,7 +94,7 @@ export class WorkerKernel {
     });
   }
 
-  async map({ count, rows }: MapCells, what: string, span: string, signal?: AbortSignal): Promise<MapValues> {
+  async map({ count, rows }: MapCells, what: string, span: string, signal?: AbortSignal) {
     signal?.throwIfAborted();
     const fields = layout.cell.length;
     const values = new Float64Array(count).fill(Number.NaN);
@@ -122,12 +122,6 @@ export class WorkerKernel {
       throw error;
     });
     return what === "sequence" ? { values, sequences } : { values };
-  }
-
-  close() {
-    this.motions.close();
-    this.maps.close();
-    this.fates?.then((pool) => pool.close()).catch(() => {});
   }
 }
 
@@ -226,9 +220,5 @@ export class WorkerPool {
       signal?.removeEventListener("abort", stop);
       this.release(worker);
     }
-  }
-
-  close() {
-    for (const worker of this.idle) worker.worker.terminate();
   }
 }

@@ -4,17 +4,20 @@ import layout from "../../src/hophoop/lab/wasm/layout.json" with { type: "json" 
 
 export { layout };
 
-const places = (names: readonly string[]) => Object.fromEntries(names.map((name, place) => [name, place]));
+/** Values by names, of which each is found by its place. */
+export const named = <Value>(names: readonly string[], of: (place: number) => Value): Named<Value> =>
+  Object.fromEntries(names.map((name, place) => [name, of(place)]));
 
-export const CELL: Record<string, number> = places(layout.cell);
-export const HEAD: Record<string, number> = places(layout.heads);
-export const EVENT: Record<string, number> = places(layout.events);
-export const SAMPLE: Record<string, number> = places(layout.samples);
-export const NUMBER: Record<string, number> = places(layout.numbers);
-export const WORD: Record<string, number> = places(layout.words);
+const places = (names: readonly string[]) => named(names, (place) => place);
+
+export const HEAD = places(layout.heads);
+export const EVENT = places(layout.events);
+export const SAMPLE = places(layout.samples);
+export const NUMBER = places(layout.numbers);
+export const WORD = places(layout.words);
 
 /** Numbers that a scenario has as words, or not at all. */
-const CODED: Record<string, (given: Given) => number> = {
+const CODED: Named<(given: Given) => number> = {
   law: ({ impact_law }) => layout.impact_laws.indexOf(impact_law),
   painleve_impact: ({ painleve }) => Number(painleve === "impact"),
   mode: ({ mode }) => (mode ? layout.letters.indexOf(mode) : -1), // selected by the rule
@@ -33,8 +36,8 @@ export const cellOf = (given: Given) => Float64Array.from(READ, (read) => read(g
  * A compliant contact's numbers in the order of `layout.compliant`; nan is what it chooses by itself, and all of a
  * rigid one.
  */
-export function contactOf(contact: CompliantContact | null) {
-  const values: Record<string, any> = contact
+export function contactOf(contact: Named | null) {
+  const values: Named = contact
     ? {
         ...contact,
         law: layout.laws.indexOf(contact.law),

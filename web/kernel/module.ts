@@ -1,8 +1,9 @@
 // The kernel as WebAssembly, called at once and without waiting: in a worker, or where one motion is wanted now.
 
 import { sha256 } from "@noble/hashes/sha2.js"; // crypto.subtle is missing in pages from a disk or a local network
-import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.ts";
+import { cellOf, contactOf, EVENT, HEAD, layout, named, NUMBER, WORD } from "./layout.ts";
 import { columnsOf, joined } from "./columns.ts";
+import { hex } from "../model/text.ts";
 
 const FIRST_EVENTS = 256;
 const FIRST_SEGMENTS = 2048;
@@ -22,9 +23,9 @@ export class HoopModule {
   turn = 0;
   exports: any;
   memory: Memory;
-  mostEvents: number = FIRST_EVENTS;
-  mostSegments: number = FIRST_SEGMENTS;
-  mostRows: number = FIRST_ROWS;
+  mostEvents = FIRST_EVENTS;
+  mostSegments = FIRST_SEGMENTS;
+  mostRows = FIRST_ROWS;
 
   constructor(compiled: WebAssembly.Module) {
     this.exports = new WebAssembly.Instance(compiled, {}).exports as any;
@@ -132,9 +133,7 @@ export class HoopModule {
   samples(given: Given, times: Float64Array): Samples {
     const rows = this.states(this.compute(given), times, false);
     const width = layout.samples.length;
-    return Object.fromEntries(
-      layout.samples.map((name, place) => [name, Float64Array.from(times, (_, k) => rows[k * width + place])]),
-    );
+    return named(layout.samples, (place) => Float64Array.from(times, (_, k) => rows[k * width + place]));
   }
 
   /**
@@ -164,7 +163,7 @@ export class HoopModule {
   /** What becomes of a rigid motion in the end, after at most so many passages of the bottom. */
   fate(given: Given, most: number): Fate {
     const values = this.answer("fate", layout.fate.length, this.cell(given), most);
-    const found = Object.fromEntries(layout.fate.map((name, k) => [name, values[k]]));
+    const found = named(layout.fate, (k) => values[k]);
     return { ...found, fate: layout.fates[found.fate] } as Fate;
   }
 
@@ -173,9 +172,7 @@ export class HoopModule {
   thresholds(given: Given): TheoryNumbers {
     const speed = given.rolling && given.angle === 0 ? given.vx : Number.NaN;
     const values = this.answer("thresholds", layout.thresholds.length, this.cell(given), speed);
-    const found: Record<string, number | null> = Object.fromEntries(
-      layout.thresholds.map((name, k) => [name, Number.isNaN(values[k]) ? null : values[k]]),
-    );
+    const found = named(layout.thresholds, (k) => (Number.isNaN(values[k]) ? null : values[k]));
     const jams = ["jam_angle", "jam_angle_2", "jam_angle_3", "jam_angle_4"].map((name) => found[name]);
     return {
       ...(found as Record<ThresholdName, number | null>),
@@ -202,8 +199,8 @@ export class HoopModule {
     const numbers = memory.room("numbers", 8 * count * layout.numbers.length);
     const words = memory.room("words", 4 * count * layout.words.length);
     const keys = memory.room("keys", 8 * count * layout.keys);
-    const { angle, stop, timed } = (layout.spans as Record<string, any>)[span];
-    const wanted = (layout.wanted as Record<string, number>)[what];
+    const { angle, stop, timed } = (layout.spans as Named)[span];
+    const wanted = (layout.wanted as Named<number>)[what];
     this.call("map_cells", place, count, angle ?? Number.NaN, stop, timed, wanted, numbers, words, keys);
     const { buffer } = this.exports.memory;
     if (what === "sequence") return sequencesOf(new BigUint64Array(buffer, keys, count * layout.keys), count);
@@ -224,13 +221,13 @@ export class HoopModule {
    * The first rule that a scenario breaks. Returns its place in the table of rules, 0 for none, and what its sentence
    * needs.
    */
-  refused(given: Given): [code: number, number: number] {
+  refused(given: Given) {
     const asked = [this.cell(given), this.contact(given), Number(!given.contact)];
     return this.answer("refused", 2, ...asked) as [number, number];
   }
 
   /** A hoop of parts, as Python's `combine`, and how far each part reaches from the centre [m]. */
-  combine(radius: number, parts: WholePart[]) {
+  combine(radius: number, parts: Part[]) {
     const { memory } = this;
     const rows = memory.put("parts", parts.flatMap(rowOf));
     const out = memory.room("hoop", 8 * 3);
@@ -241,13 +238,13 @@ export class HoopModule {
   }
 
   /** What a compliant contact chooses by itself, in SI units. */
-  chosen(given: Given): Record<string, number> {
+  chosen(given: Given) {
     const values = this.answer("compliance", layout.chosen.length, this.cell(given), this.contact(given));
-    return Object.fromEntries(layout.chosen.map((name, place) => [name, values[place]]));
+    return named(layout.chosen, (k) => values[k]);
   }
 }
 
-function rowOf(part: WholePart) {
+function rowOf(part: Part) {
   const kind = part.shape === "rod" ? `${part.direction}_rod` : part.shape;
   const shape = layout.shapes.indexOf(kind);
   if (part.shape === "ring") return [shape, part.mass, part.inner_radius, part.outer_radius, 0];
@@ -319,7 +316,7 @@ function sequenceOf(events: MotionEvent[]) {
 // --- The module's memory: room for numbers, and views of it that follow when it grows
 
 class Memory {
-  rooms: Map<string, { place: number; bytes: number }> = new Map();
+  rooms = new Map<string, { place: number; bytes: number }>();
 
   /** `exports`: of the module. */
   constructor(public exports: any) {}
@@ -350,22 +347,12 @@ class Memory {
 // --- Sequences of modes, unpacked from the numbers into which the kernel packs them
 
 function sequencesOf(keys: BigUint64Array, count: number): MapValues {
-  const codes: Map<string, number> = new Map();
-  const values = new Float64Array(count);
-  for (let k = 0; k < count; k++) {
-    const word = unpacked(keys.subarray(k * layout.keys, (k + 1) * layout.keys));
-    if (word === "") {
-      values[k] = Number.NaN; // not allowed
-      continue;
-    }
-    let code = codes.get(word);
-    if (code === undefined) {
-      code = codes.size;
-      codes.set(word, code);
-    }
-    values[k] = code;
-  }
-  return { values, sequences: [...codes.keys()] };
+  const words = Array.from({ length: count }, (_, k) =>
+    unpacked(keys.subarray(k * layout.keys, (k + 1) * layout.keys)),
+  );
+  const sequences = [...new Set(words)].filter(Boolean);
+  // without a word it is not allowed
+  return { values: Float64Array.from(words, (word) => (word ? sequences.indexOf(word) : Number.NaN)), sequences };
 }
 
 function unpacked(keys: BigUint64Array) {
@@ -403,6 +390,5 @@ export function fingerprintOf(rows: Float64Array, count: number) {
     });
     hash.update(bytes);
   }
-  const hex = Array.from(hash.digest(), (byte) => byte.toString(16).padStart(2, "0"));
-  return hex.join("").slice(0, DIGITS);
+  return hex(hash.digest()).slice(0, DIGITS);
 }

@@ -8,8 +8,8 @@ export function unpacked(packed: Packed) {
 }
 
 /** Gives scripts their addresses, at which they find each other. */
-export function addressesOf(scripts: Record<string, string>) {
-  const addresses: Record<string, string> = {};
+export function addressesOf(scripts: Named<string>) {
+  const addresses: Named<string> = {};
   const addressOf = (name: string): string => {
     addresses[name] ??= URL.createObjectURL(new Blob([linked(scripts[name])], { type: "text/javascript" }));
     return addresses[name];

@@ -7,7 +7,7 @@ export { HoopModule };
 let module: HoopModule | undefined;
 
 function buffersOf(answer: any) {
-  const found: Set<ArrayBuffer> = new Set();
+  const found = new Set<ArrayBuffer>();
   const look = (value: any) => {
     if (ArrayBuffer.isView(value)) found.add(value.buffer as ArrayBuffer);
     else if (value && typeof value === "object" && !Array.isArray(value)) Object.values(value).forEach(look);

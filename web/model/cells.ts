@@ -5,6 +5,7 @@ import { given } from "./given.ts";
 import { middles, type Axis } from "./request.ts";
 import { sectionsWith } from "./scenario.ts";
 import { tables } from "./tables.ts";
+import { hex } from "./text.ts";
 
 const BREATH = 8; // milliseconds after which the page may do something else
 const ROW = 64; // cells between two looks at the clock
@@ -16,12 +17,7 @@ type Axes = { x: Axis; y: Axis };
  * Every cell as the kernel takes it, row by row. The kernel leaves out those that break a rule; where a value is not
  * allowed by itself, a cell is all zeros. The page breathes in between.
  */
-export async function cellsOf(
-  base: Checked,
-  { x, y }: Axes,
-  mechanics: Mechanics,
-  signal?: AbortSignal,
-): Promise<MapCells> {
+export async function cellsOf(base: Checked, { x, y }: Axes, mechanics: Mechanics, signal?: AbortSignal) {
   const [columns, rows] = [middles(x), middles(y)];
   const withs = (...pairs: [string, number][]) => sectionsWith(base, new Map(pairs), mechanics);
   const apart = independent(base, x.path, y.path);
@@ -86,7 +82,7 @@ const classOf = (name: string, what: string): MapClass => ({
  * Sequences in the order of a legend, the short ones first; what is no code becomes nan. `words`: of a coded
  * quantity.
  */
-function ordered({ values, sequences }: MapValues, words: string[] | null): { values: Column; names: string[] } {
+function ordered({ values, sequences }: MapValues, words: string[] | null) {
   if (!words) return { values: values as Column, names: [] };
   const names = sequences ? [...sequences].sort((a, b) => a.length - b.length || (a < b ? -1 : 1)) : words;
   const codes = sequences?.map((name) => names.indexOf(name));
@@ -117,10 +113,9 @@ export function classColor(name: string, quantity: string): string {
   const dark = Math.max(2 * depth - 1, 0) * 0.5;
   const shades = base.map((part) => {
     const mixed = (1 - drift) * part + drift * middle;
-    const shade = Math.round(255 * (mixed + (1 - mixed) * light) * (1 - dark));
-    return shade.toString(16).padStart(2, "0");
+    return 255 * (mixed + (1 - mixed) * light) * (1 - dark);
   });
-  return `#${shades.join("")}`;
+  return `#${hex(shades)}`;
 }
 
 /** A class in words. */

@@ -14,7 +14,7 @@ export class InputError extends Refused {
 }
 
 /** A sentence of Python's, with its values. */
-export const say = (name: string, values: Record<string, any> = {}): Phrase => ({
+export const say = (name: string, values: Named = {}): Phrase => ({
   key: `refusal.${name}`,
   values: written(texts[name], values),
 });
@@ -22,22 +22,17 @@ export const say = (name: string, values: Record<string, any> = {}): Phrase => (
 export const isTable = (value: any) => value !== null && typeof value === "object" && !Array.isArray(value);
 
 /** What is wrong with one value. `name`: of what would be allowed. */
-export const finding = (path: string, value: any, name: string, values?: Record<string, any>) =>
+export const finding = (path: string, value: any, name: string, values?: Named) =>
   say("finding", { path: path || say("whole_scenario"), shown: shown(value), allowed: say(name, values) });
 
 /** The fields of a model, or null where something is wrong with them. `found`: sentences about what is wrong. */
-export function readFields(
-  model: string,
-  data: any,
-  path: string,
-  found: Phrase[],
-): { values: Record<string, any>; given: Set<string> } | null {
+export function readFields(model: string, data: any, path: string, found: Phrase[]) {
   const { fields, place } = scenario.models[model];
   const said = isTable(data) ? unknownKey(place, data, Object.keys(fields)) : finding(path, data, "table");
   if (said) found.push(said);
   if (said) return null;
   const before = found.length;
-  const values: Record<string, any> = {};
+  const values: Named = {};
   for (const [name, field] of Object.entries(fields)) {
     if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
     else if (field.required) found.push(say("missing", { path: `${path}.${name}` }));
@@ -119,14 +114,7 @@ function readPart(part: any, path: string, found: Phrase[]) {
 }
 
 /** Which of several models a table is. `models`: by word; `usual`: where the key is missing. */
-export function modelOf(
-  data: any,
-  key: string,
-  models: Record<string, string>,
-  path: string,
-  found: Phrase[],
-  usual?: string,
-): string | null {
+export function modelOf(data: any, key: string, models: Named<string>, path: string, found: Phrase[], usual?: string) {
   const word = isTable(data) && Object.hasOwn(data, key) ? data[key] : usual;
   if (!isTable(data)) found.push(finding(path, data, "table"));
   else if (word === undefined) found.push(say("missing", { path: `${path}.${key}` }));

@@ -38,7 +38,7 @@ export function tableText(times: Float64Array, samples: Samples) {
 const { scenario: knowledge } = tables;
 const COMMENT = 30; // column of a unit
 /** Of all fields by name: their units and kinds do not depend on the model. */
-const FIELDS: Record<string, FieldTable> = {};
+const FIELDS: Named<FieldTable> = {};
 for (const { fields } of Object.values(knowledge.models)) Object.assign(FIELDS, fields);
 
 function valueText(key: string, value: any) {
@@ -70,7 +70,7 @@ export function toToml(checked: Checked) {
 }
 
 /** Names of the classes. */
-const CLASSES: Record<string, string> = { hoop: "Hoop", plane: "Plane", start: "Start" };
+const CLASSES: Named<string> = { hoop: "Hoop", plane: "Plane", start: "Start" };
 const USED = ["load_fraction", "mu"]; // what a reader will want to change is written out also where it is as usual
 
 /** Python that makes the same motion; its variable `motion` is the Trajectory. */
@@ -89,7 +89,7 @@ for event in motion.events:
 `;
 }
 
-function sectionCall(section: string, { parts, ...keys }: Record<string, any>) {
+function sectionCall(section: string, { parts, ...keys }: Named) {
   const rolling = section === "start" && "speed" in keys;
   const name = rolling ? "Start.rolling" : (CLASSES[section] ?? (keys.model === "rigid" ? "Rigid" : "Compliant"));
   const usual = rolling ? { angle: 0, x: 0 } : usualKeys(section, keys.model);
@@ -98,7 +98,7 @@ function sectionCall(section: string, { parts, ...keys }: Record<string, any>) {
   return `hh.${name}(${[...told.map(argument), ...more].join(", ")})`;
 }
 
-const partCall = ({ shape, ...keys }: Record<string, any>) =>
+const partCall = ({ shape, ...keys }: Named) =>
   `hh.${knowledge.parts[shape]}(${Object.entries(keys).map(argument).join(", ")})`;
 
 const argument = ([key, value]: [string, any]) => `${key}=${value === "inf" ? 'float("inf")' : valueText(key, value)}`;

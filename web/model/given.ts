@@ -14,7 +14,7 @@ export function given({ duration, hoop, plane, start, contact }: Checked): Given
     rolling: start.speed !== null,
     duration,
     max_events,
-    contact: model === "rigid" ? null : (rest as unknown as CompliantContact),
+    contact: model === "rigid" ? null : rest,
   };
 }
 

@@ -40,7 +40,7 @@ export function headerOf(
 }
 
 /** Numbers as the sliders show them, whichever way the scenario is given. */
-function valuesOf({ hoop, plane, start }: Checked): Record<string, any> {
+function valuesOf({ hoop, plane, start }: Checked): Named {
   const sections = { hoop, plane, start: { ...stateOf(start, hoop.radius), speed: start.speed } } as any;
   const values = tables.shown.map((path: string) => {
     const [section, name] = path.split(".");
@@ -50,7 +50,7 @@ function valuesOf({ hoop, plane, start }: Checked): Record<string, any> {
   return Object.fromEntries(values);
 }
 
-function automatic(checked: Checked, mechanics: Mechanics): Record<string, number> {
+function automatic(checked: Checked, mechanics: Mechanics) {
   if (checked.contact.model === "rigid") return {};
   const { stiffness, slip_speed } = mechanics.chosen(given(checked));
   const { restitution } = checked.plane;

@@ -7,7 +7,7 @@ import { tables } from "./tables.ts";
 const ENDS = tables.scenario.ends;
 
 /** Two of some paths that say the same thing in two ways. */
-export function contradiction(known: string[]): [string, string] | null {
+export function contradiction(known: string[]) {
   for (const path of known) {
     const ended = (ENDS[path] ?? []).map((key) => path.replace(/\..*/, `.${key}`));
     const other = known.find((one) => ended.includes(one));
@@ -23,12 +23,7 @@ const rank = (path: string) => (path === "contact.model" ? 0 : path.startsWith("
  * Keys of a scenario with other values at some paths, ready to be checked. `data`: its keys, which are changed;
  * `values`: by path, of which no two contradict each other; `hoopOf`: reads the keys of a hoop.
  */
-export function replaced(
-  checked: Checked,
-  data: Record<string, any>,
-  values: Map<string, any>,
-  hoopOf: (keys: any) => CheckedHoop,
-) {
+export function replaced(checked: Checked, data: Named, values: Map<string, any>, hoopOf: (keys: any) => CheckedHoop) {
   const spelt = new Set();
   for (const path of [...values.keys()].sort((a, b) => rank(a) - rank(b))) {
     const value = structuredClone(values.get(path));
@@ -51,7 +46,7 @@ export function replaced(
 }
 
 /** The same section given the other way, where that keeps what the path does not name. `given`: the section. */
-function speltOut(given: any, path: string, hoopToBe: () => CheckedHoop): Record<string, any> {
+function speltOut(given: any, path: string, hoopToBe: () => CheckedHoop): Named {
   const { mass, eccentricity, inertia_ratio, mu_static, mu_kinetic } = given;
   if (path === "hoop.load_fraction") return { mass };
   if (path === "hoop.eccentricity" || path === "hoop.inertia_ratio") return { mass, eccentricity, inertia_ratio };

@@ -6,7 +6,7 @@ import { numberOf, numberText } from "./text.ts";
 const MOST_FIELDS = 1000;
 
 /** The nested keys of a query. */
-export function readQuery(query: string): Record<string, any> {
+export function readQuery(query: string): Named {
   const text = query.replace(/^\?/, "");
   if (text.split("&").length > MOST_FIELDS) {
     throw new InputError(say("unreadable_query", { reason: "Max number of fields exceeded" }));
@@ -32,9 +32,9 @@ export function readQuery(query: string): Record<string, any> {
 }
 
 /** Without a prototype: a link may name its keys as it likes. */
-const bare = (): Record<string, any> => Object.create(null);
+const bare = (): Named => Object.create(null);
 
-function numbered(parts: Record<string, any>) {
+function numbered(parts: Named) {
   const names = Object.keys(parts).map((_, index) => String(index));
   const other = Object.keys(parts).find((name) => !names.includes(name));
   if (other !== undefined) throw new InputError(say("parts_out_of_order", { name: other }));

@@ -13,7 +13,7 @@ export function asked(
 ): Checked {
   const start = scenario !== undefined && query === undefined;
   let checked = start ? fromDict(scenario, mechanics) : fromQuery(query ?? "", mechanics);
-  let values: Map<string, any> = new Map();
+  let values = new Map<string, any>();
   for (const [path, value] of changes) {
     if (contradiction([...values.keys(), path])) {
       checked = withValues(checked, values, mechanics);
@@ -31,7 +31,7 @@ const { lab, limits } = tables;
 export type Axis = { path: string; from: number; to: number; cells: number };
 
 /** A sentence of the lab's, with its values. */
-export const labText = (name: keyof typeof lab, values: Record<string, any> = {}): Phrase => ({
+export const labText = (name: keyof typeof lab, values: Named = {}): Phrase => ({
   key: `lab.${name}`,
   values: written(lab[name], values),
 });
@@ -72,10 +72,7 @@ const nameOf = (pair: string) => new URLSearchParams(`&${pair}`).keys().next().v
 const isForeign = (pair: string) => !nameOf(pair).includes(".") && !OWN.has(nameOf(pair));
 
 /** Returns the link that can be shown, the names of others in it, and what is wrong with the rest. */
-export function readable(
-  query: string,
-  mechanics: Mechanics,
-): { query: string; foreign: string[]; error: Error | null } {
+export function readable(query: string, mechanics: Mechanics) {
   const pairs = query.replace(/^\?/, "").split("&").filter(Boolean);
   const own = pairs.filter((pair) => !isForeign(pair));
   const foreign = pairs.filter(isForeign).map(nameOf);
@@ -96,7 +93,7 @@ export function readable(
 /** As many parameters as go together, looked for in each section by itself. */
 function rightOf(pairs: string[], holds: (pairs: string[]) => boolean) {
   if (pairs.length > MOST) return [];
-  const sections: Map<string, string[]> = new Map();
+  const sections = new Map<string, string[]>();
   for (const pair of pairs) {
     const section = nameOf(pair).split(".")[0];
     sections.set(section, [...(sections.get(section) ?? []), pair]);

@@ -11,7 +11,7 @@ const FREE = ["height", "vx", "vy", "omega"];
 const ALONE = { mass: 1, inertia_ratio: 1, contact: null };
 
 /** The first rule that numbers break, in a sentence. `sections`: that the sentence may speak of. */
-export function broken(given: any, sections: any, mechanics: Mechanics): Phrase | null {
+export function broken(given: any, sections: any, mechanics: Mechanics) {
   const [code, number] = mechanics.refused(given);
   const rule = scenario.rules[code];
   if (!rule) return null;
@@ -30,7 +30,7 @@ function together(section: string, way: string, given: Set<string>, others: stri
 }
 
 /** Complete the values of a section; what is wrong with them is said in a sentence. */
-export const COMPLETE: Record<string, (values: any, given: Set<string>, mechanics: Mechanics) => Phrase | null> = {
+export const COMPLETE: Named<(values: any, given: Set<string>, mechanics: Mechanics) => Phrase | null> = {
   hoop: completeHoop,
   plane: completePlane,
   start: completeStart,

@@ -9,7 +9,7 @@ import { tables } from "./tables.ts";
 
 const { scenario: knowledge } = tables;
 /** Numbers of a plane that are not written where they have their default. */
-const leftOut: Record<string, number> = knowledge.left_out;
+const leftOut: Named<number> = knowledge.left_out;
 const CONTACTS = { rigid: "Rigid", compliant: "Compliant" };
 
 /** Check the keys of a scenario. `keys`: as in a scenario file; numbers in SI units. */
@@ -78,7 +78,7 @@ export function sectionsWith(
 
 // --- written -----------------------------------------------------------------------------------
 
-const written = (values: Record<string, any>, names: string[]) =>
+const written = (values: Named, names: string[]) =>
   Object.fromEntries(
     names
       .filter((name) => values[name] !== null)
@@ -108,14 +108,14 @@ export function toDict({ duration, hoop, plane, start, contact }: Checked): Scen
 function hoopKeys(hoop: CheckedHoop) {
   if (hoop.parts) {
     const parts = hoop.parts.map((part) => written(part, namesOf(knowledge.parts[part.shape])));
-    return { radius: hoop.radius, parts: parts as unknown as Part[] };
+    return { radius: hoop.radius, parts: parts as Part[] };
   }
   const ways = hoop.load_fraction === null ? ["eccentricity", "inertia_ratio"] : ["load_fraction"];
   return written(hoop, ["radius", "mass", ...ways]);
 }
 
 /** What a section is where nothing is said of it. `model`: of a contact. */
-export function usualKeys(name: string, model?: string): Record<string, any> {
+export function usualKeys(name: string, model?: string): Named {
   if (name === "hoop" || name === "plane") return knowledge.default[name];
   const { fields } = knowledge.models[name === "start" ? "Start" : model === "compliant" ? "Compliant" : "Rigid"];
   return Object.fromEntries(Object.entries<any>(fields).map(([key, field]) => [key, field.default ?? undefined]));
@@ -123,7 +123,7 @@ export function usualKeys(name: string, model?: string): Record<string, any> {
 
 /** The scenario as the query of a link, as Python's `Scenario.to_query`. */
 export function toQuery(checked: Checked) {
-  const brief: Record<string, any> = {};
+  const brief: Named = {};
   for (const [name, value] of Object.entries(toDict(checked))) {
     if (equal(value, knowledge.default[name])) continue;
     const bare = isTable(value) ? usualKeys(name, value.model) : {};

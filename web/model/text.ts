@@ -21,6 +21,16 @@ export function general(value: number, count = 6) {
   return [digits.includes(".") ? digits.replace(/\.?0+$/, "") : digits, ...power].join("e");
 }
 
+/** Numbers up to 255 as two digits each. */
+export const hex = (parts: Iterable<number>) =>
+  Array.from(parts, (part) => Math.round(part).toString(16).padStart(2, "0")).join("");
+
+/** How many units of which a length reads well a metre has, and the unit. */
+export function unitOf(metres: number): [number, string] {
+  const size = Math.abs(metres);
+  return size >= 0.995 ? [1, "m"] : size >= 0.00995 ? [100, "cm"] : [1000, "mm"];
+}
+
 /** A power of ten as it is written. */
 export const raised = (power: number) =>
   [...String(power)].map((sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)])).join("");
@@ -28,14 +38,14 @@ export const raised = (power: number) =>
 export const fixed = (value: number, decimals: number) =>
   Number.isFinite(value) ? value.toFixed(decimals) : numberText(value);
 
-const FORMATS: Record<string, (value: number, digits: number) => string> = {
+const FORMATS: Named<(value: number, digits: number) => string> = {
   g: (value, digits) => general(value, digits || 6),
   e: (value, digits) => value.toExponential(digits),
   f: fixed,
 };
 
 /** The values of a template of Python's as texts: of `{name}`, `{name!r}`, `{name:.3g}`. What is said already stays. */
-export function written(template: string, values: Record<string, any>): Values {
+export function written(template: string, values: Named): Values {
   const places = template.matchAll(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g);
   const texts = [...places].map(([, name, quoted, digits, kind]): [string, Message] => {
     const value = values[name];

@@ -2,7 +2,7 @@
 
 import { tables } from "./tables.ts";
 import { listed } from "../words/texts.ts";
-import { fixed, general, raised } from "./text.ts";
+import { fixed, general, raised, unitOf } from "./text.ts";
 
 const { letters, modes, summed_up: SUMMED_UP } = tables.words;
 const MOST_TOLD = 400;
@@ -27,7 +27,7 @@ export const stills = (events: MotionEvent[]) => [...events.keys()].filter((numb
 export const halfway = (events: MotionEvent[], number: number) => 0.5 * (events[number].t + events[number + 1].t);
 
 /** The motion as a list of sentences. */
-export function story(motion: Told, most = MOST_TOLD): Sentence[] {
+export function story(motion: Told, most = MOST_TOLD) {
   const told: Sentence[] = [];
   let leftOut = 0;
   const many = manyBounces(motion.events);
@@ -41,7 +41,7 @@ export function story(motion: Told, most = MOST_TOLD): Sentence[] {
       leftOut++;
       continue;
     }
-    told.push({ t: event.t, event: number, mode: letters[modes.indexOf(wordAfter(motion, number))], text });
+    told.push({ t: event.t, mode: letters[modes.indexOf(wordAfter(motion, number))], text });
   }
   if (leftOut) told.push({ ...told[told.length - 1], text: { key: "story.left_out", values: { count: leftOut } } });
   return told;
@@ -51,7 +51,7 @@ const bounces = (event: MotionEvent) => event.kind === "impact" && event.to === 
 
 // Where bounces follow each other: at the first that is not told by itself, how many there are; at the others 0.
 function manyBounces(events: MotionEvent[], told = 3, least = 6) {
-  const found: Map<number, number> = new Map();
+  const found = new Map<number, number>();
   let run: number[] = [];
   for (let number = 0; number <= events.length; number++) {
     const event = events[number];
@@ -95,7 +95,7 @@ export function summary(motion: Told, most = 6): Phrase {
   return { key: "summary.with_ending", values: { phrases: listed(phrases), ending } };
 }
 
-function phraseOf(motion: Told, number: number, event: MotionEvent): string {
+function phraseOf(motion: Told, number: number, event: MotionEvent) {
   if (event.collision === false) return "summary.without_collision";
   if (bounces(event)) return "summary.bounces";
   if (["slip_start", "slip_reversal"].includes(event.kind) || turnsInSlip(event))
@@ -148,13 +148,13 @@ function takeoff(events: MotionEvent[], number: number, values: Values) {
 }
 
 /** The word for the mode that follows an event. */
-function wordAfter(motion: Told, number: number): string {
+function wordAfter(motion: Told, number: number) {
   const event = motion.events[number];
   return modeWord(event.to, isStill(motion.events, number) ? motion.omega(number) : event.omega);
 }
 
 /** What the hoop does: in slip it spins where the rim turns too fast for the way it goes, else it skids. */
-function modeWord(letter: string, omega: number): string {
+function modeWord(letter: string, omega: number) {
   if (letter === "S") return omega > 0 ? SPIN : SKID;
   if (letter === "K") return omega < 0 ? SPIN : SKID;
   return modes[letters.indexOf(letter)];
@@ -167,8 +167,8 @@ const turnsInSlip = (event: MotionEvent) => event.kind === "turn" && (event.to =
 export const degrees = (angle: number) => `${fixed(angle * (180 / Math.PI), 1)}°`.replaceAll("-", "−");
 
 function length(value: number) {
-  if (value >= 0.995) return `${inWords(value)} m`;
-  return value >= 0.00995 ? `${inWords(value * 100)} cm` : `${inWords(value * 1000)} mm`;
+  const [scale, unit] = unitOf(value);
+  return `${inWords(value * scale)} ${unit}`;
 }
 
 /** Three digits, a real minus sign, powers of ten as they are written. */

@@ -1,5 +1,6 @@
 // What is written over the picture: metres on the plane, take-offs, impacts and jams, the letters of several hoops.
 
+import { disc, fill, ring, stroke } from "../lab/common/paint.ts";
 import type { Stage3D } from "../lab/player/stage3d.ts";
 import type { Written } from "./main.ts";
 
@@ -83,32 +84,19 @@ export class Labels {
     const { pen } = this;
     pen.globalAlpha = 1 - share;
     pen.lineWidth = 3 * (1 - share) + 0.6;
-    pen.beginPath();
-    pen.arc(x, y, (0.08 + SPREAD * share) * radius, 0, 2 * Math.PI);
-    pen.stroke();
+    ring(pen, [x, y], (0.08 + SPREAD * share) * radius);
     pen.globalAlpha = 1;
   }
 
   sign(kind: string, x: number, y: number) {
     const { pen } = this;
-    pen.beginPath();
     if (kind === "takeoff" || kind === "impact") {
       const up = kind === "takeoff" ? -SIZE : SIZE;
-      for (const [right, down] of [
-        [-SIZE, -up],
-        [SIZE, -up],
-        [0, up],
-      ])
-        pen.lineTo(x + right, y + down);
-      pen.fill();
+      fill(pen, [x - SIZE, y - up], [x + SIZE, y - up], [x, y + up]);
       return;
     }
     pen.lineWidth = 0.4 * SIZE;
-    for (const way of [-SIZE, SIZE]) {
-      pen.moveTo(x - SIZE, y - way);
-      pen.lineTo(x + SIZE, y + way);
-    }
-    pen.stroke();
+    for (const way of [-SIZE, SIZE]) stroke(pen, [x - SIZE, y - way], [x + SIZE, y + way]);
   }
 
   /** The letter of a hoop at its centre, by which several are told apart. */
@@ -117,10 +105,7 @@ export class Labels {
     const { x, height } = film.at(now);
     const spot = film.hoop.tag && this.spot(x, film.radius + height, stage.depth(films, lane));
     if (!spot) return;
-    pen.beginPath();
-    pen.arc(spot[0], spot[1], 10, 0, 2 * Math.PI);
-    pen.fillStyle = data.theme.paper;
-    pen.fill();
+    disc(pen, spot, 10, data.theme.paper);
     pen.lineWidth = 1.2;
     pen.stroke();
     pen.fillStyle = data.theme.ink;

@@ -91,13 +91,9 @@ class Player {
 
   draw() {
     const { data, films, stage, now } = this;
-    const options = {
-      traces: data.hoops.some(({ path }) => path !== null),
-      forces: data.newton !== null,
-      speed: true,
-      whole: !this.follow.checked,
-    };
-    stage.draw(films, now, options, data.theme, data.colors, this.playing ?? false);
+    const traces = data.hoops.some(({ path }) => path !== null);
+    const options = { traces, forces: data.newton !== null, speed: true, whole: !this.follow.checked };
+    stage.draw(films, now, options, { look: data.theme, inks: data.colors }, this.playing ?? false);
     this.labels.draw(now);
     this.words.show(now, stage.metre);
   }

@@ -1,5 +1,6 @@
 // What stands beside the picture: mode, time and angle of each hoop, the colours of speed, what the lines are.
 
+import { rounded } from "../lab/common/clamp.ts";
 import { SPEED_GRADIENT } from "../lab/common/colors.ts";
 
 const MOST_RULER = 90; // pixels
@@ -11,12 +12,6 @@ function named(tag: string, className: string, ...children: (Node | string)[]) {
   made.className = className;
   made.append(...children);
   return made;
-}
-
-/** The largest of 1, 2, 5 times a power of ten up to a value. */
-function round(value: number) {
-  const power = 10 ** Math.floor(Math.log10(value));
-  return power * ([5, 2].find((step) => step * power <= value * 1.000001) ?? 1);
 }
 
 /** Without the noise of its last digits. */
@@ -43,7 +38,7 @@ export class Words {
 
   scale(most: number) {
     element("bar").style.background = SPEED_GRADIENT;
-    const step = round(most / 3);
+    const step = rounded(most / 3);
     for (let value = 0; value <= most; value += step) {
       const tick = named("span", "", plain(value));
       tick.style.left = `${(100 * value) / most}%`;
@@ -75,7 +70,7 @@ export class Words {
     const { newton, hoops, modes } = this.data;
     const frame = Math.floor(now);
     if (newton) {
-      const amount = round(MOST_RULER / (newton * metre));
+      const amount = rounded(MOST_RULER / (newton * metre));
       this.ruler.style.width = `${(amount * newton * metre).toFixed(1)}px`;
       this.force.data = `${plain(amount)} N`;
     }

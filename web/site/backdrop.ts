@@ -28,17 +28,8 @@ Object.assign(film, {
   width,
   height,
 });
-Object.assign(film.style, {
-  position: "absolute",
-  left: 0,
-  top: 0,
-  width: `${width}px`,
-  height: `${height}px`,
-  maxWidth: "none",
-  transformOrigin: "0 0",
-  zIndex: -1,
-  pointerEvents: "none",
-});
+film.style.cssText =
+  "position: absolute; inset: 0 auto auto 0; max-width: none; transform-origin: 0 0; z-index: -1; pointer-events: none";
 
 function follow() {
   requestAnimationFrame(follow);

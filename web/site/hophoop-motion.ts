@@ -4,7 +4,6 @@
 // when a visitor comes near it, as pictures do.
 
 const here = new URL("./", import.meta.url);
-let count = 0;
 
 /** When an element is about to be seen. */
 function seen(element: Element) {
@@ -27,12 +26,6 @@ class HophoopMotion extends HTMLElement {
   lab: any = null;
   root: HTMLElement | null = null;
   starting = false;
-  number: number;
-
-  constructor() {
-    super();
-    this.number = ++count;
-  }
 
   async connectedCallback() {
     if (this.getAttribute("loading") === "lazy") await seen(this);

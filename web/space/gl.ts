@@ -1,14 +1,13 @@
 // What drawing in space needs of WebGL: programs and meshes.
 
-export function makeProgram(gl: WebGLRenderingContext, vertex: string, fragment: string) {
+import { parsed } from "../lab/common/colors.ts";
+
+/** `sources`: of the vertex shader and of the fragment shader. */
+export function makeProgram(gl: WebGLRenderingContext, sources: string[]) {
   const program = gl.createProgram();
-  const sources: [number, string][] = [
-    [gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, fragment],
-  ];
-  for (const [kind, text] of sources) {
+  for (const [k, kind] of [gl.VERTEX_SHADER, gl.FRAGMENT_SHADER].entries()) {
     const shader = gl.createShader(kind) as WebGLShader;
-    gl.shaderSource(shader, text);
+    gl.shaderSource(shader, sources[k]);
     gl.compileShader(shader);
     if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(String(gl.getShaderInfoLog(shader)));
     gl.attachShader(program, shader);
@@ -28,12 +27,7 @@ export function makeProgram(gl: WebGLRenderingContext, vertex: string, fragment:
 }
 
 /** `parts`: name and size of what stands behind each other for a vertex. */
-export function mesh(
-  gl: WebGLRenderingContext,
-  data: number[],
-  parts: Record<string, number>,
-  indices?: number[],
-): Mesh {
+export function mesh(gl: WebGLRenderingContext, data: number[], parts: Named<number>, indices?: number[]) {
   const vertices = gl.createBuffer();
   gl.bindBuffer(gl.ARRAY_BUFFER, vertices);
   gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(data), gl.STATIC_DRAW);
@@ -177,7 +171,4 @@ export function tilted(slope: number) {
 }
 
 /** '#rrggbb' as three shares. */
-export function rgb(color: string) {
-  const value = Number.parseInt(color.slice(1, 7), 16);
-  return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255];
-}
+export const rgb = (color: string) => parsed(color).map((part) => part / 255);

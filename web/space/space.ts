@@ -94,46 +94,40 @@ const LINE = [
   `precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }`,
 ];
 
+function contextOf(canvas: HTMLCanvasElement) {
+  // the picture can be copied
+  const gl = canvas.getContext("webgl", { antialias: true, stencil: true, preserveDrawingBuffer: true });
+  if (!gl) throw new Error("This browser draws nothing in space (WebGL is missing).");
+  return gl;
+}
+
 export class Space {
   eye: Vector = [0, 0, 1];
   fastest = 1;
-  gl: WebGLRenderingContext;
+  gl = contextOf(this.canvas);
   sun = unit(SUN);
   slant = [SUN[0] / SUN[1], 1, SUN[2] / SUN[1]];
-  rim: Program;
-  body: Program;
-  line: Program;
-  torus: Mesh;
-  sphere: Mesh;
-  cylinder: Mesh;
-  cone: Mesh;
-  colors: WebGLTexture;
-  view: Matrix;
+  rim = makeProgram(this.gl, RIM);
+  body = makeProgram(this.gl, BODY);
+  line = makeProgram(this.gl, LINE);
+  torus = torusMesh(this.gl);
+  sphere = sphereMesh(this.gl);
+  cylinder = coneMesh(this.gl, 1);
+  cone = coneMesh(this.gl, 0);
+  view: Matrix = tilted(0);
 
   /** `speeds`: the colours of the rim from rest to the fastest. */
   constructor(
     public canvas: HTMLCanvasElement,
     speeds: number[][],
   ) {
-    // the picture can be copied
-    const gl = canvas.getContext("webgl", { antialias: true, stencil: true, preserveDrawingBuffer: true });
-    if (!gl) throw new Error("This browser draws nothing in space (WebGL is missing).");
-    this.gl = gl;
-    this.rim = makeProgram(gl, RIM[0], RIM[1]);
-    this.body = makeProgram(gl, BODY[0], BODY[1]);
-    this.line = makeProgram(gl, LINE[0], LINE[1]);
-    this.torus = torusMesh(gl);
-    this.sphere = sphereMesh(gl);
-    this.cylinder = coneMesh(gl, 1);
-    this.cone = coneMesh(gl, 0);
-    this.colors = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, this.colors);
+    const { gl } = this;
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
     const pixels = new Uint8Array(speeds.flatMap((color) => [...color, 255]));
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, speeds.length, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
     for (const way of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, way, gl.LINEAR);
-    this.view = tilted(0);
   }
 
   /**
@@ -150,10 +144,10 @@ export class Space {
     this.eye = unit(minus(eye, target));
   }
 
-  use(program: Program, values: Record<string, number | Vector | Matrix>) {
+  use(program: Program, values: Named<number | Vector | Matrix>) {
     const { gl } = this;
     gl.useProgram(program.program);
-    const all: Record<string, any> = { view: this.view, sun: this.sun, eye: this.eye, slant: this.slant, ...values };
+    const all: Named = { view: this.view, sun: this.sun, eye: this.eye, slant: this.slant, ...values };
     for (const [name, value] of Object.entries(all)) {
       const place = program.uniforms[name];
       if (place === undefined) continue;

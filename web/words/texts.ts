@@ -13,13 +13,13 @@ const nameOf = (code: string) => {
 };
 
 /** Names by code. */
-export const LANGUAGES: Record<string, string> = Object.fromEntries(CODES.map((code) => [code, nameOf(code)]));
+export const LANGUAGES: Named<string> = Object.fromEntries(CODES.map((code) => [code, nameOf(code)]));
 
 /** Without a prototype: whatever somebody writes into a link may be looked up. */
 const bare = (words: Words): Words => Object.assign(Object.create(null), words);
 const ENGLISH = bare(en);
 /** Tables by code, and where another comes from. */
-const tables: Map<string, Words> = new Map([["en", ENGLISH]]);
+const tables = new Map<string, Words>([["en", ENGLISH]]);
 let source: (code: string) => Promise<Words> = async () => ENGLISH;
 
 let language = "en";

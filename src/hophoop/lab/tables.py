@@ -23,6 +23,7 @@ from hophoop.lab import limits
 from hophoop.lab.limits import LAB
 from hophoop.lab.presets import FIRST, presets
 from hophoop.maps import QUANTITIES
+from hophoop.plots import curves
 from hophoop.results.save import SCHEMA
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.checking import RULES, TEXTS, Frozen, Number, Rule
@@ -63,10 +64,14 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
 }
 
 GROUPS = ("hoop", "plane", "start", "contact", "motion")
-COLORS = (
-    "GRAVITY_CENTER", "CENTER_SPEED", "ROTATION_SPEED", "KINETIC", "POTENTIAL", "FRICTION_LOSS", "IMPACT_LOSS", "NORMAL_FORCE",
-    "FRICTION_FORCE", "LIMIT",
-)  # fmt: skip
+COLORS = ("GRAVITY_CENTER", "NORMAL_FORCE", "FRICTION_FORCE")
+# Diagrams of the page, which has no column of the energy in a contact's spring.
+CURVES: dict[str, tuple[curves.Curve, ...]] = {
+    "velocities": curves.VELOCITIES,
+    "energies": tuple(curve for curve in curves.ENERGIES if curve.field != "spring"),
+    "forces": curves.FORCES,
+    "utilization": curves.PANELS["utilization"][1],
+}
 # Sentences about paths that the page does not send; those about other problems are in one key.
 UNSEEN: Final = {"two_ways", "no_section_parts", "not_there", "no_parameter", "other_problem", "other_problems"}
 # Bounds that the page keeps as well.
@@ -115,6 +120,7 @@ def tables() -> dict[str, Any]:
         "lab": {name: _places(said) for name, said in LAB.items()},
         "limits": {name.lower(): getattr(limits, name) for name in LIMITS},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: quantity.unit for name, quantity in COLUMNS.items()}},
+        "curves": {name: [{"field": curve.field, "color": curve.color} for curve in shown] for name, shown in CURVES.items()},
         # sliders whose values may follow from the scenario instead of being in it
         "shown": [row.path for row in TABLE if row.slider and section_of(row) in ("hoop", "plane", "start")],
     }

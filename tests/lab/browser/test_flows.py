@@ -183,6 +183,9 @@ FLOWS = {
         "button Hoop A",
         "until text('.story h2') === 'What happens to hoop A' && text('[data-plot=velocities] .value') === '2'",
         "until all('.story-list li').length === 1",
+        # all curves of the one that is chosen, and the total of the other
+        "until first('[data-plot=energies] .plot-body').ariaLabel.includes('B: total from')",
+        "is !first('[data-plot=energies] .plot-body').ariaLabel.includes('B: kinetic')",
         "press h",  # the hop of B is marked and found while A is chosen
         "is lab.clock.time === lab.film(1).events.find(({ kind }) => kind === 'takeoff').t",
     ]),
@@ -310,13 +313,13 @@ FLOWS = {
         *PLANE,
         "press +",
         "press +",
-        "until lab.phase.pictures[1] && Math.abs(lab.phase.pictures[1].window[0] - lab.phase.range[0]) < 1e-9",
+        "until lab.phase.pictures[1] && Math.abs(lab.phase.pictures[1].window[0] - lab.phase.windows.x[0]) < 1e-9",
         "press 0",
         "until lab.phase.pictures.length === 1",
         "press +",
         "until lab.phase.pictures.length === 2",
         *(9 * ["press -"]),
-        "is lab.phase.window[1] === lab.phase.reach && lab.phase.pictures.length === 1",
+        "is lab.phase.windows.y[1] === lab.phase.reach && lab.phase.pictures.length === 1",
         # a part that comes after the whole was asked for is not shown
         REGIONS_HELD,
         "press +",

@@ -18,11 +18,11 @@ def test_the_page_opens_with_the_hop(visit):
     picture(page, "desktop", full_page=True)
     # energies are booked as in every plot
     drawn = page.evaluate(
-        "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
+        "hophoopLab.plots.plots[1].definition.curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
     )
     ledger = hh.simulate(hh.Scenario()).ledger
-    assert dict(drawn)["diagram.friction_loss"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
-    assert dict(drawn)["diagram.impact_loss"] == pytest.approx(ledger.impact_normal, rel=1e-6)
+    assert dict(drawn)["curve.friction_loss"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
+    assert dict(drawn)["curve.normal_loss"] == pytest.approx(ledger.impact_normal, rel=1e-6)
     assert ledger.impact_tangential > 0.1  # what tells one convention from the other
 
 

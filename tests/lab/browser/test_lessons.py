@@ -155,11 +155,11 @@ FLOWS = {
         "until text('.table h2') === 'Table'",
         "choose .plots-head>select x",
         "choose [data-plot=own]>header>select total",
-        "until lab.plots.plots.at(-1).unit === 'W [J]'",
+        "until lab.plots.plots.at(-1).definition.unit === 'W [J]'",
         "is first('[data-plot=own] .plot-body').ariaLabel.includes('total energy from')",
         "do globalThis.end = lab.film().at(6)",
         "is near(lab.plots.plots.at(-1).abscissa(lab.film()).at(-1), end.x, 1e-4)",
-        "is near(lab.plots.plots.at(-1).curves(lab.film())[0].values.at(-1), end.kinetic + end.potential, 1e-4)",
+        "is near(lab.plots.plots.at(-1).definition.curves(lab.film())[0].values.at(-1), end.kinetic + end.potential, 1e-4)",
         "do lab.plots.plots[0].seek(7)",  # to the sample that is nearest on the chosen axis
         "is near(lab.film().at(lab.clock.time).x, 7, 0.1)",
     ]),
@@ -167,9 +167,9 @@ FLOWS = {
         f"do {HEARD}",
         "is wrong.length === 0 && apart.length === 0",
         "is lab.extras.sound.constructor.heard(lab.film(), 1.3).tone === 0",  # in flight there is nothing to hear
-        "is lab.extras.sound.context === null",
+        "is lab.extras.sound.made === null",
         "button Sound of the contact",
-        "is lab.extras.sound.context instanceof AudioContext",
+        "is lab.extras.sound.made.context instanceof AudioContext",
     ]),
     "a visit uses the window and halts at the event it speaks of": ("", {}, [
         *step(3),

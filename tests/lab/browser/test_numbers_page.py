@@ -120,11 +120,11 @@ def test_every_number_shown_in_play_is_right(visit):
 def test_a_diagram_says_that_its_axis_is_cut(visit):
     """A landing on a stiff contact is a spike of thousands of newtons."""
     page = visit("?contact.model=compliant&duration=3&start.speed=3.1")
-    forces = "lab.plots.plots.find(({ key }) => key === 'forces')"
-    wait_for(page, f"{forces}.heights && lab.plots.films.length === 1")
+    forces = "lab.plots.plots.find(({ definition }) => definition.key === 'forces')"
+    wait_for(page, f"{forces}.box && lab.plots.films.length === 1")
     heights, cut, most = page.evaluate(
         f"(() => {{ const plot = {forces.replace('lab.', 'hophoopLab.')}; const force = hophoopLab.film().columns.normal_force;"
-        "return [plot.heights, plot.cut, Math.max(...force)]; })()"
+        "return [plot.windows.y, plot.cut, Math.max(...force)]; })()"
     )
     assert most > heights[1]
     assert float(cut["high"].replace(" ", "").replace("\u202f", "")) == pytest.approx(most, rel=0.01)
@@ -132,7 +132,7 @@ def test_a_diagram_says_that_its_axis_is_cut(visit):
 
 DRAWN = """(key) => {
   const lab = hophoopLab;
-  const plot = lab.plots.plots.find((one) => one.key === key);
+  const plot = lab.plots.plots.find((one) => one.definition.key === key);
   const said = [];
   const pen = CanvasRenderingContext2D.prototype;
   const { fillText } = pen;
@@ -150,7 +150,7 @@ def test_a_diagram_of_a_long_motion_is_a_band_with_a_line(visit):
     page = visit()
     for query in ("", "duration=60", "duration=600"):
         page.evaluate("query => hophoopLab.load(query)", query)
-        wait_for(page, f"lab.plots.plots.at(-2).heights && lab.plots.films[0] === lab.film() && {SHOWN}")
+        wait_for(page, f"lab.plots.plots.at(-2).box && lab.plots.films[0] === lab.film() && {SHOWN}")
         told, share = page.evaluate(DRAWN, "utilization")
         assert told == (query == "duration=600")
         assert 0.002 < share < 0.45, query

@@ -6,7 +6,7 @@ from lab_page_tools import PHONE, SHOWN, each_of, follow
 ZOOMED = {
     ".stage canvas": "1 / lab.stage.flat.zoom",
     "[data-plot=forces] .plot-body": "(lab.plots.shared.range?.reduce((low, high) => high - low) ?? 6)",
-    ".phase .plot-body": "(lab.phase.range[1] - lab.phase.range[0])",
+    ".phase .plot-body": "(lab.phase.windows.x[1] - lab.phase.windows.x[0])",
     ".map-body": "(lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0])",
 }
 # the browser tells which diagrams are in view after a picture of the page or two, and fingers can be there before

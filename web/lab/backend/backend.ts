@@ -8,7 +8,7 @@ const REGION_ROWS = 240;
 const PASSAGES = 2000; // of the bottom, after which a fate is not decided
 
 /** Files and their types. */
-const FILES: Record<string, string> = {
+const FILES: Named<string> = {
   "motion.toml": "application/toml",
   "motion.csv": "text/csv; charset=utf-8",
   "motion.json": "application/json",
@@ -31,7 +31,6 @@ export class Backend {
 
   /** The motion of a scenario for the player. `bounded`: whether it must be one that a page computes. */
   async film(asked: Asked, signal?: AbortSignal, bounded = true): Promise<FilmReply> {
-    signal?.throwIfAborted();
     const checked = this.checked(asked);
     const given = model.given(bounded ? model.within(checked) : checked);
     const { motion, columns, pieces } = await this.kernel.ask("film", [given], signal);
@@ -73,14 +72,12 @@ export class Backend {
 
   /** What theory says of the hoop of a scenario. */
   async theory(scenario: any, signal?: AbortSignal) {
-    signal?.throwIfAborted();
     const checked = this.checked({ scenario });
     return model.thresholds(checked, await this.kernel.ask("thresholds", [model.given(checked)], signal));
   }
 
   /** The modes that follow in the (θ, θ̇) plane. `window`: of θ and of θ̇. */
   async regions(scenario: any, window: [number, number, number, number], signal?: AbortSignal) {
-    signal?.throwIfAborted();
     const given = model.given(this.checked({ scenario }));
     return this.kernel.ask("regions", [given, window, REGION_COLUMNS, REGION_ROWS], signal);
   }
@@ -112,17 +109,14 @@ export class Backend {
   }
 
   /** What becomes of the motion in the end. */
-  async fate(scenario: any, signal?: AbortSignal): Promise<Fate> {
+  async fate(scenario: any, signal?: AbortSignal) {
     const given = model.given(this.checked({ scenario }));
     if (given.contact || !given.gravity) throw new model.InputError({ key: "ending.needs" });
     return this.kernel.ask("fate", [given, PASSAGES], signal);
   }
 
   /** A map over two parameters. */
-  async map(
-    { x, y, what, ...asked }: Asked & { x: any; y: any; what: string },
-    signal?: AbortSignal,
-  ): Promise<Reply<MapHeader>> {
+  async map({ x, y, what, ...asked }: Asked & { x: any; y: any; what: string }, signal?: AbortSignal) {
     signal?.throwIfAborted();
     const base = model.withinMap(this.checked(asked), { x, y });
     const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);

@@ -10,7 +10,7 @@ export type Comparison = { same: boolean; asked: boolean; text: Message };
 
 export class Sameness {
   /** By the query of the motion. */
-  link: Map<string, string> = new Map();
+  link = new Map<string, string>();
   python: Map<string, string>;
 
   constructor(presets: Preset[]) {
@@ -29,7 +29,7 @@ export class Sameness {
     return films.map(({ query }) => this.link.get(query) ?? "");
   }
 
-  of({ query, fingerprint: own }: Film): Comparison[] {
+  of({ query, fingerprint: own }: Film) {
     return (["python", "link"] as const).flatMap((whose) => {
       const other = this[whose].get(query);
       if (!other) return [];

@@ -1,18 +1,80 @@
-// The axes of all pictures with numbers: marks and names across and upwards, in a frame or with lines across.
+// All pictures with numbers: where they are, what they show, and their axes in a frame or with lines across.
 
+import { clamp } from "./clamp.ts";
+import { niceStep, tickText, ticks } from "./numbers.ts";
 import { stroke } from "./paint.ts";
 import { t } from "../words/words.ts";
 
-/** Where the picture is on its canvas, in pixels. */
-export interface Place {
-  left: number;
-  top: number;
+/** Where a picture is on its canvas, in pixels, and from where to where it goes across and upwards. */
+export class Frame {
   box: Box;
+  windows: Record<AxisName, number[]>;
+
+  constructor(
+    public left: number,
+    readonly right: number,
+    readonly top: number,
+    readonly bottom: number,
+  ) {}
+
+  /** Take the room of a canvas. */
+  fit(width: number, height: number) {
+    this.box = { width: width - this.left - this.right, height: height - this.top - this.bottom };
+  }
+
+  x(value: number) {
+    const [low, high] = this.windows.x;
+    return this.left + ((value - low) / (high - low)) * this.box.width;
+  }
+
+  y(value: number) {
+    const [low, high] = this.windows.y;
+    return this.top + (1 - (value - low) / (high - low)) * this.box.height;
+  }
+
+  /** The place under a point of the canvas. */
+  place([x, y]: number[]): Place {
+    const at = ([low, high]: number[], share: number) => low + clamp(share, 0, 1) * (high - low);
+    return {
+      x: at(this.windows.x, (x - this.left) / this.box.width),
+      y: at(this.windows.y, 1 - (y - this.top) / this.box.height),
+    };
+  }
+
+  /** The middle of what is shown. */
+  middle(): Place {
+    const { x, y } = this.windows;
+    return { x: 0.5 * (x[0] + x[1]), y: 0.5 * (y[0] + y[1]) };
+  }
+
+  edges() {
+    return new DOMRect(this.left, this.top, this.box.width, this.box.height);
+  }
+
+  /** What is drawn from here to `restore` stays inside. */
+  clip(context: CanvasRenderingContext2D) {
+    context.save();
+    context.beginPath();
+    context.rect(this.left, this.top, this.box.width, this.box.height);
+    context.clip();
+  }
 }
 
 export interface Axis {
   marks: { at: number; text: string; strong?: boolean }[]; // in pixels
   name: string;
+}
+
+/** Round numbers of an axis. `at`: where one is; `step`: from one to the next; `text`: that of one. */
+export function marksOf(
+  [low, high]: number[],
+  count: number,
+  at: (value: number) => number,
+  step = niceStep(high - low, count),
+  text = tickText,
+) {
+  const strong = (value: number) => Math.abs(value) < 1e-9 * step;
+  return ticks(low, high, step).map((value) => ({ at: at(value), text: text(value, step), strong: strong(value) }));
 }
 
 export const axisFont = ({ font }: Look) => `11px ${font}`;
@@ -21,7 +83,7 @@ export const axisFont = ({ font }: Look) => `11px ${font}`;
 export function drawAxes(
   context: CanvasRenderingContext2D,
   look: Look,
-  { left, top, box }: Place,
+  { left, top, box }: Frame,
   { across, up, lines = false, middle = false }: { across: Axis; up: Axis; lines?: boolean; middle?: boolean },
 ) {
   const bottom = top + box.height;

@@ -1,5 +1,7 @@
 // Colours: how light they are, what can be read on them, and those of speed.
 
+import { hex } from "../../model/text.ts";
+
 export function parsed(color: string) {
   const value = Number.parseInt(color.slice(1, 7), 16);
   return [(value >> 16) & 255, (value >> 8) & 255, value & 255];
@@ -26,13 +28,7 @@ export function readable(color: string, dark: boolean) {
   if (luminance(color) < 0.002) return "#eceef2";
   let lighter = color;
   for (let share = 0; luminance(lighter) < 0.2 && share < 1; share += 0.05) {
-    lighter = `#${parsed(color)
-      .map((value) =>
-        Math.round(value + (255 - value) * share)
-          .toString(16)
-          .padStart(2, "0"),
-      )
-      .join("")}`;
+    lighter = `#${hex(parsed(color).map((value) => value + (255 - value) * share))}`;
   }
   return lighter;
 }
@@ -40,19 +36,12 @@ export function readable(color: string, dark: boolean) {
 // Viridis, from nine of its colours.
 const VIRIDIS = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
 
-function viridis() {
-  const colors = [];
-  for (let k = 0; k < 256; k++) {
-    const place = (k / 255) * (VIRIDIS.length - 1);
-    const low = Math.min(Math.floor(place), VIRIDIS.length - 2);
-    const one = parsed(VIRIDIS[low]);
-    const two = parsed(VIRIDIS[low + 1]);
-    colors.push(one.map((value, i) => Math.round(value + (two[i] - value) * (place - low))));
-  }
-  return colors;
-}
-
-export const SPEED_COLORS = viridis();
+export const SPEED_COLORS = Array.from({ length: 256 }, (_, k) => {
+  const place = (k / 255) * (VIRIDIS.length - 1);
+  const low = Math.min(Math.floor(place), VIRIDIS.length - 2);
+  const [one, two] = [low, low + 1].map((step) => parsed(VIRIDIS[step]));
+  return one.map((value, i) => Math.round(value + (two[i] - value) * (place - low)));
+});
 
 export const SPEED_TEXTS = SPEED_COLORS.map((color) => `rgb(${color.join(",")})`);
 export const SPEED_GRADIENT = `linear-gradient(90deg, ${SPEED_TEXTS.filter((_, k) => k % 15 === 0).join(",")})`;

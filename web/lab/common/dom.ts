@@ -1,21 +1,30 @@
 // Elements of the page. Words follow the language, see words.ts.
 
 import { luminance } from "./colors.ts";
+import { hex } from "../../model/text.ts";
 import { name as called, spokenText } from "../words/words.ts";
 
 const LETTERS = 14; // pixels, the usual size of letters
 const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
 
-/** An element with attributes, listeners (`onclick`) and children; what is null or false is left out. */
-export function h<Tag extends keyof HTMLElementTagNameMap>(
-  tag: Tag,
-  attributes: Record<string, any> = {},
-  ...children: any[]
-): HTMLElementTagNameMap[Tag] {
+type Tags = HTMLElementTagNameMap;
+type Made<Name> = Name extends keyof Tags ? Tags[Name] : Name extends `${infer Tag}.${string}` ? Made<Tag> : never;
+
+/** Attributes of an element, not its first child: a phrase has a key. */
+const areAttributes = (given: any) => given?.constructor === Object && !("key" in given);
+
+/**
+ * An element, by its tag and classes as in `p.hint`, with attributes and listeners (`onclick`) if there are any, and
+ * children; what is null or false is left out.
+ */
+export function h<Name extends keyof Tags | `${keyof Tags}.${string}`>(name: Name, ...given: any[]) {
+  const [tag, ...classes] = name.split(".");
+  const [attributes, ...children] = areAttributes(given[0]) ? given : [{}, ...given];
   const element = document.createElement(tag);
+  element.classList.add(...classes);
   if (tag === "button") element.setAttribute("type", "button");
-  const properties = element as unknown as Record<string, any>;
-  for (const [name, value] of Object.entries(attributes)) {
+  const properties = element as unknown as Named;
+  for (const [name, value] of Object.entries<any>(attributes)) {
     if (value === undefined || value === null || value === false) continue;
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else if (name === "class") element.className = value;
@@ -27,20 +36,32 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
     if (child === null || child === undefined || child === false) continue;
     element.append(child.nodeType ? child : spokenText(child));
   }
-  return element;
+  return element as Made<Name>;
 }
 
 /** A button that shows a picture or a sign, and is called otherwise. */
-export const iconButton = (sign: Node | string, title: string, onclick: () => void, more: Record<string, any> = {}) =>
+export const iconButton = (sign: Node | string, title: string, onclick: () => void, more: Named = {}) =>
   h("button", { title, "aria-label": title, onclick, ...more }, sign);
+
+/** A choice of one of several values. `words`: for each; `picked`: gets the one that is chosen. */
+export function selection<Value extends string | number>(
+  values: readonly Value[],
+  words: (value: Value) => Message,
+  picked: (value: string) => void,
+  attributes: Named = {},
+) {
+  const options = values.map((value) => h("option", { value: String(value) }, words(value)));
+  const select = h("select", { ...attributes, onchange: () => picked(select.value) }, options);
+  return select;
+}
 
 /** The button that closes the dialog in which it is. */
 export const closing = () =>
-  h("button", { class: "close", onclick: ({ target }: any) => target.closest("dialog").close() }, "table.close");
+  h("button.close", { onclick: ({ target }: any) => target.closest("dialog").close() }, "table.close");
 
 /** A button that copies a code, or selects it where the browser does not let it. */
 export function copying(code: HTMLElement) {
-  const button = h("button", {}, "motion.copy");
+  const button = h("button", "motion.copy");
   button.onclick = async () => {
     try {
       await navigator.clipboard.writeText(code.textContent ?? "");
@@ -68,11 +89,11 @@ export const menuItem = (words: string, action: () => void, kind = "") =>
 
 /** The names of columns. */
 export const headed = (...names: Message[]) =>
-  h("thead", {}, h("tr", {}, ...names.map((name) => h("th", { scope: "col" }, [name]))));
+  h("thead", h("tr", ...names.map((name) => h("th", { scope: "col" }, [name]))));
 
 /** A row of a table with what it is called. */
 export const rowOf = (called: any, ...cells: any[]) =>
-  h("tr", {}, h("th", { scope: "row" }, called), ...cells.map((cell) => h("td", {}, cell)));
+  h("tr", h("th", { scope: "row" }, called), ...cells.map((cell) => h("td", cell)));
 
 /** Put other words into an element; they change with the language. */
 export function say(element: Element, said: Message) {
@@ -103,6 +124,19 @@ export function scaledContext(canvas: HTMLCanvasElement, unit = 1) {
   return { context, width: width / scale, height: height / scale };
 }
 
+/** A picture of one pixel a cell, by rows from below; a cell without a colour is clear. */
+export function cellPicture(columns: number, rows: number, colorOf: (cell: number) => number[] | null) {
+  const image = new ImageData(columns, rows);
+  for (let cell = 0; cell < columns * rows; cell++) {
+    const color = colorOf(cell);
+    const place = (rows - 1 - Math.floor(cell / columns)) * columns + (cell % columns);
+    if (color) image.data.set([...color, 255], 4 * place);
+  }
+  const picture = h("canvas", { width: columns, height: rows });
+  pen(picture).putImageData(image, 0, 0);
+  return picture;
+}
+
 /** A colour as #rrggbb, also one that the system names, such as CanvasText. */
 function plainColor(color: string) {
   if (/^#[0-9a-f]{6}$/i.test(color)) return color;
@@ -110,7 +144,7 @@ function plainColor(color: string) {
   context.fillStyle = color;
   context.fillRect(0, 0, 1, 1);
   const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
-  return `#${[r, g, b].map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+  return `#${hex([r, g, b])}`;
 }
 
 export function theme(element: HTMLElement) {

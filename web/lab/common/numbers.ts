@@ -1,6 +1,6 @@
 // Numbers as a reader wants them, and round steps for axes.
 
-import { raised } from "../../model/text.ts";
+import { raised, unitOf } from "../../model/text.ts";
 import { clamp } from "./clamp.ts";
 import { local } from "../words/words.ts";
 
@@ -37,8 +37,7 @@ export const degrees = (angle: number) => local(`${(angle / DEGREE).toFixed(1)}Â
 
 /** A length in the unit in which it reads well. */
 export function length(metres: number) {
-  const size = Math.abs(metres);
-  const [scale, unit] = size >= 0.995 ? [1, "m"] : size >= 0.00995 ? [100, "cm"] : [1000, "mm"];
+  const [scale, unit] = unitOf(metres);
   return withUnit(show(metres * scale, 3), unit);
 }
 
@@ -50,10 +49,10 @@ export function niceStep(span: number, count: number) {
   return (share > 5 ? 10 : share > 2 ? 5 : share > 1 ? 2 : 1) * power;
 }
 
-export function ticks(low: number, high: number, count: number) {
-  if (!(high > low) || !Number.isFinite(low) || !Number.isFinite(high)) return [];
-  const step = niceStep(high - low, count);
-  const found = [];
+/** Multiples of a step in a range. */
+export function ticks(low: number, high: number, step: number) {
+  const found: number[] = [];
+  if (!(high > low) || !Number.isFinite(low + high)) return found;
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step && found.length < 200; k++) {
     found.push(k * step);
   }

@@ -19,15 +19,21 @@ export function fill(context: Pen, ...points: number[][]) {
   context.fill();
 }
 
-export function ring(context: Pen, [x, y]: number[], radius: number) {
+function around(context: Pen, [x, y]: number[], radius: number) {
   context.beginPath();
   context.arc(x, y, radius, 0, 2 * Math.PI);
+}
+
+export function ring(context: Pen, place: number[], radius: number, color = context.strokeStyle, width?: number) {
+  around(context, place, radius);
+  context.strokeStyle = color;
+  context.lineWidth = width ?? context.lineWidth;
   context.stroke();
 }
 
-export function disc(context: Pen, [x, y]: number[], radius: number) {
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
+export function disc(context: Pen, place: number[], radius: number, color = context.fillStyle) {
+  around(context, place, radius);
+  context.fillStyle = color;
   context.fill();
 }
 

@@ -1,5 +1,7 @@
 // What fingers and mouse do: drag, pinch; and where the keys go.
 
+import { clamp } from "./clamp.ts";
+
 /** Also inside a shadow tree, where notebooks put widgets. */
 export const focused = (element: HTMLElement | null) =>
   element !== null && (element.getRootNode() as Document | ShadowRoot).activeElement === element;
@@ -38,7 +40,7 @@ export function follow(
  * comes back tells whether two fingers are down; what one finger does has to wait then.
  */
 function pinch(element: HTMLElement, zoom: (factor: number, at: Point) => void) {
-  const fingers: Map<number, PointerEvent> = new Map();
+  const fingers = new Map<number, PointerEvent>();
   let before: { span: number; clientX: number; clientY: number } | null = null;
   const measured = () => {
     const [a, b] = [...fingers.values()];
@@ -101,13 +103,13 @@ export function zoomable(
     chosen?: () => HTMLElement | null;
     keys?: boolean;
   },
-): () => boolean {
+) {
   element.addEventListener(
     "wheel",
     (event) => {
       if (!(event.ctrlKey || event.metaKey || focused(chosen()))) return;
       event.preventDefault();
-      zoom(Math.exp(-Math.min(Math.max(event.deltaY, -MOST), MOST) * WHEEL), event);
+      zoom(Math.exp(-clamp(event.deltaY, -MOST, MOST) * WHEEL), event);
     },
     { passive: false },
   );

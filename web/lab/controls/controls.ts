@@ -1,6 +1,6 @@
 // Sliders with exact entry, and choices; what they show comes back from the server with each motion.
 
-import { h } from "../common/dom.ts";
+import { h, selection } from "../common/dom.ts";
 import { number, tables } from "../../model/tables.ts";
 import { Entry } from "./entry.ts";
 import { clamp } from "../common/clamp.ts";
@@ -24,20 +24,19 @@ class Slider {
   label = `parameter.${this.info.path}`;
   logarithmic = !this.info.step;
   id = `hh-${this.info.path}-${Math.random().toString(36).slice(2, 7)}`;
-  range = h("input", {
+  range = h("input.slider", {
     type: "range",
     id: this.id,
-    class: "slider",
     min: String(this.place(this.info.least)),
     max: String(this.place(this.info.most)),
     step: String(this.info.step || 0.01),
     "data-path": this.info.path,
     oninput: () => this.slid(false),
     onchange: () => this.slid(true),
-    onpointerdown: () => this.hold(true),
-    onpointerup: () => this.hold(false),
-    onpointercancel: () => this.hold(false),
-    onblur: () => this.hold(false),
+    onpointerdown: this.hold(true),
+    onpointerup: this.hold(false),
+    onpointercancel: this.hold(false),
+    onblur: this.hold(false),
   });
   entry = new Entry(
     {
@@ -52,10 +51,10 @@ class Slider {
     (value) => this.send(value, true),
   );
   element = h(
-    "div",
-    { class: "control", title: `help.${this.info.path}` },
-    h("label", { for: this.id }, h("span", {}, this.label), h("span", { class: "symbol" }, this.info.symbol)),
-    h("span", { class: "entry" }, this.entry.input, h("span", { class: "unit" }, this.info.unit)),
+    "div.control",
+    { title: `help.${this.info.path}` },
+    h("label", { for: this.id }, h("span", this.label), h("span.symbol", this.info.symbol)),
+    h("span.entry", this.entry.input, h("span.unit", this.info.unit)),
     this.range,
     this.entry.error,
   );
@@ -66,7 +65,9 @@ class Slider {
   ) {}
 
   hold(held: boolean) {
-    this.held = held;
+    return () => {
+      this.held = held;
+    };
   }
 
   /** Where a value is on the slider. */
@@ -114,12 +115,13 @@ class Slider {
 }
 
 function choice({ path, options }: ChoiceInfo, onchange: (changes: Change[], commit: boolean) => void) {
-  const select = h(
-    "select",
-    { "data-path": path, onchange: () => onchange([[path, select.value]], true) },
-    options.map((value) => h("option", { value }, `choice.${path}.${value}`)),
+  const select = selection(
+    options,
+    (value) => `choice.${path}.${value}`,
+    (value) => onchange([[path, value]], true),
+    { "data-path": path },
   );
-  const element = h("label", { class: "choice", title: `help.${path}` }, h("span", {}, `parameter.${path}`), select);
+  const element = h("label.choice", { title: `help.${path}` }, h("span", `parameter.${path}`), select);
   return { element, select };
 }
 
@@ -149,7 +151,7 @@ export class Controls {
       else this.onchange([[`hoop.${way}`, values["hoop.eccentricity"]]]);
     },
   );
-  derived = h("p", { class: "derived" });
+  derived = h("p.derived");
   apart = h("input", {
     type: "checkbox",
     onchange: () => {
@@ -177,8 +179,7 @@ export class Controls {
   );
   start = this.group("controls.start", this.kind.element, ...this.of("start"), this.at("duration"));
   element = h(
-    "div",
-    { class: "controls" },
+    "div.controls",
     this.group(
       "controls.hoop",
       this.way.element,
@@ -187,7 +188,7 @@ export class Controls {
     this.group(
       "controls.plane",
       ...this.of("plane", {
-        "plane.slope": [h("label", { class: "check" }, this.apart, "controls.two_frictions")],
+        "plane.slope": [h("label.check", this.apart, "controls.two_frictions")],
         "plane.gravity": [this.gravity.element],
       }),
     ),
@@ -213,26 +214,22 @@ export class Controls {
    * The controls of a section in the order of Python's table: sliders, then choices. `before`: what comes before some
    * of them.
    */
-  of(section: string, before: Record<string, HTMLElement[]> = {}) {
+  of(section: string, before: Named<HTMLElement[]> = {}) {
     return [...this.sliders.keys(), ...this.choices.keys()]
       .filter((path) => path.startsWith(`${section}.`) && !ADVANCED.includes(path))
       .flatMap((path) => [...(before[path] ?? []), this.at(path)]);
   }
 
-  select(label: string, options: Record<string, string>, onchange: (value: string) => void) {
-    const select = h(
-      "select",
-      { onchange: () => onchange(select.value) },
-      Object.entries(options).map(([value, text]) => h("option", { value }, text)),
-    );
-    return { select, element: h("label", { class: "choice" }, h("span", {}, label), select) };
+  select(label: string, options: Named<string>, onchange: (value: string) => void) {
+    const select = selection(Object.keys(options), (value) => options[value], onchange);
+    return { select, element: h("label.choice", h("span", label), select) };
   }
 
   group(title: string, ...children: HTMLElement[]) {
     // on a phone all of it would be a long way to scroll
     const wide = !matchMedia("(max-width: 47.5em)").matches;
     const open = title === "controls.start" || title === "controls.plane" || (wide && title === "controls.hoop");
-    return h("details", { class: "group", open }, h("summary", {}, title), children);
+    return h("details.group", { open }, h("summary", title), children);
   }
 
   /** A change that was refused is said at its field, if it is one that is seen. */
@@ -258,7 +255,7 @@ export class Controls {
   }
 
   /** `waiting`: paths that have a newer value already, which must not be written over. */
-  show(film: Film, waiting: Set<string> = new Set()) {
+  show(film: Film, waiting = new Set<string>()) {
     if (film !== this.film) {
       this.broken?.accept();
       this.broken = null;

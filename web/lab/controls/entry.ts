@@ -68,13 +68,12 @@ let count = 0;
 export class Entry {
   shown = "";
   typing = false;
-  error = h("p", { class: "error", role: "alert", id: `hh-error-${++count}`, hidden: true });
-  input = h("input", {
+  error = h("p.error", { role: "alert", id: `hh-error-${++count}`, hidden: true });
+  input = h("input.exact", {
     type: "text",
     inputmode: "decimal",
     autocomplete: "off",
     spellcheck: "false",
-    class: "exact",
     "aria-label": this.info.name,
     oninput: () => {
       this.typing = true;

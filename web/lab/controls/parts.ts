@@ -9,7 +9,7 @@ const SHAPES = {
   point_mass: { label: "parts.point_mass", keys: ["mass", "at"] },
   rod: { label: "parts.rod", keys: ["mass", "length", "at"] },
 };
-const LABELS: Record<string, [string, string]> = {
+const LABELS: Named<[string, string]> = {
   mass: ["parts.mass", "kg"],
   inner_radius: ["parts.inner_radius", "m"],
   outer_radius: ["parts.outer_radius", "m"],
@@ -27,7 +27,7 @@ const fresh = (shape: Part["shape"], R: number, mass: number) =>
   })[shape];
 
 /** Parts that stand for the hoop there is: a thin ring and a load. */
-export function partsLike(values: Record<string, any>): Part[] {
+export function partsLike(values: Named) {
   const R = values["hoop.radius"];
   const mass = values["hoop.mass"];
   const load = Math.min(Math.max(values["hoop.eccentricity"], 0.01), 0.99);
@@ -42,11 +42,11 @@ const round = (value: number) => Number(value.toPrecision(6));
 export class Parts {
   parts: Part[] = [];
   shapes = "";
-  entries: Map<string, Entry> = new Map();
+  entries = new Map<string, Entry>();
   radius: number;
   mass: number;
 
-  list = h("div", { class: "parts" });
+  list = h("div.parts");
   more = h(
     "select",
     {
@@ -60,7 +60,7 @@ export class Parts {
     h("option", { value: "" }, "parts.add"),
     Object.entries(SHAPES).map(([key, { label }]) => h("option", { value: key }, label)),
   );
-  element = h("div", {}, this.list, this.more);
+  element = h("div", this.list, this.more);
 
   constructor(public onchange: (changes: Change[], commit?: boolean) => void) {}
 
@@ -86,17 +86,14 @@ export class Parts {
   row(part: Part, i: number) {
     const { label, keys } = SHAPES[part.shape];
     return h(
-      "fieldset",
-      { class: "part" },
+      "fieldset.part",
       h(
         "legend",
-        {},
         label,
         this.parts.length > 1 &&
           h(
-            "button",
+            "button.quiet",
             {
-              class: "quiet",
               "aria-label": { key: "parts.remove", values: { number: i + 1, what: label } },
               onclick: () => this.send(this.parts.filter((_, k) => k !== i)),
             },
@@ -113,6 +110,6 @@ export class Parts {
       this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: value } : one))),
     );
     this.entries.set(`${i}.${key}`, entry);
-    return h("div", {}, h("label", {}, label, ` [${unit}]`, entry.input), entry.error);
+    return h("div", h("label", label, ` [${unit}]`, entry.input), entry.error);
   }
 }

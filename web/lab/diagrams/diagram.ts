@@ -1,47 +1,51 @@
 // What diagrams and the plane of angle and rate have in common: two canvases, the lower for curves and the upper for the cursor.
 
+import { Frame } from "../common/axes.ts";
 import { h, pen, scaledContext } from "../common/dom.ts";
+import { placeOn, zoomable } from "../common/pointer.ts";
 
-// What axes need beside the box of curves.
-export const LEFT = 52;
-export const RIGHT = 10;
-export const TOP = 8;
-export const BOTTOM = 30;
-
-export class Diagram {
+export abstract class Diagram extends Frame {
   films: Film[];
   active: number;
   look: Look;
-  box: Box;
 
-  canvas = h("canvas", { class: "plot-canvas" });
-  over = h("canvas", { class: "plot-canvas plot-over" });
-  keys = h("div", { class: "plot-keys" });
-  body = h("div", { class: "plot-body", tabindex: "0", role: "figure" }, this.canvas, this.over);
+  canvas = h("canvas.plot-canvas");
+  over = h("canvas.plot-canvas.plot-over");
+  keys = h("div.plot-keys");
+  body = h("div.plot-body", { tabindex: "0", role: "figure" }, this.canvas, this.over);
   element: HTMLElement;
+  pinched = zoomable(this.body, {
+    zoom: (factor, at) => this.films && this.zoom(1 / factor, at ? this.placeAt(at) : this.middle()),
+    home: () => this.home(),
+    keys: true,
+  });
 
-  constructor(attributes: Record<string, string>, title: string) {
-    this.element = h("section", attributes, h("header", {}, h("h2", {}, title), this.keys), this.body);
+  constructor(name: `section.${string}`, attributes: Named<string>, title: string) {
+    super(52, 10, 8, 30);
+    this.element = h(name, attributes, h("header", h("h2", title), this.keys), this.body);
+  }
+
+  /** `factor`: of what is seen. */
+  abstract zoom(factor: number, center: Place): void;
+
+  abstract home(): void;
+
+  placeAt(event: Point) {
+    const { px } = this.look;
+    this.fit(this.body.clientWidth / px, this.body.clientHeight / px); // it may not be drawn yet
+    return this.place(placeOn(this.body, event, px));
+  }
+
+  /** What it shows. */
+  take(films: Film[], active: number, look: Look) {
+    Object.assign(this, { films, active, look });
   }
 
   /** The lower canvas, empty. */
   begin() {
     const { context, width, height } = scaledContext(this.canvas, this.look.px);
-    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    this.fit(width, height);
     return context;
-  }
-
-  /** What is drawn from here to `restore` stays in the box. */
-  clip(context: CanvasRenderingContext2D) {
-    const { left, top, width, height } = this.frame();
-    context.save();
-    context.beginPath();
-    context.rect(left, top, width, height);
-    context.clip();
-  }
-
-  frame() {
-    return new DOMRect(LEFT, TOP, this.box.width, this.box.height);
   }
 
   /** The upper canvas, empty; on paper it would hide the lower one, which takes its place. */
@@ -53,27 +57,13 @@ export class Diagram {
 
 // --- How curves are told apart: dashes, and the sample of a curve beside its name
 
-export const DASHES: Record<NonNullable<Curve["dash"]>, number[]> = {
-  solid: [],
-  dash: [6, 4],
-  dot: [2, 3],
-  long: [14, 4],
-  mixed: [8, 3, 2, 3],
-};
+export const DASHES = [[], [6, 4], [2, 3], [14, 4], [8, 3, 2, 3]];
 
-export function swatch(color: string | undefined, dash: Curve["dash"] = "solid") {
-  const element = h("i", { class: "swatch", "aria-hidden": "true" });
-  element.style.borderTopColor = color ?? "var(--ink)";
-  element.style.borderTopStyle = { solid: "solid", dash: "dashed", dot: "dotted", long: "none", mixed: "none" }[dash];
-  if (dash === "long" || dash === "mixed") {
-    // what no border can draw
-    let at = 0;
-    const parts = DASHES[dash].map((size, k) => {
-      at += size;
-      return `${k % 2 ? "transparent" : (color ?? "var(--ink)")} ${at - size}px ${at}px`;
-    });
-    const background = `repeating-linear-gradient(90deg, ${parts.join(", ")})`;
-    Object.assign(element.style, { height: "2.5px", width: "28px", background });
-  }
-  return element;
+export function swatch(color = "var(--ink)", dash: number[] = []) {
+  let at = 0;
+  const parts = (dash.length ? dash : [28]).map((size, k) => {
+    at += size;
+    return `${k % 2 ? "transparent" : color} ${at - size}px ${at}px`;
+  });
+  return h("i.swatch", { style: `background: repeating-linear-gradient(90deg, ${parts})`, "aria-hidden": "true" });
 }

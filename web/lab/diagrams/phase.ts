@@ -1,19 +1,19 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
-import { disc, ring } from "../common/paint.ts";
+import { disc, ring, stroke } from "../common/paint.ts";
 import { hoopInk, faded, parsed } from "../common/colors.ts";
 import { drawnAs, strokeThrough } from "./crowd.ts";
-import { h, once, pen } from "../common/dom.ts";
+import { cellPicture, h, once } from "../common/dom.ts";
 import { clamp, modulo, scaled } from "../common/clamp.ts";
-import { Diagram, LEFT, TOP, swatch } from "./diagram.ts";
-import { placeOn, byFingers, zoomable } from "../common/pointer.ts";
+import { Diagram, swatch } from "./diagram.ts";
+import { placeOn, byFingers } from "../common/pointer.ts";
 import { name, t } from "../words/words.ts";
-import { niceStep, DEGREE, tickText, ticks } from "../common/numbers.ts";
+import { niceStep, DEGREE } from "../common/numbers.ts";
 import { tables } from "../../model/tables.ts";
-import { drawAxes } from "../common/axes.ts";
+import { drawAxes, marksOf } from "../common/axes.ts";
 
 export class PhasePlane extends Diagram {
-  window: number[] | null;
+  zoomed = false;
   pictures: { window: number[]; paradox: Column; picture: HTMLCanvasElement }[];
   reach: number;
   forwards: boolean;
@@ -23,12 +23,6 @@ export class PhasePlane extends Diagram {
 
   hatched = h("span", { hidden: true }, "phase.hatched", " ");
   asked = "";
-  pinched = zoomable(this.body, {
-    zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
-    home: () => this.home(),
-    keys: true,
-  });
-  range: number[] = [0, 2 * Math.PI];
   soon = once(() => this.sharpen(), 140);
 
   constructor(
@@ -36,9 +30,9 @@ export class PhasePlane extends Diagram {
     public clock: Clock,
     public colors: Colors,
   ) {
-    super({ class: "phase" }, "phase.title");
+    super("section.phase", {}, "phase.title");
     const hint = byFingers() ? "phase.hint_touch" : "phase.hint_mouse";
-    this.element.append(h("p", { class: "hint" }, "phase.colours", " ", this.hatched, hint));
+    this.element.append(h("p.hint", "phase.colours", " ", this.hatched, hint));
     name(this.body, "aria-label", "phase.label");
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
   }
@@ -53,7 +47,7 @@ export class PhasePlane extends Diagram {
       this.pictures = [whole];
       this.redraw();
     }
-    if (this.window) await this.sharpen();
+    if (this.zoomed) await this.sharpen();
   }
 
   // The part that is zoomed into, as fine as the whole.
@@ -64,7 +58,7 @@ export class PhasePlane extends Diagram {
     try {
       const part = await this.painted(
         this.films[this.active].scenario,
-        [...this.range, this.bottom(), this.top()] as [number, number, number, number],
+        [...this.windows.x, ...this.windows.y] as [number, number, number, number],
         this.sharpening.signal,
       );
       this.pictures = [this.pictures[0], part];
@@ -78,7 +72,10 @@ export class PhasePlane extends Diagram {
     const { modes, paradox } = await this.backend.regions(scenario, window, signal);
     // an answer may be on its way already when it is given up
     signal?.throwIfAborted();
-    return { window, paradox, picture: pictureOf(modes, paradox.length / 2, this.colors.modes) };
+    const columns = paradox.length / 2;
+    const colors = [...letters].map((letter) => parsed(this.colors.modes[letter]));
+    const colorOf = (cell: number) => colors[modes[cell]] ?? NO_ANSWER;
+    return { window, paradox, picture: cellPicture(columns, modes.length / columns, colorOf) };
   }
 
   // How far up the diagram goes: past nearly all of the motion, to a round number.
@@ -93,17 +90,18 @@ export class PhasePlane extends Diagram {
   }
 
   home() {
-    this.range = [0, 2 * Math.PI];
-    this.window = null;
+    this.zoomed = false;
+    const [low, high] = [this.backwards ? -this.reach : 0, (this.forwards ? 1 : 0.12) * this.reach];
+    this.windows = { x: [0, 2 * Math.PI], y: [low, high] };
     this.wholeAgain();
     this.redraw();
   }
 
   // Whether all is in sight that was computed for the whole.
   isWhole() {
-    const [low, high] = this.range;
-    const wide = high - low >= 2 * Math.PI - 1e-9;
-    return wide && (!this.window || this.window[1] - this.window[0] >= 2 * this.reach - 1e-9);
+    const { x, y } = this.windows;
+    const wide = x[1] - x[0] >= 2 * Math.PI - 1e-9;
+    return wide && (!this.zoomed || y[1] - y[0] >= 2 * this.reach - 1e-9);
   }
 
   // No finer part, nor one that is still being computed.
@@ -112,56 +110,26 @@ export class PhasePlane extends Diagram {
     this.pictures?.splice(1);
   }
 
-  /** θ and θ̇ under a pointer. */
-  point(event: Point) {
-    const [x, y] = placeOn(this.body, event, this.look.px);
-    const [across, up] = [(x - LEFT) / this.box.width, 1 - (y - TOP) / this.box.height];
-    return [
-      this.range[0] + across * (this.range[1] - this.range[0]),
-      this.bottom() + up * (this.top() - this.bottom()),
-    ];
-  }
-
-  middle() {
-    return [0.5 * (this.range[0] + this.range[1]), 0.5 * (this.bottom() + this.top())];
-  }
-
-  zoomAbout([th, om]: number[], factor: number) {
-    const reach = this.reach;
-    const window = scaled([this.bottom(), this.top()], om, factor);
-    this.range = scaled(this.range, th, factor).map((angle) => clamp(angle, 0, 2 * Math.PI));
-    this.window = window.map((rate) => clamp(rate, -reach, reach));
+  zoom(factor: number, { x, y }: Place) {
+    const { windows, reach } = this;
+    this.zoomed = true;
+    this.windows = {
+      x: scaled(windows.x, x, factor).map((angle) => clamp(angle, 0, 2 * Math.PI)),
+      y: scaled(windows.y, y, factor).map((rate) => clamp(rate, -reach, reach)),
+    };
     if (this.isWhole()) this.wholeAgain();
     else this.soon();
     this.redraw();
   }
 
-  bottom() {
-    if (this.window) return this.window[0];
-    return this.backwards ? -this.reach : 0;
-  }
-
-  top() {
-    return this.window ? this.window[1] : this.forwards ? this.reach : 0.12 * this.reach;
-  }
-
   draw(films: Film[], active: number, look: Look) {
-    this.films = films;
-    this.active = active;
-    this.look = look;
+    this.take(films, active, look);
     this.reach = this.findReach();
-    this.forwards = films.some((film) => film.columns.omega.some((value) => value > 0.3));
-    this.backwards = films.some((film) => film.columns.omega.some((value) => value < -0.3));
-    if (!this.forwards && !this.backwards) this.forwards = true;
-    this.redraw();
-  }
-
-  x(th: number) {
-    return LEFT + ((th - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
-  }
-
-  y(rate: number) {
-    return TOP + (1 - (rate - this.bottom()) / (this.top() - this.bottom())) * this.box.height;
+    const turns = (way: 1 | -1) => films.some((film) => film.columns.omega.some((value) => way * value > 0.3));
+    this.backwards = turns(-1);
+    this.forwards = turns(1) || !this.backwards;
+    if (this.zoomed) this.redraw();
+    else this.home();
   }
 
   redraw() {
@@ -191,7 +159,7 @@ export class PhasePlane extends Diagram {
       this.keyed = look.dark;
       const names = Object.entries(colors.mode_names).filter(([letter]) => "RSKH".includes(letter));
       this.keys.replaceChildren(
-        ...names.map(([letter, name]) => h("span", { class: "plot-key" }, swatch(colors.modes[letter]), name)),
+        ...names.map(([letter, name]) => h("span.plot-key", swatch(colors.modes[letter]), name)),
       );
     }
     this.cursor(this.clock.time);
@@ -218,7 +186,7 @@ export class PhasePlane extends Diagram {
       go(angle[i] - lap * turn, omega[i]);
       last = Number.isFinite(omega[i]) ? lap : Number.NaN;
     }
-    const { broad, band } = drawnAs(xs, ys, this.frame());
+    const { broad, band } = drawnAs(xs, ys, this.edges());
     context.lineWidth = lane ? Math.min(broad, 1.2) : broad;
     context.setLineDash(lane ? [4, 3] : []);
     context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
@@ -239,16 +207,14 @@ export class PhasePlane extends Diagram {
     const { pointed } = this.clock;
     if (pointed !== null) {
       const [x, y] = this.spot(this.films[this.active].at(pointed));
-      context.strokeStyle = this.look.ink;
-      context.lineWidth = 1.5;
-      for (const radius of [6, 10]) ring(context, [x, y], radius);
+      for (const radius of [6, 10]) ring(context, [x, y], radius, this.look.ink, 1.5);
     }
     this.films.forEach((film, lane) => {
       const pose = film.at(time);
       const [x, y] = this.spot(pose);
-      if (!(x >= LEFT && x <= LEFT + this.box.width && y >= TOP && y <= TOP + this.box.height)) return;
-      context.fillStyle = this.colors.modes[pose.mode];
-      disc(context, [x, y], lane ? 4 : 5.5);
+      const { left, right, top, bottom } = this.edges();
+      if (!(x >= left && x <= right && y >= top && y <= bottom)) return;
+      disc(context, [x, y], lane ? 4 : 5.5, this.colors.modes[pose.mode]);
       context.lineWidth = 2;
       context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
       context.stroke();
@@ -280,81 +246,38 @@ export class PhasePlane extends Diagram {
 
 const { letters } = tables.words;
 
-/** `codes`: by rows; `colors`: of the modes. */
-function pictureOf(codes: Column, columns: number, colors: Record<string, string>) {
-  const rows = codes.length / columns;
-  const picture = h("canvas", { width: columns, height: rows });
-  const image = new ImageData(columns, rows);
-  for (let row = 0; row < rows; row++) {
-    for (let column = 0; column < columns; column++) {
-      const letter = letters[codes[row * columns + column]]; // none where the model has no answer
-      const color = parsed(colors[letter] ?? "#6E6E6E");
-      const place = 4 * ((rows - 1 - row) * columns + column);
-      image.data.set([...color, 255], place);
-    }
-  }
-  pen(picture).putImageData(image, 0, 0);
-  return picture;
-}
-
+const NO_ANSWER = parsed("#6e6e6e"); // of the model
 const BOTH = 2;
 
-/** Where slip meets the paradox, for θ̇ < 0 and for θ̇ > 0: hatched one way for spin and the other for skid. */
+/** Where slip meets the paradox, for θ̇ < 0 and then for θ̇ > 0: hatched one way for spin and the other for skid. */
 function hatch(context: CanvasRenderingContext2D, plane: PhasePlane, paradox: Column) {
   const columns = paradox.length / 2;
-  const [top, middle, bottom] = [TOP, clamp(plane.y(0), TOP, TOP + plane.box.height), TOP + plane.box.height];
+  const { left, right, top, bottom, height } = plane.edges();
+  const middle = clamp(plane.y(0), top, bottom);
+  const wide = plane.x((2 * Math.PI) / columns) - plane.x(0);
   context.strokeStyle = faded(plane.look.dark ? "#ffffff" : "#000000", 0.28);
   context.lineWidth = 1;
-  for (const [first, up, down] of [
-    [0, middle, bottom],
-    [columns, top, middle],
-  ]) {
-    for (let from = 0; from < columns; from++) {
-      const side = paradox[first + from];
-      if (!side) continue;
-      let to = from;
-      while (to < columns && paradox[first + to] === side) to++;
-      const left = plane.x((from * 2 * Math.PI) / columns);
-      const right = plane.x((to * 2 * Math.PI) / columns);
-      context.save();
-      context.beginPath();
-      context.rect(left, up, right - left, down - up);
-      context.clip();
-      context.beginPath();
-      const { height } = plane.box;
-      for (let c = -height; c < right - left + height; c += 7) {
-        for (const rises of side === BOTH ? [true, false] : [side > 0]) {
-          context.moveTo(left + c, rises ? bottom : top);
-          context.lineTo(left + c + height, rises ? top : bottom);
-        }
-      }
-      context.stroke();
-      context.restore();
-      from = to;
+  for (const rises of [true, false]) {
+    context.save();
+    context.beginPath();
+    for (const [k, side] of paradox.entries()) {
+      if (!side || (side !== BOTH && side > 0 !== rises)) continue;
+      const [up, down] = k < columns ? [middle, bottom] : [top, middle];
+      context.rect(plane.x(0) + (k % columns) * wide, up, wide, down - up);
     }
+    context.clip();
+    const ends = rises ? [bottom, top] : [top, bottom];
+    for (let x = left - height; x < right; x += 7) stroke(context, [x, ends[0]], [x + height, ends[1]]);
+    context.restore();
   }
 }
 
-export function axes(context: CanvasRenderingContext2D, plane: PhasePlane) {
-  const { look, box } = plane;
-  const [low, high] = plane.range.map((angle) => angle / DEGREE);
-  const step = high - low > 200 ? 45 : niceStep(high - low, 6);
-  const angles = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9; k++) angles.push(k * step);
-  const tall = niceStep(plane.top() - plane.bottom(), 5);
-  drawAxes(
-    context,
-    look,
-    { left: LEFT, top: TOP, box },
-    {
-      across: {
-        marks: angles.map((angle) => ({ at: plane.x(angle * DEGREE), text: tickText(angle, step) })),
-        name: t("phase.angle_axis"),
-      },
-      up: {
-        marks: ticks(plane.bottom(), plane.top(), 5).map((rate) => ({ at: plane.y(rate), text: tickText(rate, tall) })),
-        name: "θ̇ [rad/s]",
-      },
-    },
-  );
+function axes(context: CanvasRenderingContext2D, plane: PhasePlane) {
+  const { x, y } = plane.windows;
+  const angles = x.map((angle) => angle / DEGREE);
+  const step = angles[1] - angles[0] > 200 ? 45 : undefined;
+  drawAxes(context, plane.look, plane, {
+    across: { marks: marksOf(angles, 6, (angle) => plane.x(angle * DEGREE), step), name: t("phase.angle_axis") },
+    up: { marks: marksOf(y, 5, (rate) => plane.y(rate)), name: "θ̇ [rad/s]" },
+  });
 }

@@ -1,46 +1,32 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
 import { disc, haloed, stroke } from "../common/paint.ts";
-import { axisFont, drawAxes, named } from "../common/axes.ts";
+import { axisFont, drawAxes, marksOf, named } from "../common/axes.ts";
 import { faded, hoopInk, readable } from "../common/colors.ts";
 import { type Crowd, drawnAs, strokeThrough } from "./crowd.ts";
 import { h } from "../common/dom.ts";
-import { clamp, scaled } from "../common/clamp.ts";
-import { Diagram, LEFT, RIGHT, TOP, DASHES, swatch } from "./diagram.ts";
-import { show, niceStep, tickText, ticks } from "../common/numbers.ts";
-import { follow, placeOn, zoomable } from "../common/pointer.ts";
+import { clamp, extent, scaled } from "../common/clamp.ts";
+import { Diagram, DASHES, swatch } from "./diagram.ts";
+import { show } from "../common/numbers.ts";
+import { follow, placeOn } from "../common/pointer.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { name, t } from "../words/words.ts";
 
 type Drawn = Curve & { film: Film; lane: number; number: number };
 
 export class Plot extends Diagram {
-  range: number[];
-  heights: number[];
   cut: { low: string; high: string } | null = null; // what the axis upwards leaves out
   picked: number[] | null;
   named: string;
   values: HTMLElement[];
 
-  key: PlotDefinition["key"];
-  title: PlotDefinition["title"];
-  unit: PlotDefinition["unit"];
-  curves: PlotDefinition["curves"];
-  limits: PlotDefinition["limits"];
-  pinched = zoomable(this.body, {
-    zoom: (factor, at) => this.films && this.zoomAbout(at ? this.valueAt(at) : this.middle(), 1 / factor),
-    home: () => this.zoomTo(null),
-    keys: true,
-  });
-
   /** `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots. */
   constructor(
-    definition: PlotDefinition,
-    public shared: PlotShared,
+    readonly definition: PlotDefinition,
+    readonly shared: PlotShared,
   ) {
-    super({ class: "plot", "data-plot": definition.key }, definition.title);
-    Object.assign(this, definition);
-    name(this.body, "aria-label", this.title);
+    super("section.plot", { "data-plot": definition.key }, definition.title);
+    name(this.body, "aria-label", definition.title);
     this.body.addEventListener("pointerdown", (event) => this.press(event));
   }
 
@@ -50,22 +36,14 @@ export class Plot extends Diagram {
 
   fullRange() {
     if (this.shared.axis === "time") return [0, Math.max(...this.films.map((film) => film.duration), 1e-9)];
-    let [low, high] = [Infinity, -Infinity];
-    for (const film of this.films) {
-      for (const value of this.abscissa(film)) {
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
-    }
+    const [low, high] = extent(this.films.flatMap((film) => [...this.abscissa(film)]));
     return high > low ? [low, high] : [low - 1, high + 1];
   }
 
   /** What it shows: enough for hands, and for the room of its legend, before any curve is drawn. */
   take(films: Film[], active: number, look: Look) {
-    this.films = films;
-    this.active = active;
-    this.look = look;
-    this.range = this.shared.range ?? this.fullRange();
+    super.take(films, active, look);
+    this.windows = { x: this.shared.range ?? this.fullRange(), y: this.windows?.y ?? [0, 1] };
     this.legend(this.shades(films[active], active), look.dark);
   }
 
@@ -78,7 +56,7 @@ export class Plot extends Diagram {
         .map((curve, number) => ({ ...curve, film, lane, number }))
         .filter((curve, _, all) => this.compares(curve, lane, all.length)),
     );
-    this.heights = this.limits ?? this.findHeights(drawn);
+    this.windows.y = this.definition.limits ?? this.findHeights(drawn);
     if (this.shared.axis === "time") this.bands(context, films[active], colors);
     grid(context, this);
     this.clip(context);
@@ -92,57 +70,46 @@ export class Plot extends Diagram {
   }
 
   /**
-   * The curves as they are drawn: one hoop's by the colour of the quantity; of two, by the colour of the hoop and a
-   * dash for the quantity.
+   * The curves as they are drawn: a dash for each quantity, in its colour; of two hoops in that of the hoop.
    */
-  shades(film: Film, lane: number): Curve[] {
+  shades(film: Film, lane: number) {
     const { dark } = this.look;
-    if (this.films.length < 2) {
-      return this.curves(film).map((curve) => ({ ...curve, color: curve.color && readable(curve.color, dark) }));
-    }
-    const dashes = Object.keys(DASHES) as Curve["dash"][];
-    return this.curves(film).map((curve, k) => ({
-      ...curve,
-      color: hoopInk(lane, dark),
-      dash: dashes[k % dashes.length],
-    }));
+    const two = this.films.length > 1;
+    return this.definition
+      .curves(film)
+      .map(({ color, ...curve }, k) => ({
+        ...curve,
+        color: two ? hoopInk(lane, dark) : color && readable(color, dark),
+        dash: DASHES[k % DASHES.length],
+      }));
   }
 
   /** Whether it is drawn: of the hoop that is not chosen, of many curves only the total. */
   compares({ name }: Curve, lane: number, count: number) {
-    return lane === this.active || count <= 2 || name === "total";
-  }
-
-  x(value: number) {
-    return LEFT + ((value - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
-  }
-
-  y(value: number) {
-    return TOP + (1 - (value - this.heights[0]) / (this.heights[1] - this.heights[0])) * this.box.height;
+    return lane === this.active || count <= 2 || name === "curve.total";
   }
 
   findHeights(drawn: (Curve & { film: Film; lane: number })[]) {
     const seen: number[] = [];
+    const [from, to] = this.windows.x;
     for (const { film, values } of drawn) {
       const across = this.abscissa(film);
       for (let i = 0; i < values.length; i++) {
-        if (across[i] >= this.range[0] && across[i] <= this.range[1] && Number.isFinite(values[i]))
-          seen.push(values[i]);
+        if (across[i] >= from && across[i] <= to && Number.isFinite(values[i])) seen.push(values[i]);
       }
     }
     const heights = heightsOf(seen);
-    const [low, high] = seen.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], heights);
+    const [low, high] = extent([...seen, ...heights]);
     this.cut = low < heights[0] || high > heights[1] ? { low: show(low, 3), high: show(high, 3) } : null;
     return heights;
   }
 
   bands(context: CanvasRenderingContext2D, film: Film, colors: Colors) {
+    const { left, right, top, height } = this.edges();
     for (const phase of film.phases) {
-      const from = clamp(this.x(phase.from), LEFT, LEFT + this.box.width);
-      const to = clamp(this.x(phase.to), LEFT, LEFT + this.box.width);
-      if (to <= from) continue;
+      const [from, to] = [phase.from, phase.to].map((time) => clamp(this.x(time), left, right));
       context.fillStyle = faded(colors.modes[phase.mode], 0.14);
-      context.fillRect(from, TOP, to - from, this.box.height);
+      context.fillRect(from, top, to - from, height);
     }
   }
 
@@ -150,17 +117,17 @@ export class Plot extends Diagram {
     const [xs, ys]: number[][] = [[], []];
     for (const piece of film.pieces()) {
       const across = this.abscissa(piece.film);
-      const { values } = this.curves(piece.film)[number];
+      const { values } = this.definition.curves(piece.film)[number];
       for (let i = piece.from; i < piece.to; i++) {
         xs.push(this.x(across[i]));
         ys.push(clamp(this.y(values[i]), -1e4, 1e4));
       }
     }
     context.strokeStyle = context.fillStyle = color ?? this.look.ink;
-    const { broad, band } = drawnAs(xs, ys, this.frame());
+    const { broad, band } = drawnAs(xs, ys, this.edges());
     if (band) this.band(context, band);
     context.lineWidth = broad;
-    context.setLineDash(DASHES[dash ?? "solid"]);
+    context.setLineDash(dash ?? []);
     if (band) {
       strokeThrough(
         context,
@@ -189,10 +156,12 @@ export class Plot extends Diagram {
   /** Which of two hoops a curve is of. */
   letter(context: CanvasRenderingContext2D, { film, lane, values, color }: Drawn) {
     const across = this.abscissa(film);
-    const place = this.range[0] + (lane ? 0.84 : 0.7) * (this.range[1] - this.range[0]);
+    const [from, to] = this.windows.x;
+    const place = from + (lane ? 0.84 : 0.7) * (to - from);
     const i = across.findIndex((value) => value >= place);
     if (i < 0 || !Number.isFinite(values[i])) return;
-    const [x, y] = [this.x(across[i]), clamp(this.y(values[i]) - 8, TOP + 10, TOP + this.box.height - 4)];
+    const { top, bottom } = this.edges();
+    const [x, y] = [this.x(across[i]), clamp(this.y(values[i]) - 8, top + 10, bottom - 4)];
     context.font = `700 12px ${this.look.font}`;
     context.textAlign = "center";
     haloed(context, "AB"[lane], [x, y], color ?? this.look.ink, this.look.panel);
@@ -202,17 +171,17 @@ export class Plot extends Diagram {
   tell(context: CanvasRenderingContext2D, text: string) {
     context.font = axisFont(this.look);
     context.textAlign = "left";
-    haloed(context, text, [LEFT + 6, TOP + 11], this.look.ink, this.look.panel);
+    haloed(context, text, [this.left + 6, this.top + 11], this.look.ink, this.look.panel);
   }
 
   legend(curves: Curve[], dark: boolean) {
     const names = curves.map((curve) => curve.name + curve.color + curve.dash).join() + dark;
     if (this.named !== names) {
       this.named = names;
-      this.values = curves.map(() => h("span", { class: "value" }));
+      this.values = curves.map(() => h("span.value"));
       this.keys.replaceChildren(
         ...curves.map((curve, i) =>
-          h("span", { class: "plot-key" }, swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),
+          h("span.plot-key", swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),
         ),
       );
     }
@@ -220,11 +189,7 @@ export class Plot extends Diagram {
 
   describe(drawn: (Curve & { film: Film; lane: number })[]) {
     const parts = drawn.slice(0, 6).map(({ name, values, lane }) => {
-      let [low, high] = [Infinity, -Infinity];
-      for (const value of values) {
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
+      const [low, high] = extent(values);
       const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
       // what rounding leaves of a zero is zero
       const size = 1e-12 * Math.max(-low, high);
@@ -232,68 +197,62 @@ export class Plot extends Diagram {
       const found = { name: t(name), low: tidy(low), high: tidy(high) };
       return high >= low ? `${which}${t("diagram.extent", found)}` : "";
     });
-    const head = t("diagram.description", { title: t(this.title), unit: t(this.unit) });
+    const { title, unit } = this.definition;
+    const head = t("diagram.description", { title: t(title), unit: t(unit) });
     this.body.setAttribute("aria-label", `${head} ${parts.filter(Boolean).join("; ")}.`);
   }
 
   cursor(time: number) {
-    if (!this.heights) return; // not drawn yet
+    if (!this.box) return; // not drawn yet
+    const { left, right, top, bottom, height } = this.edges();
     const context = this.beginOver();
     this.films.forEach((film, lane) => {
       const now = film.moment(time);
       const x = this.x(this.abscissa(now)[0]);
-      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
+      const inside = x >= left - 1 && x <= right + 1;
       if (inside) {
         context.strokeStyle = this.look.soft;
         context.lineWidth = 1;
-        stroke(context, [x, TOP], [x, TOP + this.box.height]);
+        stroke(context, [x, top], [x, bottom]);
       }
       this.shades(now, lane).forEach((curve, k, all) => {
         if (!this.compares(curve, lane, all.length)) return;
         const value = curve.values[0];
         if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, 3);
         const y = this.y(value);
-        if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
-        context.fillStyle = curve.color ?? this.look.ink;
-        disc(context, [x, y], 3.2);
+        if (!inside || !(y >= top - 1 && y <= bottom + 1)) return;
+        disc(context, [x, y], 3.2, curve.color ?? this.look.ink);
       });
     });
     const { pointed } = this.shared.clock;
     if (pointed !== null && this.shared.axis === "time") {
       context.strokeStyle = this.look.ink;
       context.setLineDash([4, 3]);
-      context.strokeRect(this.x(pointed), TOP, 0, this.box.height);
+      context.strokeRect(this.x(pointed), top, 0, height);
       context.setLineDash([]);
     }
     if (this.picked) {
       const [a, b] = this.picked;
       context.fillStyle = faded("#0072B2", 0.2);
-      context.fillRect(Math.min(a, b), TOP, Math.abs(b - a), this.box.height);
+      context.fillRect(Math.min(a, b), top, Math.abs(b - a), height);
     }
-  }
-
-  valueAt(event: Point) {
-    const { px } = this.look;
-    const [x] = placeOn(this.body, event, px);
-    const share = clamp((x - LEFT) / (this.body.clientWidth / px - LEFT - RIGHT), 0, 1);
-    return this.range[0] + share * (this.range[1] - this.range[0]);
   }
 
   press(event: PointerEvent) {
     if (!this.films) return;
     const [start] = placeOn(this.body, event, this.look.px);
-    const from = this.valueAt(event);
+    const from = this.placeAt(event).x;
     let twoFingers = this.pinched();
     const move = (moved: PointerEvent) => {
       twoFingers ||= this.pinched();
       if (twoFingers) return;
       const [now] = placeOn(this.body, moved, this.look.px);
       this.picked = event.pointerType === "mouse" && Math.abs(now - start) > 5 ? [start, now] : null;
-      if (event.pointerType !== "mouse") this.seek(this.valueAt(moved));
+      if (event.pointerType !== "mouse") this.seek(this.placeAt(moved).x);
       this.cursor(this.shared.clock.time);
     };
     follow(this.body, event, move, (last, lifted) => {
-      const to = this.valueAt(last);
+      const to = this.placeAt(last).x;
       const { picked } = this;
       this.picked = null;
       if (picked && lifted) this.zoomTo(from < to ? [from, to] : [to, from]);
@@ -314,14 +273,14 @@ export class Plot extends Diagram {
     return this.shared.clock.seek(film.t[best]);
   }
 
-  middle() {
-    return 0.5 * (this.range[0] + this.range[1]);
+  zoom(factor: number, { x }: Place) {
+    const full = this.fullRange();
+    const [low, high] = scaled(this.windows.x, x, factor).map((value) => clamp(value, full[0], full[1]));
+    this.zoomTo(low === full[0] && high === full[1] ? null : [low, high]);
   }
 
-  zoomAbout(center: number, factor: number) {
-    const full = this.fullRange();
-    const [low, high] = scaled(this.range, center, factor).map((value) => clamp(value, full[0], full[1]));
-    this.zoomTo(low === full[0] && high === full[1] ? null : [low, high]);
+  home() {
+    this.zoomTo(null);
   }
 
   zoomTo(range: number[] | null) {
@@ -355,33 +314,17 @@ function heightsOf(values: number[]) {
 }
 
 /** Axes with their numbers, and a line across for each height. */
-export function grid(context: CanvasRenderingContext2D, plot: Plot) {
-  const { look, box, heights, range } = plot;
-  let tall = Math.max(box.height / 28, 4);
+function grid(context: CanvasRenderingContext2D, plot: Plot) {
+  const { width, height } = plot.box;
+  const { x, y } = plot.windows;
+  let tall = Math.max(height / 28, 4);
+  const heights = () => marksOf(y, tall, (value) => plot.y(value));
   // one number alone gives no scale
-  while (ticks(heights[0], heights[1], tall).length < 3 && tall < 12) tall += 1;
-  const step = niceStep(heights[1] - heights[0], tall);
-  const wide = box.width / 70;
-  const across = niceStep(range[1] - range[0], wide);
+  while (heights().length < 3 && tall < 12) tall += 1;
   const { name, unit } = QUANTITIES[plot.shared.axis];
-  drawAxes(
-    context,
-    look,
-    { left: LEFT, top: TOP, box },
-    {
-      up: {
-        marks: ticks(heights[0], heights[1], tall).map((value) => ({
-          at: plot.y(value),
-          text: tickText(value, step),
-          strong: Math.abs(value) < 1e-9 * step,
-        })),
-        name: t(plot.unit),
-      },
-      across: {
-        marks: ticks(range[0], range[1], wide).map((value) => ({ at: plot.x(value), text: tickText(value, across) })),
-        name: named(name, unit),
-      },
-      lines: true,
-    },
-  );
+  drawAxes(context, plot.look, plot, {
+    up: { marks: heights(), name: t(plot.definition.unit) },
+    across: { marks: marksOf(x, width / 70, (value) => plot.x(value)), name: named(name, unit) },
+    lines: true,
+  });
 }

@@ -1,65 +1,28 @@
 // Which diagrams there are: velocities, energies and losses, forces, friction utilization.
 
-import { h, say } from "../common/dom.ts";
+import { h, say, selection } from "../common/dom.ts";
 import { byFingers } from "../common/pointer.ts";
+import { tables } from "../../model/tables.ts";
 import { Plot } from "./plot.ts";
-import { QUANTITIES, withSymbol, type Quantity } from "./quantities.ts";
+import { QUANTITIES } from "./quantities.ts";
 
-function definitions(colors: Colors): PlotDefinition[] {
-  return [
-    {
-      key: "velocities",
-      title: "diagram.velocities",
-      unit: "diagram.velocity_axis",
-      curves: (film: Film) => [
-        { name: "diagram.speed", color: colors.center_speed, values: film.columns.vx },
-        { name: "diagram.rotation", color: colors.rotation_speed, dash: "dash", values: QUANTITIES.spin.values(film) },
-      ],
-    },
-    {
-      key: "energies",
-      title: "diagram.energies",
-      unit: "diagram.energy_axis",
-      curves: (film: Film) => [
-        { name: "diagram.kinetic", color: colors.kinetic, values: film.columns.kinetic },
-        { name: "diagram.potential", color: colors.potential, values: film.columns.potential },
-        { name: "diagram.total", values: QUANTITIES.total.values(film), dash: "dash" },
-        // as in Python's plots: what an impact loses along the plane is friction's
-        { name: "diagram.friction_loss", color: colors.friction_loss, values: film.columns.friction_loss },
-        {
-          name: film.scenario.contact.model === "compliant" ? "diagram.damper_loss" : "diagram.impact_loss",
-          color: colors.impact_loss,
-          values: film.columns.normal_loss,
-          dash: "dot",
-        },
-        ...(film.scenario.plane.rolling_resistance
-          ? [{ name: "diagram.rolling_loss", values: film.columns.rolling_resistance, dash: "dot" as const }]
-          : []),
-      ],
-    },
-    {
-      key: "forces",
-      title: "diagram.forces",
-      unit: "diagram.force_axis",
-      curves: (film: Film) => [
-        { name: "diagram.normal_force", color: colors.normal_force, values: film.columns.normal_force },
-        {
-          name: "diagram.friction_force",
-          color: colors.friction_force,
-          dash: "dash",
-          values: film.columns.friction_force,
-        },
-      ],
-    },
-    {
-      key: "utilization",
-      title: "diagram.utilization",
-      unit: "|F| / μN",
-      limits: [0, 1.08],
-      curves: (film: Film) => [{ name: "|F| / μN", color: colors.friction_force, values: film.columns.utilization }],
-    },
-  ];
-}
+/** The table of curves is that of Python's plots and films. */
+const definitions = Object.entries(tables.curves).map(
+  ([key, curves]): PlotDefinition => ({
+    key,
+    title: `diagram.${key}`,
+    unit: `diagram.${key}_axis`,
+    limits: key === "utilization" ? [0, 1.08] : undefined,
+    curves: (film) =>
+      curves
+        .filter(({ field }) => field !== "rolling_resistance" || film.scenario.plane[field])
+        .map(({ field, color }) => ({ name: nameOf(field, film), color, values: QUANTITIES[field].values(film) })),
+  }),
+);
+
+/** What compliant contacts lose, they lose in their damper. */
+const nameOf = (field: string, { scenario }: Film) =>
+  `curve.${field === "normal_loss" && scenario.contact.model === "compliant" ? "damper_loss" : field}`;
 
 export class Plots {
   films: Film[];
@@ -67,30 +30,22 @@ export class Plots {
   look: Look;
 
   shared = { axis: "time", range: null, clock: this.clock, changed: () => this.redraw() };
-  axis = h(
-    "select",
-    {
-      "aria-label": "diagram.axis_choice",
-      onchange: () => {
-        this.shared.axis = this.axis.value;
-        this.shared.range = null;
-        this.redraw();
-      },
+  axis = selection(
+    Object.keys(QUANTITIES),
+    (key) => ({ key: "diagram.axis_option", values: { quantity: QUANTITIES[key].name } }),
+    (key) => {
+      Object.assign(this.shared, { axis: key, range: null });
+      this.redraw();
     },
-    optionsOf(({ name }) => ({ key: "diagram.axis_option", values: { quantity: name } })),
+    { "aria-label": "diagram.axis_choice" },
   );
-  plots: Plot[] = [
-    ...definitions(this.colors).map((definition) => new Plot(definition, this.shared)),
-    ownPlot(this.shared),
-  ];
+  plots: Plot[] = [...definitions.map((definition) => new Plot(definition, this.shared)), ownPlot(this.shared)];
   // curves that are scrolled away wait until they are seen; not so the legends, whose room moves what is below
   seen = new Map(this.plots.map((plot) => [plot.element, true]));
   whole = false; // all curves, also those that are not seen
-  back = h("button", { hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "diagram.zoom_home");
-  hint = h("span", { class: "hint" });
-  element = h("div", { class: "plots" }, h("div", { class: "plots-head" }, this.axis, this.back, this.hint), [
-    ...this.seen.keys(),
-  ]);
+  back = h("button", { hidden: true, onclick: () => this.plots[0].home() }, "diagram.zoom_home");
+  hint = h("span.hint");
+  element = h("div.plots", h("div.plots-head", this.axis, this.back, this.hint), [...this.seen.keys()]);
 
   constructor(
     readonly clock: Clock,
@@ -107,9 +62,7 @@ export class Plots {
   }
 
   draw(films: Film[], active: number, look: Look) {
-    this.films = films;
-    this.active = active;
-    this.look = look;
+    Object.assign(this, { films, active, look });
     const hands = byFingers() ? "diagram.hint_touch" : "diagram.hint_mouse";
     const two = films.length > 1;
     say(this.hint, two ? { key: "diagram.hint_two_hoops", values: { hoop: "AB"[active], hands } } : hands);
@@ -135,10 +88,6 @@ export class Plots {
 
 // --- A diagram of the visitor's own choice: any quantity upwards; what stands across is chosen for all diagrams
 
-/** Options of a list of quantities. */
-const optionsOf = (words: (quantity: Quantity) => Message) =>
-  Object.entries(QUANTITIES).map(([key, quantity]) => h("option", { value: key }, words(quantity)));
-
 function ownPlot(shared: PlotShared): Plot {
   let key = "height";
   const plot = new Plot(
@@ -150,24 +99,22 @@ function ownPlot(shared: PlotShared): Plot {
     },
     shared,
   );
-  const name = () => {
+  const name = (chosen: string) => {
+    key = chosen;
     const { symbol, unit } = QUANTITIES[key];
-    plot.unit = unit ? `${symbol} [${unit}]` : symbol;
+    plot.definition.unit = unit ? `${symbol} [${unit}]` : symbol;
   };
-  const select = h(
-    "select",
-    {
-      "aria-label": "diagram.own_choice",
-      onchange: () => {
-        key = select.value;
-        name();
-        shared.changed();
-      },
+  const select = selection(
+    Object.keys(QUANTITIES),
+    (other) => [QUANTITIES[other].name, " ", QUANTITIES[other].symbol],
+    (chosen) => {
+      name(chosen);
+      shared.changed();
     },
-    optionsOf(withSymbol),
+    { "aria-label": "diagram.own_choice" },
   );
   select.value = key;
-  name();
+  name(key);
   plot.element.querySelector("h2")?.after(select);
   return plot;
 }

@@ -2,7 +2,7 @@
 
 import { DEGREE } from "../common/numbers.ts";
 
-export interface Quantity {
+interface Quantity {
   name: string; // in English
   symbol: string;
   unit: string;
@@ -12,11 +12,11 @@ export interface Quantity {
 const plain = (column: string) => (film: Film) => film.columns[column];
 
 const made =
-  (key: string, of: (columns: Record<string, Column>, i: number, film: Film) => number): ((film: Film) => Column) =>
+  (key: string, of: (columns: Named<Column>, i: number, film: Film) => number): ((film: Film) => Column) =>
   (film) =>
     film.derived(key, (columns) => Float64Array.from(film.t, (_, i) => of(columns, i, film)));
 
-export const QUANTITIES: Record<string, Quantity> = {
+export const QUANTITIES: Named<Quantity> = {
   time: { name: "column.time", symbol: "t", unit: "s", values: (film) => film.t },
   angle: { name: "column.angle", symbol: "θ", unit: "°", values: made("degrees", ({ angle }, i) => angle[i] / DEGREE) },
   turns: {
@@ -41,11 +41,11 @@ export const QUANTITIES: Record<string, Quantity> = {
     ),
   },
   vx: { name: "column.speed", symbol: "v", unit: "m/s", values: plain("vx") },
-  spin: {
+  rotation: {
     name: "column.circumferential_speed",
     symbol: "R θ̇",
     unit: "m/s",
-    values: made("spin", ({ omega }, i, film) => omega[i] * film.radius),
+    values: made("rotation", ({ omega }, i, film) => omega[i] * film.radius),
   },
   vy: { name: "column.normal_speed", symbol: "ẏ", unit: "m/s", values: plain("vy") },
   slip: { name: "column.slip_velocity", symbol: "v_t", unit: "m/s", values: plain("slip") },
@@ -61,9 +61,12 @@ export const QUANTITIES: Record<string, Quantity> = {
     unit: "J",
     values: made("total", ({ kinetic, potential }, i) => kinetic[i] + potential[i]),
   },
-  friction_loss: { name: "diagram.friction_loss", symbol: "W_f", unit: "J", values: plain("friction_loss") },
-  normal_loss: { name: "diagram.impact_loss", symbol: "W_i", unit: "J", values: plain("normal_loss") },
-  rolling_resistance: { name: "diagram.rolling_loss", symbol: "W_r", unit: "J", values: plain("rolling_resistance") },
+  friction_loss: { name: "curve.friction_loss", symbol: "W_f", unit: "J", values: plain("friction_loss") },
+  normal_loss: { name: "curve.normal_loss", symbol: "W_i", unit: "J", values: plain("normal_loss") },
+  rolling_resistance: {
+    name: "curve.rolling_resistance",
+    symbol: "W_r",
+    unit: "J",
+    values: plain("rolling_resistance"),
+  },
 };
-
-export const withSymbol = ({ name, symbol }: Quantity) => [name, " ", symbol];

@@ -1,6 +1,6 @@
 // The motion as a table: chosen columns at equal steps of time, to be read, copied and saved.
 
-import { h, saveBlob, say } from "../common/dom.ts";
+import { h, saveBlob, say, selection } from "../common/dom.ts";
 import { show } from "../common/numbers.ts";
 import { QUANTITIES } from "./quantities.ts";
 import { bring } from "../shell/page.ts";
@@ -8,7 +8,7 @@ import { current, local, t } from "../words/words.ts";
 import type { Motions } from "../player/motions.ts";
 import type { Theme } from "../shell/theme.ts";
 
-const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
+const FIRST = ["time", "angle", "x", "vx", "rotation", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
 const MOST = 601; // rows
 const DIGITS = 9; // in a file
@@ -36,40 +36,38 @@ export class Table {
 
   columns = [...FIRST];
 
-  step = h(
-    "select",
-    { onchange: () => this.fill() },
-    STEPS.map((step) => h("option", { value: String(step) }, `${step} s`)),
+  step = selection(
+    STEPS,
+    (step) => `${step} s`,
+    () => this.fill(),
   );
   picks = h(
-    "div",
-    { class: "table-picks" },
+    "div.table-picks",
     Object.entries(QUANTITIES)
       .filter(([key]) => key !== "time")
       .map(([key, { name }]) => this.pick(key, name)),
   );
   plain = h("input", { type: "checkbox" });
-  choice = h("label", { class: "check" }, this.plain, "table.plain");
-  caption = h("caption", {});
-  head = h("thead", {});
-  body = h("tbody", {});
+  choice = h("label.check", this.plain, "table.plain");
+  caption = h("caption");
+  head = h("thead");
+  body = h("tbody");
   element = h(
-    "section",
-    { class: "table", "aria-label": "table.title", hidden: true },
+    "section.table",
+    { "aria-label": "table.title", hidden: true },
     h(
       "header",
-      {},
-      h("h2", {}, "table.table"),
-      h("label", { class: "table-step" }, h("span", {}, "table.step"), this.step),
+      h("h2", "table.table"),
+      h("label.table-step", h("span", "table.step"), this.step),
       h("button", { onclick: () => this.save() }, "table.save"),
       this.choice,
       h("button", { onclick: () => this.open(false) }, "table.close"),
     ),
-    h("details", { class: "table-columns" }, h("summary", {}, "table.columns"), this.picks),
+    h("details.table-columns", h("summary", "table.columns"), this.picks),
     h(
-      "div",
-      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "table.label" },
-      h("table", {}, this.caption, this.head, this.body),
+      "div.table-scroll",
+      { tabindex: "0", role: "region", "aria-label": "table.label" },
+      h("table", this.caption, this.head, this.body),
     ),
   );
 
@@ -93,7 +91,7 @@ export class Table {
         this.fill();
       },
     });
-    return h("label", {}, box, h("span", {}, name));
+    return h("label", box, h("span", name));
   }
 
   open(open: boolean) {
@@ -118,9 +116,8 @@ export class Table {
     this.head.replaceChildren(
       h(
         "tr",
-        {},
         units.map(({ name, symbol, unit }) =>
-          h("th", { scope: "col", title: name }, symbol, unit && h("small", {}, ` ${unit}`)),
+          h("th", { scope: "col", title: name }, symbol, unit && h("small", ` ${unit}`)),
         ),
         h("th", { scope: "col" }, "table.mode"),
       ),
@@ -131,8 +128,8 @@ export class Table {
       row: h(
         "tr",
         { onclick: () => this.clock.seek(time) },
-        values.map((value, i) => (i === 0 ? h("th", { scope: "row" }, show(value, 4)) : h("td", {}, show(value, 4)))),
-        h("td", { class: "table-mode" }, names[mode]),
+        values.map((value, i) => (i === 0 ? h("th", { scope: "row" }, show(value, 4)) : h("td", show(value, 4)))),
+        h("td.table-mode", names[mode]),
       ),
     }));
     this.body.replaceChildren(...this.rows.map(({ row }) => row));

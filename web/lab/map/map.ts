@@ -1,6 +1,6 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
-import { scaledContext, h, once, say } from "../common/dom.ts";
+import { scaledContext, h, once, say, selection } from "../common/dom.ts";
 import { axisFont } from "../common/axes.ts";
 import { focused, byFingers, follow, placeOn, zoomable } from "../common/pointer.ts";
 import { AXES, cross, MapAxes, otherStart } from "./map_axes.ts";
@@ -33,40 +33,36 @@ export class MotionMap {
   seen = false;
   axes = new MapAxes(this.setup.controls.map_axes);
   selects: Record<AxisName, HTMLSelectElement> = { x: this.pick("x"), y: this.pick("y") };
-  quantity = h(
-    "select",
-    {
-      "aria-label": "map.quantity_label",
-      onchange: () => {
-        this.what = this.quantity.value;
-        this.refresh();
-      },
+  quantity = selection(
+    this.setup.map_quantities,
+    (name) => `quantity.${name}`,
+    (name) => {
+      this.what = name;
+      this.refresh();
     },
-    this.setup.map_quantities.map((name) => h("option", { value: name }, `quantity.${name}`)),
+    { "aria-label": "map.quantity_label" },
   );
-  canvas = h("canvas", { class: "plot-canvas" });
-  tip = h("div", { class: "tip", hidden: true });
+  canvas = h("canvas.plot-canvas");
+  tip = h("div.tip", { hidden: true });
   body = h(
-    "div",
-    { class: "map-body", tabindex: "0", role: "application", "aria-label": "map.instructions" },
+    "div.map-body",
+    { tabindex: "0", role: "application", "aria-label": "map.instructions" },
     this.canvas,
     this.tip,
   );
-  keys = h("div", { class: "map-keys" });
-  state = h("span", { class: "hint" });
+  keys = h("div.map-keys");
+  state = h("span.hint");
   element = h(
-    "section",
-    { class: "map", "aria-label": "map.label" },
+    "section.map",
+    { "aria-label": "map.label" },
     h(
-      "div",
-      { class: "map-head" },
-      h("h2", {}, "map.title"),
-      h("label", {}, "map.quantity", this.quantity),
-      h("label", {}, "map.across", this.selects.x),
-      h("label", {}, "map.up", this.selects.y),
+      "div.map-head",
+      h("h2", "map.title"),
+      h("label", "map.quantity", this.quantity),
+      h("label", "map.across", this.selects.x),
+      h("label", "map.up", this.selects.y),
       h(
-        "span",
-        { class: "buttons" },
+        "span.buttons",
         h("button", { "aria-label": "map.zoom_in", onclick: () => this.zoom(0.5, this.aim()) }, "+"),
         h("button", { "aria-label": "map.zoom_out", onclick: () => this.zoom(2, this.aim()) }, "−"),
         h("button", { onclick: () => this.home() }, "map.zoom_home"),
@@ -75,7 +71,7 @@ export class MotionMap {
     ),
     this.body,
     this.keys,
-    h("p", { class: "hint" }, byFingers() ? "map.hint_touch" : "map.hint_mouse"),
+    h("p.hint", byFingers() ? "map.hint_touch" : "map.hint_mouse"),
   );
   soon = once(() => this.refresh(), 140);
   watch = new IntersectionObserver(([entry]) => {
@@ -98,10 +94,11 @@ export class MotionMap {
   }
 
   pick(name: AxisName) {
-    return h(
-      "select",
-      { "data-axis": name, onchange: () => this.setAxis(name, this.selects[name].value) },
-      this.axes.all.map(({ path }) => h("option", { value: path }, `axis.${path}`)),
+    return selection(
+      [...this.axes.known.keys()],
+      (path) => `axis.${path}`,
+      (path) => this.setAxis(name, path),
+      { "data-axis": name },
     );
   }
 
@@ -127,7 +124,7 @@ export class MotionMap {
 
   /** What the map depends on, apart from its own axes. */
   key_of(scenario: Scenario) {
-    const rest: Record<string, any> = structuredClone(scenario);
+    const rest: Named = structuredClone(scenario);
     for (const path of Object.values(this.axes.paths)) {
       const [section, name] = path.split(".");
       if (rest[section]) delete rest[section][name];
@@ -208,7 +205,6 @@ export class MotionMap {
     const { context, width, height } = scaledContext(this.canvas, look.px);
     context.font = axisFont(look);
     this.axes.fit(width, height, (text) => context.measureText(text).width);
-    context.save();
     this.axes.clip(context);
     context.imageSmoothingEnabled = false;
     const { axes } = this;
@@ -223,7 +219,7 @@ export class MotionMap {
   }
 
   /** About what buttons and keys zoom: the mark, where it is in sight. */
-  aim(): Place | undefined {
+  aim() {
     const place = (focused(this.body) && this.pointed) || this.here();
     const { windows } = this.axes;
     const seen = place && AXES.every((name) => place[name] >= windows[name][0] && place[name] <= windows[name][1]);
@@ -263,12 +259,7 @@ export class MotionMap {
 
 // --- Mouse, fingers and keys on a map: drag to move, a click or Enter takes a motion; it zooms as all pictures do
 
-const WAYS: Record<string, [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
+const WAYS: Named<[number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const STEPS = 48; // of the arrow keys across a map
 
 function takeHands(map: MotionMap) {
@@ -288,8 +279,7 @@ function takeHands(map: MotionMap) {
 }
 
 function placeAt(map: MotionMap, event: Point) {
-  const [x, y] = placeOn(map.body, event, map.look.px);
-  return map.axes.place(x, y);
+  return map.axes.place(placeOn(map.body, event, map.look.px));
 }
 
 function hover(map: MotionMap, event: PointerEvent) {

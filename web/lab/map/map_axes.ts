@@ -1,8 +1,8 @@
 // The two axes of a map: which parameters, from where to where, and where that is on the canvas.
 
-import { type Axis, drawAxes } from "../common/axes.ts";
+import { type Axis, drawAxes, Frame, marksOf } from "../common/axes.ts";
 import { clamp, scaled, within } from "../common/clamp.ts";
-import { niceStep, show, sizeOf, tickText, ticks, withUnit } from "../common/numbers.ts";
+import { show, sizeOf, withUnit } from "../common/numbers.ts";
 import { outlined, ring, stroke } from "../common/paint.ts";
 import { t } from "../words/words.ts";
 
@@ -10,27 +10,23 @@ const LEFT = 62;
 const NAME = 20; // of the axis upwards
 const GAP = 10;
 const UP = 40; // pixels from number to number upwards
-const RIGHT = 12;
-const TOP = 10;
-const BOTTOM = 36;
 export const AXES: AxisName[] = ["x", "y"];
 
-export class MapAxes {
-  box: Box;
-
+export class MapAxes extends Frame {
   paths: Record<AxisName, string> = { x: "start.speed", y: "plane.mu" };
   known = new Map(this.all.map((axis) => [axis.path, axis]));
   windows: Record<AxisName, number[]> = { x: this.whole("x"), y: this.whole("y") };
-  left: number = LEFT;
 
-  constructor(readonly all: AxisInfo[]) {}
+  constructor(readonly all: AxisInfo[]) {
+    super(LEFT, 12, 10, 36);
+  }
 
   /** What is known of the parameter on an axis. */
   info(name: AxisName) {
     return this.known.get(this.paths[name]) as AxisInfo;
   }
 
-  whole(name: AxisName): number[] {
+  whole(name: AxisName) {
     return [...this.info(name).range];
   }
 
@@ -98,43 +94,12 @@ export class MapAxes {
     return AXES.every((name) => this.windows[name].every((value, i) => value === this.whole(name)[i]));
   }
 
-  // The middle of what is shown.
-  middle() {
-    const { x, y } = this.windows;
-    return { x: 0.5 * (x[0] + x[1]), y: 0.5 * (y[0] + y[1]) };
-  }
-
   /** Take the room of a canvas; the name of the axis upwards stands beside its longest number. `wide`: pixels of a text. */
   fit(width: number, height: number, wide: (text: string) => number = () => 0) {
-    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    super.fit(width, height);
     const numbers = this.axis("y", this.box.height / UP).marks.map(({ text }) => wide(text));
     this.left = Math.max(LEFT, Math.ceil(NAME + GAP + Math.max(0, ...numbers)));
-    this.box.width = width - this.left - RIGHT;
-  }
-
-  clip(context: CanvasRenderingContext2D) {
-    context.beginPath();
-    context.rect(this.left, TOP, this.box.width, this.box.height);
-    context.clip();
-  }
-
-  x(value: number) {
-    const [low, high] = this.windows.x;
-    return this.left + ((value - low) / (high - low)) * this.box.width;
-  }
-
-  y(value: number) {
-    const [low, high] = this.windows.y;
-    return TOP + (1 - (value - low) / (high - low)) * this.box.height;
-  }
-
-  /** The place under a point of the canvas. */
-  place(x: number, y: number) {
-    const at = ([low, high]: number[], share: number) => low + clamp(share, 0, 1) * (high - low);
-    return {
-      x: at(this.windows.x, (x - this.left) / this.box.width),
-      y: at(this.windows.y, 1 - (y - TOP) / this.box.height),
-    };
+    super.fit(width, height);
   }
 
   /** The roundest number from `low` to `high` next to a value, in the unit that people read. */
@@ -169,26 +134,30 @@ export class MapAxes {
 
   /** Frame, numbers and names. */
   draw(context: CanvasRenderingContext2D, look: Look) {
-    const { left, box } = this;
-    const [across, up] = [this.axis("x", box.width / 80), this.axis("y", box.height / UP)];
-    drawAxes(context, look, { left, top: TOP, box }, { across, up, middle: true });
+    const { width, height } = this.box;
+    drawAxes(context, look, this, {
+      across: this.axis("x", width / 80),
+      up: this.axis("y", height / UP),
+      middle: true,
+    });
   }
 
   axis(name: AxisName, count: number): Axis {
     const info = this.info(name);
     const scale = 1 / sizeOf(info.unit);
     const [low, high] = this.windows[name].map((value) => value * scale);
-    const step = niceStep(high - low, count);
     // far in, the labels show the distance from a rounded value that stands with the axis' name
     const deep = this.deep(name);
     const origin = deep ? Number((0.5 * (low + high)).toPrecision(12)) : 0;
-    const all = deep ? ticks(low - origin, high - origin, count).map((v) => v + origin) : ticks(low, high, count);
     const offset = deep ? ` − ${String(origin).replace("-", "−")}` : "";
     return {
-      marks: all.map((value) => ({
-        at: this[name](value / scale),
-        text: deep ? show(value - origin, 3) : tickText(value, step),
-      })),
+      marks: marksOf(
+        [low - origin, high - origin],
+        count,
+        (value) => this[name]((value + origin) / scale),
+        undefined,
+        deep ? (value) => show(value, 3) : undefined,
+      ),
       name: `${t(`axis.${info.path}`)}${offset}${info.unit ? ` [${info.unit}]` : ""}`,
     };
   }

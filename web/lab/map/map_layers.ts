@@ -1,8 +1,8 @@
 // The computed parts of a map, the finer over the coarser: pictures, legend, and what a place holds.
 
 import { parsed, SPEED_COLORS, SPEED_GRADIENT } from "../common/colors.ts";
-import { h, pen } from "../common/dom.ts";
-import { clamp } from "../common/clamp.ts";
+import { cellPicture, h } from "../common/dom.ts";
+import { clamp, extent } from "../common/clamp.ts";
 import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { spoken, t } from "../words/words.ts";
 import type { MapAxes } from "./map_axes.ts";
@@ -19,12 +19,7 @@ function units(header: MapHeader): [number, string] {
 
 /** The least and the greatest number, for the ends of the colours. */
 function limits({ classes, what }: MapHeader, values: Float32Array) {
-  let [low, high] = [Infinity, -Infinity];
-  if (classes) return [low, high];
-  for (const value of values) {
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
+  const [low, high] = extent(classes ? [] : values);
   return [FROM_ZERO.includes(what) ? Math.min(low, 0) : low, high];
 }
 
@@ -32,27 +27,17 @@ function limits({ classes, what }: MapHeader, values: Float32Array) {
 export function layerOf({ header, arrays }: Reply<MapHeader>) {
   const values: Float32Array = arrays.values;
   const { x, y, classes } = header;
-  const image = new ImageData(x.cells, y.cells);
   const [low, high] = limits(header, values);
   const palette = classes?.map(({ color }) => parsed(color));
-  for (let row = 0; row < y.cells; row++) {
-    for (let column = 0; column < x.cells; column++) {
-      const value = values[row * x.cells + column];
-      const place = 4 * ((y.cells - 1 - row) * x.cells + column);
-      if (!Number.isFinite(value)) continue;
-      // a class ends where a neighbour is another: a darker edge tells pale ones apart
-      const edge =
-        palette &&
-        ((column + 1 < x.cells && values[row * x.cells + column + 1] !== value) ||
-          (row + 1 < y.cells && values[(row + 1) * x.cells + column] !== value));
-      const color = palette
-        ? palette[value].map((part) => (edge ? 0.72 * part : part))
-        : SPEED_COLORS[clamp(Math.round((255 * (value - low)) / (high - low || 1)), 0, 255)];
-      image.data.set([...color, 255], place);
-    }
-  }
-  const picture = h("canvas", { width: x.cells, height: y.cells });
-  pen(picture).putImageData(image, 0, 0);
+  const picture = cellPicture(x.cells, y.cells, (cell) => {
+    const value = values[cell];
+    if (!Number.isFinite(value)) return null;
+    if (!palette) return SPEED_COLORS[clamp(Math.round((255 * (value - low)) / (high - low || 1)), 0, 255)];
+    // a class ends where a neighbour is another: a darker edge tells pale ones apart
+    const [right, above] = [cell + 1, cell + x.cells];
+    const edge = (right % x.cells && values[right] !== value) || (above < values.length && values[above] !== value);
+    return edge ? palette[value].map((part) => 0.72 * part) : palette[value];
+  });
   return { picture, header, values, x: [x.from, x.to], y: [y.from, y.to], low, high };
 }
 
@@ -76,10 +61,10 @@ export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement 
   if (!classes) {
     const [scale, unit] = units(header);
     return [
-      h("span", {}, header.label, ": ", high >= low ? show(low * scale, 3) : "map.none", " "),
-      h("span", { class: "bar", style: `background: ${SPEED_GRADIENT}` }),
-      h("span", {}, high >= low ? withUnit(show(high * scale, 3), unit) : ""),
-      values.some((value) => !Number.isFinite(value)) ? h("span", {}, h("i", { class: "blank" }), "map.none") : "",
+      h("span", header.label, ": ", high >= low ? show(low * scale, 3) : "map.none", " "),
+      h("span.bar", { style: `background: ${SPEED_GRADIENT}` }),
+      h("span", high >= low ? withUnit(show(high * scale, 3), unit) : ""),
+      values.some((value) => !Number.isFinite(value)) ? h("span", h("i.blank"), "map.none") : "",
     ];
   }
   const counts = new Map();
@@ -88,11 +73,11 @@ export function legendOf({ header, low, high, values }: MapLayer): (HTMLElement 
   return [
     ...order.slice(0, 10).map(([code]) => {
       const { color, text } = classes[code];
-      return h("span", {}, h("i", { style: `background:${color}`, "aria-hidden": "true" }), text);
+      return h("span", h("i", { style: `background:${color}`, "aria-hidden": "true" }), text);
     }),
-    order.length > 10 ? h("span", {}, { key: "map.more_classes", values: { count: order.length - 10 } }) : "",
+    order.length > 10 ? h("span", { key: "map.more_classes", values: { count: order.length - 10 } }) : "",
     classes.some(({ name }) => header.what === "sequence" && /[SK]/.test(name))
-      ? h("span", { class: "hint" }, "map.forward_names")
+      ? h("span.hint", "map.forward_names")
       : "",
   ];
 }
@@ -111,7 +96,7 @@ function covering(layers: MapLayer[], place: Place) {
 }
 
 /** From where to where the cell of a place goes. */
-export function cellAt(layers: MapLayer[], place: Place): Record<AxisName, number[]> | null {
+export function cellAt(layers: MapLayer[], place: Place) {
   const found = covering(layers, place);
   if (!found) return null;
   const ends = ({ from, to, cells }: MapHeader["x"], k: number) =>

@@ -18,11 +18,8 @@ export class Clock {
   /** A time that is pointed at, without going there. */
   pointed: number | null = null;
   last: number | null = null;
-  listeners: Set<any> = new Set();
-
-  changed() {
-    for (const listener of this.listeners) listener(this);
-  }
+  /** Called when it is elsewhere, or runs otherwise. */
+  changed = () => {};
 
   /** The film runs by itself, and only where nothing speaks against it; else it goes to where it would end. */
   run({ to = this.time, once = false } = {}) {

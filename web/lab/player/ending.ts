@@ -10,10 +10,10 @@ export class Ending {
   asked: AbortController | null = null;
   known: Fate | null = null;
   of: any = null; // the scenario of the answer
-  answer = h("span", {});
+  answer = h("span");
   ask = h("button", { onclick: () => this.fetch() }, "ending.ask");
   gait = h("button", { hidden: true, onclick: () => this.take() }, "ending.show");
-  element = h("p", { class: "ending" }, this.ask, " ", this.answer, " ", this.gait);
+  element = h("p.ending", this.ask, " ", this.answer, " ", this.gait);
 
   constructor(
     readonly backend: Backend,

@@ -1,7 +1,7 @@
 // A computed motion, and the state at any time in it.
 
 import { tables } from "../../model/tables.ts";
-import { clamp } from "../common/clamp.ts";
+import { clamp, extent } from "../common/clamp.ts";
 
 const MODE_LETTERS: string = tables.words.letters;
 
@@ -12,7 +12,7 @@ const PART = 8; // seconds that are made finer at a time
 export class Film {
   /** the film of one instant that was asked for last */
   latest: Film | null = null;
-  cache: Map<string, Column> = new Map();
+  cache = new Map<string, Column>();
   /** the part that is looked at, if the whole is coarse */
   part: Film | null = null;
   scenario: Scenario;
@@ -23,15 +23,15 @@ export class Film {
   /** hash of the bits of all events */
   fingerprint: string;
   events: MotionEvent[];
-  values: Record<string, any>;
-  automatic: Record<string, number>;
+  values: Named;
+  automatic: Named<number>;
   /** what happens, in one sentence */
   summary: Message;
   story: Sentence[];
   shortened: boolean;
   /** that more digits would have to decide what comes, if they would */
   doubt: Message;
-  columns: Record<string, Column>;
+  columns: Named<Column>;
   /** the columns at any time */
   exact: FilmReply["exact"];
   t: Float64Array;
@@ -77,13 +77,13 @@ export class Film {
   }
 
   /** Take the finer part. */
-  refine(columns: Record<string, any>) {
+  refine(columns: Named) {
     this.part = this.with(columns);
     this.latest = null;
   }
 
   /** The same motion at other times. */
-  with(columns: Record<string, any>): Film {
+  with(columns: Named): Film {
     const { t } = columns;
     const own = { columns, t, length: t.length, cache: new Map(), part: null, latest: null };
     return Object.assign(Object.create(this), own);
@@ -114,14 +114,10 @@ export class Film {
 
   findExtent() {
     const { x, height, vx, vy, omega } = this.columns;
-    const extent = { left: Infinity, right: -Infinity, top: 0, speed: 0 };
+    const [left, right] = extent(x);
+    const [, top] = extent([0, ...height]);
     const speeds: number[][] = []; // of each stretch
     for (let i = 0; i < this.length; i++) {
-      if (Number.isFinite(x[i])) {
-        extent.left = Math.min(extent.left, x[i]);
-        extent.right = Math.max(extent.right, x[i]);
-      }
-      if (height[i] > extent.top) extent.top = height[i];
       const speed = Math.hypot(vx[i], vy[i]) + this.radius * Math.abs(omega[i]);
       const stretch = Math.floor(this.t[i] / STRETCH);
       speeds[stretch] ??= [];
@@ -129,8 +125,7 @@ export class Film {
     }
     // a spike that lasts an instant must not turn the rest of the ring into one colour, nor a long rest the start
     const usual = (some: number[]) => some.sort((a, b) => a - b)[Math.floor(0.95 * (some.length - 1))];
-    extent.speed = Math.max(0, ...speeds.filter((some) => some?.length).map(usual)) || 1;
-    return extent;
+    return { left, right, top, speed: Math.max(0, ...speeds.filter((some) => some?.length).map(usual)) || 1 };
   }
 
   /** Largest index with t[index] <= time: of two samples at an event, the one after it. */
@@ -146,7 +141,7 @@ export class Film {
   }
 
   /** Samples in order of time: those of the whole, with the finer part in its place. */
-  pieces(): { film: Film; from: number; to: number }[] {
+  pieces() {
     const { part } = this;
     if (!part) return [{ film: this, from: 0, to: this.length }];
     const [begin, end] = [part.t[0], part.t[part.length - 1]];
@@ -176,7 +171,7 @@ export class Film {
   }
 
   /** A derived column, computed once. */
-  derived(name: string, make: (columns: Record<string, Column>) => Column): Column {
+  derived(name: string, make: (columns: Named<Column>) => Column): Column {
     const found = this.cache.get(name) ?? make(this.columns);
     this.cache.set(name, found);
     return found;

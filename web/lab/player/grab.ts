@@ -136,7 +136,7 @@ export class Pull {
 }
 
 /** What a key does to what is held, or null where it does nothing; a finer step with Shift. */
-export function keyed(grip: Grip, key: string, fine: boolean, held: Held, film: Film): Held | null {
+export function keyed(grip: Grip, key: string, fine: boolean, held: Held, film: Film) {
   const side = { ArrowLeft: -1, ArrowRight: 1 }[key] ?? 0;
   const up = { ArrowDown: -1, ArrowUp: 1 }[key] ?? 0;
   if (!side && !up) return null;

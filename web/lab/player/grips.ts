@@ -32,12 +32,12 @@ export class Grips {
   before: string | null = null;
 
   /** What a first visitor is told. */
-  hint = h("div", { class: "grip-hint", "aria-hidden": "true", hidden: true }, "hand.hint");
+  hint = h("div.grip-hint", { "aria-hidden": "true", hidden: true }, "hand.hint");
   places = new Map(GRIPS.map(([grip, label, title]) => [grip, this.place(grip, label, title)]));
-  tip = h("output", { class: "grip-tip", "aria-hidden": "true", hidden: true });
+  tip = h("output.grip-tip", { "aria-hidden": "true", hidden: true });
   element = h(
-    "div",
-    { class: "grips", role: "group", "aria-label": "hand.group" },
+    "div.grips",
+    { role: "group", "aria-label": "hand.group" },
     [...this.places.values()],
     this.tip,
     this.hint,
@@ -63,8 +63,7 @@ export class Grips {
   }
 
   place(grip: Grip, label: string, title: string) {
-    return h("div", {
-      class: `grip grip-${grip}`,
+    return h(`div.grip.grip-${grip}`, {
       role: "slider",
       tabindex: "0",
       "aria-label": label,
@@ -127,24 +126,22 @@ export class Grips {
   /** The values for a screen reader: those of the start that is held or shown. */
   tell(film: Film) {
     const held = this.pull?.held ?? this.held ?? taken("hoop", film, this.clock.time);
-    const texts = {
-      load: degrees(held.angle),
-      hoop: t("hand.state", { height: length(held.height), speed: show(held.vx, 3) }),
-      plane: degrees(held.slope),
+    const state = t("hand.state", { height: length(held.height), speed: show(held.vx, 3) });
+    const said: Record<Grip, [string, number, number, number]> = {
+      load: [degrees(held.angle), held.angle / DEGREE, -180, 180],
+      hoop: [state, held.height, 0, 4 * film.radius],
+      plane: [degrees(held.slope), held.slope / DEGREE, -45, 45],
     };
-    const values = { load: held.angle / DEGREE, hoop: held.height, plane: held.slope / DEGREE };
-    const limits = { load: [-180, 180], hoop: [0, 4 * film.radius], plane: [-45, 45] };
     for (const [grip, place] of this.places) {
-      if (place.ariaValueText === texts[grip]) continue;
-      place.ariaValueText = texts[grip];
-      place.ariaValueNow = String(Number(values[grip].toPrecision(4)));
-      place.ariaValueMin = String(limits[grip][0]);
-      place.ariaValueMax = String(Number(limits[grip][1].toPrecision(4)));
+      const [text, ...numbers] = said[grip];
+      if (place.ariaValueText === text) continue;
+      const [now, least, most] = numbers.map((number) => String(Number(number.toPrecision(4))));
+      Object.assign(place, { ariaValueText: text, ariaValueNow: now, ariaValueMin: least, ariaValueMax: most });
     }
   }
 
   /** Which part of the hoop is under the pointer. */
-  under(event: Point): Grip | null {
+  under(event: Point) {
     if (this.element.hidden) return null;
     let found: Grip | null = null;
     // the last of those that lie over each other is on top
@@ -337,16 +334,15 @@ const GAP = 4; // pixels
  * The middle of a box of a size: where it is wanted, else at the nearest place that is free. `inside`: what it must
  * not leave; `taken`: what it must not cover.
  */
-export function clearPlace([x, y]: number[], size: Box, inside: Edges, taken: Edges[]): [number, number] {
+export function clearPlace([x, y]: number[], size: Box, inside: Edges, taken: Edges[]) {
   const [half, tall] = [size.width / 2, size.height / 2];
-  const within = (value: number, least: number, most: number) => Math.max(least, Math.min(value, most));
   const across = [x, ...taken.flatMap(({ left, right }) => [right + half + GAP, left - half - GAP])];
   const up = [y, ...taken.flatMap(({ top, bottom }) => [bottom + tall + GAP, top - tall - GAP])];
   const places = across
     .flatMap((one) => up.map((other) => [one, other]))
     .map(([one, other]): [number, number] => [
-      within(one, inside.left + half, inside.right - half),
-      within(other, inside.top + tall, inside.bottom - tall),
+      clamp(one, inside.left + half, inside.right - half),
+      clamp(other, inside.top + tall, inside.bottom - tall),
     ]);
   const free = places.filter(
     ([one, other]) =>

@@ -3,14 +3,14 @@
 import { tables } from "../../model/tables.ts";
 
 /** by kind, the rarest first. */
-export const MARKS: Record<string, string> = tables.words.signs;
+export const MARKS: Named<string> = tables.words.signs;
 const RANK = Object.keys(MARKS);
 
 /**
  * Which marks there is room for: the rarer before the usual ones, those at one place side by side, and at the end of
  * each crowd how many are left out. `events`: places in pixels; `room`: between two marks; returns in order of place.
  */
-export function placed(events: { kind: string; x: number }[], room = 11): { mark: string; x: number }[] {
+export function placed(events: { kind: string; x: number }[], room = 11) {
   const known = events.filter(({ kind }) => kind in MARKS);
   const order = [...known].sort((a, b) => RANK.indexOf(a.kind) - RANK.indexOf(b.kind) || a.x - b.x);
   const shown: { mark: string; x: number; rare: boolean; hidden: number }[] = [];
@@ -34,13 +34,9 @@ export function placed(events: { kind: string; x: number }[], room = 11): { mark
  * Stretches of one colour; where phases are shorter than a pixel, each pixel has the mode that lasts longest in it.
  * `phases`: in order of time; `place`: in pixels.
  */
-export function stretches(
-  phases: Phase[],
-  place: (t: number) => number,
-  width: number,
-): { mode: string; from: number; wide: number }[] {
+export function stretches(phases: Phase[], place: (t: number) => number, width: number) {
   const found: { mode: string; from: number; wide: number }[] = [];
-  let crowd: Map<string, number> = new Map(); // how long each mode lasts in the pixel that is being filled
+  let crowd = new Map<string, number>(); // how long each mode lasts in the pixel that is being filled
   let pixel = -1;
   const add = (mode: string, from: number, wide: number) => {
     const last = found.at(-1);

@@ -171,7 +171,7 @@ export class Motions {
   }
 
   /** One way at a time, in the order in which they were asked for; whether it could be gone. */
-  inTurn(go: () => Promise<void>): Promise<boolean> {
+  inTurn(go: () => Promise<void>) {
     this.going = this.going.then(go).then(
       () => true,
       (error) => {

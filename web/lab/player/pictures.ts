@@ -57,7 +57,7 @@ function background(context: CanvasRenderingContext2D, { theme }: Shown, width: 
 
 function flat(context: CanvasRenderingContext2D, lab: Shown, width: number, height: number) {
   const { stage, clock, theme } = lab;
-  stage.flat.paint(context, width, height, lab.films(), clock.time, stage.options, theme.look, theme.inks);
+  stage.flat.paint(context, width, height, lab.films(), clock.time, stage.options, theme);
 }
 
 /** Mode, time, angle and speed of each hoop, in its part of the picture. */
@@ -86,7 +86,7 @@ function words(context: CanvasRenderingContext2D, lab: Shown, height: number) {
 
 const KINDS = ["video/mp4;codecs=avc1", "video/webm"];
 
-export async function record(lab: Parameters<typeof copyInto>[0] & Pick<Lab, "notice" | "afterFrame">): Promise<Blob> {
+export async function record(lab: Parameters<typeof copyInto>[0] & Pick<Lab, "notice" | "afterFrame">) {
   const source = lab.stage.canvas();
   const mimeType = KINDS.find((kind) => globalThis.MediaRecorder?.isTypeSupported(kind));
   if (!("captureStream" in source && mimeType)) throw new Error("save.cannot_record");

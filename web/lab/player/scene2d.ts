@@ -1,12 +1,14 @@
 // One hoop on its plane, drawn on a canvas or whatever takes the same strokes.
 
-import { arrowHead, disc, fill, outlined, ring, stroke } from "../common/paint.ts";
+import { arrowHead, disc, fill, haloed, outlined, ring, stroke } from "../common/paint.ts";
 import { SPEED_TEXTS } from "../common/colors.ts";
 import { clamp } from "../common/clamp.ts";
 import { niceStep, show, tickText } from "../common/numbers.ts";
+import { strokeThrough } from "../diagrams/crowd.ts";
 
 const SEGMENTS = 120;
 const GAP = 12; // pixels between an arrow or a rim and a label
+const NOWHERE = [Number.NaN, Number.NaN];
 const KEYS = 64; // pixels that ticks, a force and the key need below the plane
 
 /**
@@ -24,12 +26,14 @@ export class Scene {
   top = 0; // of the hoop's part of the picture, in pixels
   covered: DOMRect[] = []; // where words lie over the picture
 
+  look: Look;
+  colors: Colors;
   pose: Pose;
   scale: number;
   focus: number[];
   place: number[];
-  cosine: number = Math.cos(this.film.slope);
-  sine: number = Math.sin(this.film.slope);
+  cosine = Math.cos(this.film.slope);
+  sine = Math.sin(this.film.slope);
 
   constructor(
     readonly context: CanvasRenderingContext2D,
@@ -38,13 +42,15 @@ export class Scene {
     public film: Film,
     time: number,
     public options: StageOptions,
-    public look: Look,
-    public colors: Colors,
+    theme: Shades,
     zoom: number,
     shift: number[],
     readonly common: { top: number; radius: number; speed: number },
   ) {
+    this.look = theme.look;
+    this.colors = theme.inks;
     this.pose = film.at(time);
+    const { look } = theme;
     const R = film.radius;
     const { left, right } = film.extent;
     const { top } = common;
@@ -140,26 +146,22 @@ export class Scene {
       context.strokeStyle = color;
       context.lineWidth = width;
       context.lineJoin = "round";
-      context.beginPath();
-      let open = false;
-      const add = (cx: number, gap: number, th: number) => {
-        const [px, py] = this.point(cx + distance * Math.sin(th), R + gap + distance * Math.cos(th));
-        if (open) context.lineTo(px, py);
-        else context.moveTo(px, py);
-        open = true;
+      const [xs, ys]: number[][] = [[], []];
+      const add = ([px, py]: number[]) => {
+        xs.push(px);
+        ys.push(py);
       };
       for (const piece of film.pieces()) {
         const { x, height, angle, mode } = piece.film.columns;
         for (let i = piece.from; i < piece.to && piece.film.t[i] <= until; i++) {
           const here = wanted === undefined || (mode[i] === 3) === wanted;
-          if (here) add(x[i], height[i], angle[i]);
-          else open = false;
+          add(here ? this.ray(distance, { x: x[i], height: height[i], angle: angle[i] }) : NOWHERE);
         }
       }
       if (until === this.pose.t && (wanted === undefined || (this.pose.mode === "H") === wanted)) {
-        add(this.pose.x, this.pose.height, this.pose.angle);
+        add(this.ray(distance));
       }
-      context.stroke();
+      strokeThrough(context, xs, ys);
     };
     context.globalAlpha = share;
     path(R, look.ink, 1.3);
@@ -172,9 +174,7 @@ export class Scene {
   mark(letter: string, color: string) {
     const { context, film, scale } = this;
     const [x, y] = this.ray(0);
-    context.strokeStyle = color;
-    context.lineWidth = 3;
-    ring(context, [x, y], Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2));
+    ring(context, [x, y], Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2), color, 3);
     context.fillStyle = color;
     context.font = `700 ${17 * this.look.px}px ${this.look.font}`;
     context.textAlign = "center";
@@ -189,34 +189,24 @@ export class Scene {
     const radius = R * scale;
     context.strokeStyle = context.fillStyle = look.ink;
     context.lineWidth = 1.5;
-    context.beginPath();
     if (x > -0.5 * radius && x < width + 0.5 * radius) {
       const load = this.ray(R, pose);
       context.setLineDash([6, 5]);
-      context.arc(x, y, radius, 0, 2 * Math.PI);
-      context.moveTo(x, y);
-      context.lineTo(...load);
-      context.stroke();
+      ring(context, [x, y], radius);
+      stroke(context, [x, y], load);
       context.setLineDash([]);
-      context.fillStyle = look.paper;
-      disc(context, load, clamp(0.1 * radius, 4, 16));
+      disc(context, load, clamp(0.1 * radius, 4, 16), look.paper);
       context.stroke();
       return;
     }
     const way = x < 0 ? -1 : 1;
     const tip = way < 0 ? 6 : width - 6;
     const high = clamp(y, 24, this.height - 24);
-    context.moveTo(tip, high);
-    context.lineTo(tip - 14 * way, high - 9);
-    context.lineTo(tip - 14 * way, high + 9);
-    context.fill();
+    fill(context, [tip, high], [tip - 14 * way, high - 9], [tip - 14 * way, high + 9]);
     context.font = `600 ${12 * look.px}px ${look.font}`;
     context.textAlign = way < 0 ? "left" : "right";
-    context.lineWidth = 3;
-    context.strokeStyle = look.paper;
     const far = `${show(pose.x - this.focus[0], 3)} m`;
-    context.strokeText(far, tip - 20 * way, high + 4 * look.px);
-    context.fillText(far, tip - 20 * way, high + 4 * look.px);
+    haloed(context, far, [tip - 20 * way, high + 4 * look.px], look.ink, look.paper);
   }
 
   hoop() {
@@ -227,12 +217,8 @@ export class Scene {
     const center = this.ray(0);
     const rim = (angle: number) => this.ray(inner, { ...pose, angle });
     context.lineCap = "butt";
-    if (look.dark) {
-      // the slow end of the colours is dark as well
-      context.strokeStyle = look.soft;
-      context.lineWidth = width + 2;
-      ring(context, center, inner * scale);
-    }
+    // the slow end of the colours is dark as well
+    if (look.dark) ring(context, center, inner * scale, look.soft, width + 2);
     if (this.options.speed) {
       const most = this.common.speed;
       context.lineWidth = width;
@@ -246,17 +232,12 @@ export class Scene {
         context.strokeStyle = SPEED_TEXTS[clamp(Math.round((255 * speed) / most) || 0, 0, 255)];
         stroke(context, rim(phi - 0.04 * step), rim(phi + 1.04 * step));
       }
-    } else {
-      context.strokeStyle = colors.modes[pose.mode];
-      context.lineWidth = width;
-      ring(context, center, inner * scale);
-    }
+    } else ring(context, center, inner * scale, colors.modes[pose.mode], width);
     context.strokeStyle = look.soft;
     context.lineWidth = 1;
     stroke(context, center, rim(pose.angle));
     const dot = (place: number[], radius: number, fill: string, edge: string) => {
-      context.fillStyle = fill;
-      disc(context, place, radius);
+      disc(context, place, radius, fill);
       context.lineWidth = 1.5;
       context.strokeStyle = edge;
       context.stroke();
@@ -294,8 +275,7 @@ export class Scene {
       } else {
         const radius = part.shape === "disk" ? part.radius * scale : clamp(0.08 * film.radius * scale, 3, 12);
         context.globalAlpha = part.shape === "disk" ? 0.55 : 1;
-        context.arc(...place, radius, 0, 2 * Math.PI);
-        context.fill();
+        disc(context, place, radius);
         context.globalAlpha = 1;
       }
     }
@@ -332,17 +312,13 @@ export class Scene {
       const [x, y] = [from[0] + 0.55 * ux * length, from[1] + 0.55 * uy * length];
       context.strokeStyle = look.paper;
       context.lineWidth = 2;
-      context.beginPath();
       for (const way of [-3, 3]) {
-        context.moveTo(x + ux * (way - 3) - uy * 7, y + uy * (way - 3) + ux * 7);
-        context.lineTo(x + ux * (way + 3) + uy * 7, y + uy * (way + 3) - ux * 7);
+        const [back, on] = [way - 3, way + 3];
+        stroke(context, [x + ux * back - uy * 7, y + uy * back + ux * 7], [x + ux * on + uy * 7, y + uy * on - ux * 7]);
       }
-      context.stroke();
     }
     context.font = `600 ${12 * look.px}px ${look.font}`;
     const size = context.measureText(label).width;
-    context.lineWidth = 3;
-    context.strokeStyle = below ? look.ground : look.paper;
     context.textAlign = "left";
     const high = clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale);
     const rim = this.ray(0);
@@ -350,7 +326,6 @@ export class Scene {
       ? [from[0] - 0.5 * size - 32 * look.px * this.sine, from[1] + 32 * look.px * this.cosine]
       : [besideRim(to[0], high - 4, size, rim, this.film.radius * this.scale, width), high];
     place[0] = clamp(place[0], 4, width - size - 4);
-    context.strokeText(label, place[0], place[1]);
-    context.fillText(label, place[0], place[1]);
+    haloed(context, label, place, color, below ? look.ground : look.paper);
   }
 }

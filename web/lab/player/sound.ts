@@ -7,7 +7,7 @@ const LOUDEST = 0.22;
 const SOFT = 0.03; // seconds within which a loudness changes
 
 /** What is to be heard at one instant, from the motion alone. Returns loudness from 0 to 1, pitch [Hz]. */
-export function heard(film: Film, time: number): { tone: number; pitch: number; hiss: number } {
+export function heard(film: Film, time: number) {
   const pose = film.at(time);
   const force = pose.mode === "H" || !(pose.normal_force > 0) ? 0 : pose.normal_force / film.weight;
   // the weight itself is at half loudness; a force that grows without bound only comes near to the whole
@@ -37,81 +37,72 @@ function noise(context: AudioContext) {
   return buffer;
 }
 
+/** A tone and a hiss, both silent. */
+function instrument() {
+  const context = new AudioContext();
+  const tone = context.createOscillator();
+  tone.type = "triangle";
+  const hiss = context.createBufferSource();
+  hiss.buffer = noise(context);
+  hiss.loop = true;
+  const band = context.createBiquadFilter();
+  band.type = "bandpass";
+  band.frequency.value = 1800;
+  band.Q.value = 0.6;
+  const [low, high] = [context.createGain(), context.createGain()];
+  low.gain.value = high.gain.value = 0;
+  tone.connect(low).connect(context.destination);
+  hiss.connect(band).connect(high).connect(context.destination);
+  tone.start();
+  hiss.start();
+  const set = (value: AudioParam, to: number) => value.setTargetAtTime(to, context.currentTime, SOFT);
+  const play = (now: ReturnType<typeof heard>) => {
+    set(low.gain, LOUDEST * now.tone);
+    set(high.gain, LOUDEST * 0.6 * now.hiss);
+    set(tone.frequency, now.pitch);
+  };
+  return { context, play };
+}
+
+const SILENCE = { tone: 0, pitch: 55, hiss: 0 };
+
 export class Sound {
   static heard = heard;
   static knocks = knocks;
-  context: AudioContext | null = null;
+  /** Made when it is first asked for. */
+  made: ReturnType<typeof instrument> | null = null;
   on = false;
   last = 0;
 
-  start() {
-    const context = new AudioContext();
-    const tone = context.createOscillator();
-    tone.type = "triangle";
-    const hiss = context.createBufferSource();
-    hiss.buffer = noise(context);
-    hiss.loop = true;
-    const band = context.createBiquadFilter();
-    band.type = "bandpass";
-    band.frequency.value = 1800;
-    band.Q.value = 0.6;
-    const [low, high] = [context.createGain(), context.createGain()];
-    low.gain.value = high.gain.value = 0;
-    tone.connect(low).connect(context.destination);
-    hiss.connect(band).connect(high).connect(context.destination);
-    tone.start();
-    hiss.start();
-    this.context = context;
-    Object.assign(this, { tone, low, high });
-  }
-
   turn(on: boolean) {
     this.on = on;
-    if (on && !this.context) this.start();
-    if (on) this.context?.resume();
-    else if (this.context) {
-      this.set("low", 0);
-      this.set("high", 0);
-    }
-  }
-
-  set(name: "low" | "high", loudness: number) {
-    const { gain } = (this as any)[name];
-    gain.setTargetAtTime(LOUDEST * loudness, (this.context as AudioContext).currentTime, SOFT);
+    if (!on) return this.made?.play(SILENCE);
+    this.made ??= instrument();
+    this.made.context.resume();
   }
 
   /** The film has come to another time. */
-  follow(film: Film, clock: Clock) {
-    if (!this.on || !this.context) return;
-    if (!clock.playing) {
-      this.set("low", 0);
-      this.set("high", 0);
-      this.last = clock.time;
-      return;
-    }
-    const { tone, pitch, hiss } = heard(film, clock.time);
-    this.set("low", tone);
-    this.set("high", 0.6 * hiss);
-    (this as any).tone.frequency.setTargetAtTime(pitch, this.context.currentTime, SOFT);
-    if (clock.time > this.last) for (const hard of knocks(film, this.last, clock.time)) this.knock(hard);
-    this.last = clock.time;
-  }
-
-  knock(hard: number) {
-    const context = this.context as AudioContext;
-    const now = context.currentTime;
-    const gain = context.createGain();
-    gain.gain.setValueAtTime(2.2 * LOUDEST * Math.sqrt(hard), now);
-    gain.gain.exponentialRampToValueAtTime(1e-4, now + 0.18);
-    const body = context.createOscillator();
-    body.frequency.setValueAtTime(190, now);
-    body.frequency.exponentialRampToValueAtTime(60, now + 0.15);
-    body.connect(gain).connect(context.destination);
-    body.start(now);
-    body.stop(now + 0.2);
+  follow(film: Film, { playing, time }: Clock) {
+    if (!this.on || !this.made) return;
+    this.made.play(playing ? heard(film, time) : SILENCE);
+    if (playing && time > this.last) for (const hard of knocks(film, this.last, time)) knock(this.made.context, hard);
+    this.last = time;
   }
 
   close() {
-    this.context?.close();
+    this.made?.context.close();
   }
+}
+
+function knock(context: AudioContext, hard: number) {
+  const now = context.currentTime;
+  const gain = context.createGain();
+  gain.gain.setValueAtTime(2.2 * LOUDEST * Math.sqrt(hard), now);
+  gain.gain.exponentialRampToValueAtTime(1e-4, now + 0.18);
+  const body = context.createOscillator();
+  body.frequency.setValueAtTime(190, now);
+  body.frequency.exponentialRampToValueAtTime(60, now + 0.15);
+  body.connect(gain).connect(context.destination);
+  body.start(now);
+  body.stop(now + 0.2);
 }

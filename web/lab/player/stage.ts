@@ -16,47 +16,46 @@ const OUTPUTS = [
   "table.mode",
   "column.time",
   "column.angle",
-  "diagram.speed",
-  "diagram.rotation",
+  "curve.vx",
+  "curve.rotation",
   "player.gap",
 ];
 
-const dot = (color: string, words: string) =>
-  h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
+const dot = (color: string, words: string) => h("span", h("i.dot", { style: `background:${color}` }), words);
 
 export class Stage {
   options: StageOptions = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
-  plane = h("canvas", { class: "stage-canvas" });
-  space = h("canvas", { class: "stage-canvas", hidden: true });
+  plane = h("canvas.stage-canvas");
+  space = h("canvas.stage-canvas", { hidden: true });
   flat = new Stage2D(this.plane, this.onview);
   deep: Stage3D | null = null; // made when it is first asked for
-  outputs = OUTPUTS.map((name) => ({ name: h("dt", {}, name), value: h("dd", {}) }));
-  fastest = h("span", {});
+  outputs = OUTPUTS.map((name) => ({ name: h("dt", name), value: h("dd") }));
+  fastest = h("span");
   legend = h(
-    "div",
-    { class: "legend", "aria-hidden": "true" },
+    "div.legend",
+    { "aria-hidden": "true" },
     h("i", { style: `background: ${SPEED_GRADIENT}` }),
-    h("span", {}, "0"),
-    h("span", {}, "player.rim_speed"),
+    h("span", "0"),
+    h("span", "player.rim_speed"),
     this.fastest,
   );
   readout = h(
-    "dl",
-    { class: "readout", "aria-hidden": "true" },
+    "dl.readout",
+    { "aria-hidden": "true" },
     this.outputs.flatMap(({ name, value }) => [name, value]),
   );
   order = h("span", { hidden: true }, "player.order");
   keys = h(
-    "div",
-    { class: "stage-keys", "aria-hidden": "true" },
+    "div.stage-keys",
+    { "aria-hidden": "true" },
     dot("var(--ink)", "player.load"),
     dot(this.colors.gravity_center, "player.center_of_gravity"),
     dot(this.colors.airborne, "player.in_flight"),
     this.order,
   );
   element = h(
-    "div",
-    { class: "stage", role: "figure", "aria-label": "player.picture", tabindex: "0" },
+    "div.stage",
+    { role: "figure", "aria-label": "player.picture", tabindex: "0" },
     this.plane,
     this.space,
     this.readout,
@@ -84,17 +83,17 @@ export class Stage {
       .map((one) => new DOMRect(one.offsetLeft, one.offsetTop, one.offsetWidth, one.offsetHeight));
   }
 
-  draw(films: Film[], active: number, clock: Clock, { look, inks }: { look: Look; inks: Colors }) {
+  draw(films: Film[], active: number, clock: Clock, theme: Shades) {
     const { options } = this;
     this.legend.hidden = !options.speed;
     this.order.hidden = !(options.three && films.length > 1);
     this.fastest.textContent = `≥ ${show(Math.max(...films.map((film) => film.extent.speed)), 2)} m/s`;
     if (options.three) {
-      this.deep?.draw(films, clock.time, options, look, inks, clock.playing);
+      this.deep?.draw(films, clock.time, options, theme, clock.playing);
     } else {
       this.flat.pointed = clock.pointed === null ? null : { time: clock.pointed, lane: active };
       this.flat.covered = this.covered();
-      this.flat.draw(films, clock.time, options, look, inks);
+      this.flat.draw(films, clock.time, options, theme);
     }
     this.read(films, active, clock.time);
   }
@@ -103,8 +102,7 @@ export class Stage {
    * The picture in space with other numbers of pixels, until it is drawn again. `ratio`: pixels for one of the page.
    */
   sharp(lab: Pick<Lab, "theme" | "films" | "clock">, ratio: number) {
-    const { look, inks } = lab.theme;
-    this.deep?.draw(lab.films(), lab.clock.time, this.options, look, inks, false, ratio);
+    this.deep?.draw(lab.films(), lab.clock.time, this.options, lab.theme, false, ratio);
     return this.space;
   }
 
@@ -180,7 +178,7 @@ export class Stage {
 
 export class Stage2D {
   zoom = 1;
-  shift: number[] = [0, 0];
+  shift = [0, 0];
   /** The picture of each hoop as it was drawn last, for what lies over it. */
   views: Scene[] = [];
   /** The scale while the hoop is held: it must not slip out of the hand. */
@@ -241,10 +239,10 @@ export class Stage2D {
     });
   }
 
-  draw(films: Film[], time: number, options: StageOptions, look: Look, colors: Colors) {
+  draw(films: Film[], time: number, options: StageOptions, theme: Shades) {
     const { context, width, height } = scaledContext(this.canvas);
     if (width < 40 || height < 40) return; // not laid out yet
-    this.views = this.paint(context, width, height, films, time, options, look, colors, this.covered);
+    this.views = this.paint(context, width, height, films, time, options, theme, this.covered);
   }
 
   /** The picture as it is looked at now, on any canvas. Returns one for each hoop. */
@@ -255,10 +253,10 @@ export class Stage2D {
     films: Film[],
     time: number,
     options: StageOptions,
-    look: Look,
-    colors: Colors,
+    theme: Shades,
     covered: DOMRect[] = [],
-  ): Scene[] {
+  ) {
+    const { look } = theme;
     const each = height / films.length;
     // two hoops are drawn to one scale, in length and in colour
     const common = {
@@ -272,7 +270,7 @@ export class Stage2D {
       context.rect(0, i * each, width, each);
       context.clip();
       context.translate(0, i * each);
-      const scene = new Scene(context, width, each, film, time, options, look, colors, this.zoom, this.shift, common);
+      const scene = new Scene(context, width, each, film, time, options, theme, this.zoom, this.shift, common);
       scene.top = i * each;
       scene.covered = covered;
       scene.scale = this.fixed ?? scene.scale;

@@ -10,7 +10,7 @@ const HOME = { azimuth: 0.5, height: 0.22, distance: 5.2 };
 const ANGLE = 0.75; // of the view
 const LANE = 2.1; // radii between two hoops
 
-type Shades = Pick<Look, "paper" | "ground" | "ink" | "dark">;
+type Tones = Pick<Look, "paper" | "ground" | "ink" | "dark">;
 type Inks = Pick<Colors, "gravity_center" | "airborne" | "normal_force" | "friction_force"> &
   Partial<Pick<Colors, "modes">>;
 
@@ -34,13 +34,13 @@ const FLOOR = [
 
 export class Stage3D {
   space = new Space(this.canvas, SPEED_COLORS);
-  floor = makeProgram(this.space.gl, FLOOR[0], FLOOR[1]);
+  floor = makeProgram(this.space.gl, FLOOR);
   corners = mesh(this.space.gl, [-1, -1, 1, -1, -1, 1, 1, 1], { corner: 2 });
   turned = { ...HOME };
   moved: Vector = [0, 0, 0]; // what is looked at, from where it is by itself
   tile = 0; // length of a tile; half a radius by default
   metre = 1; // in pixels, at what is looked at
-  lines: WeakMap<WeakKey, any> = new WeakMap();
+  lines = new WeakMap<WeakKey, any>();
   share = 1;
   pace = 16;
   before = 0;
@@ -69,10 +69,10 @@ export class Stage3D {
   }
 
   /** From where it is looked at: azimuth, height, distance; nothing where as usual. */
-  from(): number[] | undefined {
+  from() {
     const { azimuth, height, distance } = this.turned;
-    const usual = azimuth === HOME.azimuth && height === HOME.height && distance === HOME.distance;
-    return usual ? undefined : [azimuth, height, distance];
+    const from = [azimuth, height, distance];
+    return String(from) === String(Object.values(HOME)) ? undefined : from;
   }
 
   look([azimuth, height, distance]: number[]) {
@@ -119,8 +119,7 @@ export class Stage3D {
     films: Seen[],
     time: number,
     options: Pick<StageOptions, "traces" | "forces" | "speed" | "whole">,
-    look: Shades,
-    colors: Inks,
+    { look, inks: colors }: { look: Tones; inks: Inks },
     running: boolean,
     wanted?: number,
   ) {
@@ -176,7 +175,7 @@ export class Stage3D {
     return { eye, target, slope, angle: ANGLE, near: 0.05 * R, far: 40 * R + 6 * away };
   }
 
-  drawFloor(R: number, look: Shades) {
+  drawFloor(R: number, look: Tones) {
     const { space } = this;
     const light = rgb(look.ground);
     const dark = light.map((value) => value * (look.dark ? 0.82 : 0.94));
@@ -188,7 +187,7 @@ export class Stage3D {
   }
 
   /** `plain`: the colour of the rim, where it is not that of its speed. */
-  drawHoop(film: Seen, pose: Pose, depth: number, plain: Vector | null, look: Shades, colors: Inks, shadow: boolean) {
+  drawHoop(film: Seen, pose: Pose, depth: number, plain: Vector | null, look: Tones, colors: Inks, shadow: boolean) {
     const { space } = this;
     const R = film.radius;
     const tube = 0.045 * R;
@@ -215,7 +214,7 @@ export class Stage3D {
   }
 
   /** Load and centre of gravity, built once a film; what lies ahead in time is left out when drawn. */
-  linesOf(film: Seen, look: Shades, colors: Inks) {
+  linesOf(film: Seen, look: Tones, colors: Inks) {
     const kept = this.lines.get(film);
     if (kept?.dark === look.dark) return kept;
     const R = film.radius;
@@ -236,7 +235,7 @@ export class Stage3D {
     return made;
   }
 
-  drawTraces(film: Seen, until: number, depth: number, look: Shades, colors: Inks, ratio: number) {
+  drawTraces(film: Seen, until: number, depth: number, look: Tones, colors: Inks, ratio: number) {
     const { load, center } = this.linesOf(film, look, colors);
     const count = Math.min(film.index(until) + 2, film.length);
     const place = { shift: this.focus, depth };

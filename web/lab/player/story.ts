@@ -14,18 +14,18 @@ export class Story {
   /** The fingerprint that is shown. */
   signed: string;
 
-  summary = h("p", { class: "summary" });
-  doubt = h("p", { class: "hint", hidden: true });
-  list = h("ol", { class: "story-list", onscroll: () => this.fade() });
-  heading = h("h2", {}, "motion.story");
-  signature = h("span", {});
-  compared = h("span", {});
+  summary = h("p.summary");
+  doubt = h("p.hint", { hidden: true });
+  list = h("ol.story-list", { onscroll: () => this.fade() });
+  heading = h("h2", "motion.story");
+  signature = h("span");
+  compared = h("span");
   /** Shown with the advanced controls. */
-  fingerprint = h("p", { class: "hint fingerprint" }, this.signature, this.compared);
-  live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
+  fingerprint = h("p.hint.fingerprint", this.signature, this.compared);
+  live = h("div.spoken", { role: "status", "aria-live": "polite" });
   element = h(
-    "section",
-    { class: "story", "aria-label": "motion.story_label" },
+    "section.story",
+    { "aria-label": "motion.story_label" },
     this.heading,
     this.summary,
     this.doubt,
@@ -44,9 +44,9 @@ export class Story {
     say(this.heading, films.length > 1 ? { key: "motion.story_of", values: { hoop: "AB"[active] } } : "motion.story");
     this.summary.replaceChildren(
       ...films.flatMap((film, i) => [
-        films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
-        h("span", {}, film.summary),
-        film.status === "event_limit" || film.shortened ? h("span", {}, " ", "motion.shortened") : "",
+        films.length > 1 ? h("b", `${"AB"[i]}: `) : "",
+        h("span", film.summary),
+        film.status === "event_limit" || film.shortened ? h("span", " ", "motion.shortened") : "",
         i + 1 < films.length ? h("br") : "",
       ]),
     );
@@ -67,22 +67,22 @@ export class Story {
   fill(colors: Colors) {
     this.listed = this.film;
     this.current = -1;
+    const point = (time: number | null) => () => this.clock.point(time);
     this.items = this.film.story.map((sentence) =>
       h(
         "li",
-        {},
         h(
           "button",
           {
             onclick: () => this.clock.seek(sentence.t),
-            onpointerenter: () => this.clock.point(sentence.t),
-            onpointerleave: () => this.clock.point(null),
-            onfocus: () => this.clock.point(sentence.t),
-            onblur: () => this.clock.point(null),
+            onpointerenter: point(sentence.t),
+            onpointerleave: point(null),
+            onfocus: point(sentence.t),
+            onblur: point(null),
           },
-          h("i", { class: "dot", style: `background:${colors.modes[sentence.mode]}`, "aria-hidden": "true" }),
-          h("span", { class: "when" }, `${show(sentence.t, 4)} s`),
-          h("span", {}, sentence.text),
+          h("i.dot", { style: `background:${colors.modes[sentence.mode]}`, "aria-hidden": "true" }),
+          h("span.when", `${show(sentence.t, 4)} s`),
+          h("span", sentence.text),
         ),
       ),
     );
@@ -116,8 +116,7 @@ export class Story {
 
   cursor(time: number) {
     const { story } = this.film;
-    let now = -1;
-    for (let i = 0; i < story.length && story[i].t <= time + 1e-9; i++) now = i;
+    const now = story.findLastIndex(({ t }) => t <= time + 1e-9);
     if (now === this.current) return;
     this.items[this.current]?.removeAttribute("aria-current");
     this.items[now]?.setAttribute("aria-current", "step");
@@ -136,18 +135,18 @@ export class Story {
 
 /** The fingerprint with a button that copies it. */
 function fingerprintOf(fingerprint: string) {
-  const code = h("code", {}, document.createTextNode(fingerprint));
+  const code = h("code", document.createTextNode(fingerprint));
   const title = "motion.fingerprint_title";
   return [h("span", { title }, "motion.fingerprint"), " ", code, " ", copying(code)];
 }
 
 export class Theory {
-  list = h("dl", {});
-  heading = h("h2", {}, "motion.theory");
-  element = h("section", { class: "theory" }, this.heading, this.list);
+  list = h("dl");
+  heading = h("h2", "motion.theory");
+  element = h("section.theory", this.heading, this.list);
 
   draw(thresholds: { label: Message; text: Message }[], hoop = "") {
     say(this.heading, hoop ? { key: "motion.theory_of", values: { hoop } } : "motion.theory");
-    this.list.replaceChildren(...thresholds.flatMap(({ label, text }) => [h("dt", {}, label), h("dd", {}, text)]));
+    this.list.replaceChildren(...thresholds.flatMap(({ label, text }) => [h("dt", label), h("dd", text)]));
   }
 }

@@ -2,10 +2,11 @@
 
 import { fill, outlined } from "../common/paint.ts";
 import { hoopInk, writing } from "../common/colors.ts";
+import { marksOf } from "../common/axes.ts";
 import { scaledContext, h } from "../common/dom.ts";
 import { eventWord, placed, stretches } from "./marks.ts";
 import { clamp, scaled, within } from "../common/clamp.ts";
-import { DEGREE, niceStep, show, tickText, ticks } from "../common/numbers.ts";
+import { DEGREE, show } from "../common/numbers.ts";
 import { follow, placeOn, zoomable } from "../common/pointer.ts";
 import { t } from "../words/words.ts";
 
@@ -15,12 +16,11 @@ export class Timeline {
 
   /** the part of the motion that is seen; all of it by default */
   window: number[] | null = null;
-  canvas = h("canvas", { class: "timeline-canvas" });
-  tip = h("div", { class: "tip", hidden: true });
+  canvas = h("canvas.timeline-canvas");
+  tip = h("div.tip", { hidden: true });
   element = h(
-    "div",
+    "div.timeline",
     {
-      class: "timeline",
       role: "slider",
       tabindex: "0",
       "aria-label": "player.time",
@@ -101,15 +101,10 @@ export class Timeline {
   nearest(time: number, pixels: number) {
     const [from, to] = this.ends();
     const reach = (pixels * (to - from)) / (this.canvas.clientWidth || 1);
-    let best = null;
-    for (const film of this.films ?? []) {
-      for (const event of film.events) {
-        if (event.kind === "end") continue;
-        const distance = Math.abs(event.t - time);
-        if (distance <= reach && (!best || distance < Math.abs(best.t - time))) best = event;
-      }
-    }
-    return best;
+    const away = (event: MotionEvent) => Math.abs(event.t - time);
+    const events = (this.films ?? []).flatMap((film) => film.events);
+    const near = events.filter((event) => event.kind !== "end" && away(event) <= reach);
+    return near.sort((a, b) => away(a) - away(b)).at(0);
   }
 
   draw(films: Film[], look: Look, colors: Colors) {
@@ -122,12 +117,18 @@ export class Timeline {
     const band = (height - 15) / films.length - above;
     films.forEach((film, i) => {
       const y = above + i * (above + band);
+      context.font = `11px ${look.font}`;
+      context.textAlign = "center";
+      context.textBaseline = "middle";
       for (const { mode, from, wide } of stretches(film.phases, place, width)) {
-        const color = colors.modes[mode];
+        const [color, word] = [colors.modes[mode], t(colors.mode_names[mode])];
         context.fillStyle = color;
         context.fillRect(from, y, wide, band - 2);
-        this.named(context, t(colors.mode_names[mode]), from, wide, y, band - 2, color, look);
+        if (band < 15 || context.measureText(word).width + 8 > wide) continue;
+        context.fillStyle = writing(color);
+        context.fillText(word, from + 0.5 * wide, y + 0.5 * band);
       }
+      context.textBaseline = "alphabetic";
       if (film.duration < end) {
         context.fillStyle = look.line;
         context.fillRect(Math.max(place(film.duration), 0), y, width, band - 2);
@@ -140,14 +141,11 @@ export class Timeline {
         context.fillText("AB"[i], width - 1, y - 4);
       }
     });
-    const step = niceStep(end - begin, width / 60);
     context.fillStyle = look.soft;
     context.font = `10.5px ${look.font}`;
-    const all = ticks(begin, end, width / 60);
-    for (const t of all) {
-      const x = place(t);
-      context.textAlign = x < 14 ? "left" : x > width - 14 ? "right" : "center";
-      context.fillText(tickText(t, step) + (t === all[0] ? " s" : ""), x, height - 3);
+    for (const [k, { at, text }] of marksOf([begin, end], width / 60, place).entries()) {
+      context.textAlign = at < 14 ? "left" : at > width - 14 ? "right" : "center";
+      context.fillText(k ? text : `${text} s`, at, height - 3);
     }
     const { pointed } = this.clock;
     if (pointed !== null && pointed >= begin && pointed <= end) {
@@ -180,26 +178,6 @@ export class Timeline {
     this.element.ariaValueText = t("player.time_value", { time: show(time, 4), what: said });
   }
 
-  /** The word of a mode inside its stretch, where it fits. */
-  named(
-    context: CanvasRenderingContext2D,
-    word: string,
-    from: number,
-    wide: number,
-    y: number,
-    high: number,
-    color: string,
-    look: Look,
-  ) {
-    context.font = `11px ${look.font}`;
-    if (high < 13 || context.measureText(word).width + 8 > wide) return;
-    context.fillStyle = writing(color);
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.fillText(word, from + 0.5 * wide, y + 0.5 * high + 1);
-    context.textBaseline = "alphabetic";
-  }
-
   marks(
     context: CanvasRenderingContext2D,
     film: Film,
@@ -208,8 +186,6 @@ export class Timeline {
     width: number,
     look: Look,
   ) {
-    context.font = `11px ${look.font}`;
-    context.textAlign = "center";
     const seen = film.events
       .filter(({ kind }) => kind !== "start" && kind !== "end")
       .map(({ kind, t }) => ({ kind, x: place(t) }))

@@ -1,7 +1,7 @@
 // What moves the film: buttons, speed, and which things are drawn.
 
 import { SPEEDS } from "./clock.ts";
-import { h, iconButton as button } from "../common/dom.ts";
+import { h, iconButton as button, selection } from "../common/dom.ts";
 import { icon } from "../common/icons.ts";
 import { degrees, show } from "../common/numbers.ts";
 import { eventWord, leaves } from "./marks.ts";
@@ -13,43 +13,31 @@ import type { Story } from "./story.ts";
 
 const STEP = 1 / 60; // seconds
 
-const SWITCHES: [keyof StageOptions, string, string][] = [
-  ["traces", "player.traces", "player.traces_title"],
-  ["forces", "player.forces", "player.forces_title"],
-  ["speed", "player.rim_speed_switch", "player.rim_speed_title"],
-  ["whole", "player.whole_path", "player.whole_path_title"],
-  ["three", "3D", "player.space_title"],
-];
+const SWITCHES = ["traces", "forces", "speed", "whole", "three"] as const;
 
-const marked = (mark: string, word: string) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
+const marked = (mark: string, word: string) => h("span", h("span", { "aria-hidden": "true" }, `${mark} `), word);
 
 export class Transport {
   titled = "";
 
   playButton = button(icon("play"), "player.play", () => this.clock.play(), { class: "play" });
-  speeds = h(
-    "select",
-    {
-      "aria-label": "player.playback_speed",
-      onchange: () => {
-        this.clock.speed = Number(this.speeds.value);
-      },
-    },
-    SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
+  speeds = selection(
+    SPEEDS,
+    (speed) => `${speed}×`,
+    (speed) => (this.clock.speed = Number(speed)),
+    { "aria-label": "player.playback_speed" },
   );
   switches = new Map(
-    SWITCHES.map(([name, label, title]) => [
+    SWITCHES.map((name) => [
       name,
-      h("button", { class: "switch", title, onclick: () => this.toggle(name) }, label),
+      h("button.switch", { title: `player.${name}_title`, onclick: () => this.toggle(name) }, `player.${name}`),
     ]),
   );
-  row = h("div", { class: "buttons switches" }, [...this.switches.values()]);
+  row = h("div.buttons.switches", [...this.switches.values()]);
   element = h(
-    "div",
-    { class: "transport" },
+    "div.transport",
     h(
-      "div",
-      { class: "buttons" },
+      "div.buttons",
       button(icon("start"), "player.to_start", () => this.clock.seek(0)),
       button(icon("previous"), "player.previous_event", () => this.jump(-1)),
       button(icon("back"), "player.frame_back", () => this.nudge(-1)),
@@ -58,8 +46,7 @@ export class Transport {
       button(icon("next"), "player.next_event", () => this.jump(1)),
     ),
     h(
-      "div",
-      { class: "buttons jumps" },
+      "div.buttons.jumps",
       button(marked("▲", "mode.flight"), "player.next_flight", () => this.jump(1, "takeoff")),
       button(marked("▼", "event.impact"), "player.next_landing", () => this.jump(1, "impact")),
     ),

@@ -4,8 +4,9 @@ import { layout } from "../../kernel/layout.ts";
 import { eventWord, MARKS } from "../player/marks.ts";
 import { DEGREE, show, withUnit } from "../common/numbers.ts";
 import { listed } from "../words/words.ts";
+import { rounded } from "../common/clamp.ts";
 import { arrowHead, disc, haloed, outlined, stroke } from "../common/paint.ts";
-import type { Rates } from "./rates.ts";
+import type { Name, Rates } from "./rates.ts";
 import type { Scene } from "../player/scene2d.ts";
 
 const PASSING = new Set(layout.passing);
@@ -13,7 +14,7 @@ const MOST_HOPS = 3;
 const ROUNDING = 1e-7; // relative to what it changes: less is none
 
 /** Flights, by the numbers of the events that they begin with, are highest at and end with; −1 where there is none. */
-function hopsOf(events: MotionEvent[]): { begin: number; top: number; end: number }[] {
+function hopsOf(events: MotionEvent[]) {
   const hops = [];
   let begin = -1;
   let top = -1;
@@ -49,11 +50,11 @@ export class Changes {
   }
 
   /** The rate of an event's number with the parameter. */
-  rate(event: number, name: keyof Rates["events"][number]) {
+  rate(event: number, name: Name) {
     return this.rates.events[event]?.[name] ?? Number.NaN;
   }
 
-  of(event: number, name: keyof Rates["events"][number]) {
+  of(event: number, name: Name) {
     return this.step * this.rate(event, name);
   }
 
@@ -71,8 +72,10 @@ export class Changes {
   }
 }
 
+export type Unit = "s" | "m" | "m/s" | "°";
+
 /** An amount without its sign, in the unit in which it reads well. */
-function amount(value: number, unit: "s" | "m" | "m/s" | "°") {
+function amount(value: number, unit: Unit) {
   const size = Math.abs(value);
   if (unit === "°") return withUnit(show(size / DEGREE, 3), "°");
   const small = size < 0.0995;
@@ -85,14 +88,14 @@ function amount(value: number, unit: "s" | "m" | "m/s" | "°") {
 export const counts = (value: number, size: number) => Math.abs(value) > ROUNDING * Math.max(size, 1e-3);
 
 /** An amount with its sign. */
-export function signed(value: number, unit: "s" | "m" | "m/s" | "°") {
+export function signed(value: number, unit: Unit) {
   if (!Number.isFinite(value)) return "–";
   if (!counts(value, 1)) return "0";
   return `${value > 0 ? "+" : "−"}${amount(value, unit)}`;
 }
 
 /** Words for each change that there is. */
-function listOf(changes: [value: number, unit: "s" | "m" | "m/s" | "°", more: string, less: string][]) {
+function listOf(changes: [value: number, unit: Unit, more: string, less: string][]) {
   const parts = changes
     .filter(([value]) => Number.isFinite(value) && counts(value, 1))
     .map(([value, unit, more, less]) => ({ key: value > 0 ? more : less, values: { amount: amount(value, unit) } }));
@@ -103,7 +106,7 @@ const ALONG = ["m", "sensitivity.further_right", "sensitivity.further_left"] as 
 const LATER = ["s", "sensitivity.later", "sensitivity.earlier"] as const;
 
 /** What changes, in a sentence or a few. */
-export function sentences(changes: Changes): Message[] {
+export function sentences(changes: Changes) {
   const { events, count } = changes;
   const said: Message[] = [];
   const hops = changes.hops();
@@ -153,7 +156,7 @@ const ROW = 13; // pixels between arrows that would lie over each other
 
 export type Arrow = { kind: string; x: number; y: number; dx: number; dy: number };
 
-export function arrowsOf(changes: Changes): Arrow[] {
+export function arrowsOf(changes: Changes) {
   const { events, count } = changes;
   return events
     .slice(0, Math.min(count, COUNT))
@@ -171,10 +174,7 @@ export function magnified(arrows: Arrow[], radius: number, scale: number) {
     .sort((a, b) => a - b);
   if (!lengths.length) return 0;
   const rough = Math.max(WANTED * radius, LEAST / scale) / lengths[Math.floor(lengths.length / 2)];
-  if (rough <= 1) return 1;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const share = rough / power;
-  return (share >= 5 ? 5 : share >= 2 ? 2 : 1) * power;
+  return rough <= 1 ? 1 : rounded(rough);
 }
 
 export function drawArrows(scene: Scene, arrows: Arrow[], factor: number) {

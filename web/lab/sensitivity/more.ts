@@ -1,6 +1,6 @@
 // What a little more of a parameter would do: arrows in the picture, and what changes in words and numbers.
 
-import { Changes, sentences, signed, arrowsOf, drawArrows, magnified, type Arrow } from "./changes.ts";
+import { Changes, sentences, signed, arrowsOf, drawArrows, magnified, type Arrow, type Unit } from "./changes.ts";
 import { h, headed, once, say } from "../common/dom.ts";
 import { eventWord } from "../player/marks.ts";
 import { show, sizeOf, withUnit } from "../common/numbers.ts";
@@ -28,27 +28,25 @@ export class More {
   speak = false;
   later = once(() => this.fetch(), WAIT);
   switch = h(
-    "button",
-    { class: "switch", title: "sensitivity.title_key", "aria-pressed": "false", onclick: () => this.turn() },
+    "button.switch",
+    { title: "sensitivity.title_key", "aria-pressed": "false", onclick: () => this.turn() },
     "sensitivity.arrows",
   );
   picked = h("select", { onchange: () => this.pick(this.picked.value) });
-  step = h("span", { class: "more-step" });
+  step = h("span.more-step");
   take = h("button", { onclick: () => this.apply() }, "sensitivity.apply");
-  said = h("ul", { class: "more-said" });
-  reason = h("p", { class: "more-reason", hidden: true });
-  scale = h("p", { class: "hint" });
-  body = h("tbody", {});
+  said = h("ul.more-said");
+  reason = h("p.more-reason", { hidden: true });
+  scale = h("p.hint");
+  body = h("tbody");
   rows = h(
-    "details",
-    { class: "more-events" },
-    h("summary", {}, "sensitivity.table_caption"),
+    "details.more-events",
+    h("summary", "sensitivity.table_caption"),
     h(
-      "div",
-      { class: "table-scroll", tabindex: "0", role: "region", "aria-label": "sensitivity.table" },
+      "div.table-scroll",
+      { tabindex: "0", role: "region", "aria-label": "sensitivity.table" },
       h(
         "table",
-        {},
         headed(
           "sensitivity.event",
           "column.time",
@@ -61,16 +59,10 @@ export class More {
     ),
   );
   element = h(
-    "section",
-    { class: "table more", "aria-label": "sensitivity.title", hidden: true },
-    h("header", {}, h("h2", {}, "sensitivity.title"), h("button", { onclick: () => this.turn(false) }, "table.close")),
-    h(
-      "div",
-      { class: "more-asked" },
-      h("label", {}, h("span", {}, "sensitivity.step"), this.picked),
-      this.step,
-      this.take,
-    ),
+    "section.table.more",
+    { "aria-label": "sensitivity.title", hidden: true },
+    h("header", h("h2", "sensitivity.title"), h("button", { onclick: () => this.turn(false) }, "table.close")),
+    h("div.more-asked", h("label", h("span", "sensitivity.step"), this.picked), this.step, this.take),
     this.said,
     this.reason,
     this.rows,
@@ -214,7 +206,7 @@ export class More {
     this.rows.hidden = this.scale.hidden = false;
     const said = sentences(changes);
     if (!said.length && changes.count === changes.events.length) said.push("sensitivity.nothing");
-    this.said.replaceChildren(...said.map((sentence) => h("li", {}, [sentence])));
+    this.said.replaceChildren(...said.map((sentence) => h("li", [sentence])));
     const why = this.why(changes);
     this.reason.hidden = !why;
     say(this.reason, why);
@@ -256,7 +248,7 @@ export class More {
   }
 
   fill(changes: Changes) {
-    const cell = (value: number, unit: "s" | "m" | "°", rate: number) => {
+    const cell = (value: number, unit: Unit, rate: number) => {
       const text = signed(value, unit);
       const mark = text[0] === "+" ? "▲ " : text[0] === "−" ? "▼ " : "";
       return h("td", { "data-rate": String(rate) }, mark && h("span", { "aria-hidden": "true" }, mark), text);
@@ -266,13 +258,13 @@ export class More {
       ["x", "m"],
       ["height", "m"],
       ["angle", "°"],
-    ] as ["t" | "x" | "height" | "angle", "s" | "m" | "°"][];
+    ] as const;
     this.body.replaceChildren(
       ...changes.events.slice(0, Math.min(changes.count, MOST)).map(({ kind, t: time }, k) =>
         h(
           "tr",
           { onclick: () => this.lab.clock.seek(time) },
-          h("th", { scope: "row" }, eventWord(kind), h("small", {}, ` ${show(time, 4)} s`)),
+          h("th", { scope: "row" }, eventWord(kind), h("small", ` ${show(time, 4)} s`)),
           units.map(([name, unit]) => cell(changes.of(k, name), unit, changes.rate(k, name))),
         ),
       ),

@@ -8,7 +8,7 @@ const BENT = 1e-3; // relative: how far two differences of an even change are ap
 const ROUNDING = 1e-12; // of a number, relative to the largest of its kind
 const PASSING = new Set<string | undefined>(layout.passing);
 
-type Name = (typeof NAMES)[number];
+export type Name = (typeof NAMES)[number];
 
 /** How far away the parameter of a motion nearby is, and its events, up to the first that is another one. */
 type Nearby = { offset: number; events: MotionEvent[] } | null;

@@ -31,32 +31,33 @@ export interface Shown {
 /** What is shown, as the part of a link behind its #; what is as usual is left out. */
 export function written(shown: Shown) {
   const { time = 0, options = {}, zoom = 1, pan = [0, 0], from, more, map, everything, fingerprints = [] } = shown;
-  const parts = [];
-  if (time > 0) parts.push(`t=${Number(time.toFixed(4))}`);
   const letters = LETTERS.filter(([name]) => options[name]).map(([, letter]) => letter);
-  if (letters.join("") !== USUAL) parts.push(`show=${letters.join("")}`);
-  if (zoom !== 1) parts.push(`zoom=${Number(zoom.toPrecision(3))}`);
-  if (pan.some((part) => Math.abs(part) > 5e-4))
-    parts.push(`pan=${pan.map((part) => Number(part.toFixed(3))).join(",")}`);
-  if (from) parts.push(`from=${from.map((part) => Number(part.toPrecision(3))).join(",")}`);
-  if (more) parts.push(`more=${more}`);
-  if (map) parts.push(`map=${[map.what, ...map.x, ...map.y].join(",")}`);
-  if (everything) parts.push("view=everything");
-  if (fingerprints.some(Boolean)) parts.push(`fingerprint=${fingerprints.join(",")}`);
-  return parts.join("&");
+  const parts = {
+    t: time > 0 && Number(time.toFixed(4)),
+    show: letters.join("") !== USUAL && letters.join(""),
+    zoom: zoom !== 1 && Number(zoom.toPrecision(3)),
+    pan: pan.some((part) => Math.abs(part) > 5e-4) && pan.map((part) => Number(part.toFixed(3))),
+    from: from?.map((part) => Number(part.toPrecision(3))),
+    more,
+    map: map && [map.what, ...map.x, ...map.y],
+    view: everything && "everything",
+    fingerprint: fingerprints.some(Boolean) && fingerprints,
+  };
+  const said = Object.entries(parts).filter(([, value]) => (value ?? false) !== false);
+  return said.map(([name, value]) => `${name}=${value}`).join("&");
 }
 
 /** What a link says of it; what it does not say, or says wrongly, is left out. */
 export function readShown(hash: string): Shown {
   const parts = new URLSearchParams(hash.replace(/^#/, ""));
   const shown: Shown = {};
-  const time = Number(parts.get("t") ?? Number.NaN);
+  const [time] = numbers(parts.get("t"), 1) ?? [];
   if (time >= 0) shown.time = time;
   const letters = parts.get("show");
   if (letters !== null) {
     shown.options = Object.fromEntries(LETTERS.map(([name, letter]) => [name, letters.includes(letter)]));
   }
-  const zoom = Number(parts.get("zoom") ?? Number.NaN);
+  const [zoom] = numbers(parts.get("zoom"), 1) ?? [];
   if (zoom > 0) shown.zoom = clamp(zoom, 0.05, 60);
   const pan = numbers(parts.get("pan"), 2);
   if (pan) shown.pan = pan.map((part) => clamp(part, -20, 20)) as [number, number];
@@ -96,10 +97,10 @@ export const queries = () => {
 
 // Writes what is shown into the address of the page, and follows the browser's own way back.
 export class Address {
-  number: number = history.state?.number ?? 0; // of the step, also after a reload
+  number = history.state?.number ?? 0; // of the step, also after a reload
   held = false; // the address is wrong: it stays, to be corrected, until another motion is a step
   soon = once(() => this.write("same"), WAIT);
-  listen: () => Promise<void> = () => this.arrived();
+  listen = () => this.arrived();
 
   /** `own`: what the address begins with. */
   constructor(

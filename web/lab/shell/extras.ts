@@ -69,14 +69,12 @@ export class Extras {
       () => this.present.turn(),
     ),
   ]);
-  tools = h("div", { class: "buttons tools" }, [...this.switches.keys()]);
+  tools = h("div.buttons.tools", [...this.switches.keys()]);
   menu = h(
-    "details",
-    { class: "menu learn" },
-    h("summary", { class: "button" }, "menu.learn"),
+    "details.menu.learn",
+    h("summary.button", "menu.learn"),
     h(
-      "div",
-      { class: "menu-body" },
+      "div.menu-body",
       menuItem("menu.visit", () => this.visit.start()),
       menuItem("menu.challenges", () => this.challenges.open()),
       menuItem("sensitivity.title", () => this.more.turn(true)),
@@ -123,8 +121,8 @@ export class Extras {
   titled() {
     const { lab } = this;
     if (!lab.hosted) return;
-    const names = this.visit.guessing ? [] : lab.motions.films().map((film) => this.nameOf(film));
-    const said = [...new Set(names)].join(" | ");
+    const names = new Set(lab.motions.films().map((film) => this.nameOf(film)));
+    const said = this.visit.guessing ? "" : [...names].join(" | ");
     document.title = said ? `${said} – hophoop` : t("page.title");
   }
 
@@ -169,9 +167,8 @@ export class Extras {
 /** `changed`: called when another one is spoken; `failed`: where it is not to be had. */
 export function languageMenu(changed: () => void, failed: (error: Error) => void = () => {}) {
   const select = h(
-    "select",
+    "select.language",
     {
-      class: "language",
       "aria-label": "language.language",
       onchange: async () => {
         try {

@@ -6,14 +6,13 @@ import type { Lab } from "./lab.ts";
 
 /** In words, or as a picture where there is little room. */
 const worded = (words: string, name: Parameters<typeof icon>[0]) =>
-  h("span", {}, h("span", { class: "long" }, words), h("span", { class: "short" }, icon(name)));
+  h("span", h("span.long", words), h("span.short", icon(name)));
 
 export class Header {
   fresh = false; // a motion has just been chosen: Space plays it and does not open the list
   presets = h(
-    "select",
+    "select.presets",
     {
-      class: "presets",
       "aria-label": "header.examples",
       onchange: () => this.take(),
       onblur: () => this.used(),
@@ -30,23 +29,16 @@ export class Header {
     class: "full",
   });
   right = h(
-    "div",
-    { class: "buttons right" },
+    "div.buttons.right",
     this.lab.share.menu,
     button(icon("theme"), "header.theme", () => this.lab.theme.toggle()),
     button("?", "header.help", () => this.lab.help.showModal()),
   );
   element = h(
-    "header",
-    { class: "top" },
-    h(
-      "h1",
-      {},
-      h("span", { class: "logo", "aria-hidden": "true" }),
-      h("span", {}, "hophoop", h("span", { class: "long" }, " ", "header.lab")),
-    ),
+    "header.top",
+    h("h1", h("span.logo", { "aria-hidden": "true" }), h("span", "hophoop", h("span.long", " ", "header.lab"))),
     this.presets,
-    h("div", { class: "buttons" }, this.lab.view.button, this.undo, this.redo, this.reset, this.compare),
+    h("div.buttons", this.lab.view.button, this.undo, this.redo, this.reset, this.compare),
     this.right,
   );
 
@@ -84,18 +76,14 @@ export class Header {
 // --- Which of two hoops the controls change, and what there is to see in the motion that one started from
 
 export class Hoops {
-  tabs: HTMLButtonElement[];
-  bar: HTMLDivElement;
-  element: HTMLDivElement;
-  text = h("p", { class: "preset-text" });
+  tabs = ["hoops.a", "hoops.b"].map((name, i) =>
+    h("button", { "aria-pressed": "false", onclick: () => this.choose(i) }, name),
+  );
+  bar = h("div.tabs", { role: "group", "aria-label": "hoops.choice", hidden: true }, this.tabs);
+  text = h("p.preset-text");
+  element = h("div.lanes", this.bar, this.text);
 
-  constructor(choose: (lane: number) => void) {
-    this.tabs = ["hoops.a", "hoops.b"].map((name, i) =>
-      h("button", { "aria-pressed": "false", onclick: () => choose(i) }, name),
-    );
-    this.bar = h("div", { class: "tabs", role: "group", "aria-label": "hoops.choice", hidden: true }, this.tabs);
-    this.element = h("div", { class: "lanes" }, this.bar, this.text);
-  }
+  constructor(readonly choose: (lane: number) => void) {}
 
   show(count: number, active: number) {
     this.bar.hidden = count < 2;

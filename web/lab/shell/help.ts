@@ -1,6 +1,7 @@
 // Keys and help.
 
 import { closing, h, rowOf } from "../common/dom.ts";
+import { tables } from "../../model/tables.ts";
 import { MARKS } from "../player/marks.ts";
 
 const KEYS = [
@@ -21,13 +22,8 @@ const KEYS = [
 ];
 
 // A letter stands for a mode in sequences; slip is named by what the rim does.
-const MODES = [
-  ["R", "mode.roll", "keys.mode_roll"],
-  ["S", "mode.spin", "keys.mode_spin"],
-  ["K", "mode.skid", "keys.mode_skid"],
-  ["H", "mode.flight", "keys.mode_flight"],
-  ["M", "mode.skim", "keys.mode_skim"],
-];
+const { letters, modes } = tables.words;
+const MODES = modes.map((word, k) => [letters[k], `mode.${word}`, `keys.mode_${word}`]);
 // The rarest last.
 const MARKED = Object.entries(MARKS)
   .map(([kind, sign]) => [sign, `event.${kind}`])
@@ -36,8 +32,7 @@ const MARKED = Object.entries(MARKS)
 const table = (title: string, rows: string[][], mark: (letter: string) => HTMLElement | false = () => false) =>
   h(
     "table",
-    {},
-    h("caption", {}, title),
+    h("caption", title),
     rows.map(([key, ...words]) => rowOf([mark(key), key], ...words)),
   );
 
@@ -47,46 +42,43 @@ export const docs = () => document.querySelector<HTMLMetaElement>("meta[name=hop
 function licencesOf(link: (href: string, words: string) => HTMLElement) {
   const held = document.getElementById("packed-licences")?.textContent;
   if (!held) return link(new URL("licences.txt", import.meta.url).href, "about.licences");
-  return h("details", {}, h("summary", {}, "about.licences"), h("pre", {}, document.createTextNode(held)));
+  return h("details", h("summary", "about.licences"), h("pre", document.createTextNode(held)));
 }
 
 /** `hosted`: whether the lab owns the page, with its files beside the script or in itself. */
 export function aboutDialog(version: string, hosted: boolean) {
   const base = docs();
   const link = (href: string, words: string) => h("a", { href, target: "_blank", rel: "noopener" }, words);
-  const row = (name: string, ...words: (Node | string)[]) => [h("dt", {}, name), h("dd", {}, words)];
+  const row = (name: string, ...words: (Node | string)[]) => [h("dt", name), h("dd", words)];
   const licences = hosted && licencesOf(link);
-  const dialog = h(
-    "dialog",
-    { class: "about", "aria-label": "menu.about" },
-    h("h2", {}, "menu.about"),
-    h("p", {}, "about.intro"),
+  return h(
+    "dialog.about",
+    { "aria-label": "menu.about" },
+    h("h2", "menu.about"),
+    h("p", "about.intro"),
     h(
       "dl",
-      {},
       row("about.version", document.createTextNode(version)),
       row("about.licence", document.createTextNode("MIT"), ...(licences ? [". ", licences] : [])),
       base ? row("about.documentation", link(base, "about.documentation_link")) : [],
-      row("about.commands", h("code", {}, document.createTextNode("hophoop --help"))),
+      row("about.commands", h("code", document.createTextNode("hophoop --help"))),
     ),
     closing(),
   );
-  return dialog;
 }
 
 /** `keys`: what switches single keys off. */
 export function helpDialog(about: HTMLDialogElement, colors: Colors, keys: HTMLElement) {
-  const dialog = h(
-    "dialog",
-    { class: "help", "aria-label": "keys.title" },
+  return h(
+    "dialog.help",
+    { "aria-label": "keys.title" },
     h("h2", { tabindex: "-1", autofocus: true }, "player.picture"), // else the button at the end has the focus
-    h("p", {}, "keys.intro"),
-    table("keys.modes", MODES, (letter) => h("i", { class: "dot", style: `background:${colors.modes[letter]}` })),
+    h("p", "keys.intro"),
+    table("keys.modes", MODES, (letter) => h("i.dot", { style: `background:${colors.modes[letter]}` })),
     table("keys.marks", MARKED),
     table("keys.keys", KEYS),
     keys,
-    h("button", { class: "link", onclick: () => about.showModal() }, "menu.about"),
+    h("button.link", { onclick: () => about.showModal() }, "menu.about"),
     closing(),
   );
-  return dialog;
 }

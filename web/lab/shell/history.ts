@@ -16,7 +16,7 @@ export class History {
    * step. `what`: what was changed, if one thing was; `when`: in milliseconds; returns whether it is a step of its
    * own, or the last one with another value.
    */
-  note(queries: string[], what = "", when: number = performance.now()): "same" | "step" | "again" {
+  note(queries: string[], what = "", when = performance.now()) {
     const before = this.now;
     this.now = queries;
     if (before === null || same(before, queries)) return "same";

@@ -7,7 +7,7 @@ import type { Lab } from "./lab.ts";
 const KEPT = "hophoop-single-keys";
 
 /** What a key does. */
-const actions = (lab: Lab, shift: boolean): Record<string, () => void> => ({
+const actions = (lab: Lab, shift: boolean): Named<() => void> => ({
   " ": () => lab.clock.play(),
   ArrowLeft: () => (shift ? lab.transport.jump(-1) : lab.transport.nudge(-1)),
   ArrowRight: () => (shift ? lab.transport.jump(1) : lab.transport.nudge(1)),
@@ -54,22 +54,19 @@ function leave(lab: Lab) {
 
 // Whether single keys do something; some speak to their machine, or press keys by mistake.
 export class SingleKeys {
-  on: boolean;
-  element: HTMLLabelElement;
+  on = !this.hosted || recall(KEPT) !== "off";
+  box = h("input", {
+    type: "checkbox",
+    checked: this.on,
+    onchange: () => {
+      this.on = this.box.checked;
+      if (this.hosted) remember(KEPT, this.on ? "on" : "off");
+    },
+  });
+  element = h("label.check", this.box, "keys.single_keys");
 
   /** `hosted`: whether the choice may be kept. */
-  constructor(hosted: boolean) {
-    this.on = !hosted || recall(KEPT) !== "off";
-    const box = h("input", {
-      type: "checkbox",
-      checked: this.on,
-      onchange: () => {
-        this.on = box.checked;
-        if (hosted) remember(KEPT, this.on ? "on" : "off");
-      },
-    });
-    this.element = h("label", { class: "check" }, box, "keys.single_keys");
-  }
+  constructor(readonly hosted: boolean) {}
 }
 
 function pressed(lab: Lab, event: KeyboardEvent) {
@@ -97,7 +94,7 @@ function pressed(lab: Lab, event: KeyboardEvent) {
 }
 
 /** Listen on the whole page where it is the lab's own, else inside the widget only. Returns what stops it. */
-export function listen(lab: Lab, hosted: boolean): () => void {
+export function listen(lab: Lab, hosted: boolean) {
   const target = hosted ? document : lab.root;
   const listener = (event: Event) => {
     pressed(lab, event as KeyboardEvent);

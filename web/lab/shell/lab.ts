@@ -27,7 +27,7 @@ import { Transport } from "../player/transport.ts";
 import { messageOf } from "../words/words.ts";
 
 export interface Options {
-  own?: string | null; // where the lab owns the page and its keyboard: what the page's address begins with
+  own?: string; // where the lab owns the page and its keyboard: what the page's address begins with
   panels?: string[] | null; // what stands beside the player; everything by default
   onmotion?: (query: string) => void; // called when another motion is a step that can be undone
 }
@@ -46,16 +46,15 @@ export class Lab {
   // how many pictures were drawn, and how long each took from the hand to the screen [ms]
   frames = 0;
   latencies: number[] = [];
-  hosted: boolean;
-  onmotion: (query: string) => void;
+  hosted = prepareRoot(this.root, this.options.own);
   known = this.setup.presets;
   sameness = new Sameness(this.setup.presets);
-  address: Address | null;
+  address = this.hosted ? new Address(this, this.options.own as string) : null;
   clock = new Clock();
   notice = new Notice();
   computing = new Computing(this.backend.kernel.limit);
   motions = new Motions(this);
-  theme: Theme;
+  theme = new Theme(this.root, this.setup.colors, this.hosted, () => this.show());
   stage = new Stage(this.setup.colors, () => {
     this.request();
     this.address?.soon();
@@ -70,18 +69,19 @@ export class Lab {
   map = new MotionMap(this.setup, this.backend, this.clock, this.motions, this.story, () => this.address?.soon());
   controls = new Controls(this.motions, this.setup.controls, this.story.fingerprint);
   share = new Share(this);
-  singleKeys: SingleKeys;
-  help: HTMLDialogElement;
+  singleKeys = new SingleKeys(this.hosted);
+  about = aboutDialog(this.setup.version, this.hosted);
+  help = helpDialog(this.about, this.setup.colors, this.singleKeys.element);
   hoops = new Hoops((lane) => this.motions.choose(lane));
-  header: Header;
-  view: View;
-  about: HTMLDialogElement;
-  opening: Opening;
-  player: HTMLElement;
-  sticky: { edge: HTMLElement; close: () => void } | null;
-  arrange: () => void;
-  extras: Extras;
-  deaf: () => void;
+  view = new View(this.root, this.hosted, () => {
+    this.show();
+    this.address?.write("same");
+  });
+  header = new Header(this);
+  extras = new Extras(this);
+  opening = new Opening(this.clock, this.extras.grips.hint);
+  page = layOut(this, this.options.panels ?? null);
+  deaf = listen(this, this.hosted);
   later = once(() => this.fetchTheory(), 120);
   sizes = new ResizeObserver(() => this.show());
   // paper has another width than the screen; the browser measures it after this
@@ -92,36 +92,13 @@ export class Lab {
     readonly root: HTMLElement,
     readonly backend: Backend,
     readonly setup: Setup,
-    { own = null, panels = null, onmotion = () => {} }: Options = {},
+    readonly options: Options = {},
   ) {
-    const hosted = own !== null;
-    this.hosted = hosted;
-    this.onmotion = onmotion;
-    prepareRoot(root, hosted);
-    const { colors } = setup;
-    this.address = hosted ? new Address(this, own) : null;
-    this.theme = new Theme(root, colors, hosted, () => this.show());
-    this.singleKeys = new SingleKeys(hosted);
-    this.about = aboutDialog(setup.version, hosted);
-    this.help = helpDialog(this.about, colors, this.singleKeys.element);
-    this.view = new View(root, hosted, () => {
-      this.show();
-      this.address?.write("same");
-    });
-    this.header = new Header(this);
-    this.extras = new Extras(this);
-    this.opening = new Opening(this.clock, this.extras.grips.hint);
-    const { player, sticky, arrange } = layOut(this, panels);
-    this.player = player;
-    this.sticky = sticky;
-    this.arrange = arrange;
-    if (hosted && !location.search && !location.hash) this.extras.visit.offer();
-    this.frame = this.frame.bind(this);
-    this.clock.listeners.add(() => {
+    if (this.hosted && !location.search && !location.hash) this.extras.visit.offer();
+    this.clock.changed = () => {
       this.request();
       if (!this.clock.playing) this.address?.soon();
-    });
-    this.deaf = listen(this, hosted);
+    };
   }
 
   /** The first motions, by their links. `shown`: what else the link says. */
@@ -134,7 +111,7 @@ export class Lab {
     this.restore(shown);
     this.begin();
     // who has chosen to see everything knows the page
-    if (this.hosted && shown.time === undefined && !this.view.everything) this.opening.begin(this.player);
+    if (this.hosted && shown.time === undefined && !this.view.everything) this.opening.begin(this.page.player);
   }
 
   // The motions are there.
@@ -162,7 +139,7 @@ export class Lab {
     this.map.close();
     this.theme.close();
     this.address?.close();
-    this.sticky?.close();
+    this.page.sticky?.close();
     this.sizes.disconnect();
     removeEventListener("beforeprint", this.print);
     removeEventListener("afterprint", this.printed);
@@ -198,14 +175,14 @@ export class Lab {
     this.header.show();
     this.address?.write(step);
     if (this.hosted) remember(STEPS, this.motions.history.written(), "sessionStorage");
-    this.onmotion(this.film().query);
+    this.options.onmotion?.(this.film().query);
   }
 
   /**
    * What a link to what is shown says behind its base: the motions, the time, the view, the map. `fingerprints`: of
    * the motions, to be compared where the link is opened.
    */
-  link(fingerprints: string[] = this.sameness.expected(this.films())) {
+  link(fingerprints = this.sameness.expected(this.films())) {
     const { clock, stage, map, extras, view } = this;
     const { on, path } = extras.more;
     const shown = {
@@ -293,7 +270,7 @@ export class Lab {
     const films = this.films();
     if (!films.length) return;
     const two = films.length > 1;
-    this.arrange();
+    this.page.arrange();
     this.theme.read();
     clock.duration = Math.max(...films.map((film) => film.duration));
     clock.time = Math.min(clock.time, clock.duration);
@@ -356,7 +333,7 @@ export class Lab {
   request() {
     if (this.requested) return;
     this.requested = true;
-    requestAnimationFrame(this.frame);
+    requestAnimationFrame((now) => this.frame(now));
   }
 
   frame(now: number) {
@@ -395,13 +372,7 @@ export class Lab {
   async toggle(name: keyof StageOptions) {
     const { options } = this.stage;
     if (name !== "three") options[name] = !options[name];
-    else {
-      try {
-        await this.stage.turn(() => this.drawStage());
-      } catch (error) {
-        this.notice.say(messageOf(error));
-      }
-    }
+    else await this.stage.turn(() => this.drawStage()).catch((error) => this.notice.say(messageOf(error)));
     this.transport.show();
     this.address?.soon();
     this.request();

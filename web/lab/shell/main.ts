@@ -24,7 +24,7 @@ function speakFrom(folder: URL) {
 
 /** Of a notebook or a file, with which the words of all languages travel. */
 function speakPacked(packed: Packed) {
-  let tables: Promise<Record<string, Words>> | undefined;
+  let tables: Promise<Named<Words>> | undefined;
   wordsFrom(async (code) => {
     tables ??= unpacked(packed).json();
     return (await tables)[code];

@@ -1,6 +1,6 @@
 // What the page remembers of a visitor, in the visitor's own browser. Storage may be forbidden; then it lasts as long as the page.
 
-const held: Map<string, string> = new Map();
+const held = new Map<string, string>();
 
 type Storing = "localStorage" | "sessionStorage"; // for ever, or until the tab is closed
 

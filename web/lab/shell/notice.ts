@@ -1,19 +1,19 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
 import { h, say } from "../common/dom.ts";
-import { messageOf, spokenText } from "../words/words.ts";
+import { messageOf } from "../words/words.ts";
 
 const TOAST_TIME = 6000; // milliseconds
 
 export class Notice {
-  message = h("p", { class: "message", role: "alert", hidden: true });
-  toast = h("div", { class: "toast", role: "status", hidden: true });
+  message = h("p.message", { role: "alert", hidden: true });
+  toast = h("div.toast", { role: "status", hidden: true });
   timer = 0;
 
   /** `hint`: what can be done. */
   fail(error: Error, hint = "") {
     const said = messageOf(error);
-    this.message.replaceChildren(...[said, ...(hint ? [" ", hint] : [])].map(spokenText));
+    say(this.message, hint ? [said, " ", hint] : said);
     this.message.hidden = false;
     if (!this.seen()) this.say(said, this.message.isConnected);
   }
@@ -49,22 +49,19 @@ const TICK = 100;
 export class Stopped extends Error {}
 
 export class Computing {
-  bar: HTMLProgressElement;
-  element: HTMLElement;
+  used = { key: "shell.time_used", values: { time: this.limit / 1000 } };
+  bar = h("progress", { "aria-label": this.used, title: this.used });
+  stops = h("button", { onclick: () => this.stop() }, "shell.stop");
+  element = h("div.computing", { role: "status", hidden: true }, "shell.computing", this.bar, this.stops);
   asked = new Set<AbortController>();
   began = 0;
   timer = 0;
 
   /** `limit`: milliseconds that the kernel may take. */
-  constructor(readonly limit = Infinity) {
-    const used = { key: "shell.time_used", values: { time: limit / 1000 } };
-    this.bar = h("progress", { "aria-label": used, title: used });
-    const stop = h("button", { onclick: () => this.stop() }, "shell.stop");
-    this.element = h("div", { class: "computing", role: "status", hidden: true }, "shell.computing", this.bar, stop);
-  }
+  constructor(readonly limit = Infinity) {}
 
   /** What is asked for, unless it is stopped. */
-  async during<T>(ask: (signal: AbortSignal) => Promise<T>): Promise<T> {
+  async during<T>(ask: (signal: AbortSignal) => Promise<T>) {
     const asked = new AbortController();
     if (!this.asked.size) this.begin();
     this.asked.add(asked);

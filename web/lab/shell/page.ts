@@ -3,15 +3,16 @@
 import { h } from "../common/dom.ts";
 import type { Lab } from "./lab.ts";
 
-/** `hosted`: whether the lab owns the page. */
-export function prepareRoot(root: HTMLElement, hosted: boolean) {
+/** Returns whether the lab owns the page. `own`: what the address of such a page begins with. */
+export function prepareRoot(root: HTMLElement, own?: string) {
   root.classList.add("hophoop");
   root.dir = "ltr"; // numbers with their signs and units, also within a page in right-to-left writing
-  if (hosted) return;
+  if (own !== undefined) return true;
   root.classList.add("embedded");
   // Jupyter would take the same keys to delete cells and to restart the kernel
   root.dataset.lmSuppressShortcuts = "true";
   root.dataset.pSuppressShortcuts = "true";
+  return false;
 }
 
 /**
@@ -24,8 +25,8 @@ export function layOut(lab: Lab, panels: string[] | null) {
   const visit = extras.visit.element;
   const cards = [visit, extras.challenges.element];
   const side = h(
-    "aside",
-    { class: "side", "aria-label": "page.parameters" },
+    "aside.side",
+    { "aria-label": "page.parameters" },
     ...cards,
     lab.hoops.element,
     notice.message,
@@ -36,8 +37,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
   transport.row.before(extras.tools);
   header.right.prepend(extras.menu, extras.languages);
   const player = h(
-    "div",
-    { class: "player" },
+    "div.player",
     extras.present.leave,
     extras.grips.element,
     lab.stage.element,
@@ -47,19 +47,18 @@ export function layOut(lab: Lab, panels: string[] | null) {
   const sticky = hosted ? keepInSight(player, () => lab.request()) : null;
   lab.story.element.append(lab.ending.element);
   const middle = h(
-    "div",
-    { class: "middle" },
+    "div.middle",
     sticky?.edge,
     !want("controls") && cards,
     player,
     extras.more.element,
     extras.table.element,
   );
-  const words = h("div", { class: "words" }, lab.story.element, want("theory") && lab.theory.element);
-  const why = h("div", { class: "why" }, want("plots") && lab.plots.element, want("plots") && lab.phase.element);
-  const columns = h("div", { class: "columns" }, middle);
+  const words = h("div.words", lab.story.element, want("theory") && lab.theory.element);
+  const why = h("div.why", want("plots") && lab.plots.element, want("plots") && lab.phase.element);
+  const columns = h("div.columns", middle);
   root.replaceChildren(
-    h("div", { class: "page" }, hosted && skipTo(lab.timeline.element), header.element, columns),
+    h("div.page", hosted && skipTo(lab.timeline.element), header.element, columns),
     notice.toast,
     lab.computing.element,
     lab.share.dialog,
@@ -100,7 +99,7 @@ export function layOut(lab: Lab, panels: string[] | null) {
 
 function skipTo(player: HTMLElement) {
   player.id = "hh-player";
-  const skip = h("a", { class: "skip button", href: "#hh-player" }, "page.skip");
+  const skip = h("a.skip.button", { href: "#hh-player" }, "page.skip");
   skip.onclick = (event) => {
     event.preventDefault(); // what stands behind the # of the address is the lab's own
     player.focus();
@@ -124,8 +123,8 @@ export function bring(element: HTMLElement) {
 }
 
 /** Returns what stands before the player and tells where it would be. */
-function keepInSight(player: HTMLElement, changed: () => void): { edge: HTMLElement; close: () => void } {
-  const edge = h("div", { class: "edge", "aria-hidden": "true" });
+function keepInSight(player: HTMLElement, changed: () => void) {
+  const edge = h("div.edge", { "aria-hidden": "true" });
   const watch = new IntersectionObserver(([entry]) => {
     const stuck = !entry.isIntersecting && entry.boundingClientRect.top < 0;
     if (stuck === player.classList.contains("stuck")) return;

@@ -6,7 +6,7 @@ import type { Lab } from "./lab.ts";
 export class Present {
   full = false;
   on = false;
-  left: () => void = () => {
+  left = () => {
     if (!document.fullscreenElement && this.full) this.turn(false);
   };
   /** The way out, also for fingers. */

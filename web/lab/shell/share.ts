@@ -16,17 +16,10 @@ const FILES = [
 
 export class Share {
   menu = h(
-    "details",
-    { class: "menu share" },
+    "details.menu.share",
+    h("summary.button", { "aria-label": "save.menu" }, h("span.long", "save.menu"), h("span.short", icon("share"))),
     h(
-      "summary",
-      { class: "button", "aria-label": "save.menu" },
-      h("span", { class: "long" }, "save.menu"),
-      h("span", { class: "short" }, icon("share")),
-    ),
-    h(
-      "div",
-      { class: "menu-body" },
+      "div.menu-body",
       this.lab.backend.base !== null && [
         this.item("save.copy_link", () => this.copyLink([])),
         this.item("save.copy_link_fingerprint", () => this.copyLink(this.fingerprints()), "full"),
@@ -36,10 +29,10 @@ export class Share {
       this.item("save.picture_svg", () => this.picture("svg", svg)),
       this.item("save.record", () => this.record()),
       this.item("save.code", () => this.code()),
-      h("p", { class: "full" }, "save.netcdf"),
+      h("p.full", "save.netcdf"),
     ),
   );
-  dialog = h("dialog", { class: "code-dialog", "aria-label": "save.code_title" });
+  dialog = h("dialog.code-dialog", { "aria-label": "save.code_title" });
 
   constructor(readonly lab: Kept) {}
 
@@ -58,7 +51,7 @@ export class Share {
       await navigator.clipboard.writeText(link);
       this.lab.notice.say("save.link_copied");
     } catch {
-      this.show("save.link_title", link);
+      this.show({ "save.link_title": link });
     }
   }
 
@@ -80,16 +73,15 @@ export class Share {
 
   async code() {
     const { python, toml } = this.lab.backend.code(this.lab.film().scenario);
-    this.show("save.code_title", python, "save.scenario_title", toml);
+    this.show({ "save.code_title": python, "save.scenario_title": toml });
   }
 
-  /** Headings and texts in turn. */
-  show(...pairs: string[]) {
-    const blocks = [];
-    for (let i = 0; i < pairs.length; i += 2) {
-      const code = h("code", {}, document.createTextNode(pairs[i + 1]));
-      blocks.push(h("header", {}, h("h2", {}, pairs[i]), copying(code)), h("pre", { tabindex: "0" }, code));
-    }
+  /** Texts by their headings. */
+  show(texts: Named<string>) {
+    const blocks = Object.entries(texts).flatMap(([title, text]) => {
+      const code = h("code", document.createTextNode(text));
+      return [h("header", h("h2", title), copying(code)), h("pre", { tabindex: "0" }, code)];
+    });
     this.dialog.replaceChildren(...blocks, closing());
     this.dialog.showModal();
   }

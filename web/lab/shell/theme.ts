@@ -10,7 +10,7 @@ const LINES = ["gravity_center", "airborne", "normal_force", "friction_force"] a
 export class Theme {
   chosen: string | null = null;
   media = matchMedia("(prefers-color-scheme: dark)");
-  listen: () => void;
+  listen = () => this.apply();
   look: Look;
   inks: Colors;
 
@@ -21,11 +21,8 @@ export class Theme {
     readonly hosted: boolean,
     readonly changed: () => void,
   ) {
-    this.listen = () => this.apply();
     this.media.addEventListener("change", this.listen);
     this.mark();
-    this.look = theme(root);
-    this.inks = { ...colors };
     this.read();
   }
 

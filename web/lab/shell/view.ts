@@ -13,14 +13,14 @@ const beyond = ({ query }: Film) => [...new URLSearchParams(query).keys()].some(
 export class View {
   simple = false;
   /** Goes from one view to the other. */
-  button = h("button", { class: "view", hidden: !this.hosted, onclick: () => this.choose() });
+  button = h("button.view", { hidden: !this.hosted, onclick: () => this.choose() });
   /** Says that not all that matters is seen. */
   more = h(
-    "p",
-    { class: "hint beyond", hidden: true },
+    "p.hint.beyond",
+    { hidden: true },
     "shell.other_settings",
     " ",
-    h("button", { class: "link", onclick: () => this.choose() }, "shell.show_everything"),
+    h("button.link", { onclick: () => this.choose() }, "shell.show_everything"),
   );
 
   /** `hosted`: whether the lab owns the page; embedded hoops show what their page asks for. */
@@ -51,8 +51,8 @@ export class View {
     this.simple = simple;
     this.root.classList.toggle("simple", simple);
     this.button.replaceChildren(
-      h("span", { class: "long" }, simple ? "shell.everything" : "shell.simple_view"),
-      h("span", { class: "short" }, simple ? "shell.everything" : "shell.simple_short"),
+      h("span.long", simple ? "shell.everything" : "shell.simple_view"),
+      h("span.short", simple ? "shell.everything" : "shell.simple_short"),
     );
     // a slider in a closed group would not be seen
     for (const group of this.root.querySelectorAll<HTMLDetailsElement>("details.group")) {

@@ -4,6 +4,7 @@ import { h, say } from "../common/dom.ts";
 import { recall, remember } from "../shell/memory.ts";
 import { spoken } from "../words/words.ts";
 import { DEGREE, degrees, length } from "../common/numbers.ts";
+import { first } from "./visit_steps.ts";
 import type { Motions } from "../player/motions.ts";
 import type { Stage } from "../player/stage.ts";
 
@@ -19,30 +20,28 @@ export class Challenges {
   tabs = new Map(
     GOALS.map((goal) => [
       goal.key,
-      h("button", { "aria-pressed": "false", onclick: () => this.choose(goal) }, goal.title),
+      h("button", { "aria-pressed": "false", onclick: () => this.choose(goal) }, `challenge.${goal.key}`),
     ]),
   );
-  text = h("p", {});
+  text = h("p");
   meter = h("meter", { min: "0", max: "100", low: "40", high: "75", optimum: "100", "aria-label": "challenge.score" });
-  result = h("p", { class: "challenge-result", role: "status" });
-  kept = h("p", { class: "hint" });
+  result = h("p.challenge-result", { role: "status" });
+  kept = h("p.hint");
   element = h(
-    "section",
-    { class: "challenges card", "aria-label": "menu.challenges", hidden: true },
+    "section.challenges.card",
+    { "aria-label": "menu.challenges", hidden: true },
     h(
       "header",
-      {},
-      h("h2", {}, "menu.challenges"),
-      h("button", { class: "quiet", "aria-label": "challenge.leave", onclick: () => this.close() }, "×"),
+      h("h2", "menu.challenges"),
+      h("button.quiet", { "aria-label": "challenge.leave", onclick: () => this.close() }, "×"),
     ),
-    h("div", { class: "tabs", role: "group", "aria-label": "challenge.choice" }, [...this.tabs.values()]),
+    h("div.tabs", { role: "group", "aria-label": "challenge.choice" }, [...this.tabs.values()]),
     this.text,
     this.meter,
     this.result,
     this.kept,
     h(
-      "div",
-      { class: "buttons" },
+      "div.buttons",
       h("button", { onclick: () => this.begin() }, "challenge.restart"),
       h("button", { onclick: () => this.solve() }, "challenge.show_best"),
     ),
@@ -69,7 +68,7 @@ export class Challenges {
   choose(goal: Goal) {
     this.goal = goal;
     for (const [key, tab] of this.tabs) tab.ariaPressed = String(key === goal.key);
-    say(this.text, goal.text);
+    say(this.text, `challenge.${goal.key}_task`);
     // what was done in the lab before may count already; a challenge begins with its own motion only when asked
     this.changed();
   }
@@ -111,12 +110,10 @@ export class Challenges {
 interface Score {
   points: number; // from 0 to 100
   text: string; // what was reached, with {places}
-  values?: Record<string, string>;
+  values?: Named<string>;
 }
 interface Goal {
-  key: string;
-  title: string;
-  text: string;
+  key: string; // of its words
   start: string; // the motion to begin with
   best: string; // a motion that has 100 points
   score: (film: Film) => Score;
@@ -142,15 +139,20 @@ export function broken(film: Film, most: number) {
   return "";
 }
 
-const hops = (film: Film) => film.events.filter(({ kind }) => kind === "takeoff");
-
 /** How high each hop is, in order. */
 export function heights(film: Film) {
   return film.events.filter(({ kind }) => kind === "apex").map(({ height }) => height);
 }
 
+/** No points, and why. */
+const none = (text: string): Score => ({ points: 0, text });
+
 /** Points for a height, of the best that is known. */
-const part = (height: number, best: number) => Math.min(Math.round((100 * height) / best), 100);
+const rise = (height: number, best: number): Score => ({
+  points: Math.min(Math.round((100 * height) / best), 100),
+  text: "challenge.result_rise",
+  values: { height: length(height) },
+});
 
 // of the best motions that a search has found, which stand below [m]
 const HIGHEST = 1.596;
@@ -160,30 +162,26 @@ const LEAST = 0.05; // metres: a hop that can be seen
 const GOALS: Goal[] = [
   {
     key: "highest",
-    title: "challenge.highest",
-    text: "challenge.highest_task",
     start: "",
     best: "hoop.load_fraction=0.9&plane.mu=0.29",
     score: (film) => {
       const rule = broken(film, 3.1);
-      if (rule) return { points: 0, text: rule };
+      if (rule) return none(rule);
       const top = Math.max(0, ...heights(film));
-      if (!top) return { points: 0, text: "challenge.result_no_hop" };
-      return { points: part(top, HIGHEST), text: "challenge.result_rise", values: { height: length(top) } };
+      if (!top) return none("challenge.result_no_hop");
+      return rise(top, HIGHEST);
     },
   },
   {
     key: "upright",
-    title: "challenge.upright",
-    text: "challenge.upright_task",
     start: "",
     best: "hoop.load_fraction=0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",
     score: (film) => {
-      const up = hops(film)[0];
-      const landing = film.events.find(({ kind, t }) => kind === "impact" && up && t > up.t);
-      if (!up || !landing) return { points: 0, text: "challenge.result_no_hop" };
-      const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
-      if (!top || top.height < LEAST) return { points: 0, text: "challenge.result_low" };
+      const up = first(film, "takeoff");
+      const landing = first(film, "impact", up?.t);
+      if (!up || !landing) return none("challenge.result_no_hop");
+      const top = first(film, "apex", up.t);
+      if (!top || top.height < LEAST) return none("challenge.result_low");
       const off = Math.abs(landing.angle - 2 * Math.PI * Math.round(landing.angle / (2 * Math.PI))) / DEGREE;
       const points = Math.max(0, Math.round(100 * (1 - (off - 0.5) / 89.5)));
       return {
@@ -195,31 +193,25 @@ const GOALS: Goal[] = [
   },
   {
     key: "clean",
-    title: "challenge.no_skid",
-    text: "challenge.no_skid_task",
     start: "start.angle=3.141592653589793&start.speed=8",
     best: "hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",
     score: (film) => {
       const rule = broken(film, 10);
-      if (rule) return { points: 0, text: rule };
+      if (rule) return none(rule);
       if (Math.abs(Math.abs(film.scenario.start.angle ?? 0) - Math.PI) > 0.5 * DEGREE) {
-        return { points: 0, text: "challenge.limit_load_angle" };
+        return none("challenge.limit_load_angle");
       }
       if (film.values["plane.mu_kinetic"] > 1.5 || film.values["plane.mu_static"] > 1.5) {
-        return { points: 0, text: "challenge.limit_friction" };
+        return none("challenge.limit_friction");
       }
-      const up = hops(film)[0];
-      if (!up) return { points: 0, text: "challenge.result_no_hop" };
+      const up = first(film, "takeoff");
+      if (!up) return none("challenge.result_no_hop");
       const before = film.phases.filter(({ from }) => from < up.t);
-      if (before.some(({ mode }) => mode === "K")) return { points: 0, text: "challenge.result_skids" };
-      if (before[0]?.mode !== "R") return { points: 0, text: "challenge.limit_rolling" };
-      const top = film.events.find(({ kind, t }) => kind === "apex" && t > up.t);
-      if (!top) return { points: 0, text: "challenge.result_no_hop" };
-      return {
-        points: part(top.height, HIGHEST_CLEAN),
-        text: "challenge.result_rise",
-        values: { height: length(top.height) },
-      };
+      if (before.some(({ mode }) => mode === "K")) return none("challenge.result_skids");
+      if (before[0]?.mode !== "R") return none("challenge.limit_rolling");
+      const top = first(film, "apex", up.t);
+      if (!top) return none("challenge.result_no_hop");
+      return rise(top.height, HIGHEST_CLEAN);
     },
   },
 ];

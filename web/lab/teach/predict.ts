@@ -1,6 +1,7 @@
 // What a visitor says before the motion is shown: one of several answers, a mark on a circle, or a curve.
 
 import { disc, ring, stroke } from "../common/paint.ts";
+import { drawAxes, Frame, marksOf } from "../common/axes.ts";
 import { scaledContext, h, theme } from "../common/dom.ts";
 import { clamp, modulo } from "../common/clamp.ts";
 import { follow, placeOn } from "../common/pointer.ts";
@@ -28,16 +29,16 @@ export function curvePoints(guess: number[], truth: number[]) {
 let count = 0;
 
 /** `options`: words by key. */
-export function choices(options: Record<string, string>, onguess: () => void): Guess {
+export function choices(options: Named<string>, onguess: () => void): Guess {
   const name = `hh-guess-${++count}`;
   const rows = Object.entries(options).map(([key, words]) => {
     const radio = h("input", { type: "radio", name, value: key, onchange: onguess });
-    return { key, radio, row: h("label", { class: "guess-choice" }, radio, h("span", {}, words)) };
+    return { key, radio, row: h("label.guess-choice", radio, h("span", words)) };
   });
   return {
     element: h(
-      "div",
-      { class: "guess", role: "radiogroup", "aria-label": "visit.guess" },
+      "div.guess",
+      { role: "radiogroup", "aria-label": "visit.guess" },
       rows.map(({ row }) => row),
     ),
     judge: (truth) => {
@@ -45,7 +46,7 @@ export function choices(options: Record<string, string>, onguess: () => void): G
       for (const { key, radio, row } of rows) {
         radio.disabled = true;
         const right = key === truth;
-        if (right) row.append(h("b", { class: "guess-right" }, "✓"));
+        if (right) row.append(h("b.guess-right", "✓"));
         row.classList.toggle("right", right);
       }
       return chosen === truth ? 100 : 0;
@@ -67,11 +68,10 @@ export function dial(label: string, onguess: () => void): Guess {
   let angle = 0;
   let made = false;
   let truth: number | null = null;
-  const canvas = h("canvas", { class: "dial-canvas" });
+  const canvas = h("canvas.dial-canvas");
   const element = h(
-    "div",
+    "div.guess.dial",
     {
-      class: "guess dial",
       role: "slider",
       tabindex: "0",
       "aria-label": label,
@@ -84,29 +84,21 @@ export function dial(label: string, onguess: () => void): Guess {
   const draw = () => {
     const { context } = scaledContext(canvas, element.clientWidth / SIZE || 1);
     const { ink, soft, accent } = theme(element);
-    context.strokeStyle = soft;
-    context.fillStyle = soft;
+    context.strokeStyle = context.fillStyle = soft;
     context.lineWidth = 1.5;
     stroke(context, [8, SIZE / 2 + RADIUS], [SIZE - 8, SIZE / 2 + RADIUS]);
-    context.lineWidth = 4;
-    ring(context, [SIZE / 2, SIZE / 2], RADIUS);
+    ring(context, [SIZE / 2, SIZE / 2], RADIUS, soft, 4);
     context.font = "11px system-ui, sans-serif";
     context.textAlign = "center";
     for (const mark of [0, 90, 180, 270]) {
       const [x, y] = onCircle(mark, RADIUS - 28);
-      context.fillText(`${mark}°`, x, y + 4);
+      context.fillText(degrees(mark), x, y + 4);
     }
-    const dot = (at: number, color: string, radius: number) => {
-      context.fillStyle = color;
-      disc(context, onCircle(at), radius);
-    };
     if (truth !== null) {
-      context.strokeStyle = ink;
-      context.lineWidth = 2;
-      ring(context, onCircle(truth), 12);
-      dot(truth, ink, 7);
+      ring(context, onCircle(truth), 12, ink, 2);
+      disc(context, onCircle(truth), 7, ink);
     }
-    dot(angle, made ? accent : soft, 9);
+    disc(context, onCircle(angle), 9, made ? accent : soft);
   };
   const turn = (to: number) => {
     if (truth !== null) return;
@@ -147,7 +139,8 @@ export function dial(label: string, onguess: () => void): Guess {
 }
 
 const POINTS = 9;
-const [LEFT, RIGHT, TOP, BOTTOM] = [34, 12, 12, 26];
+const STEP = 360 / (POINTS - 1); // degrees from one to the next
+const degrees = (angle: number) => `${angle}°`;
 
 /** A curve over one turn that is drawn by hand: points that are pulled up and down. */
 export function sketch(
@@ -156,13 +149,12 @@ export function sketch(
 ): Guess {
   const values: number[] = Array(POINTS).fill(most / 4);
   let truth: number[] | null = null;
-  const canvas = h("canvas", { class: "sketch-canvas" });
+  const canvas = h("canvas.sketch-canvas");
   const handles = values.map((_, i) =>
-    h("span", {
-      class: "sketch-point",
+    h("span.sketch-point", {
       role: "slider",
       tabindex: "0",
-      "aria-label": { key: "visit.angle_value", values: { what: label, angle: `${45 * i}°` } },
+      "aria-label": { key: "visit.angle_value", values: { what: label, angle: degrees(STEP * i) } },
       "aria-orientation": "vertical",
       "aria-valuemin": "0",
       "aria-valuemax": String(most),
@@ -175,52 +167,33 @@ export function sketch(
       },
     }),
   );
-  const element = h(
-    "div",
-    { class: "guess sketch", role: "group", "aria-label": "visit.curve_label" },
-    canvas,
-    handles,
-  );
-  let size = { width: 0, height: 0, px: 1 };
-  const x = (i: number) => LEFT + (i / (POINTS - 1)) * (size.width - LEFT - RIGHT);
-  const y = (value: number) => TOP + (1 - value / most) * (size.height - TOP - BOTTOM);
+  const element = h("div.guess.sketch", { role: "group", "aria-label": "visit.curve_label" }, canvas, handles);
+  // degrees across
+  const frame = new Frame(34, 12, 12, 26);
+  frame.windows = { x: [0, 360], y: [0, most] };
+  let px = 1;
   const draw = () => {
     const look = theme(element);
-    const { px } = look;
+    px = look.px;
     const { context, width, height } = scaledContext(canvas, px);
-    size = { width, height, px };
+    frame.fit(width, height);
+    const angles = marksOf([0, 360], 4, (angle) => frame.x(angle), 90, degrees);
+    const up = { marks: marksOf([0, most], 2, (value) => frame.y(value), most / 2), name: unit };
+    drawAxes(context, look, frame, { across: { marks: angles, name: "" }, up, lines: true });
     context.strokeStyle = look.line;
-    context.fillStyle = look.soft;
-    context.font = "11px system-ui, sans-serif";
-    for (let i = 0; i < POINTS; i += 2) {
-      context.textAlign = "center";
-      context.fillText(`${45 * i}°`, x(i), height - 8);
-      context.strokeRect(x(i), TOP, 0, height - TOP - BOTTOM);
-    }
-    for (const value of [0, most / 2, most]) {
-      context.textAlign = "right";
-      context.fillText(String(value), LEFT - 6, y(value) + 4);
-      context.strokeRect(LEFT, y(value), width - LEFT - RIGHT, 0);
-    }
-    context.textAlign = "left";
-    context.fillText(unit, LEFT + 4, TOP + 10);
+    for (const { at } of angles) stroke(context, [at, frame.y(0)], [at, frame.y(most)]);
     const line = (heights: number[], color: string, dash: number[]) => {
+      const step = 360 / (heights.length - 1);
       context.strokeStyle = color;
       context.lineWidth = 2.5;
       context.setLineDash(dash);
-      context.beginPath();
-      heights.forEach((value, i) => {
-        const across = LEFT + (i / (heights.length - 1)) * (width - LEFT - RIGHT);
-        if (i) context.lineTo(across, y(clamp(value, 0, most)));
-        else context.moveTo(across, y(clamp(value, 0, most)));
-      });
-      context.stroke();
+      stroke(context, ...heights.map((value, i) => [frame.x(step * i), frame.y(clamp(value, 0, most))]));
       context.setLineDash([]);
     };
     line(values, look.accent, [6, 4]);
     if (truth) line(truth, look.ink, []);
     handles.forEach((handle, i) => {
-      handle.style.transform = `translate(${px * x(i)}px, ${px * y(values[i])}px)`;
+      handle.style.transform = `translate(${px * frame.x(STEP * i)}px, ${px * frame.y(values[i])}px)`;
     });
   };
   const put = (i: number, value: number) => {
@@ -233,10 +206,8 @@ export function sketch(
   };
   let last: number | null = null;
   const pull = (event: PointerEvent) => {
-    const [across, down] = placeOn(canvas, event, size.px);
-    const share = clamp((across - LEFT) / (size.width - LEFT - RIGHT), 0, 1);
-    const i = Math.round(share * (POINTS - 1));
-    const value = most * (1 - (down - TOP) / (size.height - TOP - BOTTOM));
+    const { x, y: value } = frame.place(placeOn(canvas, event, px));
+    const i = Math.round(x / STEP);
     // a quick hand passes over points
     const from = last ?? i;
     const before = values[from];

@@ -17,25 +17,8 @@ const LESSON: [string, string, string | null][] = [
   ["42", "teach.lesson_summary", null],
 ];
 
-const IDEAS: [string, string][] = [
-  ["teach.idea_top", "teach.answer_top"],
-  ["teach.idea_bottom", "teach.answer_bottom"],
-  ["teach.idea_free_fall", "teach.answer_free_fall"],
-  ["teach.idea_friction_brakes", "teach.answer_friction_brakes"],
-  ["teach.idea_more_friction", "teach.answer_more_friction"],
-  ["teach.idea_mass", "teach.answer_mass"],
-];
-
-const TASKS = [
-  "teach.task_guess",
-  "teach.task_energy",
-  "teach.task_rest",
-  "teach.task_fall",
-  "teach.task_force",
-  "teach.task_lab",
-  "teach.task_threshold",
-  "teach.task_slip",
-];
+const IDEAS = ["top", "bottom", "free_fall", "friction_brakes", "more_friction", "mass"];
+const TASKS = ["guess", "energy", "rest", "fall", "force", "lab", "threshold", "slip"];
 
 const SPEEDS = ["1.0", "1.3", "1.6", "1.9", "2.2", "2.3"];
 
@@ -44,8 +27,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     dialog.close();
     load(query);
   };
-  const motion = (query: string, words = "teach.show") =>
-    h("button", { class: "link", onclick: () => go(query) }, words);
+  const motion = (query: string, words = "teach.show") => h("button.link", { onclick: () => go(query) }, words);
   const base = docs();
   const pages = base && [
     ["teach/index.html", "teach.pages"],
@@ -55,48 +37,41 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
   ];
   const lesson = h(
     "table",
-    {},
-    h("caption", {}, "teach.lesson"),
+    h("caption", "teach.lesson"),
     headed("teach.minute", "motion.story", "teach.motion"),
-    h("tbody", {}, ...LESSON.map(([minute, what, query]) => rowOf(minute, what, query === null ? "" : motion(query)))),
+    h("tbody", ...LESSON.map(([minute, what, query]) => rowOf(minute, what, query === null ? "" : motion(query)))),
   );
   const ideas = h(
     "table",
-    {},
-    h("caption", {}, "teach.ideas"),
+    h("caption", "teach.ideas"),
     headed("teach.idea", "teach.answer"),
-    h("tbody", {}, ...IDEAS.map(([idea, right]) => h("tr", {}, h("td", {}, idea), h("td", {}, right)))),
+    h("tbody", ...IDEAS.map((idea) => h("tr", h("td", `teach.idea_${idea}`), h("td", `teach.answer_${idea}`)))),
   );
   const sheet = h(
-    "section",
-    { class: "sheet" },
-    h("h2", {}, "teach.sheet_title"),
-    h("p", {}, "teach.sheet_intro"),
+    "section.sheet",
+    h("h2", "teach.sheet_title"),
+    h("p", "teach.sheet_intro"),
     h(
       "ol",
-      {},
-      TASKS.map((task) => h("li", {}, task, h("div", { class: "answer-line" }))),
+      TASKS.map((task) => h("li", `teach.task_${task}`, h("div.answer-line"))),
     ),
     h(
-      "table",
-      { class: "sheet-table" },
+      "table.sheet-table",
       headed("v₀ [m/s]", "teach.column_phases", "teach.column_hops", "teach.column_angle"),
-      h("tbody", {}, ...SPEEDS.map((speed) => rowOf(motion(`${SHEET}${Number(speed)}`, speed), "", "", ""))),
+      h("tbody", ...SPEEDS.map((speed) => rowOf(motion(`${SHEET}${Number(speed)}`, speed), "", "", ""))),
     ),
   );
   const dialog = h(
-    "dialog",
-    { class: "teach", "aria-label": "menu.teachers" },
-    h("header", {}, h("h2", {}, "menu.teachers"), h("button", { onclick: () => print() }, "teach.print"), closing()),
+    "dialog.teach",
+    { "aria-label": "menu.teachers" },
+    h("header", h("h2", "menu.teachers"), h("button", { onclick: () => print() }, "teach.print"), closing()),
     h(
       "p",
-      {},
       "teach.intro",
       " ",
       h(
-        "button",
+        "button.link",
         {
-          class: "link",
           onclick: () => {
             dialog.close();
             visit();
@@ -108,9 +83,8 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     pages &&
       h(
         "p",
-        {},
         pages.map(([page, words]) =>
-          h("a", { class: "teach-page", href: new URL(page, new URL(base, document.baseURI)).href }, words),
+          h("a.teach-page", { href: new URL(page, new URL(base, document.baseURI)).href }, words),
         ),
       ),
     lesson,

@@ -16,7 +16,7 @@ export class Visit {
   /** All motions of the step; the player shows two of them at most. */
   films: Film[] = [];
   /** Points of the steps that have been guessed. */
-  points: Map<string, number> = new Map();
+  points = new Map<string, number>();
   play: HTMLButtonElement;
   skip: HTMLButtonElement;
   wait: HTMLElement;
@@ -30,9 +30,9 @@ export class Visit {
   /** Counts what has been asked for, so that an answer to an earlier step is not shown. */
   asked = 0;
 
-  body = h("div", { class: "visit-body" });
-  said = h("div", { class: "visit-answer", role: "status" });
-  element = h("section", { class: "visit card", "aria-label": "menu.visit", hidden: true }, this.body, this.said);
+  body = h("div.visit-body");
+  said = h("div.visit-answer", { role: "status" });
+  element = h("section.visit.card", { "aria-label": "menu.visit", hidden: true }, this.body, this.said);
 
   constructor(
     readonly lab: Pick<
@@ -53,10 +53,9 @@ export class Visit {
     say(this.said, "");
     this.body.replaceChildren(
       h(
-        "div",
-        { class: "buttons offer" },
-        h("p", {}, h("b", {}, "visit.new_here"), " ", "visit.offer"),
-        h("button", { class: "main", onclick: () => this.start() }, "teach.start_visit"),
+        "div.buttons.offer",
+        h("p", h("b", "visit.new_here"), " ", "visit.offer"),
+        h("button.main", { onclick: () => this.start() }, "teach.start_visit"),
         h("button", { onclick: () => this.leave() }, "visit.decline"),
       ),
     );
@@ -116,36 +115,34 @@ export class Visit {
 
   fill(number: number) {
     const step = STEPS[number];
-    this.play = h("button", { class: "main", disabled: Boolean(this.guess), onclick: () => this.show() }, "visit.play");
+    this.play = h("button.main", { disabled: Boolean(this.guess), onclick: () => this.show() }, "visit.play");
     this.running = false;
-    this.wait = h("span", { class: "hint visit-wait" }, "visit.guess_first");
+    this.wait = h("span.hint.visit-wait", "visit.guess_first");
     this.skip = h(
       "button",
       { hidden: true, onclick: () => this.stop !== null && this.lab.clock.seek(this.stop) },
       "visit.skip",
     );
     const last = number === STEPS.length - 1;
-    const heading = h("h2", { tabindex: "-1" }, step.title);
+    const said = (part: string) => `visit.${step.key}.${part}`;
+    const heading = h("h2", { tabindex: "-1" }, said("title"));
     this.next = h("button", { onclick: () => this.go(number + 1) }, "visit.next");
     this.body.replaceChildren(
       h(
         "header",
-        {},
-        h("span", { class: "visit-count" }, { key: "visit.step", values: { number: number + 1, all: STEPS.length } }),
+        h("span.visit-count", { key: "visit.step", values: { number: number + 1, all: STEPS.length } }),
         h("progress", { max: String(STEPS.length), value: String(number + 1), "aria-hidden": "true" }),
-        h("button", { class: "quiet", "aria-label": "visit.leave", onclick: () => this.leave() }, "×"),
+        h("button.quiet", { "aria-label": "visit.leave", onclick: () => this.leave() }, "×"),
       ),
       heading,
-      h("p", {}, step.text),
-      step.question ? h("p", { class: "visit-question" }, step.question) : "",
-      this.guess?.element ?? "",
+      h("p", said("text")),
+      ...(this.guess ? [h("p.visit-question", said("question")), this.guess.element] : []),
       h(
-        "div",
-        { class: "buttons" },
+        "div.buttons",
         number > 0 && h("button", { onclick: () => this.go(number - 1) }, "visit.back"),
         this.guess && this.play,
         this.guess && this.skip,
-        last ? h("button", { class: "main", onclick: () => this.challenge() }, "menu.challenges") : this.next,
+        last ? h("button.main", { onclick: () => this.challenge() }, "menu.challenges") : this.next,
         last && h("button", { onclick: () => this.leave() }, "visit.done"),
         this.guess && this.wait,
       ),
@@ -202,16 +199,16 @@ export class Visit {
   judge() {
     const { step, guess } = this;
     if (!step?.answer || !guess) return;
-    const { truth, text, values = {} } = step.answer(this.films);
+    const { truth, values = {} } = step.answer(this.films);
     const points = guess.judge(truth);
     this.points.set(step.key, points);
     this.play.hidden = this.skip.hidden = true;
     this.said.replaceChildren(
-      h("p", {}, h("b", {}, points ? { key: "visit.points", values: { points } } : "visit.wrong"), " ", {
-        key: text,
+      h("p", h("b", points ? { key: "visit.points", values: { points } } : "visit.wrong"), " ", {
+        key: `visit.${step.key}.answer`,
         values,
       }),
-      h("p", {}, step.why ?? ""),
+      h("p", `visit.${step.key}.why`),
     );
     this.veil();
     this.next.classList.add("main");
@@ -221,7 +218,7 @@ export class Visit {
 
   total() {
     const sum = [...this.points.values()].reduce((one, other) => one + other, 0);
-    this.said.replaceChildren(h("p", {}, { key: "visit.total", values: { sum, most: 100 * this.points.size } }));
+    this.said.replaceChildren(h("p", { key: "visit.total", values: { sum, most: 100 * this.points.size } }));
   }
 
   challenge() {

@@ -4,18 +4,7 @@
 import { LANGUAGES, spoken } from "../../words/texts.ts";
 import { recall, remember } from "../shell/memory.ts";
 
-export {
-  current,
-  LANGUAGES,
-  listed,
-  local,
-  Refused,
-  messageOf,
-  speak,
-  spoken,
-  t,
-  wordsFrom,
-} from "../../words/texts.ts";
+export * from "../../words/texts.ts";
 
 const KEY = "hophoop-language";
 
@@ -33,8 +22,8 @@ export function keep(code: string) {
 }
 
 /** What stands on the page. */
-const sources: WeakMap<Node, Message> = new WeakMap();
-const named: WeakMap<Element, Record<string, Message>> = new WeakMap();
+const sources = new WeakMap<Node, Message>();
+const named = new WeakMap<Element, Named<Message>>();
 
 /** A text on the page that can change its language. */
 export function spokenText(said: Message) {
