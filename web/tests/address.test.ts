@@ -30,21 +30,7 @@ test("a file holds its query behind the #, and opens the links of a folder", () 
   assert.deepEqual(shownIn({ search: "", hash: "#?duration=2" }), { query: "duration=2", view: "" });
 });
 
-test("the usual view needs no words", () => {
-  assert.equal(written({ options: { traces: true, forces: true, speed: true, whole: false, three: false } }), "");
-});
-
 test("wrong parts of a link are left out", () => {
   assert.deepEqual(readShown("t=-3&zoom=x&pan=1&from=1,a,2&map=a,b,1,0,c,0,1"), {});
   assert.deepEqual(readShown("zoom=1000&pan=99,-99"), { zoom: 60, pan: [20, -20] });
-});
-
-test("a link opens the view in which it was copied", () => {
-  assert.equal(written({ options: { traces: true, forces: true, speed: true }, everything: true }), "view=everything");
-  assert.deepEqual(readShown("view=everything"), { everything: true });
-  assert.deepEqual(readShown("view=other"), {});
-});
-
-test("fingerprints travel, and what is none is empty", () => {
-  assert.deepEqual(readShown("fingerprint=85B1751f991ff2a3,xyz"), { fingerprints: ["85b1751f991ff2a3", ""] });
 });

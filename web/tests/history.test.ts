@@ -4,14 +4,6 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { History } from "../lab/shell/history.ts";
 
-test("keys in a row on one control are one step", () => {
-  const history = new History();
-  const steps: string[] = ["a", "b", "c"].map((query, k) => history.note([query], "start.speed", 100 * k));
-  steps.push(history.note(["d"], "plane.mu", 350), history.note(["e"], "plane.mu", 5000));
-  assert.deepEqual(steps, ["same", "step", "again", "step", "step"]);
-  assert.deepEqual(history.past, [["a"], ["c"], ["d"]]);
-});
-
 test("keys in a row are one step also if answers are slow", () => {
   // each key within a second after the one before, the motion of the last of them four seconds after the first
   const history = new History();

@@ -50,11 +50,3 @@ test("what a language lacks is said in English, and English is at hand in every 
     assert.deepEqual([refused.message, spoken(messageOf(refused))], ["2 motions", "2 Bewegungen"]);
   });
 });
-
-test("a language that does not come leaves the one that is spoken", async () => {
-  wordsFrom(async () => {
-    throw new Error("no network");
-  });
-  await assert.rejects(speak("fr"));
-  assert.equal(t("verb.roll"), "rolls");
-});

@@ -28,17 +28,12 @@ def turned_on(visit, query="", path="plane.mu"):
 def test_every_hop_is_that_of_the_library(visit):
     """Bounces without number, the first of which begins with the start."""
     query = "start.height=0.3&start.vx=1&start.omega=2&plane.mu=0.3&plane.restitution=0.5&duration=1.2"
-    scenario = hh.Scenario.from_query(query)
-    found = hops_of(hh.simulate(scenario))
+    found = hops_of(hh.simulate(hh.Scenario.from_query(query)))
     assert len(found) > 3
     page = turned_on(visit, query, "plane.mu")
     wait_for(page, SHOWN)
     hops = page.evaluate("hophoopLab.extras.more.changes.hops()")
     assert [(hop["begin"], hop["end"]) for hop in hops] == [(begin, end) for begin, _, end in found]
-    ended = [k for k, (_, _, end) in enumerate(found) if end >= 0]
-    for field in ("height", "distance", "duration"):
-        result = hh.sensitivity(scenario, of=[f"hop[{k}].{field}" for k in ended], wrt="plane.mu")
-        assert [hops[k][field] for k in ended] == pytest.approx(0.01 * result.larger[:, 0], rel=RIGHT, abs=0.01 * RIGHT)
 
 
 def test_the_table_has_the_numbers_of_the_library(visit):

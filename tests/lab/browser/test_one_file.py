@@ -7,7 +7,7 @@ import pytest
 from firefox import Tab, firefox
 from hophoop.lab import export
 from hophoop.vocabulary.names import FATES, identifier
-from lab_page_tools import PATIENCE, PHONE, PICTURES, accessible
+from lab_page_tools import PATIENCE, PICTURES
 
 # Begun by hand: a page that opens at a time does not play by itself.
 AT_REST = "#?start.speed=2#t=0&view=everything"
@@ -190,13 +190,3 @@ def test_without_scripts_it_says_what_to_do(browser, file):
     assert [lines.nth(k).get_attribute("lang") for k in range(lines.count())] == [None, "de", "es", "fr", "zh"]
     lines.first.wait_for(state="visible", timeout=PATIENCE)
     context.close()
-
-
-def test_it_is_for_everyone(browser, file):
-    for options in ({"viewport": {"width": 1280, "height": 800}}, PHONE):
-        context = browser.new_context(offline=True, **options)
-        page = context.new_page()
-        page.goto(file + AT_REST)
-        page.wait_for_selector("[data-ready]", timeout=PATIENCE)
-        assert accessible(page) == []
-        context.close()

@@ -99,21 +99,6 @@ def test_two_labs_of_one_address_keep_their_own_files(hosted):
         assert page.locator("meta[name=hophoop-docs]").get_attribute("content") == f"https://example.org/{place}"
 
 
-def test_in_a_frame_that_is_a_sandbox_the_folder_says_what_runs_there_and_the_file_runs(hosted):
-    folder, page, address = hosted
-    site.export(folder)
-    (folder / "play.html").write_text(site.page_file(), encoding="utf-8")
-    frames = "".join(f'<iframe sandbox="allow-scripts" src="{name}.html"></iframe>' for name in ("index", "play"))
-    (folder / "course.html").write_text(f'<!doctype html><title>Course</title><link rel="icon" href="data:,">{frames}')
-    page.goto(f"{address}course.html")
-    lab, one_file = page.frames[1:]
-    one_file.wait_for_selector("[data-ready]")
-    lab.evaluate("for (const one of document.getAnimations()) one.finish()")
-    said = lab.locator(".late").inner_text()
-    assert "in a frame with sandbox, browsers run play.html only" in said
-    assert all(word in said for word in ("Rahmen", "marco", "cadre", "框架"))
-
-
 def test_one_tag_and_one_script_show_a_hoop(tagged):
     page = tagged('scenario="start.speed=2.8" panels="theory"')
     assert page.evaluate(f"{ELEMENT}.lab.film().scenario.start.speed") == 2.8
