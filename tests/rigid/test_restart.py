@@ -29,19 +29,6 @@ def test_random_cuts():
     assert compared > 80
 
 
-@pytest.mark.parametrize("restitution", [0.4, 0.8])
-def test_bounces_that_end_go_on(restitution):
-    """Time and state of the limit agree; the number of bounces before it may not."""
-    plane, start = hh.Plane(restitution=restitution), hh.Start(height=0.3, vx=1.0, angle=0.4)
-    motion = hh.simulate(hh.Scenario(plane=plane, start=start, duration=3.0))
-    (limit, *_) = motion.find("bounce_limit")
-    landings = [e for e in motion.find("impact") if e.t < limit.t]
-    for state in (landings[-1], motion.at(0.5 * (landings[-1].t + landings[-2].t)), landings[0]):
-        found = onward(motion, state).find("bounce_limit")[0]
-        expected = (limit.t - state.t, limit.x, limit.angle, limit.omega, limit.slip)
-        assert (found.t, found.x, found.angle, found.omega, found.slip) == pytest.approx(expected, rel=1e-10)
-
-
 def test_slip_that_has_just_begun_stays_slip():
     """From the state alone, v_t = 0 would roll on: the mode is part of it."""
     (begins, *_) = HOP.find("slip_start")
