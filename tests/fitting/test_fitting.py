@@ -33,6 +33,8 @@ def test_the_truth_is_found_within_its_uncertainties(found):
     assert found.error("gamma") < 1e-3
     assert found.error("mu_static") < 0.02
     assert found.shares["RKRSH+KR"] > 0.9
+    (sequence,) = (one for one in found.details() if one.startswith("Sequence RKRSH+KR: "))
+    assert sequence.endswith(" %).") == (len(found.shares) > 1)
     assert found.scenario.plane.mu_static == pytest.approx(0.55, abs=0.04)
 
 
@@ -197,6 +199,19 @@ def test_errors_that_last_over_frames_count_less(hop, found):
     assert "Errors of x are correlated" in " ".join(replace(found, tracks=(track,)).details())
 
 
+def test_beside_a_minimum_the_sum_of_squares_rises_by_the_square_of_the_distance(hop):
+    """With the other parameters by regression, in standard deviations."""
+    problem, values = posed(filmed(hop, rate=60.0))
+    problem = replace(problem, robust=False)
+    solution = solve(problem, parameters(values, tuple(TRUTH)))
+    found = list(solution.beside((-0.5, 0.5)))
+    assert [name for name, *_ in found] == ["mu_kinetic", "mu_kinetic", "mu_excess", "mu_excess", "restitution", "restitution"]
+    for name, value, there in found:
+        assert there[name] == pytest.approx(value)
+        assert problem.cost(there) - solution.minimum.cost == pytest.approx(0.25 * solution.spread, rel=0.2), name
+    assert solution.values_at("slope", 0.1) == {}
+
+
 # --- what the film does not tell -------------------------------------------------------------------
 
 GENTLE = {"plane": hh.Plane(mu=0.9, restitution=0.2), "start": hh.Start.rolling(1.0), "duration": 0.9}
@@ -218,6 +233,16 @@ def test_a_hoop_that_never_slips_gives_a_lower_limit():
     assert any("never slips: static friction is at least" in note for note in fit.sentences())
     assert any("no impact" in note for note in fit.sentences())
     assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not determined"
+
+
+def test_a_slip_without_which_the_data_are_explained_as_well_is_none():
+    """In this draw the lowest minimum slips for a moment."""
+    motion = hopping(plane=hh.Plane(mu=0.9, restitution=0.2), start=hh.Start.rolling(1.4), duration=0.5)
+    fit = hh.fit(filmed(motion, 0, rate=60.0))
+    assert fit.motion.sequence == "R"
+    assert {name: sign for name, (sign, _) in fit.limits.items()} == {
+        "mu_static": "≥", "mu_kinetic": "", "mu_excess": "", "restitution": "",
+    }  # fmt: skip
 
 
 def plastic(seed):
@@ -342,7 +367,7 @@ def test_the_recipe_of_a_sample_takes_the_residuals_of_the_fit(found):
 def test_a_page_of_a_fit_and_a_fit_that_is_read_again(found, tmp_path):
     named = replace(found, tracks=(replace(found.track, source="<script>&\"'.mp4"),))
     text = report(named, tmp_path).read_text(encoding="utf-8")
-    assert re.findall(r">(\w+) \(\w+\), one standard deviation", text) == ["x", "y", "angle"]
+    assert re.findall(r">(\w+ \(\w+\)), one standard deviation", text) == ["x (mm)", "y (mm)", "angle (mrad)"]
     assert text.count("Fit of &lt;script&gt;&amp;&#34;&#39;.mp4") == 2
     assert "<script" not in text
     assert "mu_static" in text

@@ -110,6 +110,16 @@ def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     assert correlated_frames(problem, slow)[0] > 3 * x.frames
 
 
+def test_a_run_has_the_errors_of_each_quantity_and_times_from_its_first_value(hop):
+    track = filmed(hop)
+    late = dataclasses.replace(track, t=track.t + 5.0, centre_error=track.centre_error * [1.0, 2.0])
+    late.centre[:3] = late.angle[:3] = np.nan
+    run = run_of(late, "ideal", "rolling", PLANE, Sigma())
+    assert run.first == 3
+    assert run.t == pytest.approx(track.t[:-3])
+    assert [one.errors[0] for one in run.channels] == pytest.approx([SIGMA, 2.0 * SIGMA, SIGMA_ANGLE])
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [

@@ -54,6 +54,9 @@ def test_corners_lie_where_the_camera_saw_them(filmed):
     wide, tall = FILM.size
     expected = np.array([[0, 0], [wide, 0], [wide, tall], [0, tall]]) - 0.5
     assert np.hypot(*(seen - expected).T).max() < 2.5
+    higher = dataclasses.replace(fit, values=fit.values | {"origin_y": fit.values["origin_y"] + 0.1})
+    lower = backdrop(higher, folder / "hoop.mp4", folder / "lower.mp4")
+    assert np.subtract(under.corners, lower.corners)[:, 1] == pytest.approx(0.1, rel=0.01)
     small = make(folder / "small.mp4", article_like(), dataclasses.replace(FILM, size=(320, 192), frames=4))
     with pytest.raises(ValueError, match="is not the film of the track"):
         backdrop(fit, small, folder / "no.mp4")
