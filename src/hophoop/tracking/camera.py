@@ -25,7 +25,8 @@ USUAL_FOCAL = 0.9  # of a phone, over the width of its picture; error 30 %
 FOCAL_SPREAD = 0.3
 TILT_SPREAD = 0.25  # prior of a tilt [rad]
 RADIUS_ERROR = 0.07  # of a picture [pixel]
-BLURRED = 0.1  # error of the radius, and of the oval along the motion, over the way of the hoop during the exposure
+OVAL_ERROR = 0.1  # of its amplitude twice around: coding, and a rolling shutter whose delay was not given [pixel]
+BLURRED = 0.1  # error of both, over the way of the hoop during the exposure
 STARTS = (-0.12, -0.04, 0.04, 0.12)  # tilts from which the search starts [rad]
 LIMITS = ((-0.5, -0.5, -1.2), (0.5, 0.5, 1.2))  # of tilts [rad] and of the logarithm of the focal length
 WORTH = 60.0  # minimum reduction of the sum of squares over the variance by a significant tilt
@@ -107,7 +108,7 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Flo
     # blur and coding add an error of the radius to that of its points, and make an oval of the picture of a rim
     count, wider = np.array([len(points) for points in edges]), BLURRED * blur
     error = np.sqrt(scatter**2 / count + RADIUS_ERROR**2 + wider**2)
-    oval_error = np.sqrt(2.0 * scatter**2 / count + wider**2)
+    oval_error = np.sqrt(2.0 * scatter**2 / count + OVAL_ERROR**2 + wider**2)
 
     def of(values: Floats) -> Camera:
         longer = 1.0 if focal_known else np.exp(values[2])
@@ -119,11 +120,11 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Flo
         fits = [fit_circle(points) for points in flat]
         radii = np.array([fit[2] for fit in fits])
         off = (radii - np.average(radii, weights=error**-2)) / error
-        twice = [-np.cos(2.0 * np.arctan2(*(points - fit[:2]).T)) for points, fit in zip(flat, fits, strict=True)]
-        ovals = [float(fit[3] @ one / (one @ one)) for fit, one in zip(fits, twice, strict=True)]
-        apart = [(fit[3] - oval * one) / scatter for fit, oval, one in zip(fits, ovals, twice, strict=True)]
+        twice = [np.exp(2j * np.arctan2(*(points - fit[:2]).T)) for points, fit in zip(flat, fits, strict=True)]
+        ovals = np.array([2.0 * (fit[3] * one.conj()).mean() for fit, one in zip(fits, twice, strict=True)])
+        apart = [(fit[3] - (oval * one).real) / scatter for fit, oval, one in zip(fits, ovals, twice, strict=True)]
         prior = values / [TILT_SPREAD, TILT_SPREAD, FOCAL_SPREAD]
-        result: Floats = np.concatenate([*apart, ovals / oval_error, off, prior])
+        result: Floats = np.concatenate([*apart, ovals.real / oval_error, ovals.imag / oval_error, off, prior])
         return result
 
     def cost(values: Floats) -> float:

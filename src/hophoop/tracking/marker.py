@@ -116,13 +116,12 @@ def spots(picture: Picture, circle: Circle, marker: Marker | None) -> list[Spot]
     x, y = x + picture.chroma[0], y + picture.chroma[1]
     ratio = np.hypot(x - circle.x, y - circle.y) / circle.radius
     weight = _above_surroundings(blue, red, ratio) if marker is None else _like(marker, blue, red, ratio, circle.radius)
-    labels, _ = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
-    samples, found = np.stack([x, y, blue, red], axis=-1), []
-    for k, box in enumerate(ndimage.find_objects(labels), 1):
-        own = np.where(labels[box] == k, weight[box], 0.0)
-        area = float(own.sum())
+    labels, count = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
+    sums = [ndimage.sum_labels(weight * one, labels, np.arange(count) + 1) for one in (1.0, x, y, blue, red)]
+    found = []
+    for area, *moments in np.transpose(sums).tolist():
         if area >= FEWEST:
-            u, v, cb, cr = (np.einsum("ij,ijk->k", own, samples[box]) / area).tolist()
+            u, v, cb, cr = (moment / area for moment in moments)
             found.append(Spot(u, v, cb, cr, float(np.hypot(u - circle.x, v - circle.y)) / circle.radius, area))
     return sorted(found, key=lambda spot: -spot.area)
 

@@ -150,9 +150,17 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
     values = {channel: _converted(sheet, channel) for channel in used if channel not in ("t", "frame")}
     if "angle" in values:
         values["angle"] = unwrapped(values["angle"])
-    if "x" in values and not ours:
-        check(sheet, values)
-    compare_angles(sheet, values)
+    if "x" in values:
+        nothing = np.full(len(t), np.nan)
+        arm = [values.get(f"marker_{axis}", nothing) - values[axis] for axis in ("x", "y")]
+        towards = unwrapped(np.arctan2(*arm))
+        if not ours:
+            check(sheet, values, np.hypot(*arm), towards)
+        apart = np.exp(1j * (values.setdefault("angle", towards) - towards))
+        if np.isfinite(apart).any() and abs(np.nanmean(apart)) < ALIKE:
+            values["angle"] = towards
+            said = "contradicts the line from the centre to the marker: the marker is used."
+            sheet.notes.append(f"{used['angle'].label} {said}")
     if "omega" in values:
         _orient(sheet, values, t)
     keep = np.isfinite(t)
@@ -416,32 +424,21 @@ def _unit_of_times(t: Floats) -> str:
 # --- values ----------------------------------------------------------------------------------------
 
 
-def check(sheet: Sheet, values: dict[str, Floats]) -> None:
-    """Ask about lengths and places that no hoop has."""
+def check(sheet: Sheet, values: dict[str, Floats], reach: Floats, angle: Floats) -> None:
+    """Ask about lengths and places that no hoop has.
+
+    reach, angle: of the marker from the centre [m], [rad].
+    """
     column, x, y = sheet.used["x"], values["x"], values["y"]
-    across, up = (values.get(f"marker_{axis}", np.full(len(x), np.nan)) - values[axis] for axis in ("x", "y"))
-    there = np.isfinite(across)
-    reach = np.median(np.hypot(across, up)[there]) if there.any() else 0.1
-    if "x" not in sheet.how.units and (column.unit in PIXELS or not REACH[0] < reach < REACH[1]):
-        raise _lengths(sheet, x[there], unwrapped(np.arctan2(across, up))[there])
+    there = np.isfinite(reach)
+    usual = np.median(reach[there]) if there.any() else 0.1
+    if "x" not in sheet.how.units and (column.unit in PIXELS or not REACH[0] < usual < REACH[1]):
+        raise _lengths(sheet, x[there], angle[there])
     radius = sheet.how.radius or 0.0
     still = np.nanmax(x) - np.nanmin(x) < STILL * radius < abs(np.nanmedian(y) - radius)
     if still and not column.unit and "x" not in sheet.how.columns:
-        raise _places_or_sensor(
-            sheet, "has a centre that neither moves nor is at the height of the radius", [column, sheet.used["y"]]
-        )
-
-
-def compare_angles(sheet: Sheet, values: dict[str, Floats]) -> None:
-    """Leave out an angle that contradicts the marker, with a remark."""
-    if {"x", "marker_x", "angle"} <= values.keys():
-        towards = np.arctan2(values["marker_x"] - values["x"], values["marker_y"] - values["y"])
-        apart = np.exp(1j * (values["angle"] - towards))
-        if np.isfinite(apart).any() and abs(np.nanmean(apart)) < ALIKE:
-            del values["angle"]
-            sheet.notes.append(
-                f"{sheet.used['angle'].label} contradicts the line from the centre to the marker: the marker is used."
-            )
+        said = "has a centre that neither moves nor is at the height of the radius"
+        raise _places_or_sensor(sheet, said, [column, sheet.used["y"]])
 
 
 def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> InputError:

@@ -7,11 +7,9 @@ import os
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
 from hophoop.scenario import InputError
 from hophoop.tracking.columns import read_columns
-from hophoop.tracking.quantities import Reading, Sheet, track_from_sheet, unwrapped
+from hophoop.tracking.quantities import Reading, Sheet, track_from_sheet
 from hophoop.tracking.table import Track, parse_json, track_from_dict
 
 MOST_BYTES = 500_000_000
@@ -59,11 +57,11 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
             raise InputError(
                 f"{file} is a track of hophoop, with columns and times of its own: columns, units and rate are for tables."
             )
-        return _fill_in(track_from_dict(data, str(file)), how).between(how.since, how.until)
+        return _completed(track_from_dict(data, str(file)), how)
     if ending not in TABLES:
         raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES[:-1]))} or {TABLES[-1]}.")
     sheet = Sheet(str(file), how, *read_columns(text, str(file), how.rate))
-    return _fill_in(track_from_sheet(sheet, file.name), how).between(how.since, how.until)
+    return _completed(track_from_sheet(sheet, file.name), how)
 
 
 def _text(file: Path) -> str:
@@ -79,9 +77,7 @@ def _text(file: Path) -> str:
     raise InputError(f"{file} is not text: a track is a table or JSON.")
 
 
-def _fill_in(track: Track, how: Reading) -> Track:
-    """Fill in what the file lacks."""
-    angle = track.angle
-    if np.isnan(angle).all():
-        angle = unwrapped(np.arctan2(*(track.marker - track.centre).T))
-    return replace(track, angle=angle, radius=track.radius if how.radius is None else how.radius)
+def _completed(track: Track, how: Reading) -> Track:
+    """Return a track with the radius that the file lacks, in the window of time."""
+    radius = track.radius if how.radius is None else how.radius
+    return replace(track, radius=radius).between(how.since, how.until)
