@@ -229,11 +229,12 @@ def test_it_goes_as_the_kernel_has_it(scenario, what):
 
 def test_kanes_gain():
     """Newton's law with friction that stops the slip creates energy: the event, and the ledger that shows it."""
-    newton = {"impact_law": "newton", "restitution": 0.9, "mu_static": 1.5, "mu_kinetic": 1.5}
+    newton = {"impact_law": "newton", "restitution": 0.9, "mu_static": 1.5, "mu_kinetic": 1.5, "duration": 0.9}
     case = dataclasses.replace(by_name("reversal_in_impact"), **newton)
     ours, kernel = hh.simulate(scenario_of(case), digits=20), hh.simulate(scenario_of(case))
-    gains = [float(event.gain) for event in ours.find("kane_gain")][:5]
-    assert gains == pytest.approx([event.gain for event in kernel.find("kane_gain")][: len(gains)], rel=1e-9)
+    gains = [float(event.gain) for event in ours.find("kane_gain")]
+    assert len(gains) == 3
+    assert gains == pytest.approx([event.gain for event in kernel.find("kane_gain")], rel=1e-9)
     assert abs(ours.energy["residual"]) < Decimal("1e-19")
 
 
