@@ -1,4 +1,4 @@
-"""Where a step leaves its regime: also where a guard is negative, or positive, only between its samples."""
+"""Where a step leaves its regime: also where a margin is negative, or positive, for a moment."""
 
 from __future__ import annotations
 
@@ -6,12 +6,20 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.compliant.contact_step import FRICTION_CHANGE, GUARDS, NONE, RELEASE, SAMPLES, first_exit
-from hophoop.kernel.compliant.records import SIZE, STAGES, VT, Y, Z
+from hophoop.kernel.compliant import contact_step
+from hophoop.kernel.compliant.contact_step import AHEAD, BACK, NONE, RELEASE
+from hophoop.kernel.compliant.records import SIZE, STAGES, VT, Y, Z, new_work
 from hophoop.simulation.compliant import to_compliance
 
-WIDTH = 0.2 / SAMPLES
+WIDTH = 1.0 / 60.0
 FRICTIONS = {"linear": 1.0, "tanh": 4.0}  # the slip speeds below which they roll
+
+
+def first_exit(comp, regime, poly):
+    """(margin, s) of the first margin that falls in a step."""
+    work = new_work()
+    work.poly[:] = poly
+    return contact_step.first_exit(comp, regime, work)
 
 
 def step(slip, friction="linear"):
@@ -24,29 +32,29 @@ def step(slip, friction="linear"):
 
 
 @pytest.mark.parametrize("friction", FRICTIONS)
-@pytest.mark.parametrize("middle", [0.5 / SAMPLES, 0.5, 6.5 / SAMPLES, 1.0 - 0.5 / SAMPLES])
+@pytest.mark.parametrize("middle", [0.04, 0.5, 0.54, 0.96])
 @pytest.mark.parametrize("regime", [1, -1])
 def test_slip_that_ends_for_a_moment(friction, middle, regime):
     """abs(v_t) − limit is 100 ((s − middle)² − width²)."""
     limit = FRICTIONS[friction] * step([0.0] * 3)[0].v_s
-    for width, touch, kind, s in ((WIDTH, 0.0, FRICTION_CHANGE, middle - WIDTH), (0.0, 1e-9, NONE, 1.0)):
+    for width, touch, kind, s in ((WIDTH, 0.0, AHEAD if regime > 0 else BACK, middle - WIDTH), (0.0, 1e-9, NONE, 1.0)):
         square = 100.0 * (middle * middle - width * width)
         comp, poly = step([regime * (limit + touch + square), -regime * 200.0 * middle, regime * 100.0], friction)
-        assert first_exit(comp, regime, poly, np.ones(GUARDS, bool)) == (kind, pytest.approx(s, abs=1e-12))
+        assert first_exit(comp, regime, poly) == (kind, pytest.approx(s, abs=1e-12))
 
 
-def test_the_first_of_two_guards_that_are_negative_between_the_same_samples():
+def test_the_first_of_two_margins_that_are_negative_at_once():
     """The load of a bristle vanishes for a moment, and just before the bristle lets go."""
     _, comp, _, _ = to_compliance(hh.Scenario(contact=hh.Compliant(law="hunt-crossley", friction="bristle")))
-    middle, held, more = 0.5 / SAMPLES, WIDTH**2, 1e-4 * WIDTH
+    middle, held, more = 0.04, WIDTH**2, 1e-4 * WIDTH
     poly = np.zeros((SIZE, STAGES + 1))
     poly[Y, :3] = np.array([middle**2 - WIDTH**2, -2.0 * middle, 1.0]) / -comp.k
     poly[Z, :2] = held / comp.k_t, more / comp.k_t
     roots = np.roots([1.0, -2.0 * middle - more, middle**2 - WIDTH**2 - held])
-    which, s = first_exit(comp, 0, poly, np.ones(GUARDS, bool))
-    assert (which, s) == (FRICTION_CHANGE, pytest.approx(roots.min(), rel=1e-9))
+    which, s = first_exit(comp, 0, poly)
+    assert (which, s) == (AHEAD, pytest.approx(roots.min(), rel=1e-9))
     poly[Z] = 0.0
-    assert first_exit(comp, 0, poly, np.ones(GUARDS, bool)) == (RELEASE, pytest.approx(middle - WIDTH, rel=1e-9))
+    assert first_exit(comp, 0, poly) == (RELEASE, pytest.approx(middle - WIDTH, rel=1e-9))
 
 
 @pytest.mark.parametrize("side", [1, -1])
@@ -56,8 +64,8 @@ def test_creep_that_lasts_for_a_moment(side, width):
     limit = side * step([0.0] * 3)[0].v_s
     for way, end in ((-1.0, 2.0 * width), (1.0, 0.0)):
         comp, poly = step([limit, way * 2.0 * limit / width, limit / width**2])
-        found = first_exit(comp, 0, poly, np.zeros(GUARDS, bool))
-        assert found == (FRICTION_CHANGE, pytest.approx(end, rel=1e-12))
+        found = first_exit(comp, 0, poly)
+        assert found == (AHEAD if side > 0 else BACK, pytest.approx(end, rel=1e-12))
 
 
 @pytest.mark.parametrize(("friction", "ratio"), [("linear", 1.0), ("bristle", 1.0), ("bristle", 0.5)])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev
 
-from hophoop.kernel.numerics.collocation import NOT_FOUND
+from hophoop.kernel.numerics.collocation import FAR_FROM_ZERO, NOT_FOUND, margin_downcrossing
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.anchor import rolling_anchor
 from hophoop.kernel.panels.panel import COSINE, SLIP, U, linear_panel
@@ -30,7 +30,7 @@ LATER = 1e-4 * (1.0 + NODES) * (0.5 - NODES)
 
 def fall(values, begins=False, floor=0.0):
     """(ξ, whether a tangency may be near)."""
-    return panel_events.margin_downcrossing(np.array(values), begins, floor, SCRATCH)
+    return margin_downcrossing(np.array(values), begins, floor, SCRATCH)
 
 
 @pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
@@ -47,7 +47,7 @@ def test_a_margin_falls_through_zero_or_touches_it(size):
         (0.5 + NODES, True, 0.0, NOT_FOUND),  # it rises, or stays
         (ONE, False, 0.0, NOT_FOUND),
         # a function that the panel resolves does not go far below its nodes: no zero is looked for
-        (1.3 * 2.0 * panel_events.FAR_FROM_ZERO + (1.0 + NODES), False, 0.0, NOT_FOUND),
+        (1.3 * 2.0 * FAR_FROM_ZERO + (1.0 + NODES), False, 0.0, NOT_FOUND),
         # below zero at the begin of a panel it has fallen there, also where no node shows it
         (-0.5 + NODES, False, 0.0, -1.0),
         (0.0 * NODES, False, 0.0, -1.0),

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from hophoop.kernel.compliant.contact_step import GUARDS, contact_step
+from hophoop.kernel.compliant.contact_step import contact_step
 from hophoop.kernel.compliant.motion import contact_force
 from hophoop.kernel.compliant.records import (
     DAMPING,
@@ -34,7 +34,6 @@ from hophoop.kernel.compliant.records import (
     X,
     Y,
     Z,
-    add_revolutions,
     append_segment,
     begin_phase,
     end_motion,
@@ -43,9 +42,10 @@ from hophoop.kernel.compliant.records import (
     within_revolution,
     write_plain_event,
 )
+from hophoop.kernel.native import replaced
 from hophoop.kernel.numerics.arithmetic import TWO_PI, TWO_PI_LOW, revolutions_and_rest
 from hophoop.kernel.numerics.circular import sine_and_cosine
-from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing
+from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, margin_downcrossing
 from hophoop.kernel.numerics.exponentials import exponential
 from hophoop.kernel.numerics.tables import NODES
 from hophoop.kernel.panels.landing import first_landing
@@ -112,20 +112,11 @@ def fly_below(body, comp, begin, f_n, limit, work):
             y, vn = flight_gap(body, s, c, om, begin[Y], begin[VN], f_n, tau)
             work.values[0, i] = -y
             work.values[1, i] = _negative_contact_condition(comp, y, vn)
-        what = LASTS
-        best = NOT_FOUND
-        coefficients(work.values[0], work.series)
-        xi = first_downcrossing(work.series, 0.0, work.stack)
-        if xi != NOT_FOUND:
-            best = xi
-            what = CLEAR
-        coefficients(work.values[1], work.series)
-        xi = first_downcrossing(work.series, 0.0, work.stack)
-        if xi != NOT_FOUND and (best == NOT_FOUND or xi < best):
-            best = xi
-            what = LANDED
-        if what != LASTS:
-            return what, start + 0.5 * length * (1.0 + best)
+        clear = margin_downcrossing(work.values[0], True, 0.0, work)[0]
+        landed = margin_downcrossing(work.values[1], True, 0.0, work)[0]
+        first = min(clear, landed)
+        if first != NOT_FOUND:
+            return (CLEAR if clear <= landed else LANDED), start + 0.5 * length * (1.0 + first)
         start += length
         length *= 2.0
     return GIVEN_UP, start
@@ -159,7 +150,8 @@ def flight_step(body, comp, phase, t_end, log, work):
         write_plain_event(log, APEX, FLIGHT, FLIGHT, t + apex, phase.revolutions + more, work.start)
     after = t_end if what == LASTS else t + tau
     append_segment(log, phase, after, FLY, f_n, work)
-    phase = add_revolutions(phase, fly_state(body, comp, u, f_n, tau, work.start))
+    more = fly_state(body, comp, u, f_n, tau, work.start)
+    phase = replaced(phase, revolutions=phase.revolutions + more)
     if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
         work.start[Y] = 0.0
     for m in range(SIZE):
@@ -212,7 +204,6 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, rows, reach
     these are only counted. `reached[0]` is the computed fraction of the time, for another thread.
     """
     work = new_work()
-    armed = np.zeros(GUARDS, np.bool_)
     for m in range(SIZE):
         work.state[m] = start[m]
     set_tolerances(body, comp, work)
@@ -225,7 +216,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, rows, reach
         elif phase.mode == FLIGHT:
             phase = flight_step(body, comp, phase, t_end, log, work)
         else:
-            phase = contact_step(body, comp, phase, t_end, rtol, armed, log, work)
+            phase = contact_step(body, comp, phase, t_end, rtol, log, work)
         reached[0] = phase.t / t_end
     write_plain_event(log, END, phase.mode, phase.mode, phase.t, phase.revolutions, work.state)
     if log.counts[EVENTS] < 0:

@@ -61,7 +61,8 @@ class Work(NamedTuple):
     atol: np.ndarray
     poly: np.ndarray  # Σ_j poly[:, j] s^j
     start: np.ndarray
-    values: np.ndarray  # for flight
+    nodes: np.ndarray  # the dynamic variables at the nodes of a panel
+    values: np.ndarray  # of margins there
     series: np.ndarray
     stack: np.ndarray
 
@@ -90,6 +91,7 @@ def new_work():
         np.zeros(SIZE),
         np.zeros((SIZE, STAGES + 1)),
         np.zeros(SIZE),
+        np.zeros((DYNAMIC, ORDER)),
         np.zeros((2, ORDER)),
         np.zeros(ORDER),
         np.zeros((DEPTH + 3, ORDER + 2)),
@@ -118,19 +120,17 @@ class Phase(NamedTuple):
 
 def begin_phase(phase, t, mode, regime):
     """Start a phase at the time t."""
-    return Phase(t, phase.revolutions, phase.behind, mode, regime, True, phase.h, phase.before, phase.direction, GOING)
+    return replaced(phase, t=t, mode=mode, regime=regime, begins=True)
 
 
 def with_step(phase, h, before):
     """Return the same phase with another step length."""
-    return Phase(phase.t, phase.revolutions, phase.behind, phase.mode, phase.regime, False, h, before, phase.direction, GOING)
+    return replaced(phase, begins=False, h=h, before=before)
 
 
 def end_motion(phase, t, status):
     """End the motion in this phase."""
-    return Phase(
-        t, phase.revolutions, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.direction, status
-    )
+    return replaced(phase, t=t, begins=False, status=status)
 
 
 def within_revolution(revolutions, th):
@@ -139,14 +139,6 @@ def within_revolution(revolutions, th):
         return revolutions, th
     more, rest, low = revolutions_and_rest(th)
     return revolutions + more, rest + low
-
-
-def add_revolutions(phase, revolutions):
-    """Return the same phase with more revolutions."""
-    return Phase(
-        phase.t, phase.revolutions + revolutions, phase.behind, phase.mode, phase.regime, phase.begins,
-        phase.h, phase.before, phase.direction, phase.status,
-    )  # fmt: skip
 
 
 def mode_of(regime):

@@ -420,3 +420,40 @@ def first_downcrossing_after(series, begin, floor, stack):
         stack[top + 1, ORDER + 1] = middle
         top += 1
     return NOT_FOUND
+
+
+# If the minimum at the nodes exceeds this fraction of the range, the margin has no zero on the panel: between the nodes and at
+# the ends a resolved function overshoots by less than 10 % of the range.
+FAR_FROM_ZERO = 0.25
+NEARBY = 0.015  # relative to the range of a margin on a panel: (half the distance of two nodes)² / half the panel's width
+
+
+@inline
+def margin_downcrossing(row, begins, floor, scratch):
+    """Find ξ where a margin falls through zero; ξ = −1 if it is below zero at the start.
+
+    Values within ±`floor` count as zero, as they would be without rounding. A margin that starts there counts as below zero if
+    the first node outside ±`floor` is below, so that the sign of rounding at the start decides nothing.
+
+    Returns
+    -------
+    xi : float
+    near : bool
+        True if the margin may touch zero between the nodes: at a node next to a tangency it is below NEARBY of its range.
+    """
+    lowest, highest = extremes(row)
+    if lowest > FAR_FROM_ZERO * (highest - lowest):
+        return NOT_FOUND, False
+    near = abs(lowest) < NEARBY * (highest - lowest)
+    coefficients(row, scratch.series)
+    if not begins:
+        start = left_value(scratch.series)
+        if start < -floor or (start <= 0.0 and floor == 0.0):
+            return -1.0, near
+        if start <= floor:
+            for i in range(ORDER):
+                if row[i] < -floor:
+                    return -1.0, near
+                if row[i] > floor:
+                    break
+    return first_downcrossing(scratch.series, floor, scratch.stack), near

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from hophoop.kernel.native import compiled, noinline
-from hophoop.kernel.numerics.arcs import arccosine as arccosine_of
 from hophoop.kernel.numerics.arcs import arcsine as arcsine_of
 from hophoop.kernel.numerics.arcs import arctangent2 as arctangent2_of
 from hophoop.kernel.numerics.arcs import hypotenuse as hypotenuse_of
@@ -24,7 +23,7 @@ from hophoop.kernel.numerics.exponentials import logarithm as logarithm_of
 Arrays = Any  # a float, or an array of floats
 
 
-SINE, COSINE, TANGENT, ARCSINE, ARCCOSINE, ARCTANGENT2, HYPOTENUSE, EXPONENTIAL, LOGARITHM = range(9)
+SINE, COSINE, TANGENT, ARCSINE, ARCTANGENT2, HYPOTENUSE, EXPONENTIAL, LOGARITHM = range(8)
 
 
 @noinline
@@ -38,8 +37,6 @@ def value(function, x, y):
         return tangent_of(x)
     if function == ARCSINE:
         return arcsine_of(x)
-    if function == ARCCOSINE:
-        return arccosine_of(x)
     if function == ARCTANGENT2:
         return arctangent2_of(x, y)
     if function == HYPOTENUSE:
@@ -92,11 +89,6 @@ def tangent(x: Arrays) -> Any:
 def arcsine(x: Arrays) -> Any:
     """Return the angle from −π/2 to π/2 with this sine; nan outside of [−1, 1]."""
     return _values(ARCSINE, x)
-
-
-def arccosine(x: Arrays) -> Any:
-    """Return the angle from 0 to π with this cosine; nan outside of [−1, 1]."""
-    return _values(ARCCOSINE, x)
 
 
 def arctangent2(y: Arrays, x: Arrays) -> Any:

@@ -14,7 +14,7 @@ from hophoop.kernel.numerics.collocation import (
     extremes,
     first_downcrossing,
     first_downcrossing_after,
-    left_value,
+    margin_downcrossing,
     series_value,
 )
 from hophoop.kernel.panels.panel import (
@@ -39,44 +39,9 @@ from hophoop.kernel.rigid.phase import ROUNDING, Ending, angle_left
 
 SMALLEST_SQUARE = 1e-290  # the square of a speed below this is close to underflow
 MARGIN_ROUNDING = 4e-16  # rounding of the margin to the friction cone, relative to the forces
-# If the minimum at the nodes exceeds this fraction of the range, the margin has no zero on the panel: between the nodes and at
-# the ends a resolved function overshoots by less than 10 % of the range.
-FAR_FROM_ZERO = 0.25
 SIMULTANEOUS = 1e-13  # in ξ: events of a panel that are closer than this are simultaneous in double precision
 TANGENCY_ROUNDING = 1e-14  # rounding of v_t in slip without friction, relative to the speeds
 CLOSE = 1e-11  # relative to the natural size of a quantity; a smaller value may have either sign
-NEARBY = 0.015  # relative to the range of a margin on a panel: (half the distance of two nodes)² / half the panel's width
-
-
-@inline
-def margin_downcrossing(row, begins, floor, scratch):
-    """Find ξ where a margin falls through zero; ξ = −1 if it is below zero at the start.
-
-    Values within ±`floor` count as zero, as they would be without rounding. A margin that starts there counts as below zero if
-    the first node outside ±`floor` is below, so that the sign of rounding at the start decides nothing.
-
-    Returns
-    -------
-    xi : float
-    near : bool
-        True if the margin may touch zero between the nodes: at a node next to a tangency it is below NEARBY of its range.
-    """
-    lowest, highest = extremes(row)
-    if lowest > FAR_FROM_ZERO * (highest - lowest):
-        return NOT_FOUND, False
-    near = abs(lowest) < NEARBY * (highest - lowest)
-    coefficients(row, scratch.series)
-    if not begins:
-        start = left_value(scratch.series)
-        if start < -floor or (start <= 0.0 and floor == 0.0):
-            return -1.0, near
-        if start <= floor:
-            for i in range(ORDER):
-                if row[i] < -floor:
-                    return -1.0, near
-                if row[i] > floor:
-                    break
-    return first_downcrossing(scratch.series, floor, scratch.stack), near
 
 
 @noinline
