@@ -15,12 +15,11 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.maps import coordinates
-from hophoop.kernel.model import Event, Status
-from hophoop.precise.motion import Record
 from hophoop.precise.problem import Problem
 from hophoop.precise.result import Units
-from hophoop.precise.solver import Solution, solve_problem
 from hophoop.scenario import InputError, time_unit
+from hophoop.simulation.precise_until import solve_until
+from hophoop.simulation.until import NOTHING
 from hophoop.vocabulary.names import sequence_of
 
 if TYPE_CHECKING:
@@ -32,8 +31,6 @@ LEAST, MOST = 16, 40  # digits
 SPARE = 10  # digits computed beyond
 LEVELS, WIDEST = 4, 2**-14  # of differences for the multiplier, and the first step relative to θ̇
 STEPS = 8  # of Newton's method
-BEYOND = 1e-6  # √(R/g), by which a motion is solved beyond the landing that ends a period
-FAR = 0.5  # rad: a passage that is farther from the kernel's is another one
 
 
 class PreciseGait(NamedTuple):
@@ -108,46 +105,21 @@ def _multiplier(gait: Gait, state: State, digits: int) -> tuple[Decimal, Decimal
 def _image(gait: Gait, state: State, digits: int) -> State:
     """Return the coordinates after a period, θ within the revolution of the start."""
     exact: dict[str, Any] = {name: Fraction(value) for name, value in state.items()}
-    problem = replace(Problem.of(gait.scenario), **exact)
+    until = NOTHING._replace(landings=gait.period)
     if gait.section == "bottom":
-        problem = replace(problem, angle=Fraction(_pi(digits + 2 * SPARE)))
-        solution, last = _to_bottom(gait, problem, digits)
-    else:
-        solution, last = _to_landing(gait, problem, digits)
-    records = solution.records[: solution.records.index(last) + 1]
+        exact["angle"] = Fraction(_pi(digits + 2 * SPARE))
+        until = NOTHING._replace(revolutions=abs(gait.revolutions))
+    about = gait.time / time_unit(gait.scenario.hoop, gait.scenario.plane)
+    solution = solve_until(replace(Problem.of(gait.scenario), **exact), digits + SPARE, until, about)
+    if solution is None:
+        raise InputError(f"In {digits} digits the motion does not come back to the section.")
+    records, units = solution.records, Units(solution.body, digits + 2 * SPARE)
     found = sequence_of([one.kind for one in records], [one.after_mode for one in records], [one.state.t for one in records])
     if found != _phases(gait):
         raise InputError(f"In {digits} digits a motion near the gait has the phases {found}, not {_phases(gait)}.")
-    units = Units(solution.body, digits + 2 * SPARE)
-    revolved = 2 * units.ctx.pi * gait.revolutions
-    values = {"omega": last.state.om, "slip": last.state.vt, "vy": last.state.vn, "angle": last.state.th - revolved}
+    last, revolved = records[-1].state, 2 * units.ctx.pi * gait.revolutions
+    values = {"omega": last.om, "slip": last.vt, "vy": last.vn, "angle": last.th - revolved}
     return {name: units.decimal(values[name], units.of(name)) for name in state}
-
-
-def _to_bottom(gait: Gait, problem: Problem, digits: int) -> tuple[Solution, Record]:
-    """Return the motion up to the end of the period at the bottom, by Newton's method on its time."""
-    t = gait.time / time_unit(gait.scenario.hoop, gait.scenario.plane)
-    for _ in range(STEPS):
-        solution = solve_problem(problem, digits + SPARE, until=t)
-        last, ctx = solution.records[-1], solution.body.ctx
-        ahead = solution.body.number(problem.angle) + 2 * ctx.pi * gait.revolutions - last.state.th
-        if solution.status != Status.COMPLETED or last.state.om == 0 or not abs(ahead) < FAR:
-            break
-        if abs(ahead) < ctx.mpf(10) ** -(digits + SPARE):
-            return solution, last
-        t = ctx.mpf(t) + ahead / last.state.om
-    raise InputError(f"In {digits} digits the motion does not come back to the section.")
-
-
-def _to_landing(gait: Gait, problem: Problem, digits: int) -> tuple[Solution, Record]:
-    """Return the motion up to just after the landing that ends the period, and the event of this landing."""
-    t = gait.time / time_unit(gait.scenario.hoop, gait.scenario.plane)
-    solution = solve_problem(problem, digits + SPARE, until=t + BEYOND)
-    kinds = {Event.IMPACT, Event.BOUNCE_LIMIT}
-    landings = [one for one in solution.records if one.kind in kinds and one.collision is not False]
-    if len(landings) < gait.period:
-        raise InputError(f"In {digits} digits the motion does not come back to the section.")
-    return solution, landings[gait.period - 1]
 
 
 def _phases(gait: Gait) -> str:

@@ -11,8 +11,9 @@ from hophoop._version import __version__
 from hophoop.kernel.model import PASSING, Event, Mode, Status
 from hophoop.kernel.records import STOP_AT_TURN, Until
 from hophoop.precise.motion import Record
+from hophoop.precise.problem import Problem
 from hophoop.precise.result import PreciseMotion, motion_of
-from hophoop.precise.solver import Solution, check, solve
+from hophoop.precise.solver import Solution, check, solve, solve_problem
 from hophoop.scenario import Scenario, time_unit
 from hophoop.simulation.rigid import simulate_rigid
 
@@ -34,22 +35,28 @@ def simulate_precisely_until(scenario: Scenario, digits: int, asked: str, until:
     check(scenario, digits)
     end = simulate_rigid(scenario, until).events[-1]
     ends = end["t"] < scenario.duration / time_unit(scenario.hoop, scenario.plane)
-    solution = None
-    if until.stop or until.landings:
-        solution = _to_event(scenario, digits, until, float(end["t"]) + AFTER if ends else None)
-    elif ends:
-        solution = _to_passage(scenario, digits, until, end)
+    solution = solve_until(Problem.of(scenario), digits, until, float(end["t"]) if ends else None)
     ended = solution is not None and solution.status == Status.COMPLETED
     return motion_of(scenario, solution or solve(scenario, digits), digits, __version__, asked if ended else None)
 
 
-def _to_event(scenario: Scenario, digits: int, until: Until, about: float | None) -> Solution | None:
+def solve_until(problem: Problem, digits: int, until: Until, about: float | None) -> Solution | None:
+    """Return the motion up to what ends it before its duration; None if that does not happen.
+
+    about: The time of the end in double precision, if there is one.
+    """
+    if until.stop or until.landings:
+        return _to_event(problem, digits, until, about)
+    return None if about is None else _to_passage(problem, digits, until, about)
+
+
+def _to_event(problem: Problem, digits: int, until: Until, about: float | None) -> Solution | None:
     """Return the motion up to just after the event that ends it; None if there is no such event.
 
-    about: A time after the event in double precision, if it has one. Bounces that accumulate are more in extended precision.
+    about: Its time in double precision, if there is one. Bounces that accumulate are more in extended precision.
     """
-    for end in (about, None) if about is not None else (None,):
-        solution = solve(scenario, digits, until=end)
+    for end in (None,) if about is None else (about + AFTER, None):
+        solution = solve_problem(problem, digits, until=end)
         row = _row_of_end(solution.records, until)
         if row is not None:
             return _ended(solution, row)
@@ -87,11 +94,11 @@ def _ended(solution: Solution, row: int) -> Solution:
     return replace(solution, status=Status.COMPLETED, records=records, digits_right=(*right, right[-1]))
 
 
-def _to_passage(scenario: Scenario, digits: int, until: Until, rough: Any) -> Solution | None:
+def _to_passage(problem: Problem, digits: int, until: Until, about: float) -> Solution | None:
     """Return the motion up to where θ passes the angle that ends it, by Newton's method on its time."""
-    t: Any = float(rough["t"])
+    t: Any = about
     for _ in range(MOST):
-        solution = solve(scenario, digits, until=t)
+        solution = solve_problem(problem, digits, until=t)
         ctx, state = solution.body.ctx, solution.records[-1].state
         start = solution.records[0].state.th
         if math.isnan(until.angle):
