@@ -1,4 +1,4 @@
-"""What is written by hand about one event or piece: impacts between two courses, a disturbed equilibrium."""
+"""What is written by hand about one event or piece: impacts between two courses, an unstable equilibrium."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import hophoop as hh
 from hophoop.derivatives.events.impact import CLOSE, JUMP, Blow, distance, impact_change, is_between_courses, tangent_from
 from hophoop.derivatives.layout import STILL, Reason
 from hophoop.derivatives.parameters import value_of
-from hophoop.derivatives.pieces.flight_and_rest import perturbed_rest
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.contact import contact_arms
 from hophoop.kernel.physics.impacts import impact, slip_rates, stick_rates
@@ -90,16 +89,3 @@ def test_a_start_at_an_unstable_equilibrium_to_rounding(slope, gamma, mu, vx, du
         low, high = (hh.simulate(scenario.with_values({path: value + side * step})).events[-1] for side in (-1.0, 1.0))
         true = [(high.omega - low.omega) / (2.0 * step), (high.angle - low.angle) / (2.0 * step)]
         assert found[:, k] == pytest.approx(true, rel=1e-6)
-
-
-@pytest.mark.parametrize("stiffness", [2.0, -2.0, 1e-9, -1e-9])
-@pytest.mark.parametrize("tau", [1e-3, 0.5, 3.0])
-def test_a_disturbed_equilibrium(stiffness, tau):
-    """δθ̈ = k δθ + b by power series."""
-    angle, rate, drive = 0.3, -0.7, 0.9
-    terms = [angle, rate, 0.5 * (stiffness * angle + drive)]
-    for n in range(3, 60):
-        terms.append(stiffness * terms[n - 2] / (n * (n - 1)))
-    there = sum(term * tau**n for n, term in enumerate(terms))
-    speed = sum(n * term * tau ** (n - 1) for n, term in enumerate(terms) if n)
-    assert perturbed_rest(stiffness, drive, angle, rate, tau) == pytest.approx((there, speed), rel=1e-13)

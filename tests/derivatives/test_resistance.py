@@ -40,17 +40,6 @@ def test_derivatives_to_one_side(scenario, path, side, of):
         assert SIDED in {reason for row in result.reasons for reason in row}
 
 
-def test_the_hop_loses_height_at_the_rate_of_small_resistances():
-    """The derivative at f = 0 is the limit of those at f > 0, and of the loss of height itself."""
-    scenario = hh.Scenario(duration=1.8)
-    of = ["takeoff.angle", "hop.height", "energy_lost", "at(1.3).x", "at(1.3).rolling_resistance"]
-    none = hh.sensitivity(scenario, of, RESISTANCE).larger[:, 0]
-    little = hh.sensitivity(scenario.with_values({RESISTANCE: 1e-7}), of, RESISTANCE)
-    assert little.reasons == (("",),) * 5
-    assert little.derivatives[:, 0] == pytest.approx(none, rel=2e-4)
-    assert none[1] == pytest.approx((0.2706 - 0.2919) / 0.001, rel=0.02)
-
-
 def test_the_edge_of_rest():
     """Where the couple is just enough to hold the hoop, or just not, the least change decides which."""
     angle = math.pi - math.asin(0.05 / 0.75)

@@ -33,7 +33,7 @@ def tangent_of(kernel: Callable[..., Any], *changing: str) -> Callable[..., Any]
     kernel : callable
         Function of floats and named tuples.
     *changing : str
-        The arguments that change: `s`, all fields of `body`, or one field, `body.eps`.
+        The arguments that change: `s`, or all fields of `body`.
 
     Returns
     -------
@@ -54,12 +54,12 @@ def tangent_of(kernel: Callable[..., Any], *changing: str) -> Callable[..., Any]
 
 
 def _tangent(name: str) -> str:
-    """Return the name of the tangent of an argument, a field or a local variable."""
-    return f"d_{name.replace('.', '_')}"
+    """Return the name of the tangent of an argument or a local variable."""
+    return f"d_{name}"
 
 
 def _name_of(kernel: str, changing: Iterable[str]) -> str:
-    return f"{_tangent(kernel)}_by_{'_'.join(changing).replace('.', '_')}"
+    return f"{_tangent(kernel)}_by_{'_'.join(changing)}"
 
 
 def _names_in(node: ast.AST) -> set[str]:
@@ -99,12 +99,11 @@ class _Writer:
         """Return the local names that have a tangent somewhere."""
         moving = set(self.changing)
         while True:
-            bases = {name.partition(".")[0] for name in moving}
             found = set(moving)
             for node in ast.walk(self.definition):
-                if isinstance(node, ast.Assign) and _names_in(node.value) & bases:
+                if isinstance(node, ast.Assign) and _names_in(node.value) & moving:
                     found.update(*map(_names_in, node.targets))
-                elif isinstance(node, ast.AugAssign) and _names_in(node.value) & bases:
+                elif isinstance(node, ast.AugAssign) and _names_in(node.value) & moving:
                     found |= _names_in(node.target)
             if found == moving:
                 return moving
@@ -142,7 +141,7 @@ class _Writer:
                 self._assign(node.target, ast.BinOp(ast.Name(name), node.op, node.value))
             case ast.Return(value=ast.expr() as result):
                 value, tangent = self._pair(result)
-                self._write(f"return {value}, {tangent or self._zero(result)}")
+                self._write(f"return {value}, {tangent or '0.0'}")
             case ast.If():
                 self._inner(f"if {ast.unparse(node.test)}:", node.body)
                 if node.orelse:
@@ -153,12 +152,6 @@ class _Writer:
                 self._write(ast.unparse(node))
             case _:
                 raise self._refusal(node)
-
-    def _zero(self, node: ast.expr) -> str:
-        """Return the tangent of a result that does not change."""
-        if isinstance(node, ast.Tuple):
-            return f"({', '.join(map(self._zero, node.elts))},)"
-        return "0.0"
 
     def _assign(self, target: ast.expr, value: ast.expr) -> None:
         text, tangent = self._pair(value)
@@ -183,8 +176,8 @@ class _Writer:
                 return f"({ast.unparse(node)})", None
             case ast.Name(id=name):
                 return name, _tangent(name) if name in self.moving else None
-            case ast.Attribute():
-                return ast.unparse(node), self._of_field(node)
+            case ast.Attribute(value=ast.Name(id=name)):
+                return ast.unparse(node), f"{_tangent(name)}.{node.attr}" if name in self.moving else None
             case ast.Subscript():
                 value, tangent = self._pair(node.value)
                 place = ast.unparse(node.slice)
@@ -196,21 +189,13 @@ class _Writer:
                 return self._binary(node)
             case ast.Tuple():
                 pairs = [self._pair(each) for each in node.elts]
-                moves = any(tangent for _, tangent in pairs)
                 tangents = ", ".join(tangent or "0.0" for _, tangent in pairs)
-                return f"({', '.join(value for value, _ in pairs)},)", f"({tangents},)" if moves else None
+                return f"({', '.join(value for value, _ in pairs)},)", f"({tangents},)"
             case ast.IfExp():
                 return self._choice(node)
             case ast.Call():
                 return self._call(node)
         raise self._refusal(node)
-
-    def _of_field(self, node: ast.Attribute) -> str | None:
-        place = ast.unparse(node)
-        if place in self.changing:
-            return _tangent(place)
-        base = ast.unparse(node.value)
-        return f"{_tangent(base)}.{node.attr}" if base in self.moving else None
 
     def _binary(self, node: ast.BinOp) -> Pair:
         a, da = self._pair(node.left)
@@ -234,7 +219,7 @@ class _Writer:
         """A conditional expression, as a branch."""
         self.count += 1
         name = f"v{self.count}_"
-        if _names_in(node) & {each.partition(".")[0] for each in self.moving}:
+        if _names_in(node) & self.moving:
             self.moving.add(name)
         for head, value in ((f"if {ast.unparse(node.test)}:", node.body), ("else:", node.orelse)):
             self._inner(head, [ast.Assign([ast.Name(name)], value)])
@@ -247,7 +232,8 @@ class _Writer:
         function = eval(called, self.names)
         if function in CONSTANT:
             return plain, None
-        tangents = self._tangents_for(function, node.args, values)
+        own = inspect.signature(source_of(function)).parameters if is_kernel(function) else map(str, range(len(values)))
+        tangents = {name: tangent for name, (_, tangent) in zip(own, values, strict=False) if tangent}
         if not tangents:
             return plain, None
         if function in RULES:
@@ -259,15 +245,3 @@ class _Writer:
         self.names[made.__name__] = made
         both = self._keep(f"{made.__name__}({', '.join([*(value for value, _ in values), *given])})")
         return f"{both}[0]", f"{both}[1]"
-
-    def _tangents_for(self, function: Any, arguments: list[ast.expr], values: list[Pair]) -> dict[str, str]:
-        """Return the tangents that a call of a kernel takes, by the names of its own arguments."""
-        own = inspect.signature(source_of(function)).parameters if is_kernel(function) else map(str, range(len(values)))
-        found = {}
-        for name, argument, (text, tangent) in zip(own, arguments, values, strict=False):
-            if tangent:
-                found[name] = tangent
-            for field in self.changing:
-                if isinstance(argument, ast.Name) and field.startswith(f"{text}."):
-                    found[f"{name}.{field.partition('.')[2]}"] = _tangent(field)
-        return found
