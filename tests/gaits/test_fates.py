@@ -77,15 +77,6 @@ def test_with_less_friction_in_slip_the_slip_ends():
     assert found.sequences[20] != "R"
 
 
-@pytest.mark.parametrize(("beyond", "period"), [(-1e-4, 2), (-1e-5, 2), (1e-4, 4)])
-def test_a_gait_next_to_its_doubling_has_its_own_period(beyond, period):
-    """At 1.195297240190° a gait of two passages doubles. Its multiplier is near −1 before: two periods ago was near."""
-    given = scenario(3.45, angle=math.pi, slope=math.radians(1.195297240190 + beyond))
-    found = hh.passages(given, 300_000, until_decided=True)
-    assert abs(found.omega[-1] - found.omega[-3]) > 3e-8  # more than what is near
-    assert (found.decided, found.period) == (Fate.GAIT, period)
-
-
 def test_gears_are_told_apart():
     """γ = 0.15 on 3°: one hop in 1, 2 and 3 revolutions, each a gait of one passage."""
     gears = [scenario(speed, angle=math.pi, gamma=0.15, slope=THREE) for speed in (3.5, 6.1, 8.0)]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.maps import known_image, value_of
+from hophoop.gaits.maps import SectionMap, value_of
 from slopes import on_slope
 
 GOOD = {"rel": 1e-9}
@@ -50,8 +50,9 @@ def doubled(special, share=1e-5):
 
 def parameter_rates(found, path):
     """Rates of the coordinates at the last passage by those at the start, and by a parameter."""
-    image_of, image, point = known_image(found, -1, len(found), path)
-    rates = image_of.rates(image, np.append(point, value_of(found.scenario, path)), exact=True, sided=False)
+    image_of = SectionMap(found.scenario, len(found), found.section, found.sequences[0][0], path)
+    point = image_of.point(found.scenario.start, value_of(found.scenario, path))
+    rates = image_of.rates(image_of(point), point, exact=True, sided=False)
     return rates[:, :-1], rates[:, -1]
 
 

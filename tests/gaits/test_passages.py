@@ -22,23 +22,10 @@ def test_rolling_to_and_fro_passes_the_bottom_as_fast(degrees, omega):
     assert found.angle == pytest.approx([math.pi] * 12, abs=1e-12)
 
 
-def test_derivative_against_digits():
-    """Differences of motions in 30 digits, over a revolution with slip and a hop that is no gait."""
-    scenario = on_slope(3.0, 0.5, 2.7)
-
-    def passage(omega):
-        motion = hh.simulate(scenario.replace("start.speed", omega), until="revolutions:1", digits=30)
-        return motion.events[-1].omega
-
-    step = 2.0**-14
-    wide, narrow = (float(passage(2.7 + h) - passage(2.7 - h)) / (2 * h) for h in (step, 0.5 * step))
-    assert hh.gaits.derivative(scenario).matrix[0, 0] == pytest.approx((4 * narrow - wide) / 3, rel=1e-9)
-
-
 def test_sections_share_multipliers():
     """At the landing the state has three numbers, of which only one direction does not vanish at once."""
     found = hh.passages(on_slope(3.0, 0.5, 2.7), 300, section="landing")
-    derivative = found.derivative(290)
+    derivative = hh.gaits.derivative(found.scenario.replace("start", found.start(290)), section="landing")
     assert derivative.rows == derivative.columns == ("angle", "omega", "slip")
     assert derivative.multipliers[0].real == pytest.approx(-0.768024, abs=1e-6)
     assert abs(derivative.multipliers[1:]).max() < 1e-10
@@ -125,9 +112,6 @@ def test_a_derivative_needs_the_section():
         hh.gaits.derivative(hh.Scenario())
     with pytest.raises(ValueError, match=r"passes its section no more"):
         hh.gaits.derivative(on_slope(1.0, 0.75, 3.4).with_values({"plane.slope": 0.0, "start.speed": 0.0}))
-    found = hh.passages(on_slope(1.0, 0.75, 3.4), 3)
-    with pytest.raises(ValueError, match=r"must be among the 3 computed"):
-        found.derivative(2)
 
 
 def test_a_corner_in_slip_has_no_derivative():

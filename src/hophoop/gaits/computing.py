@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from hophoop._support.errors import check_type, check_whole
 from hophoop.gaits.kernels.cells import judge_cells
-from hophoop.gaits.kernels.layout import CODES, COLUMNS, FEW_EVENTS, INTEGERS, NUMBERS, SECTIONS, Buffers, Request
-from hophoop.gaits.kernels.passages import SIZE, follow_passages, lands_no_more
+from hophoop.gaits.kernels.layout import CODES, NUMBERS, SECTIONS, Request
+from hophoop.gaits.kernels.passages import follow_passages, lands_no_more, new_buffers
 from hophoop.gaits.results import Passages
 from hophoop.kernel.model import Status
 from hophoop.kernel.native import compiled
-from hophoop.kernel.records import EVENT, SEGMENT, State, mode_of, new_scratch, second_of, start_of
+from hophoop.kernel.records import mode_of, new_scratch, second_of, start_of
 from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.names import FATE_CODES, Fate
 
@@ -97,17 +97,7 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
         bottom = Request(SECTIONS.index("bottom"), PATIENCE, FOREVER, PANELS, True)
         fate = compiled(follow_passages)(body, begin, mode, bottom, new_buffers(PATIENCE), scratch)[2]
     name = "going" if status < 0 else Status(status).name.lower()
-    return Passages(
-        scenario, section, buffers.numbers[:found], buffers.words[:found], _as_row(begin), name, FATE_CODES[fate], period
-    )
-
-
-def new_buffers(rows: int) -> Buffers:
-    """Return the arrays for a number of passages."""
-    return Buffers(
-        np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.uint64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
-        np.empty(0, SEGMENT),
-    )  # fmt: skip
+    return Passages(scenario, section, buffers.numbers[:found], buffers.words[:found], name, FATE_CODES[fate], period)
 
 
 def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "bottom") -> Judgement:
@@ -157,7 +147,7 @@ def judged(cells: NDArray[np.float64], request: Request) -> tuple[NDArray[np.int
     """
     count = cells.shape[1]
     codes, numbers = np.zeros((count, len(CODES)), np.int64), np.empty((count, len(NUMBERS)))
-    compiled(judge_cells)(cells, 0, count, request, codes, numbers)
+    compiled(judge_cells)(cells, request, codes, numbers)
     return codes, numbers
 
 
@@ -170,11 +160,3 @@ def check(scenario: Scenario, section: str) -> None:
         raise InputError("contact.model = 'compliant' must be 'rigid': passages of a section need exact events.")
     if scenario.plane.gravity == 0.0:
         raise InputError("plane.gravity = 0.0 must be above 0: without gravity no motion comes back to a section.")
-
-
-def _as_row(state: State) -> NDArray[np.float64]:
-    """Return a start as a row of passages."""
-    found = dict.fromkeys(COLUMNS, 0.0)
-    found |= {"x": state.x, "height": state.y, "turns": state.revolutions, "theta": state.th, "theta_low": state.th_low}
-    found |= {"slip": state.vt, "vy": state.vn, "omega": state.om}
-    return np.array([found[name] for name in COLUMNS])

@@ -60,6 +60,9 @@ class Attractor(NamedTuple):
     starts: int = 1
 
 
+MISSING = Attractor("", starts=0)  # type: ignore[arg-type]
+
+
 @dataclass(frozen=True)
 class Diagram:
     """Attractors over a parameter; made by `hophoop.gaits.diagram`.
@@ -99,21 +102,17 @@ class Diagram:
             If xarray is missing.
         """
         xr = need("xarray", "maps")
-        shape = (len(self.values), max((len(found) for found in self.attractors), default=0))
-        kept = max((len(one.omega) for found in self.attractors for one in found), default=0)
-        omega = np.full((*shape, kept), math.nan)
-        for k, found in enumerate(self.attractors):
-            for n, one in enumerate(found):
-                omega[k, n, : len(one.omega)] = one.omega
+        most = max(len(found) for found in self.attractors)
+        kept = max(len(one.omega) for found in self.attractors for one in found)
+        rows = [(*found, *[MISSING] * (most - len(found))) for found in self.attractors]
         axes = (self.path, "attractor")
-        variables: dict[str, Any] = {}
-        for name, missing, unit, meaning in _VARIABLES:
-            values = np.full(shape, missing, dtype=object)
-            for k, found in enumerate(self.attractors):
-                values[k, : len(found)] = [getattr(one, name) for one in found]
-            variables[name] = (axes, values.astype(type(missing)), {"units": unit, "long_name": meaning})
+        variables: dict[str, Any] = {
+            name: (axes, np.array([[getattr(one, name) for one in row] for row in rows]), {"units": unit, "long_name": meaning})
+            for name, unit, meaning in _VARIABLES
+        }
+        omega = [[np.pad(one.omega, (0, kept - len(one.omega)), constant_values=math.nan) for one in row] for row in rows]
         about = {"units": "rad/s", "long_name": "Angular velocity at the passages"}
-        variables["omega"] = ((*axes, "passage"), omega, about)
+        variables["omega"] = ((*axes, "passage"), np.array(omega), about)
         attributes = {
             "Conventions": "CF-1.11", "title": "Attractors of a loaded hoop", "section": self.section,
             "complete": int(self.complete), "scenario": self.scenario.to_query(),
@@ -141,15 +140,15 @@ class Diagram:
         return f"<Diagram: {len(self.values)} values of {self.path}, {', '.join(sorted(known))}; several at {several} values>"
 
 
-# name, value of what is missing, unit and meaning
-_VARIABLES: tuple[tuple[str, str | int | float, str, str], ...] = (
-    ("fate", "", "1", "What becomes of the motion"),
-    ("sequence", "", "1", "Phases of a gait's period"),
-    ("period", 0, "1", "Passages of a gait's period"),
-    ("hops", 0, "1", "Hops in a gait's period"),
-    ("starts", 0, "1", "Starts that settle on it"),
-    ("speed", math.nan, "m/s", "Mean velocity of the centre along the plane"),
-    ("lyapunov", math.nan, "1", "Lyapunov exponent per passage"),
+# name, unit and meaning
+_VARIABLES = (
+    ("fate", "1", "What becomes of the motion"),
+    ("sequence", "1", "Phases of a gait's period"),
+    ("period", "1", "Passages of a gait's period"),
+    ("hops", "1", "Hops in a gait's period"),
+    ("starts", "1", "Starts that settle on it"),
+    ("speed", "m/s", "Mean velocity of the centre along the plane"),
+    ("lyapunov", "1", "Lyapunov exponent per passage"),
 )
 
 

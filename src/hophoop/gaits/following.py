@@ -29,7 +29,7 @@ SAME = 1e-5  # of multipliers: where an impact's branch changes, but nothing els
 STEPS, KNOWN = 20, 1e-9  # of the secant rule, and the last one: the next would be rounding
 AT_LIMIT = 1e-8  # scaled parameter: within it a branch has reached the limit of its range
 SAMPLES, NEAR_TOP = 400, 1e-3  # of a period, and the least θ̇ of one that ends at the top [√(g/R)]
-JOINED = 1e-7  # √(g/R): within it θ̇ after a part of the period is the same
+JOINED = 2e-8  # relative to 1 + θ̇: within it the state after a part of the period is the same
 RADIUS, MASS, GRAVITY = "hoop.radius", "hoop.mass", "plane.gravity"
 
 

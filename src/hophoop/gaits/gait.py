@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
-from hophoop.gaits.maps import SectionDerivative, derivative, eigenvalues, known_image, sides_of
+from hophoop.gaits.maps import SectionDerivative, derivative, eigenvalues, map_of
 from hophoop.gaits.results import Passages
 from hophoop.scenario import Scenario
 from hophoop.scenario.start import StartState
@@ -74,7 +74,10 @@ class Gait:
 
     @cached_property
     def _sides(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        return sides_of(self.passages)
+        """Derivatives of the map on the gait, and of another piece within 1e-8 of it, if there is one."""
+        image_of, point = map_of(self.passages)
+        image = image_of(point)
+        return image_of.rates(image, point, exact=True), image_of.rates(image, point, across=True)
 
     @property
     def multipliers(self) -> NDArray[np.float64] | NDArray[np.complex128]:
@@ -130,7 +133,8 @@ class Gait:
     @property
     def residual(self) -> float:
         """Largest difference of the states a period apart, in units of R and √(g/R) relative to 1 + θ̇ [1]."""
-        return residual_of(self.passages)
+        image_of, point = map_of(self.passages)
+        return image_of.residual(image_of(point), point)
 
     def motion(self, periods: int = 1) -> Trajectory:
         """Return the motion of some periods.
@@ -244,13 +248,3 @@ class Gait:
 
 def _counted(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def residual_of(found: Passages) -> float:
-    """Return the largest difference of the last passage from the start, relative to 1 + θ̇ [1]; inf in another mode."""
-    start = found.scenario.start
-    if start.mode != found.mode[-1]:
-        return math.inf
-    image_of, image, _ = known_image(found, -1, len(found))
-    point = image_of.point(start)
-    return float(np.abs(image_of.excess(image, point)).max()) / (1.0 + abs(float(point[image_of.names.index("omega")])))

@@ -11,10 +11,10 @@ from typing import NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.gaits.computing import FOREVER, PANELS, check, new_buffers, passages
-from hophoop.gaits.differences import Floats, Values, derivative_matrix, difference
-from hophoop.gaits.kernels.layout import BRANCHES, INTEGERS, MODE, OMEGA, SECTIONS, SLIP, THETA, TURNS, VY, Request
-from hophoop.gaits.kernels.passages import follow_passages
+from hophoop.gaits.computing import FOREVER, PANELS, check, passages
+from hophoop.gaits.differences import Floats, Values, derivative_matrix
+from hophoop.gaits.kernels.layout import BRANCHES, INTEGERS, MODE, OMEGA, PIECE, SECTIONS, STATE, THETA, TURNS, Request
+from hophoop.gaits.kernels.passages import follow_passages, new_buffers
 from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.kernel.model import MODE_LETTERS, Body, Mode, inertia_at_height, slip_direction
 from hophoop.kernel.native import compiled
@@ -36,7 +36,6 @@ from hophoop.scenario.paths import parameter
 from hophoop.vocabulary.parameters import PARAMETERS
 
 NAMES: tuple[str, ...] = ("angle", "omega", "slip", "vy")
-PLACES: tuple[int, ...] = (THETA, OMEGA, SLIP, VY)  # their columns
 FASTEST = {"bottom": 10.0, "landing": 20.0}  # √(g/R): θ̇ up to which gaits are looked for
 ON_SECTION = 1e-9  # rad: within it a start is on the section
 NARROW = 2.0**-27  # distance at which another piece is next to a point
@@ -126,7 +125,7 @@ class Passage(NamedTuple):
 
     def place(self, section: str) -> Floats:
         """Return its coordinates, in units of R and √(R/g)."""
-        place: Floats = self.row[[*PLACES[_free(section, self.mode)]]]
+        place: Floats = self.row[STATE][_free(section, self.mode)]
         return place
 
 
@@ -239,9 +238,9 @@ class SectionMap:
             return math.nan, phases
         return float(last[OMEGA]), phases + last[TURNS].tobytes()
 
-    def excess(self, image: Image, point: Floats, count: int = 0) -> Floats:
-        """Return the coordinates of the last passage, or of the one with a number, less those of a point."""
-        return self._change(image.passages[count - 1].place(self.section), point[: len(self.names)])
+    def excess(self, image: Image, point: Floats) -> Floats:
+        """Return the coordinates of the last passage, less those of a point."""
+        return self._change(image.passages[-1].place(self.section), point[: len(self.names)])
 
     def _change(self, place: Floats, before: Floats) -> Floats:
         """Return the difference of coordinates, angles within half a revolution."""
@@ -250,11 +249,16 @@ class SectionMap:
             change[0] = math.remainder(change[0], TWO_PI)
         return change
 
+    def residual(self, image: Image, point: Floats) -> float:
+        """Return the largest difference of the last passage from a point, relative to 1 + θ̇; inf in another mode."""
+        if not image.passages or image.passages[-1].mode != self._code:
+            return math.inf
+        return float(np.abs(self.excess(image, point)).max()) / (1.0 + abs(self.omega(point)) / self.unit)
+
     def apart(self, image: Image, point: Floats) -> float:
-        """Return the largest difference of the coordinates from those after a part of the period, the least of all parts."""
-        parts = [part for part in range(1, self.period) if self.period % part == 0]
-        same = [part for part in parts if image.passages[part - 1].mode == self._code]
-        return min((float(np.abs(self.excess(image, point, part)).max()) for part in same), default=math.inf)
+        """Return the least such difference after a part of the period."""
+        parts = [image.passages[:part] for part in range(1, self.period) if self.period % part == 0]
+        return min((self.residual(Image(part, 0), point) for part in parts), default=math.inf)
 
     # --- derivatives -------------------------------------------------------------------------------
 
@@ -356,9 +360,9 @@ class SectionMap:
 
 
 def word_of(section: str, row: Floats, packed: NDArray[np.uint64]) -> bytes:
-    """Return the phases since the last passage, the branches of impacts, the mode, and at the bottom the way of rotation."""
+    """Return the phases since the last passage, the mode, the branches of impacts, and at the bottom the way of rotation."""
     way = section == "bottom" and bool(row[OMEGA] > 0.0)
-    return packed.tobytes() + row[[BRANCHES, MODE]].tobytes() + bytes([way])
+    return packed.tobytes() + row[PIECE].tobytes() + bytes([way])
 
 
 def eigenvalues(matrix: Floats) -> Floats | NDArray[np.complex128]:
@@ -414,60 +418,35 @@ def derivative(scenario: Scenario, passages_on: int = 1, *, section: str = "bott
     found = passages(scenario, passages_on, section=section)
     if len(found) < passages_on:
         raise InputError(f"passages_on = {passages_on} must be at most {len(found)}: the motion passes its section no more.")
-    return derivative_over(found, -1, passages_on)
-
-
-def derivative_over(found: Passages, index: int, further: int) -> SectionDerivative:
-    """Return how the passage `further` ones after one, or after the start, changes with the state there."""
-    if further < 1 or not -1 <= index < len(found) - further:
-        raise InputError(f"passages from {index} on by {further} must be among the {len(found)} computed.")
-    image_of, image, point = known_image(found, index, further)
-    matrix = image_of.rates(image, point, exact=True, sided=False)
-    units, rows = Units.of_scenario(found.scenario), coordinates(found.section, found.mode[index + further])
+    image_of, point = map_of(found)
+    units, rows = Units.of_scenario(scenario), coordinates(section, found.mode[-1])
     scale = np.array([units.of(name) for name in rows])[:, None] / image_of.units
-    return SectionDerivative(matrix * scale, rows, image_of.names)
+    return SectionDerivative(image_of.rates(image_of(point), point, exact=True, sided=False) * scale, rows, image_of.names)
 
 
-def known_image(found: Passages, index: int, further: int, path: str = "") -> tuple[SectionMap, Image, Floats]:
-    """Return the map of some passages of a motion, the point at the one before, or at the start, and its known image."""
-    scenario, section = found.scenario, found.section
-    first = found.sequences[0] if len(found) else ""
-    mode = found.mode[index] if index >= 0 else scenario.start.mode or first[:1] or "R"
-    rows, packed = found.numbers[index + 1 : index + 1 + further], found.packed[index + 1 : index + 1 + further]
-    known = tuple(Passage(row, word_of(section, row, word)) for row, word in zip(rows, packed, strict=True))
-    image_of = SectionMap(scenario, further, section, mode, path)
-    row = found.first if index < 0 else found.numbers[index]
-    point: Floats = row[[*PLACES[_free(section, MODE_LETTERS.index(mode))]]]
-    return image_of, Image(known, 0), point
-
-
-def sides_of(found: Passages) -> tuple[Floats, Floats]:
-    """Return the derivatives over some passages, of the piece that a motion is on, and of one within 1e-8 of it, if one is."""
-    image_of, image, point = known_image(found, -1, len(found))
-    return image_of.rates(image, point, exact=True), image_of.rates(image, point, across=True)
+def map_of(found: Passages) -> tuple[SectionMap, Floats]:
+    """Return the map from the start of some passages to the last of them, and the point of the start."""
+    mode = found.scenario.start.mode or found.sequences[0][0]
+    image_of = SectionMap(found.scenario, len(found), found.section, mode)
+    return image_of, image_of.point(found.scenario.start)
 
 
 def lyapunov_of(found: Passages) -> Lyapunov:
-    """Return the mean rate at which near motions separate, by the derivatives from passage to passage; nan without two."""
-    image_of, image, _ = known_image(found, -1, len(found))
-    vector: Floats | None = None
-    growth = []
-    for before, after in pairwise(image.passages[int(TRANSIENT * len(found)) :]):
-        point, place = before.place(found.section), after.place(found.section)
-        if vector is None or len(vector) != len(point):
+    """Return the mean rate at which near motions separate, by differences from passage to passage; nan without two."""
+    section, growth, vector = found.section, [], np.empty(0)
+    image_of = SectionMap(found.scenario, section=section)
+    known = [Passage(row, word_of(section, row, word)) for row, word in zip(found.numbers, found.packed, strict=True)]
+    for before, after in pairwise(known[int(TRANSIENT * len(found)) :]):
+        point = before.place(section)
+        if len(vector) != len(point):
             vector = np.ones(len(point)) / math.sqrt(len(point))
-        at = image_of.along(before.mode, point, place, after.word, vector)
+        at = image_of.along(before.mode, point, after.place(section), after.word, vector)
         ahead, back = at(BESIDE), at(-BESIDE)
-        if ahead is None or back is None:
-            changed = difference(at, len(place))
-        else:
-            changed = (ahead - back) / (2.0 * BESIDE)
-        size = float(np.linalg.norm(changed))
-        if 0.0 < size < math.inf:
-            growth.append(math.log(size))
-            vector = changed / size
-        else:
-            vector = None
+        if ahead is None or back is None or not (size := float(np.linalg.norm(ahead - back))):
+            vector = np.empty(0)  # next to a border, or along a direction that is forgotten
+            continue
+        growth.append(math.log(size / (2.0 * BESIDE)))
+        vector = (ahead - back) / size
     if len(growth) < 2:
         return Lyapunov(math.nan, math.nan, len(growth))
     batches = [float(np.mean(batch)) for batch in np.array_split(growth, min(BATCHES, len(growth)))]

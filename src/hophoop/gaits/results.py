@@ -22,8 +22,6 @@ from hophoop.vocabulary.quantities import LOSSES
 if TYPE_CHECKING:
     import xarray
 
-    from hophoop.gaits.maps import SectionDerivative
-
 Floats = NDArray[np.float64]
 ENOUGH = 500  # passages from which on a motion may be called chaotic
 SURE = 5.0  # standard errors by which its exponent must be above 0
@@ -87,8 +85,6 @@ class Passages:
         The kernel's rows, in units of R, m and √(R/g) [1].
     packed : ndarray of int, shape (n, 2)
         The kernel's words [1].
-    first : ndarray, shape (len(COLUMNS),)
-        The start, likewise [1].
     status : str
         How the motion ended: 'going' if it goes on.
     decided : Fate
@@ -101,7 +97,6 @@ class Passages:
     section: str
     numbers: Floats
     packed: NDArray[np.uint64]
-    first: Floats
     status: str
     decided: Fate
     period: int
@@ -116,9 +111,8 @@ class Passages:
         return found
 
     def _since(self, name: str) -> Floats:
-        """Return the change of a column since the last passage, for the first one since the start."""
-        column = np.concatenate((self.first[[COLUMNS.index(name)]], self._column(name)))
-        found: Floats = np.diff(column) * self._unit.of(name)
+        """Return the change of an energy since the last passage, for the first one since the start."""
+        found: Floats = np.diff(self._column(name), prepend=0.0) * self._unit.of(name)
         return found
 
     @cached_property
@@ -146,7 +140,8 @@ class Passages:
     @property
     def distance(self) -> Floats:
         """Distances along the plane since the last passage [m]."""
-        return self._since("x")
+        found: Floats = np.diff(self.x, prepend=self.scenario.start.x)
+        return found
 
     @property
     def doubt(self) -> float:
@@ -227,29 +222,6 @@ class Passages:
         from hophoop.gaits.maps import lyapunov_of
 
         return lyapunov_of(self)
-
-    def derivative(self, index: int, passages: int = 1) -> SectionDerivative:
-        """Return how later passages change with the state at a passage.
-
-        Parameters
-        ----------
-        index : int
-            Of the passage from which on.
-        passages : int, default 1
-            How many passages further [1].
-
-        Returns
-        -------
-        derivative : SectionDerivative
-
-        Raises
-        ------
-        ValueError
-            If there are no such passages.
-        """
-        from hophoop.gaits.maps import derivative_over
-
-        return derivative_over(self, index, passages)
 
     def to_xarray(self) -> xarray.Dataset:
         """Return the passages as an xarray.Dataset, one entry per passage.

@@ -172,10 +172,9 @@ def return_map(
     grid = (np.linspace(first, last, points) / image.unit).tolist()
     found = []
     for piece in pieces(image, grid, DEPTH, progress):
-        inside = [point for point in piece.points if piece.low < point[0] < piece.high]
-        values = np.array([(piece.low, piece.at_low), *inside, (piece.high, piece.at_high)]) * image.unit
-        key = tuple(np.frombuffer(piece.word[:PHASES], np.uint64).tolist())
-        found.append(MapPiece(values[:, 0], values[:, 1], unpacked_sequence(key)))
+        omega, after = np.array([(one.omega, one.after) for one in piece]).T * image.unit
+        key = tuple(np.frombuffer(piece[0].word[:PHASES], np.uint64).tolist())
+        found.append(MapPiece(omega, after, unpacked_sequence(key)))
     if not found:
         raise InputError(f"The hoop does not come back to the bottom in rolling with θ̇ from {first:.6g} to {last:.6g} rad/s.")
     return ReturnMap(image.scenario, tuple(found))
@@ -184,88 +183,57 @@ def return_map(
 # --- pieces of the map
 
 
-class Piece(NamedTuple):
-    """A range of θ̇ over which the phases of the map are the same, in units of √(g/R).
+class Known(NamedTuple):
+    """θ̇ at a passage and at the next one, nan if it does not come back in rolling [√(g/R)], and the phases, packed."""
 
-    Attributes
-    ----------
-    low, high : float
-        Its first and last double.
-    at_low, at_high : float
-        The map there.
-    word : bytes
-        The phases, packed.
-    points : tuple of (float, float)
-        The points inside that were computed, and the map there.
-    """
-
-    low: float
-    high: float
-    at_low: float
-    at_high: float
-    word: bytes
-    points: tuple[tuple[float, float], ...]
-
-
-def pieces(image: SectionMap, grid: list[float], depth: int = 1, progress: Progress | None = None) -> list[Piece]:
-    """Return the pieces of a map that an increasing grid [√(g/R)] meets, with ends to rounding, and more between them.
-
-    depth: how often what is between two pieces is halved in search of more; parts without a map are left out.
-    """
-    found: list[Piece] = []
-    points: list[_Known] = []
-    begin = _known(image, grid[0])
-    for k, omega in enumerate(grid):
-        now = _known(image, omega)
-        if progress is not None:
-            progress((k + 1) / len(grid))
-        if points and now.word != points[-1].word:
-            high, low = _edge(image, points[-1], omega), _edge(image, now, points[-1].omega)
-            found += _piece(begin, high, points)
-            found += _between(image, high, low, depth)
-            begin, points = low, []
-        points.append(now)
-    found += _piece(begin, points[-1], points)
-    return found
-
-
-class _Known(NamedTuple):
     omega: float
     after: float
     word: bytes
 
 
-def _known(image: SectionMap, omega: float) -> _Known:
-    return _Known(omega, *image.returned(omega))
+def known(image: SectionMap, omega: float) -> Known:
+    """Return the map at θ̇."""
+    return Known(omega, *image.returned(omega))
 
 
-def _piece(low: _Known, high: _Known, points: list[_Known]) -> list[Piece]:
-    """Return a piece, or none where there is no map."""
-    if math.isnan(low.after):
-        return []
-    return [Piece(low.omega, high.omega, low.after, high.after, low.word, tuple((one.omega, one.after) for one in points))]
+def pieces(image: SectionMap, grid: list[float], depth: int, progress: Progress | None = None) -> list[list[Known]]:
+    """Return the pieces of a map that an increasing grid [√(g/R)] meets, and more between them, without parts without a map.
+
+    The phases are the same from the first to the last double of a piece. depth: how often what is between two pieces is halved.
+    """
+    found = []
+    piece = [known(image, grid[0])]
+    for k, omega in enumerate(grid):
+        now = known(image, omega)
+        if progress is not None:
+            progress((k + 1) / len(grid))
+        if now.word != piece[-1].word:
+            high, low = _edge(image, piece[-1], omega), _edge(image, now, piece[-1].omega)
+            found += [[*piece, high], *_between(image, high, low, depth)]
+            piece = [low]
+        piece.append(now)
+    return [sorted(set(piece)) for piece in [*found, piece] if not math.isnan(piece[0].after)]
 
 
-def _between(image: SectionMap, left: _Known, right: _Known, depth: int) -> list[Piece]:
+def _between(image: SectionMap, left: Known, right: Known, depth: int) -> list[list[Known]]:
     """Return the pieces between the ends of two others that a few halvings meet."""
     middle = 0.5 * (left.omega + right.omega)
     if depth == 0 or right.omega - left.omega <= 4.0 * math.ulp(middle):
         return []
-    now = _known(image, middle)
+    now = known(image, middle)
     if now.word in (left.word, right.word):  # a piece in two parts; one part is known
         return []
     low, high = _edge(image, now, left.omega), _edge(image, now, right.omega)
-    inner = _piece(low, high, [now])
-    return _between(image, left, low, depth - 1) + inner + _between(image, high, right, depth - 1)
+    return [*_between(image, left, low, depth - 1), [low, now, high], *_between(image, high, right, depth - 1)]
 
 
-def _edge(image: SectionMap, inside: _Known, outside: float) -> _Known:
+def _edge(image: SectionMap, inside: Known, outside: float) -> Known:
     """Return the last double with the phases of the inside, on the way to the outside, and the map there."""
     for _ in range(ROUNDS):
         middle = 0.5 * (inside.omega + outside)
         if middle in (inside.omega, outside):
             break
-        tried = _known(image, middle)
+        tried = known(image, middle)
         if tried.word == inside.word:
             inside = tried
         else:

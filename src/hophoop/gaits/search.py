@@ -10,11 +10,12 @@ import numpy as np
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check, passages
-from hophoop.gaits.gait import Gait, residual_of
-from hophoop.gaits.kernels.layout import MODE, T
-from hophoop.gaits.maps import FASTEST, PLACES, SectionMap, slowest_over_top
+from hophoop.gaits.differences import Floats
+from hophoop.gaits.gait import Gait
+from hophoop.gaits.kernels.layout import MODE, STATE, T
+from hophoop.gaits.maps import FASTEST, SectionMap, slowest_over_top
 from hophoop.gaits.results import Passages
-from hophoop.gaits.return_map import Piece, pieces
+from hophoop.gaits.return_map import Known, pieces
 from hophoop.kernel.numerics.arithmetic import TWO_PI
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
@@ -87,21 +88,24 @@ def find(
     <Gait: RSHKR, stable, multiplier -0.768024, 1.86137 m/s, 1 hop in 1 revolution>
     """
     _check(scenario, period, near, section)
-    base, nearest = scenario.replace("start", Start()), [math.inf]
+    base = scenario.replace("start", Start())
     low, high = _range(base, near, fastest, section)
-    bounds = (low, high)
-    found: list[Gait] = []
+    image_of, known = SectionMap(base, period), []
     if section == "bottom":
         count = GRID if near is not None else min(GRID * period, MOST_GRID)
-        found += _rolling(base, period, np.linspace(low, high, count), nearest, progress)
-    found += _settled(base, period, bounds, section)
-    if near is not None:
-        found = [gait for gait in found if abs(gait.state.omega / near - 1.0) <= NEARBY]
-    gaits = _told_apart(found)
+        grid = math.copysign(1.0, scenario.plane.slope) * np.linspace(low, high, count)
+        known = pieces(image_of, sorted(grid.tolist()), DEPTH, progress)
+    points = [(image_of, np.array([omega])) for piece in known for omega in crossings(image_of, piece)]
+    gaits: list[Gait] = []
+    for place in [*points, *_settled(base, period, (low, high), section)]:
+        gait = _gait(*place)
+        if gait is None or (near is not None and abs(gait.state.omega / near - 1.0) > NEARBY):
+            continue
+        if not any(_same(gait, other) for other in gaits):
+            gaits.append(gait)
     if not gaits:
-        raise InputError(_nothing(base, period, bounds, section, nearest[0]))
-    target = near
-    gaits.sort(key=lambda gait: abs(gait.speed if target is None else gait.state.omega - target))
+        raise InputError(_nothing(base, period, (low, high), section, known))
+    gaits.sort(key=lambda gait: abs(gait.speed if near is None else gait.state.omega - near))
     return tuple(gaits)
 
 
@@ -137,38 +141,18 @@ def _range(scenario: Scenario, near: float | None, fastest: float | None, sectio
     return low, high
 
 
-def _rolling(
-    scenario: Scenario, period: int, sizes: np.ndarray, nearest: list[float], progress: Progress | None
-) -> Iterator[Gait]:
-    """Yield the gaits that roll through the bottom; note the smallest difference of a θ̇ from its image [rad/s]."""
-    image = SectionMap(scenario, period)
-    grid = sorted((math.copysign(1.0, scenario.plane.slope) * sizes).tolist())
-    for piece in pieces(image, grid, DEPTH, progress):
-        values = [(piece.low, piece.at_low), *piece.points, (piece.high, piece.at_high)]
-        nearest[0] = min(nearest[0], min(abs(after - omega) for omega, after in values) * image.unit)
-        for omega in crossings(image, piece):
-            gait = _gait(image.at(np.array([omega])), "bottom", period)
-            if gait is not None:
-                yield gait
-
-
-def _gait(scenario: Scenario, section: str, period: int) -> Gait | None:
-    """Return the gait of a start, if it repeats itself after the period, downhill, and not earlier."""
-    found = passages(scenario, period, section=section)
-    shortest = SHORTEST * Units.of_scenario(scenario).time
-    if len(found) < period or found.t[-1] < shortest or residual_of(found) > EXACT:
+def _gait(image_of: SectionMap, point: Floats) -> Gait | None:
+    """Return the gait of a point, if it repeats itself after the period, downhill, and not earlier."""
+    image = image_of(point)
+    if not (image_of.residual(image, point) <= EXACT and image_of.comes_back(image) and image.turns):
         return None
-    gait = Gait(found)
-    if gait.revolutions == 0:
+    if image.passages[-1].row[T] < SHORTEST or image_of.apart(image, point) <= SAME:
         return None
-    for part in range(1, period):
-        if period % part == 0 and residual_of(passages(scenario, part, section=section)) <= SAME:
-            return None
-    return gait
+    return Gait(passages(image_of.at(point), image_of.period, section=image_of.section))
 
 
-def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[Gait]:
-    """Yield the gaits on which motions settle or which they come near, in slip at the bottom or at landings."""
+def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[tuple[SectionMap, Floats]]:
+    """Yield the fixed points on which motions settle or which they come near, in slip at the bottom or at landings."""
     speed = Units.of_scenario(scenario).of("omega") * scenario.hoop.radius
     ahead = math.copysign(1.0, scenario.plane.slope)
     for omega in np.geomspace(*bounds, STARTS):
@@ -179,9 +163,10 @@ def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], secti
             places.append(len(found) - 1)
         for place in places:
             if section == "landing" or found.mode[place] != "R":
-                gait = _polished(found, place, period)
-                if gait is not None:
-                    yield gait
+                image_of = SectionMap(scenario, period, section, found.mode[place])
+                solution = image_of.solve(image_of.point(found.start(place)), patient=True)
+                if solution is not None:
+                    yield image_of, solution[0]
 
 
 def _near_returns(found: Passages, period: int) -> list[int]:
@@ -190,7 +175,7 @@ def _near_returns(found: Passages, period: int) -> list[int]:
     if len(rows) <= period:
         return []
     one, other = rows[:-period], rows[period:]
-    change = other[:, [*PLACES]] - one[:, [*PLACES]]
+    change = other[:, STATE] - one[:, STATE]
     change[:, 0] = np.remainder(change[:, 0] + math.pi, TWO_PI) - math.pi
     off = np.abs(change).max(axis=1)
     off[(other[:, MODE] != one[:, MODE]) | (other[:, T] - one[:, T] < SHORTEST)] = math.inf
@@ -199,45 +184,30 @@ def _near_returns(found: Passages, period: int) -> list[int]:
     return [int(k) for k in nearest[np.argsort(off[nearest], kind="stable")][:RETURNS]]
 
 
-def _polished(found: Passages, place: int, period: int) -> Gait | None:
-    """Return the gait near a passage, by Newton's method."""
-    image = SectionMap(found.scenario, period, found.section, found.mode[place])
-    solution = image.solve(image.point(found.start(place)), patient=True)
-    return None if solution is None else _gait(image.at(solution[0]), found.section, period)
+def _same(one: Gait, other: Gait) -> bool:
+    """Return True if two gaits are one, whichever of its passages they were found at."""
+    passes = np.any(np.abs(other.passages.omega / one.state.omega - 1.0) < SAME)
+    return bool(passes) and abs(one.speed / other.speed - 1.0) < SAME
 
 
-def _told_apart(found: list[Gait]) -> list[Gait]:
-    """Return each gait once, whichever of its passages it was found at."""
-    gaits: list[Gait] = []
-    for gait in found:
-        speed = gait.state.omega
-        if not any(
-            gait.period == other.period and np.any(np.abs(other.passages.omega / speed - 1.0) < SAME)
-            and abs(gait.speed / other.speed - 1.0) < SAME
-            for other in gaits
-        ):  # fmt: skip
-            gaits.append(gait)
-    return gaits
-
-
-def _nothing(scenario: Scenario, period: int, bounds: tuple[float, float], section: str, nearest: float) -> str:
-    low, high = (bound * Units.of_scenario(scenario).of("omega") for bound in bounds)
+def _nothing(scenario: Scenario, period: int, bounds: tuple[float, float], section: str, known: list[list[Known]]) -> str:
+    unit = Units.of_scenario(scenario).of("omega")
+    low, high = (bound * unit for bound in bounds)
     looked = f"No gait of period {period} was found with θ̇ from {low:.4g} to {high:.4g} rad/s"
     if section == "landing":
         return f"{looked} at landings: none of {STARTS} motions came near one in {PATIENCE} passages."
-    if math.isinf(nearest):
+    if not known:
         return f"{looked} at the bottom: no motion passes it again in rolling."
+    nearest = min(abs(one.after - one.omega) for piece in known for one in piece) * unit
     return f"{looked} at the bottom: the nearest return was {nearest:.3g} rad/s off."
 
 
 # --- fixed points of a piece
 
 
-def crossings(image: SectionMap, piece: Piece) -> Iterator[float]:
+def crossings(image: SectionMap, piece: list[Known]) -> Iterator[float]:
     """Yield the θ̇ of a piece that the map returns, to rounding [√(g/R)]."""
-    points = [(piece.low, piece.at_low - piece.low)]
-    points += [(omega, after - omega) for omega, after in piece.points if piece.low < omega < piece.high]
-    points.append((piece.high, piece.at_high - piece.high))
+    points = [(one.omega, one.after - one.omega) for one in piece]
 
     def excess(omega: float) -> float:
         return image.returned(omega)[0] - omega

@@ -103,7 +103,7 @@ ENTRIES: dict[str, tuple[Any, ...]] = {
     "hophoop.maps.grid.kernel.evaluate_block": (TABLE, int, int, MapRequest, MapResults),
     _THEORY + "critical.hop_speed": (Body, float),
     _GAITS + "passages.follow_passages": (Body, State, int, REQUEST, BUFFERS, Scratch),
-    _GAITS + "cells.judge_cells": (TABLE, int, int, REQUEST, CODED, TABLE),
+    _GAITS + "cells.judge_cells": (TABLE, REQUEST, CODED, TABLE),
 }  # fmt: skip
 
 

@@ -4,21 +4,13 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from hophoop.gaits.kernels.fates import (
-    OPEN,
-    ROLLING_TURNS,
-)
+from hophoop.gaits.kernels.fates import OPEN, ROLLING_TURNS
 from hophoop.gaits.kernels.layout import (
     BOTTOM,
-    COLUMNS,
-    FEW_EVENTS,
     FINAL_HOP_HEIGHT,
     FINAL_LOSS,
     FINAL_OMEGA,
     HIGHEST,
-    INTEGERS,
     LYAPUNOV,
     MEAN_SPEED,
     MODE,
@@ -26,17 +18,16 @@ from hophoop.gaits.kernels.layout import (
     OMEGA,
     REVOLUTIONS,
     ROLL,
-    Buffers,
     Request,
     T,
     X,
 )
-from hophoop.gaits.kernels.passages import LOST, ROWS, SIZE, TURNED, follow_passages, hops_in, lands_no_more, turns_in
+from hophoop.gaits.kernels.passages import LOST, ROWS, TURNED, follow_passages, hops_in, lands_no_more, new_buffers, turns_in
 from hophoop.kernel.model import Status, inertia_at_height, kinetic_energy, potential_energy
 from hophoop.kernel.native import noinline
 from hophoop.kernel.numerics.arithmetic import PI
 from hophoop.kernel.numerics.exponentials import logarithm
-from hophoop.kernel.records import EVENT, SEGMENT, Cell, body_of, mode_of, new_scratch, scales_of, start_of, start_state
+from hophoop.kernel.records import Cell, body_of, mode_of, new_scratch, scales_of, start_of, start_state
 from hophoop.kernel.steps import BY_RULE, GOING
 from hophoop.theory.kernels.critical import slip_from_rolling
 from hophoop.vocabulary.names import FateCode
@@ -47,15 +38,12 @@ APART = 36.0  # logarithm of 2⁵²: what two doubles next to each other need to
 SURE = 5.0  # standard errors by which the exponent of a chaotic motion is above 0
 
 
-def judge_cells(cells, low, high, request, codes, numbers):
-    """Judge the cells from `low` to `high`, in SI units: codes of −1 in cells that are not allowed, nan for unknown numbers."""
-    buffers = Buffers(
-        np.empty((ROWS, len(COLUMNS))), np.empty((ROWS, INTEGERS), np.uint64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
-        np.empty(0, SEGMENT),
-    )  # fmt: skip
+def judge_cells(cells, request, codes, numbers):
+    """Judge cells in SI units: codes of −1 in cells that are not allowed, nan for unknown numbers."""
+    buffers = new_buffers(ROWS)
     bottom = Request(BOTTOM, request.most, request.t_end, request.panels, request.stops)
     scratch = new_scratch()
-    for k in range(low, high):
+    for k in range(cells.shape[1]):
         for i in range(len(NUMBERS)):
             numbers[k, i] = math.nan
         if cells[Cell.ALLOWED, k] == 0.0:

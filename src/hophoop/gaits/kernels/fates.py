@@ -17,7 +17,6 @@ import math
 
 from hophoop.gaits.kernels.layout import (
     HEIGHT,
-    HIGHEST,
     HOPS,
     LANDING,
     LETTERS,
@@ -50,14 +49,13 @@ LONGEST_PERIOD = 64
 SAME, NEAR, NOISE = 1e-10, 1e-7, 1e-13  # differences of two passages of a gait: now, one period ago, and rounding
 AHEAD = 1e-5  # the most that all differences to come may add up to
 FAST, FASTER = 1e3, 1e2  # √(g/R), and times the speed of the start: a hoop that rotates so fast down a slope runs away
-LOW = 1e-6  # R: lower hops are the end of a sequence of bounces
-FEW = 0.1  # of a difference: its limit is 0, or its own size, to this share
 ANGLES, HOLDS = 64, 0.999  # of half a revolution at which rolling is looked at, and the share of friction that it may use
+HALF = 3.0  # rad, about half a revolution: more of one passage than of rocking
 BELOW = 1e-12  # m g R: by which the energy is below that of the load at the top
 
-# What is remembered of a motion: the turning points of this phase of rolling, and all in contact; |θ̇| of a hoop that runs away.
-ROLLING_TURNS, CONTACT_TURNS, FASTEST = range(3)
-MEMORY = 3
+# What is remembered of a motion: the turning points of this phase of rolling, and all in contact.
+ROLLING_TURNS, CONTACT_TURNS = range(2)
+MEMORY = 2
 
 
 @noinline
@@ -110,6 +108,12 @@ def is_below_top(body, state):
     return potential < 0.0 and potential + kinetic_energy(body, state.th, state.om, state.vt, state.vn, state.th_low) < -BELOW
 
 
+@inline
+def angle_between(one, other):
+    """Return the angle from one passage to another [rad]."""
+    return (other[TURNS] - one[TURNS]) * TWO_PI + (other[THETA] - one[THETA])
+
+
 @noinline
 def difference(numbers, one, other, section):
     """Return the largest difference of two passages, relative to the speed of rotation."""
@@ -155,7 +159,7 @@ def period_of(numbers, words, k, section):
                 same = period % part == 0 and same_word(numbers, words, row, other)
                 if same and difference(numbers, row, other, section) <= NEAR:
                     return part
-            return period_of_alternation(numbers, words, k, period, section)
+            return period
     return 0
 
 
@@ -163,41 +167,6 @@ def period_of(numbers, words, k, section):
 def is_near_limit(now, past):
     """Return True if differences that go on as a geometric sequence have a small sum, or are rounding."""
     return past <= NOISE or (now <= NOISE and now <= past) or now * now < AHEAD * (past - now)
-
-
-@noinline
-def period_of_alternation(numbers, words, k, period, section):
-    """Return the period seen or half of it, or 0 if it is not known yet which.
-
-    A gait with a multiplier near −1 is reached from alternating sides: two of its periods ago was near first. Then the
-    difference d to half the period ago falls to 0, as r^n. In a gait of the period seen d has a limit l: d − l falls as r^n.
-    The difference to the period seen falls as r^n in both, so that it gives r, and then l.
-    """
-    length, half = numbers.shape[0], period // 2
-    if period % 2 == 1 or not same_word(numbers, words, k % length, (k - half) % length):
-        return period
-    ago = min(length - 1, k, 2 * LONGEST_PERIOD) // period * period - period
-    now = difference(numbers, k % length, (k - half) % length, section)
-    falls = difference(numbers, (k - ago) % length, (k - ago - half) % length, section) - now
-    if not falls > NOISE:
-        return period
-    near = difference(numbers, k % length, (k - period) % length, section)
-    shrinks = difference(numbers, (k - ago) % length, (k - ago - period) % length, section) - near
-    if not shrinks > 0.0:
-        return 0
-    limit = now - falls * near / shrinks
-    if limit < FEW * now:
-        return half
-    return period if limit > (1.0 - FEW) * now else 0
-
-
-@noinline
-def bounces_die(numbers, k, period):
-    """Return True if the last landings are alike only because nothing is left of the hops between them."""
-    highest = 0.0
-    for part in range(period):
-        highest = max(highest, numbers[(k - part) % numbers.shape[0], HIGHEST])
-    return highest < LOW
 
 
 @noinline
@@ -215,17 +184,17 @@ def rolls_slowly(body):
 
 
 @noinline
-def fate_at_passage(body, numbers, words, k, section, memory):
+def fate_at_passage(body, numbers, words, k, section, fastest):
     """Return (fate, period) after passage k; the period is 0 except in a gait."""
     length = numbers.shape[0]
     last, before = numbers[k % length], numbers[(k - 1) % length]
     om = last[OMEGA]
-    if abs(om) > memory[FASTEST] and om * body.gt > 0.0:
+    if abs(om) > fastest and om * body.gt > 0.0:
         return FateCode.RUNS_AWAY, 0
     if k < 1:
         return OPEN, 0
     way = 1.0 if om > 0.0 else -1.0
-    revolved = way * ((last[TURNS] - before[TURNS]) * TWO_PI + (last[THETA] - before[THETA])) > 3.0
+    revolved = way * angle_between(before, last) > HALF
     rolled = section != LANDING and revolved and last[LETTERS] == 1.0 and last[MODE] == ROLL
     if body.gt == 0.0 and section == LANDING:
         return OPEN, 0
@@ -251,10 +220,6 @@ def fate_at_passage(body, numbers, words, k, section, memory):
     if rolled and body.resist == 0.0:  # it gains what the slope gives, however little
         return OPEN, 0
     period = period_of(numbers, words, k, section)
-    if period > 0:
-        past = numbers[(k - period) % length]
-        turned = (last[TURNS] - past[TURNS]) * TWO_PI + (last[THETA] - past[THETA])
-        if abs(turned) < 3.0:
-            return OPEN if section == LANDING and bounces_die(numbers, k, period) else FateCode.ROCKS, 0
+    if period > 0 and abs(angle_between(numbers[(k - period) % length], last)) > HALF:
         return FateCode.GAIT, period
     return OPEN, 0

@@ -8,14 +8,15 @@ from hophoop.kernel.model import Mode
 
 # One row per passage, in kernel units; times, positions and losses count from the start.
 COLUMNS = (
-    "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
-    "friction", "impact_normal", "impact_tangential", "rolling_resistance", "mode", "hops", "letters", "doubt",
-    "highest", "branches",
+    "t", "t_low", "x", "x_low", "height", "turns", "theta_low", "theta", "omega", "slip", "vy",
+    "friction", "impact_normal", "impact_tangential", "rolling_resistance", "hops", "letters", "doubt", "highest",
+    "mode", "branches",
 )  # fmt: skip
 (
-    T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA, THETA_LOW, SLIP, VY, OMEGA,
-    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, MODE, HOPS, LETTERS, DOUBT, HIGHEST, BRANCHES,
+    T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA_LOW, THETA, OMEGA, SLIP, VY,
+    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, HOPS, LETTERS, DOUBT, HIGHEST, MODE, BRANCHES,
 ) = range(len(COLUMNS))  # fmt: skip
+STATE, PIECE = slice(THETA, VY + 1), slice(MODE, BRANCHES + 1)  # the coordinates; what is the same on a piece of the map
 
 INTEGERS = 2  # of a word: the phases since the last passage, packed as records.layout says
 

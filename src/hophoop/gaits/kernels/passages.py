@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from hophoop.gaits.kernels.fates import (
     CONTACT_TURNS,
-    FASTEST,
     LONGEST_PERIOD,
     MEMORY,
     OPEN,
     ROLLING_TURNS,
+    angle_between,
     fastest_of,
     fate_at_passage,
     fate_at_start,
@@ -19,7 +21,9 @@ from hophoop.gaits.kernels.fates import (
 )
 from hophoop.gaits.kernels.layout import (
     BRANCHES,
+    COLUMNS,
     DOUBT,
+    FEW_EVENTS,
     FRICTION,
     HEIGHT,
     HIGHEST,
@@ -39,6 +43,7 @@ from hophoop.gaits.kernels.layout import (
     TURNS,
     VY,
     X_LOW,
+    Buffers,
     T,
     X,
 )
@@ -46,7 +51,7 @@ from hophoop.kernel.model import PASSING, Event, ImpactLaw, Mode, Status, contac
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.numerics.circular import sine_cosine
-from hophoop.kernel.records import EVENTS, PANEL_LIMIT, PANELS, add_letter, count_panel, has_room, new_log
+from hophoop.kernel.records import EVENT, EVENTS, PANEL_LIMIT, PANELS, SEGMENT, add_letter, count_panel, has_room, new_log
 from hophoop.kernel.steps import GOING, ROUNDING, Ending, Limits, angle_left, begin, can_follow, continue_phase, step
 from hophoop.vocabulary.names import FateCode
 
@@ -58,6 +63,14 @@ LETTER, SINCE, COUNT, JUMPS, GAP, TAKEN, LOST, TURNED = range(MEMORY, MEMORY + 8
 SIZE = MEMORY + 8
 KEPT = 2.0**40  # branches are kept modulo this
 FAINT = 1e-3  # m √(gR): impacts with less impulse, as at the end of a sequence of bounces, have no branch
+
+
+def new_buffers(rows):
+    """Return the arrays for so many passages, of which later ones replace the first."""
+    return Buffers(
+        np.empty((rows, len(COLUMNS))), np.zeros((rows, INTEGERS), np.uint64), np.empty(SIZE), np.empty(FEW_EVENTS, EVENT),
+        np.empty(0, SEGMENT),
+    )  # fmt: skip
 
 
 @inline
@@ -203,7 +216,8 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     log = new_log(buffers.events, buffers.segments, scratch)
     phase = begin(body, start, mode, log)
     log.counts[EVENTS] = 0
-    memory[ROLLING_TURNS], memory[CONTACT_TURNS], memory[FASTEST] = 0.0, 0.0, fastest_of(body, phase.state)
+    fastest = fastest_of(body, phase.state)
+    memory[ROLLING_TURNS], memory[CONTACT_TURNS] = 0.0, 0.0
     memory[COUNT], memory[JUMPS], memory[GAP], memory[TAKEN] = 0.0, 0.0, 0.0, 0.0
     memory[SINCE], memory[LETTER] = phase.state.t, phase.mode
     fate, period = fate_at_start(body, phase.state), 0
@@ -232,7 +246,7 @@ def follow_passages(body, start, mode, request, buffers, scratch):
             cell += 1.0 if phase.state.om > 0.0 else -1.0
             phase = continue_phase(phase, phase.state, phase.level, Ending.CONTINUES, phase.anchor)
         if fate == OPEN:
-            fate, period = fate_at_passage(body, numbers, words, passages, request.section, memory)
+            fate, period = fate_at_passage(body, numbers, words, passages, request.section, fastest)
         passages += 1
         if passages < request.most:
             row = passages % numbers.shape[0]
@@ -260,6 +274,6 @@ def hops_in(numbers, passages, period):
 
 def turns_in(numbers, passages, period):
     """Return the whole revolutions in the last passages of a gait, in either direction."""
-    last, before = numbers[(passages - 1) % numbers.shape[0]], numbers[(passages - 1 - period) % numbers.shape[0]]
-    turned = (last[TURNS] - before[TURNS]) + (last[THETA] - before[THETA]) / TWO_PI
-    return math.floor(abs(turned) + 0.5)
+    length = numbers.shape[0]
+    turned = angle_between(numbers[(passages - 1 - period) % length], numbers[(passages - 1) % length])
+    return math.floor(abs(turned) / TWO_PI + 0.5)

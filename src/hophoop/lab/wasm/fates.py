@@ -19,7 +19,7 @@ def fate(given, most, out):
     cells = carray(given, (FIELDS, 1))
     row = carray(out, (WIDTH,))
     codes, numbers = np.zeros((1, CODE_COUNT), np.int64), np.empty((1, NUMBER_COUNT))
-    judge_cells(cells, 0, 1, Request(BOTTOM, most, FOREVER, PANELS, True), codes, numbers)
+    judge_cells(cells, Request(BOTTOM, most, FOREVER, PANELS, True), codes, numbers)
     for i in range(CODE_COUNT):
         row[i] = codes[0, i]
     for i in range(NUMBER_COUNT):

@@ -7,10 +7,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.gaits.computing import FOREVER, PANELS
-from hophoop.gaits.kernels.cells import judge_cells
+from hophoop.gaits.computing import FOREVER, PANELS, judged
 from hophoop.gaits.kernels.layout import CODES, NUMBERS, SECTIONS, Request
-from hophoop.kernel.native import compiled
 from hophoop.kernel.records import MapResults
 from hophoop.vocabulary.names import FATE_CODES, identifier
 
@@ -26,8 +24,7 @@ PASSAGES = 2_000  # after which a motion is undecided
 def evaluate_settled(cells: NDArray[np.float64], low: int, high: int, span: str, results: MapResults) -> None:
     """Compute the cells from `low` to `high`: numbers in the order of `COLUMNS`, and the code of the fate."""
     request = Request(SECTIONS.index(SPANS[span]), PASSAGES, FOREVER, PANELS, True)
-    codes, numbers = np.zeros((high - low, len(CODES)), np.int64), np.empty((high - low, len(NUMBERS)))
-    compiled(judge_cells)(np.ascontiguousarray(cells[:, low:high]), 0, high - low, request, codes, numbers)
+    codes, numbers = judged(np.ascontiguousarray(cells[:, low:high]), request)
     allowed = codes[:, CODES.index("fate")] >= 0
     for column, name in enumerate(COUNTS):
         results.numbers[low:high, column] = np.where(allowed, codes[:, CODES.index(name)], np.nan)
