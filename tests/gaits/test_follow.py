@@ -122,6 +122,12 @@ def test_a_value_at_the_edge_of_what_is_allowed_is_a_limit(gait):
     assert (found.special[0].kind, found.special[0].parameter) == ("limit of the range", pytest.approx(0.0, abs=1e-9))
 
 
+def test_a_branch_ends_where_the_plane_would_not_be_allowed():
+    """Static friction is never less than kinetic friction, though each of both may have the value."""
+    end = first(3.0, 2.8, gamma=0.5, mu_static=1.0, mu_kinetic=0.9).follow("plane.mu_static", (0.5, 1.2)).special[0]
+    assert (end.kind, end.event, end.parameter) == ("end", "", pytest.approx(0.9, abs=1e-12))
+
+
 def test_doubled_gaits_are_followed(branch):
     twice = doubled(of_kind(branch, "border collision")[-1])
     assert twice.period == 2

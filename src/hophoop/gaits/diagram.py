@@ -204,32 +204,24 @@ def diagram(
     check(scenario, section)
     places = np.array(values, float).reshape(-1)
     _check(places, starts, passages)
-    known: list[list[Attractor]] = []
-    ends: list[list[Start]] = []
     cases = [scenario.replace(path, value) for value in places.tolist()]
+    known: list[list[Attractor]] = [[] for _ in cases]
+    ends: list[list[Start]] = [[] for _ in cases]
+    order, done = [*range(len(cases)), *range(len(cases) - 2, -1, -1)], 0
     try:
-        for k, case in enumerate(cases):
-            known.append([])
-            before = ends[-1] if ends else []
-            ends.append(_settle(case, [*_starts(case, starts), *before], known[-1], passages, section))
+        for k in order:
+            begin = _starts(cases[k], starts) if done < len(cases) else []
+            beside = ends[order[done - 1]] if done else []
+            ends[k] += _settle(cases[k], [*begin, *beside], known[k], passages, section)
+            done += 1
             if progress is not None:
-                progress((k + 1) / (2 * len(cases)))
-        for k in range(len(cases) - 2, -1, -1):
-            ends[k] += _settle(cases[k], ends[k + 1], known[k], passages, section)
-            if progress is not None:
-                progress(1.0 - (k + 1) / (2 * len(cases)))
+                progress(done / len(order))
     except KeyboardInterrupt:
-        done = len(ends)
-        if done == 0:
+        if not done:
             raise
-        return Diagram(scenario, path, places[:done], section, _sorted(known[:done]), complete=False)
-    if progress is not None:
-        progress(1.0)
-    return Diagram(scenario, path, places, section, _sorted(known))
-
-
-def _sorted(known: list[list[Attractor]]) -> tuple[tuple[Attractor, ...], ...]:
-    return tuple(tuple(sorted(some, key=lambda one: -one.starts)) for some in known)
+    whole = min(done, len(cases))
+    attractors = tuple(tuple(sorted(some, key=lambda one: -one.starts)) for some in known[:whole])
+    return Diagram(scenario, path, places[:whole], section, attractors, done == len(order))
 
 
 def _check(places: Floats, starts: int | Sequence[float], count: int) -> None:
