@@ -93,6 +93,13 @@ def test_multipliers_on_both_sides_of_a_corner():
     assert [round(one.multipliers[0].real, 2) for one in (near, beyond)] == [-0.31, -1.35]
 
 
+def test_a_pair_next_to_its_fold_is_found():
+    """1e-7° before the fold both gaits are closer together than the values of θ̇ that the search compares."""
+    found = hh.gaits.find(on_slope(1.167217696421 - 1e-7), near=3.4255)
+    pair = [gait for gait in found if abs(gait.state.omega - 3.42552) < 1e-4]
+    assert [gait.stable for gait in pair] == [True, False]
+
+
 def test_digits_are_those_of_the_section_at_pi(usual, monkeypatch):
     """Not of the double next to π, which is 1.2e-16 before it; `hophoop prove` encloses the same point."""
     monkeypatch.setattr("hophoop.gaits.digits.LEVELS", 2)  # of differences, for time
