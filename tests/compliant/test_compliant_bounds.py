@@ -92,7 +92,7 @@ def test_an_angle_keeps_its_digits_through_a_flight_of_many_turns():
 
 def test_many_steps_within_the_last_digit_of_a_late_time_have_one_ledger():
     """The last event falls between steps that all begin at the same double; its losses were those of another one."""
-    motion = hh.simulate(kept(15191).replace("contact.max_events", 60))
+    motion = hh.simulate(kept(15191).replace("contact.max_events", 200))
     assert motion.duration > 1e5
     assert abs(motion.ledger.residual) <= 1e-9 * motion.ledger.range
 

@@ -13,8 +13,10 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from hophoop.kernel.compliant.motion import dissipation, energies, jacobian, rates
-from hophoop.kernel.compliant.records import DYNAMIC, MEASURED, OM, PAIRS, SIZE, STAGES, VN, VT, X
+from hophoop.kernel.compliant.records import BLOCKS, DYNAMIC, MEASURED, OM, SIZE, STAGES, VN, VT, X
 from hophoop.kernel.numerics.arithmetic import integer_power
 from hophoop.kernel.numerics.tables import (
     RADAU_A,
@@ -30,7 +32,7 @@ from hophoop.kernel.numerics.tables import (
     RADAU_TO_REAL,
 )
 
-# --- small systems of linear equations, real and complex, by Gaussian elimination with partial pivoting
+# --- small systems of linear equations, by Gaussian elimination with partial pivoting
 # Complex products and quotients are written out, because compilers and NumPy add their terms in different orders.
 
 
@@ -69,49 +71,13 @@ def exchange_entries(side, pivots):
             side[k], side[best] = side[best], side[k]
 
 
-def factor(matrix, pivots):
-    """Compute LU factors of a small real matrix in place; return False if it is singular."""
-    n = matrix.shape[0]
-    for k in range(n):
-        best = k
-        size = abs(matrix[k, k])
-        for i in range(k + 1, n):
-            if abs(matrix[i, k]) > size:
-                best = i
-                size = abs(matrix[i, k])
-        pivots[k] = best
-        if not 0.0 < size < math.inf:
-            return False
-        if best != k:
-            exchange_rows(matrix, k, best)
-        inverse = 1.0 / matrix[k, k]
-        for i in range(k + 1, n):
-            matrix[i, k] *= inverse
-            for j in range(k + 1, n):
-                matrix[i, j] -= matrix[i, k] * matrix[k, j]
-    return True
-
-
-def solve(matrix, pivots, side):
-    """Solve with the factors, in place."""
-    n = matrix.shape[0]
-    exchange_entries(side, pivots)
-    for i in range(1, n):
-        for j in range(i):
-            side[i] -= matrix[i, j] * side[j]
-    for i in range(n - 1, -1, -1):
-        for j in range(i + 1, n):
-            side[i] -= matrix[i, j] * side[j]
-        side[i] /= matrix[i, i]
-
-
 def size_of(a):
     """Return abs(Re a) + abs(Im a), the size for the choice of pivots."""
     return abs(a.real) + abs(a.imag)
 
 
-def factor_complex(matrix, pivots):
-    """Compute LU factors of a small complex matrix in place, with reciprocal pivots; return False if it is singular."""
+def factor(matrix, pivots):
+    """Compute LU factors of a small matrix in place, with reciprocal pivots; return False if it is singular."""
     n = matrix.shape[0]
     for k in range(n):
         best = k
@@ -134,8 +100,8 @@ def factor_complex(matrix, pivots):
     return True
 
 
-def solve_complex(matrix, pivots, side):
-    """Solve with the complex factors, in place."""
+def solve(matrix, pivots, side):
+    """Solve with the factors, in place."""
     n = matrix.shape[0]
     exchange_entries(side, pivots)
     for i in range(1, n):
@@ -149,6 +115,10 @@ def solve_complex(matrix, pivots, side):
 
 # --- one step
 
+# The real eigenvalue of A⁻¹ and one of each conjugate pair
+EIGENVALUES = np.array([RADAU_GAMMA, *RADAU_LAMBDA])
+TO = np.vstack((RADAU_TO_REAL, RADAU_TO_PAIR))
+FROM = np.column_stack((RADAU_FROM_REAL, RADAU_FROM_PAIR))
 ITERATIONS = 10
 NEWTON = 1e-3  # relative to the tolerance: accepted residual of Newton's iteration
 LEDGER = 0.1  # relative to rtol: accepted error of the energy ledger per step
@@ -172,23 +142,14 @@ def poly_value(poly, m, s):
     return result
 
 
-def to_eigenbasis(work):
-    """Transform the stages to the eigenvectors of A⁻¹."""
-    for m in range(DYNAMIC):
-        total = 0.0
-        for i in range(STAGES):
-            total += RADAU_TO_REAL[i] * work.stages[i, m]
-        work.real_form[m] = total
-        for k in range(PAIRS):
-            pair = 0.0j
-            for i in range(STAGES):
-                pair += scaled(RADAU_TO_PAIR[k, i], work.stages[i, m])
-            work.pair_form[k, m] = pair
-
-
 def newton(body, comp, regime, work, start, h):
     """Solve for the stages; return True if the iteration converged."""
-    to_eigenbasis(work)
+    for k in range(BLOCKS):  # the stages in the eigenbasis of A⁻¹
+        for m in range(DYNAMIC):
+            total = 0.0j
+            for i in range(STAGES):
+                total += scaled(TO[k, i], work.stages[i, m])
+            work.forms[k, m] = total
     before = 0.0
     rate = 0.9
     for iteration in range(ITERATIONS):
@@ -197,33 +158,23 @@ def newton(body, comp, regime, work, start, h):
                 work.trial[m] = start[m] + work.stages[i, m]
             rates(body, comp, regime, work.trial, work.rates[i])
         size = 0.0
-        for m in range(DYNAMIC):
-            total = 0.0
-            for i in range(STAGES):
-                total += RADAU_TO_REAL[i] * work.rates[i, m]
-            work.real_side[m] = total - RADAU_GAMMA / h * work.real_form[m]
-        solve(work.real, work.real_pivots, work.real_side)
-        for m in range(DYNAMIC):
-            work.real_form[m] += work.real_side[m]
-            part = work.real_side[m] / work.scale[m]
-            size += part * part
-        for k in range(PAIRS):
-            eigenvalue = divided(RADAU_LAMBDA[k], h)
+        for k in range(BLOCKS):
+            eigenvalue = divided(EIGENVALUES[k], h)
             for m in range(DYNAMIC):
-                pair = 0.0j
+                total = 0.0j
                 for i in range(STAGES):
-                    pair += scaled(RADAU_TO_PAIR[k, i], work.rates[i, m])
-                work.pair_side[m] = pair - product(eigenvalue, work.pair_form[k, m])
-            solve_complex(work.pairs[k], work.pair_pivots[k], work.pair_side)
+                    total += scaled(TO[k, i], work.rates[i, m])
+                work.side[m] = total - product(eigenvalue, work.forms[k, m])
+            solve(work.blocks[k], work.pivots[k], work.side)
             for m in range(DYNAMIC):
-                work.pair_form[k, m] += work.pair_side[m]
-                shift = divided(work.pair_side[m], work.scale[m])
+                work.forms[k, m] += work.side[m]
+                shift = divided(work.side[m], work.scale[m])
                 size += shift.real * shift.real + shift.imag * shift.imag
         for i in range(STAGES):
             for m in range(DYNAMIC):
-                total = RADAU_FROM_REAL[i] * work.real_form[m]
-                for k in range(PAIRS):
-                    total += product(RADAU_FROM_PAIR[i, k], work.pair_form[k, m]).real
+                total = 0.0
+                for k in range(BLOCKS):
+                    total += product(FROM[i, k], work.forms[k, m]).real
                 work.stages[i, m] = total
         size = math.sqrt(size / (STAGES * DYNAMIC))
         if not size < 1e100:
@@ -242,11 +193,14 @@ def newton(body, comp, regime, work, start, h):
     return False
 
 
-def scaled_square(work):
-    """Return the sum of squares of the right-hand side over the scales."""
+def filtered_square(work):
+    """Return the sum of squares over the scales of the right-hand side, solved with the first block."""
+    for m in range(DYNAMIC):
+        work.side[m] = complex(work.trial[m], 0.0)
+    solve(work.blocks[0], work.pivots[0], work.side)
     total = 0.0
     for m in range(DYNAMIC):
-        part = work.real_side[m] / work.scale[m]
+        part = work.side[m].real / work.scale[m]
         total += part * part
     return total
 
@@ -260,18 +214,12 @@ def attempt(body, comp, regime, work, start, h, rtol):
     for m in range(SIZE):
         work.scale[m] = rtol * (work.atol[m] + abs(start[m]))
     jacobian(body, comp, regime, start, work.jacobian)
-    for i in range(DYNAMIC):
-        for j in range(DYNAMIC):
-            work.real[i, j] = -work.jacobian[i, j]
-            for k in range(PAIRS):
-                work.pairs[k, i, j] = -work.jacobian[i, j]
-        work.real[i, i] += RADAU_GAMMA / h
-        for k in range(PAIRS):
-            work.pairs[k, i, i] += divided(RADAU_LAMBDA[k], h)
-    if not factor(work.real, work.real_pivots):
-        return FAILED
-    for k in range(PAIRS):
-        if not factor_complex(work.pairs[k], work.pair_pivots[k]):
+    for k in range(BLOCKS):
+        for i in range(DYNAMIC):
+            for j in range(DYNAMIC):
+                work.blocks[k, i, j] = complex(-work.jacobian[i, j], 0.0)
+            work.blocks[k, i, i] += divided(EIGENVALUES[k], h)
+        if not factor(work.blocks[k], work.pivots[k]):
             return FAILED
     if not newton(body, comp, regime, work, start, h):
         return FAILED
@@ -298,18 +246,16 @@ def attempt(body, comp, regime, work, start, h, rtol):
         for i in range(STAGES):
             stages += RADAU_ERROR[i] * work.stages[i, m]
         work.error[m] = stages * RADAU_GAMMA / h
-        work.real_side[m] = work.start_rate[m] + work.error[m]
-    solve(work.real, work.real_pivots, work.real_side)
-    size = scaled_square(work)
+        work.trial[m] = work.start_rate[m] + work.error[m]
+    size = filtered_square(work)
     if size + total > MEASURED:
         # filtered once more for stiff components (Hairer & Wanner, IV.8)
         for m in range(DYNAMIC):
-            work.trial[m] = start[m] + work.real_side[m]
-        rates(body, comp, regime, work.trial, work.real_side)
+            work.trial[m] = start[m] + work.side[m].real
+        rates(body, comp, regime, work.trial, work.rates[0])
         for m in range(DYNAMIC):
-            work.real_side[m] += work.error[m]
-        solve(work.real, work.real_pivots, work.real_side)
-        size = scaled_square(work)
+            work.trial[m] = work.rates[0, m] + work.error[m]
+        size = filtered_square(work)
     result = math.sqrt((size + total) / MEASURED)
     if not result < FAILED:
         return FAILED

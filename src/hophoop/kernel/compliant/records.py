@@ -15,7 +15,8 @@ from hophoop.kernel.records.layout import EVENTS, SEGMENTS
 from hophoop.kernel.records.state import FARTHEST, start_state
 from hophoop.kernel.records.writing import event_without_jump, has_room, write_event
 
-STAGES, PAIRS = len(RADAU_NODES), len(RADAU_LAMBDA)  # of Radau IIA
+STAGES = len(RADAU_NODES)  # of Radau IIA
+BLOCKS = 1 + len(RADAU_LAMBDA)  # of Newton's system, in the eigenbasis of A⁻¹
 
 # Variables of the state array, in kernel units; `bristle` is z; `friction`, `damping`, `rolling_resistance`: energy lost so
 # far.
@@ -48,14 +49,10 @@ class Work(NamedTuple):
     start_rate: np.ndarray
     trial: np.ndarray
     jacobian: np.ndarray
-    real: np.ndarray
-    pairs: np.ndarray
-    real_pivots: np.ndarray
-    pair_pivots: np.ndarray
-    real_side: np.ndarray
-    pair_side: np.ndarray
-    real_form: np.ndarray
-    pair_form: np.ndarray
+    blocks: np.ndarray  # factors of Newton's system
+    pivots: np.ndarray
+    side: np.ndarray
+    forms: np.ndarray  # the stages in the eigenbasis
     error: np.ndarray
     scale: np.ndarray
     atol: np.ndarray
@@ -78,14 +75,10 @@ def new_work():
         np.zeros(SIZE),
         np.zeros(DYNAMIC),
         np.zeros((DYNAMIC, DYNAMIC)),
-        np.zeros((DYNAMIC, DYNAMIC)),
-        np.zeros((PAIRS, DYNAMIC, DYNAMIC), np.complex128),
-        np.zeros(DYNAMIC, np.int64),
-        np.zeros((PAIRS, DYNAMIC), np.int64),
-        np.zeros(DYNAMIC),
+        np.zeros((BLOCKS, DYNAMIC, DYNAMIC), np.complex128),
+        np.zeros((BLOCKS, DYNAMIC), np.int64),
         np.zeros(DYNAMIC, np.complex128),
-        np.zeros(DYNAMIC),
-        np.zeros((PAIRS, DYNAMIC), np.complex128),
+        np.zeros((BLOCKS, DYNAMIC), np.complex128),
         np.zeros(SIZE),
         np.zeros(SIZE),
         np.zeros(SIZE),
