@@ -128,6 +128,13 @@ def test_a_branch_ends_where_the_plane_would_not_be_allowed():
     assert (end.kind, end.event, end.parameter) == ("end", "", pytest.approx(0.9, abs=1e-12))
 
 
+def test_a_border_just_before_the_limit_of_the_range_is_met():
+    """9e-6° beyond the border the range ends: one step leads over both."""
+    found = first(1.0, 3.4552).follow("plane.slope", (math.radians(0.99), math.radians(1.02756)))
+    assert [special.kind for special in found.special] == ["limit of the range", "border collision", "limit of the range"]
+    assert math.degrees(found.special[1].parameter) == pytest.approx(1.0275511980, abs=1e-10)
+
+
 def test_doubled_gaits_are_followed(branch):
     twice = doubled(of_kind(branch, "border collision")[-1])
     assert twice.period == 2
