@@ -98,6 +98,8 @@ def test_units_in_any_case_and_the_encodings_of_spreadsheets(tmp_path, encoding,
         ("t\tx (mm)\ty", ["0,00\t985\t\u2212300", "0,01\t1\u00a0002\t#N/A", "0,02\t 1019 \t300"], ()),
         ("t;x (mm);y", ["0:01:00,00;985;3", "0:01:00,01;1002;3", "0:01:00,02;1019;3"], ()),
         ("t,x (mm),y", ["1:00.00,985,3", "1:00.01,1002,3", "1:00.02,1019,3"], ()),
+        ("t;x (mm);y", ["0,00;985;3", "0,01;1002;3;dark", "0,02;1019;3;;"],
+         ("Columns of ours.csv that are not used: column 4.",)),
         ("t,x (cm),y,remark", ['1,98.5,0.3,"dark, blurred"', '"1,1","100,2","0,3",', "1.2,101.9,0.3,"],
          ("Columns of ours.csv that are not used: remark.",)),
     ],
@@ -111,6 +113,19 @@ def test_numbers_as_people_write_them(tmp_path, head, rows, said):
 
 
 # --- columns and points ----------------------------------------------------------------------------
+
+
+def test_a_table_marked_by_hand(tmp_path):
+    """Pictures by number, a title with a comma, points over axes, y downwards in pixels, and remarks on some rows."""
+    head = "Film 2231, 60 pictures a second\npicture\thub\t\tsticker\t\tremark\n\tx px\ty px\tx px\ty px"
+    file = written(tmp_path, head, (np.arange(312, 320), X, -Y, LOAD_X, -LOAD_Y), "\t")
+    file.write_text(file.read_text() + "\tdark\n")
+    with pytest.raises(InputError, match=r"numbers of frames instead of times; its columns are picture, hub x px, .* --rate"):
+        read_track(file, Reading(radius=0.3))
+    track = read_track(file, Reading(radius=0.3, rate=100.0, units={"x": "1", "y": "-1"}))
+    assert track.t == pytest.approx(3.12 + T)
+    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-5)
+    assert track.marker == pytest.approx(np.stack([LOAD_X, LOAD_Y], axis=-1), abs=1e-5)
 
 
 def test_the_second_point_may_be_the_centre(tmp_path):

@@ -162,6 +162,7 @@ def clock(seconds, half=False):
         [f"11/20/2026 {clock(43199.9 + t, half=True)}" for t in T],  # past noon
         [f"20/11/2026 {clock(46799.9 + t, half=True)}" for t in T],
         [f"2026-11-20 {clock(36900.0 + t)}+0100" for t in T],
+        [f"20-Nov-2026 {clock(36900.0 + t)}" for t in T],
         [f"{60.0 * 15 + t:.6f}" for t in T],
         [clock(65.0 + t)[3:] for t in T],  # minutes and seconds of a film
     ],

@@ -37,7 +37,7 @@ SIGNS = {0x2212: "-", 0xFF0D: "-", 0xFF0E: ".", 0xFF0C: ",", 0x66B: "."}  # of t
 NUMBER = re.compile(r"[-+]?(?:\d+(?:[.,]\d{3})*[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
 GROUPED = {",": r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?", ".": r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?"}
 CLOCK = re.compile(
-    r"(?:(?P<date>\d{1,4}[-./]\d{1,2}[-./]\d{1,4})[T,\s]+)?"
+    r"(?:(?P<date>\d{1,4}[-./](?:\d{1,2}|[A-Za-z]{3})[-./]\d{1,4})[T,\s]+)?"
     r"(?:(?P<hours>\d+):)?(?P<minutes>\d+):(?P<seconds>\d+(?:[.,]\d+)?)(?:[:;](?P<frames>\d+))?"
     r"\s*(?P<half>[APap]\.?[Mm]\.?)?\s*(?:Z|UTC|[-+]\d\d:?\d\d)?"
 )
@@ -192,6 +192,10 @@ def heads(above: list[list[str]]) -> list[Column]:
         if row[0] and (len(set(zip(points, names, strict=True))) == len(names) or len(set(words)) < 2):
             break
         points = [f"{word} {point}".strip() for word, point in zip(words, points, strict=True)]
+    names, points = (  # a name in the row of points, over no name
+        [name or point for name, point in zip(names, points, strict=True)],
+        [point if name else "" for name, point in zip(names, points, strict=True)],
+    )
     meanings = NAMES | ({"time": ""} if "seconds_elapsed" in names else {})  # of Sensor Logger
     found = [
         _head(Column(k, f"{point} {name}".strip(), point), name, unit, meanings)
@@ -279,11 +283,12 @@ def columns(table: Table, name: str, rate: float | None) -> tuple[list[Column], 
     """Return the columns of a table, and remarks on signs that group digits."""
     wide = max(map(len, table.body))
     named = heads(table.above) or [Column(k + 1) for k in range(wide)]
-    if wide > len(named):
+    if wide > len(named) and table.separator in ("", ","):
         raise InputError(
             f"{name} has a row of {wide} cells under {len(named)} names: a comma can divide cells or numbers, not both. "
             "Save it with semicolons."
         )
+    named += [Column(k + 1) for k in range(len(named), wide)]  # such as a remark without a name
     decimal, notes = _decimal_sign(table, name)
     found = []
     for k, column in enumerate(named):

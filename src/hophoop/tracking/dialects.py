@@ -22,13 +22,13 @@ HEADS = (  # parts of the heads of programs; a group is a run
 # parts of heads.
 ENGLISH = {
     "t": "t|time|ms|millis|seconds elapsed|timestamp",
-    "frame": "frame|frames|frame number|frame idx|image|coords|slice n",
+    "frame": "frame|frames|frame number|frame idx|image|picture|coords|slice n",
     "angle": "angle|theta|θ|φ|phi|rotation|rotation angle",
     "polar": "θr|thetar|theta r|θ r",
     "omega": "omega|ω|w|angular velocity|angular speed|angular rate|rotation rate|gyr",
     "object": "track|track id|track n|object|object id|particle|id|instance|individual|bodypart|label|name",
     "centre": "cent|hub|axis|axle",
-    "marker": "mark|load|weight|last|dot",
+    "marker": "mark|load|weight|last|dot|sticker",
     "gyroscope": "gyro",
     "no position": "veloc|speed|acc|magn|gravi|force|quat|euler|attitude|field",
 }

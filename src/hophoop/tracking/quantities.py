@@ -447,7 +447,7 @@ def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> InputError:
     if sheet.how.radius and len(x) > 2 and np.ptp(angle) > 1.0:
         size = sheet.how.radius / float(np.polyfit(angle, x, 1)[0]) * (unit_factor(sheet.used["x"].unit, "m") or 1.0)
     unit = next((unit for unit in ("cm", "mm", "in") if abs(size / UNITS["m"][unit] - 1.0) < 0.1), f"{abs(size):.2g}")
-    y, down = (f"-{unit}", ", with y downwards") if size < 0 else (unit, "")
+    y, down = (f"-{unit}", ", with y downwards,") if size < 0 else (unit, "")
     return sheet.question(
         f"has lengths{down} whose unit is missing or wrong", f"it, or the size of one in m, by --unit x={unit} --unit y={y}"
     )
