@@ -11,7 +11,7 @@ import hophoop as hh
 from fitting_tools import PLANE, RADIUS, ROOT, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping, lasting, posed, read_again
 from hophoop.fitting import report
 from hophoop.fitting.channels import GYROSCOPE, scatter
-from hophoop.fitting.covariance import autocorrelation_time, correlated_frames
+from hophoop.fitting.covariance import autocorrelation_time, correlated_frames, inverse
 from hophoop.fitting.judging import runs_deviation
 from hophoop.fitting.limits import least_static_friction
 from hophoop.fitting.mistakes import shutter
@@ -420,3 +420,10 @@ def test_data_that_do_not_suffice(hop):
     for options, message in (({"rate": 2.0}, "would have 3 frames"), ({"sigma": 0.0}, "sigma = 0")):
         with pytest.raises(ValueError, match=message):
             hh.plan(hop.scenario, **options)
+
+
+def test_a_matrix_that_rounding_makes_indefinite_has_no_inverse():
+    """Its variances were below zero, and a fit to degrees in place of radians ended there."""
+    almost = np.nextafter(1.0, 2.0)
+    assert (inverse(np.array([[1.0, almost], [almost, 1.0]])) == np.inf).all()
+    assert inverse(np.array([[4.0, 0.0], [0.0, 0.25]])).tolist() == [[0.25, 0.0], [0.0, 4.0]]

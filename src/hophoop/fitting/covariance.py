@@ -75,6 +75,9 @@ def inverse(information: Floats) -> Floats:
     size = np.sqrt(np.maximum(np.diag(information), 1e-300))
     try:
         inverse = np.linalg.inv(information / np.outer(size, size))
+        known = bool((np.diag(inverse) > 0.0).all())  # rounding makes a nearly singular matrix indefinite
     except np.linalg.LinAlgError:
+        known = False
+    if not known:
         inverse = np.full_like(information, np.inf)
     return np.asarray(inverse / np.outer(size, size), dtype=float)
