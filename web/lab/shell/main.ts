@@ -62,7 +62,7 @@ async function startPage(root: HTMLElement) {
 /** From what the page itself holds, compressed, by name. `worker`: address of the worker's script. */
 async function startFile(root: HTMLElement, held: (name: string) => Packed, worker: string) {
   const kernel = WorkerKernel.unpack(held("module"), worker, async () => held("fates"));
-  const base = told("url") ?? (location.protocol === "file:" ? "" : ownAddress());
+  const base = told("url") ?? ownAddress();
   await open(root, await started(root, speakPacked(held("words")), backendOf(kernel, base)), "#");
 }
 

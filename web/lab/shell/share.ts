@@ -49,7 +49,7 @@ export class Share {
     const link = `${this.lab.backend.base}${this.lab.link(fingerprints)}`;
     try {
       await navigator.clipboard.writeText(link);
-      this.lab.notice.say("save.link_copied");
+      this.lab.notice.say(link.startsWith("file:") ? "save.link_copied_file" : "save.link_copied");
     } catch {
       this.show({ "save.link_title": link });
     }
