@@ -204,10 +204,8 @@ class SectionMap:
         place = point.tolist()
         body = self._body(place.pop() if self.path else 0.0)
         th, om, vt, vn, *_ = [math.pi] * int(self.section == "bottom") + place + [0.0, 0.0]
-        against = vt * slip_direction(mode)
-        if body is None or against < -SOLVED:
+        if body is None or vt * slip_direction(mode) < -SOLVED:
             return 0
-        vt = 0.0 if against < 0.0 else vt  # within rounding of the end of its mode: the kernel knows no slip against it
         start = start_state(0.0, 0.0, th, vt, vn, om)
         request = Request(SECTIONS.index(self.section), most, FOREVER, PANELS, False)
         found: int = compiled(follow_passages)(body, start, mode, request, self._buffers, self._scratch)[1]

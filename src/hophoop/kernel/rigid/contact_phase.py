@@ -235,7 +235,7 @@ def at_panel_start(state):
 @inline
 def slip_is_brief(panel, work):
     """Return True if slip ends before the first node of its panel, where v_t and its work would be lost in rounding."""
-    return panel.sigma * work[SLIP, 0] < 0.0 and panel.vt * panel.vt >= SMALLEST_SQUARE
+    return panel.sigma * work[SLIP, 0] < 0.0 < panel.sigma * panel.vt and panel.vt * panel.vt >= SMALLEST_SQUARE
 
 
 @noinline
