@@ -14,8 +14,6 @@ from hophoop.article.statement import Statement, Texts
 from hophoop.scenario import Hoop, Plane, PointMass, Ring, Start
 from hophoop.simulation.simulate import simulate
 
-SMALL = {"radius": 0.3, "mass": 2.0}  # another hoop, for a question in the article's comments
-
 TEXTS: dict[str, str] = tomllib.loads(files("hophoop.article").joinpath("facts.toml").read_text("utf-8"))
 
 
@@ -46,11 +44,18 @@ def _motions(runs: Runs) -> dict[str, Any]:
 def _bodies() -> dict[str, Any]:
     """Numbers for the article's comments: a hoop made of parts, and another radius and mass."""
     made = Hoop.from_parts(1.0, [Ring(mass=0.25, inner_radius=1.0, outer_radius=1.0), PointMass(mass=0.75, at=1.0)])
-    hoop, small = Hoop.ideal(0.75), Hoop.ideal(0.75, **SMALL)
+    hoop, small = Hoop.ideal(0.75), Hoop.ideal(0.75, radius=0.3, mass=2.0)
     speed = 3.1 * math.sqrt(small.radius)
     large, scaled = (
         simulate(one, Plane(), Start.rolling(v), duration=2.5).find("takeoff")[0] for one, v in ((hoop, 3.1), (small, speed))
     )
     wrong = Hoop(eccentricity=0.75, inertia_ratio=0.25)
-    found = {"made": made, "small": small, "small_speed": speed, "large": large, "scaled": scaled}
-    return found | {"with_load": theory.max_rolling_speed(hoop, 0.1), "without_load": theory.max_rolling_speed(wrong, 0.1)}
+    return {
+        "made": made,
+        "small": small,
+        "small_speed": speed,
+        "large": large,
+        "scaled": scaled,
+        "with_load": theory.max_rolling_speed(hoop, 0.1),
+        "without_load": theory.max_rolling_speed(wrong, 0.1),
+    }

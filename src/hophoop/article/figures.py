@@ -9,13 +9,11 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from hophoop import plots
 from hophoop._support.extras import need
-from hophoop.article import compliant_figures as compliant
+from hophoop.article.compliant_figures import both_models, landing_restitution
 from hophoop.article.runs import LONG, Runs
-from hophoop.article.scenarios import title
+from hophoop.article.scenarios import RUNS, title
 from hophoop.article.slipping import after_each_slip
 from hophoop.plots.style import Axes, finish
 from hophoop.simulation.simulate import simulate
@@ -60,30 +58,29 @@ def draw_figure(figure: ArticleFigure, runs: Runs) -> Figure:
     return sheet
 
 
-def _first_swing(runs: Runs, ax: Axes) -> None:
+def first_swing(runs: Runs, ax: Axes) -> None:
     """Path to the first turning point and back to the next; later ones would cover it."""
     motion = runs.motion("low_friction")
     back = motion.find("turn")[1].t
     plots.path(simulate(motion.scenario.replace("duration", back)), ax=ax)
 
 
-def _phase_plane(runs: Runs, ax: Axes) -> None:
-    names = ("slow", "faster", "slipping", "hop", "low_friction")
-    motions = [runs.motion(name) for name in names]
+def phase_plane(runs: Runs, ax: Axes) -> None:
+    motions = [runs.motion(name) for name in RUNS]
     # up to the turning point: the rocking has its own figure
     motions[-1] = simulate(motions[-1].scenario.replace("duration", motions[-1].find("turn")[0].t))
     plots.phase_plane(
-        runs.hoop, runs.plane, motions, [title(name) for name in names], ax=ax,
+        runs.hoop, runs.plane, motions, [title(name) for name in RUNS], ax=ax,
         angles=(0.0, math.radians(540.0)), speeds=(0.0, 12.0),
     )  # fmt: skip
 
 
-def _phase_plane_low(runs: Runs, ax: Axes) -> None:
+def phase_plane_low(runs: Runs, ax: Axes) -> None:
     motion = runs.motion("low_friction")
     plots.phase_plane(motions=[motion], ax=ax, angles=(0.0, 2.0 * math.pi), speeds=(-8.0, 8.0))
 
 
-def _slow_end(runs: Runs, ax: Axes) -> None:
+def slow_end(runs: Runs, ax: Axes) -> None:
     """Excess energy of the motion at 2.8 m/s over that at which slip would end."""
     t, excess = after_each_slip(runs)
     ax.loglog(t, excess, ".", color=colors.TOTAL, ms=3, label="after each slip")
@@ -93,19 +90,9 @@ def _slow_end(runs: Runs, ax: Axes) -> None:
     finish(ax, quantities.TIME, "Energy above rolling at the critical speed (J)")
 
 
-def _both_models(runs: Runs, ax: Axes) -> None:
-    sheet = ax.figure
-    ax.remove()
-    compliant.energy_balance(*sheet.subplots(1, 2, sharey=True))
-
-
-def _landing_restitution(runs: Runs, ax: Axes) -> None:
-    compliant.landing_against_restitution(np.linspace(0.0, 0.9, 10), ax=ax)
-
-
 SPECIAL: dict[str, Callable[[Runs, Axes], Any]] = {
-    function.__name__[1:]: function
-    for function in (_first_swing, _slow_end, _both_models, _landing_restitution, _phase_plane, _phase_plane_low)
+    function.__name__: function
+    for function in (first_swing, slow_end, both_models, landing_restitution, phase_plane, phase_plane_low)
 }
 _ROWS = tomllib.loads(files("hophoop.article").joinpath("figures.toml").read_text("utf-8"))
 FIGURES = tuple(ArticleFigure(name, **row) for name, row in _ROWS.items())

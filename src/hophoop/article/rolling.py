@@ -40,9 +40,10 @@ def rolling_rate(cosine: Any, speed: float) -> Any:
 
 
 def angular_velocity(runs: Runs) -> Result:
-    samples = {name: runs.sample(name) for name in ("slow", "faster")}
-    rates = {name: rolling_rate(np.cos(sample.angle), RUNS[name][0]) for name, sample in samples.items()}
-    errors = {name: np.max(np.abs(samples[name].omega / rate - 1.0)) for name, rate in rates.items()}
+    errors = {}
+    for name in ("slow", "faster"):
+        sample = runs.sample(name)
+        errors[name] = np.max(np.abs(sample.omega / rolling_rate(np.cos(sample.angle), RUNS[name][0]) - 1.0))
     return Result(max(errors.values()) < ROUNDING, {"relative_deviation": errors})
 
 

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop import theory
-from hophoop.article.runs import LONG, Runs, bisect, extremes
+from hophoop.article.runs import LONG, Runs, bisect, extremes, rolling_motion
 from hophoop.article.statement import Result
 from hophoop.kernel.model import inertia_at_height
 from hophoop.plots.curves import curve
-from hophoop.scenario import Hoop, Plane, Scenario, Start, to_body
+from hophoop.scenario import Hoop, Plane, to_body
 from hophoop.simulation.simulate import simulate
 from hophoop.simulation.trajectory import Trajectory
 
@@ -128,13 +128,13 @@ def positive_potential(runs: Runs) -> Result:
     motion, sample = runs.motion("hop"), runs.sample("hop")
     late = sample.t > 0.5  # it starts at zero
     times, above = sample.t[late], sample.potential[late] > 0.0
-    angles = []
-    for k in np.flatnonzero(above[1:] != above[:-1])[:2]:
 
-        def is_before(t: float, side: bool = above[k]) -> bool:
-            return (motion.at(t).potential > 0.0) == side
+    def crossing(k: int) -> float:
+        """Angle of a change of sign between two samples [°]."""
+        change = bisect(times[k], times[k + 1], lambda t: (motion.at(t).potential > 0.0) == above[k])
+        return math.degrees(motion.at(change).angle)
 
-        angles.append(math.degrees(motion.at(bisect(times[k], times[k + 1], is_before)).angle))
+    angles = [crossing(k) for k in np.flatnonzero(above[1:] != above[:-1])[:2]]
     near = len(angles) == 2 and abs(angles[0] - 350.0) < 2.5 and abs(angles[1] - 395.0) < 2.5
     return Result(near, {"angles_deg": angles, "largest": runs.extremes("hop", "potential")[1]})
 
@@ -154,8 +154,8 @@ def landing(runs: Runs) -> Result:
 def impact_loss(runs: Runs) -> Result:
     down = runs.motion("hop").find("impact")[0]
     normal, tangential = down.impact_normal, down.impact_tangential
-    parts = {"normal": normal, "tangential": tangential, "slip_before": down.friction}
-    return Result(normal > 0.5 * tangential, {"lost": normal + tangential, **parts})
+    numbers = {"lost": normal + tangential, "normal": normal, "tangential": tangential, "slip_before": down.friction}
+    return Result(normal > 0.5 * tangential, numbers)
 
 
 def low_friction_rocks(runs: Runs) -> Result:
@@ -175,9 +175,8 @@ def low_friction_slips(runs: Runs) -> Result:
 
 def littlewood(runs: Runs) -> Result:
     """γ = 1: the contact force vanishes at 90°, but the rim skims the plane instead of hopping."""
-    plane = Plane(mu=2.0)
-    limit = math.degrees(theory.massless_loss(0.0, plane=plane).angle)
-    motion = simulate(Scenario(hoop=Hoop.ideal(1.0), plane=plane, start=Start.rolling(1e-6), duration=12.0))
+    limit = math.degrees(theory.massless_loss(0.0, plane=Plane(mu=2.0)).angle)
+    motion = rolling_motion(1.0, mu=2.0, speed=1e-6, duration=12.0)
     angle = math.degrees(motion.find("skim")[0].angle)
     rises = any(event.height > 0.0 for event in motion.events) or "H" in motion.sequence
     holds = abs(limit - 90.0) < 1e-9 and abs(angle - 90.0) < 1e-6 and not rises

@@ -11,7 +11,6 @@ AGREES = "agrees"
 WITHIN_READING = "agrees within reading accuracy"
 DIFFERS = "differs"
 FAILS = "fails"
-VERDICTS = (AGREES, WITHIN_READING, DIFFERS, FAILS)
 
 
 class Result(NamedTuple):
