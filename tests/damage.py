@@ -9,9 +9,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-import netCDF4
-import zarr
-
 from hophoop import io
 from hophoop._support.checksum import checksum
 
@@ -57,11 +54,15 @@ def unseal(file: Path) -> None:
 def sign(file: Path) -> None:
     """Give an unsealed motion that was changed the checksum of its present content."""
     if file.suffix == ".nc":
+        import netCDF4
+
         content = checksum(io._read(file, "netcdf"))
         with netCDF4.Dataset(file, "a") as changed:
             for group in (changed, *changed.groups.values()):
                 group.checksum = content
     else:
+        import zarr
+
         content = checksum(io._read(file, "zarr"))
         root = zarr.open_group(file, mode="a", use_consolidated=False)
         for group in (root, *(each for _, each in root.groups())):

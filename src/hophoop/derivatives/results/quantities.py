@@ -114,7 +114,7 @@ def _parsed(name: str) -> tuple[str, int, str] | None:
 
 
 def _known() -> str:
-    return "takeoff.angle and the like, hop.height, at(0.8).angle and " + ", ".join([*WHOLE, *MAPPED])
+    return "takeoff.angle, impact.x and the like, hop.height, at(0.8).angle and " + ", ".join([*WHOLE, *MAPPED])
 
 
 def _chosen(name: str, what: str, found: np.ndarray, place: int) -> int:
