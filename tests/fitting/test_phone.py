@@ -55,3 +55,14 @@ def test_a_plan_predicts_what_a_record_determines(sample):
     slow = hh.plan(hopping(start=hh.Start.rolling(1.0), duration=1.0).scenario, rate=200.0, sigma_omega=SIGMA)
     assert {"mu_kinetic", "restitution"} <= {row[0] for row in slow.rows() if row[1] == "not determined"}
     assert slow.least_static_friction > 0.2
+
+
+def test_a_second_of_free_motion_is_found_in_ten():
+    """A timed run of a phone has rest, the hand and the catch around it."""
+    t = np.arange(1000) / 100.0
+    free = (t >= 5.2) & (t < 6.2)
+    omega = np.where((t > 4.6) & (t < 5.2), 9.0 * (t - 4.6), 0.0)
+    omega[free] = hopping().at(t[free] - 5.2).omega
+    omega += np.random.default_rng(13).normal(0, SIGMA, len(t))
+    notes = " ".join(hh.fit(track_of(t, {"omega": omega}, radius=RADIUS)).notes)
+    assert "give --from 5.2 --to 6" in notes

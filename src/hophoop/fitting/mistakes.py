@@ -50,6 +50,7 @@ ALIKE = 3.0  # times the cost of the best, of others that are named as well
 WORSE = 20.0  # times the cost of a window, of the whole record
 SHORTEST, LONGEST = 0.05, 30.0  # motion that is tried [s]
 PARTS, PIECE = 20, 4  # steps of a record in which its window is found, and of the first piece of one
+WIDEST, MOST_PARTS = 0.2, 50  # step of a longer record, whose free motion takes 1 s [s]; its most steps
 NUMBERS = 40  # minimum number of data of a window
 MOVES = 1.0  # minimum way of the hoop in a window, over the radius
 CERTAIN = 9.0  # fall of the sum of squares that is more than chance: three standard deviations
@@ -239,7 +240,7 @@ def _window(run: Run, asked: Asked, allowed: float) -> list[str]:
     allowed: cost over the number of data [1].
     """
     begin, end = asked.track.t[[0, -1]].tolist()
-    step = 0.1 * np.ceil((end - begin) / PARTS / 0.1)
+    step = 0.1 * np.ceil(max(min((end - begin) / PARTS, WIDEST), (end - begin) / MOST_PARTS) / 0.1)
     places = [*np.arange(begin, end - 0.5 * step, step).tolist(), end]
 
     def free(first: int, last: int) -> bool:
