@@ -7,11 +7,12 @@ import pickle
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
+from pydantic_core import PydanticCustomError
 
 import hophoop as hh
 from hophoop._support.errors import shortened
-from hophoop.scenario import InputError, parameter
-from hophoop.scenario.checking import findings_sentence
+from hophoop.scenario import InputError, parameter, sentence
 from hophoop.scenario.formats import MOST_BYTES
 from strategies import said
 
@@ -28,8 +29,8 @@ def test_any_message_shows_sixty_characters_of_a_value_of_thousands():
 
 
 def test_a_problem_of_another_kind_is_said_in_its_own_words():
-    finding = {"type": "other", "loc": ("start", "x"), "input": 3, "msg": "IT is so"}
-    assert findings_sentence([finding]) == "start.x = 3: iT is so."
+    finding = {"type": PydanticCustomError("other", "IT is so"), "loc": ("start", "x"), "input": 3}
+    assert sentence(ValidationError.from_exception_data("Scenario", [finding])) == "start.x = 3: iT is so."
 
 
 def test_every_finding_stays_with_the_error_without_the_links_of_pydantic():
@@ -46,6 +47,12 @@ def test_every_finding_stays_with_the_error_without_the_links_of_pydantic():
 def test_arrays_are_shown_as_they_are_and_scalars_as_numbers(value, shown):
     expected = f"= {shown} must be a number." if shown else "= -0.5 must be from 0 to 1."
     assert said(lambda: hh.Plane(restitution=value)) == f"plane.restitution {expected}"
+
+
+def test_an_array_in_place_of_a_number_is_shown():
+    refused = "plane.mu = array([1., 2.]) must be a number."
+    assert said(lambda: hh.Scenario().replace("plane.mu", np.array([1.0, 2.0]))) == refused
+    assert hh.Scenario().replace("plane.impact_law", np.str_("newton")).plane.impact_law == "newton"
 
 
 def test_what_is_no_table_is_shown_up_to_forty_characters():

@@ -7,7 +7,7 @@ the sentences.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any, ClassVar, Final, NamedTuple, Self, get_args
@@ -82,7 +82,7 @@ TEXTS: Final[dict[str, str]] = {
     # paths
     "no_parameter": "{path} is not a parameter of a scenario; known are {known}.",
     "no_section_parts": "{path} is not a parameter of a scenario: {section} has no parts.",
-    "two_ways": "{one} = {one_value!r} and {other} = {other_value!r} cannot be given together.",
+    "two_ways": "{one} = {one_value} and {other} = {other_value} cannot be given together.",
     "not_there": "{path} is not there to be replaced: the scenario has no {step!r}.",
     # links
     "unreadable_query": "The query cannot be read: {reason}.",
@@ -138,7 +138,7 @@ class Number:
         checked = self.whole if int in (source, *get_args(source)) else self.checked
         return core_schema.no_info_before_validator_function(checked, handler(source))
 
-    def checked(self, value: Any) -> float | None:
+    def checked(self, value: Any) -> Any:
         """Return a value as a number in the range, None for one that is not given.
 
         value: a number of Python or NumPy, or the word "inf" where it may be infinite; number: never −0.
@@ -154,10 +154,11 @@ class Number:
 
     def whole(self, value: Any) -> int | None:
         """Return a value as an integer in the range."""
-        if value is not None and not _number(value).is_integer():
+        if value is None:
+            return None
+        if not _number(value).is_integer():
             raise _wrong("whole")
-        number = self.checked(value)
-        return None if number is None else int(number)
+        return int(self.checked(value))
 
 
 def _number(value: Any) -> float:
@@ -181,7 +182,7 @@ def quantity(default: Any, meaning: str, unit: str = "1", allowed: Range | None 
     """Return a pydantic field with its meaning and unit ("1" for a pure number, "" for a word), and the check of a number."""
     extra: dict[str, Any] = {"unit": unit}
     if allowed is not None:
-        extra["minimum"] = min(allowed.least, *allowed.also) if allowed.also else allowed.least
+        extra["minimum"] = min([allowed.least, *allowed.also])
         if math.inf not in allowed.also:
             extra["maximum"] = allowed.most
     field: Any = Field(default, description=meaning, json_schema_extra=extra)
@@ -204,32 +205,26 @@ def field_of(path: str) -> Any:
 # --- models -----------------------------------------------------------------------------------------
 
 
-def plain_init(init: Callable[..., None]) -> Callable[..., None]:
-    """Mark an ``__init__`` that only passes on to pydantic's.
-
-    Without the mark pydantic would call it for nested models too, whose errors must keep their path in the
-    scenario.
-    """
-    init.__pydantic_base_init__ = True  # type: ignore[attr-defined]
-    return init
-
-
 class Frozen(BaseModel):
     """A validated model that never changes; a bad value raises `InputError`."""
 
     place: ClassVar[str] = ""  # the model's path in a scenario, with a trailing dot
+    in_order: ClassVar[bool] = False  # whether values may be given without their names
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    @plain_init
     def __init__(self, /, *unnamed: Any, **values: Any) -> None:
-        if unnamed:
+        if unnamed and not self.in_order:
             name, keys = type(self).__name__, ", ".join(type(self).model_fields)
             raise InputError(f"{name} takes its values by name ({keys}), not as {name}({shortened(shown(unnamed[0]))}).")
+        named = dict(zip(type(self).model_fields, unnamed, strict=False)) if unnamed else {}
         try:
-            super().__init__(**values)
+            super().__init__(**named, **values)
         except ValidationError as error:
             raise input_error(error) from None
+
+    # As pydantic's own: it would call another one for nested models too, whose errors must keep their path in the scenario.
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
     @model_validator(mode="before")
     @classmethod
@@ -242,23 +237,16 @@ class Frozen(BaseModel):
         return data
 
     def __setattr__(self, name: str, value: Any) -> None:
-        path = self._path_of(name)
+        path = f"{self.place}{shortened(name)}"
+        known = list(type(self).model_fields)
+        if name not in known and not hasattr(type(self), name):
+            raise InputError(unknown_key(name, known, self.place), field=path)
         raise InputError(
             f"{path} = {shortened(shown(value))} cannot be assigned, since a {type(self).__name__} never changes; "
             f"{self._changing(name, shortened(shown(value)))} returns another one.",
             field=path,
             value=value,
         )
-
-    def __delattr__(self, name: str) -> None:
-        path = self._path_of(name)
-        raise InputError(f"{path} cannot be deleted, since a {type(self).__name__} never changes.", field=path)
-
-    def _path_of(self, name: str) -> str:
-        path, known = f"{self.place}{shortened(name)}", list(type(self).model_fields)
-        if name not in known and not hasattr(type(self), name):
-            raise InputError(unknown_key(name, known, self.place), field=path)
-        return path
 
     def _changing(self, name: str, value: str) -> str:
         """Return the expression that makes another model."""
@@ -273,7 +261,7 @@ class Frozen(BaseModel):
             Numbers in SI units and words only; an infinite friction is the word "inf", since JSON has no
             infinity.
         """
-        return {name: _plain(value) for name in self._written() if (value := getattr(self, name)) is not None}
+        return {name: "inf" if value == math.inf else keys_of(value) for name, value in self.__repr_args__()}
 
     @classmethod
     def from_dict(cls, keys: dict[str, Any]) -> Self:
@@ -331,12 +319,17 @@ class Frozen(BaseModel):
         self.__dict__.update(values)
 
 
-def _plain(value: Any) -> Any:
+def keys_of(value: Any) -> Any:
+    """Return a value as a copy of its keys, which may be changed; numbers and words of NumPy as Python's."""
+    if type(value) in (float, str):  # most values, at once
+        return value
     if isinstance(value, Frozen):
         return value.to_dict()
-    if isinstance(value, tuple):
-        return [_plain(item) for item in value]
-    return "inf" if value == math.inf else value
+    if isinstance(value, Mapping):
+        return {key: keys_of(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [keys_of(item) for item in value]
+    return value.item() if getattr(value, "ndim", None) == 0 else value
 
 
 def refuse(message: str, field: str | None = None) -> PydanticCustomError:
@@ -351,16 +344,15 @@ def near_name(word: str, known: Sequence[str], place: str) -> str:
     word = word.strip().lower().replace(" ", "_").replace("-", "_")
     own = place.removesuffix(".") or "motion"
     here = {name: name for name in known}
-    elsewhere: dict[str, str] = {}
+    elsewhere = ""
     for row in TABLE:
         key = row.path.rpartition(".")[2]
-        for name in (key, *row.names):
-            if section_of(row) != own:
-                elsewhere.setdefault(name, row.path)
-            elif key in known:
-                here.setdefault(name, key)
+        if section_of(row) == own and key in known:
+            here = dict.fromkeys(row.names, key) | here
+        elif section_of(row) != own and word in (key, *row.names):
+            elsewhere = elsewhere or row.path
     close = difflib.get_close_matches(word, here, n=1, cutoff=0.75)
-    return here[close[0]] if close else elsewhere.get(word, "")
+    return here[close[0]] if close else elsewhere
 
 
 def unknown_key(key: str, known: Sequence[str], place: str) -> str:
@@ -459,9 +451,14 @@ _PLACES = {"Scenario": "", "Rigid": "contact", "Compliant": "contact", "PointMas
 
 # Kinds of pydantic's errors, and what is allowed there.
 _KINDS = {
-    **dict.fromkeys(("model_type", "model_attributes_type", "dict_type", "union_tag_not_found"), "table"),
-    **dict.fromkeys(("tuple_type", "list_type"), "list"),
-    **dict.fromkeys(("float_type", "int_type"), "number"),
+    "model_type": "table",
+    "model_attributes_type": "table",
+    "dict_type": "table",
+    "union_tag_not_found": "table",
+    "tuple_type": "list",
+    "list_type": "list",
+    "float_type": "number",
+    "int_type": "number",
     "string_type": "word",
 }
 
@@ -493,10 +490,9 @@ def sentence(error: BaseException) -> str:
     ...     print(sentence(error))
     plane.mu_kinetic = 1.2 must not exceed plane.mu_static = 1.0.
     """
-    if isinstance(error, OSError) and error.strerror and error.filename is not None:
-        return f"{error.filename}: {error.strerror}."
     if isinstance(error, OSError) and error.strerror:
-        return f"{error.strerror}."
+        file = "" if error.filename is None else f"{error.filename}: "
+        return f"{file}{error.strerror}."
     if not isinstance(error, ValidationError):
         # KeyError and the like show their argument only; a name says more than nothing.
         return str(error) or type(error).__name__
@@ -504,23 +500,14 @@ def sentence(error: BaseException) -> str:
 
 
 def input_error(error: ValidationError) -> InputError:
-    """The `InputError` for what pydantic found."""
-    findings = list(error.errors(include_url=False))
-    place = _PLACES.get(error.title, error.title.lower())
-    first = _problem(place, findings[0])
-    return InputError(findings_sentence(findings, place), findings, field=first.field, value=first.value, allowed=first.allowed)
-
-
-def findings_sentence(findings: Sequence[Mapping[str, Any]], place: str = "") -> str:
-    """Put what pydantic found into one sentence.
-
-    findings: As ``ValidationError.errors()`` gives them; the first is said, the others are counted; place: Path under which the
-    validated model stands.
-    """
-    first, others = str(_problem(place, findings[0])), len(findings) - 1
-    if others == 0:
-        return first
-    return say("other_problem" if others == 1 else "other_problems", first=first.removesuffix("."), count=others)
+    """The `InputError` for what pydantic found: the first finding is said, the others are counted."""
+    findings = error.errors(include_url=False)
+    first = _problem(_PLACES.get(error.title, error.title.lower()), findings[0])
+    others = len(findings) - 1
+    message = str(first)
+    if others:
+        message = say("other_problem" if others == 1 else "other_problems", first=message.removesuffix("."), count=others)
+    return InputError(message, findings, field=first.field, value=first.value, allowed=first.allowed)
 
 
 def _problem(above: str, finding: Mapping[str, Any]) -> InputError:
@@ -529,15 +516,15 @@ def _problem(above: str, finding: Mapping[str, Any]) -> InputError:
     kind, value, context = finding["type"], finding["input"], finding.get("ctx", {})
     if kind == "sentence":
         return InputError(str(context["sentence"]), field=context.get("field"))
-    if kind.startswith("union_tag") and (kind == "union_tag_invalid" or isinstance(value, Mapping)):
-        # the key that says which of several models a table is
-        place += ".model" if place.endswith("contact") else ".shape"
-    if kind == "missing" or (kind == "union_tag_not_found" and isinstance(value, Mapping)):
+    if kind == "union_tag_not_found" and isinstance(value, Mapping):
+        kind = "missing"
+        place += _tag(place)
+    if kind == "missing":
         return InputError(say("missing", path=place), field=place)
     if kind == "union_tag_invalid":
-        value, expected = context["tag"], context["expected_tags"]
-        *others, last = str(expected).split(", ")
-        allowed = say("literal_error", expected=f"{', '.join(others)} or {last}")
+        value = context["tag"]
+        place += _tag(place)
+        allowed = say("literal_error", expected=" or ".join(context["expected_tags"].rsplit(", ", 1)))
     elif kind == "value":  # of a number
         allowed = finding["msg"]
     elif kind == "literal_error":
@@ -553,10 +540,15 @@ def _problem(above: str, finding: Mapping[str, Any]) -> InputError:
     return InputError(sentence, field=place, value=value, allowed=allowed.removeprefix("must be "))
 
 
+def _tag(place: str) -> str:
+    """Return the step of a path to the key that says which of several models a table is."""
+    return ".model" if place.endswith("contact") else ".shape"
+
+
 def _path(above: str, loc: Sequence[str | int]) -> str:
     # The name of a union's branch is pydantic's, not the user's.
     parts = [above, *(shortened(str(step)) for step in loc if step not in _TAGS)]
-    return ".".join(part for part in parts if part) or TEXTS["whole_scenario"]
+    return ".".join(filter(None, parts)) or TEXTS["whole_scenario"]
 
 
 def _show(value: Any) -> str:

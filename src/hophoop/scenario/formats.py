@@ -108,29 +108,25 @@ def _toml_line(key: str, value: Any, unit: str) -> str:
 
 
 def _toml_value(value: Any) -> str:
-    if value == "inf":
-        return "inf"
     # A JSON string without control characters is a TOML string as well.
-    return json.dumps(value) if isinstance(value, str) else repr(value)
+    return json.dumps(value) if isinstance(value, str) and value != "inf" else str(value)
 
 
 def query_text(data: Mapping[str, Any]) -> str:
     """Return a query such as `plane.mu=0.5&start.speed=3.1`, in the order of the keys."""
     from urllib.parse import urlencode
 
-    return urlencode([(path, _query_value(value)) for path, value in _leaves(data, "")])
+    return urlencode([(path, _query_value(value)) for path, value in _leaves(data)])
 
 
-def _leaves(node: Any, path: str) -> Iterator[tuple[str, Any]]:
-    if isinstance(node, Mapping):
-        children = list(node.items())
-    elif isinstance(node, list):
-        children = list(enumerate(node))
-    else:
+def _leaves(node: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    if isinstance(node, list):
+        node = dict(enumerate(node))
+    if not isinstance(node, Mapping):
         yield path, node
         return
-    for key, child in children:
-        yield from _leaves(child, f"{path}.{key}" if path else str(key))
+    for key, child in node.items():
+        yield from _leaves(child, f"{path}.{key}" if path else key)
 
 
 def _query_value(value: Any) -> str:

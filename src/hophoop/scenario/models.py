@@ -297,7 +297,7 @@ class Compliant(Frozen):
     @model_validator(mode="after")
     def _one_damping(self) -> Compliant:
         if self.damping is not None and self.restitution is not None:
-            raise refuse(say("together", section="contact", other="restitution", way="damping"))
+            alone("contact", "damping", ["restitution"])
         return self
 
 

@@ -9,11 +9,10 @@ import numpy as np
 from pydantic import Discriminator, model_validator
 
 from hophoop.kernel.records import DISK, POINT_MASS, RADIAL_ROD, RING, TANGENTIAL_ROD, combined, part_inertia, part_reach
-from hophoop.scenario.checking import Frozen, plain_init, quantity, refuse, say
+from hophoop.scenario.checking import Frozen, quantity, refuse, say
 from hophoop.vocabulary.parameters import RANGES, Range
 
 MASS, LENGTH = RANGES["hoop.parts.mass"], RANGES["hoop.parts.length"]
-INNER = Range(0.0, LENGTH.most)  # of an inner radius: a full disk has none
 
 Row = tuple[int, float, float, float, float]
 
@@ -31,10 +30,7 @@ class _Part(Frozen):
     """Base of all parts; a negative mass is a hole."""
 
     place: ClassVar[str] = "hoop.parts: "
-
-    @plain_init
-    def __init__(self, /, *in_order: Any, **values: Any) -> None:
-        super().__init__(**dict(zip(type(self).model_fields, in_order, strict=False)), **values)
+    in_order: ClassVar[bool] = True
 
     @property
     def row(self) -> Row:
@@ -73,7 +69,8 @@ class Ring(_Part):
     """
 
     mass: float = quantity(..., "Mass of the ring", "kg", MASS)
-    inner_radius: float = quantity(..., "Inner radius of the ring", "m", INNER)
+    # of a full disk it is 0
+    inner_radius: float = quantity(..., "Inner radius of the ring", "m", Range(0.0, LENGTH.most))
     outer_radius: float = quantity(..., "Outer radius of the ring", "m", LENGTH)
     shape: Literal["ring"] = quantity("ring", "Kind of part", "")
 

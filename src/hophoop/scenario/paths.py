@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from hophoop._support.errors import InputError
-from hophoop.scenario.checking import Frozen, near_name, say, unit_of
+from hophoop._support.errors import InputError, shown
+from hophoop.scenario.checking import Frozen, keys_of, near_name, say, unit_of
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
 from hophoop.scenario.start import Start
@@ -86,15 +86,15 @@ def parameter(path: str) -> ParameterInfo:
     >>> parameter("start.speed").unit
     'm/s'
     """
-    section, _, key = path.rpartition(".")
-    for model in _models(section):
-        if key in model.model_fields:
-            field = model.model_fields[key]
-            return ParameterInfo(path, field.description or "", unit_of(field))
     if path == "duration":
         return ParameterInfo(path, PARAMETERS[path].meaning, PARAMETERS[path].unit)
-    keys = [name for model in _SECTIONS.get(section, ()) for name in model.model_fields]
-    close = near_name(key, keys or ["duration", *_SECTIONS], section) if path.count(".") < 2 else ""
+    section, _, key = path.rpartition(".")
+    models = _PARTS if re.fullmatch(r"hoop\.parts\.\d+", section) else _SECTIONS.get(section, ())
+    # of a key that several have, the first one says the meaning
+    fields = {name: field for model in reversed(models) for name, field in model.model_fields.items()}
+    if key in fields:
+        return ParameterInfo(path, fields[key].description or "", unit_of(fields[key]))
+    close = near_name(key, list(fields) or ["duration", *_SECTIONS], section) if path.count(".") < 2 else ""
     if close and close not in _SECTIONS:
         raise InputError(say("unknown_key", path=path, hint=say("did_you_mean", close=close)), field=path)
     raise InputError(say("no_parameter", path=path, known=", ".join(paths())), field=path)
@@ -108,20 +108,17 @@ def paths() -> list[str]:
     paths : list of str
         In the order of a scenario file.
     """
-    found = ["duration"]
-    for section, models in _SECTIONS.items():
-        for model in models:
-            names = [name for name in model.model_fields if name not in ONWARD]
-            found += [path for name in names if (path := f"{section}.{name}") not in found]
-    return found
+    found = dict.fromkeys(
+        f"{section}.{name}"
+        for section, models in _SECTIONS.items()
+        for model in models
+        for name in model.model_fields
+        if name not in ONWARD
+    )
+    return ["duration", *found]
 
 
-def _models(section: str) -> Sequence[type[Frozen]]:
-    """Return the models that may be at a section, or at the place of a part."""
-    return _PARTS if re.fullmatch(r"hoop\.parts\.\d+", section) else _SECTIONS.get(section, ())
-
-
-def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
+def contradiction(given: Collection[str]) -> tuple[str, str] | None:
     """Return two of the paths that contradict each other by giving one quantity in two ways.
 
     given: Paths of parameters that are given together.
@@ -131,13 +128,11 @@ def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
     >>> contradiction(["start.speed", "plane.mu", "start.vx"])
     ('start.speed', 'start.vx')
     """
-    known = list(given)
-    for path in known:
+    for path in given:
         section = path.partition(".")[0]
-        ended = {f"{section}.{key}" for key in ENDS.get(path, ())}
-        for other in known:
-            # a section given together with one of its keys
-            if any(other == end or other.startswith(f"{end}.") for end in ended):
+        ended = tuple(f"{section}.{key}." for key in ENDS.get(path, ()))
+        for other in given:
+            if f"{other}.".startswith(ended):  # or something in it
                 return path, other
     return None
 
@@ -148,15 +143,12 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
     Whole sections come first, then their keys. If a value is given in another way than before, other quantities keep their
     values.
     """
-    pair = contradiction(values)
-    if pair is not None:
+    if pair := contradiction(values):
         one, other = pair
-        given = {"one_value": values[one], "other_value": values[other]}
-        raise InputError(say("two_ways", one=one, other=other, **given))
+        raise InputError(say("two_ways", one=one, one_value=shown(values[one]), other=other, other_value=shown(values[other])))
     data = scenario.to_dict()
-    spelt_out: set[str] = set()
     for path in sorted(values, key=_rank):
-        value = _keys(values[path])
+        value = keys_of(values[path])
         section, _, rest = path.partition(".")
         if not rest:
             data[section] = value
@@ -168,11 +160,13 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
         table = data.setdefault(section, {})
         if not isinstance(table, dict):
             raise InputError(say("no_section_parts", path=path, section=section), field=path)
-        if section not in spelt_out and any(key in table for key in ENDS.get(path, ())):
-            spelt_out.add(section)
-            spelt = _spelt_out(_as_given(scenario, values, section), data, path)
-            table.update({key: value for key, value in spelt.items() if f"{section}.{key}" not in values})
-        for key in ENDS.get(path, ()):
+        ended = ENDS.get(path, ())
+        if any(key in table for key in ended):
+            given = getattr(scenario, section)
+            if section in values:
+                given = type(given).from_dict(values[section])
+            table |= {key: kept for key, kept in _spelt_out(given, data, path).items() if f"{section}.{key}" not in values}
+        for key in ended:
             table.pop(key, None)
         _put(table, rest.split("."), value, path)
     return data
@@ -184,47 +178,28 @@ def _rank(path: str) -> tuple[int, int]:
     return (section == "start", 0 if not rest else 1 if path in ("contact.model", "hoop.parts") else 2)
 
 
-def _keys(value: Any) -> Any:
-    """Return a value as a copy of its keys, which may be changed."""
-    if isinstance(value, Frozen):
-        return value.to_dict()
-    if isinstance(value, Mapping):
-        return {key: _keys(item) for key, item in value.items()}
-    return [_keys(item) for item in value] if isinstance(value, list | tuple) else value
-
-
-def _as_given(scenario: Scenario, values: Mapping[str, Any], section: str) -> Frozen:
-    """Return a section before single values in it are replaced."""
-    kept: Frozen = getattr(scenario, section)
-    return type(kept).from_dict(values[section]) if section in values else kept
-
-
-def _spelt_out(given: Frozen, data: Mapping[str, Any], path: str) -> dict[str, Any]:
+def _spelt_out(given: Any, data: Mapping[str, Any], path: str) -> dict[str, Any]:
     """Return the same section given in the other way, to keep the quantities that the path does not name."""
+    names: Sequence[str] = ()
     if isinstance(given, Hoop) and path != "hoop.parts":
-        kept = ("mass",) if path == "hoop.load_fraction" else ("mass", "eccentricity", "inertia_ratio")
-        return {name: getattr(given, name) for name in kept}
-    if isinstance(given, Plane) and path != "plane.mu":
-        return {"mu_static": given.mu_static, "mu_kinetic": given.mu_kinetic}
-    if isinstance(given, Start) and path != "start.speed":
+        names = ("mass",) if path == "hoop.load_fraction" else ("mass", "eccentricity", "inertia_ratio")
+    elif isinstance(given, Plane) and path != "plane.mu":
+        names = ("mu_static", "mu_kinetic")
+    elif isinstance(given, Start) and path != "start.speed":
         # a rolling start as the free start of the new hoop
-        state = given.state(Hoop.from_dict(data["hoop"]))
-        return {"height": state.height, "vx": state.vx, "vy": state.vy, "omega": state.omega}
-    return {}
+        given = given.state(Hoop.from_dict(data["hoop"]))
+        names = ("height", "vx", "vy", "omega")
+    return {name: getattr(given, name) for name in names}
 
 
-def _put(table: Any, steps: Sequence[str], value: Any, path: str) -> None:
+def _put(table: Any, steps: Sequence[Any], value: Any, path: str) -> None:
     """Set a key below a section; all tables above it must exist."""
-    *above, last = steps
-    for step in above:
-        table = table[_key(table, step, path)]
-    table[_key(table, last, path, new=True)] = value
-
-
-def _key(table: Any, step: str, path: str, new: bool = False) -> Any:
-    """Return a step of a path as a key of a table, which may be a new one, or as an index of a list."""
-    if isinstance(table, dict) and (new or step in table):
-        return step
+    step, *rest = steps
     if isinstance(table, list) and step.isdecimal() and int(step) < len(table):
-        return int(step)
-    raise InputError(say("not_there", path=path, step=step), field=path)
+        step = int(step)
+    elif not isinstance(table, dict) or (rest and step not in table):
+        raise InputError(say("not_there", path=path, step=step), field=path)
+    if rest:
+        _put(table[step], rest, value, path)
+    else:
+        table[step] = value

@@ -64,23 +64,19 @@ class Scenario(Frozen):
 
     @model_validator(mode="after")
     def _fitting(self) -> Scenario:
-        code, number = refusal(cell_of(self), contact_of(self.contact))
+        cell = cell_of(self)
+        code, number = refusal(cell, contact_of(self.contact))
         if code:
             raise refused(code, self, number)
-        if self.start.slip is not None:
-            self._check_slip(self.start.slip)
-        if isinstance(self.contact, Rigid) and self.start.mode is not None and (why := why_not_in_mode(cell_of(self))):
-            raise refuse(f"start.mode = {self.start.mode!r} cannot hold: {why}.")
-        return self
-
-    def _check_slip(self, slip: float) -> None:
-        """Refuse a slip velocity that is not vx − R omega within rounding, and the massless hoop, whose start is in contact."""
         start = self.start
-        rim = self.hoop.radius * (start.omega or 0.0)
-        if not slip_agrees(slip, start.vx, rim, self.hoop.radius / time_unit(self.hoop, self.plane)):
-            raise refuse(
-                f"start.slip = {slip!r} must be start.vx - hoop.radius start.omega = {start.vx - rim!r} within rounding."
-            )
+        if start.slip is not None:
+            rim = self.hoop.radius * (start.omega or 0.0)
+            if not slip_agrees(start.slip, start.vx, rim, self.hoop.radius / time_unit(self.hoop, self.plane)):
+                needed = f"start.vx - hoop.radius start.omega = {start.vx - rim!r}"
+                raise refuse(f"start.slip = {start.slip!r} must be {needed} within rounding.")
+        if isinstance(self.contact, Rigid) and start.mode is not None and (why := why_not_in_mode(cell)):
+            raise refuse(f"start.mode = {start.mode!r} cannot hold: {why}.")
+        return self
 
     @classmethod
     def load(cls, path: str | Path) -> Scenario:
@@ -105,9 +101,8 @@ class Scenario(Frozen):
         if str(path) == "-":
             return cls.loads(read_standard_input(), name="standard input")
         file = Path(path)
-        text = read_file(file)
         known = {".toml": "toml", ".json": "json"}
-        return cls.loads(text, known.get(file.suffix.lower()), name=str(file))
+        return cls.loads(read_file(file), known.get(file.suffix.lower()), name=str(file))
 
     @classmethod
     def loads(cls, text: str, format: str | None = None, name: str = "the text") -> Scenario:
@@ -258,8 +253,7 @@ class Scenario(Frozen):
         >>> Scenario().with_values({"plane.mu": 0.3, "start.speed": 2.0}).to_query()
         'plane.mu=0.3&start.speed=2'
         """
-        plain = {path: value.item() if hasattr(value, "item") else value for path, value in values.items()}
-        return type(self).from_dict(with_replaced(self, plain))
+        return type(self).from_dict(with_replaced(self, values))
 
     def _changing(self, name: str, value: str) -> str:
         return f"with_values({{{name!r}: {value}}})"
@@ -311,9 +305,10 @@ def cell_of(scenario: Scenario) -> tuple[float, ...]:
         In the order of `kernel.records.cells.CELL` [SI].
     """
     start = scenario.start.state(scenario.hoop)
+    mode = scenario.start.mode
     return (
         *_body_rows(scenario.hoop, scenario.plane),
-        start.x, start.height, start.angle, start.vy, start.omega, start.slip, _MODES[scenario.start.mode],
+        start.x, start.height, start.angle, start.vy, start.omega, start.slip, -1 if mode is None else MODE_LETTERS.index(mode),
         scenario.duration, scenario.contact.max_events, True,
     )  # fmt: skip
 
@@ -372,7 +367,6 @@ def _numbers(section: str) -> attrgetter[tuple[float, ...]]:
     return attrgetter(*(row.path.partition(".")[2] for row in TABLE if row.column and section_of(row) == section))
 
 
-_MODES: dict[str | None, int] = {None: -1} | {letter: code for code, letter in enumerate(MODE_LETTERS)}  # of a start
 _HOOP_NUMBERS, _PLANE_NUMBERS = _numbers("hoop"), _numbers("plane")
 
 

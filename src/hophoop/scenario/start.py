@@ -87,7 +87,14 @@ class Start(Frozen):
 
     @model_validator(mode="after")
     def _complete(self) -> Start:
-        self._check_mode()
+        mode, slip = self.mode, self.slip
+        if mode is not None:
+            if slip is None:
+                raise refuse(f"start.mode = {mode!r} needs start.slip, the slip velocity.")
+            if mode != "H" and (self.height != 0.0 or self.vy != 0.0):
+                raise refuse(f"start.mode = {mode!r} needs start.height = 0 and start.vy = 0.")
+            if slip != _slip_within(mode, slip):
+                raise refuse(f"start.slip = {slip!r} must be {_SLIPS[mode]} with start.mode = {mode!r}.")
         if self.speed is not None:
             alone("start", "speed", [name for name in (*_FREE, "slip", "mode") if name in self.model_fields_set])
             self._settle(vx=self.speed, omega=None)
@@ -96,21 +103,7 @@ class Start(Frozen):
         return self
 
     def _written(self) -> Iterable[str]:
-        if self.speed is not None:
-            return ("x", "angle", "speed")
-        return ("x", "height", "angle", "vx", "vy", "omega", "slip", "mode")
-
-    def _check_mode(self) -> None:
-        """Refuse a mode that the state cannot have."""
-        mode, slip = self.mode, self.slip
-        if mode is None:
-            return
-        if slip is None:
-            raise refuse(f"start.mode = {mode!r} needs start.slip, the slip velocity.")
-        if mode != "H" and (self.height != 0.0 or self.vy != 0.0):
-            raise refuse(f"start.mode = {mode!r} needs start.height = 0 and start.vy = 0.")
-        if slip != _slip_within(mode, slip):
-            raise refuse(f"start.slip = {slip!r} must be {_SLIPS[mode]} with start.mode = {mode!r}.")
+        return type(self).model_fields if self.speed is None else ("x", "angle", "speed")
 
     @classmethod
     def rolling(cls, speed: float, angle: float = 0.0, x: float = 0.0) -> Start:
@@ -165,7 +158,7 @@ class Start(Frozen):
         >>> abs(onward.events[-1].angle - motion.events[-1].angle) < 1e-12
         True
         """
-        if not all(hasattr(state, name) for name in ("t", "x", "angle", *_FREE, "slip")):
+        if not all(hasattr(state, name) for name in ("t", *_STATE)):
             raise InputError(
                 f"state must be a Sample or an EventRecord, not {type(state).__name__}.", field="state", value=state
             )
@@ -174,7 +167,7 @@ class Start(Frozen):
         mode = str(getattr(state, "mode", getattr(state, "to_mode", None)))
         if mode == "M":
             raise InputError("A start cannot skim the plane: mode 'M' depends on the strike that ends it.", field="start")
-        given: dict[str, Any] = {name: float(getattr(state, name)) for name in ("x", "angle", *_FREE, "slip")}
+        given: dict[str, Any] = {name: float(getattr(state, name)) for name in _STATE}
         given["height"] = max(given["height"], 0.0)  # a compliant rim is below the plane
         paradox = str(getattr(state, "kind", "")).startswith("painleve")  # another event follows at the same instant
         if not paradox and (mode == "H" or given["height"] == given["vy"] == 0.0):
@@ -199,12 +192,13 @@ class Start(Frozen):
         if self.speed is not None:
             omega, slip = self.speed / hoop.radius, 0.0
         else:
-            omega = self.omega if self.omega is not None else 0.0
+            omega = self.omega or 0.0
             slip = self.vx - hoop.radius * omega if self.slip is None else self.slip
         return StartState(self.x, self.height, self.angle, self.vx, self.vy, omega, slip)
 
 
 _FREE = ("height", "vx", "vy", "omega")
+_STATE = ("x", "angle", *_FREE, "slip")
 _SLIPS = {"R": "0", "S": "at most 0", "K": "at least 0"}
 
 

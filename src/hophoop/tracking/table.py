@@ -16,7 +16,7 @@ from pydantic import Field, TypeAdapter, ValidationError
 
 from hophoop._support.files import replacing
 from hophoop.scenario import InputError
-from hophoop.scenario.checking import findings_sentence
+from hophoop.scenario.checking import input_error
 from hophoop.scenario.formats import parse_reason
 from hophoop.tracking.camera import Camera
 
@@ -397,6 +397,6 @@ def complete(name: str) -> Iterator[None]:
     except InputError:
         raise
     except ValidationError as error:
-        raise InputError(f"{name}: {findings_sentence(error.errors(), 'view')}") from None
+        raise InputError(f"{name}: {input_error(error)}") from None
     except (KeyError, TypeError, IndexError, AttributeError, ValueError) as error:
         raise InputError(f"{name} is incomplete: {error}.") from None
