@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from hophoop.article.runs import Runs
 from hophoop.article.scenarios import GRAVITY, scenarios
 from hophoop.plots.motion import energies
 from hophoop.plots.style import Axes, finish
@@ -19,9 +19,9 @@ SOFT = Compliant(stiffness=1e6 * GRAVITY)  # 10⁶ m g/R
 LONGEST = 0.02  # of a landing [s]
 
 
-def landing_restitution(_: Runs, ax: Axes) -> None:
+def landing_against_restitution(restitutions: ArrayLike, ax: Axes) -> None:
     """Plot the energy lost in the landing against restitution: the rigid plane's three laws, and a compliant plane."""
-    e = np.linspace(0.0, 0.9, 10)
+    e = np.asarray(restitutions, dtype=float)
     for law, dashes in (("stronge", "-"), ("poisson", "--"), ("newton", ":")):
         rigid = [landing(simulate(touch_scenario(value, law))) for value in e]
         ax.plot(e, [one.normal for one in rigid], dashes, color=colors.IMPACT_LOSS, lw=1.2)
@@ -30,14 +30,11 @@ def landing_restitution(_: Runs, ax: Axes) -> None:
     soft = [landing(simulate(touch_scenario(value).replace("contact", SOFT))) for value in e]
     ax.plot(e, [one.normal for one in soft], "o", color=colors.IMPACT_LOSS, ms=4, label="compliant, normal")
     ax.plot(e, [one.tangential for one in soft], "s", color=colors.FRICTION_LOSS, ms=4, label="compliant, friction")
-    _finish_losses(ax)
+    finish_losses(ax, "Restitution $e$")
 
 
-def both_models(_: Runs, ax: Axes) -> None:
-    """Plot the article's energy balance at v₀ = 3.1 m/s in both models, side by side in place of the axes."""
-    sheet = ax.figure
-    ax.remove()
-    ax_rigid, ax_soft = sheet.subplots(1, 2, sharey=True)
+def energy_balance(ax_rigid: Axes, ax_soft: Axes) -> None:
+    """Plot the article's energy balance at v₀ = 3.1 m/s in both models."""
     scenario = scenarios()["hop"].replace("duration", 2.0)
     for ax, one, title in (
         (ax_rigid, scenario, "rigid, $e$ = 0"),
@@ -75,11 +72,11 @@ def landing(motion: Trajectory) -> Landing:
     return Landing(after.damping + after.spring, after.friction)  # the energy of the spring is lost after the lift-off
 
 
-def _finish_losses(ax: Axes) -> None:
+def finish_losses(ax: Axes, across: str) -> None:
     """Set limits and labels of a plot of losses."""
     low, high = min(0.0, ax.dataLim.ymin), max(0.1, ax.dataLim.ymax)
     # Newton's law can gain energy: show negative values
     ax.set_ylim(low - (0.06 * (high - low) if low < 0.0 else 0.0), high + 0.12 * (high - low))
     if low < 0.0:
         ax.axhline(0.0, color=colors.GRAY, lw=0.7, zorder=0)
-    finish(ax, "Restitution $e$", "Energy lost in the landing (J)")
+    finish(ax, across, "Energy lost in the landing (J)")

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from hophoop import plots
 from hophoop._support.extras import need
-from hophoop.article.compliant_figures import both_models, landing_restitution
+from hophoop.article.compliant_figures import energy_balance, landing_against_restitution
 from hophoop.article.runs import LONG, Runs
 from hophoop.article.scenarios import RUNS, title
 from hophoop.article.slipping import after_each_slip
@@ -88,6 +90,16 @@ def slow_end(runs: Runs, ax: Axes) -> None:
     ax.loglog(late, law / late, color=colors.LIMIT, lw=1.4, ls=(0, (5, 2)), label=f"{law:.0f} J s / t")
     ax.set_xlim(0.5, LONG * 1.2)
     finish(ax, quantities.TIME, "Energy above rolling at the critical speed (J)")
+
+
+def both_models(_: Runs, ax: Axes) -> None:
+    sheet = ax.figure
+    ax.remove()
+    energy_balance(*sheet.subplots(1, 2, sharey=True))
+
+
+def landing_restitution(_: Runs, ax: Axes) -> None:
+    landing_against_restitution(np.linspace(0.0, 0.9, 10), ax)
 
 
 SPECIAL: dict[str, Callable[[Runs, Axes], Any]] = {
