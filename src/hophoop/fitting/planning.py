@@ -77,6 +77,7 @@ def plan(
     require_above_0(rate=rate, sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
     if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
         raise InputError.of_field("sigma_scale", sigma_scale, "a number of at least 0")
+    require_above_0(sigma_scale=sigma_scale or None)
     check_type("scenario", scenario, Scenario)
     motion = simulate(scenario)
     count = int(motion.duration * rate) + 1
