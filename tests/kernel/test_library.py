@@ -188,7 +188,7 @@ take([event.omega for event in onward.events])
 slope = hh.Scenario(plane=hh.Plane(slope=0.05), hoop=hh.Hoop.ideal(0.5))
 for section in ("bottom", "landing"):
     rows = hh.passages(slope, 5, section=section)
-    take(rows.numbers, rows.packed, rows.derivative(1).matrix)
+    take(rows.numbers, rows.packed, hh.gaits.derivative(slope.replace("start", rows.start(1)), section=section).matrix)
 take(hh.gaits.fates([hh.Scenario(), hh.Scenario(start=hh.Start(angle=3.0))], 4).passages)
 assert "numba" not in sys.modules
 print(digest.hexdigest(), *sorted(names))
@@ -207,6 +207,27 @@ def test_all_that_python_calls_has_the_bits_of_the_interpreter():
     other = python(EVERYTHING, HOPHOOP_KERNELS="interpreted")
     assert other.returncode == 0, other.stderr
     assert other.stdout.split() == [mine]
+
+
+MEMORY = """
+import resource
+import hophoop as hh
+for k in range(6):
+    for _ in range(200):
+        motion = hh.simulate(hh.Scenario(duration=2.0))
+        motion.at(motion.times(20))
+    if k == 2:
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
+"""
+
+
+@pytest.mark.compiled
+@pytest.mark.skipif(sys.platform != "linux", reason="Linux says how much memory a process had at most, in kB")
+def test_motions_leave_no_memory_behind():
+    """Arrays that a kernel creates and never frees would take 14 kB a motion."""
+    done = python(MEMORY, HOPHOOP_KERNELS="compiled")
+    assert int(done.stdout) < 2000, done.stderr
 
 
 def test_it_names_no_folder_of_the_machine_that_built_it():

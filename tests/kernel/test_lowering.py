@@ -114,11 +114,18 @@ def test_a_change_of_a_callee_compiles_its_callers_only_if_it_gives_another_type
     assert compiled("x > more") == ("int64", [])
 
 
+def test_code_that_numba_optimizes_is_refused(monkeypatch):
+    monkeypatch.setattr(lowering.numba.config, "OPT", 3)
+    monkeypatch.setattr(lowering, "_parts", {})
+    with pytest.raises(RuntimeError, match=r"after build\.processes\.begin"):
+        lowering.part_of(made_of("def kernel(x):\n    return x + K", K=1.0), (lowering.types.float64,))
+
+
 @pytest.mark.parametrize("damaged", [b"", b"cnothing\nat all\n."])
 def test_a_damaged_file_of_an_earlier_build_is_made_again(tmp_path, monkeypatch, damaged):
     """Code of a kernel, and an object file, which the linker would refuse."""
     monkeypatch.setenv("HOPHOOP_BUILD_CACHE", str(tmp_path))
-
+    monkeypatch.setattr(lowering.numba.config, "OPT", type(lowering.numba.config.OPT)(0))
     monkeypatch.setattr(lowering, "_parts", {})
     target, kinds = own_target(), (lowering.types.float64, lowering.types.float64)
 

@@ -30,6 +30,7 @@ COUNTING = re.compile(r"^ +call void @NRT_(?:incref|decref)\(.*\n", re.MULTILINE
 # Numba's pickled messages, which contain the places of its sources; a caller reads the status alone
 MESSAGE = re.compile(r'^(@\.const\.pickledata\S* = internal constant \[\d+ x i8\]) c".*"', re.MULTILINE)
 VERSIONS = f"{numba.__version__} {llvm.llvm_version_info} {hash_of({}, TOOLS[:1])}"
+UNPREPARED = "Kernels are lowered after build.processes.begin: in Numba's optimized code references would be counted wrongly."
 
 
 class Part(NamedTuple):
@@ -103,6 +104,8 @@ def _kept(kernel: Any, name: str) -> Part | None:
 
 def _compiled(kernel: Any, kinds: tuple[Any, ...], symbol: str, key: str) -> Part:
     """Compile a kernel, and keep its code."""
+    if numba.config.OPT:
+        raise RuntimeError(UNPREPARED)
     callees: dict[str, tuple[Any, tuple[Any, ...], Part]] = {}
     function = copied(kernel, lambda callee: _call_of(callee, callees))
     made = numba.njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)  # noqa: TID251
