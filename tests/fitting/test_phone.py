@@ -57,6 +57,7 @@ def test_a_plan_predicts_what_a_record_determines(sample):
     assert slow.least_static_friction > 0.2
 
 
+@pytest.mark.long
 def test_a_second_of_free_motion_is_found_in_ten():
     """A timed run of a phone has rest, the hand and the catch around it."""
     t = np.arange(1000) / 100.0

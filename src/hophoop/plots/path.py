@@ -80,7 +80,7 @@ def scene(ax: Axes | None, way: Poses, radius: float, slope: float, more: float)
 def draw_traces(ax: Axes, way: Poses, zorder: float) -> None:
     """Draw the traces of the load, and of the centre of gravity in contact and airborne."""
     # the dots are the loads of the drawn hoops: this line has one in the legend alone
-    ax.plot(*way.load.T, "o-", color=colors.LOAD, lw=1.2, ms=6, markevery=[], zorder=zorder, label="load")
+    ax.plot(*way.load.T, "o-", color=colors.LOAD, lw=1.2, markevery=[], zorder=zorder, label="load")
     airborne = way.mode == "H"
     for here, ink, dashes, width, label in (
         (~airborne, colors.GRAVITY_CENTER, "-", 2.0, "centre of gravity"),
