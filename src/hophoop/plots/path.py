@@ -105,7 +105,7 @@ def legend_above(ax: Axes, handles: Sequence[Any] = ()) -> None:
     columns = len(handles) if len(handles) <= 8 else math.ceil(len(handles) / 2)
     ax.legend(
         handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=columns, frameon=False, fontsize=9,
-        handlelength=2.0, columnspacing=1.4,
+        columnspacing=1.4,
     )  # fmt: skip
 
 

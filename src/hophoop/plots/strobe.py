@@ -137,7 +137,7 @@ def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> None:
         ax.quiver(
             *flashes.contact.T, *(scale * force).T, color=ink, angles="xy", scale_units="xy", scale=1.0, width=0.0035, zorder=8
         )
-        ax.plot([], [], color=ink, lw=2.0, marker=">", ms=6, label=label)
+        ax.plot([], [], color=ink, lw=2.0, marker=">", label=label)
 
 
 def _say_times(ax: Axes, flashes: Poses, radius: float) -> None:
