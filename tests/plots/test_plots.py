@@ -277,6 +277,9 @@ def test_overview_and_notebook(hop, tmp_path, monkeypatch):
     before = plt.get_fignums()
     figure = plots.overview(hop)
     assert len(figure.axes) == 5
+    figure.canvas.draw()
+    for ax in figure.axes[1:]:
+        assert ax.get_legend().get_window_extent().y1 < ax.xaxis.label.get_window_extent().y0
     assert figure.number in plt.get_fignums()  # `plt.show()` shows it
     plt.close(figure)
     monkeypatch.setattr(plt, "get_backend", lambda: "inline")

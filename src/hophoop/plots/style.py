@@ -76,8 +76,8 @@ def finish(ax: Axes, across: str, up: str) -> None:
     columns = len(keys) if len(keys) <= 3 else math.ceil(len(keys) / 2)
     columns = min(columns, max(1, int(_width(ax) / (HANDLE + LETTER * max(map(len, keys))))))
     ax.legend(
-        handles=keys.values(), frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.155), ncol=columns,
-        handlelength=3.2,
+        handles=keys.values(), frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=columns,
+        handlelength=3.2, borderaxespad=3.6,
     )  # fmt: skip
 
 
