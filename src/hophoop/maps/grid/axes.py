@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from decimal import Context, Decimal, localcontext
 from numbers import Real
 from typing import Any, NamedTuple
@@ -288,7 +288,7 @@ def _is_allowed(base: Scenario, values: Mapping[str, Any]) -> bool:
     return True
 
 
-def check_pairs(paths: Iterable[str]) -> None:
+def check_pairs(paths: Collection[str]) -> None:
     """Refuse two paths that say the same thing in two ways."""
     pair = contradiction(paths)
     if pair is not None:
