@@ -234,6 +234,7 @@ def follow(page, steps):
     """Take steps, each a line that begins with a verb of `Steps`; `is` checks that something holds at once."""
     does = Steps(page)
     for step in steps:
+        print(step)  # pytest shows it where one fails
         verb, _, said = step.partition(" ")
         getattr(does, {"is": "check"}.get(verb, verb))(said)
 

@@ -1,4 +1,4 @@
-"""Delays put at random into a page, as a busy machine has them: fetches, answers of workers and a part of the frames."""
+"""Delays put at random into a page, as a busy machine has them: fetches, answers of workers, ways in the history and a part of the frames."""
 
 from __future__ import annotations
 
@@ -7,14 +7,17 @@ import pytest
 # Each kind of delay has its own stream of the seed, so that one more fetch does not move the frames.
 SCRIPT = """
 (() => {
-  const MOST = { fetch: 400, answer: 400, frame: 700 }; // milliseconds
+  const MOST = { fetch: 400, answer: 400, way: 700, frame: 700 }; // milliseconds
   const stream = (state) => () => {
     state = (state + 0x6d2b79f5) | 0;
     let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
     mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
     return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
   };
-  const [fetches, answers, frames] = [1, 2, 3].map((kind) => stream(4 * SEED + kind));
+  const [fetches, answers, frames, ways] = [1, 2, 3, 4].map((kind) => stream(4 * SEED + kind));
+
+  const go = history.go.bind(history);
+  history.go = (way) => setTimeout(go, ways() * MOST.way, way);
 
   const { fetch } = globalThis;
   globalThis.fetch = async (...asked) => {

@@ -31,6 +31,8 @@ PLANE = [
     "until lab.phase.pictures?.length === 1 && lab.phase.films && !lab.surrounding",
     "do document.querySelector('.phase .plot-body').focus()",
 ]
+# A busy browser goes to another entry of its history a while after it was asked to.
+SLOW_WAYS = "const go = history.go.bind(history); history.go = (way) => setTimeout(go, 700, way);"
 NO_STORAGE = "Object.defineProperty(globalThis, 'localStorage', { get() { throw new Error('forbidden'); } });"
 # Share of the columns of (0, π) that are hatched, for θ̇ below (0) or above (1) zero
 HATCHED = (
@@ -99,6 +101,23 @@ FLOWS = {
         "open ?start.speed=4",  # another link in the same tab has no such steps
         UNTIL_SHOWN,
         "is lab.header.undo.disabled",
+    ]),
+    "a browser that is late to follow an undo keeps every step": ("?start.speed=2", {"script": SLOW_WAYS}, [
+        UNTIL_SHOWN,
+        "fill start.speed 3.1",
+        "until lab.film().sequence.includes('H') && location.search === ''",
+        "press z",
+        "until lab.film().sequence === 'R'",
+        "do lab.clock.seek(0.5)",  # written into the entry that is to come, not into the one that is left
+        f"until location.search === '?start.speed=2' && location.hash.startsWith('#t=0.5') && {went_to(0)}",
+        "press y",
+        f"until lab.film().sequence.includes('H') && location.search === '' && {went_to(1)}",
+        "is lab.motions.history.past.length === 1 && lab.motions.history.future.length === 0",
+        "back",
+        f"until lab.film().sequence === 'R' && location.search === '?start.speed=2' && {went_to(0)}",
+        "press z",  # there is no step before
+        "press y",
+        f"until lab.film().sequence.includes('H') && {went_to(1)}",
     ]),
     "a sentence stays until its field changes": ("", {}, [
         UNTIL_SHOWN,

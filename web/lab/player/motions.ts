@@ -78,7 +78,11 @@ export class Motions {
   async pump(lane: Lane) {
     if (lane.busy || !this.lanes.includes(lane)) return; // it may have been undone meanwhile
     if (!lane.pending) {
-      if (lane.commit) this.settle(lane);
+      if (lane.commit) {
+        lane.commit = false;
+        this.note(lane.what, lane.moved); // when the hand moved, not when the answer came
+        this.lab.story.announce(this.films());
+      }
       return;
     }
     const changes = lane.pending;
@@ -121,14 +125,6 @@ export class Motions {
     }
   }
 
-  /** `window`: times from and to. */
-  settle(lane: Lane) {
-    lane.commit = false;
-    // when the hand moved, not when the answer came
-    this.note(lane.what, lane.moved);
-    this.lab.story.announce(this.films());
-  }
-
   // What the motions that are shown are known by.
   queries() {
     return this.films().map((film) => film.query);
@@ -154,8 +150,8 @@ export class Motions {
       if (!queries) return;
       await this.load(queries);
       this.history.step(way);
-      await this.lab.address?.travel(way);
       this.lab.changed();
+      await this.lab.address?.travel(way);
       this.lab.noted("travelled");
     });
   }

@@ -14,6 +14,7 @@ const LETTERS: [keyof StageOptions, string][] = [
 ];
 const USUAL = "tfc";
 const FINGERPRINT = /^[0-9a-f]{16}$/;
+const LATE = 3000; // milliseconds until a busy browser has surely gone to another entry of its history
 const WAIT = 400; // milliseconds; browsers refuse more than a few changes of the address a second
 
 export interface Shown {
@@ -99,6 +100,7 @@ export const queries = () => {
 export class Address {
   number = history.state?.number ?? 0; // of the step, also after a reload
   held = false; // the address is wrong: it stays, to be corrected, until another motion is a step
+  arriving?: () => void; // what hears that the browser is at the lab's own step
   soon = once(() => this.write("same"), WAIT);
   listen = () => this.arrived();
 
@@ -116,7 +118,8 @@ export class Address {
 
   write(step: "same" | "step" | "again" | "travelled") {
     const { motions } = this.lab;
-    if (!motions.lanes.length) return;
+    // what is shown belongs to the entry that is still to come
+    if (!motions.lanes.length || (this.arriving && step === "same")) return;
     // a motion that is still in the hand is no step, and must not take the place of the one before
     if (!motions.history.holds(motions.queries())) return;
     if (this.held && (step === "same" || step === "travelled")) return;
@@ -140,23 +143,24 @@ export class Address {
     return { links: found.map((one) => one.query), said };
   }
 
-  /** The step that the lab has made is the browser's, too. */
-  travel(way: -1 | 1) {
-    return new Promise((resolve) => {
-      const done = () => resolve();
-      addEventListener("popstate", done, { once: true });
-      setTimeout(done, 300); // where there is no such step
+  /** The step that the lab has made is the browser's, too, where it has one. */
+  async travel(way: -1 | 1) {
+    if (this.number + way < 0) return;
+    await new Promise<void>((resolve) => {
+      this.arriving = resolve;
+      setTimeout(resolve, LATE);
       history.go(way);
-    }) as Promise<void>;
+    });
+    this.arriving = undefined;
   }
 
   async arrived() {
-    const number = history.state?.number ?? 0;
+    const before = this.number;
+    this.number = history.state?.number ?? 0;
     const { links: asked, said } = this.read(queries());
-    if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) this.number = number;
-    else if (await this.lab.motions.arrive(asked)) {
-      this.number = number;
-      said();
-    } else if (number !== this.number) history.go(this.number - number); // stay with what is shown
+    if (this.arriving) this.arriving();
+    else if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) return;
+    else if (await this.lab.motions.arrive(asked)) said();
+    else if (this.number !== before) history.go(before - this.number); // stay with what is shown
   }
 }

@@ -112,8 +112,7 @@ export class Extras {
 
   spoken() {
     this.lab.root.lang = current();
-    if (!this.lab.hosted) return;
-    document.documentElement.lang = current();
+    if (this.lab.hosted) document.documentElement.lang = current();
     this.titled();
   }
 

@@ -15,8 +15,8 @@ export class Header {
     {
       "aria-label": "header.examples",
       onchange: () => this.take(),
-      onblur: () => this.used(),
-      onpointerdown: () => this.used(),
+      onblur: () => (this.fresh = false),
+      onpointerdown: () => (this.fresh = false),
     },
     h("option", { value: "" }, "header.examples_prompt"),
     this.options(false),
@@ -56,12 +56,8 @@ export class Header {
 
   take() {
     const preset = this.lab.known.find(({ key }) => key === this.presets.value);
-    this.fresh = preset !== undefined;
+    this.fresh = Boolean(preset);
     if (preset) this.lab.take(preset);
-  }
-
-  used() {
-    this.fresh = false;
   }
 
   show() {

@@ -18,19 +18,19 @@ export class Present {
     document.addEventListener("fullscreenchange", this.left);
   }
 
-  async turn(on: boolean = !this.on) {
+  async turn(on = !this.on) {
     const { root, extras } = this.lab;
     this.on = on;
     root.classList.toggle("presenting", on);
     extras.mark();
     this.lab.show();
-    if (on) this.leave.focus({ preventScroll: true }); // what was pressed may be hidden now
     if (!on) {
-      const full = this.full;
+      const { full } = this;
       this.full = false;
       if (full && document.fullscreenElement) await document.exitFullscreen().catch(() => {});
       return;
     }
+    this.leave.focus({ preventScroll: true }); // what was pressed may be hidden now
     try {
       await root.requestFullscreen?.();
       this.full = Boolean(document.fullscreenElement);
