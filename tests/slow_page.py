@@ -1,4 +1,4 @@
-"""Delays put at random into a page, as a busy machine has them: fetches, answers of workers, ways in the history and a part of the frames."""
+"""Delays put at random into a page, as a busy machine has them: fetches, answers of workers, ways in the history, frames."""
 
 from __future__ import annotations
 
