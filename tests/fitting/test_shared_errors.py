@@ -143,7 +143,7 @@ def test_the_line_of_the_ground_knows_how_well_it_is_known():
         line = ground_line(np.stack([x, 40 + np.repeat(rng.normal(0, 0.05, 20), 10)], axis=-1), np.full(200, 0.05), 100.0)
         pulls.append([(line.y - 40) / line.height_error, line.angle / line.angle_error])
     assert np.std(pulls, axis=0) == pytest.approx([1.0, 1.0], abs=0.35)
-    clicked = line_through(np.array([0.0, 10.0]), np.array([400.0, 10.0]), 50.0)
+    clicked = line_through(np.array([[0.0, 10.0], [400.0, 10.0]]), 50.0)
     assert (clicked.height_error, clicked.angle_error) == pytest.approx((1.0, np.sqrt(2) / 400))
 
 

@@ -231,8 +231,8 @@ def test_files_that_are_no_films(tmp_path, plain):
     [
         ({"radius": 0.0}, "radius = 0.0 must be a number above 0"),
         ({"radius": float("nan")}, "radius = nan must be"),
-        ({"marker_color": "gray"}, "marker_color = 'gray' must be auto, none, red"),
-        ({"marker_color": "#888888"}, "too near to gray"),
+        ({"marker_color": "rouge"}, "marker_color = 'rouge' must be auto, none, red"),
+        ({"marker_color": "gray"}, "too near to gray"),
         ({"ring": "blue"}, "ring = 'blue' must be auto, dark or light"),
         ({"centre": (1.0, 2.0)}, "rim is missing"),
         ({"ground": (1.0, 2.0)}, "ground = .* must be 4 numbers"),
@@ -266,7 +266,7 @@ def test_a_robust_circle_does_not_mind_strangers():
     rng = np.random.default_rng(3)
     around, size = rng.uniform(0, 2 * np.pi, 300), 60.0 + rng.normal(0, 0.15, 300)
     size[:100] += rng.uniform(0.5, 4, 100)
-    fit = robust_circle(size[:, None] * np.stack([np.cos(around), np.sin(around)], axis=-1), Circle(1.0, -1.0, 60.0), 6.0, None)
+    fit = robust_circle(size[:, None] * np.stack([np.cos(around), np.sin(around)], axis=-1), Circle(1.0, -1.0, 60.0), 6.0)
     assert fit.circle == pytest.approx((0.0, 0.0, 60.0), abs=0.05)
     assert not fit.inside[size > 62.0].any()
     assert np.sqrt(fit.covariance[0, 0]) == pytest.approx(0.15 * np.sqrt(2 / 200), rel=0.5)

@@ -125,7 +125,7 @@ def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
         raise InputError("The clicks cannot be read.") from None
     if len(rim) < 3:
         raise InputError(f"{len(rim)} points on the rim are not enough: click at least 3.")
-    x, y, radius, _ = fit_circle(rim)
+    (x, y, radius), _ = fit_circle(rim)
     wide, tall = still.size
     if not (np.isfinite([x, y, radius]).all() and 5 < radius < 2 * max(wide, tall)):
         raise InputError("The points on the rim do not lie on a circle.")

@@ -104,7 +104,8 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Flo
     as given if no tilt is significant.
     """
     edges = [points[:: max(1, len(points) // 60)] for points in edges]
-    scatter = _scatter(camera, edges)
+    steps = [np.diff(fit_circle(camera.to_plane(points))[1]) for points in edges]  # a tilt hardly changes them
+    scatter = max(spread(np.concatenate(steps)) / float(np.sqrt(2.0)), 0.05)
     # blur and coding add an error of the radius to that of its points, and make an oval of the picture of a rim
     count, wider = np.array([len(points) for points in edges]), BLURRED * blur
     error = np.sqrt(scatter**2 / count + RADIUS_ERROR**2 + wider**2)
@@ -116,15 +117,10 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Flo
 
     def residuals(values: Floats) -> Floats:
         now = of(values)
-        flat = [now.to_plane(points) for points in edges]
-        fits = [fit_circle(points) for points in flat]
-        radii = np.array([fit[2] for fit in fits])
+        radii, ovals, rests = zip(*(_shape(now, points) for points in edges), strict=True)
         off = (radii - np.average(radii, weights=error**-2)) / error
-        twice = [np.exp(2j * np.arctan2(*(points - fit[:2]).T)) for points, fit in zip(flat, fits, strict=True)]
-        ovals = np.array([2.0 * (fit[3] * one.conj()).mean() for fit, one in zip(fits, twice, strict=True)])
-        apart = [(fit[3] - (oval * one).real) / scatter for fit, oval, one in zip(fits, ovals, twice, strict=True)]
-        prior = values / [TILT_SPREAD, TILT_SPREAD, FOCAL_SPREAD]
-        result: Floats = np.concatenate([*apart, ovals.real / oval_error, ovals.imag / oval_error, off, prior])
+        oval, prior = np.array(ovals) / oval_error, values / [TILT_SPREAD, TILT_SPREAD, FOCAL_SPREAD]
+        result: Floats = np.concatenate([off, oval.real, oval.imag, np.concatenate(rests) / scatter, prior])
         return result
 
     def cost(values: Floats) -> float:
@@ -137,7 +133,10 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Flo
     return of(best.x) if cost(np.zeros(3)) - 2.0 * best.cost > WORTH else camera
 
 
-def _scatter(camera: Camera, edges: list[Floats]) -> float:
-    """Error of a point of an edge, from differences of neighbours, which a tilt hardly changes [pixel]."""
-    steps = [np.diff(fit_circle(camera.to_plane(points))[3]) for points in edges]
-    return max(spread(np.concatenate(steps)) / float(np.sqrt(2.0)), 0.05)
+def _shape(camera: Camera, points: Floats) -> tuple[float, complex, Floats]:
+    """Radius of the circle through points of the picture, amplitude of its oval, and the distances of the points from that."""
+    flat = camera.to_plane(points)
+    circle, off = fit_circle(flat)
+    twice = np.exp(2j * np.arctan2(*(flat - circle[:2]).T))
+    oval = 2.0 * (off * twice.conj()).mean()
+    return circle.radius, complex(oval), off - (oval * twice).real

@@ -62,14 +62,13 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
     return Ground(middle, float(line[-1]), angle, len(off), directed, float(height_error), angle_error)
 
 
-def line_through(first: Floats, second: Floats, radius: float) -> Ground:
+def line_through(points: Floats, radius: float) -> Ground:
     """Return the centre's line over two points of the ground.
 
-    first, second shape (2,) [rectified pixels]; radius [rectified pixels].
+    points: shape (2, 2) [rectified pixels]; radius [rectified pixels].
     """
-    if first[0] > second[0]:
-        first, second = second, first
-    along = second - first
+    left, right = points[np.argsort(points[:, 0])]
+    along = right - left
     angle = float(np.arctan2(along[1], along[0]))
-    raised = first + radius * np.array([-np.sin(angle), np.cos(angle)])
-    return Ground(float(raised[0]), float(raised[1]), angle, 0, True, CLICK, float(np.sqrt(2.0) * CLICK / np.hypot(*along)))
+    x, y = (left + radius * np.array([-np.sin(angle), np.cos(angle)])).tolist()
+    return Ground(x, y, angle, 0, True, CLICK, float(np.sqrt(2.0) * CLICK / np.hypot(*along)))

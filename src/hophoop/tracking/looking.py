@@ -35,7 +35,7 @@ class Seen(NamedTuple):
     changes: Floats  # mean change of luma from the picture before [1]
     size: tuple[int, int]  # width and height [pixel]
     first: int  # number of the first picture in the film
-    marker: tuple[float, float] | None  # chroma of the marker
+    chroma: complex | None  # of the marker
 
 
 def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], None] | None) -> Seen:
@@ -50,24 +50,23 @@ def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], 
     stills = sample_pictures(video, *window)
     search, shown = learn_hoop(stills, hints, source)
     marker = learn_marker(shown, hints.marker_color)
-    times, rims, found, changes, first = [], [], [], [], 0
+    rows: list[tuple[float, Rim | None, list[Spot], float]] = []
     last: list[tuple[float, Rim]] = []
     before = None
-    for k, picture in enumerate(pictures(video, *window)):
-        rim = _follow(picture, search, [one for one in last if picture.t - one[0] < FORGET])
-        those: list[Spot] = []
+    for picture in pictures(video, *window):
+        rim, those = _follow(picture, search, [one for one in last if picture.t - one[0] < FORGET]), []
         if rim is not None:
             last = [*last[-1:], (picture.t, rim)]
             those = spots(picture, rim.circle, marker)[:MOST_SPOTS] if marker is not None else []
         small = picture.luma[::2, ::2].astype(np.int16)
-        changes.append(np.nan if before is None else float(np.abs(small - before).mean()))
-        before, first = small, picture.row - k
-        times.append(picture.t)
-        rims.append(rim)
-        found.append([outlined(picture, spot) for spot in those])
+        change = np.nan if before is None else float(np.abs(small - before).mean())
+        before = small
+        rows.append((picture.t, rim, [outlined(picture, spot) for spot in those], change))
         if progress is not None:
-            progress(k + 1, len(span))
-    return Seen(np.array(times), rims, found, np.array(changes), stills[0].size, first, None if marker is None else marker[:2])
+            progress(len(rows), len(span))
+    t, rims, found, changes = zip(*rows, strict=True)
+    chroma = None if marker is None else marker.chroma
+    return Seen(np.array(t), list(rims), list(found), np.array(changes), stills[0].size, stills[0].row, chroma)
 
 
 def _follow(picture: Picture, search: Search, last: list[tuple[float, Rim]]) -> Rim | None:

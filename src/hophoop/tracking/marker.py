@@ -14,60 +14,46 @@ from hophoop.tracking.rim import Rim, find_disc
 from hophoop.tracking.video import Picture
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 
-NAMES = {
-    "red": (220, 30, 30), "orange": (240, 130, 20), "yellow": (230, 220, 30), "green": (30, 170, 50),
-    "cyan": (30, 190, 200), "blue": (30, 70, 220), "magenta": (220, 40, 200), "pink": (240, 110, 170),
-}  # fmt: skip
+CHROMA = np.array([-37.797 + 112.0j, -74.203 - 93.786j, 112.0 - 18.214j]) / 255  # of red, green and blue, after BT.601
 LEAST_CHROMA = 16.0  # minimum, to distinguish a colour from gray
+DULL = 80.0  # chroma of a real marker whose colour was given by a name
 PALE = 18.0  # minimum chroma of a marker above its surroundings
 FEWEST = 3.0  # minimum chroma samples of a marker
 INSIDE, OUTSIDE = 0.15, 1.12  # distances of a marker from the centre, over the radius
-AREAS = (0.55, 1.7)  # area of a visible marker over its usual area
+OTHER_AREA = 0.57  # logarithm of the area of a visible marker over its usual one
 NEAR = 0.12  # tolerance of its distance from the centre in the picture, over the radius
 
 
 class Marker(NamedTuple):
     """Colour and position of the marker."""
 
-    blue: float  # its chroma
-    red: float
-    ratio: float = float("nan")  # distance from the centre over the radius in the picture
+    chroma: complex  # differences from luma: blue + i red
+    ratio: float  # distance from the centre over the radius in the picture; nan if unknown
 
 
 class Spot(NamedTuple):
     """A patch of colour on the hoop in a picture."""
 
-    x: float  # [pixel]
-    y: float
-    blue: float  # its chroma
-    red: float
+    place: complex  # column + i row [pixel]
+    chroma: complex
     ratio: float  # distance from the centre over the radius in the picture
     area: float  # samples of chroma, by their weights
 
 
-def colour_chroma(text: str) -> tuple[float, float]:
-    """Return the chroma of a colour.
-
-    text: a name, or red, green and blue as #rrggbb; blue, red: differences of blue and red from luma, after BT.601 [1].
-    """
-    word = text.strip().lower()
-    if word in NAMES:
-        r, g, b = NAMES[word]
-    else:
-        try:
-            if len(word) != 7 or word[0] != "#":
-                raise ValueError
-            r, g, b = (int(word[k : k + 2], 16) for k in (1, 3, 5))
-        except ValueError:
-            raise InputError.of_field("marker_color", text, f"auto, none, {', '.join(NAMES)} or a colour as #rrggbb") from None
-    blue = (-37.797 * r - 74.203 * g + 112.0 * b) / 255
-    red = (112.0 * r - 93.786 * g - 18.214 * b) / 255
-    if np.hypot(blue, red) < LEAST_CHROMA:
+def colour_chroma(text: str) -> complex:
+    """Return the chroma of a colour: a name, or red, green and blue as #rrggbb."""
+    try:
+        chroma = complex(CHROMA @ need("PIL.ImageColor", "track").getrgb(text.strip())[:3])
+    except ValueError:
+        allowed = "auto, none, red, orange, yellow, green, cyan, blue, magenta, pink or a colour as #rrggbb"
+        raise InputError.of_field("marker_color", text, allowed) from None
+    if abs(chroma) < LEAST_CHROMA:
         raise InputError(
             f"marker_color = {text!r} is too near to gray to be found by its colour.", field="marker_color", value=text
         )
-    return blue, red
+    return chroma
 
 
 def learn_marker(seen: list[tuple[Picture, Rim]], color: str) -> Marker | None:
@@ -78,7 +64,10 @@ def learn_marker(seen: list[tuple[Picture, Rim]], color: str) -> Marker | None:
     """
     if color == "none":
         return None
-    given = None if color == "auto" else Marker(*colour_chroma(color))
+    given = None
+    if color != "auto":
+        chroma = colour_chroma(color)
+        given = Marker(chroma * min(1.0, DULL / abs(chroma)), np.nan)
     found = [(k, spot) for k, (still, rim) in enumerate(seen) for spot in spots(still, rim.circle, given)]
     best: dict[int, Spot] = {}
     for _, seed in found:
@@ -89,14 +78,13 @@ def learn_marker(seen: list[tuple[Picture, Rim]], color: str) -> Marker | None:
         )
     if given is None and len(best) < max(2, 0.5 * len(seen)):
         return None
-    usual = Marker(*np.median([(spot.blue, spot.red, spot.ratio) for spot in best.values()], axis=0).tolist())
-    return usual if given is None else given._replace(ratio=usual.ratio)
+    blue, red, ratio = np.median([(spot.chroma.real, spot.chroma.imag, spot.ratio) for spot in best.values()], axis=0)
+    return Marker(complex(blue, red), float(ratio))
 
 
 def _alike(one: Spot, other: Spot) -> bool:
-    size = np.hypot(other.blue, other.red)
-    apart = np.hypot(one.blue - other.blue, one.red - other.red)
-    return bool(apart < max(0.3 * size, 10.0) and abs(one.ratio - other.ratio) < 0.08)
+    """Return True for spots of one colour at one distance from the centre."""
+    return abs(one.chroma - other.chroma) < max(0.3 * abs(other.chroma), 10.0) and abs(one.ratio - other.ratio) < 0.08
 
 
 def spots(picture: Picture, circle: Circle, marker: Marker | None) -> list[Spot]:
@@ -106,41 +94,40 @@ def spots(picture: Picture, circle: Circle, marker: Marker | None) -> list[Spot]
     """
     ndimage = need("scipy.ndimage", "track")
     reach = OUTSIDE * circle.radius
-    rows, columns = (
+    box = tuple(
         slice(max(int((middle - reach) / 2), 0), max(int((middle + reach) / 2) + 2, 0)) for middle in (circle.y, circle.x)
     )
-    blue, red = (plane[rows, columns].astype(float) - 128 for plane in (picture.blue, picture.red))
-    if min(blue.shape) < 3:
+    chroma = (picture.blue[box] - 128.0) + 1j * (picture.red[box] - 128.0)
+    if min(chroma.shape) < 3:
         return []
-    y, x = (2.0 * place for place in np.mgrid[rows, columns][:, : blue.shape[0], : blue.shape[1]])
-    x, y = x + picture.chroma[0], y + picture.chroma[1]
-    ratio = np.hypot(x - circle.x, y - circle.y) / circle.radius
-    weight = _above_surroundings(blue, red, ratio) if marker is None else _like(marker, blue, red, ratio, circle.radius)
-    labels, count = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
-    sums = [ndimage.sum_labels(weight * one, labels, np.arange(count) + 1) for one in (1.0, x, y, blue, red)]
+    row, column = np.mgrid[box][:, : chroma.shape[0], : chroma.shape[1]]
+    place = 2.0 * (column + 1j * row) + complex(*picture.chroma)
+    centre = complex(circle.x, circle.y)
+    ratio = np.abs(place - centre) / circle.radius
+    weight = _above_surroundings(chroma, ratio) if marker is None else _like(marker, chroma, ratio, circle.radius)
+    labels, _ = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
     found = []
-    for area, *moments in np.transpose(sums).tolist():
-        if area >= FEWEST:
-            u, v, cb, cr = (moment / area for moment in moments)
-            found.append(Spot(u, v, cb, cr, float(np.hypot(u - circle.x, v - circle.y)) / circle.radius, area))
+    for k, part in enumerate(ndimage.find_objects(labels), 1):
+        own = np.where(labels[part] == k, weight[part], 0.0)
+        if (area := float(own.sum())) >= FEWEST:
+            middle, colour = complex((own * place[part]).sum() / area), complex((own * chroma[part]).sum() / area)
+            found.append(Spot(middle, colour, abs(middle - centre) / circle.radius, area))
     return sorted(found, key=lambda spot: -spot.area)
 
 
-def _above_surroundings(blue: Floats, red: Floats, ratio: Floats) -> Floats:
+def _above_surroundings(chroma: Complexes, ratio: Floats) -> Floats:
     """Weights of samples by their chroma above the median."""
-    chroma = np.hypot(blue - np.median(blue), red - np.median(red))
-    chroma[(ratio >= OUTSIDE) | (ratio <= INSIDE)] = 0.0
-    most = float(chroma.max())
-    return np.where(chroma > max(PALE, 0.45 * most), chroma / max(most, PALE), 0.0)
+    above = np.abs(chroma - np.median(chroma.real) - 1j * np.median(chroma.imag))
+    above[(ratio >= OUTSIDE) | (ratio <= INSIDE)] = 0.0
+    most = float(above.max())
+    return np.where(above > max(PALE, 0.45 * most), above / max(most, PALE), 0.0)
 
 
-def _like(marker: Marker, blue: Floats, red: Floats, ratio: Floats, radius: float) -> Floats:
+def _like(marker: Marker, chroma: Complexes, ratio: Floats, radius: float) -> Floats:
     """Weights of samples by their likeness to the marker's colour; radius [pixel]."""
-    size = float(np.hypot(marker.blue, marker.red))
-    along = (blue * marker.blue + red * marker.red) / size
-    across = np.abs(blue * marker.red - red * marker.blue) / size
+    share = chroma / marker.chroma  # 1 for its very colour
     # a ramp about half of the full colour, so that blur and subsampled chroma do not move the centroid
-    weight = ((along - 0.6 * np.maximum(across - 0.15 * size, 0.0)) / size - 0.25).clip(0.0, 0.5) * 2.0
+    weight = (share.real - 0.6 * np.maximum(np.abs(share.imag) - 0.15, 0.0) - 0.25).clip(0.0, 0.5) * 2.0
     known = np.isfinite(marker.ratio)
     near = np.abs(ratio - marker.ratio) < max(0.2, 8.0 / radius) if known else ratio < OUTSIDE
     return np.where(near, weight, 0.0)
@@ -148,8 +135,9 @@ def _like(marker: Marker, blue: Floats, red: Floats, ratio: Floats, radius: floa
 
 def outlined(picture: Picture, spot: Spot) -> Spot:
     """Return a spot at the centre of its outline, if that is a disc."""
-    disc = find_disc(picture.luma, Circle(spot.x, spot.y, float(np.sqrt(4.0 * spot.area / np.pi))))  # a sample is four pixels
-    return spot if disc is None else spot._replace(x=disc.x, y=disc.y)
+    size = float(np.sqrt(4.0 * spot.area / np.pi))  # a sample is four pixels
+    disc = find_disc(picture.luma, Circle(spot.place.real, spot.place.imag, size))
+    return spot if disc is None else spot._replace(place=complex(disc.x, disc.y))
 
 
 def choose_spots(found: list[list[Spot]]) -> Floats:
@@ -158,18 +146,17 @@ def choose_spots(found: list[list[Spot]]) -> Floats:
     found: spots of each frame, the largest first; places: shape (n, 2), nan where there is none [pixel].
     """
     places = np.full((len(found), 2), np.nan)
-    usual = [(those[0].ratio, those[0].area) for those in found if those]
-    ratio, area = np.median(usual or [(np.nan, np.nan)], axis=0)
+    largest = [(those[0].ratio, np.log(those[0].area)) for those in found if those]
+    usual = np.median(largest or [(np.nan, np.nan)], axis=0)
 
-    def unlike(spot: Spot) -> float:
-        share, off = spot.area / area, abs(spot.ratio - ratio)
-        fits = AREAS[0] < share < AREAS[1] and off < NEAR
-        return abs(np.log(share)) + off / NEAR if fits else np.inf
+    def unlike(spot: Spot) -> Floats:
+        return np.asarray(np.abs([spot.ratio, np.log(spot.area)] - usual) / [NEAR, OTHER_AREA])
 
     for place, those in zip(places, found, strict=True):
-        best = min(those, key=unlike, default=None)
-        if best is not None and unlike(best) < np.inf:
-            place[:] = best[:2]
+        fits = [spot for spot in those if unlike(spot).max() < 1.0]
+        if fits:
+            best = min(fits, key=lambda spot: float(unlike(spot).sum())).place
+            place[:] = best.real, best.imag
     return places
 
 

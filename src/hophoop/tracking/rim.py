@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._support.extras import need
-from hophoop.tracking.circle import Circle, CircleFit, robust_circle
+from hophoop.tracking.circle import UNKNOWN, Circle, CircleFit, robust_circle
 from hophoop.tracking.video import Bytes
 
 Floats = NDArray[np.float64]
@@ -42,17 +42,6 @@ class Rim(NamedTuple):
         return len(self.points) / self.looked
 
 
-def profile(luma: Bytes, circle: Circle, offsets: Floats) -> Floats:
-    """Sample luma along rays, shape (RAYS, k); nan outside the picture.
-
-    luma shape (height, width) [1]; offsets: shape (k,), from the circle, outwards [pixel].
-    """
-    x, y = ((circle.radius + offsets) * along[:, None] for along in DIRECTIONS.T)
-    sample = need("scipy.ndimage", "track").map_coordinates
-    values: Floats = sample(luma, [circle.y + y, circle.x + x], output=np.float32, order=1, cval=np.nan)
-    return values
-
-
 def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.0) -> tuple[Floats, int]:
     """Find the steepest point on each ray near a circle.
 
@@ -62,7 +51,9 @@ def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.
     picture.
     """
     offsets = np.arange(-reach - 1.0, reach + 1.0 + 0.5 * STEP, STEP)
-    values = profile(luma, circle, offsets)
+    x, y = ((circle.radius + offsets) * along[:, None] for along in DIRECTIONS.T)
+    sample = need("scipy.ndimage", "track").map_coordinates
+    values = sample(luma, [circle.y + y, circle.x + x], output=np.float32, order=1, cval=np.nan)  # nan outside the picture
     half = round(0.5 * over / STEP)
     rise, offsets = values[:, 2 * half :] - values[:, : -2 * half], offsets[half:-half]
     there = np.isfinite(rise).all(axis=1)
@@ -74,7 +65,7 @@ def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.
     # only the peak around the steepest point, not a neighbouring one
     weight = np.where((np.abs(offsets - offsets[best]) <= WIDE) & (rise > 0.2 * strength), rise, 0.0)
     mean = (weight * offsets).sum(axis=1) / np.maximum(weight.sum(axis=1), 1e-9)
-    points = [circle.x, circle.y] + (circle.radius + mean)[:, None] * DIRECTIONS
+    points = circle[:2] + (circle.radius + mean)[:, None] * DIRECTIONS
     return points[good], int(there.sum())
 
 
@@ -83,13 +74,13 @@ def find_rim(
     circle: Circle,
     sign: int,
     reach: float,
-    expected: tuple[float, float] | None,
+    expected: tuple[float, float],
     oval: tuple[float, float, float],
 ) -> Rim | None:
     """Find the rim near a circle; None if too little of it agrees.
 
     luma shape (height, width) [1]; circle: start of the search; sign: 1 for a dark hoop; reach: maximum distance from the
-    circle [pixel]; expected: radius and its error [pixel]; oval: as in `robust_circle` [pixel].
+    circle [pixel]; expected, oval: as in `robust_circle` [pixel].
     """
     fit: CircleFit | None = None
     for close in (reach, max(CLOSE[0], CLOSE[1] * circle.radius)):
@@ -100,13 +91,11 @@ def find_rim(
         circle = fit.circle
     assert fit is not None
     rim, size = Rim(circle, points[fit.inside], looked, sign, fit.oval), circle.radius
-    if rim.share < WANTED or size < SMALLEST or fit.spread > max(0.8, 0.02 * size):
-        return None
-    alike = expected is None or abs(size - expected[0]) < 4.0 * expected[1] + 0.02 * expected[0]
-    return rim if alike else None
+    good = rim.share >= WANTED and size >= SMALLEST and fit.spread <= max(0.8, 0.02 * size)
+    return rim if good and abs(size - expected[0]) < 4.0 * expected[1] + 0.02 * expected[0] else None
 
 
-def confirm(luma: Bytes, circle: Circle, sign: int, expected: tuple[float, float] | None) -> Rim | None:
+def confirm(luma: Bytes, circle: Circle, sign: int, expected: tuple[float, float] = UNKNOWN) -> Rim | None:
     """Find a rim whose outer edge is near a circle, which may be its inner edge or off by a few pixels.
 
     luma shape (height, width) [1]; sign: 1 dark, −1 light, 0 unknown; expected: radius and its error [pixel].

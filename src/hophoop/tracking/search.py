@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.circle import Circle, ransac_circles
+from hophoop.tracking.circle import UNKNOWN, Circle, ransac_circles
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.rim import SMALLEST, Rim, confirm
 from hophoop.tracking.video import Bytes, Picture
@@ -23,6 +23,7 @@ MOST_POINTS = 600
 COMPONENTS = 5
 CERTAIN = 0.8  # share of a rim that ends the search
 ALIKE = 0.12  # relative difference of radii in different pictures
+SIZE_ERROR = 0.25 * ALIKE  # of a radius from other pictures, relative
 STILL = 0.02  # distance over the radius below which a circle belongs to the background
 
 
@@ -31,7 +32,7 @@ class Search(NamedTuple):
 
     background: Floats | None  # downsampled luma without the hoop, for a search by motion; None for a search by contrast
     sign: int  # 1 dark, −1 light, 0 unknown
-    expected: tuple[float, float] | None = None  # radius and its error [pixel]
+    expected: tuple[float, float] = UNKNOWN  # radius and its error [pixel]
 
 
 def learn_hoop(stills: list[Picture], hints: Hints, source: str) -> tuple[Search, list[tuple[Picture, Rim]]]:
@@ -39,8 +40,7 @@ def learn_hoop(stills: list[Picture], hints: Hints, source: str) -> tuple[Search
 
     source: name of the film.
     """
-    sign = {"dark": 1, "light": -1}.get(hints.ring, 0)
-    start = _with_hint(Search(None, sign), stills, hints)
+    start = _with_hint(Search(None, {"dark": 1, "light": -1}.get(hints.ring, 0)), stills, hints)
     background = np.median([downsample(still.luma) for still in stills], axis=0)
     best: list[tuple[Picture, Rim]] = []
     for search in (start._replace(background=background), start):
@@ -60,7 +60,7 @@ def learn_hoop(stills: list[Picture], hints: Hints, source: str) -> tuple[Search
     size = float(np.median(radius))
     if max(np.ptp(x), np.ptp(y)) < STILL * size:
         raise InputError(f"{source} shows a circle that does not move, but no hoop.")
-    error = max(0.25 * ALIKE * size, 0.25 * float(np.ptp(radius)))  # a tilted hoop has other sizes at either side
+    error = max(SIZE_ERROR * size, 0.25 * float(np.ptp(radius)))  # a tilted hoop has other sizes at either side
     return known._replace(sign=best[0][1].sign, expected=(size, error)), best
 
 
@@ -69,7 +69,7 @@ def _with_hint(search: Search, stills: list[Picture], hints: Hints) -> Search:
     if hints.centre is None or hints.rim is None:
         return search
     still = min(stills, key=lambda one: abs(one.t - hints.at))
-    rim = confirm(still.luma, Circle(*hints.centre, hints.rim), search.sign, None)
+    rim = confirm(still.luma, Circle(*hints.centre, hints.rim), search.sign)
     if rim is None:
         raise InputError(
             f"centre = {hints.centre[0]:g}, {hints.centre[1]:g} and a rim of {hints.rim:g} pixels show no rim "
@@ -77,7 +77,7 @@ def _with_hint(search: Search, stills: list[Picture], hints: Hints) -> Search:
             field="centre",
             value=hints.centre,
         )
-    return search._replace(sign=rim.sign, expected=(rim.circle.radius, 0.25 * ALIKE * rim.circle.radius))
+    return search._replace(sign=rim.sign, expected=(rim.circle.radius, SIZE_ERROR * rim.circle.radius))
 
 
 def _alike(one: Rim, other: Rim) -> bool:
@@ -109,23 +109,21 @@ def detect(luma: Bytes, search: Search) -> Rim | None:
     luma shape (height, width) [1].
     """
     small, by, rng = downsample(luma), _reduction(luma), np.random.default_rng(0)
-    sizes = (SMALLEST / by + 3.0, 0.6 * max(small.shape))
-    if search.expected is not None:
-        size, error = search.expected
-        sizes = ((0.96 * size - 2.0 * error) / by, (1.04 * size + 2.0 * error) / by)
+    size, error = search.expected
+    sizes = ((0.96 * size - 2.0 * error) / by, (1.04 * size + 2.0 * error) / by)
+    if search.expected == UNKNOWN:
+        sizes = (SMALLEST / by + 3.0, 0.6 * max(small.shape))
     best: Rim | None = None
     for mask in _masks(small, search.background):
         for points in _outlines(mask, sizes[0]):
             some = rng.choice(points, min(len(points), MOST_POINTS), replace=False)
             for share, (x, y, radius) in ransac_circles(some, sizes, (small.shape[1], small.shape[0]), rng):
-                if share < 0.3:
-                    break
                 circle = Circle((x + 0.5) * by - 0.5, (y + 0.5) * by - 0.5, radius * by)
-                rim = confirm(luma, circle, search.sign, search.expected)
+                rim = confirm(luma, circle, search.sign, search.expected) if share >= 0.3 else None
                 if rim is not None and (best is None or rim.share > best.share):
                     best = rim
-                if best is not None and best.share > CERTAIN:
-                    return best
+                    if rim.share > CERTAIN:
+                        return rim
     return best
 
 
@@ -137,14 +135,12 @@ def _masks(small: Floats, background: Floats | None) -> list[NDArray[np.bool_]]:
 
 
 def _outlines(mask: NDArray[np.bool_], least: float) -> list[Floats]:
-    """Return outlines of the largest components, and of all of them together."""
+    """Return outlines of the largest components, and of all of them together; least: radius of a hoop [pixel]."""
     ndimage = need("scipy.ndimage", "track")
-    labels, count = ndimage.label(mask, structure=np.ones((3, 3)))
-    if not count:
-        return []
+    labels, _ = ndimage.label(mask, structure=np.ones((3, 3)))
     sizes = np.array([max(side.stop - side.start for side in box) for box in ndimage.find_objects(labels)])
     rows, columns = np.nonzero(mask & ~ndimage.binary_erosion(mask, border_value=1))
     points, own = np.column_stack([columns, rows]).astype(float), labels[rows, columns]
     largest = [points[own == k + 1] for k in np.argsort(-sizes)[:COMPONENTS] if sizes[k] >= 2 * least]
     wide = np.flatnonzero(sizes >= 3) + 1
-    return [*largest, *([points[np.isin(own, wide)]] if len(wide) > 1 else [])]
+    return [*largest, points[np.isin(own, wide)]]

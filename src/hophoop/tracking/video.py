@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from io import BytesIO
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +27,6 @@ CENTRED_CHROMA = ("mjpeg",)
 TICKS = 90_000  # of a written film, per second
 ROUNDED = 1.05  # range of the differences from a grid of ticks that are rounded from it, with the error of its step [ticks]
 STILLS = 16  # pictures of a sample, or up to twice as many: of 3840 × 2160 they take up to 400 MB
-ALIKE = 1e-6  # difference of equal times [s]
 SMALLEST, LARGEST = 32, 16384  # side of a picture [pixel]
 
 
@@ -56,18 +55,13 @@ def pictures(
     rate: frames per second as taken, if the file's own times are wrong, such as in slow motion [Hz]; since, until: times of
     the first and the last frame to yield, from the first frame of the film [s].
     """
-    file = Path(path)
-    step = 0.0 if rate is not None else _stamps(file).step
+    file, row, last, size = Path(path), 0, -1.0, None
+    stamps, times = _timetable(file, rate)
     with _opened(file) as (box, stream):
         stream.thread_type = "AUTO"
         aspect = float(stream.sample_aspect_ratio or 1.0)
-        row, first, last = 0, None, -1.0
-        size: tuple[int, int] | None = None
         for frame in box.decode(stream):
-            if rate is None and frame.pts is None:
-                raise InputError(f"{file} has no times of its frames: give the rate, in frames per second.")
-            first = frame.pts if first is None else first
-            t = row / rate if rate is not None else float(on_grid(frame.pts - first, step) * frame.time_base)
+            t = float(np.interp(row if frame.pts is None else frame.pts, stamps, times))
             if not t > last:
                 continue  # a repeated frame
             if until is not None and t > until:
@@ -88,31 +82,25 @@ def picture_times(
 
     rate, since, until: as in `pictures`; times: shape (n,) [s].
     """
-    stamps = _stamps(Path(path))
-    t = np.arange(len(stamps.ticks)) / rate if rate is not None else on_grid(stamps.ticks, stamps.step) * stamps.tick
-    inside = (t >= (-np.inf if since is None else since)) & (t <= (np.inf if until is None else until))
-    return np.asarray(t[inside], dtype=float)
+    _, t = _timetable(Path(path), rate)
+    return t[(t >= (-np.inf if since is None else since)) & (t <= (np.inf if until is None else until))]
 
 
-class _Stamps(NamedTuple):
-    """When a video shows its pictures, by its packets."""
-
-    ticks: Floats  # from the first picture, in their order
-    tick: float  # [s]
-    step: float  # of an even grid that the ticks round to [ticks]; 0 if there is none
-
-
-def _stamps(file: Path) -> _Stamps:
+def _timetable(file: Path, rate: float | None) -> tuple[Floats, Floats]:
+    """Return the stamps of a video's pictures by its packets [ticks], in their order, and the times from the first [s]."""
     with _opened(file) as (box, stream):
-        found = [packet.pts for packet in box.demux(stream) if packet.size]
-        tick, rate = stream.time_base or Fraction(1, TICKS), stream.average_rate
-    usual = float(1 / (rate * tick)) if rate else 0.0
-    known = [stamp for stamp in found if stamp is not None]
-    if len(known) < len(found):  # a format without times
-        return _Stamps(usual * np.arange(len(found), dtype=np.float64), float(tick), 0.0)
-    stamps = np.unique(np.array(known, dtype=np.int64))
-    ticks: Floats = (stamps - stamps[:1]).astype(np.float64)
-    return _Stamps(ticks, float(tick), even_step(ticks, usual))
+        found = [packet.pts for packet in box.demux(stream) if packet.size and not packet.is_discard]
+        tick, usual = stream.time_base or Fraction(1, TICKS), stream.average_rate
+    if None in found:  # a format without times
+        if rate is None:
+            raise InputError(f"{file} has no times of its frames: give the rate, in frames per second.")
+        found = list(range(len(found)))
+    stamps = np.unique(np.array(found, dtype=float))
+    if rate is not None:
+        return stamps, np.arange(len(stamps)) / rate
+    ticks = stamps - stamps[:1]
+    step = even_step(ticks, float(1 / (usual * tick)) if usual else 0.0)
+    return stamps, on_grid(ticks, step) * tick.numerator / tick.denominator
 
 
 def even_step(ticks: Floats, usual: float) -> float:
@@ -130,7 +118,7 @@ def even_step(ticks: Floats, usual: float) -> float:
     return 0.0
 
 
-def on_grid(ticks: Any, step: float) -> Any:
+def on_grid(ticks: Floats, step: float) -> Floats:
     """Return the nearest places of an even grid; a step of 0 is no grid."""
     return step * np.round(ticks / step) if step else ticks
 
@@ -148,16 +136,11 @@ def _local(file: Path) -> str:
 def _opened(file: Path) -> Iterator[tuple[Any, Any]]:
     """Open a video: its container and its stream of pictures."""
     av = need("av", "track")
-    with _refusals(file, av), av.open(_local(file)) as box:
-        if not box.streams.video:
-            raise InputError(f"{file} has no video.")
-        yield box, box.streams.video[0]
-
-
-@contextmanager
-def _refusals(file: Path, av: Any) -> Iterator[None]:
     try:
-        yield
+        with av.open(_local(file)) as box:
+            if not box.streams.video:
+                raise InputError(f"{file} has no video.")
+            yield box, box.streams.video[0]
     except av.error.FileNotFoundError:
         raise FileNotFoundError(2, "No such file or directory", str(file)) from None
     except av.error.FFmpegError as error:
@@ -198,13 +181,8 @@ def sample_pictures(
     rate, since, until: as in `pictures`; least: there are as many pictures or up to twice as many, or all [1].
     """
     t = picture_times(path, rate, since, until)
-    wanted = t[:: max(1, len(t) // least)]
-    found: list[Picture] = []
-    for picture in pictures(path, rate, since, until):
-        if len(found) == len(wanted):
-            break
-        if picture.t > wanted[len(found)] - ALIKE:
-            found.append(picture)
+    wanted = set(t[:: max(1, len(t) // least)].tolist())
+    found = [picture for picture in pictures(path, rate, since, until) if picture.t in wanted]
     if len(found) < 3:
         window = ("" if since is None else f" from {since:g} s on") + ("" if until is None else f" up to {until:g} s")
         count = f"{len(found)} frame{'s' if len(found) != 1 else ''}"
