@@ -4,15 +4,11 @@ The oracles integrate the equations of mechanics in time and import nothing of h
 differences of motions. The line of a motion that is off says how to repeat it alone.
 """
 
-from __future__ import annotations
-
 import argparse
 import math
 import sys
-from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from mpmath import mp
@@ -23,7 +19,6 @@ from hophoop.results.poses import poses_of
 from interrupted import check_restart, check_until
 from oracle_program import compare, draw, essential, highest_apexes, scenario_of
 from oracles import hybrid, precise
-from oracles.cases import Case
 
 UNTILS = ("takeoff", "reversal", "landings:1", "landings:2", "revolutions:0.5", "angle:2")
 EVENTS = 40  # of a motion whose derivatives are compared
@@ -31,7 +26,7 @@ DIGITS = 25
 POINT = 1e-8  # between a point of the hoop and the oracle's, over R
 
 
-def case_of(seed: int) -> Case:
+def case_of(seed):
     """A random case; one in four has a resistance to rolling that the hoop allows, and with which the model has an answer."""
     case, random = draw(seed), np.random.default_rng([seed, 66])
     resistance = float(10.0 ** random.uniform(-3.0, -1.0)) if random.random() < 0.25 else 0.0
@@ -42,7 +37,7 @@ def case_of(seed: int) -> Case:
     return case if status == "undetermined" else found
 
 
-def check_motion(case: Case) -> None:
+def check_motion(case):
     """Events, energies and samples; where SciPy's steps lose digits, events against series in mpmath."""
     try:
         compare(case)
@@ -52,7 +47,7 @@ def check_motion(case: Case) -> None:
         compare_events(hh.simulate(scenario_of(case)), precise.solve(case, DIGITS).events, 9)
 
 
-def compare_events(motion: hh.Trajectory | hh.PreciseMotion, true: list[dict[str, Any]], digits: int) -> None:
+def compare_events(motion, true, digits):
     """Assert that the first events of a motion have so many digits of the true ones."""
     names = ("t", "x", "height", "angle", "omega")
     found = [
@@ -67,7 +62,7 @@ def compare_events(motion: hh.Trajectory | hh.PreciseMotion, true: list[dict[str
             assert off <= Fraction(1, 10**digits) * max(1, abs(known)), (right["kind"], name, float(off))
 
 
-def check_points(case: Case) -> None:
+def check_points(case):
     """Rim, load and centre of gravity in the world, as plots and films draw them."""
     truth, motion = hybrid.solve(case), hh.simulate(scenario_of(case))
     slope = np.array([[math.cos(case.slope), math.sin(case.slope)], [-math.sin(case.slope), math.cos(case.slope)]])
@@ -81,7 +76,7 @@ def check_points(case: Case) -> None:
             assert off < POINT * case.radius * (1.0 + abs(state["x"])), (t, off)
 
 
-def check_digits(case: Case) -> None:
+def check_digits(case):
     """The first events in many digits, against series in mpmath, or with resistance to rolling against SciPy's steps."""
     brief = replace(case, duration=1.0, max_events=6)
     if case.rolling_resistance:
@@ -91,13 +86,13 @@ def check_digits(case: Case) -> None:
     compare_events(hh.simulate(scenario_of(brief), digits=DIGITS), true, digits)
 
 
-def check_derivatives(case: Case) -> None:
+def check_derivatives(case):
     """One-sided where the motion has a kink."""
     wrong, _ = compare_derivatives(scenario_of(case).with_values({"contact.max_events": EVENTS}))
     assert not wrong, wrong[:3]
 
 
-def check_parts(case: Case) -> None:
+def check_parts(case):
     """Motions that go on from a state, and those that end before their duration."""
     motion = hh.simulate(scenario_of(case))
     for part in (0.2, 0.6):
@@ -107,7 +102,7 @@ def check_parts(case: Case) -> None:
         check_until(motion, until)
 
 
-CHECKS: dict[str, Callable[[Case], None]] = {
+CHECKS = {
     "motion": check_motion,
     "points": check_points,
     "digits": check_digits,
@@ -116,7 +111,7 @@ CHECKS: dict[str, Callable[[Case], None]] = {
 }
 
 
-def problems(seed: int) -> Iterator[str]:
+def problems(seed):
     """What is off in one motion."""
     case = case_of(seed)
     for name, check in CHECKS.items():
@@ -126,7 +121,7 @@ def problems(seed: int) -> Iterator[str]:
             yield f"{name}: {' '.join(str(error).split())[:300]}"
 
 
-def main(argv: list[str]) -> int:
+def main(argv):
     """Compare motions and print what is off; return 1 if something is."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seed", type=int, default=0, help="of the first motion")

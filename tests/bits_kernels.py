@@ -1,7 +1,5 @@
 """The kernels' own code outside of Python: as LLVM's text, as assembly, as a program for another processor, as the module."""
 
-from __future__ import annotations
-
 import base64
 import json
 import math
@@ -9,15 +7,13 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
 from urllib.parse import urlsplit
 
 import numpy as np
 
 import hophoop as hh
-from bits_tools import FOLDER, SAMPLES, Bits, Kept, bits_of_heads, sample_times
+from bits_tools import FOLDER, SAMPLES, bits_of_heads, sample_times
 from hophoop.kernel.build.link import optimized
 from hophoop.kernel.compliant.event_loop import MAX_STEPS
 from hophoop.kernel.compliant.records import WIDTH
@@ -27,7 +23,6 @@ from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import HERE, MODULE
-from module.host import Host
 from module.module_tools import cell_of, given_of
 
 # Processor → how LLVM and zig call it.
@@ -43,7 +38,7 @@ NATIVE = ("motion", "samples", "compliant_motion", "compliant_samples")
 # --- LLVM's code -----------------------------------------------------------------------------------------------------
 
 
-def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
+def code_of(names, table="ENTRIES"):
     """LLVM's code of entries, made in a process of its own: it leaves Numba unoptimised."""
     script = (
         "import llvmlite.binding as llvm; from hophoop.kernel.build.processes import begin; "
@@ -57,7 +52,7 @@ def code_of(names: Sequence[str], table: str = "ENTRIES") -> str:
 # --- a program -------------------------------------------------------------------------------------------------------
 
 
-def why_no_program(processor: str) -> str:
+def why_no_program(processor):
     """What is missing to build and run a program for it, or nothing."""
     try:
         import ziglang  # noqa: F401
@@ -68,7 +63,7 @@ def why_no_program(processor: str) -> str:
     return ""
 
 
-def program(processor: str, folder: Path) -> Path:
+def program(processor, folder):
     """The kernel's entries as a static program for a processor, with its assembly next to it."""
     import llvmlite.binding as llvm
 
@@ -85,12 +80,12 @@ def program(processor: str, folder: Path) -> Path:
     return made
 
 
-def ask(kept: Iterable[Kept]) -> np.ndarray:
+def ask(kept):
     """What the program reads."""
     return np.array([np.concatenate(([each.kind == "compliant"], *numbers(each.scenario))) for each in kept])
 
 
-def numbers(scenario: hh.Scenario) -> tuple[np.ndarray, np.ndarray]:
+def numbers(scenario):
     """The cell and the contact of a scenario, as the module's entries take them."""
     contact = scenario.contact
     if isinstance(contact, hh.Rigid):
@@ -104,7 +99,7 @@ def numbers(scenario: hh.Scenario) -> tuple[np.ndarray, np.ndarray]:
     return cell, np.array([math.nan if each is None else float(each) for each in chosen])
 
 
-def run_program(made: Path, kept: Sequence[Kept], processor: str = "") -> dict[int, Bits]:
+def run_program(made, kept, processor=""):
     """The bits of motions that the program computes; emulated where a processor is named."""
     with tempfile.TemporaryDirectory() as fresh:
         asked, answered = Path(fresh) / "asked", Path(fresh) / "answered"
@@ -119,13 +114,13 @@ def run_program(made: Path, kept: Sequence[Kept], processor: str = "") -> dict[i
     return parted(content, kept)
 
 
-def parted(content: bytes, kept: Iterable[Kept]) -> dict[int, Bits]:
+def parted(content, kept):
     """Bits out of bytes: for each motion its heads, the records of its events and, where it lasts, the rows of its samples."""
     found, place = {}, 0
 
-    def taken(kind: Any, count: int) -> np.ndarray:
+    def taken(kind, count):
         nonlocal place
-        part: np.ndarray = np.frombuffer(content, kind, count, place)
+        part = np.frombuffer(content, kind, count, place)
         place += part.nbytes
         return part
 
@@ -142,7 +137,7 @@ def parted(content: bytes, kept: Iterable[Kept]) -> dict[int, Bits]:
 # --- the module ------------------------------------------------------------------------------------------------------
 
 
-def run_module(host: Host, kept: Iterable[Kept]) -> dict[int, Bits]:
+def run_module(host, kept):
     """The bits of rigid motions that the module computes."""
     found = {}
     for each in kept:
@@ -181,7 +176,7 @@ async ({ asked, count, eventBytes }) => {
 """
 
 
-def run_page(browser: Any, kept: Sequence[Kept]) -> dict[int, Bits]:
+def run_page(browser, kept):
     """The bits of motions that the page's kernel computes in a browser of playwright's."""
     files = {
         "/": ("text/html", b"<!doctype html><title>bits</title>"),
@@ -190,7 +185,7 @@ def run_page(browser: Any, kept: Sequence[Kept]) -> dict[int, Bits]:
     }
     page = browser.new_page()
 
-    def answer(route: Any) -> None:
+    def answer(route):
         kind, body = files.get(urlsplit(route.request.url).path, ("text/plain", b""))
         route.fulfill(content_type=kind, body=body)
 

@@ -4,22 +4,19 @@ A motion's bits are three tables of doubles: its events as the kernel wrote them
 in SI units. −0 counts as 0 and every nan as the quiet one.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
-from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.recfunctions import structured_to_unstructured
 
 import hophoop as hh
+from checkout import DATA
 from hophoop.kernel.physics.body import MODE_LETTERS, Status
-from hophoop.kernel.records.layout import EVENT
 from hophoop.lab.wasm.layout import SAMPLE_COLUMNS
 
-FOLDER = Path(__file__).parent / "data" / "bits"
+FOLDER = DATA / "bits"
 SCENARIOS, HASHES = FOLDER / "scenarios.json", FOLDER / "hashes.json"
 LEDGER = ("kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "spring", "damping")
 LEDGER_FIELDS = ("status", "duration", *LEDGER, "residual")
@@ -43,13 +40,13 @@ class Bits(NamedTuple):
     ledger: np.ndarray
 
 
-def scenario_of(sections: Mapping[str, Any], most_events: int) -> hh.Scenario:
+def scenario_of(sections, most_events):
     """A scenario from its line of the file."""
     keys = {name: value for name, value in sections.items() if name != "kind"}
     return hh.Scenario.from_dict({"contact": {"model": "rigid", "max_events": most_events}, **keys})
 
 
-def kept_scenarios(every: int = 1) -> list[Kept]:
+def kept_scenarios(every=1):
     """All kept scenarios, or every so many of them."""
     told = json.loads(SCENARIOS.read_text(encoding="utf-8"))
     return [
@@ -59,49 +56,41 @@ def kept_scenarios(every: int = 1) -> list[Kept]:
     ]
 
 
-def kept_hashes() -> dict[str, Any]:
+def kept_hashes():
     """The content of the file of hashes."""
-    told: dict[str, Any] = json.loads(HASHES.read_text(encoding="utf-8"))
+    told = json.loads(HASHES.read_text(encoding="utf-8"))
     return told
 
 
 # --- bits ------------------------------------------------------------------------------------------------------------
 
 
-def canonical(table: Any) -> np.ndarray:
+def canonical(table):
     """Doubles with one zero and one nan."""
-    numbers: np.ndarray = np.array(table, dtype="<f8") + 0.0
+    numbers = np.array(table, dtype="<f8") + 0.0
     numbers[np.isnan(numbers)] = np.nan
     return numbers
 
 
-def event_rows(events: np.ndarray) -> np.ndarray:
+def event_rows(events):
     """Records of the kernel as rows of doubles."""
-    rows = np.empty((len(events), len(EVENT.names or ())))
-    for place, name in enumerate(EVENT.names or ()):
-        rows[:, place] = events[name]
-    return canonical(rows)
+    return canonical(structured_to_unstructured(events))
 
 
-def sample_times(duration: float) -> np.ndarray:
+def sample_times(duration):
     """Times of the samples [s]."""
     return duration * np.arange(float(SAMPLES)) / (SAMPLES - 1)
 
 
-def bits_of(motion: hh.Trajectory) -> Bits:
+def bits_of(motion):
     """The bits of a motion that the library computed."""
-    duration = motion.duration
-    rows = np.empty((SAMPLES if duration > 0.0 else 0, len(SAMPLE_COLUMNS)))
+    duration, ledger = motion.duration, motion.ledger
+    rows = np.empty((0, len(SAMPLE_COLUMNS)))
     if duration > 0.0:
         sample = motion.at(sample_times(duration))
-        for place, name in enumerate(SAMPLE_COLUMNS):
-            if name == "mode":
-                rows[:, place] = [MODE_LETTERS.index(letter) for letter in sample.mode]
-            elif name == "utilization":
-                rows[:, place] = sample.utilization(motion.scenario.plane)
-            else:
-                rows[:, place] = getattr(sample, name)
-    ledger = motion.ledger
+        modes = [MODE_LETTERS.index(letter) for letter in sample.mode]
+        columns = vars(sample) | {"mode": modes, "utilization": sample.utilization(motion.scenario.plane)}
+        rows = np.column_stack([columns[name] for name in SAMPLE_COLUMNS])
     energies = [getattr(ledger, name) for name in (*LEDGER, "residual")]
     return Bits(
         event_rows(motion.tables["events"]),
@@ -110,7 +99,7 @@ def bits_of(motion: hh.Trajectory) -> Bits:
     )
 
 
-def bits_of_heads(heads: Mapping[str, float], events: np.ndarray, samples: np.ndarray) -> Bits:
+def bits_of_heads(heads, events, samples):
     """The same from what the module's entries wrote: heads, the kernel's records of events, rows of samples."""
     return Bits(event_rows(events), canonical(samples), canonical([heads[name] for name in LEDGER_FIELDS]))
 
@@ -118,7 +107,7 @@ def bits_of_heads(heads: Mapping[str, float], events: np.ndarray, samples: np.nd
 # --- hashes ----------------------------------------------------------------------------------------------------------
 
 
-def hash_of(tables: Iterable[np.ndarray]) -> str:
+def hash_of(tables):
     """SHA-256 of tables, one after the other."""
     digest = hashlib.sha256()
     for table in tables:
@@ -126,23 +115,23 @@ def hash_of(tables: Iterable[np.ndarray]) -> str:
     return digest.hexdigest()
 
 
-def own_hashes(bits: Bits) -> list[str]:
+def own_hashes(bits):
     """The hashes of the three tables of one motion."""
     return [hash_of([table])[:DIGITS] for table in bits]
 
 
-def hashes_text(found: Sequence[Bits]) -> str:
+def hashes_text(found):
     """The text of the file of hashes, one motion a line, from the bits of all motions in order."""
     lines = ",\n".join(json.dumps(" ".join(own_hashes(bits))) for bits in found)
     return f'{{\n "events": "{hash_of(bits.events for bits in found)}",\n "motions": [\n{lines}\n]}}\n'
 
 
-def differing(found: Mapping[int, Bits]) -> list[int]:
+def differing(found):
     """Motions whose bits are not the kept ones."""
     lines = kept_hashes()["motions"]
     return [index for index, bits in found.items() if own_hashes(bits) != lines[index].split()]
 
 
-def of_kinds(kept: Iterable[Kept], *kinds: str) -> list[Kept]:
+def of_kinds(kept, *kinds):
     """Those of some kinds."""
     return [each for each in kept if each.kind in kinds]

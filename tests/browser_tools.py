@@ -1,6 +1,10 @@
 """The system's Chromium, driven by playwright; without either, the tests that want it are left out."""
 
+import contextlib
+import functools
+import http.server
 import shutil
+import threading
 
 import pytest
 
@@ -38,3 +42,29 @@ def browser():
         launched = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
         yield launched
         launched.close()
+
+
+@pytest.fixture
+def new_page(browser):
+    """Opens pages with storage of their own; all are closed at the end."""
+    with contextlib.ExitStack() as opened:
+        yield lambda **options: opened.enter_context(contextlib.closing(browser.new_page(**options)))
+
+
+@contextlib.contextmanager
+def served(folder, seconds=0):
+    """The address of a folder, by Python's plain web server; browsers may keep its files for so many seconds."""
+
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def end_headers(self):
+            if seconds:
+                self.send_header("Cache-Control", f"max-age={seconds}")
+            super().end_headers()
+
+        def log_message(self, *_):
+            pass
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=folder)) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()

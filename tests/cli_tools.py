@@ -24,7 +24,7 @@ def done(line, *more):
 
 
 def hop():
-    return hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=1.0), hh.Start.rolling(3.1), duration=2.0)
+    return hh.simulate(hh.Scenario(duration=2.0))
 
 
 def save_track(path):

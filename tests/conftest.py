@@ -11,7 +11,7 @@ settings.register_profile("ci", parent=settings.get_profile("hophoop"), derandom
 settings.load_profile("ci" if os.environ.get("CI") else "hophoop")
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(items):
     """Tests marked slow may take more than the usual limit (pyproject.toml)."""
     for item in items:
         if item.get_closest_marker("slow") and not item.get_closest_marker("timeout"):

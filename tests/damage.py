@@ -1,30 +1,25 @@
 """Files damaged at random, and what comes of reading them."""
 
-from __future__ import annotations
-
 import random
 import shutil
 from collections import Counter
-from collections.abc import Callable, Iterator
-from pathlib import Path
-from typing import Any
 
 from hophoop import io
 from hophoop._support.checksum import checksum
 
 
-def contents(folder: Path) -> dict[str, bytes]:
+def contents(folder):
     """Every file of a folder with its bytes."""
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
-def damaged(whole: Path, copy: Path, count: int, seed: int = 2026) -> Iterator[str]:
+def damaged(whole, copy, count):
     """Put a damaged copy of a file, or of a folder of files, in place again and again; says what was done to it.
 
     Every third is cut short somewhere, every other has one bit turned. In a folder any file may be hit, half of the time in
     proportion to its size.
     """
-    draw = random.Random(seed)
+    draw = random.Random(2026)
     files = [whole] if whole.is_file() else sorted(file for file in whole.rglob("*") if file.is_file())
     sizes = [file.stat().st_size for file in files]
     for k in range(count):
@@ -45,13 +40,13 @@ def damaged(whole: Path, copy: Path, count: int, seed: int = 2026) -> Iterator[s
         yield f"{file.name}: {done}"
 
 
-def unseal(file: Path) -> None:
+def unseal(file):
     """Take the checksum from the end of a netCDF file."""
     content = file.read_bytes()
     file.write_bytes(content[: content.rindex(b"\nhophoop sha256 ")])
 
 
-def sign(file: Path) -> None:
+def sign(file):
     """Give an unsealed motion that was changed the checksum of its present content."""
     if file.suffix == ".nc":
         import netCDF4
@@ -69,12 +64,20 @@ def sign(file: Path) -> None:
             group.attrs["checksum"] = content
 
 
+def same(one, other):
+    """Whether two motions have the same bits; all that a motion has follows from these."""
+    equal = one.scenario == other.scenario
+    equal &= (one.status, one.version, one.doubt) == (other.status, other.version, other.doubt)
+    tables = zip(one.tables.values(), other.tables.values(), strict=True)
+    return equal and all((mine.dtype, mine.tobytes()) == (its.dtype, its.tobytes()) for mine, its in tables)
+
+
 SAME, REFUSED = "the same", "one sentence"
 
 
-def tally(load: Callable[[Path], Any], alike: Callable[[Any], bool], whole: Path, copy: Path, count: int) -> Counter[str]:
+def tally(load, alike, whole, copy, count):
     """How often a damaged copy was read as the same, or refused by one sentence; what else came is under its own name."""
-    came: Counter[str] = Counter()
+    came = Counter()
     for done in damaged(whole, copy, count):
         try:
             loaded = load(copy)

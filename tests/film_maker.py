@@ -18,48 +18,49 @@ import hophoop as hh
 class Film:
     """How a film is taken."""
 
-    size: tuple[int, int] = (480, 272)  # even
+    size: tuple = (480, 272)  # width and height, even
     scale: float = 200.0  # pixels a metre where the optical axis meets the plane of motion
-    origin: tuple[float, float] = (90.0, 240.0)  # where x = 0 of the ground stands without tilt [pixel]
+    origin: tuple = (90.0, 240.0)  # where x = 0 of the ground stands without tilt [pixel]
     rate: float = 240.0
     shutter: float = 1 / 960  # [s]
     first: float = 0.0  # time of the motion in the first frame [s]
     frames: int = 40
-    tilt_deg: tuple[float, float] = (0.0, 0.0)  # turned about the picture's x and y axis
+    tilt_deg: tuple = (0.0, 0.0)  # turned about the picture's x and y axis
     focal: float = 450.0  # [pixel]
     roll_deg: float = 0.0  # of the camera about its axis, counterclockwise
     row_delay: float = 0.0  # rolling shutter [s a row]
     noise: float = 3.0  # of luma, of 255
     busy: bool = False
     light: bool = False  # a light hoop on dark ground
-    stroke: float = 0.02  # width of the rim [m]
     marker: float = 0.86  # distance of the marker over the radius
     marker_size: float = 0.03  # its radius [m]
-    colour: tuple[float, float, float] = (230, 30, 30)
-    hidden: tuple[tuple[int, int], ...] = ()  # frames, from and to, without marker
-    without: tuple[tuple[int, int], ...] = ()  # frames without hoop
+    hidden: tuple = ()  # frames, from and to, without marker
+    without: tuple = ()  # frames without hoop
     uneven: float = 0.0  # variable frame rate: share by which steps vary
     crf: int = 18
-    samples: int = 6  # over the shutter
-    seed: int = 1
 
 
-def article_like(radius=0.3, duration=1.3, speed=1.9, restitution=0.3, **start):
+SMALL = Film(size=(320, 192), scale=130.0, origin=(60.0, 170.0), marker_size=0.05)
+
+
+def article_like(duration=1.3):
     """A hoop that rolls, slips and hops within a second, as one might build it."""
-    hoop = hh.Hoop.ideal(0.6, radius=radius)
-    plane = hh.Plane(mu_static=0.55, mu_kinetic=0.45, restitution=restitution)
-    return hh.simulate(hoop, plane, hh.Start.rolling(speed, angle=start.pop("angle", 0.1)), duration=duration)
+    plane = hh.Plane(mu_static=0.55, mu_kinetic=0.45, restitution=0.3)
+    return hh.simulate(hh.Hoop.ideal(0.6, radius=0.3), plane, hh.Start.rolling(1.9, angle=0.1), duration=duration)
 
 
 def frame_times(film):
     """Time at which each frame's first row starts to be exposed, counted from the first [s], in whole ticks."""
     steps = np.ones(film.frames - 1)
     if film.uneven:
-        steps += film.uneven * np.random.default_rng(film.seed).uniform(-1, 1, film.frames - 1)
+        steps += film.uneven * np.random.default_rng(1).uniform(-1, 1, film.frames - 1)
     return np.round(np.concatenate([[0.0], np.cumsum(steps)]) / film.rate * TICKS) / TICKS
 
 
 TICKS = 90_000
+SAMPLES = 6  # over the shutter
+STROKE = 0.02  # width of the rim [m]
+RED = np.array([230, 30, 30])  # of the marker
 
 
 def camera(film):
@@ -87,7 +88,7 @@ def unproject(film):
 def background(film):
     """What stands behind the hoop."""
     wide, tall = film.size
-    rng = np.random.default_rng(film.seed + 1)
+    rng = np.random.default_rng(2)
     base = 70.0 if film.light else 165.0
     picture = np.full((tall, wide, 3), base)
     picture += np.linspace(-15, 15, wide)[None, :, None]
@@ -107,7 +108,7 @@ def background(film):
 
 def frames(motion, film):
     """The frames, one after the other, as floating-point RGB."""
-    rng, back, places = np.random.default_rng(film.seed + 2), background(film), unproject(film)
+    rng, back, places = np.random.default_rng(3), background(film), unproject(film)
     for k, begin in enumerate(frame_times(film)):
         away, bare = (any(a <= k < b for a, b in spans) for spans in (film.without, film.hidden))
         picture = back.copy()
@@ -124,7 +125,7 @@ def _covered(depth):
 def _draw(picture, motion, film, begin, places, marked):
     """Draw the hoop: the mean over the shutter, each row at its own time."""
     radius = motion.scenario.hoop.radius
-    share = (np.arange(film.samples) + 0.5) / film.samples
+    share = (np.arange(SAMPLES) + 0.5) / SAMPLES
     times = begin + film.row_delay * np.arange(film.size[1])[:, None] + film.shutter * share
     # on straight lines between a few times: to 1e-7 m over a frame
     few = np.linspace(times.min(), times.max(), 24)
@@ -140,12 +141,12 @@ def _draw(picture, motion, film, begin, places, marked):
     for sample in np.moveaxis(states[:, box[0]], -1, 0):
         center_x, center_y, angle = sample[..., None]
         away = np.hypot(x - center_x, y - center_y)
-        ring = _covered((radius - away) * size) * _covered((away - radius + film.stroke) * size)
+        ring = _covered((radius - away) * size) * _covered((away - radius + STROKE) * size)
         one = back + ring * ((225.0 if film.light else 40.0) - back)
         if marked:
             out = film.marker * radius
             off = np.hypot(x - center_x - out * np.sin(angle), y - center_y - out * np.cos(angle))
-            one += _covered((film.marker_size - off) * size) * (np.array(film.colour) - one)
+            one += _covered((film.marker_size - off) * size) * (RED - one)
         seen.append(one)
     picture[box] = np.mean(seen, axis=0)
 

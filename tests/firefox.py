@@ -1,6 +1,5 @@
 """The system's Firefox, driven by WebDriver BiDi (https://w3c.github.io/webdriver-bidi)."""
 
-import base64
 import contextlib
 import itertools
 import json
@@ -70,6 +69,3 @@ class Tab:
         steps = [moves[0], {"type": "pointerDown", "button": 0}, *moves[1:], {"type": "pointerUp", "button": 0}]
         hand = {"type": "pointer", "id": "hand", "parameters": {"pointerType": "mouse"}, "actions": steps}
         self.call("input.performActions", context=self.tab, actions=[hand])
-
-    def picture(self):
-        return base64.b64decode(self.call("browsingContext.captureScreenshot", context=self.tab)["data"])

@@ -1,11 +1,11 @@
 """Motions of a known hoop, tracks of them as films would give them, and what a page says of a fit."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 
 import hophoop as hh
+from checkout import text_of
 from hophoop.fitting.channels import Sigma
 from hophoop.fitting.problem import defaults, problem_of, run_of
 from hophoop.tracking.table import track_of
@@ -65,13 +65,12 @@ def read_again(fit, folder):
     return back
 
 
-ROOT = Path(__file__).parents[1]
 ROW = re.compile(r"^\| `(\w+)` \| ([\d.]+) \| ([\d.]+) ± ([\d.]+)", re.MULTILINE)
 
 
 def is_told(fit, page, names):
     """The table of a page has truth, values and errors of a fit."""
-    told = {name: map(float, numbers) for name, *numbers in ROW.findall((ROOT / page).read_text("utf-8"))}
+    told = {name: map(float, numbers) for name, *numbers in ROW.findall(text_of(page))}
     assert set(told) == set(names)
     for name, (truth, value, error) in told.items():
         assert truth == TRUTH[name]

@@ -1,21 +1,15 @@
 """Invariants: laws that every computed motion obeys, checked independently (docs/testing.md#random-scenarios)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import fields
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop.kernel.physics.body import PASSING, Event
-from hophoop.results.records import ArraySample, Sample
-from hophoop.simulation.trajectory import Trajectory
+from hophoop.results.records import Sample
 from hophoop.vocabulary.quantities import LOSSES
-
-Floats = NDArray[np.float64]
 
 SPREAD = 25  # equally spaced times, in addition to those of events and between them
 BETWEEN = np.array([0.001, 0.03, 0.25, 0.5, 0.75, 0.97, 0.999])  # of the time between events
@@ -43,18 +37,18 @@ class Finding(NamedTuple):
     t: float  # [s]
 
     @property
-    def broken(self) -> bool:
+    def broken(self):
         """Return True if the deviation exceeds the bound."""
         return not self.value <= self.allowed
 
 
-def check(motion: Trajectory) -> None:
+def check(motion):
     """Fail with each invariant that a motion breaks, and with its scenario."""
     broken = [each for each in findings(motion) if each.broken]
     assert not broken, f"{broken} {motion.scenario.to_query()}"
 
 
-def worst(invariant: str, t: Any, off: Any, size: Any = 1.0, allowed: Any = 0.0) -> Finding:
+def worst(invariant, t, off, size=1.0, allowed=0.0):
     """Deviation off/size at the times t [s] that exceeds its bound `allowed` most."""
     off, size, allowed, t = (each.ravel() for each in np.broadcast_arrays(*np.atleast_1d(off, size, allowed, t)))
     if not off.size:
@@ -64,7 +58,7 @@ def worst(invariant: str, t: Any, off: Any, size: Any = 1.0, allowed: Any = 0.0)
     return Finding(invariant, float(value[at]), float(allowed[at]), float(t[at]))
 
 
-def findings(motion: Trajectory) -> list[Finding]:
+def findings(motion):
     """Largest deviation from each invariant; ends with 'time' or 'finite numbers' if that is broken."""
     found = [_time(motion)]
     if found[0].broken:
@@ -77,17 +71,17 @@ def findings(motion: Trajectory) -> list[Finding]:
     return [*found, *_contact(motion, samples), *_forces(motion, samples), *_energies(motion, samples)]
 
 
-def _of(samples: ArraySample, *modes: str) -> NDArray[np.bool_]:
+def _of(samples, *modes):
     """Return which samples have one of these modes."""
     return np.isin(samples.mode, modes)
 
 
-def _against_slip(samples: ArraySample) -> Floats:
+def _against_slip(samples):
     """Return the sign of friction that follows from the modes' letters."""
     return np.select([_of(samples, "S"), _of(samples, "K")], [1.0, -1.0], 0.0)
 
 
-def _sampled(motion: Trajectory) -> tuple[ArraySample, int]:
+def _sampled(motion):
     """Samples between events, whose number is given as well, spread over the motion, and at both sides of events."""
     instants = np.unique(np.minimum([*(event.t for event in motion.events), motion.duration], motion.duration))
     # in a shorter interval the times between do not lie between both ends in both units
@@ -99,7 +93,7 @@ def _sampled(motion: Trajectory) -> tuple[ArraySample, int]:
     return Sample(**{name: np.concatenate((getattr(right, name), getattr(left, name))) for name in names}), len(between)
 
 
-def _time(motion: Trajectory) -> Finding:
+def _time(motion):
     """No event or end of a segment is earlier than its predecessor."""
     pieces, second = motion.tables["segments"], motion.units.time
     ends = np.array([0.0, *(event.t for event in motion.events), motion.duration * (1.0 + 4.0 * EPSILON)])
@@ -109,7 +103,7 @@ def _time(motion: Trajectory) -> Finding:
     return worst("time", end, wrong, np.abs(begin) + np.abs(end))
 
 
-def _finite(motion: Trajectory, samples: ArraySample) -> Finding:
+def _finite(motion, samples):
     bad = np.zeros(samples.t.shape)
     for name in (each.name for each in fields(Sample) if each.name != "mode"):
         # θ̇ of a massless ring is unbounded just before its load strikes the plane
@@ -119,7 +113,7 @@ def _finite(motion: Trajectory, samples: ArraySample) -> Finding:
     return worst("finite numbers", [*samples.t, *(event.t for event in motion.events)], [*bad, *wrong])
 
 
-def _modes(motion: Trajectory, t: Floats, modes: Any) -> Finding:
+def _modes(motion, t, modes):
     """An event starts in the mode after the previous event, and the samples between them have that mode."""
     events = motion.events
     times = np.array([event.t for event in events])
@@ -129,7 +123,7 @@ def _modes(motion: Trajectory, t: Floats, modes: Any) -> Finding:
     return worst("modes", [*times[1:], *t], np.array(wrong, float))
 
 
-def _sequence(motion: Trajectory) -> Finding:
+def _sequence(motion):
     """One letter per phase: phases start at their events and when the mode changes, and last."""
     times = motion.tables["events"]["t"].tolist()  # events at different kernel times may have the same time in seconds
     after = [*times[1:], math.inf if motion.duration > motion.events[-1].t else times[-1]]
@@ -143,7 +137,7 @@ def _sequence(motion: Trajectory) -> Finding:
     return worst("sequence", 0.0, float(motion.sequence != (letters or motion.events[-1].to_mode)))
 
 
-def _direction(motion: Trajectory, samples: ArraySample, count: int) -> Finding:
+def _direction(motion, samples, count):
     """S slips backward, K forward; with a bristle the letter is the direction of its foot, which may differ from v_t's."""
     scenario = motion.scenario
     wrong = np.maximum(_against_slip(samples) * samples.slip, 0.0)
@@ -156,7 +150,7 @@ def _direction(motion: Trajectory, samples: ArraySample, count: int) -> Finding:
     return worst("direction of slip", samples.t, wrong, size, SLIPPED)
 
 
-def _contact(motion: Trajectory, samples: ArraySample) -> list[Finding]:
+def _contact(motion, samples):
     """With rigid contact slip is 0 in rolling, the rim has no gap and no normal velocity, and does not penetrate the plane."""
     if motion.scenario.contact.model != "rigid":
         return []
@@ -172,7 +166,7 @@ def _contact(motion: Trajectory, samples: ArraySample) -> list[Finding]:
     return [worst("rolling", t, np.abs(slip)), worst("contact", samples.t, off, size, allowed)]
 
 
-def _forces(motion: Trajectory, samples: ArraySample) -> list[Finding]:
+def _forces(motion, samples):
     """N ≥ 0 in contact, no force in flight, abs(F) ≤ μs N in rolling, and F = ∓μk N in slip."""
     scenario, contact = motion.scenario, motion.scenario.contact
     static, kinetic = scenario.plane.mu_static, scenario.plane.mu_kinetic
@@ -198,7 +192,7 @@ def _forces(motion: Trajectory, samples: ArraySample) -> list[Finding]:
     return found
 
 
-def _energies(motion: Trajectory, samples: ArraySample) -> list[Finding]:
+def _energies(motion, samples):
     """Losses never decrease; energy and losses add up to the energy at the start, at every sample and at the end."""
     ledger = motion.ledger
     parts = [getattr(samples, name) for name in ENERGIES]
@@ -214,7 +208,7 @@ def _energies(motion: Trajectory, samples: ArraySample) -> list[Finding]:
     ]
 
 
-def _ledger_allowed(motion: Trajectory, size: float) -> float:
+def _ledger_allowed(motion, size):
     hoop, plane, contact = motion.scenario.hoop, motion.scenario.plane, motion.scenario.contact
     pieces, body = motion.tables["segments"], motion.scenario.to_body()
     if contact.model != "rigid":

@@ -5,11 +5,8 @@ computes here; it has its own integer arithmetic. Quadrature nodes are rounded f
 which the kernels evaluate.
 """
 
-from __future__ import annotations
-
 import json
-from collections.abc import Callable, Sequence
-from typing import Any
+from functools import partial
 
 from mpmath import mp
 
@@ -29,11 +26,8 @@ FIRST, LAST = 90, 182
 ARCS = 64  # tangents are near multiples of 1/ARCS
 CHUNK = 30  # bits per digit of 1/2π
 
-Matrix = Any  # mpmath has no type hints
-Table = float | list[Any]  # digits of 1/2π are integers
 
-
-def nearest(values: Any) -> Table:
+def nearest(values):
     """Return the nearest doubles of a number, a complex number (as a pair) or nested lists of them."""
     if isinstance(values, list):
         return [nearest(value) for value in values]
@@ -42,68 +36,49 @@ def nearest(values: Any) -> Table:
     return 0.0 if abs(values) < mp.mpf(ZERO) else float(values)
 
 
-def rows(matrix: Matrix) -> list[list[Any]]:
-    """Return a matrix as a list of its rows."""
-    return [[matrix[i, j] for j in range(matrix.cols)] for i in range(matrix.rows)]
-
-
-def tabulated(points: Sequence[Any], functions: Sequence[Callable[[Any], Any]]) -> Matrix:
+def tabulated(points, functions):
     """Return the values of functions (columns) at points (rows)."""
     return mp.matrix([[function(point) for function in functions] for point in points])
 
 
-def chebyshev(k: int) -> Callable[[Any], Any]:
-    """Return the polynomial T_k."""
-    return lambda x: mp.chebyt(k, x)
+def from_left(polynomial):
+    """Return the integral of a polynomial from −1."""
+    return lambda x: mp.quad(polynomial, [-1, x], method="gauss-legendre")
 
 
-def chebyshev_integral(k: int) -> Callable[[Any], Any]:
-    """Return the integral of T_k from −1."""
-    if k < 2:
-        return lambda x: (x ** (k + 1) - (-1) ** (k + 1)) / (k + 1)
-
-    def primitive(x: Any) -> Any:
-        return (mp.chebyt(k + 1, x) / (k + 1) - mp.chebyt(k - 1, x) / (k - 1)) / 2
-
-    return lambda x: primitive(x) - primitive(mp.mpf(-1))
-
-
-def legendre(x: Any) -> Any:
-    """Return the Legendre polynomial whose zeros are the nodes."""
-    return mp.legendre(ORDER, x)
-
-
-def collocation() -> dict[str, Table]:
+def collocation():
     """Return nodes, weights, antiderivative and series of a panel, and the series of its halves."""
     guesses = [mp.cos(mp.pi * (k - mp.mpf(1) / 4) / (ORDER + mp.mpf(1) / 2)) for k in range(ORDER, 0, -1)]
+    legendre = partial(mp.legendre, ORDER)  # its zeros are the nodes
+    chebyshev = [partial(mp.chebyt, k) for k in range(ORDER)]
     nodes = [mp.findroot(legendre, guess, solver="newton") for guess in guesses]
     weights = [2 / ((1 - x * x) * mp.diff(legendre, x) ** 2) for x in nodes]
     rounded = [mp.mpf(nearest(x)) for x in nodes]
-    series = tabulated(rounded, [chebyshev(k) for k in range(ORDER)]) ** -1
-    antiderivative = tabulated(rounded, [chebyshev_integral(k) for k in range(ORDER)]) * series
+    series = tabulated(rounded, chebyshev) ** -1
+    antiderivative = tabulated(rounded, [from_left(polynomial) for polynomial in chebyshev]) * series
     zeros = [mp.cos(mp.pi * (2 * k + 1) / (2 * ORDER)) for k in range(ORDER)]
-    to_series = tabulated(zeros, [chebyshev(k) for k in range(ORDER)]) ** -1
+    to_series = tabulated(zeros, chebyshev) ** -1
 
-    def half(place: int) -> Matrix:
-        return to_series * tabulated([(x + place) / 2 for x in zeros], [chebyshev(k) for k in range(ORDER)])
+    def half(place):
+        return to_series * tabulated([(x + place) / 2 for x in zeros], chebyshev)
 
     return {
         "NODES": nearest(nodes),
         "WEIGHTS": nearest(weights),
-        "ANTIDERIVATIVE_T": nearest(rows(antiderivative.T)),
-        "SERIES": nearest(rows(series)),
-        "LEFT_T": nearest(rows(half(-1).T)),
-        "RIGHT_T": nearest(rows(half(1).T)),
+        "ANTIDERIVATIVE_T": nearest(antiderivative.T.tolist()),
+        "SERIES": nearest(series.tolist()),
+        "LEFT_T": nearest(half(-1).T.tolist()),
+        "RIGHT_T": nearest(half(1).T.tolist()),
     }
 
 
-def panels(nodes: Sequence[float]) -> dict[str, Table]:
+def panels(nodes):
     """Return the widths of panels, and sine and 1 − cosine of the angles to their nodes and ends."""
     widths = [float(mp.mpf(WIDEST) * mp.mpf(2) ** (-mp.mpf(k) / 2)) for k in range(LEVELS)]
     # the angles in double precision, as a kernel computes them for a narrower panel
     offsets = [[mp.mpf(width * (1.0 + node) / 2.0) for node in nodes] for width in widths]
 
-    def versine(angle: Any) -> Any:
+    def versine(angle):
         return 2 * mp.sin(angle / 2) ** 2
 
     return {
@@ -115,28 +90,25 @@ def panels(nodes: Sequence[float]) -> dict[str, Table]:
     }
 
 
-def radau_nodes() -> list[Any]:
+def radau_nodes():
     """Return the zeros of P_s − P_(s−1), from [−1, 1] to [0, 1]."""
 
-    def difference(x: Any) -> Any:
+    def difference(x):
         return mp.legendre(STAGES, x) - mp.legendre(STAGES - 1, x)
 
     return [*((1 + mp.findroot(difference, guess, solver="newton")) / 2 for guess in (-0.886, -0.446, 0.167, 0.72)), mp.mpf(1)]
 
 
-def eigenvectors(matrix: Matrix) -> tuple[list[Any], Matrix]:
+def eigenvectors(matrix):
     """Return eigenvalues, and eigenvectors of length 1 whose largest component is real and positive."""
     values, vectors = mp.eig(matrix)
     for k in range(len(values)):
-        column = [vectors[i, k] for i in range(len(values))]
-        length = mp.sqrt(sum(abs(value) ** 2 for value in column))
-        largest = max(column, key=abs)
-        for i, value in enumerate(column):
-            vectors[i, k] = value * mp.conj(largest) / (abs(largest) * length)
+        largest = max(vectors[:, k], key=abs)
+        vectors[:, k] *= mp.conj(largest) / (abs(largest) * mp.norm(vectors[:, k]))
     return values, vectors
 
 
-def radau() -> dict[str, Table]:
+def radau():
     """Return the constants of Radau IIA with 5 stages, order 9 (Hairer & Wanner, IV.8)."""
     nodes = radau_nodes()
     stages = range(STAGES)
@@ -158,8 +130,8 @@ def radau() -> dict[str, Table]:
     dense = mp.matrix([[node ** (q + 1) for q in stages] for node in nodes]) ** -1
     return {
         "RADAU_NODES": nearest(nodes),
-        "RADAU_A": nearest(rows(a)),
-        "RADAU_A_INVERSE": nearest(rows(inverse)),
+        "RADAU_A": nearest(a.tolist()),
+        "RADAU_A_INVERSE": nearest(inverse.tolist()),
         "RADAU_GAMMA": nearest(gamma),
         "RADAU_LAMBDA": nearest([mp.mpc(values[k]) for k in upper]),
         "RADAU_TO_REAL": nearest([mp.re(back[real, j] * last) for j in stages]),
@@ -168,11 +140,11 @@ def radau() -> dict[str, Table]:
         "RADAU_FROM_PAIR": nearest([[mp.mpc(2 * vectors[i, k]) for k in upper] for i in stages]),
         "RADAU_DEFECT": nearest(list(defect)),
         "RADAU_ERROR": nearest(list(error)),
-        "RADAU_POWERS": nearest(rows(dense)),
+        "RADAU_POWERS": nearest(dense.tolist()),
     }
 
 
-def split(value: Any, *bits: int) -> list[float]:
+def split(value, *bits):
     """Return the value as a sum of doubles with this many bits each, and a last one with all bits."""
     found = []
     for count in bits:
@@ -181,13 +153,13 @@ def split(value: Any, *bits: int) -> list[float]:
     return [*found, float(value)]
 
 
-def coarse(value: Any) -> list[float]:
+def coarse(value):
     """Return the value as a multiple of 2⁻⁴², so that e ln 2 is exact for an exponent e, and the remainder."""
     high = float(mp.nint(value * 2**42) / 2**42)
     return [high, float(value - mp.mpf(high))]
 
 
-def elementary() -> dict[str, Table]:
+def elementary():
     """Return the tables of sine, exponential, logarithm, arctangent and hyperbolic functions."""
     ln2, angle = mp.log(2), mp.pi / (2 * ANGLES)
     sines = [mp.sin(j * angle) for j in range(ANGLES)] + [mp.mpf(1)]
@@ -199,7 +171,7 @@ def elementary() -> dict[str, Table]:
         inverse = float(mp.mpf(mp.mpf(GRID) / j, prec=10))
         logarithms.append([inverse, *coarse(-mp.log(mp.mpf(inverse)))])
     double_doubles = {"PI": +mp.pi, "LOG2_E": 1 / ln2}
-    found: dict[str, Table] = {name: [float(x), float(x - mp.mpf(float(x)))] for name, x in double_doubles.items()}
+    found = {name: [float(x), float(x - mp.mpf(float(x)))] for name, x in double_doubles.items()}
     return found | {
         "ANGLE_INVERSE": float(1 / angle),
         "ANGLE": split(angle, 39, 39),
@@ -216,16 +188,14 @@ def elementary() -> dict[str, Table]:
     }
 
 
-def tables() -> dict[str, Table]:
+def tables():
     """Return all tables by name: a number, or nested lists of numbers."""
     with mp.workdps(DIGITS):
         found = collocation()
-        nodes = found["NODES"]
-        assert isinstance(nodes, list)
-        return found | panels(nodes) | radau() | elementary()
+        return found | panels(found["NODES"]) | radau() | elementary()
 
 
-def text() -> str:
+def text():
     """Return the content of `tables.json`: a line per row, with the shortest decimals that give the same doubles."""
     lines = []
     for name, table in tables().items():

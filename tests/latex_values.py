@@ -6,7 +6,7 @@ import re
 TOKEN = re.compile(r"(?:\\d+ot)?\\[a-z]+(?:_\w)?|[a-zA-Z](?:_\w)?|[\d.]+|\)/\(|[()+\-^]")
 
 
-def value(latex: str, values: dict[str, float]) -> float:
+def value(latex, values):
     """The value of one side: as an expression of Python in which numbers stand for symbols."""
     text = latex.replace("\\,", "").replace("\\frac", "").replace("}{", ")/(").translate(str.maketrans("{}", "()"))
     text = re.sub(r"\\(sin|cos)(\\[a-z]+(?:_\w)?)", r"\\\1(\2)", text)
@@ -19,7 +19,7 @@ def value(latex: str, values: dict[str, float]) -> float:
     return float(eval(expression, {"sin": math.sin, "cos": math.cos}))
 
 
-def sides(latex: str, values: dict[str, float]) -> tuple[float, float]:
+def sides(latex, values):
     """Values of both sides of an equation; `values` holds those of its symbols, such as ``\\\\dot\\\\theta`` and ``v_0``."""
     left, right = latex.split("=", 1)
     return value(left, values), value(right, values)

@@ -1,26 +1,21 @@
 """Bridge between the oracles' cases and the program's public face."""
 
-from __future__ import annotations
-
 import json
 import math
-from collections.abc import Callable
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 import hophoop as hh
+from checkout import DATA
 from hophoop.vocabulary.names import LAW_CODES
 from oracles import hybrid
 from oracles.cases import Case
 
-DATA = Path(__file__).resolve().parent / "data"
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
-def scenario_of(case: Case, **plane: Any) -> hh.Scenario:
+def scenario_of(case, **plane):
     """The scenario of a case."""
     hoop = {name: getattr(case, name) for name in ("radius", "mass", "eccentricity", "inertia_ratio")}
     surface = {name: getattr(case, name) for name in hh.Plane.model_fields if name != "mu"} | plane
@@ -31,16 +26,16 @@ def scenario_of(case: Case, **plane: Any) -> hh.Scenario:
     return hh.Scenario(hoop=hh.Hoop(**hoop), plane=hh.Plane(**surface), start=start, duration=case.duration)
 
 
-def simulate(case: Case, duration: float | None = None) -> hh.Trajectory:
+def simulate(case, duration=None):
     """The program's motion for a case."""
     scenario = scenario_of(case)
     return hh.simulate(scenario.replace("duration", duration) if duration else scenario)
 
 
-def reference(name: str, number: Callable[[str], Any] = float) -> dict[str, Any]:
+def reference(name, number=float):
     """A reference motion, its numbers as floats or as something with more digits."""
 
-    def numbers(thing: Any) -> Any:
+    def numbers(thing):
         if isinstance(thing, dict):
             return {key: numbers(item) for key, item in thing.items()}
         if isinstance(thing, list):
@@ -50,17 +45,17 @@ def reference(name: str, number: Callable[[str], Any] = float) -> dict[str, Any]
         except ValueError:
             return thing
 
-    document: dict[str, Any] = numbers(json.loads((DATA / f"{name}.json").read_text(encoding="utf-8")))
+    document = numbers(json.loads((DATA / f"{name}.json").read_text(encoding="utf-8")))
     return document
 
 
-def highest_apexes(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def highest_apexes(events):
     """The same events with the oracles' apexes, all maxima of the gap, only the highest of each flight.
 
     A flight that is highest at its own beginning has no apex.
     """
-    kept: list[dict[str, Any]] = []
-    apex: dict[str, Any] | None = None
+    kept = []
+    apex = None
     begin = 0.0
     for event in events:
         if event["kind"] == "apex":
@@ -74,13 +69,13 @@ def highest_apexes(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [*kept, apex] if apex else kept
 
 
-def essential(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def essential(events):
     """Events without the marks of beginning and end and without notes that leave the motion as it is.
 
     The apex of a flight that the end of the run cuts short is left out: the highest point is not yet known. A turn after which
     the hoop slips at once is one event.
     """
-    kept: list[dict[str, Any]] = []
+    kept = []
     for event in events:
         if event["kind"] == "slip_start" and kept and (kept[-1]["kind"], kept[-1]["t"]) == ("turn", event["t"]):
             kept[-1] = kept[-1] | {"to": event["to"]}
@@ -93,7 +88,7 @@ def essential(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return kept
 
 
-def program_events(motion: hh.Trajectory) -> list[dict[str, Any]]:
+def program_events(motion):
     """The program's events in the oracles' form."""
     velocities = ("vx", "vy", "omega")
     names = ("t", *STATE, "kind", "friction", "impact_normal", "impact_tangential", "collision")
@@ -109,14 +104,14 @@ def program_events(motion: hh.Trajectory) -> list[dict[str, Any]]:
     ]
 
 
-def draw(seed: int) -> Case:
+def draw(seed):
     """A scenario of any mode, law and slope."""
     random = np.random.default_rng(seed)
     eccentricity = float(random.uniform(0.0, 0.95))
     mu = float(random.choice([0.0, random.uniform(0.05, 1.5)], p=[0.1, 0.9]))
     radius = float(random.choice([1.0, random.uniform(0.1, 2.0)]))
     speed = math.sqrt(9.81 * radius)
-    values: dict[str, Any] = {
+    values = {
         "radius": radius,
         "mass": float(random.choice([1.0, random.uniform(0.1, 5.0)])),
         "eccentricity": eccentricity,
@@ -139,7 +134,7 @@ def draw(seed: int) -> Case:
     return Case(f"random {seed}", **values, duration=2.5, max_events=12)
 
 
-def compare(case: Case) -> hh.Trajectory:
+def compare(case):
     """Check that SciPy's integration has the same events, and the same state between them, to what DOP853 can give."""
     truth, motion = hybrid.solve(case), simulate(case)
     assert abs(motion.ledger.residual) <= 1e-11 * motion.ledger.range

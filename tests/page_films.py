@@ -1,19 +1,17 @@
 """Films of the page compared with motions of Python."""
 
 import math
-from typing import Any
 
 import numpy as np
 
-import hophoop as hh
 from hophoop.vocabulary.names import MODE_WORDS, coming_rotation, mode_words
 
 
-def number(value: Any) -> float:
+def number(value):
     return float(value) if isinstance(value, str) else math.nan if value is None else value
 
 
-def same_columns(arrays: dict[str, list[Any]], motion: hh.Trajectory, body: Any = "") -> None:
+def same_columns(arrays, motion, body=""):
     """Every state of a film is that of the motion, on either side of each event."""
     found = {name: np.array([number(value) for value in column]) for name, column in arrays.items()}
     t, duration, plane = found["t"], motion.duration, motion.scenario.plane

@@ -14,7 +14,6 @@ From top to bottom, in one namespace a page:
 import doctest
 import re
 import shlex
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -32,7 +31,7 @@ CODE = re.compile(r"^( *)(`{3,})(\w+|\{eval-rst\})[^\n]*\n(.*?)^\1\2$", re.MULTI
 COLUMNS = 84  # what a line of code has room for at 1280 pixels
 
 
-def parts(text: str) -> Iterator[tuple[str, str, str, int]]:
+def parts(text):
     """Kind, content, paragraph and line of everything on a page that can be checked, in its order."""
     found = [
         (match.start(), match[2], match[3], "")
@@ -46,10 +45,10 @@ def parts(text: str) -> Iterator[tuple[str, str, str, int]]:
         yield kind, content, paragraph, text.count("\n", 0, start) + 1
 
 
-def faults(text: str, name: str = "page") -> list[str]:
+def faults(text, name="page"):
     """What on a page does not hold, one sentence each."""
-    space: dict[str, object] = {}
-    result: list[str] = []
+    space = {}
+    result = []
     for kind, content, paragraph, line in parts(text):
         place = f"{name}:{line}"
         if kind == "pycon":
@@ -67,31 +66,31 @@ def faults(text: str, name: str = "page") -> list[str]:
     return result
 
 
-def visible(text: str) -> str:
+def visible(text):
     """A page as those read it who open none of its folded boxes."""
     return FOLDED.sub("", text)
 
 
-def wide_lines(text: str) -> list[str]:
+def wide_lines(text):
     """Lines of code that are wider than the page."""
     lines = [line for block in CODE.finditer(text) for line in block[4].splitlines()]
     return [line for line in lines if len(line) > COLUMNS and not line.lstrip().startswith((":alt:", ":caption:"))]
 
 
-def wrong_installs(text: str) -> list[str]:
+def wrong_installs(text):
     """Commands that ask an index for hophoop, which is on none, or whose quotes fail in cmd.exe."""
     return [line for line in re.findall(r"pip install [^\n`]*", text) if re.search(r"'|[\s\"]hophoop\b", line)]
 
 
-def _doctest(content: str, space: dict[str, object], place: str) -> list[str]:
-    said: list[str] = []
+def _doctest(content, space, place):
+    said = []
     examples = doctest.DocTestParser().get_doctest(content, space, place, place, 0)
     examples.globs = space  # names live on in the blocks that follow
     doctest.DocTestRunner(optionflags=OPTIONS).run(examples, out=said.append, clear_globs=False)
     return ["".join(said)] if said else []
 
 
-def _scenario(content: str, place: str) -> list[str]:
+def _scenario(content, place):
     name = re.match(r"# ([\w-]+\.toml)", content)
     path = Path(name[1] if name else "scenario-of-a-page.toml")
     path.write_text(content, encoding="utf-8")
@@ -102,7 +101,7 @@ def _scenario(content: str, place: str) -> list[str]:
     return []
 
 
-def _commands(content: str, place: str) -> list[str]:
+def _commands(content, place):
     result = []
     for command, said in re.findall(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", content.replace("\\\n", " "), re.MULTILINE):
         found = re.match(r"hophoop (\w+)\b(.*)", command)
@@ -122,7 +121,7 @@ def _commands(content: str, place: str) -> list[str]:
 
 
 @cache
-def options(name: str) -> set[str]:
+def options(name):
     """Every option of a command."""
     known = name in hophoop.cli.COMMANDS + hophoop.cli.RESEARCH
     parameters = hophoop.cli.command_of(name).params if known else ()

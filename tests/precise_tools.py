@@ -1,9 +1,5 @@
 """Reference data with all digits, and motions in many digits."""
 
-from __future__ import annotations
-
-from typing import Any
-
 from mpmath import mp, mpf
 
 import hophoop as hh
@@ -12,13 +8,13 @@ from oracle_program import STATE, reference
 HOOP = hh.Hoop.ideal(0.75)
 
 
-def stored(name: str) -> dict[str, Any]:
+def stored(name):
     """Reference data with all of their digits."""
     with mp.workdps(60):
         return reference(name, mpf)
 
 
-def events_of(motion: Any) -> list[dict[str, Any]]:
+def events_of(motion):
     """A precise motion's events in the oracles' form, as mpf."""
     with mp.workdps(60):
         return [

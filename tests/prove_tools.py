@@ -1,9 +1,6 @@
 """What a proof and the kernel say of the same motion, side by side."""
 
-from __future__ import annotations
-
 from fractions import Fraction
-from typing import Any
 
 import hophoop as hh
 from hophoop.prove import prove
@@ -12,7 +9,7 @@ NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 KERNEL = 1e-8  # of the number, or of 0.001 of its SI unit
 
 
-def contradiction(scenario: hh.Scenario, most: int) -> str:
+def contradiction(scenario, most):
     """How a proof of `most` events at most and the kernel contradict each other, '' where they do not."""
     proof, motion = prove(scenario, 10, max_events=most), hh.simulate(scenario)
     events, facts = list(motion.events), list(proof.events)
@@ -36,7 +33,7 @@ def contradiction(scenario: hh.Scenario, most: int) -> str:
 LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 
 
-def are_enclosed(proof: Any, true: Any, rounded: Fraction) -> int:
+def are_enclosed(proof, true, rounded):
     """Count the numbers of events of another computation, as dicts, that lie in the enclosures of a proof; all have to.
 
     `rounded` is how far a true number may be from the given one, relative to itself or to 1. An oracle's events end where its

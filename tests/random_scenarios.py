@@ -1,12 +1,9 @@
 """Random scenarios, which the rigid ones of data/bits are: (seed, index) tells which."""
 
-from __future__ import annotations
-
 import copy
 import json
 from functools import cache
 from random import Random
-from typing import Any
 
 import bits_tools
 import hophoop as hh
@@ -15,7 +12,7 @@ EVENTS = 2000  # beyond these an elastic or nearly elastic bouncing is cut off
 
 
 @cache
-def shuffled(seed: int) -> list[dict[str, Any]]:
+def shuffled(seed):
     """Their sections, in an order of the seed."""
     told = json.loads(bits_tools.SCENARIOS.read_text(encoding="utf-8"))["scenarios"]
     found = [{name: part for name, part in one.items() if name != "kind"} for one in told if one["kind"] == "rigid"]
@@ -23,12 +20,12 @@ def shuffled(seed: int) -> list[dict[str, Any]]:
     return found
 
 
-def draw(seed: int, index: int) -> dict[str, Any]:
+def draw(seed, index):
     """The sections of a scenario."""
     return copy.deepcopy(shuffled(seed)[index % len(shuffled(seed))])
 
 
-def scenario_of(sections: dict[str, Any], max_events: int = EVENTS) -> hh.Scenario:
+def scenario_of(sections, max_events=EVENTS):
     """The sections as a scenario for `simulate`."""
     return hh.Scenario.from_dict({**sections, "contact": {"max_events": max_events}})
 
@@ -56,6 +53,6 @@ AT_PAINLEVE = {
 }
 
 
-def at_painleve(index: int) -> hh.Scenario:
+def at_painleve(index):
     """A scenario that starts at the threshold of Painlevé's paradox."""
     return hh.Scenario.from_query(f"{AT_PAINLEVE[index]}&contact.max_events={EVENTS}")

@@ -1,7 +1,5 @@
 """Delays put at random into a page, as a busy machine has them: fetches, answers of workers, ways in the history, frames."""
 
-from __future__ import annotations
-
 import pytest
 
 # Each kind of delay has its own stream of the seed, so that one more fetch does not move the frames.
@@ -64,7 +62,7 @@ SCRIPT = """
 """
 
 
-def delaying(seed: int) -> str:
+def delaying(seed):
     """The script that puts delays into a page before anything else runs there."""
     return SCRIPT.replace("SEED", str(seed))
 

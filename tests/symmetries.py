@@ -1,14 +1,10 @@
 """Symmetries of the model that its arithmetic preserves: left and right, and units scaled by powers of 2."""
 
-from __future__ import annotations
-
 import math
-from typing import Any
 
 import numpy as np
 
 from hophoop.scenario import InputError, Scenario
-from hophoop.simulation.trajectory import Trajectory
 from hophoop.vocabulary.quantities import LOSSES
 from invariants import EPSILON, IMPULSES, TINY, Finding, worst
 
@@ -19,7 +15,7 @@ _SWAPPED = str.maketrans("SK", "KS")
 _POWERS = ((1, 1, 1), (-1, -1, -1), (2, 3, -5), (0, 1, 3), (0, -1, 3), (1, 0, 0), (-1, 0, 0), (-3, -4, 2))
 
 
-def mirrored(scenario: Scenario) -> Scenario | None:
+def mirrored(scenario):
     """Scenario with left and right exchanged, if rounding preserves the symmetry.
 
     None in three cases: compliant contact; a start with the load at the bottom, where −π and π are the same angle; and
@@ -35,7 +31,7 @@ def mirrored(scenario: Scenario) -> Scenario | None:
     return Scenario.from_dict(keys)
 
 
-def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
+def mirror_finding(motion, image):
     """Compare a motion with that of the mirrored scenario, to the last bit.
 
     Two cases allow rounding in angle and position: a massless hoop, whose angle is computed within one revolution that is not
@@ -47,7 +43,7 @@ def mirror_finding(motion: Trajectory, image: Trajectory) -> Finding:
     return _alike("mirror", motion, image, factors, _SWAPPED, allowed)
 
 
-def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | None:
+def scaled(scenario):
     """Scenario in units scaled by powers of 2, and the factors of lengths, times and masses.
 
     None if the ranges allow no scaling, or a number is almost subnormal.
@@ -66,7 +62,7 @@ def scaled(scenario: Scenario) -> tuple[Scenario, tuple[float, float, float]] | 
     return None
 
 
-def units_finding(motion: Trajectory, other: Trajectory, factors: tuple[float, float, float]) -> Finding:
+def units_finding(motion, other, factors):
     """Compare a motion with that of the scaled scenario, to the last bit; factors of lengths, times and masses."""
     length, time, mass = factors
     speed = length / time
@@ -75,34 +71,32 @@ def units_finding(motion: Trajectory, other: Trajectory, factors: tuple[float, f
     return _alike("units", motion, other, units | dict.fromkeys(LOSSES, mass * speed**2), {}, 0.0)
 
 
-def _smallest(value: Any) -> float:
+def _smallest(value):
     """Return the smallest nonzero magnitude of the numbers of a scenario."""
     if isinstance(value, dict | list):
         return min(map(_smallest, value.values() if isinstance(value, dict) else value), default=math.inf)
     return abs(value) if isinstance(value, float) and value != 0.0 else math.inf
 
 
-def _in_other_units(keys: dict[str, Any], length: float, time: float, mass: float) -> dict[str, Any]:
+def _in_other_units(keys, length, time, mass):
     damper = mass / time if keys["contact"].get("law") == "kelvin-voigt" else time / length
     units = {"duration": time, "mass": mass, "gravity": length / time**2, "omega": 1.0 / time, "damping": damper}
     units |= dict.fromkeys(("radius", "inner_radius", "outer_radius", "at", "length", "x", "height"), length)
     units |= dict.fromkeys(("speed", "vx", "vy", "slip_speed"), length / time)
     units |= dict.fromkeys(("stiffness", "tangential_stiffness"), mass / time**2)
 
-    def other(name: str, value: Any) -> Any:
+    def other(name, value):
         if isinstance(value, dict):
             return {key: other(key, each) for key, each in value.items()}
         if isinstance(value, list):
             return [other(name, each) for each in value]
         return value * units[name] if name in units and value is not None else value
 
-    result: dict[str, Any] = other("", keys)
+    result = other("", keys)
     return result
 
 
-def _alike(
-    invariant: str, motion: Trajectory, other: Trajectory, factors: dict[str, float], letters: dict[int, int], allowed: float
-) -> Finding:
+def _alike(invariant, motion, other, factors, letters, allowed):
     mine = [(event.kind, event.to_mode.translate(letters)) for event in motion.events]
     if (mine, motion.status) != ([(event.kind, event.to_mode) for event in other.events], other.status):
         return Finding(invariant, 1.0, 0.0, motion.duration)

@@ -1,7 +1,5 @@
 """The comparison with independent truths finds nothing in random motions, and a program that is a little wrong."""
 
-from __future__ import annotations
-
 import pytest
 
 import against_oracles

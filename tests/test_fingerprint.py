@@ -1,7 +1,6 @@
 """The fingerprint of a motion: its definition, what counts and what does not."""
 
 import hashlib
-import json
 import math
 import struct
 
@@ -10,8 +9,6 @@ import pytest
 
 import hophoop as hh
 from hophoop._support.fingerprint import fingerprint, is_fingerprint
-from hophoop.lab import tables
-from hophoop.lab.presets import presets
 
 QUIET_NAN = bytes.fromhex("000000000000f87f")
 
@@ -69,13 +66,3 @@ def test_the_form_of_one():
     assert is_fingerprint("0123456789abcdef")
     assert is_fingerprint("0123456789ABCDEF")
     assert not any(map(is_fingerprint, ("", "0123", "0123456789abcdeg", "0123456789abcdef0", "0123456789abcdef\n")))
-
-
-def test_presets_have_the_bits_that_the_page_compares_with():
-    """After a change of the kernels' bits: `python -m hophoop.lab.tables`, and `npm run build` in web/."""
-    kept = json.loads(tables.FILE.read_text(encoding="utf-8"))["fingerprints"]
-    motions = {preset.key: hh.simulate(preset.scenario) for preset in presets()}
-    assert {key: motion.fingerprint for key, motion in motions.items() if math.isinf(motion.doubt)} == {
-        key: found for key, found in kept.items() if found
-    }
-    assert kept.keys() == motions.keys()

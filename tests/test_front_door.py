@@ -2,14 +2,14 @@
 
 import json
 import re
-import subprocess
-import sys
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 import hophoop as hh
+from checkout import text_of
+from kernel_tools import python
 
 PARTS = {
     "plane": hh.Plane(mu=0.1),
@@ -19,8 +19,7 @@ PARTS = {
 }
 
 
-ROOT = Path(__file__).parents[1]
-PAGE = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+PAGE = text_of("docs/api.md")
 
 
 # The names
@@ -35,7 +34,7 @@ hh.simulate(hh.Scenario(duration=0.1)).at(0.05)
 import hophoop.maps, hophoop.cli
 print(json.dumps([before, dir(hh)]))
 """
-    before, after = json.loads(subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout)
+    before, after = json.loads(python(code).stdout)
     assert before == after == sorted(hh.__all__)
     assert {"simulate", "io", "cite", "__version__"} <= set(before)
     assert not {"Any", "TYPE_CHECKING", "import_module", "annotations"} & set(before)

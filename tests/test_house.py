@@ -4,11 +4,8 @@ import functools
 import importlib
 import inspect
 import re
-import subprocess
-import sys
 import tomllib
 from importlib.metadata import packages_distributions
-from pathlib import Path
 
 import numpydoc.docscrape
 import numpydoc.validate
@@ -17,29 +14,26 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 import hophoop
+from checkout import ROOT, text_of
 from hophoop._support import extras
+from kernel_tools import python
 
-ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "hophoop"
 NEED = re.compile(r'\bneed\(\s*"([\w.]+)",\s*"(\w+)"')
-PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+PROJECT = tomllib.loads(text_of("pyproject.toml"))["project"]
 
 
-def run(*command):
-    """Output of a command that must succeed."""
-    done = subprocess.run([str(part) for part in command], cwd=ROOT, capture_output=True, text=True, check=False)
+def said_by(code):
+    """Output of a program that must succeed."""
+    done = python(code)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
 
-def python(code):
-    return run(sys.executable, "-c", code)
-
-
 def test_one_version():
     version = hophoop.__version__
-    assert f'\nversion: "{version}"\n' in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
-    assert f"\n## {version}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert f'\nversion: "{version}"\n' in text_of("CITATION.cff")
+    assert f"\n## {version}" in text_of("CHANGELOG.md")
 
 
 # What an import costs, and what a missing extra says
@@ -57,7 +51,7 @@ print(*sorted(names - sys.stdlib_module_names))
 
 def loaded_by(code):
     """Top-level modules outside the standard library that an import brings with it."""
-    found = set(python(LOADED.format(code=code)).split())
+    found = set(said_by(LOADED.format(code=code)).split())
     # of the standard library as well, under names that it does not list
     return {name for name in found if name != "__mp_main__" and not name.startswith("_sysconfigdata")}
 
@@ -111,7 +105,7 @@ for module in pkgutil.walk_packages(hophoop.__path__, 'hophoop.', onerror=lambda
     if not module.name.startswith(('hophoop.lab.', *{on_numba})) and not module.name.endswith('__main__'):
         importlib.import_module(module.name)
 """
-    python(WITHOUT.format(absent=absent, code=code))
+    said_by(WITHOUT.format(absent=absent, code=code))
 
 
 def test_extras_hold_what_is_needed_of_them():
@@ -131,7 +125,7 @@ try:
 except ImportError as error:
     print(error)
 """
-    said = python(WITHOUT.format(absent={"matplotlib"}, code=code)).strip()
+    said = said_by(WITHOUT.format(absent={"matplotlib"}, code=code)).strip()
     assert said == f"matplotlib is not installed; it comes with the extra 'plots': pip install -e \"{ROOT}[plots]\"."
 
 

@@ -1,7 +1,5 @@
 """The checker of invariants sees each of them broken, where one number of a good motion is changed."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

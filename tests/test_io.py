@@ -1,20 +1,19 @@
 """Files of a motion: the same bits back, whole tables for other readers, clear refusals."""
 
-from __future__ import annotations
-
 import copy
 import csv
 import json
 import math
 import os
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
 
 import hophoop as hh
+from checkout import text_of
+from damage import same
 from hophoop import cite, io
 from hophoop.vocabulary.quantities import EVENT_UNITS
 
@@ -24,14 +23,6 @@ FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 @pytest.fixture(scope="module")
 def motion():
     return hh.simulate(hh.Hoop(), hh.Plane(restitution=0.4), hh.Start.rolling(3.1), duration=3.0)
-
-
-def assert_same_bits(one, other):
-    """All that a motion has follows from these."""
-    assert one.scenario == other.scenario
-    assert (one.status, one.version, one.doubt) == (other.status, other.version, other.doubt)
-    for before, after in zip(one.tables.values(), other.tables.values(), strict=True):
-        assert (before.dtype, before.tobytes()) == (after.dtype, after.tobytes())
 
 
 # --- round trips -----------------------------------------------------------------------------------
@@ -54,7 +45,7 @@ def test_a_loaded_motion_is_the_same_to_the_last_bit(tmp_path, name, kind):
     motion = hh.simulate(*MOTIONS[kind])
     motion.save(str(tmp_path / name))
     loaded = hh.load(tmp_path / name, check_fingerprint=True)
-    assert_same_bits(motion, loaded)
+    assert same(motion, loaded)
     assert loaded.fingerprint == motion.fingerprint == motion.to_xarray(n=2).attrs["fingerprint"]
     assert os.listdir(tmp_path) == [name]
 
@@ -171,7 +162,7 @@ def test_bits_that_this_machine_does_not_get_are_told(motion, tmp_path):
 
 def test_what_to_cite_is_citation_cff_with_the_version_of_the_motion(motion):
     entry = cite.cite()
-    file = (Path(__file__).parents[1] / "CITATION.cff").read_text(encoding="utf-8")
+    file = text_of("CITATION.cff")
     for name, field in (("title", "title"), ("  - name", "author"), ("version", "version"), ("license", "license")):
         (said,) = re.findall(rf'^{name}: "?([^"\n]*)"?$', file, re.MULTILINE)
         assert re.search(rf"^  {field} = {{{{?{re.escape(said)}}}?}},$", entry, re.MULTILINE), field
@@ -183,8 +174,7 @@ def test_what_to_cite_is_citation_cff_with_the_version_of_the_motion(motion):
 
 def test_the_page_on_citing_names_works_of_the_bibliography():
     """In the table of what a motion rests on."""
-    docs = Path(__file__).parents[1] / "docs"
-    known = set(re.findall(r"^@\w+{(\w+),", (docs / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
-    named = re.findall(r"{cite:t}`(\w+)`", (docs / "howto" / "cite.md").read_text(encoding="utf-8"))
+    known = set(re.findall(r"^@\w+{(\w+),", text_of("docs/references.bib"), re.MULTILINE))
+    named = re.findall(r"{cite:t}`(\w+)`", text_of("docs/howto/cite.md"))
     assert len(named) > 12
     assert set(named) <= known

@@ -3,13 +3,12 @@
 Ruff knows the names of those functions (pyproject.toml); here are operators, built-in functions and methods.
 """
 
-from __future__ import annotations
-
 import ast
 import re
-from pathlib import Path
 
-PACKAGE = Path(__file__).parents[1] / "src" / "hophoop"
+from checkout import ROOT
+
+PACKAGE = ROOT / "src" / "hophoop"
 # From the numbers of a scenario to all that reads, maps or writes its motion.
 COVERED = (
     "kernel/numerics", "kernel/physics", "kernel/panels", "kernel/records", "kernel/rigid", "kernel/compliant",
@@ -32,7 +31,7 @@ BUILT_IN = {"pow", "complex", "sum"}
 METHODS = {"dot", "std", "var", "argsort"}  # sorting orders equal keys by the processor's vectors
 
 
-def finding(node: ast.AST) -> str:
+def finding(node):
     """What of a node depends on the machine, or nothing."""
     if isinstance(node, ast.BinOp | ast.AugAssign):
         exact = EXACT.fullmatch(ast.unparse(node))
@@ -48,12 +47,12 @@ def finding(node: ast.AST) -> str:
     return name if name in METHODS or (name == "arange" and fractions) else ""  # start + i step may be fused
 
 
-def findings(source: str) -> list[tuple[int, str]]:
+def findings(source):
     """Lines of a source and what they do that may depend on the machine."""
     return sorted({(node.lineno, what) for node in ast.walk(ast.parse(source)) if (what := finding(node))})
 
 
-def test_nothing_depends_on_the_machine() -> None:
+def test_nothing_depends_on_the_machine():
     found, used = [], set()
     for name in COVERED:
         path = PACKAGE / name

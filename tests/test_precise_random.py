@@ -1,7 +1,5 @@
 """The kernel against motions in many digits: random scenarios of every kind, all of their events."""
 
-from __future__ import annotations
-
 import pytest
 
 import hophoop as hh

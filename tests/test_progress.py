@@ -65,12 +65,10 @@ def test_a_bar_counts(terminal, capsys):
     assert "4/40" in said
 
 
-def test_there_is_no_bar_without_a_terminal_or_if_switched_off(monkeypatch, capsys):
-    monkeypatch.setattr(Console, "is_terminal", False)
-    with reporting.bar("frames") as report:
-        assert report is None
-    monkeypatch.setattr(Console, "is_terminal", True)
-    with reporting.bar("frames", quiet=True) as report:
+@pytest.mark.parametrize(("is_terminal", "quiet"), [(False, False), (True, True)])
+def test_there_is_no_bar_without_a_terminal_or_if_switched_off(monkeypatch, capsys, is_terminal, quiet):
+    monkeypatch.setattr(Console, "is_terminal", is_terminal)
+    with reporting.bar("frames", quiet=quiet) as report:
         assert report is None
     assert capsys.readouterr() == ("", "")
 

@@ -28,8 +28,8 @@ def sampled(**parts):
     return motion
 
 
-def uncertain():
-    found = sampled().uncertainty({"plane.mu": 0.02, "start.speed": 0.01}, {("plane.mu", "start.speed"): 0.5})
+def uncertain(correlations=None):
+    found = sampled().uncertainty({"plane.mu": 0.02, "start.speed": 0.01}, correlations or {("plane.mu", "start.speed"): 0.5})
     found.deviation("end.x")
     return found
 
@@ -88,68 +88,41 @@ def test_a_process_pool_takes_and_returns_motions():
         assert shown(pool.submit(hh.simulate, motion.scenario).result()) == shown(motion)
 
 
-WRONG = {
-    "at(10**400)": lambda: sampled().at(10**400),
-    "at('now')": lambda: sampled().at("now"),
-    "at(None)": lambda: sampled().at({}),
-    "Start.of(5)": lambda: hh.Start.of(5),
-    "Start.of(None)": lambda: hh.Start.of(None),
-    "from_query(None)": lambda: hh.Scenario.from_query(None),
-    "from_query(5)": lambda: hh.Scenario.from_query(5),
-    "loads(None)": lambda: hh.Scenario.loads(None),
-    "from_dict(5)": lambda: hh.Scenario.from_dict(5),
-    "simulate(5)": lambda: hh.simulate(5),
-    "simulate(Hoop)": lambda: hh.simulate(hh.Hoop),
-    "sweep(base=Hoop)": lambda: hh.maps.sweep(hh.Hoop, {"plane.mu": [1.0]}),
-    "sweep(base=Hoop())": lambda: hh.maps.sweep(hh.Hoop(), {"plane.mu": [1.0]}),
-    "sweep(axes=5)": lambda: hh.maps.sweep(None, 5),
-    "sweep(axes=[])": lambda: hh.maps.sweep(None, []),
-    "points(base=5)": lambda: hh.maps.points(5, {"plane.mu": [1.0]}),
-    "points(values=5)": lambda: hh.maps.points(None, 5),
-    "fates([])": lambda: hh.gaits.fates([]),
-    "fates(5)": lambda: hh.gaits.fates(5),
-    "fates(count=-5)": lambda: hh.gaits.fates([SLOPE], count=-5),
-    "fates([Hoop])": lambda: hh.gaits.fates([hh.Hoop]),
-    "passages(None)": lambda: hh.passages(None),
-    "find(Hoop())": lambda: hh.gaits.find(hh.Hoop()),
-    "find(near=5e-324)": lambda: hh.gaits.find(SLOPE, near=5e-324),
-    "find(near=1e308)": lambda: hh.gaits.find(SLOPE, near=1e308),
-    "find(near=nan)": lambda: hh.gaits.find(SLOPE, near=np.nan),
-    "linear(0, inf)": lambda: hh.maps.linear(0.1, np.inf, 4),
-    "linear(-1e308, 1e308)": lambda: hh.maps.linear(-1e308, 1e308, 4),
-    "logarithmic(1, inf)": lambda: hh.maps.logarithmic(0.1, np.inf, 4),
-    "linear(None, 1)": lambda: hh.maps.linear(None, 1.0, 4),
-    "linear('1', 2)": lambda: hh.maps.linear("1", 2.0, 4),
-    "logarithmic([], 1)": lambda: hh.maps.logarithmic([], 1.0, 4),
-    "scenario_at(5)": lambda: hh.maps.scenario_at(5, {}),
-    "scenario_at({}, 5)": lambda: hh.maps.scenario_at(SLOPE, 5),
-    "borders(5)": lambda: hh.maps.borders(5),
-    "borders({})": lambda: hh.maps.borders({}),
-    "words_of(None)": lambda: hh.maps.words_of(None),
-    "words_of([])": lambda: hh.maps.words_of([]),
-    "phases(5)": lambda: hh.phases(5),
-    "phases(motion)": lambda: hh.phases(sampled()),
-    "summary(None)": lambda: hh.theory.summary(None),
-    "summary(Hoop())": lambda: hh.theory.summary(hh.Hoop()),
-    "cite(5)": lambda: hh.cite.cite(5),
-    "cite(scenario)": lambda: hh.cite.cite(SLOPE),
-    "fit(5)": lambda: hh.fit(5),
-    "fit(None)": lambda: hh.fit(None),
-    "fit([])": lambda: hh.fit([]),
-    "plan({})": lambda: hh.plan({}, rate=60.0),
-    "plan(Hoop)": lambda: hh.plan(hh.Hoop, rate=60.0),
-    "two correlations of a pair": lambda: sampled().uncertainty(
-        {"plane.mu": 0.1, "start.speed": 0.1},
-        {("plane.mu", "start.speed"): 0.5, ("start.speed", "plane.mu"): -0.5},
-    ),
-}
+# functions, and arguments that none of them can take
+WRONG = [
+    (lambda t: sampled().at(t), [(10**400,), ("now",), ({},)]),
+    (hh.Start.of, [(5,), (None,)]),
+    (hh.Scenario.from_query, [(None,), (5,)]),
+    (hh.Scenario.loads, [(None,)]),
+    (hh.Scenario.from_dict, [(5,)]),
+    (hh.simulate, [(5,), (hh.Hoop,)]),
+    (hh.maps.sweep, [(hh.Hoop, {"plane.mu": [1.0]}), (hh.Hoop(), {"plane.mu": [1.0]}), (None, 5), (None, [])]),
+    (hh.maps.points, [(5, {"plane.mu": [1.0]}), (None, 5)]),
+    (hh.gaits.fates, [([],), (5,), ([SLOPE], -5), ([hh.Hoop],)]),
+    (hh.passages, [(None,)]),
+    (hh.gaits.find, [(hh.Hoop(),)]),
+    (lambda near: hh.gaits.find(SLOPE, near=near), [(5e-324,), (1e308,), (np.nan,)]),
+    (hh.maps.linear, [(0.1, np.inf, 4), (-1e308, 1e308, 4), (None, 1.0, 4), ("1", 2.0, 4)]),
+    (hh.maps.logarithmic, [(0.1, np.inf, 4), ([], 1.0, 4)]),
+    (hh.maps.scenario_at, [(5, {}), (SLOPE, 5)]),
+    (hh.maps.borders, [(5,), ({},)]),
+    (hh.maps.words_of, [(None,), ([],)]),
+    (hh.phases, [(5,)]),
+    (lambda: hh.phases(sampled()), [()]),
+    (hh.theory.summary, [(None,), (hh.Hoop(),)]),
+    (hh.cite.cite, [(5,), (SLOPE,)]),
+    (hh.fit, [(5,), (None,), ([],)]),
+    (hh.plan, [({}, 60.0), (hh.Hoop, 60.0)]),
+    (hh.show, [(3,), (SLOPE, ["chart"])]),
+    (uncertain, [({("plane.mu", "start.speed"): 0.5, ("start.speed", "plane.mu"): -0.5},)]),  # two of a pair
+]
 
 
-@pytest.mark.parametrize("name", WRONG)
-def test_wrong_arguments_are_one_sentence(name):
+@pytest.mark.parametrize(("call", "given"), [(call, given) for call, several in WRONG for given in several])
+def test_wrong_arguments_are_one_sentence(call, given):
     warnings.simplefilter("error")  # which pytest undoes
     with pytest.raises(InputError) as refused:
-        WRONG[name]()
+        call(*given)
     assert str(refused.value).endswith(".")
     assert "\n" not in str(refused.value)
 

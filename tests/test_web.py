@@ -2,33 +2,24 @@
 
 import gzip
 import re
-import shutil
 import subprocess
-from pathlib import Path
 
-import pytest
+from checkout import ROOT
+from web_tools import WEB, needs_node
 
-ROOT = Path(__file__).parents[1]
-WEB = ROOT / "web"
 LAB = ROOT / "src/hophoop/lab"
 STATIC = LAB / "static"
 WRITTEN = {"icon.svg", "licences.txt", "preview.png", "tables.json"}  # by hand and by Python, not by the build
 
 
-@pytest.fixture(scope="module")
-def node():
-    """What runs one of the tools that `npm install` puts into web/."""
-    if not (shutil.which("node") and (WEB / "node_modules").is_dir()):
-        pytest.skip("no Node with the tools of web/ (npm install --prefix web)")
-
-    def run(*command):
-        done = subprocess.run(["node", *map(str, command)], cwd=WEB, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stdout + done.stderr
-
-    return run
+def node(*command):
+    """Run one of the tools that `npm install` puts into web/."""
+    done = subprocess.run(["node", *map(str, command)], cwd=WEB, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_the_build_gives_the_same_bytes(node, tmp_path):
+@needs_node
+def test_the_build_gives_the_same_bytes(tmp_path):
     node("build.mjs", tmp_path)
     (tmp_path / "film").mkdir()
     (tmp_path / "scene.js").rename(tmp_path / "film" / "scene.js")
@@ -58,7 +49,8 @@ def test_the_picture_in_space_comes_without_the_words():
     assert "lab.js" not in imported(path.name)
 
 
-def test_pure_modules_do_what_their_tests_say(node):
+@needs_node
+def test_pure_modules_do_what_their_tests_say():
     node("tests/run.mjs")
 
 

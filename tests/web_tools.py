@@ -5,12 +5,12 @@ import json
 import re
 import shutil
 import subprocess
-from pathlib import Path
-from typing import Any
 
 import pytest
 
-WEB = Path(__file__).parents[1] / "web"
+from checkout import ROOT, text_of
+
+WEB = ROOT / "web"
 BUNDLE = """
 import { build } from "esbuild";
 const options = { bundle: true, format: "esm", platform: "node", write: false };
@@ -25,7 +25,7 @@ needs_node = pytest.mark.skipif(
 
 
 @functools.cache
-def bundled(path: Path) -> str:
+def bundled(path):
     """A module and all that it imports, as one text that Node runs."""
     command = ["node", "--input-type=module", "--eval", BUNDLE, path]
     done = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=WEB, check=False)
@@ -34,11 +34,11 @@ def bundled(path: Path) -> str:
 
 
 @functools.cache
-def _english() -> dict[str, Any]:
-    return json.loads((WEB.parent / "src/hophoop/lab/words/en.json").read_text(encoding="utf-8"))
+def _english():
+    return json.loads(text_of("src/hophoop/lab/words/en.json"))
 
 
-def english(said: Any) -> str:
+def english(said):
     """What the page says, as web/words/texts.ts puts it together."""
     if isinstance(said, list):
         return "".join(english(part) for part in said)

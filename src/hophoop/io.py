@@ -122,10 +122,10 @@ def _first_line(error: BaseException) -> str:
 
 def _unpacked(dataset: Any) -> np.ndarray:
     """The structured array that `_packed` took apart."""
-    layout = [(name, kind, tuple(shape)) for name, kind, shape in json.loads(dataset.attrs["layout"])]
+    layout = [(name, kind) for name, kind, _ in json.loads(dataset.attrs["layout"])]
     first = dataset[layout[0][0]]
     table = np.empty(first.shape[0], dtype=np.dtype(layout))
-    for name, *_ in layout:
+    for name, _ in layout:
         table[name] = dataset[name].values
     return table
 

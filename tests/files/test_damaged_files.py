@@ -1,13 +1,10 @@
 """Files of motions that were cut, changed, half written or written by others: the same motion or one sentence."""
 
-from __future__ import annotations
-
 import contextlib
 import multiprocessing
 import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -18,8 +15,9 @@ import xarray as xr
 import zarr
 
 import hophoop as hh
-from damage import REFUSED, SAME, contents, sign, tally, unseal
+from damage import REFUSED, SAME, contents, same, sign, tally, unseal
 from hophoop import io
+from kernel_tools import started
 
 FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 
@@ -27,11 +25,6 @@ FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 @pytest.fixture(scope="module")
 def motion():
     return hh.simulate(hh.Hoop(), hh.Plane(restitution=0.4), hh.Start.rolling(3.1), duration=2.0)
-
-
-def same(one, other):
-    equal = one.scenario == other.scenario and (one.status, one.version) == (other.status, other.version)
-    return equal and all(one.tables[name].tobytes() == other.tables[name].tobytes() for name in ("events", "segments"))
 
 
 # --- what is done to a saved file, and what is said -------------------------------------------------
@@ -201,7 +194,7 @@ def run_limited(limit, *words):
         f"resource.setrlimit(resource.RLIMIT_FSIZE, ({limit}, {limit}))\n"
         "app(['run', '--duration', '0.5', '--quiet', *sys.argv[1:]])"
     )
-    return subprocess.run([sys.executable, "-c", code, *map(str, words)], capture_output=True, text=True, check=False)
+    return started("-c", code, *map(str, words))
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="needs a limit on the size of files")

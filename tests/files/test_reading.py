@@ -1,13 +1,9 @@
 """What reading a motion says of files that other versions, other programs and half a writer left."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
-import numpy as np
 import pytest
-import xarray as xr
 
 import hophoop as hh
 from hophoop import io
@@ -23,14 +19,6 @@ def motion():
 def test_only_the_first_line_of_an_error_is_told():
     assert io._first_line(ValueError("no such key: \nand much more")) == "no such key"
     assert io._first_line(ValueError()) == "ValueError"
-
-
-def test_a_column_of_vectors_comes_back():
-    table = np.zeros(2, dtype=[("t", "f8"), ("force", "f8", (3,))])
-    table["force"] = [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]
-    packed = export._packed(xr, table, "event")
-    assert packed["force"].dims == ("event", "force_1")
-    assert io._unpacked(packed).tobytes() == table.tobytes()
 
 
 # --- formats ---------------------------------------------------------------------------------------

@@ -1,7 +1,5 @@
 """What an output is written over: links are followed, the mode is kept, devices and pipes are never replaced."""
 
-from __future__ import annotations
-
 import errno
 import os
 import stat

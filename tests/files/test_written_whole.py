@@ -1,7 +1,5 @@
 """What files are written and read with: a checksum behind the bytes, a place that is taken when all is there."""
 
-from __future__ import annotations
-
 import errno
 import hashlib
 import os

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from fitting_tools import PLANE, RADIUS, ROOT, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping, lasting, posed, read_again
+from checkout import ROOT
+from fitting_tools import PLANE, RADIUS, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping, lasting, posed, read_again
 from hophoop.fitting import report
 from hophoop.fitting.channels import GYROSCOPE, scatter
 from hophoop.fitting.covariance import autocorrelation_time, correlated_frames, inverse

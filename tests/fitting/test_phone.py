@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from fitting_tools import RADIUS, ROOT, TRUTH, hopping, is_told, pulls
+from checkout import ROOT
+from fitting_tools import RADIUS, TRUTH, hopping, is_told, pulls
 from hophoop.tracking import Reading, read_track
 from hophoop.tracking.table import track_of
 

@@ -12,15 +12,20 @@ import pytest
 
 import hophoop as hh
 from hophoop._support.fingerprint import is_fingerprint
+from hophoop.kernel.compliant.motion import chosen_in_si
 from hophoop.lab import presets
 from hophoop.lab.limits import within
+from hophoop.lab.tables import tables
 from hophoop.maps import QUANTITIES
+from hophoop.scenario.scenario import time_unit
+from hophoop.simulation.compliant import to_compliance
 from hophoop.vocabulary.colors import class_color
 from hophoop.vocabulary.names import class_text
 from hophoop.vocabulary.parameters import RANGES
 from model.asked import asked
 from model.test_page_model import answers
 from page_films import number, same_columns
+from random_scenarios import draw, scenario_of
 from web_tools import english, needs_node
 
 pytestmark = needs_node
@@ -34,6 +39,21 @@ BODIES: list[dict[str, Any]] = [
 ]
 
 
+CONTACTS = [
+    hh.Compliant(),
+    hh.Compliant(stiffness=1e5, law="hunt-crossley", friction="bristle"),
+    hh.Compliant(stiffness=2e5, friction="linear", restitution=0.5, slip_speed=1e-3),
+]
+
+
+def chosen(scenario):
+    """Stiffness [N/m] and slip speed [m/s] of a compliant contact, which a scenario may leave open."""
+    _, numbers, _, _ = to_compliance(scenario)
+    hoop = scenario.hoop
+    sizes = chosen_in_si(numbers, hoop.radius, time_unit(hoop, scenario.plane), hoop.mass)
+    return dict(zip(("contact.stiffness", "contact.slip_speed"), sizes, strict=True))
+
+
 def of_python(body: dict[str, Any]) -> hh.Trajectory:
     return hh.simulate(within(asked(json.loads(json.dumps(body)))))
 
@@ -44,6 +64,11 @@ def test_films_are_those_of_python():
     bodies += [{"query": "duration=60"}]  # sampled coarsely, and where the load passes top and bottom
     bodies += [{"query": "start.angle=0&start.vx=1&start.omega=1&duration=0.0001"}]
     bodies += [{"changes": [["contact.model", "compliant"], ["contact.stiffness", 1e5]], "query": "duration=0.5"}]
+    bodies += [{"query": query} for query in ("plane.restitution=0.9", "duration=600")]
+    soft = hh.Scenario.from_query("duration=2&plane.slope=0.1&start.speed=2")
+    scenarios = [scenario_of(draw(20261122, index), max_events=500) for index in range(60)]
+    scenarios += [soft.replace("contact", contact) for contact in CONTACTS]
+    bodies += [{"scenario": json.loads(json.dumps(scenario.to_dict()))} for scenario in scenarios]
     motion = hh.simulate(hh.Scenario())
     # motions that go on from a state of another, also in slip
     starts = [hh.Start.of(motion.at(t)) for t in (0.55, 1.2, 1.9, 2.1)]
@@ -55,6 +80,8 @@ def test_films_are_those_of_python():
             assert film["header"][name] == written[name], f"{body} {name}"
         assert film["header"]["query"] == asked(body).to_query()
         assert film["header"]["duration"] == motion.duration
+        if motion.scenario.contact.model == "compliant":
+            assert film["header"]["automatic"].items() >= chosen(motion.scenario).items(), body
         assert len(film["arrays"]["t"]) >= 2
         same_columns(film["arrays"], motion, body)
 
@@ -129,7 +156,7 @@ AXES = {
 }  # fmt: skip
 
 
-SPANS = {"sequence": "first_revolution", "hop_height": "takeoff", "energy_lost": "duration", "ending": "duration"}
+SPANS = {name: known["span"] for name, known in tables()["map"]["quantities"].items()}
 
 
 def test_a_class_has_one_colour_on_the_page_and_in_figures():

@@ -7,7 +7,6 @@ import functools
 import json
 import math
 import random
-import re
 import shutil
 import subprocess
 import tempfile
@@ -139,11 +138,6 @@ def test_requests_are_read_alike(seeds, monkeypatch):
 
 
 # Numbers and texts
-
-
-def written(sentence: str) -> str:
-    """A sentence with numbers as JavaScript writes them."""
-    return re.sub(r"e([+-])0(\d)", r"e\1\2", re.sub(r"(\d)\.0\b", r"\1", sentence))
 
 
 def doubles() -> list[float]:

@@ -1,7 +1,5 @@
 """The second module judges what becomes of a motion as the library does."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 
@@ -25,11 +23,11 @@ SEED = 20261126
 
 
 @pytest.fixture(scope="module")
-def host() -> Host:
+def host():
     return Host(HERE / FATES)
 
 
-def scenarios(count: int) -> list[hh.Scenario]:
+def scenarios(count):
     """Random motions on the level and on slopes, most of them gentle; those with friction that holds and those without."""
     random = np.random.default_rng(SEED)
     found = []
@@ -46,7 +44,7 @@ def scenarios(count: int) -> list[hh.Scenario]:
     return found
 
 
-def assert_same(host: Host, scenario: hh.Scenario) -> str:
+def assert_same(host, scenario):
     """Fate, period, hops and all numbers are those of the library."""
     cell = cell_of(scenario)
     codes, numbers = judged(cell.reshape(-1, 1).copy(), Request(BOTTOM, MOST, FOREVER, PANELS, True))
@@ -59,7 +57,7 @@ def assert_same(host: Host, scenario: hh.Scenario) -> str:
     return FATE_CODES[int(found["fate"])]
 
 
-def test_fates_of_random_motions_are_the_same(host: Host) -> None:
+def test_fates_of_random_motions_are_the_same(host):
     """And of one that is chaotic."""
     chaotic = hh.Scenario(plane=hh.Plane(slope=math.radians(4.0)), start=hh.Start.rolling(2.0))
     fates = Counter(assert_same(host, scenario) for scenario in [*scenarios(60), chaotic])

@@ -1,9 +1,5 @@
 """The module gives the kept bits of every motion that doubles decide, in wasmtime and in Chromium."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import pytest
 
 pytest.importorskip("wasmtime")
@@ -16,13 +12,13 @@ from module.host import Host
 RIGID = ("rigid", "border", "paradox", "resisted", "massless", "doubt")
 
 
-def test_the_module_gives_the_kept_bits_in_wasmtime() -> None:
+def test_the_module_gives_the_kept_bits_in_wasmtime():
     kept = of_kinds(kept_scenarios(), *RIGID)
     assert len(kept) > 900
     assert differing(run_module(Host(HERE / MODULE), kept)) == []
 
 
-def test_the_page_gives_the_kept_bits_in_chromium(browser: Any) -> None:
+def test_the_page_gives_the_kept_bits_in_chromium(browser):
     kept = kept_scenarios(every=4)
     assert {each.kind for each in kept} == {*RIGID, "compliant"}
     assert differing(run_page(browser, kept)) == []

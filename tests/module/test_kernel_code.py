@@ -1,10 +1,7 @@
 """The kernels' code for other processors: nothing fused, nothing of the C library; and as a program it gives the kept bits."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
-from pathlib import Path
 
 import pytest
 
@@ -27,19 +24,19 @@ FUSED = re.compile(r"^\s+(v?fn?m(?:add|sub|la|ls)\w*(?:\.\w+)*)", re.MULTILINE)
 CALLED = re.compile(r"^\s+(?:bl|b|callq?|jmpq?|tail|jal)\s+\*?([A-Za-z_.$][\w.$@]*)", re.MULTILINE)
 
 
-def fused(assembly: str) -> Counter[str]:
+def fused(assembly):
     """Instructions that multiply and add at once."""
     return Counter(FUSED.findall(assembly))
 
 
-def called(assembly: str) -> set[str]:
+def called(assembly):
     """Functions that are not in the code itself."""
     own = set(re.findall(r"^([A-Za-z_.$][\w.$]*):", assembly, re.MULTILINE))
     names = {name.partition("@")[0] for name in CALLED.findall(assembly)}
     return {name.lstrip("_") for name in names - own if not name.startswith((".", "L"))}
 
 
-def strange(names: set[str]) -> set[str]:
+def strange(names):
     """Those of them that are neither Numba's, nor memory, nor exact."""
     return {name for name in names if not (RUNTIME.fullmatch(name) or name in MEMORY | EXACT)}
 
@@ -49,7 +46,7 @@ def strange(names: set[str]) -> set[str]:
 NEVER = (("11integer_str", "llvm.log10.f64", "llvm.floor.f64"), ("int_power", "llvm.pow.f64", "llvm.copysign.f64"))
 
 
-def without_what_never_runs(text: str) -> str:
+def without_what_never_runs(text):
     """LLVM's code with exact functions in Numba's own branches that no motion gets to."""
     parts = re.split(r"(?m)^(?=define )", text)
     for place, part in enumerate(parts):
@@ -65,7 +62,7 @@ def without_what_never_runs(text: str) -> str:
 
 @pytest.mark.long
 @pytest.mark.parametrize("table", TABLES)
-def test_code_asks_for_nothing_inexact(table: str) -> None:
+def test_code_asks_for_nothing_inexact(table):
     text = without_what_never_runs(code_of(TABLES[table], table))
     assert not LOOSE.findall(text)
     names = set(re.findall(r"^declare [^@]*@([\w.]+)", text, re.MULTILINE))
@@ -75,7 +72,7 @@ def test_code_asks_for_nothing_inexact(table: str) -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(900)
-def test_another_processor_gives_the_kept_bits(tmp_path: Path) -> None:
+def test_another_processor_gives_the_kept_bits(tmp_path):
     """ARM64: the code of motions fuses no product with a sum, calls nothing inexact, and gives the bits."""
     missing = why_no_program("aarch64")
     if missing:

@@ -1,6 +1,4 @@
-"""The WebAssembly module: what it is made of, that it imports nothing, and how its motions end."""
-
-from __future__ import annotations
+"""The WebAssembly module: what it is made of, that it imports nothing, how its motions end, and regions of the phase plane."""
 
 import hashlib
 import json
@@ -30,33 +28,34 @@ from hophoop.lab.wasm.entries import ENTRIES, FATE_ENTRIES
 from hophoop.lab.wasm.layout import layout
 from hophoop.lab.wasm.stamp import FATES, HERE, LAYOUT, MODULE, sources, stamped
 from hophoop.scenario.scenario import contact_of
+from hophoop.vocabulary.names import MODE_WORDS, mode_words
 
 pytest.importorskip("wasmtime")
 
 from module.host import Host
-from module.module_tools import cell_of, same
+from module.module_tools import cell_of
 
 TOLD = json.loads((HERE / LAYOUT).read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="module")
-def host() -> Host:
+def host():
     return Host(HERE / MODULE)
 
 
-def test_the_module_is_that_of_the_sources() -> None:
+def test_the_module_is_that_of_the_sources():
     assert TOLD["sources"] == sources(), "run python -m hophoop.kernel.build browser"
     assert {name: TOLD[name] for name in layout()} == json.loads(json.dumps(layout()))
 
 
-def source_file(kernel) -> Path:
+def source_file(kernel):
     """The file of a kernel; of a generated tangent that of the kernel it belongs to."""
     name = marks.source_of(kernel).__code__.co_filename
     tangent = re.match(r"<tangent of ([\w.]+)\.\w+ by", name)
     return Path(sys.modules[tangent[1]].__file__ if tangent else name)
 
 
-def test_the_stamp_holds_all_that_decides_the_bytes_and_entries_call_kernels_alone() -> None:
+def test_the_stamp_holds_all_that_decides_the_bytes_and_entries_call_kernels_alone():
     """What is called and is no kernel cannot be compiled, nor is it in the stamp."""
     found, waiting = set(), [kernel for kernel, _ in [*ENTRIES.values(), *FATE_ENTRIES.values()]]
     while waiting:
@@ -76,7 +75,7 @@ def test_the_stamp_holds_all_that_decides_the_bytes_and_entries_call_kernels_alo
     assert {function.__qualname__ for function in plain if not is_kernel(function)} == set()
 
 
-def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path) -> None:
+def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path):
     @contextmanager
     def workers():
         with ThreadPoolExecutor(1) as pool:
@@ -94,7 +93,7 @@ def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path) -> 
     assert {file.name for file in out.iterdir()} == {MODULE, FATES, LAYOUT}
 
 
-def test_a_motion_ends_by_its_budget_whatever_is_asked(host: Host) -> None:
+def test_a_motion_ends_by_its_budget_whatever_is_asked(host):
     heads, events = host.motion(cell_of(hh.Scenario(duration=1e6)))
     assert heads["status"] == Status.EVENT_LIMIT
     assert heads["panels"] <= MOST_PANELS + 100  # the last step counts itself, and each width that it tries
@@ -102,7 +101,7 @@ def test_a_motion_ends_by_its_budget_whatever_is_asked(host: Host) -> None:
     assert events[-1, 0] == heads["duration"]
 
 
-def test_it_refuses_what_the_library_refuses(host: Host) -> None:
+def test_it_refuses_what_the_library_refuses(host):
     draw = np.random.default_rng(6)
     usual, spring = np.array(cell_of(hh.Scenario())), np.array(contact_of(hh.Compliant()))
     ends = {
@@ -123,12 +122,40 @@ def test_it_refuses_what_the_library_refuses(host: Host) -> None:
         contact[rows] = draw.choice([math.nan, 1e-9, 10.0, 1e5, 1e18], 3)
         given = tuple(contact.tolist()) if draw.random() < 0.6 else ()
         code, number = refusal(cell.tolist(), given)
-        assert same(host.refused(cell, given), (code, number))
+        np.testing.assert_equal(host.refused(cell, given), (code, number))
         found[code] += 1
     assert len(found) == len(Refusal)
 
 
-def test_it_names_no_machine() -> None:
+@pytest.mark.parametrize(
+    "query",
+    [
+        "",
+        "plane.mu=0.4&plane.slope=0.3&hoop.radius=0.3",
+        "plane.mu=0.9&plane.rolling_resistance=0.1",
+        "hoop.load_fraction=1",
+        "plane.gravity=0",
+        "plane.mu=inf",
+    ],
+)
+def test_regions(host, query):
+    scenario = hh.Scenario.from_query(query)
+    window = (-3.0, 7.0, -12.0, 12.0)
+    codes, paradox = host.regions(cell_of(scenario), window, 90, 60)
+    angles = -3.0 + (np.arange(90) + 0.5) * (10.0 / 90)
+    rates = (-12.0 + (np.arange(60) + 0.5) * (24.0 / 60))[:, None]
+    hoop, plane = scenario.hoop, scenario.plane
+    words = mode_words(hh.theory.mode_of(angles, rates, hoop, plane), rates)
+    places = {word: code for code, word in enumerate(MODE_WORDS)}
+    assert codes.ravel().tolist() == [places.get(word, len(MODE_WORDS)) for word in words.ravel()]
+    sides = np.zeros((2, 90))
+    if not hoop.massless and math.isfinite(plane.mu_kinetic):
+        couple, turning = plane.rolling_resistance, np.array([[-1.0], [1.0]])
+        sides[:] = hh.theory.painleve_region(angles, plane.mu_kinetic, hoop, rolling_resistance=couple, omega=turning)
+    assert np.array_equal(paradox, sides.ravel())
+
+
+def test_it_names_no_machine():
     content = (HERE / MODULE).read_bytes()
     assert b"site-packages" not in content
     assert b"/home/" not in content

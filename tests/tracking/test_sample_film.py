@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from fitting_tools import ROOT, is_told
+from checkout import ROOT
+from fitting_tools import is_told
 from hophoop.tracking import Hints, read_track
 
 FOLDER = ROOT / "examples" / "film"

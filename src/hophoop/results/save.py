@@ -286,11 +286,9 @@ def _packed(xr: Any, table: np.ndarray, dimension: str) -> xarray.Dataset:
     names = table.dtype.names or ()
     variables = {}
     for name in names:
-        column = np.ascontiguousarray(table[name])
-        extra = [f"{name}_{axis}" for axis in range(1, column.ndim)]
         meaning = name.replace("_", " ").capitalize()
-        variables[name] = ([dimension, *extra], column, {"long_name": meaning, "units": "1"})
-    layout = json.dumps([[name, table.dtype[name].base.str, list(table.dtype[name].shape)] for name in names])
+        variables[name] = ([dimension], np.ascontiguousarray(table[name]), {"long_name": meaning, "units": "1"})
+    layout = json.dumps([[name, table.dtype[name].str, []] for name in names])  # each is one number
     dataset: xarray.Dataset = xr.Dataset(variables, attrs={"layout": layout})
     return dataset
 
